@@ -33,7 +33,7 @@ class FrameTest(ReportTest):
         tile, strip = b.box(".tile[data-index='89']"), b.box("#strip")
         self.assertLessEqual(tile["right"], strip["right"] + 1)
 
-    def test_frames_that_passed_say_so(self):
+    def test_passed_frames_show_a_note(self):
         b = self.open("#scene=cloth%2Fflag&frame=30&view=side")
         self.assertEqual(b.text(".empty"), "Frame 30 is equal to its baseline; its picture is not stored.")
         self.scene("cloth/curtain")
@@ -58,7 +58,7 @@ class FrameTest(ReportTest):
         self.assertEqual(b.text("#curve text.diverges"), "leaves the baseline: frame 37, step 4/22")
         self.assertEqual(b.text("#curve text.bound"), "maxDiffRatio 0.5 %")
 
-    def test_curve_of_each_measurement(self):
+    def test_the_curve_shows_the_chosen_metric(self):
         b = self.open(FLAG + "side")
         for metric in ("worst", "ratioBeyond", "flipMean", "ssim"):
             b.run("byId('metric').value = arguments[0]; byId('metric').dispatchEvent(new Event('change'))", metric)
@@ -69,7 +69,7 @@ class FrameTest(ReportTest):
             dots = [float(e.get_attribute("cy")) for e in b.all("#curve .dot")]
             self.assertAlmostEqual((dots[0] - dots[8]) / (dots[0] - min(dots)), value / most, places=3)
 
-    def test_frames_that_cannot_be_compared_are_gaps(self):
+    def test_frames_without_comparison_are_gaps_in_the_curve(self):
         self.open("#scene=particles%2Fnew&view=side")
         self.assertEqual(len(self.browser.all("#curve .dot.gap")), 3)
         self.assertIn("not measured", self.browser.one("#curve").get_attribute("aria-label"))

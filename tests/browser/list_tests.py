@@ -55,7 +55,7 @@ class ListTest(ReportTest):
 
 
 class KeyboardTest(ReportTest):
-    def test_scenes_and_frames(self):
+    def test_keys_move_between_scenes_and_frames(self):
         b = self.open()
         self.assertEqual(b.text("#name"), "life/broken")
         b.keys("j")
@@ -81,7 +81,7 @@ class KeyboardTest(ReportTest):
         b.keys("F")
         self.assertEqual(self.chosen()[:2], ("cloth/flag", 210))
 
-    def test_views_by_number(self):
+    def test_number_keys_choose_views(self):
         b = self.open(FLAG + "side")
         for key, view in (("2", "swipe"), ("3", "blink"), ("4", "difference"), ("1", "side")):
             b.keys(key)
@@ -104,7 +104,7 @@ class KeyboardTest(ReportTest):
         b.keys("?")
         self.assertEqual(b.visible("#keys"), [])
 
-    def test_filter_takes_letters_and_escape_leaves_it(self):
+    def test_letters_go_into_the_filter_and_escape_leaves_it(self):
         b = self.open(FLAG + "side")
         b.keys("/", "j", "4")
         self.assertEqual(b.value("byId('filter').value"), "j4")
@@ -112,7 +112,7 @@ class KeyboardTest(ReportTest):
         b.keys(Keys.ESCAPE)
         self.assertEqual(b.value("document.activeElement.id"), "list")
 
-    def test_list_by_arrows(self):
+    def test_arrow_keys_move_through_the_list(self):
         b = self.open()
         b.run("byId('list').focus()")
         b.keys(Keys.ARROW_DOWN, Keys.ARROW_DOWN, Keys.ARROW_UP)
@@ -122,14 +122,14 @@ class KeyboardTest(ReportTest):
         b.keys(Keys.END)
         self.assertEqual(b.text("#name"), "cloth/tablecloth")
 
-    def test_focus_is_seen(self):
+    def test_the_focus_outline_is_visible(self):
         b = self.open(FLAG + "side")
         for _ in range(12):
             b.keys(Keys.TAB)
             style = [b.style(":focus", name) for name in ("outlineStyle", "outlineWidth")]
             self.assertEqual(style, ["solid", "2px"], b.value("document.activeElement.outerHTML"))
 
-    def test_everything_has_a_name(self):
+    def test_every_control_has_an_accessible_name(self):
         b = self.open(FLAG + "swipe")
         nameless = b.value("""[...document.querySelectorAll('button, input, select, img, [role]')]
             .filter((e) => e.getAttribute('role') !== 'presentation' &&

@@ -116,7 +116,7 @@ class ManyTests:
         for word in ("it's", "maxDiffPixels 0", "100 %"):
             self.assertIn(word, line)
 
-    def test_pictures_are_loaded_when_they_come_near(self):
+    def test_pictures_load_when_scrolled_near(self):
         b = self.browser
         b.open(self.page)
         b.value("document.querySelectorAll('.group > .link').forEach((more) => more.click())")
@@ -128,7 +128,7 @@ class ManyTests:
         b.value("[...document.querySelectorAll('.thumb')].pop().scrollIntoView()")
         self.assertTrue(self.until("[...document.querySelectorAll('.small img:not(.over)')].pop().naturalWidth > 0"))
 
-    def test_one_click_chooses_a_group_and_says_the_command(self):
+    def test_one_click_chooses_a_group_and_shows_the_command(self):
         b = self.browser
         b.open(self.page)
         b.click(".group:nth-of-type(2) .accept")
@@ -147,7 +147,7 @@ class ManyTests:
         b.value("document.querySelector('#choice > button').click()")
         self.assertTrue(b.value("byId('choice').hidden"))
 
-    def test_a_difference_of_1_is_seen(self):
+    def test_an_amplified_difference_of_1_is_visible(self):
         b = self.browser
         b.open(self.page)
         name = b.value("overview.groups.find((group) => group.words[1] === 'by 1 of 255').scenes[0].name")
@@ -194,10 +194,10 @@ class InChromium(ManyTests, unittest.TestCase):
         browser.picture_of = lambda selector: browser.one(selector).screenshot_as_png
         return browser
 
-    def test_size(self):
+    def test_the_page_is_smaller_than_1_megabyte(self):
         self.assertLess(self.page.stat().st_size, 1e6)
 
-    def test_scrollbars_are_dark_with_the_page(self):
+    def test_scrollbars_follow_the_theme(self):
         b = self.browser
         for theme, dark in (("light", False), ("dark", True)):
             b.open(self.page)

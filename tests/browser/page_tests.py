@@ -52,7 +52,7 @@ class PageTest(ReportTest):
         finally:
             self.browser.command("Page.removeScriptToEvaluateOnNewDocument", identifier=script["identifier"])
 
-    def test_asks_for_its_own_pictures_only(self):
+    def test_only_its_own_pictures_are_requested(self):
         self.browser.requests()
         self.open(FLAG + "side")
         asked = [a for a in self.browser.requests() if not a.startswith(("about:", "data:"))]
@@ -60,7 +60,7 @@ class PageTest(ReportTest):
         for address in asked:
             self.assertTrue(address.startswith(self.page.parent.as_uri()), address)
 
-    def test_phone(self):
+    def test_a_narrow_screen_shows_either_list_or_scene(self):
         b = self.browser
         b.size(400, 800)
         self.open()
@@ -92,7 +92,7 @@ class PageTest(ReportTest):
         self.assertEqual(self.browser.visible("#side, #viewer, #time"), [])
         self.browser.keys("j", "f", "l", "w", "b", "+", "c", "2")
 
-    def test_page_that_cannot_be_written(self):
+    def test_an_unwritable_page_is_an_error(self):
         folder = pathlib.Path(self.folder.name) / "blocked"
         (folder / "index.html").mkdir(parents=True)
         made = subprocess.run([MAKE_REPORT, folder, "none"], capture_output=True, text=True)

@@ -156,7 +156,7 @@ class PictureTest(ReportTest):
         b.move(5, 5)
         self.assertEqual(b.text("#pixel"), "")
 
-    def test_colours_where_the_browser_allows(self):
+    def test_pixel_colours_are_shown_over_http(self):
 
         class Quiet(http.server.SimpleHTTPRequestHandler):
             def log_message(self, *_):
@@ -173,7 +173,7 @@ class PictureTest(ReportTest):
         b.move(*self.middle(0))
         self.assertRegex(b.text("#pixel"), r"^x 100  y 20  ·  expected \d+ \d+ \d+  ·  actual 0 0 0$")
 
-    def test_pictures_that_are_gone(self):
+    def test_missing_pictures_are_reported(self):
         gone = self.page.parent.parent / "gone"
         shutil.copytree(self.page.parent, gone)
         (gone / "files/cloth/flag/000120.actual.png").unlink()

@@ -88,7 +88,7 @@ class PageOfServe(unittest.TestCase):
         # Ignores the warning about reading the canvas, because only these tests read it.
         self.assertEqual([text for text in self.browser.problems() if "willReadFrequently" not in text], [])
 
-    def test_scrub_back_is_what_render_makes(self):
+    def test_scrubbing_back_shows_what_render_draws(self):
         b = self.open()
         b.keys(Keys.END)
         self.at(5)
@@ -117,7 +117,7 @@ class PageOfServe(unittest.TestCase):
         b.keys(" ")
         self.assertTrue(b.until("simreel.state.status.playing"))
 
-    def test_a_slider_changes_the_picture_and_nothing_else(self):
+    def test_a_slider_changes_the_picture_but_not_the_file(self):
         b = self.open()
         before, text = self.pixels(), self.scene.read_text()
         b.one("#filter").send_keys("intensity")
@@ -150,7 +150,7 @@ class PageOfServe(unittest.TestCase):
         part.write_text(text)
         part.rename(self.scene)
 
-    def test_mistakes_stand_over_the_last_good_picture(self):
+    def test_errors_are_shown_over_the_last_valid_picture(self):
         b = self.open()
         before = self.pixels()
         text = self.scene.read_text()
@@ -194,7 +194,7 @@ class PageOfServe(unittest.TestCase):
         self.assertEqual((after["eye"], after["target"]), (before["eye"], before["target"]))
         self.shows(0, *[word for path, value in b.value("simreel.state.scene.edits") for word in ("-D", f"{path}={value}")])
 
-    def test_a_click_asks(self):
+    def test_a_click_describes_the_pixel(self):
         b = self.open()
         box = b.box("#picture")
         x, y = box["x"] + box["width"] / 2, box["y"] + 0.6 * box["height"]
@@ -213,7 +213,7 @@ class PageOfServe(unittest.TestCase):
         self.assertEqual((width, height, b"".join(unfiltered(rows, 3 * width, 3))), self.rendered(1))
         self.assertEqual(b.run("return fetch('render.png').then((answer) => answer.headers.get('content-type'))"), "image/png")
 
-    def test_keys_are_dragged_along_the_timeline(self):
+    def test_keyframes_are_dragged_along_the_timeline(self):
         turning = with_values({"time.duration": 1, "camera.fieldOfView": {"keys": [[0, 30], [0.5, 40], [0.9, 50]]},
                                "sun.intensity": {"keys": [[0.2, 2], [0.5, 3]]}})
         b = self.open("--edit", scene=turning)
@@ -233,7 +233,7 @@ class PageOfServe(unittest.TestCase):
         self.at(27)
         self.shows(27)
 
-    def test_a_dragged_key_is_taken_back(self):
+    def test_a_dragged_keyframe_can_be_undone(self):
         b = self.open(scene=with_values({"camera.fieldOfView": {"keys": [[0, 30], [0.1, 60]]}}))
         before, box, track = self.scene.read_text(), b.box("#keys i:nth-child(2)"), b.box("#track")
         x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
@@ -284,7 +284,7 @@ class PageOfServe(unittest.TestCase):
         b.click("#compare")
         self.assertTrue(b.until("document.getElementById('golden').hidden"))
 
-    def test_two_sides_in_step(self):
+    def test_two_sides_stay_at_the_same_frame(self):
         b = self.open(scene=with_values({"objects.flag.cloth.damping": 1}))
         self.assertFalse(b.visible("#pair, #pictureBeside"))
         b.keys(Keys.ARROW_RIGHT, Keys.ARROW_RIGHT)
@@ -339,7 +339,7 @@ class PageOfServe(unittest.TestCase):
         self.assertTrue(b.until("document.getElementById('verdict').textContent.startsWith('This scene has no baseline yet')"))
         self.assertEqual((self.scene.read_text(), other.read_text()), (left, right.replace('"damping": 2', '"damping": 3')))
 
-    def test_colours_are_picked_and_other_numbers_stay(self):
+    def test_editing_one_component_or_a_colour_keeps_other_numbers(self):
         b = self.open(scene=with_values({"sun.color": [1, 0.9, 0.8], "camera.position": [0.1234567, 1, 3]}))
         b.one("#filter").send_keys("camera.position")
         box = ".row[data-path='camera.position'] input[type='number']"
@@ -354,7 +354,7 @@ class PageOfServe(unittest.TestCase):
         self.assertTrue(b.until("simreel.state.scene.edits.length === 2 && simreel.state.scene.edits[1][1] === '[1,0.216,0]'"))
         self.shows(0, "-D", "camera.position=[0.1234567,1.5,3]", "-D", "sun.color=[1,0.216,0]")
 
-    def test_keys_come_and_go(self):
+    def test_keyframes_are_added_and_removed(self):
         b = self.open("--edit", scene=with_values({"camera.fieldOfView": 40}))
         key, value = ".row[data-path='camera.fieldOfView'] .key", "simreel.state.scene.scene.camera.fieldOfView"
         b.click(key)
@@ -378,7 +378,7 @@ class PageOfServe(unittest.TestCase):
         self.assertTrue(b.until(f"{value} === 60"))
         self.shows(5)
 
-    def test_a_brush_leaves_strokes(self):
+    def test_a_brush_adds_strokes(self):
         b = self.open("--edit", scene={"version": 1, "render": {"size": [64, 64], "samples": 1}, "time": {"fps": 30, "duration": 0.2},
                                        "objects": {"dish": {"grayScott": {"size": [64, 64], "steps": 4}}}})
         b.keys(Keys.ARROW_RIGHT)
@@ -393,7 +393,7 @@ class PageOfServe(unittest.TestCase):
         self.assertNotEqual(self.pixels(), before)
         self.assertEqual(len(json.loads(self.scene.read_text())["objects"]["dish"]["grayScott"]["strokes"]), b.value(f"{strokes}.length"))
 
-    def test_charts_show_checks_that_fail(self):
+    def test_charts_mark_failed_checks(self):
         b = self.open(scene=with_values({"checks": [{"what": "mass", "min": 60, "max": 70}, {"what": "speed", "max": 0.01}]}))
         b.keys(Keys.ARROW_RIGHT)
         self.at(1)
@@ -402,7 +402,7 @@ class PageOfServe(unittest.TestCase):
         self.assertIn("flag · speed", b.text(".chart.bad header"))
         self.assertGreater(b.value("document.querySelectorAll('.chart line.bound').length"), 0)
 
-    def test_hostile_texts_stay_texts(self):
+    def test_markup_in_texts_is_escaped(self):
         b = self.open(scene=with_values({"title": "<img src=x onerror=alert(1)>"}))
         self.assertEqual(b.text("#title"), "<img src=x onerror=alert(1)>")
         self.save('{"version": 1, "<script>alert(1)</script>": 2}')

@@ -54,7 +54,7 @@ class PageInFirefox(unittest.TestCase):
             time.sleep(0.1)
         return pixels
 
-    def test_the_page(self):
+    def test_the_page_works(self):
         b = self.browser
         b.size(1280, 800)
         b.command("WebDriver:Navigate", url=self.server.page)

@@ -116,7 +116,7 @@ class Bench(BenchCase):
         self.assertIn("Time of a frame: scene.json", texts)
         self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["a.json", "a.svg", "scene.json"])
 
-    def test_by_query(self):
+    def test_timing_by_queries(self):
         """A software driver's queries do not measure compute shaders, but run through the same code."""
         (row,) = self.bench("scene.json", *FEW, "--timing", "query", "--chart", "a.svg")["rows"]
         self.assertIn("surfaces", self.names(row))
@@ -125,14 +125,14 @@ class Bench(BenchCase):
         texts = [node.text for node in xml.parse(self.folder / "a.svg").iter("{http://www.w3.org/2000/svg}text")]
         self.assertIn("GPU", texts)
 
-    def test_by_waiting(self):
+    def test_timing_by_waiting(self):
         (row,) = self.bench("scene.json", "--frames", "40", "--timing", "wait")["rows"]
         # Compares minima, because on a busy machine most frames may be interrupted between two stages.
         spent = sum(stage["cpu"]["least"] for stage in row["stages"])
         self.assertGreater(spent, 0.5 * row["frame"]["least"])
         self.bad(2, "--timing", "bench", "scene.json", "--timing", "guess")
 
-    def test_whole_frames(self):
+    def test_timing_of_whole_frames(self):
         result = self.bench("scene.json", *FEW, "--timing", "whole")
         self.assertEqual((result["timing"], result["rows"][0]["stages"], result["rows"][0]["boundBy"]), ("whole", [], ""))
         self.good("bench", "scene.json", *FEW, "--timing", "whole", "--chart", "a.svg")
@@ -143,7 +143,7 @@ class Bench(BenchCase):
         self.assertEqual(row["samples"]["frame"][0], 1)
         self.assertEqual(row["frames"], 2)
 
-    def test_the_pre_roll_does_not_count(self):
+    def test_the_pre_roll_is_not_measured(self):
         """The pre-roll precedes frame 0, which is never measured."""
         self.write("late.json", with_values({"time.start": 2}))
         for timing in ("wait", "query", "whole"):
@@ -185,7 +185,7 @@ class Mistakes(BenchCase):
         self.bad(4, "no device matches", "bench", "scene.json", "--json", "a.json", "--device", "nonsense")
         self.assertEqual((self.folder / "a.json").read_text(), "old")
 
-    def test_a_lost_state_names_its_row(self):
+    def test_a_diverged_state_is_reported_with_its_row(self):
         self.bad(4, ["stiffness=1e7", "blew up"], "bench", "scene.json", *FEW, "-D", f"{MASS}=0.01", "--vary",
                  "objects.flag.cloth.stiffness=10,1e7")
 

@@ -69,7 +69,7 @@ class Installed(Case):
         self.assertTrue((self.installed() / "share/doc/simreel/guide/pictures/starter_cloth.png").exists())
         self.assertFalse((self.installed() / "share/simreel/assets/guide").exists())
 
-    def test_the_tree_works_where_it_was_moved_to(self):
+    def test_a_moved_installation_works(self):
         shutil.copytree(self.installed(), self.root)
         self.assert_renders(self.root)
 

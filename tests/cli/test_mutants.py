@@ -29,23 +29,23 @@ int c;
 
 
 class Compiled(unittest.TestCase):
-    def test_macros_that_nothing_names_are_unused(self):
+    def test_unreferenced_macros_are_found(self):
         self.assertEqual({"THREE", "FOUR", "FIVE"}, compiled.unused_macros(SOURCE_TEXT))
         self.assertEqual(set(), compiled.unused_macros(SOURCE_TEXT + "int d = THREE(FIVE);\n"))
 
     @unittest.skipIf(shutil.which("cpp") is None, "there is no cpp")
-    def test_kept_lines(self):
+    def test_compiled_lines_are_found(self):
         self.assertEqual({1, 3, 7, 11}, compiled.kept(SOURCE_TEXT))
 
 
 class Program(unittest.TestCase):
-    def test_it_starts(self):
+    def test_the_program_starts(self):
         done = subprocess.run([SOURCE / "tools/mutate", "--of", "simulations", "--help"], capture_output=True, text=True, check=True)
         self.assertIn("--again REPORT", done.stdout)
 
 
 class Reported(unittest.TestCase):
-    def test_those_of_a_report_are_those_drawn_each_once(self):
+    def test_each_mutant_of_a_report_is_read_once(self):
         drawn = changes.drawn_lots(["draw/half.glsl", "draw/ordered_key.glsl"], 17)
         lines = [f"survived                          {mutant.place()}  {mutant.words()}" for mutant in drawn]
         lines[0] = f"caught       test_gpu             {drawn[0].place()}  {drawn[0].words()}\n{'':13}a test"
@@ -59,7 +59,7 @@ class Reported(unittest.TestCase):
 
 
 class Equivalent(unittest.TestCase):
-    def test_each_is_one_change_of_a_line_that_is_there(self):
+    def test_every_listed_equivalent_mutant_exists(self):
         left = set(equivalent.EQUIVALENT)
         seed = 0
         while left and seed < 64:  # any of eight bits of a hexadecimal number may be changed

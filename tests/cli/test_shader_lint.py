@@ -61,7 +61,7 @@ PLACED = ["vec4 a;\nmat4 b;\nfloat c;\nint d DEFAULT(1);", "float a;\nint b;\nve
 
 
 class Lint(unittest.TestCase):
-    def test_what_draws_exactly_is_checked(self):
+    def test_files_of_exact_drawing_are_checked(self):
         folder = SOURCE / "glsl/draw"
         for file in lint.EXACT_DRAWING - {"exact"}:
             self.assertTrue((folder / file).exists(), file)
@@ -69,22 +69,22 @@ class Lint(unittest.TestCase):
         self.assertTrue(lint.is_exact("cloth/step.comp") and lint.is_exact("common/exact.glsl"))
         self.assertFalse(lint.is_exact("draw/surface/surface.frag") or lint.is_exact("probe/samples.comp"))
 
-    def test_floating_arithmetic_outside_assignments_to_precise_variables_is_reported(self):
+    def test_floating_point_arithmetic_without_precise_is_reported(self):
         for text in WRONG:
             with self.subTest(text=text):
                 self.assertEqual([line for _, line, _ in lint.check({"": text})], [2])
 
-    def test_precise_and_integer_arithmetic_is_not(self):
+    def test_precise_and_integer_arithmetic_is_allowed(self):
         for text in RIGHT:
             with self.subTest(text=text):
                 self.assertEqual(lint.check({"": text}), [])
 
-    def test_names_are_known_from_what_a_kernel_includes(self):
+    def test_types_are_known_from_included_files(self):
         texts = {"types": "struct S { ivec4 counts; vec4 place; };\nuniform B { S stepData; };",
                  "kernel": "void main() { int i = stepData.counts.x * 2;\nfloat x = stepData.place.x * 2.0f; }"}
         self.assertEqual([(file, line) for file, line, _ in lint.check(texts)], [("kernel", 2)])
 
-    def test_members_that_cpp_has_elsewhere_are_reported(self):
+    def test_block_members_at_other_offsets_than_in_cpp_are_reported(self):
         for text in MISPLACED + PLACED:
             with self.subTest(text=text):
                 found = [line for line, _ in lint.misplaced(f"struct STD140 A {{\n{text}\n}};")]

@@ -91,7 +91,7 @@ TEST_CASE("example: the fan of the README blows on particles, harder on the near
   CHECK(near > 4 * far);
 }
 
-TEST_CASE("example: who names a fan that is not there is told the one that is") {
+TEST_CASE("example: an unknown fan name is reported with the known name") {
   CHECK(mistakeOf(grains + ", " + fanText) == "none");
   const auto says = [](const std::string& message, const char* what) {
     CHECK_MESSAGE(message.find(what) != std::string::npos, message);
@@ -101,8 +101,7 @@ TEST_CASE("example: who names a fan that is not there is told the one that is") 
   says(mistakeOf(R"("fan": {"sphere": {}}, )" + grains), "object \"fan\" is a sphere, which does not blow");
 }
 
-TEST_CASE(
-    "example: objects step after those whose wind they take, and a circle of them is refused by name") {
+TEST_CASE("example: objects step after the objects whose wind they use, and a cycle is refused by name") {
   const std::string chain =
       R"("a": {"relay": {"from": "b"}}, "b": {"relay": {"from": "c"}}, "c": {"relay": {}})";
   CHECK(mistakeOf(chain) == "none");

@@ -24,7 +24,7 @@ scene::Scene twoSheets() {
 
 }  // namespace
 
-TEST_CASE("bench: frames and stages are counted, whatever the timing") {
+TEST_CASE("bench: all timing modes record the same frames and stages") {
   const gl::Context& context = testContext();
   for (const frame::Timing timing : {frame::Timing::wait, frame::Timing::query, frame::Timing::whole}) {
     frame::BenchRun run(twoSheets(), context, timing);
@@ -54,7 +54,7 @@ TEST_CASE("bench: frames and stages are counted, whatever the timing") {
   }
 }
 
-TEST_CASE("bench: the world tells when an object has stepped") {
+TEST_CASE("bench: the world calls back after each object's step") {
   testContext();
   const auto scene = twoSheets();
   sim::World world(scene);
@@ -63,7 +63,7 @@ TEST_CASE("bench: the world tells when an object has stepped") {
   CHECK(stepped == std::vector<std::size_t>{0, 1, 0, 1});
 }
 
-TEST_CASE("bench: the step of those in contact is theirs together") {
+TEST_CASE("bench: objects in contact share one step stage") {
   scene::Scene scene = scene::parseScene(
       R"({"version": 1, "objects": {
            "a": {"cloth": {"size": [5, 5], "fabric": {}, "contact": {}}},
@@ -77,7 +77,7 @@ TEST_CASE("bench: the step of those in contact is theirs together") {
   CHECK(run.times().stages[2].name == "state hash");
 }
 
-TEST_CASE("timestamps go forward") {
+TEST_CASE("later GPU timestamps are not earlier") {
   testContext();
   gl::Timestamp first;
   gl::Timestamp second;

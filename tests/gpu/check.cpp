@@ -102,7 +102,7 @@ TEST_CASE("checks: a falling cloth has the energy of semi-implicit Euler") {
   }
 }
 
-TEST_CASE("checks: statistics follow a falling cloth") {
+TEST_CASE("checks: statistics of a falling cloth equal semi-implicit Euler") {
   testContext();
   const auto results = run(falling(R"({"what": "mean", "of": "positions.y", "min": -100},
                                       {"what": "min", "of": "velocities.y", "max": 0},
@@ -138,7 +138,7 @@ TEST_CASE("checks: pins that stretch a cloth store elastic energy") {
   CHECK(quantity(world, scene, "kineticEnergy") == 0);
 }
 
-TEST_CASE("checks: potential energy is that of the gravity at the state's time") {
+TEST_CASE("checks: potential energy uses the gravity at the state's time") {
   testContext();
   const auto scene = sceneOf(R"("sheet": {"cloth": {"size": [4, 4], "mass": 0.5, "position": [0, 2, 0],
       "pins": [{"rows": [0, 1, 2, 3]}], "gravity": {"keys": [[0, [0, 0, 0]], [2, [0, -8, 0]]]}}})",
@@ -149,7 +149,7 @@ TEST_CASE("checks: potential energy is that of the gravity at the state's time")
   CHECK(quantity(world, scene, "potentialEnergy") == doctest::Approx(16 * 0.5 * 4 * 2).epsilon(1e-6));
 }
 
-TEST_CASE("checks: bounds that hold and bounds that are crossed") {
+TEST_CASE("checks: a value below \"min\" or above \"max\" fails with a message") {
   testContext();
   const std::vector<int> frames = {0, 30};
   CHECK(messageOf(falling(R"({"what": "mass", "min": 24, "max": 24})"), frames).empty());
@@ -180,7 +180,7 @@ TEST_CASE("checks: drift is relative to the first of the check's frames") {
   CHECK(*results[1].max == doctest::Approx(1.5 * 2352).epsilon(1e-5));
 }
 
-TEST_CASE("checks: frames that are not tested are asked for, and answered without a picture") {
+TEST_CASE("checks: checks at untested frames are evaluated without drawing a picture") {
   testContext();
   const auto scene = falling(R"({"what": "mass", "min": 1, "frames": [3, 10]}, {"what": "no-nan"},
                                 {"what": "energy", "drift": 1, "frames": [5, 10, 12]})");
@@ -196,7 +196,7 @@ TEST_CASE("checks: frames that are not tested are asked for, and answered withou
                                         "12 energy of sheet"});
 }
 
-TEST_CASE("checks: a NaN in the state is found and named") {
+TEST_CASE("checks: a NaN in the state fails the check and is named") {
   testContext();
   const auto scene = falling(R"({"what": "no-nan"}, {"what": "no-nan", "object": "sheet"},
                                 {"what": "energy", "max": 1e9}, {"what": "max", "of": "velocities.z", "max": 9})");
@@ -224,7 +224,7 @@ TEST_CASE("checks: a NaN in the state is found and named") {
         "frame 0: positions[17].x of sheet is infinite, and 1 more number is not finite");
 }
 
-TEST_CASE("checks: a blank picture is found") {
+TEST_CASE("checks: \"not-blank\" fails for a picture of one colour") {
   testContext();
   const auto scene = falling(R"({"what": "not-blank"})");
   const sim::World world(scene);
@@ -246,7 +246,7 @@ TEST_CASE("checks: a blank picture is found") {
   CHECK(messageWith(91).empty());
 }
 
-TEST_CASE("checks: what a scene does not have is refused with what it has") {
+TEST_CASE("checks: an unknown array, object or component is refused with the valid names") {
   testContext();
   const std::vector<int> tested = {0, 9};
   CHECK(refusal(falling(R"({"what": "max", "of": "position.y", "max": 1})"), tested) ==
@@ -270,7 +270,7 @@ TEST_CASE("checks: what a scene does not have is refused with what it has") {
   CHECK(refusal(made, tested) == "checks[0]: no object is named \"shet\"; did you mean \"sheet\"?");
 }
 
-TEST_CASE("checks: every kind measures as many numbers as it names") {
+TEST_CASE("checks: every object kind measures as many quantities as it declares") {
   testContext();
   const std::map<std::string, std::string> needs = {
       {"particles", R"("groups": [{}])"},

@@ -68,7 +68,7 @@ constexpr const char* fire = R"({"version": 1, "objects": {"hill": {"wildfire": 
 
 }  // namespace
 
-TEST_CASE("checkpoint: shipped scenes of every kind go on as if they had not been stopped") {
+TEST_CASE("checkpoint: shipped scenes of every object kind resume with identical states and pictures") {
   testContext();
   const test::TemporaryFile place("checkpoint", "");
   ::setenv("SIMREEL_ASSETS", (fs::path(sourceFolder()) / "assets").c_str(), 1);
@@ -122,7 +122,8 @@ TEST_CASE("checkpoint: shipped scenes of every kind go on as if they had not bee
 }
 
 TEST_CASE(
-    "checkpoint: small scenes after long: more counts, births and deaths, generations, trails, heights") {
+    "checkpoint: long runs resume identically (count tables, births and deaths, generations, trails, "
+    "heights)") {
   testContext();
   const test::TemporaryFile place("checkpoint", "");
   const std::string texts[] = {
@@ -177,7 +178,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("checkpoint: cloth on faces of meshes that keep a trail, wave and are moved, and of a body") {
+TEST_CASE("checkpoint: cloth on deforming meshes and on a body resumes identically") {
   testContext();
   const test::TemporaryFile place("checkpoint", "");
   ::setenv("SIMREEL_ASSETS", (fs::path(sourceFolder()) / "assets").c_str(), 1);
@@ -206,7 +207,7 @@ TEST_CASE("checkpoint: cloth on faces of meshes that keep a trail, wave and are 
   ::unsetenv("SIMREEL_ASSETS");
 }
 
-TEST_CASE("checkpoint: what is damaged, of another run or of another program is not used") {
+TEST_CASE("checkpoint: a damaged checkpoint, or one of another run or program version, is ignored") {
   testContext();
   const test::TemporaryFile place("checkpoint", "");
   const scene::Scene scene = ofText(fire);
@@ -271,7 +272,7 @@ TEST_CASE("checkpoint: what is damaged, of another run or of another program is 
   CHECK(!usable(wrapped + hashHex(wrapped)));
 }
 
-TEST_CASE("checkpoint: one that does not fit its world is refused") {
+TEST_CASE("checkpoint: a checkpoint that does not fit its world is refused") {
   testContext();
   const test::TemporaryFile place("checkpoint", "");
   const scene::Scene scene = ofText(fire);
@@ -285,8 +286,7 @@ TEST_CASE("checkpoint: one that does not fit its world is refused") {
   CHECK_THROWS_WITH_AS(checkpoint->restore(none), doctest::Contains("it holds more"), UserError);
 }
 
-TEST_CASE(
-    "checkpoint: a camera damped by T that follows a path is where one without was T ago, resumed too") {
+TEST_CASE("checkpoint: a path camera with damping T lags by T seconds, also after resuming") {
   testContext();
   // The follow path of this open hall runs straight along its length.
   const scene::Scene scene = ofText(R"({"version": 1, "time": {"fps": 20, "duration": 3},

@@ -51,7 +51,7 @@ std::string messageOf(const char* shader) {
 
 }  // namespace
 
-TEST_CASE("shader errors name the original file and line, also of includes") {
+TEST_CASE("shader errors name the source file and line, also inside includes") {
   testContext();
   const ShaderFolder folder;
   folder.write(
@@ -74,8 +74,7 @@ TEST_CASE("shader errors name the original file and line, also of includes") {
 }
 
 TEST_CASE(
-    "names that a shader's files do not mention are left out of its text, so that drivers compile it "
-    "once") {
+    "defines that a shader's files do not mention are removed, so that drivers compile each text once") {
   const ShaderFolder folder;
   folder.write("part.glsl", "const int part = IN_PART;  // not IN_COMMENT\n");
   folder.write("kernel.comp",
@@ -105,7 +104,7 @@ TEST_CASE(
                     .text);
 }
 
-TEST_CASE("a buffer keeps what is written and survives moves") {
+TEST_CASE("a buffer keeps its contents when it is moved") {
   testContext();
   const std::array<int, 5> items = {1, 2, 3, 4, 5};
   auto buffer = gl::Buffer::of<int>("five", items);
@@ -116,7 +115,7 @@ TEST_CASE("a buffer keeps what is written and survives moves") {
   CHECK(other.readAll<int>() == std::vector<int>{0, 0, 0});
 }
 
-TEST_CASE("large contents arrive whole, first and when written later") {
+TEST_CASE("large buffers are written completely, at creation and later") {
   testContext();
   for (const std::size_t count :
        {std::size_t{1} << 20, (std::size_t{17} << 20) + 13}) {  // 4 MiB, and slightly more than 68 MiB
@@ -135,7 +134,7 @@ TEST_CASE("large contents arrive whole, first and when written later") {
   }
 }
 
-TEST_CASE("memory in large pages comes back: many times what a device has") {
+TEST_CASE("memory in large pages comes back: allocating many times the device memory succeeds") {
   testContext();
   constexpr std::size_t bytes = std::size_t{1} << 30;
   for (int i = 0; i < 256; ++i) {
@@ -151,7 +150,7 @@ TEST_CASE("memory in large pages comes back: many times what a device has") {
   }
 }
 
-TEST_CASE("limits are named before anything is allocated") {
+TEST_CASE("exceeding a limit is reported before memory is allocated") {
   testContext();
   const auto tooMany = static_cast<std::size_t>(gl::limits().storageBlockBytes) + 16;
   CHECK_THROWS_WITH_AS(gl::Buffer("sheet positions", tooMany),
@@ -168,7 +167,7 @@ TEST_CASE("limits are named before anything is allocated") {
                        doctest::Contains("GL_MAX_TEXTURE_BUFFER_SIZE"), UserError);
 }
 
-TEST_CASE("dispatches are left out where a command has no groups, and nothing else changes") {
+TEST_CASE("a conditional dispatch without groups is skipped, and no other GL state changes") {
   testContext();
   const gl::Program count = gl::Program::computeText(
       "count",

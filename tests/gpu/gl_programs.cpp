@@ -35,7 +35,7 @@ int resultOf(const gl::Program& program) {
 
 }  // namespace
 
-TEST_CASE("programs of one source share the driver's program and keep their own uniforms") {
+TEST_CASE("programs of equal source share one GL program and keep separate uniforms") {
   testContext();
   const gl::Program a = gl::Program::computeText("sum", sumText);
   const gl::Program b = gl::Program::computeText("sum", sumText);
@@ -58,7 +58,7 @@ TEST_CASE("programs of one source share the driver's program and keep their own 
   CHECK(resultOf(a) == 14);
 }
 
-TEST_CASE("a uniform that a shader reads and nothing sets stops the program, with file and name") {
+TEST_CASE("an unset uniform that the shader reads is an error with file and name") {
   testContext();
   const gl::Program misspelt = gl::Program::computeText("sum", sumText);
   misspelt.set("first", 1);
@@ -86,7 +86,7 @@ TEST_CASE("a program is linked at its first use") {
   }
 }
 
-TEST_CASE("a rehearsal runs no kernel and notes each once, with what is bound") {
+TEST_CASE("a rehearsal runs no kernel and records each once, with its bindings") {
   testContext();
   const std::string text = std::string(sumText) + "// of this test alone\n";
   const gl::Program program = gl::Program::computeText("rehearsed", text);
@@ -113,7 +113,7 @@ TEST_CASE("a rehearsal runs no kernel and notes each once, with what is bound") 
   CHECK(resultOf(program) == 70);
 }
 
-TEST_CASE("a rehearsal of dispatches without end stops") {
+TEST_CASE("a rehearsal of endless dispatches stops") {
   testContext();
   const gl::Program program = gl::Program::computeText("sum", sumText);
   gl::Rehearsal rehearsal;
@@ -122,7 +122,7 @@ TEST_CASE("a rehearsal of dispatches without end stops") {
   }());
 }
 
-TEST_CASE("an indirect dispatch runs the groups that its command has") {
+TEST_CASE("an indirect dispatch runs the number of groups in its buffer") {
   testContext();
   for (const unsigned groups : {0U, 2U, 0U}) {
     const gl::Program program = gl::Program::computeText("sum", std::string(sumText) + "// indirect\n");

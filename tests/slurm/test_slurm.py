@@ -167,7 +167,7 @@ class OnCluster(Case):
             time.sleep(0.01)
         self.fail(f"nothing is drawn on {on}: {self.queue()}")
 
-    def test_pieces_a_requeue_and_a_node_that_dies(self):
+    def test_pieces_with_a_requeue_and_a_dead_node(self):
         self.write("flag.json", FLAG)
         self.good("render", "flag.json", "-o", "whole/", env={"LP_NUM_THREADS": "2"})
         pieces = ("render", "flag.json", "-o", "out/", "--pieces", "6", "--slurm")

@@ -129,7 +129,7 @@ class Trace(BisectCase):
         self.assertEqual((header["frame"], header["step"]), (3, 4))
         self.assertEqual(arrays["flag.positions"].tobytes(), dumps[3])
 
-    def test_the_options_of_the_scene_count(self):
+    def test_scene_options_change_the_trace(self):
         plain = self.lines("--frames=5")[1]
         self.assertEqual(self.lines("--frames=5")[1], plain)
         for change in (["--seed", "9"], ["--fps", "31"], ["-D", "objects.flag.cloth.mass=1.01"]):
@@ -157,7 +157,7 @@ class Trace(BisectCase):
         self.assertFalse((self.folder / "x").exists())
         self.bad(6, "nowhere/x", *trace, "--dump=1:1", "-o", "nowhere/x")
 
-    def test_a_reader_that_leaves_ends_it(self):
+    def test_a_closed_reader_ends_the_trace(self):
         """The simulation would take a day; the reader closes the pipe after two lines."""
         with subprocess.Popen([PROGRAM, "trace", "scene.json", "--frames=0-2000000"], cwd=self.folder,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
@@ -171,7 +171,7 @@ class Trace(BisectCase):
         with open("/dev/full", "wb") as full:
             self.bad(6, "standard output", "trace", "scene.json", stdout=full)
 
-    def test_a_lost_state(self):
+    def test_a_diverged_simulation_ends_the_trace(self):
         """The frames before the lost state are printed, then the device error."""
         lost = ["-D", "objects.flag.cloth.stiffness=1e7", "-D", "objects.flag.cloth.mass=0.01"]
         done = self.bad(4, "blew up", "trace", "scene.json", *lost)
@@ -179,7 +179,7 @@ class Trace(BisectCase):
 
 
 class Bisect(BisectCase):
-    def test_the_same(self):
+    def test_equal_sides_have_no_difference(self):
         found = self.bisect(0)
         self.assertFalse(found["different"])
         self.assertIsNone(found["difference"])
@@ -193,7 +193,7 @@ class Bisect(BisectCase):
             self.assertIn(b"The same state", done.stdout)
             self.assertNotIn("with itself", done.err)
 
-    def test_another_constant_shows_in_the_first_step(self):
+    def test_a_changed_constant_is_found_in_the_first_step(self):
         env, against = self.mutated(GRAVITY)
         found = self.bisect(1, "--against", against)
         self.assertTrue(found["different"])
@@ -212,7 +212,7 @@ class Bisect(BisectCase):
                 self.assertIn(bits, text)
         self.assertIn(f"{found['arrays'][0]['differing']} of 63 elements differ", text)
 
-    def test_another_contact_shows_at_the_first_contact(self):
+    def test_a_changed_contact_is_found_at_the_first_contact(self):
         self.write("scene.json", FALLING)
         env, against = self.mutated(PUSH)
         found = self.bisect(1, "--against", against)["difference"]
@@ -229,19 +229,19 @@ class Bisect(BisectCase):
         self.bisect(0, "--against", against, "--frames", str(found["frame"]))
         self.bisect(1, "--against", against, "--frames", str(found["frame"] + 1))
 
-    def test_in_the_pre_roll(self):
+    def test_a_difference_in_the_pre_roll_is_found(self):
         self.write("scene.json", with_values({"time.start": 0.2}))
         _, against = self.mutated(GRAVITY)
         found = self.bisect(1, "--against", against)["difference"]
         self.assertEqual((found["frame"], found["step"]), (-5, 1))
 
-    def test_the_first_state(self):
+    def test_a_difference_in_the_first_state_is_found(self):
         found = self.bisect(1, "--against", self.script(f'exec {PROGRAM_WORD} "$@" -D objects.flag.cloth.jitter=0.011'))
         self.assertEqual((found["difference"]["frame"], found["difference"]["step"]), (0, 0))
         done = self.run_program("bisect", "scene.json", "--against", shlex.quote(str(self.folder / "other simreel")))
         self.assertIn(b"the first state, before any step: flag.positions, particle (", done.stdout)
 
-    def test_of_two_objects_the_earlier(self):
+    def test_the_differing_object_of_two_is_found(self):
         """The scene's second object differs; its first does not."""
         cloth = SCENE["objects"]["flag"]["cloth"]
         self.write("scene.json", with_values({"objects.sail": {"cloth": {**cloth, "substeps": 7, "mass": 2}}}))
@@ -262,7 +262,7 @@ class Bisect(BisectCase):
         for word in (name, "objects.flag.cloth.mass=1.5", "--seed=7", "--fps=24"):
             self.assertIn(word, given)
 
-    def test_a_side_that_does_not_repeat(self):
+    def test_a_nondeterministic_side_is_reported(self):
         env, _ = self.mutated(GRAVITY)
         changed = f"SIMREEL_GLSL={shlex.quote(env['SIMREEL_GLSL'])} exec {PROGRAM_WORD} \"$@\""
         for phase, words in (("--frames", "frame 1 differed at first"), ("--steps-of", "step 1 of frame 1 differed")):
@@ -286,14 +286,14 @@ class Failures(BisectCase):
         self.write("broken.json", "{")
         self.bad_scene("broken.json", "bisect", "broken.json")
 
-    def test_other_arrays(self):
+    def test_sides_with_different_arrays_are_refused(self):
         self.bad_side(2, ["do not simulate the same", "63 elements", "77 elements"],
                       f'exec {PROGRAM_WORD} "$@" -D "objects.flag.cloth.size=[11,7]"')
         self.bad_side(2, ["do not simulate the same", "4 steps", "5 steps"],
                       f'exec {PROGRAM_WORD} "$@" -D objects.flag.cloth.substeps=5')
         self.bad_side(2, ["starts at frame 0", "at frame -3"], f'exec {PROGRAM_WORD} "$@" -D time.start=0.1')
 
-    def test_its_own_message_comes_through(self):
+    def test_the_message_of_the_failing_side_is_passed_on(self):
         self.bad_side(2, ["the other side", "status 2", "objects.flag.cloth.nonsense"],
                       f'exec {PROGRAM_WORD} "$@" -D objects.flag.cloth.nonsense=5')
         self.bad_side(4, ["the other side", "status 4", "no device matches"],
@@ -305,12 +305,12 @@ class Failures(BisectCase):
                  "nonexistent-simreel")
         self.bad_side(6, ["the other side", "status 3", "went wrong"], "echo something went wrong >&2; exit 3")
 
-    def test_a_lost_state(self):
+    def test_a_diverged_simulation_is_an_error_of_this_side(self):
         """Both sides lose the state at the same step: the error is reported for this side."""
         lost = ["-D", "objects.flag.cloth.stiffness=1e7", "-D", "objects.flag.cloth.mass=0.01"]
         self.bad(4, ["this side", "blew up"], "bisect", "scene.json", *lost)
 
-    def test_what_is_no_trace(self):
+    def test_output_that_is_not_a_trace_is_refused(self):
         self.bad_side(6, ["prints no trace", "hello"], "echo hello")
         self.bad_side(6, ["ended before its header"], "exit 0")
         self.bad_side(6, ["prints no trace", "format 9"], f'{PROGRAM_WORD} "$@" | sed \'s/"trace":1/"trace":9/\'')

@@ -53,7 +53,7 @@ class Servers(GoldenCase):
             "e": ("scenes/e.json", self.line_of("scenes/e.json", '"flag"')),  # scene e: the state differs
             "f": ("scenes/f.test.json", 2)})
 
-    def test_nine_annotations_and_one_that_counts(self):
+    def test_nine_annotations_and_a_count_of_the_rest(self):
         for count, shown in ((10, 10), (12, 10)):
             for i in range(count):
                 self.write(f"scenes/s{i:02}.json", "no json")
@@ -247,7 +247,7 @@ class Workflows(GoldenCase):
         self.assertIn("[[ATTACHMENT|", (reports / "junit.xml").read_text(encoding="utf-8"))
         self.assertTrue((reports / "summary.md").exists())
 
-    def test_a_package_that_cannot_be_had_ends_the_job(self):
+    def test_a_missing_package_ends_the_job(self):
         (self.folder / "package.deb").unlink()
         jobs = shell_steps((SOURCE / "tools/ci/github.yml").read_text(encoding="utf-8"))
         self.assertNotEqual(self.run_job(jobs["test"], {"${{ matrix.part }}": "1"}, self.folder / "reports")[0], 0)

@@ -94,7 +94,7 @@ class Metrics(DiffCase):
         self.write_pair(a, b)
         return self.json(1, "a.png", "b.png")["metrics"]
 
-    def test_flip_is_that_of_the_definition(self):
+    def test_flip_equals_its_definition(self):
         for name, (a, b) in PAIRS.items():
             with self.subTest(name):
                 self.assertAlmostEqual(self.metrics(a, b)["flipMean"], flip_mean(a, b), delta=1e-4)
@@ -106,7 +106,7 @@ class Metrics(DiffCase):
                               cwd=self.folder, stderr=subprocess.PIPE, check=True)
         return float(re.search(pattern, done.stderr.decode()).group(1))
 
-    def test_ssim_is_that_of_the_definition(self):
+    def test_ssim_equals_its_definition(self):
         for name, (a, b) in PAIRS.items():
             with self.subTest(name):
                 self.assertAlmostEqual(self.metrics(a, b)["ssim"], gaussian_ssim(a, b), delta=1e-5)
@@ -118,7 +118,7 @@ class Metrics(DiffCase):
                 self.assertAlmostEqual(self.metrics(a, b)["ssim"], gaussian_ssim(a, b), delta=1e-5)
 
     @unittest.skipUnless(skimage, "scikit-image is not installed (tools/setup does)")
-    def test_the_definition_of_ssim_is_that_of_scikit_image(self):
+    def test_the_definition_of_ssim_equals_scikit_image(self):
         for width, height in ((11, 11), (12, 31), (33, 17), (64, 48)):
             with self.subTest(f"{width}x{height}"):
                 a, b = picture(width, height, ramp), noisy((width, height), 50, seed=width)
@@ -128,7 +128,7 @@ class Metrics(DiffCase):
                 self.assertAlmostEqual(gaussian_ssim(a, b), sum(channels) / 3, delta=1e-9)
 
     @unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg is not installed (tools/setup does)")
-    def test_the_definition_of_ssim_is_that_of_ffmpeg_but_for_the_window(self):
+    def test_the_definition_of_ssim_equals_ffmpeg_except_for_the_window(self):
         for name, (a, b) in PAIRS.items():
             with self.subTest(name):
                 self.write_pair(a, b)
@@ -136,7 +136,7 @@ class Metrics(DiffCase):
                 self.assertAlmostEqual(ffmpeg_ssim(a, b), self.ffmpeg("ssim", r" All:([0-9.]+)"), delta=1e-4)
 
     @unittest.skipUnless(shutil.which("compare"), "ImageMagick's compare is not installed (tools/setup does)")
-    def test_psnr_is_that_of_imagemagick(self):
+    def test_psnr_equals_imagemagick(self):
         for name, (a, b) in PAIRS.items():
             with self.subTest(name):
                 ours = self.metrics(a, b)["psnr"]
@@ -145,7 +145,7 @@ class Metrics(DiffCase):
                 self.assertAlmostEqual(ours, float(done.stderr.split()[0]), delta=1e-3)
 
     @unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg is not installed (tools/setup does)")
-    def test_psnr_is_that_of_ffmpeg(self):
+    def test_psnr_equals_ffmpeg(self):
         for name, (a, b) in PAIRS.items():
             with self.subTest(name):
                 ours = self.metrics(a, b)["psnr"]
@@ -249,7 +249,7 @@ class Pictures(DiffCase):
 
 
 class Sizes(DiffCase):
-    def test_shares_are_of_what_is_compared(self):
+    def test_fractions_refer_to_the_padded_size(self):
         self.write("a.png", png(picture(8, 4, lambda x, y: (255, 255, 255))))
         self.write("b.png", png(picture(8, 8, lambda x, y: (128, 0, 128))))
         done = self.diff(1, "a.png", "b.png")
@@ -282,7 +282,7 @@ class BrokenFiles(DiffCase):
             self.assertEqual(len(done.err.splitlines()), 1, done.err)
         self.assertFalse((self.folder / "out.png").exists())
 
-    def test_not_whole(self):
+    def test_incomplete_pngs_are_refused(self):
         whole = png(BASE)
         self.refused(["is empty"], b"")
         for size in (3, 8, 20, 33, 50, len(whole) - 12, len(whole) - 1):
@@ -302,7 +302,7 @@ class BrokenFiles(DiffCase):
             self.assertIn("deep.png is 1x1", self.diff(1, "a.png", "deep.png").out)
         self.refused(["animated"], png(BASE, extra=chunk(b"acTL", bytes(8))))
 
-    def test_pixels_are_missing_inside(self):
+    def test_missing_pixel_data_is_refused(self):
         """Refused even if both files are equal byte for byte."""
         self.write("a.png", png(BASE))
         self.write("b.png", png(None, size=(20, 12), raw=bytes(100)))
@@ -311,7 +311,7 @@ class BrokenFiles(DiffCase):
         shutil.copy(self.folder / "b.png", self.folder / "c.png")
         self.bad(6, ["b.png"], "diff", "b.png", "c.png", "--quick")
 
-    def test_what_follows_a_png_is_no_part_of_it(self):
+    def test_bytes_after_a_png_are_ignored(self):
         whole = png(BASE)
         self.write("a.png", whole)
         for more in (b"abc", bytes(1000), whole):
@@ -321,12 +321,12 @@ class BrokenFiles(DiffCase):
         self.write("b.png", png(picture(20, 12, lambda x, y: (1, 2, 3))) + b"abc")
         self.assertEqual(self.json(1, "a.png", "b.png")["metrics"]["differentPixels"], 240)
 
-    def test_missing(self):
+    def test_missing_files_are_reported(self):
         self.write("a.png", png(BASE))
         self.bad(6, ["picture none.png", "No such file"], "diff", "a.png", "none.png")
         self.bad(6, ["picture none.png", "No such file"], "diff", "none.png", "a.png")
 
-    def test_grey_alpha_and_interlaced_pass(self):
+    def test_grey_alpha_and_interlaced_pngs_are_read(self):
         grey = [[10 * x for x in range(8)] for _ in range(3)]
         self.write("a.png", png([[(g, g, g) for g in row] for row in grey]))
         for content in (png(grey, colour=0), png([[(g, 255) for g in row] for row in grey], colour=4),
@@ -368,7 +368,7 @@ class Sequences(DiffCase):
         shutil.copy(self.folder / "a/0001.png", self.folder / "b/0001.png")
         self.assertIn("0003.png: within tolerance", self.diff(0, "a", "b", "--hard-fail", "1").out)
 
-    def test_a_name_in_one_is_a_difference(self):
+    def test_a_file_in_only_one_folder_is_a_difference(self):
         self.frames("a", 3)
         self.frames("b", 2)
         self.assertEqual(self.diff(1, "a", "b", "--max-diff-ratio", "1").out.splitlines(),

@@ -50,7 +50,7 @@ class Pictures(Case):
         compared = json.loads(self.run_program("diff", *pictures, "--json").stdout)
         return compared["metrics"]["flipMean"] if "metrics" in compared else 0
 
-    def test_it_looks_as_the_driver_draws_it(self):
+    def test_exact_pictures_look_like_those_of_the_driver(self):
         names = exact_pictures.scenes()
         self.assertLessEqual(set(FEW), set(names))
         frames = {name: LATER.get(name, 0) for name in (names if LONG else FEW)}

@@ -67,7 +67,7 @@ class Several(GoldenCase):
 
 
 class Jobs(Several):
-    def test_reports_are_the_same(self):
+    def test_reports_do_not_depend_on_the_number_of_jobs(self):
         """Covers scenes that pass, fail, are missing or invalid, and baselines without a scene."""
         self.make_baselines()
         self.set_scene(RED, "b")
@@ -88,7 +88,7 @@ class Jobs(Several):
         self.assertIn("c", report["stale"][0]["path"])
         self.same_but_times("r1", "r3")
 
-    def test_baselines_are_the_same(self):
+    def test_baselines_do_not_depend_on_the_number_of_jobs(self):
         self.set_scene(RED, "b")
         self.good("test", "scenes", "--update", "--repeat", "1", "--jobs", "1")
         one = self.tree("scenes/golden")
@@ -103,7 +103,7 @@ class Jobs(Several):
         report = json.loads((self.folder / "report.json").read_text(encoding="utf-8"))
         self.assertEqual([s["name"] for s in report["scenes"] if any("moved" in n for n in s["notes"])], ["m"])
 
-    def test_a_worker_that_is_killed_costs_its_scene_alone(self):
+    def test_a_killed_worker_loses_only_its_scene(self):
         self.make_baselines()
         self.write("scenes/b.json", LONG)
         process = self.start("test", "scenes", "--jobs", "2", "--report", "r", "--repeat", "1")
@@ -144,7 +144,7 @@ class Jobs(Several):
         self.assertEqual(report["scenes"][0]["messages"], ["the process that tested it took longer than 2 s, and was ended "
                                                            "(--timeout). Run it alone: simreel test scenes/b.json"])
 
-    def test_an_interrupt_keeps_what_is_done(self):
+    def test_an_interrupt_keeps_finished_scenes(self):
         self.make_baselines()
         self.write("scenes/a.json", LONG)
         process = self.start("test", "scenes", "--jobs", "2", "--report", "r", "--repeat", "1")
@@ -196,7 +196,7 @@ class Shards(Several):
     def report(self, folder):
         return json.loads((self.folder / folder / "report.json").read_text(encoding="utf-8"))
 
-    def test_merged_is_what_one_run_tells(self):
+    def test_a_merged_report_equals_one_run(self):
         self.make_baselines()
         self.set_scene(RED, "b")
         self.set_scene(HAIR, "c")
@@ -233,7 +233,7 @@ class Shards(Several):
         self.assertEqual(done.returncode, 5, done.err)
         self.assertIn("there is no report of shard 3/6", done.stdout.decode())
 
-    def test_what_does_not_belong_together(self):
+    def test_reports_that_do_not_belong_together_are_refused(self):
         self.make_baselines()
         self.set_scene(RED, "b")
         one, two = self.run_shards(2)
@@ -274,7 +274,7 @@ class Shards(Several):
         self.run_program("report", "merge", one, two, "-o", "all")
         self.assertNotIn(pathlib.Path("/etc/passwd").read_bytes(), self.tree("all").values())
 
-    def test_pictures(self):
+    def test_pictures_are_tested_in_shards(self):
         self.make_baselines()
         for name in ("x", "y", "z"):
             source = self.golden("a/any/000000.png" if name != "y" else "a/any/000005.png")
@@ -295,7 +295,7 @@ class Shards(Several):
 
 
 class Accepting(Several):
-    def test_a_scene_that_has_changed_since(self):
+    def test_accept_refuses_a_scene_changed_after_the_run(self):
         self.make_baselines()
         self.set_scene(RED, "b")
         self.run_suite(1, "--filter", "b")
@@ -313,7 +313,7 @@ class Accepting(Several):
         self.run_suite(1, "--filter", "b")
         self.good("accept", "report.json")
 
-    def test_what_the_scene_reads_has_changed_since(self):
+    def test_accept_refuses_an_input_changed_after_the_run(self):
         picture = self.golden("a/any/000000.png")
         self.make_baselines()
         shutil.copy(picture, self.folder / "scenes/cloth.png")
@@ -326,7 +326,7 @@ class Accepting(Several):
         shutil.copy(picture, self.folder / "scenes/cloth.png")
         self.good("accept", "report.json")
 
-    def test_what_a_picture_was_rendered_from(self):
+    def test_accept_refuses_a_changed_source_of_a_picture(self):
         self.make_baselines()
         self.write("in/x.txt", "scenes/golden/a/any/000000.png")
         given = ["test", "--expected", "old", "--run", "cp $(cat {scene}) {output}", "in", "--report", "r"]

@@ -76,7 +76,7 @@ class PassCase(GoldenCase):
 
 
 class Trace(PassCase):
-    def test_lines(self):
+    def test_trace_lines_have_a_hash_for_each_pass(self):
         lines = self.lines("--frames=0-2")
         for line in lines:
             self.assertEqual(list(line["passes"]), PASSES)
@@ -116,7 +116,7 @@ class Trace(PassCase):
 
 
 class Bisect(PassCase):
-    def test_the_same(self):
+    def test_equal_sides_have_no_difference(self):
         self.assertFalse(self.bisect(0)["different"])
         done = self.good("bisect", "scene.json", "--passes", "--frames=2", "--against-memory-path", "storage")
         self.assertIn(b"The same state and the same passes, bit for bit, over 2 frames (0 to 1).", done.stdout)
@@ -172,7 +172,7 @@ class Bisect(PassCase):
                 number) or (thing[-1]["object"], f"triangle {number - thing[-1]['first']}")
             self.assertEqual((found["here"]["object"], found["here"]["primitive"]), expected)
 
-    def test_each_pass(self):
+    def test_a_change_of_each_pass_is_found(self):
         here = self.dump(0)
         for name, change in CHANGES.items():
             with self.subTest(name):
@@ -189,13 +189,13 @@ class Bisect(PassCase):
                 self.assertIn(f"pixel ({x}, {y})", text)
                 self.assertIn(found["here"]["primitive"], text)
 
-    def test_the_state_comes_first(self):
+    def test_a_state_difference_is_reported_before_passes(self):
         _, against = self.changed(("cloth/model.glsl", "force * here.w + vec3(stepData.gravity);",
                                    "force * here.w + vec3(stepData.gravity) * 1.01f;"))
         found = self.bisect(1, "--against", against)["difference"]
         self.assertEqual((found["frame"], found["step"], found["object"]), (1, 1, "flag"))
 
-    def test_a_material_shows_on_its_object(self):
+    def test_a_changed_material_is_located_on_its_object(self):
         self.write("other simreel", f'#!/bin/sh\nexec {PROGRAM_WORD} "$@" -D objects.ball.material.roughness=0.31\n').chmod(0o755)
         found = self.bisect(1, "--against", shlex.quote(str(self.folder / "other simreel")))["difference"]
         self.assertEqual((found["pass"], found["here"]["object"]), ("light", "ball"))
@@ -231,7 +231,7 @@ class Test(PassCase):
         for frame in self.one(0)["frames"]:
             self.assertIsNone(frame["pass"])
 
-    def test_each_pass(self):
+    def test_a_change_of_each_pass_is_reported(self):
         for name, change in CHANGES.items():
             with self.subTest(name):
                 shutil.rmtree(self.folder / "glsl", ignore_errors=True)
@@ -257,7 +257,7 @@ class Test(PassCase):
         self.assertEqual(place["pass"], "")
         self.assertIn("not known to the baseline", place["message"])
 
-    def test_updating_renews_hashes_alone(self):
+    def test_updating_changes_only_the_hashes(self):
         """Covers a pass whose hash changed while the picture is unchanged."""
         before, files = self.baseline(), self.tree("scenes/golden")
         self.edit_json(self.golden("a/any/baseline.json"), lambda b: b["frames"]["2"]["passes"].update(light="0" * 16))
@@ -266,7 +266,7 @@ class Test(PassCase):
         self.assertEqual(self.tree("scenes/golden"), files)
         self.assertEqual(self.one(0, "--update")["notes"], [])
 
-    def test_accepting_lists_the_passes_that_were_drawn(self):
+    def test_accepting_stores_the_drawn_passes(self):
         before = self.baseline()["frames"]["2"]["passes"]
         self.set_scene({}, "a")
         self.write("scenes/a.json", with_values({"objects.ball.material": {"color": [0.9, 0.1, 0.1]}}, SCENE))

@@ -70,7 +70,7 @@ class PicturesCase(Case):
 
 
 class Kinds(PicturesCase):
-    def test_every_png(self):
+    def test_every_kind_of_png_is_compared(self):
         def grey(x, y):
             return ((x * 11 + y) % 256,)
         for name, data, other in (
@@ -98,7 +98,7 @@ class Kinds(PicturesCase):
                 for folder in ("expected", "actual"):
                     shutil.rmtree(self.folder / folder)
 
-    def test_a_colour_that_the_palette_lacks(self):
+    def test_a_pixel_outside_the_palette_is_refused(self):
         def palette(at):
             return with_chunk(picture(at, kind=3), b"PLTE", bytes((9, 9, 9, 200, 0, 0)))
         self.both("a.png", palette(lambda x, y: (x % 2,)), palette(lambda x, y: (2 if (x, y) == (5, 3) else x % 2,)))
@@ -108,7 +108,7 @@ class Kinds(PicturesCase):
         self.bad(6, words, "diff", "expected/a.png", "actual/a.png")
         self.good("diff", "expected/a.png", "expected/a.png")
 
-    def test_differences_below_an_eighth_bit(self):
+    def test_differences_too_small_for_8_bits_are_found(self):
         """A difference of 1 of 65535, invisible in 8 bits, is reported, measured and fails."""
         self.both("a.png", picture(lambda x, y: (x * 2000, 0, 7), depth=16), picture(lambda x, y: (x * 2000 + 1, 0, 7), depth=16))
         results, _ = self.suite(1)
@@ -120,7 +120,7 @@ class Kinds(PicturesCase):
         self.assertEqual(done.returncode, 1)
         self.assertIn(f"PSNR            {metrics['psnr']:.3f}", done.stdout.decode())
 
-    def test_quiet_runs_tell_what_failed(self):
+    def test_quiet_runs_report_failures(self):
         self.both("a.png", picture(), changed({(3, 4): (0, 0, 0)}))
         self.both("b.png", picture())
         _, done = self.suite(1, "-q")
@@ -131,7 +131,7 @@ class Kinds(PicturesCase):
         self.write("actual/a.png", picture())
         self.assertEqual(self.suite(0, "-q")[1].err, "")
 
-    def test_depths_meet(self):
+    def test_pictures_of_8_and_16_bits_are_compared(self):
         self.both("a.png", picture(), picture(lambda x, y: tuple(257 * c for c in ramp(x, y)), depth=16))
         self.assertEqual(self.statuses(0), {"a.png": "pass"})
 
@@ -177,7 +177,7 @@ class Kinds(PicturesCase):
                 self.bad(6, [name], "diff", f"expected/{name}", f"actual/{name}")
             self.both(name, whole)
 
-    def test_infinities_and_no_numbers(self):
+    def test_infinities_and_nans(self):
         if not shutil.which("ffmpeg"):
             self.skipTest("ffmpeg is not installed (tools/setup does)")
         raw = [0.25] * (4 * 2)
@@ -219,7 +219,7 @@ class Layers(PicturesCase):
             parts.append((*self.SIZE, {"Z": (2, part)}, {}))
         return write_exr(*parts, display=display)
 
-    def test_each_differs(self):
+    def test_a_difference_in_each_layer_is_found(self):
         self.both("a.exr", self.exr())
         results, _ = self.suite(0)
         self.assertEqual(results["a.exr"]["notes"], [])
@@ -248,7 +248,7 @@ class Layers(PicturesCase):
         self.write("actual/a.exr", self.exr({"Crypto00.R": {3: 2e-30}}))
         self.suite(1, "--max-channel-diff", "254")  # a tolerance does not apply to object ids
 
-    def test_what_has_no_size(self):
+    def test_different_sets_of_channels_always_fail(self):
         """No tolerance allows different sets of channels."""
         more = {"depth": (2, [1.0] * self.COUNT)}
         for a, b, words in ((self.exr(), self.exr(without=("Z", "id")), "only the baseline has Z, id"),
@@ -262,7 +262,7 @@ class Layers(PicturesCase):
                 self.both("a.exr", a)
                 self.suite(0)
 
-    def test_parts(self):
+    def test_parts_of_an_exr_are_compared(self):
         depth = [1.0] * self.COUNT
         self.both("a.exr", self.exr(part=depth))
         self.suite(0)
@@ -270,7 +270,7 @@ class Layers(PicturesCase):
         results, _ = self.suite(1)
         self.assertIn("layers that differ: part1.Z at 1 pixel (1 and 2 at x 0, y 0)", results["a.exr"]["notes"])
 
-    def test_accept_and_rename_look_at_layers(self):
+    def test_accept_and_rename_compare_layers(self):
         self.write("expected/a.exr", self.exr())
         self.write("actual/b.exr", self.exr({"Z": {0: 9}}))
         results, _ = self.suite(1)
@@ -283,7 +283,7 @@ class Layers(PicturesCase):
 
 
 class Differences(PicturesCase):
-    def test_sizes_are_padded_and_said(self):
+    def test_different_sizes_are_padded_and_reported(self):
         self.both("a.png", picture(), picture(size=(WIDTH - 4, HEIGHT + 2)))
         results, done = self.suite(1, "--report", "out")
         self.assertIn(f"the picture is {WIDTH - 4}x{HEIGHT + 2}, its baseline {WIDTH}x{HEIGHT}; compared as "
@@ -314,7 +314,7 @@ class Differences(PicturesCase):
         self.assertFalse((self.folder / "expected/gone.png").exists())
         self.assertEqual(set(self.statuses(0).values()), {"pass"})
 
-    def test_pictures_of_reports_are_no_baselines(self):
+    def test_pictures_of_reports_are_not_tested(self):
         self.both("a.png", picture(), changed({(1, 1): (1, 1, 1)}))
         for i, more in enumerate((("--report", "actual/report"), ("--json", "actual/b.json"), ("--markdown", "actual/c.md"),
                                   ("--report", "expected/report"))):
@@ -331,7 +331,7 @@ class Differences(PicturesCase):
         (self.folder / "expected/new").mkdir()
         self.usage(["expected/new lies below expected"], "--expected", "expected", "--actual", "expected/new")
 
-    def test_nothing_is_passed_over_in_silence(self):
+    def test_skipped_files_are_reported(self):
         self.both("a.png", picture())
         self.write("actual/notes.txt", "no picture")
         self.write("actual/.hidden/b.png", picture())
@@ -346,7 +346,7 @@ class Differences(PicturesCase):
         results, _ = self.suite(6)
         self.assertIn("is a WebP picture", results["c.webp"]["messages"][0])
 
-    def test_colours_of_files(self):
+    def test_colour_chunks_of_files_are_noted(self):
         self.both("a.png", picture(), with_chunk(picture(), b"gAMA", struct.pack(">I", 100000)))
         results, _ = self.suite(0)
         self.assertIn("gamma 1", results["a.png"]["notes"][0])
@@ -357,7 +357,7 @@ class Differences(PicturesCase):
         results, _ = self.suite(0)
         self.assertEqual(results["a.png"]["notes"], [])
 
-    def test_damage_is_named_and_never_written_over(self):
+    def test_damaged_files_are_reported_and_never_overwritten(self):
         whole = picture()
         for content, words in ((LFS, "is a Git LFS pointer"), (b"", "is empty; restore it"),
                                (whole[:60], "is cut off after 60 bytes; restore it"),
@@ -479,7 +479,7 @@ class Allowances(PicturesCase):
 
 
 class Commands(PicturesCase):
-    def test_each_scene(self):
+    def test_a_command_runs_for_each_scene(self):
         self.write("in/one.txt", picture())
         self.write("in/sub/it's two.txt", changed({(1, 1): (1, 1, 1)}))
         run = ("--run", "cp {scene} {output}")
@@ -496,7 +496,7 @@ class Commands(PicturesCase):
         results, _ = self.suite(6, "in", actual=("--run", "true {scene} {output}"))
         self.assertIn("made no picture", results["one"]["messages"][0])
 
-    def test_one_of_the_scenes(self):
+    def test_testing_one_scene_leaves_the_others_alone(self):
         """Pictures of scenes that were not named are not tested, removed or treated as renamed."""
         for name in ("one", "two", "three"):
             self.write(f"in/{name}.txt", changed({(1, 1): (len(name), 1, 1)}))
@@ -516,7 +516,7 @@ class Commands(PicturesCase):
         self.statuses(0, "in", "--update=prune", actual=run)
         self.assertEqual(sorted(self.content("expected")), ["one.png", "three.png"])
 
-    def test_names_are_no_commands(self):
+    def test_file_names_are_not_run_as_commands(self):
         """Wherever the placeholder stands, a file's name is passed as one argument or refused."""
         names = ["a$(touch PWNED)", "b`touch PWNED`", "c';touch PWNED;'", 'd";touch PWNED;"', "e f", "g\\", "h&touch PWNED&", "i\nj"]
         for name in names:
@@ -538,7 +538,7 @@ class Commands(PicturesCase):
         self.write("plain/one.txt", picture())
         self.assertEqual(self.statuses(0, "plain", "--update", actual=("--run", "sh -c 'cp {scene} {output}'")), {"one.png": "updated"})
 
-    def test_a_command_that_hangs_or_fails_at_times(self):
+    def test_hanging_and_flaky_commands(self):
         for name in ("one", "one.more"):
             self.write(f"in/{name}.txt", picture())
         self.statuses(0, "in", "--update", actual=("--run", "cp {scene} {output}"))
@@ -576,7 +576,7 @@ class Commands(PicturesCase):
         self.suite(0, "--update", "--junit", "out.xml", actual=("--run", "cp in/sub/one.txt {output}/a.png"))
         self.assertIn('classname="expected" name="a.png"', (self.folder / "out.xml").read_text())
 
-    def test_once(self):
+    def test_a_command_without_scenes_runs_once(self):
         self.write("one.png", picture())
         run = ("--run", "mkdir -p {output}/sub && cp one.png {output}/sub/a.png")
         self.assertEqual(self.statuses(0, "--update", actual=run), {"sub/a.png": "updated"})
@@ -613,7 +613,7 @@ class Reports(PicturesCase):
         self.assertEqual(done.returncode, 1)
         self.assert_words("has changed since", done)
 
-    def test_accept_stays_below(self):
+    def test_accept_stays_inside_the_folder(self):
         self.both("a.png", picture(), changed({(3, 4): (255, 0, 0)}))
         self.suite(1)
         path = self.folder / "report.json"

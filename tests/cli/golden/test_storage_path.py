@@ -14,7 +14,7 @@ FIRST = ["cape", "cascade", "cave_map", "crystal", "ripple", "street"]
 
 
 class StoragePath(Case):
-    def test_state_and_pictures_are_those_of_the_baselines(self):
+    def test_states_and_pictures_equal_the_baselines(self):
         (self.folder / "shipped").mkdir()
         shutil.copytree(SOURCE / "assets/scenes/golden", self.folder / "shipped/golden")
         names = sorted((f.stem for f in (SOURCE / "assets/scenes").glob("*.json") if f.stem not in LONG),

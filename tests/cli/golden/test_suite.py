@@ -29,7 +29,7 @@ class Baselines(GoldenCase):
         self.one(0, "--update")
         self.assertEqual(self.tree("scenes"), before, "an update that changes nothing writes nothing")
 
-    def test_baselines_are_what_render_makes(self):
+    def test_baselines_equal_rendered_pictures(self):
         self.make_baselines()
         self.good("render", "scenes/a.json", "-o", "out/", "--frames", "3")
         self.assertEqual(png_rows((self.folder / "out/000003.png").read_bytes()),
@@ -48,7 +48,7 @@ class Baselines(GoldenCase):
                 self.assertEqual(png_rows((self.folder / frame[image]).read_bytes())[:2], (64, 36), image)
         self.assertEqual(self.tree("scenes/golden"), before)
 
-    def test_accept_promotes_exactly_those_pixels(self):
+    def test_accept_stores_exactly_the_reported_pixels(self):
         self.make_baselines()
         self.set_scene(RED)
         self.write("scenes/b.json", TESTED)
@@ -68,7 +68,7 @@ class Baselines(GoldenCase):
         self.bad(5, "nothing to accept", "accept", "report.json")
         self.bad(2, ["scenes/a.json is no report of `simreel test`", "--report"], "accept", "scenes/a.json")
 
-    def test_accept_stays_below(self):
+    def test_accept_stays_inside_the_folder(self):
         """A report from elsewhere cannot name a scene outside this folder, whether by "..", an absolute path or a
         link."""
         self.make_baselines()
@@ -96,7 +96,7 @@ class Baselines(GoldenCase):
         self.good(*words.split()[1:])
         self.assertTrue((outside / "golden/a/any/baseline.json").exists())
 
-    def test_accept_refuses_what_has_changed(self):
+    def test_accept_refuses_changed_results(self):
         self.make_baselines()
         self.set_scene(RED)
         self.run_suite(1)
@@ -176,7 +176,7 @@ class Baselines(GoldenCase):
         self.one(0)
         self.assertEqual(len(list(self.golden("a/any").glob("*.png"))), 3)
 
-    def test_beside_the_scene(self):
+    def test_settings_in_a_sidecar_are_used(self):
         self.write("scenes/a.test.json", {"test": {"frames": [1], "size": [32, 18]}})
         self.make_baselines()
         self.assertEqual([p.name for p in self.golden("a/any").glob("*.png")], ["000001.png"])
@@ -184,7 +184,7 @@ class Baselines(GoldenCase):
 
 
 class Exact(GoldenCase):
-    def test_no_pixel_may_differ_whoever_drew_it(self):
+    def test_exact_pictures_must_be_equal_on_every_machine(self):
         self.make_baselines()
         baseline = json.loads(self.golden("a/any/baseline.json").read_text())
         for frame in baseline["frames"].values():
@@ -206,7 +206,7 @@ class Exact(GoldenCase):
         self.assertEqual(scene["notes"], ["tolerance without need: maxChannelDiff (--max-channel-diff), exact pictures have to be equal",
                                           "tolerance without need: maxDiffRatio (scenes/a.json), exact pictures have to be equal"])
 
-    def test_the_other_rasterizer_drew_the_baseline(self):
+    def test_a_baseline_of_the_other_rasterizer_is_reported(self):
         self.make_baselines()
         self.set_scene({"render.rasterizer": "driver"})
         scene = self.one(1)
@@ -220,7 +220,7 @@ class Exact(GoldenCase):
         self.one(0, "--update")
         self.assertEqual(self.one(0)["asked"], "exact")
 
-    def test_there_is_one_baseline_for_all_drivers(self):
+    def test_exact_pictures_have_one_baseline_for_all_drivers(self):
         self.make_baselines("--profile", "mine")
         self.assertEqual([p.name for p in self.golden("a").iterdir() if p.is_dir()], ["any"])
         shutil.copytree(self.golden("a/any"), self.golden("a/mine"))
@@ -231,7 +231,7 @@ class Exact(GoldenCase):
         self.assertEqual([(s["path"], s["message"]) for s in report["stale"]],
                          [("scenes/golden/a/mine", "exact pictures have one baseline for all machines")])
 
-    def test_fast_numerics_are_of_their_driver(self):
+    def test_fast_numerics_must_be_equal_with_the_same_driver(self):
         self.set_scene({"numerics": "fast"})
         self.make_baselines()
         self.assertEqual(self.one(0)["asked"], "equal")
@@ -240,7 +240,7 @@ class Exact(GoldenCase):
 class Ladder(GoldenCase):
     rasterizer = "driver"
 
-    def test_state_differs_is_located(self):
+    def test_a_state_difference_is_located(self):
         self.make_baselines()
         mutated = self.mutated_glsl("cloth/model.glsl", "(1.0f - restLength * exactInverseSqrt(squared)) * stiffness;",
                                     "(1.0f - restLength * exactInverseSqrt(squared) * 1.01f) * stiffness;")
@@ -258,7 +258,7 @@ class Ladder(GoldenCase):
         self.assertEqual(self.one(0, env=mutated)["status"], "pass")
         self.one(1)
 
-    def test_the_machine_that_drew_it_asks_for_equal_pixels(self):
+    def test_the_machine_of_the_baseline_requires_equal_pixels(self):
         self.make_baselines()
         self.set_scene(HAIR)
         scene = self.one(1)
@@ -274,7 +274,7 @@ class Ladder(GoldenCase):
             self.assertEqual([f["status"] for f in scene["frames"]], ["pass", "fail", "pass"])
             self.assertIn(f"1 pixels differ, by {step} at most", scene["text"])
 
-    def test_another_machine_of_these_numerics_is_near(self):
+    def test_another_machine_with_equal_numerics_may_differ_slightly(self):
         self.make_baselines()
         self.pretend_another_machine()
         self.change_baseline(3, 20, 10, 1)
@@ -294,7 +294,7 @@ class Ladder(GoldenCase):
                                     "(1.0f - restLength * exactInverseSqrt(squared) * 1.01f) * stiffness;")
         self.assertEqual(self.one(1, env=mutated)["frames"][1]["state"], "different")
 
-    def test_baselines_of_before_machines_were_noted(self):
+    def test_old_baselines_without_a_machine_are_read(self):
         self.make_baselines()
         def forget(baseline):
             for frame in baseline["frames"].values():
@@ -306,7 +306,7 @@ class Ladder(GoldenCase):
         self.change_baseline(3, 20, 10, 2)
         self.one(1)
 
-    def test_the_machine_stands_in_the_baseline(self):
+    def test_the_baseline_stores_the_machine(self):
         self.make_baselines()
         done = self.good("doctor").stdout.decode()
         for frame in json.loads(self.golden("a/any/baseline.json").read_text())["frames"].values():
@@ -317,7 +317,7 @@ class Ladder(GoldenCase):
         # An option that changes the software driver's target processor counts as another processor.
         self.assertEqual(self.one(0, env={"GALLIVM_PERF": "nopt"})["asked"], "near")
 
-    def test_other_numerics_have_a_tolerance(self):
+    def test_different_numerics_use_the_tolerance(self):
         self.make_baselines()
         self.pretend_other_numerics()
         self.set_scene(HAIR)
@@ -328,7 +328,7 @@ class Ladder(GoldenCase):
         scene = self.one(1)
         self.assertIn("maxDiffRatio", scene["text"])
 
-    def test_every_bound_holds(self):
+    def test_every_tolerance_bound_is_checked(self):
         self.make_baselines()
         self.pretend_other_numerics()
         self.set_scene(HAIR)
@@ -349,20 +349,20 @@ class Ladder(GoldenCase):
             self.edit_json(self.golden("a/any/baseline.json"), lambda b: b.update(tolerance={name: 0}))
             self.assertEqual(self.one(1)["tolerance"]["maxDiffRatio"]["origin"], "scenes/golden/a/any/baseline.json")
 
-    def test_loose_tolerances_are_told(self):
+    def test_loose_tolerances_are_reported(self):
         self.make_baselines()
         self.pretend_other_numerics()
         self.set_scene({**HAIR, "test.tolerance": {"hardFail": 255}})
         scene = self.one(0)
         self.assertTrue(any("hardFail is 255" in note for note in scene["notes"]), scene["notes"])
 
-    def test_another_size_is_a_failure(self):
+    def test_a_different_size_fails(self):
         self.make_baselines()
         self.pretend_other_numerics()
         self.set_scene({"test.size": [65, 36]})
         self.assertIn("65x36, its baseline 64x36", self.one(1)["text"])
 
-    def test_own_profile_before_the_shared_one(self):
+    def test_the_own_profile_takes_precedence_over_the_shared_one(self):
         self.make_baselines()
         self.pretend_other_numerics()
         self.set_scene(RED)
@@ -374,7 +374,7 @@ class Ladder(GoldenCase):
         self.assertEqual(len(list(self.golden("a", scene["profile"]).glob("*.png"))), 3)
         self.assertEqual(self.one(0)["profile"], scene["profile"])
 
-    def test_fast_numerics_keep_their_state_by_profile(self):
+    def test_fast_numerics_store_states_by_profile(self):
         self.set_scene({"numerics": "fast"})
         self.make_baselines()
         self.assertFalse(self.golden("a/state.json").exists())
@@ -409,7 +409,7 @@ class Ladder(GoldenCase):
         scene = self.one(0, "--update")
         self.assertEqual(len(scene["checks"]), 9)
 
-    def test_a_blank_picture(self):
+    def test_a_blank_picture_fails(self):
         self.set_scene({"checks": [{"what": "not-blank"}], "render.exposure": -20})
         self.assertIn("one colour", self.one(1, "--update")["text"])
 

@@ -11,7 +11,7 @@ from golden_common import HAIR, RED, TESTED, GoldenCase, Readings, png, with_val
 
 
 class Running(GoldenCase):
-    def test_which_scenes(self):
+    def test_scenes_are_selected_by_folder_and_filter(self):
         for name in ("b", "c", "deep/d"):
             self.write(f"scenes/{name}.json", TESTED)
         self.write("scenes/notes.json", {"colour": "blue"})
@@ -48,7 +48,7 @@ class Running(GoldenCase):
         self.assertIn("nobody", " ".join(report["scenes"][3]["messages"]))
         self.assertIn("b.json:1:", done.out)
 
-    def test_a_lost_simulation_is_its_own_error(self):
+    def test_a_diverged_simulation_is_an_error_of_its_scene(self):
         self.set_scene({"objects.flag.cloth.stiffness": 1e9, "objects.flag.cloth.substeps": 1})
         self.write("scenes/b.json", TESTED)
         report, _ = self.run_suite(4, "--update")

@@ -48,7 +48,7 @@ class Checkpoints(Case):
         self.assertEqual(sorted(out), sorted(whole))  # a finished run removes its checkpoint
         self.assertEqual([name for name in whole if out[name] != whole[name]], [])
 
-    def test_kill(self):
+    def test_a_killed_run_is_resumed(self):
         run = ("slow.json", "-o", "out/", "--checkpoint", "0.000001")
         for frame, more in ((3, ()), (12, ("--resume",))):
             code, _ = self.signal_when(lambda: self.stored_frame() >= frame, "out", signal.SIGKILL, "render", *run, *more)
@@ -56,19 +56,19 @@ class Checkpoints(Case):
         self.assertGreaterEqual(self.resumed(*run), 12)
         self.assert_out_equals("slow.json")
 
-    def test_interrupt_keeps_one_however_short_the_run(self):
+    def test_an_interrupt_keeps_a_checkpoint_even_of_a_short_run(self):
         self.kill(signal.SIGINT, 5, "slow.json", "-o", "out/")
         frames = self.assert_manifest_is_whole("out")
         self.assertEqual(self.resumed("slow.json", "-o", "out/"), max(frames))
         self.assert_out_equals("slow.json")
 
-    def test_killed_while_one_is_written(self):
+    def test_a_partly_written_checkpoint_is_ignored(self):
         self.kill(signal.SIGKILL, 5, "slow.json", "-o", "out/")
         (self.folder / "out/checkpoint.part").write_bytes(b"half of one")
         self.resumed("slow.json", "-o", "out/")
         self.assert_out_equals("slow.json")
 
-    def test_none_are_asked_for(self):
+    def test_no_checkpoints_are_written_if_turned_off(self):
         self.kill(signal.SIGINT, 5, "slow.json", "-o", "out/", "--checkpoint", "0")
         self.assertFalse(self.checkpoint.exists())
         self.assertIsNone(self.resumed("slow.json", "-o", "out/"))
@@ -81,33 +81,33 @@ class Checkpoints(Case):
         self.assertGreater(self.resumed(*run), 3)
         self.assert_out_equals("fields.json", "--fields", "npy")
 
-    def test_missing_frames_before_it_are_rendered(self):
+    def test_missing_frames_before_the_checkpoint_are_rendered(self):
         self.kill(signal.SIGINT, 8, "slow.json", "-o", "out/")
         (self.folder / "out/000002.png").unlink()
         done = self.good("render", "slow.json", "-o", "out/", "--resume")
         self.assertIn("frame 2 is missing", done.err)
         self.assert_out_equals("slow.json")
 
-    def test_a_run_of_its_first_frames_leaves_it(self):
+    def test_a_run_of_earlier_frames_keeps_the_checkpoint(self):
         self.kill(signal.SIGINT, 8, "slow.json", "-o", "out/")
         self.assertGreaterEqual(self.resumed("slow.json", "-o", "out/", "--frames", "0-4"), 7)
         self.assertTrue(self.checkpoint.exists())
         self.assertGreaterEqual(self.resumed("slow.json", "-o", "out/"), 7)
         self.assert_out_equals("slow.json")
 
-    def test_a_still_beside_an_interrupted_run_leaves_it(self):
+    def test_a_still_keeps_the_checkpoint_of_an_interrupted_run(self):
         self.kill(signal.SIGINT, 8, "slow.json", "-o", "out/")
         self.good("render", "slow.json", "-o", "out/", "--frames", "3", "--overwrite")
         self.assertGreaterEqual(self.resumed("slow.json", "-o", "out/"), 7)
         self.assert_out_equals("slow.json")
 
-    def test_none_before_the_first_frame(self):
+    def test_no_checkpoint_is_written_before_the_first_frame(self):
         self.write("fields.json", json.dumps(FIELDS | {"time": {"fps": 30, "duration": 1, "start": 6}}))
         self.signal_when(self.checkpoint.exists, "out", signal.SIGKILL, "render", "fields.json", "-o", "out/", "--checkpoint", "0.000001")
         self.assertRegex(self.checkpoint.read_bytes()[:4000].split(b"\n")[0], rb'"frame":\d')
         self.assertIsNotNone(self.resumed("fields.json", "-o", "out/"))
 
-    def test_one_far_frame(self):
+    def test_a_run_of_distant_frames_is_resumed(self):
         # Frames between the rendered ones do not displace the mesh, but their stored state must be complete.
         self.write("sea.json", with_values(SLOW | {"objects.sea": {"mesh": {
             "shape": "plane", "resolution": [61, 47], "deform": [{"waves": [{"length": 1.5, "amplitude": 0.05}]}]}}}))
@@ -116,7 +116,7 @@ class Checkpoints(Case):
         self.assertGreater(self.resumed(*run), 0)
         self.assert_out_equals("sea.json", "--frames", "0,59")
 
-    def test_damaged_and_foreign_ones_are_not_used(self):
+    def test_damaged_and_foreign_checkpoints_are_not_used(self):
         self.kill(signal.SIGINT, 5, "slow.json", "-o", "out/")
         whole = self.checkpoint.read_bytes()
         frame = re.search(rb'"frame":(\d+)', whole)[0]
@@ -128,12 +128,12 @@ class Checkpoints(Case):
         self.good("render", "slow.json", "-o", "out/", "--resume")
         self.assert_out_equals("slow.json")
 
-    def test_a_new_run_does_not_go_on_from_an_old_one(self):
+    def test_a_new_run_does_not_use_an_old_checkpoint(self):
         self.kill(signal.SIGINT, 5, "slow.json", "-o", "out/")
         self.good("render", "slow.json", "-o", "out/", "--overwrite", "--seed", "7")
         self.assertFalse(self.checkpoint.exists())
 
-    def test_without_room_for_it_the_run_goes_on(self):
+    def test_the_run_continues_if_checkpoints_cannot_be_written(self):
         (self.folder / "out/checkpoint.part").mkdir(parents=True)
         done = self.good("render", "slow.json", "-o", "out/", "--checkpoint", "0.000001", "--frames", "0-20")
         self.assertEqual(done.err.count("no more checkpoints: cannot create out/checkpoint"), 1)

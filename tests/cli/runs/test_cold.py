@@ -23,7 +23,7 @@ class Cold(Case):
         if "llvmpipe" in cold:
             self.assertIn("compiled ahead", cold)
 
-    def test_a_cache_that_cannot_be_written(self):
+    def test_an_unwritable_cache_does_not_change_pictures(self):
         err, pictures = self.render("none", MESA_SHADER_CACHE_DIR="/proc/self/nowhere")
         self.assertNotIn("compiled ahead", err)
         self.assertEqual(pictures, self.render("kept", MESA_SHADER_CACHE_DIR=str(self.folder / "cache"))[1])

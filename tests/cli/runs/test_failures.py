@@ -75,7 +75,7 @@ class Device(Case):
                      "render", "scene.json", "-o", "out/", "-D", f"objects.flag.cloth.size={size}", preexec_fn=limit)
         self.assertEqual(list(self.folder.glob("out/*")), [])
 
-    def test_blow_up(self):
+    def test_a_diverging_simulation_is_an_error(self):
         scene = with_values({"objects.flag.cloth": {"size": [9, 7], "stiffness": 1e7, "mass": 0.001, "substeps": 2,
                                                     "jitter": 0.01, "pins": [{"rows": [-1]}]}, "time.duration": 2})
         self.write("wild.json", scene)
@@ -87,7 +87,7 @@ class Device(Case):
         self.assertLess(len(frames), 60)
         self.assertGreaterEqual(len(frames), 1)
 
-    def test_auto_takes_no_fewer_substeps_than_it_needs(self):
+    def test_auto_substeps_above_the_limit_are_refused(self):
         """The message gives the number of substeps and the solver without such a limit, which then renders."""
         self.write("stiff.json", with_values({"objects.flag.cloth": {"size": [9, 7], "stiffness": 1e7, "mass": 0.01,
                                                                      "substeps": "auto"}}))
@@ -95,7 +95,7 @@ class Device(Case):
                  "render", "stiff.json", "-o", "out/", "--fps", "60")
         self.good("render", "stiff.json", "-o", "out/", "--fps", "60", "-D", "objects.flag.cloth.solver=constraints")
 
-    def test_air_that_comes_up_later_warns_at_once(self):
+    def test_fast_air_later_in_the_run_is_warned_about_at_the_start(self):
         light = {"size": [9, 7], "stiffness": 10, "mass": 0.0002, "substeps": 64, "air": {"velocity": {
             "keys": [[0, [0, 0, 0]], [50, [150, 0, 0]]]}}}
         self.write("storm.json", with_values({"objects.flag.cloth": light}))
@@ -147,7 +147,7 @@ class InputOutput(Case):
         self.assertEqual(self.content("out"), before)
         self.good("render", "scene.json", "-o", "out/", "--frames", "9")
 
-    def test_folders_that_cannot_be(self):
+    def test_folders_that_cannot_be_created(self):
         self.write("file", "x")
         for output in ("file/", "file/deep/", "file/a.mp4", "file/a_####.png", "/proc/x/"):
             self.bad(6, ["cannot create", output.split("/")[-2]], "render", "scene.json", "-o", output)
@@ -220,7 +220,7 @@ class InputOutput(Case):
         self.bad(6, ["t.png", "PNG or JPEG"], "render", "scene.json", "-o", "out/")
         self.assertEqual(list(self.folder.glob("out/*")), [])
 
-    def test_picture_that_inflates(self):
+    def test_data_after_the_pixels_of_a_picture_is_not_decompressed(self):
         """600 MB of zeros after a picture of 64 pixels are not decompressed."""
         self.write("scene.json", with_values({"objects.flag.material": {"texture": "t.png"}}))
         self.write("t.png", png((64, 1), 600_000_000))

@@ -42,7 +42,7 @@ class FluidPaths(Case):
     def assert_same(self, one, other, names):
         self.assertEqual([name for name in names if one[name] != other[name]], [])
 
-    def test_what_leaves_it_is_the_same(self):
+    def test_outputs_are_equal_on_both_memory_paths(self):
         out = {}
         for path in OTHER:
             self.good("render", "bath.json", "-o", f"{path}/", "--frames", "0-7", "--memory-path", path, "--fields", "npy",
@@ -69,7 +69,7 @@ class FluidPaths(Case):
                 self.assertEqual(len(later), (7 - frame) * 10)
                 self.assert_same(rest, out["texel"], later)
 
-    def test_traces_are_the_same(self):
+    def test_traces_are_equal_on_both_memory_paths(self):
         lines = {}
         for path in OTHER:
             lines[path] = [self.good("trace", "bath.json", "--memory-path", path, *what).stdout

@@ -29,7 +29,7 @@ class Kernels(Case):
         self.good("validate", "k.json")
         self.good("render", "k.json", "-o", "out/", "--frames", "0-1", "--size", "64x36")
 
-    def test_compiled_shaders_are_kept(self):
+    def test_compiled_shaders_are_cached(self):
         env = {"XDG_CACHE_HOME": str(self.folder / "cache")}
         self.scene()
         self.good("validate", "k.json", env=env)
@@ -42,14 +42,14 @@ class Kernels(Case):
         self.scene(BLUR.replace("lerp(", "lrp("))
         self.bad(2, "a.compute:8:19: error: ", "validate", "k.json", env=env)
 
-    def test_a_race_ends_with_1(self):
+    def test_a_race_exits_with_1(self):
         self.scene()
         done = self.bad(1, "k.json: 1 place of its kernels races", "kernels", "a.compute", "--check", "k.json")
         self.assertIn('a.compute:7: kernel "Blur" races: invocation ', done.stdout.decode())
         self.scene(buffers={"_Data": {"size": 32, "start": "i^2", "previous": True}})
         self.good("kernels", "a.compute", "--check", "k.json")
 
-    def test_mistakes_are_shown_at_their_place(self):
+    def test_errors_are_reported_at_their_position(self):
         self.scene(BLUR.replace("lerp(", "lrp("))
         self.bad(2, ["a.compute:8:19: error: ", "lrp"], "validate", "k.json")
         self.scene(constants={"_Shar": 0.5})
@@ -61,7 +61,7 @@ class Kernels(Case):
         self.scene(step=["Blurr"])
         self.bad(2, 'the shader has no kernel "Blurr"; did you mean "Blur"?', "validate", "k.json")
 
-    def test_threads_are_asked_for_where_memory_does_not_tell(self):
+    def test_threads_must_be_given_if_buffers_do_not_determine_them(self):
         both = BLUR.replace("float _Share;", "float _Share; RWTexture2D<float4> _Seen;")
         both = both.replace("    _Data[id.x] =", "    _Seen[id.xy] = 1;\n    _Data[id.x] =")
         self.scene(both, textures={"_Seen": [8, 8]})
@@ -69,7 +69,7 @@ class Kernels(Case):
         self.scene(both, textures={"_Seen": [8, 8]}, step=[{"kernel": "Blur", "threads": [32]}])
         self.good("validate", "k.json")
 
-    def test_a_read_out_of_bounds_ends_with_4(self):
+    def test_an_out_of_bounds_read_exits_with_4(self):
         self.scene(BLUR.replace("id.x == 0 ? 0 : id.x - 1", "id.x - 1"))
         self.bad(4, 'a.compute:7: kernel "Blur" reads "_Data" at -1, but it has 32 elements', "render", "k.json", "-o", "out/", "--frames", "0-2")
 

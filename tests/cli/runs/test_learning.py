@@ -8,14 +8,14 @@ from common import SOURCE, Case, main
 
 
 class Help(Case):
-    def test_help_names_where_to_start_and_the_exit_codes(self):
+    def test_help_shows_first_steps_and_exit_codes(self):
         out = self.good("--help").stdout.decode()
         for words in ("Where to start:", "simreel render flag -o flag.mp4", "simreel new cloth > cloth.json", "Exit codes:", "128 + n",
                       "\nWrite a scene:\n", "\nRender many:\n", "\nTools:\n"):
             self.assertIn(words, out)
         self.assertEqual(len(re.findall(r"^  simreel \w+ ", out, re.M)), 5)
 
-    def test_all_help_keeps_to_the_width(self):
+    def test_help_fits_the_terminal_width(self):
         commands = re.findall(r"^  (\w+)  +[A-Z]", self.good("--help").stdout.decode(), re.M)
         self.assertGreater(len(commands), 17)
         for width in (60, 100):
@@ -24,7 +24,7 @@ class Help(Case):
                 wide = [line for line in out.splitlines() if len(line) > width and "In a scene:" not in line]
                 self.assertEqual([line for line in wide if " " in line.strip()], [], (width, arguments))
 
-    def test_one_parameter_has_its_facts_and_an_example(self):
+    def test_the_page_of_a_parameter_has_facts_and_an_example(self):
         out = self.good("list", "cloth.pins").stdout.decode()
         for words in ("cloth.pins: ", "  default   [{\"rows\":[-1]}]", "  example   \"pins\": [{", "-D objects.NAME.cloth.pins=VALUE", "pins[].rows"):
             self.assertIn(words, out)
@@ -49,7 +49,7 @@ class Help(Case):
 
 
 class Starters(Case):
-    def test_every_kind_has_one_that_is_valid_without_a_warning(self):
+    def test_every_kind_has_a_valid_starter_scene(self):
         kinds = [kind["name"] for kind in json.loads(self.good("list", "--format", "json").stdout)["kinds"]]
         files = sorted((SOURCE / "assets/starters").iterdir())
         self.assertEqual(sorted(file.stem for file in files), sorted(kinds))
@@ -62,7 +62,7 @@ class Starters(Case):
             self.assertIn(f"Render it: simreel render {file.name} -o ", lines[0])
             self.assertIn(f'"{file.stem}": {{', file.read_text())
 
-    def test_new_prints_it(self):
+    def test_new_prints_the_starter_scene(self):
         self.assertEqual(self.good("new", "cloth").stdout, (SOURCE / "assets/starters/cloth.json").read_bytes())
         self.assertIn(b"  cloth ", self.good("new").stdout)
         self.bad(2, ['no starter scene is named "clth"', 'did you mean "cloth"?'], "new", "clth")
@@ -90,7 +90,7 @@ class Explain(Case):
         found = json.loads(self.good("explain", *arguments, "--format", "json", "--quick").stdout)
         return {one["path"]: (one["value"], one["from"]) for one in found}
 
-    def test_every_value_says_where_it_is_from(self):
+    def test_every_value_has_its_origin(self):
         self.write("ball.json", {"version": 1, "objects": {"ball": {"sphere": {"radius": 0.5}}}})
         rows = self.rows("ball.json", "-D", "time.fps=24", "--size", "64x36")
         self.assertEqual(rows["objects.ball.sphere.radius"], (0.5, "ball.json:6"))
@@ -103,7 +103,7 @@ class Explain(Case):
         self.assertEqual(rows["camera.position"][1], "placed to show all objects")
         self.assertEqual(rows["camera.near"][1], "default")
 
-    def test_presets_and_parts(self):
+    def test_explain_shows_presets_and_parts(self):
         self.write("silk.json", {"version": 1, "camera": {"position": [0, 1, 3]}, "objects": {"sheet": {"cloth": {"fabric": "silk"}}}})
         rows = self.rows("silk.json", "objects.sheet.cloth")
         self.assertEqual(rows["objects.sheet.cloth.fabric.material"], ("silk", "silk.json:13"))
@@ -115,7 +115,7 @@ class Explain(Case):
 
 
 class Reference(Case):
-    def test_the_committed_reference_is_what_the_program_writes(self):
+    def test_the_committed_reference_is_up_to_date(self):
         self.good("list", "--reference", "reference")
         committed = SOURCE / "assets/guide/reference"
         names = {file.name for file in (self.folder / "reference").iterdir()}

@@ -24,7 +24,7 @@ class Pieces(Case):
         self.assertEqual(sorted(self.content(folder)), sorted(self.whole[more]))
         self.assertEqual(self.content(folder), self.whole[more])
 
-    def test_the_same_bytes(self):
+    def test_pieces_give_the_bytes_of_one_run(self):
         """Covers pictures, fields, counts with a pre-roll, and the manifest; no other files remain."""
         done = self.good("render", "town.json", "-o", "out/", "--pieces", "4", "--device", "0,none", "--fields", "npy")
         # the message of the second process, whose device does not exist
@@ -33,7 +33,7 @@ class Pieces(Case):
         runs = self.runs("out")
         self.assertEqual(sorted(run["frames"] for run in runs), ["0-2", "11-14", "3-6", "7-10"])
 
-    def test_patterns_some_frames_and_one_piece(self):
+    def test_pieces_with_a_pattern_some_frames_and_one_piece(self):
         self.good("render", "town.json", "-o", "out/a_###.png", "--pieces", "3", "--frames", "0-14x2")
         self.good("render", "town.json", "-o", "one/a_###.png", "--pieces", "1", "--frames", "0-14x2")
         self.good("render", "town.json", "-o", "whole/a_###.png", "--frames", "0-14x2")
@@ -50,7 +50,7 @@ class Pieces(Case):
         self.assertEqual(sorted(mine), ["a.mp4", "a.mp4.as-run.json", "a.mp4.counts.csv", "a.mp4.manifest.json"])
         self.assertEqual(mine, theirs)
 
-    def test_steps_by_hand_and_what_is_damaged(self):
+    def test_steps_by_hand_and_damaged_pieces(self):
         self.write("slow.json", with_values(SLOW))
         code, _ = self.signal_when((self.folder / "out/pieces/plan.json").exists, "out", signal.SIGTERM, "render", "slow.json", "-o", "out/", "--pieces", "3")
         self.assertEqual(code, 128 + signal.SIGTERM)
@@ -93,7 +93,7 @@ class Pieces(Case):
         self.assertIn("all 60 frames are there", self.good("render", "slow.json", "-o", "out/", "--pieces", "3", "--resume").err)
         self.assertEqual((self.folder / "out/000030.png").stat().st_ino, made)
 
-    def test_checks_are_told_once_and_as_by_one_run(self):
+    def test_checks_are_reported_once_and_equal_those_of_one_run(self):
         checks = [{"what": "not-blank"}, {"what": "not-blank", "frames": [2, 7, 14]}, {"what": "no-nan", "frames": [0, 6, 7, 12, 14]},
                   {"what": "energy", "drift": 0.001, "frames": [1, 3, 14]}, {"what": "mean", "of": "positions.y", "min": 9}]
         self.write("checked.json", {**TOWN, "test": {"frames": [2, 7, 10, 14]}, "checks": checks})
@@ -114,7 +114,7 @@ class Pieces(Case):
         self.assertIn("drift of energy of flag is not judged: this run did not begin before frame 1", done.err)
         self.assertEqual([line for line in done.err.splitlines() if '"check"' in line and "energy" in line], [])
 
-    def test_beside_other_frames_and_a_damaged_state(self):
+    def test_pieces_beside_other_frames_and_with_a_damaged_state(self):
         """Frames of the same run keep their entries in its manifest and log."""
         self.good("render", "town.json", "-o", "out/", "--frames", "0-5")
         beside = ("render", "town.json", "-o", "out/", "--frames", "6-14", "--pieces", "3")

@@ -10,7 +10,7 @@ class Reproduce(Case):
         super().setUp()
         self.good("render", "scene.json", "-o", "out/", "--seed", "3", "-D", "objects.flag.cloth.jitter=0.02", "-D", "title=it's")
 
-    def test_from_what_lies_beside(self):
+    def test_frames_are_reproduced_from_the_files_beside_them(self):
         (self.folder / "scene.json").unlink()  # reproduce does not need the scene's file
         done = self.good("reproduce", "out/000003.png")
         self.assertEqual(done.stdout, b"out/000003.png: frame 3 is the same, in state and in every pixel\n")
@@ -19,7 +19,7 @@ class Reproduce(Case):
         self.assertEqual(sorted(self.content("again")), ["000002.png", "as-run.json", "manifest.json"])
         self.assertEqual(self.content("again")["as-run.json"], self.content("out")["as-run.json"])
 
-    def test_a_picture_alone(self):
+    def test_a_picture_alone_needs_its_scene(self):
         shutil.move(self.folder / "out/000004.png", self.folder / "lone.png")
         self.bad(2, ["no scene lies beside lone.png", "--scene"], "reproduce", "lone.png")
         self.good("reproduce", "lone.png", "--scene", "scene.json")
@@ -39,7 +39,7 @@ class Reproduce(Case):
         self.assert_words(["t.png", f"add: --assets {self.folder}/in"], done)
         self.good("reproduce", "there/000000.png", "--assets", "in")
 
-    def test_what_differs(self):
+    def test_differences_are_reported(self):
         def told(*arguments):
             done = self.run_program("reproduce", *arguments)
             self.assertEqual(done.returncode, 1, done.err)

@@ -45,7 +45,7 @@ class Interrupted(Case):
             self.signal_after(random.randint(1, 20), "out", signal.SIGKILL, *self.arguments, "--resume")
         self.assert_resumed_equals_undisturbed()
 
-    def test_interrupted_video_is_whole(self):
+    def test_an_interrupted_video_leaves_no_parts(self):
         code, messages = self.interrupt_at_once("a.mp4")
         self.assertIn(code, (0, 130), messages)
         self.assertEqual(list(self.folder.glob("*part*")), [])
@@ -67,7 +67,7 @@ class Signals(Case):
         super().setUp()
         self.write("slow.json", with_values(SLOW))
 
-    def test_hang_up_and_file_size(self):
+    def test_sighup_and_sigxfsz_keep_a_checkpoint(self):
         for number in (signal.SIGHUP, signal.SIGXFSZ):
             for picture in self.folder.glob("out/*"):
                 picture.unlink()
@@ -75,7 +75,7 @@ class Signals(Case):
             self.assertEqual(code, 128 + number, messages)
             self.assertTrue((self.folder / "out/checkpoint").exists())
 
-    def test_nohup_stays(self):
+    def test_an_ignored_sighup_does_not_end_the_run(self):
         process = self.start("render", "slow.json", "-o", "out/", "--frames", "0-19",
                              preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
         while process.poll() is None and not list(self.folder.glob("out/*.png")):
@@ -84,7 +84,7 @@ class Signals(Case):
         messages = process.communicate(timeout=PATIENCE)[1].decode()
         self.assertEqual(process.returncode, 0, messages)
 
-    def test_a_file_too_large(self):
+    def test_a_file_above_the_size_limit_is_an_error(self):
         limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (9000, 9000))
         self.bad(6, ["File too large"], "render", "slow.json", "-o", "out/", preexec_fn=limit)
 
@@ -94,7 +94,7 @@ class Signals(Case):
         messages = process.communicate(timeout=PATIENCE)[1].decode()
         self.assertEqual(process.returncode, 128 + number, messages)
 
-    def test_before_the_first_frame(self):
+    def test_signals_before_the_first_frame_end_the_run(self):
         dish = {"size": [400, 400], "presteps": 9000000}
         self.write("presteps.json", {"version": 1, "objects": {"dish": {"grayScott": dish}}})
         self.write("preroll.json", with_values(SLOW | {"time.start": 9000}))
@@ -106,7 +106,7 @@ class Signals(Case):
             time.sleep(0.5)
             self.ended(process)
 
-    def test_ffmpeg_that_stops_reading(self):
+    def test_a_run_with_a_stalled_ffmpeg_can_be_interrupted(self):
         fake = self.write("bin/ffmpeg", f"#!/bin/sh\necho $$ > {self.folder}/pid\nexec sleep 100000\n")
         fake.chmod(0o755)
         process = self.start("render", "slow.json", "-o", "a.mp4", env={"PATH": f"{fake.parent}:/usr/bin:/bin"})
@@ -118,7 +118,7 @@ class Signals(Case):
             os.kill(int((self.folder / "pid").read_text()), 0)
         self.assertEqual([p.name for p in self.folder.glob("a.*")], [])
 
-    def test_a_reader_that_stops_reading(self):
+    def test_a_run_with_a_stalled_reader_can_be_interrupted(self):
         reader, writer = os.pipe()
         process = subprocess.Popen([PROGRAM, "render", "slow.json", "-o", "-"], cwd=self.folder, stdout=writer,
                                    stderr=subprocess.PIPE)
@@ -152,22 +152,22 @@ class Resume(Case):
         self.good("render", "scene.json", "-o", "out/", "--resume")
         self.assertEqual(self.content("out"), self.whole)
 
-    def test_nothing_to_do(self):
+    def test_complete_frames_are_not_written_again(self):
         times = {i: self.path(i).stat().st_mtime_ns for i in range(FRAMES)}
         self.good("render", "scene.json", "-o", "out/", "--resume")
         self.assertEqual({i: self.path(i).stat().st_mtime_ns for i in range(FRAMES)}, times)
         self.assertEqual(self.content("out"), self.whole)
 
-    def test_into_nothing(self):
+    def test_resume_without_earlier_frames(self):
         self.good("render", "scene.json", "-o", "fresh/", "--resume")
         self.assertEqual(self.content("fresh"), self.whole)
 
-    def test_lost_manifest(self):
+    def test_resume_without_a_manifest(self):
         (self.folder / "out/manifest.json").unlink()
         self.good("render", "scene.json", "-o", "out/", "--resume")
         self.assertEqual(self.content("out"), self.whole)
 
-    def test_another_scene(self):
+    def test_resume_refuses_another_scene(self):
         self.bad(2, ["cannot resume", "-D seed=7 in this run and nothing in the earlier one", "--overwrite"], "render", "scene.json", "-o", "out/", "--resume",
                  "--seed", "7")
         self.write("scene.json", with_values({"title": "other"}))
@@ -182,7 +182,7 @@ class Resume(Case):
     def change_run(self, old, new):
         self.change_manifest(old, new, "run.json")
 
-    def test_another_machine(self):
+    def test_exact_pictures_are_resumed_on_another_machine(self):
         """Exact pictures are equal on every machine, so a run may continue on another one."""
         self.assertEqual(self.manifest("out")["rasterizer"], "exact")
         for word in ("fingerprint", "driver", "processor", "machine"):
@@ -196,12 +196,12 @@ class Resume(Case):
         self.assertEqual([(r["processor"] == "Testium 3", r["frames"]) for r in self.runs("out")],
                          [(True, "0-3,5"), (False, "4")])
 
-    def test_another_rasterizer(self):
+    def test_resume_refuses_another_rasterizer(self):
         self.change_manifest('"rasterizer": "exact"', '"rasterizer": "driver"')
         self.bad(2, ["cannot resume", "rasterizer is exact in this run and driver in the earlier one"], "render",
                  "scene.json", "-o", "out/", "--resume")
 
-    def test_another_machine_of_drivers(self):
+    def test_driver_pictures_are_resumed_on_another_machine(self):
         """Pictures of a driver stay when a run continues on another machine, and run.json lists both machines."""
         self.write("scene.json", with_values({"render.rasterizer": "driver"}))
         self.good("render", "scene.json", "-o", "out/", "--overwrite")
@@ -228,7 +228,7 @@ class Resume(Case):
         self.change_manifest('"fingerprint": "', '"fingerprint": "0')
         self.bad(2, ["cannot resume", "fingerprint"], "render", "scene.json", "-o", "out/", "--resume")
 
-    def test_malformed_manifests(self):
+    def test_a_malformed_manifest_starts_over(self):
         """A malformed manifest makes the run start over, with a message."""
         whole = self.whole["manifest.json"].decode()
         for text in ("", "{", "[]", "null", "{}", "\0\0", whole[:-30], whole.replace('"version": 4', '"version": 99'),
@@ -240,7 +240,7 @@ class Resume(Case):
             self.assert_words(["simreel: warning: manifest out/manifest.json cannot be read", "starting over"], done)
             self.assertEqual(self.content("out"), self.whole)
 
-    def test_extra_chunks_are_not_kept(self):
+    def test_files_with_extra_chunks_are_rewritten(self):
         """The picture was written by another program: equal pixels, different file."""
         body = b"tEXtComment\0by another program"
         chunk = struct.pack(">I", len(body) - 4) + body + struct.pack(">I", zlib.crc32(body))
@@ -249,13 +249,13 @@ class Resume(Case):
         self.good("render", "scene.json", "-o", "out/", "--resume")
         self.assertEqual(self.content("out"), self.whole)
 
-    def test_manifest_with_wicked_names(self):
+    def test_file_names_of_the_manifest_are_not_trusted(self):
         text = without_hash(self.whole["manifest.json"].decode().replace("000001.png", "../scene.json"))
         self.write("out/manifest.json", text)
         self.good("render", "scene.json", "-o", "out/", "--resume")
         self.assertEqual(self.content("out"), self.whole)
 
-    def test_wrong_state_is_noticed(self):
+    def test_a_wrong_state_is_detected(self):
         text = self.whole["manifest.json"].decode()
         state = self.manifest("out")["frames"][3]["state"]
         self.write("out/manifest.json", without_hash(text.replace(state, "0" * len(state))))
@@ -272,7 +272,7 @@ class Resume(Case):
             self.assert_words(["out/manifest.json cannot be read: it was changed after it was written", "starting over"], done)
             self.assertEqual(self.content("out"), self.whole)
 
-    def test_skip_existing_keeps(self):
+    def test_skip_existing_keeps_readable_frames(self):
         self.damage()
         own = self.whole["000005.png"]
         foreign = own[:33] + own[own.index(b"IDAT") - 4:]  # a foreign picture: without simreel's text chunks
@@ -287,7 +287,7 @@ class Resume(Case):
         self.good("render", "scene.json", "-o", "out/", "--resume")
         self.assertEqual(self.content("out"), self.whole)
 
-    def test_skip_existing_draws_what_is_damaged(self):
+    def test_skip_existing_redraws_damaged_frames(self):
         """Covers a changed byte, text in place of a picture, and a folder in place of a picture."""
         changed = bytearray(self.whole["000001.png"])
         changed[len(changed) // 2] ^= 0xFF
@@ -315,7 +315,7 @@ class Resume(Case):
         self.whole.pop("manifest.json")
         self.assertEqual(self.content("out"), self.whole)
 
-    def test_overwrite_replaces(self):
+    def test_overwrite_replaces_all_frames(self):
         self.damage()
         self.good("render", "scene.json", "-o", "out/", "--overwrite")
         self.assertEqual(self.content("out"), self.whole)
@@ -324,12 +324,12 @@ class Resume(Case):
 
 
 class Determinism(Case):
-    def test_two_runs_are_the_same(self):
+    def test_two_runs_write_the_same_bytes(self):
         self.good("render", "scene.json", "-o", "a/", env={"LP_NUM_THREADS": "5"})
         self.good("render", "scene.json", "-o", "b/", "--progress", "ndjson", env={"LP_NUM_THREADS": "1"})
         self.assertEqual(self.content("a"), self.content("b"))
 
-    def test_some_frames_equal_those_of_all(self):
+    def test_frames_do_not_depend_on_the_selection(self):
         self.good("render", "scene.json", "-o", "a/")
         self.good("render", "scene.json", "-o", "b/", "--frames", "5")
         self.assertEqual(set(self.content("b")), {"000005.png", "as-run.json", "manifest.json"})

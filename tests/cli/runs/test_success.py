@@ -49,7 +49,7 @@ class Success(Case):
         self.assertEqual(done.err, "")
         self.good("validate", *sorted((SOURCE / "assets/scenes").glob("*.json")))
 
-    def test_schema_is_the_committed_one(self):
+    def test_the_committed_schema_is_up_to_date(self):
         done = self.good("schema")
         self.assertEqual(done.stdout, (SOURCE / "assets/scene.schema.json").read_bytes())
         json.loads(done.stdout)
@@ -67,7 +67,7 @@ class Success(Case):
         self.assertIn(b"Exact numerics: hold", done.stdout)
         self.assertRegex(done.stdout, rb"\nRasterizer: (driver|exact), the default \(")
 
-    def test_a_software_driver_gets_two_threads_for_each_processor_that_it_may_use(self):
+    def test_software_drivers_get_two_threads_per_available_processor(self):
         """The processors come from the affinity mask; a user's own LP_NUM_THREADS is kept."""
         own = {"LP_NUM_THREADS": "3"}
         both = sorted(os.sched_getaffinity(0))[:2]
@@ -79,7 +79,7 @@ class Success(Case):
                 if "(software)" in done.stdout:
                     self.assertIn(f"Driver's threads: {threads} ", done.stdout)
 
-    def test_the_drawing_fingerprint_is_of_the_driver(self):
+    def test_the_drawing_fingerprint_depends_only_on_the_driver(self):
         """The fingerprint changes if the driver draws the probe differently, and does not depend on the passes that
         draw scenes."""
         def fingerprint(name, old, new):
@@ -128,7 +128,7 @@ class Streams(Case):
         self.assertEqual([e["frame"] for e in events[1:-1]], list(range(FRAMES)))
         self.assertEqual(events[-1]["status"], "ok")
 
-    def test_stage_times_of_frames_are_those_of_the_run(self):
+    def test_stage_times_of_frames_add_up_to_those_of_the_run(self):
         """All time for simulating, drawing and reading back is assigned to a frame, including frames that are simulated
         but not drawn."""
         self.write("scene.json", with_values({"objects.flag.cloth.substeps": 40}))
@@ -142,7 +142,7 @@ class Streams(Case):
             self.assertGreater(events[-1]["encode"], 0)
             self.assertLessEqual(sum(e["encode"] for e in events if e["event"] == "frame"), events[-1]["encode"] + 1e-5)
 
-    def test_a_film_of_every_third_frame_lasts_as_long(self):
+    def test_a_video_of_every_third_frame_has_the_same_duration(self):
         done = self.good("render", "scene.json", "-o", "-", "--stream-format", "y4m", "--frames", "0-5x3")
         self.assertIn(b" F10:1 ", done.stdout.partition(b"\n")[0])
         done = self.good("render", "scene.json", "-o", "-", "--stream-format", "y4m", "--frames", "0,1,5")
@@ -163,7 +163,7 @@ class Streams(Case):
                           ("scene.json", "-o", "a/", "-D", "objects.flag.cloth.size=3")):
             self.assertEqual(lines(*arguments)[-1]["level"], "error", arguments)
 
-    def test_steps_before_the_first_frame_count(self):
+    def test_steps_before_the_first_frame_are_reported(self):
         dish = {"size": [256, 256], "presteps": 3000}
         self.write("dish.json", {"version": 1, "render": {"size": [32, 32]}, "objects": {"dish": {"grayScott": dish}}})
         done = self.good("render", "dish.json", "-o", "out/", "--frames", "0", "--progress", "ndjson")
@@ -191,14 +191,14 @@ class Streams(Case):
 class OddButRight(Case):
     """Tests unusual but valid input."""
 
-    def test_names(self):
+    def test_unusual_file_names(self):
         scene = self.write("größe 图/scène ÿ.json", with_values({"title": "ein \"Titel\" 🏴\n"}))
         self.good("render", scene, "-o", "mit Leerzeichen 布/", "--frames", "0")
         self.assertEqual(self.assert_manifest_is_whole("mit Leerzeichen 布"), [0])
         self.good("render", "scene.json", "-o", "-D####.png", "--frames=1")
         self.assertTrue((self.folder / "-D0001.png").exists())
 
-    def test_smallest(self):
+    def test_the_smallest_cloth_and_picture(self):
         self.write("two.json", with_values({"objects.flag.cloth.size": [2, 2], "render.size": [1, 1],
                                             "time.duration": 0}))
         self.good("render", "two.json", "-o", "out/")

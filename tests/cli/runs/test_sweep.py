@@ -30,7 +30,7 @@ class Sweep(Case):
     def result(self, job):
         return json.loads((self.folder / f"sw/jobs/{job:04}/result.json").read_text())
 
-    def test_what_a_cluster_still_has(self):
+    def test_jobs_queued_on_a_cluster_are_counted(self):
         """Uses a stub of squeue: a plan with several submissions, one with an offset; jobs of other users; no
         answer."""
         self.good("sweep", "dish.json", "--vary", f"{FEED}=0.02:0.04:0.01", "-o", "sw/", "--plan-only")
@@ -123,7 +123,7 @@ class Sweep(Case):
         (self.folder / "sw/jobs/0000/result.json").unlink()
         self.assertEqual(self.status(7)[-1], "3 jobs: 0 done, 1 aborted, 2 missing")
 
-    def test_interrupted_and_retried_is_undisturbed(self):
+    def test_an_interrupted_and_retried_job_equals_an_undisturbed_one(self):
         """Also compares the results of checks made before the interrupt."""
         scene = with_values(SLOW | {"time.duration": 0.7})
         scene["checks"] = [{"what": "energy", "frames": [1, 2, 18], "drift": 9}, {"what": "not-blank", "frames": [1, 20]}]
@@ -139,7 +139,7 @@ class Sweep(Case):
         self.assertEqual(self.content("sw/jobs/0000"), self.content("whole/jobs/0000"))
         self.assertEqual([c["frame"] for c in self.result(0)["checks"]], [1, 1, 2, 18, 20])
 
-    def test_a_killed_process_costs_its_job_alone(self):
+    def test_a_killed_process_loses_only_its_job(self):
         self.write("slow.json", with_values(SLOW | {"time.duration": 0.5}))
         for _ in range(20):  # repeats until the run is still active when the signal arrives
             process = self.start("sweep", "slow.json", "--vary", "seed=1,2", "-o", "sw/", "--overwrite")
@@ -230,7 +230,7 @@ class Sweep(Case):
         self.assertEqual(list(drawn.iterdir()), [])
         self.bad(2, "$NOWHERE is not set", *sweep, "-o", "sw2/", "--scratch", "$NOWHERE")
 
-    def test_what_was_lost_is_made_again(self):
+    def test_lost_files_are_made_again(self):
         self.write("dish.json", with_values({"checks": []}, DISH))
         self.good("sweep", "dish.json", "--vary", f"{FEED}=0.03,0.02", "-o", "sw/")
         job = self.content("sw/jobs/0001")
@@ -261,14 +261,14 @@ class Sweep(Case):
             self.wait_until(lambda: not any(pathlib.Path(f"/proc/{worker}").exists() for worker in workers))
             self.assertEqual(list(self.folder.glob(f"{places}/checkpoint")), [])
 
-    def test_devices(self):
+    def test_each_device_gets_one_process(self):
         """Runs one process per device, whatever --jobs is; also in `simreel test`."""
         self.write("dish.json", with_values({"checks": []}, DISH))
         done = self.good("sweep", "dish.json", "--vary", f"{FEED}=0.02:0.0209:0.0001", "-o", "sw/", "--frames", "0", "--device", "0,none")
         self.assertIn("one process less to work in: it no device matches --device none", done.err.replace("was ended: ", ""))
         self.assertEqual(self.status(0), ["10 jobs: 10 done"])
 
-    def test_a_thousand_jobs_are_planned_at_once(self):
+    def test_a_thousand_jobs_are_planned_quickly(self):
         """Measured in processor time: the plan takes a tenth of a second; reading the scene for every job would take a
         minute."""
         begin = os.times()

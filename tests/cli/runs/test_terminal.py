@@ -32,7 +32,7 @@ class Terminal(Case):
             self.assertLessEqual(len(done.err.splitlines()), most, done.err)
         return done
 
-    def test_arguments(self):
+    def test_hostile_arguments_are_escaped(self):
         self.clean(2, HOSTILE, most=1)
         self.clean(2, "render", HOSTILE, "-o", "out/", most=1)
         self.clean(2, "list", HOSTILE, most=1)
@@ -50,7 +50,7 @@ class Terminal(Case):
         for line in done.stdout.splitlines():
             json.loads(line)
 
-    def test_names_of_files(self):
+    def test_hostile_file_names_are_escaped(self):
         self.write(f"{HOSTILE}.json".replace("/", ""), (self.folder / "scene.json").read_bytes())
         name = f"{HOSTILE}.json"
         self.assertEqual(len(self.clean(0, "validate", name).stdout.splitlines()), 1)
@@ -73,7 +73,7 @@ class Terminal(Case):
         program.chmod(0o755)
         return program.parent
 
-    def test_contents_of_files(self):
+    def test_hostile_file_contents_are_escaped(self):
         def broken(text):
             self.write("bad.json", text)
             self.clean(2, "validate", "bad.json")
@@ -99,7 +99,7 @@ class Terminal(Case):
             self.assertIn(done.returncode, (2, 6), (name, done.err))
             self.clean(done.returncode, "render", "uses.json", "-o", "out/", "--frames", "0", most=1)
 
-    def test_reports_on_the_terminal(self):
+    def test_hostile_text_in_reports_is_escaped(self):
         """Covers names, reasons and sources of tested scenes."""
         hostile = with_values({"test": {"frames": [0], "size": [16, 9], "samples": 1, "xfail": HOSTILE}})
         self.write(f"scenes/{HOSTILE}.json", hostile)
@@ -138,7 +138,7 @@ class SetUp(unittest.TestCase):
 
 
 class Layers(unittest.TestCase):
-    def test_includes_are_read_in_every_folder(self):
+    def test_check_layers_reads_includes_in_every_folder(self):
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
             (folder / "tools").mkdir()
@@ -163,7 +163,7 @@ class Layers(unittest.TestCase):
             self.assertEqual(code, 1)
             self.assertIn("src/sim/core/list.hpp:1: sim/core includes from sim/cloth/deep", message)
 
-    def test_strangers_and_circles_are_found(self):
+    def test_check_layers_finds_unknown_folders_and_cycles(self):
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
             (folder / "tools").mkdir()

@@ -24,7 +24,7 @@ class TwoRuns(Case):
         self.good("render", "slow.json", "-o", "whole/")
         self.assertEqual(self.content("out"), self.content("whole"))
 
-    def test_the_same_frames_are_refused(self):
+    def test_two_runs_of_the_same_frames_are_refused(self):
         long = ("-D", "time.duration=3000")  # a duration that would take hours to render
         first = self.begin("--frames", "0-19,25-89999", *long)
         for more in (("--frames", "20-25"), ("--frames", "29", "--overwrite"), ("--resume",), ("--skip-existing",)):
@@ -37,26 +37,26 @@ class TwoRuns(Case):
         first.kill()
         first.communicate()
 
-    def test_other_frames_side_by_side(self):
+    def test_two_runs_of_different_frames_work_side_by_side(self):
         runs = [self.start(*self.run_of_slow, "--frames", frames) for frames in ("0-29x2", "1-29x2")]
         for process in runs:
             self.finish(process)
         self.assert_out_is_whole()
 
-    def test_the_checkpoint_is_of_one(self):
+    def test_two_runs_do_not_disturb_each_others_checkpoint(self):
         first = self.begin("--frames", "0-14", "--checkpoint", "0.000001")
         second = self.start(*self.run_of_slow, "--frames", "15-29", "--checkpoint", "0.000001")
         self.finish(first)
         self.finish(second)
         self.assert_out_is_whole()
 
-    def test_a_killed_one_holds_nothing(self):
+    def test_a_killed_run_holds_no_lock(self):
         self.signal_after(1, "out", signal.SIGKILL, *self.run_of_slow)
         self.assertTrue((self.folder / "out/manifest.json.lock").exists())
         self.good(*self.run_of_slow, "--resume")
         self.assert_out_is_whole()
 
-    def test_many_at_once(self):
+    def test_many_runs_at_once(self):
         """Removing the lock file races with opening it."""
         self.write("tiny.json", with_values({"render.size": [8, 8], "time.duration": 0}))
         runs = [self.start("render", "tiny.json", "-o", "out/", "--frames", str(i)) for i in range(6)]
@@ -65,7 +65,7 @@ class TwoRuns(Case):
         self.assertEqual(self.assert_manifest_is_whole("out"), list(range(6)))
         self.assertEqual(len(self.content("out")), 8)
 
-    def test_one_video(self):
+    def test_two_runs_of_one_video_are_refused(self):
         fake = self.write("bin/ffmpeg", "#!/bin/sh\nwhile [ ! -e go ]; do sleep 0.05; done\ncat >/dev/null\nfor last; do :; done\necho video > \"${last#file:}\"\n")
         fake.chmod(0o755)
         path = {"PATH": f"{fake.parent}:/usr/bin:/bin"}

@@ -42,7 +42,7 @@ class CommandLine(Case):
         self.usage(["`simreel render` has no flag -z; see"], "render", "scene.json", "-o", "out/", "-z")
         self.usage(['no command "mrge"; did you mean "merge"?', "see `simreel report --help`"], "report", "mrge")
 
-    def test_what_is_missing_is_named(self):
+    def test_missing_arguments_are_named(self):
         self.usage(["`simreel render` needs --output\n  -o, --output", "see `simreel render --help`"], "render", "scene.json")
         self.usage(["`simreel diff` needs B\n  B ", "usage: simreel diff A B"], "diff", "a.png")
         self.usage(["--frames needs a value\n  --frames"], "render", "scene.json", "-o", "out/", "--frames")
@@ -51,7 +51,7 @@ class CommandLine(Case):
         self.usage(["`simreel render` takes no other.json", "see `simreel render --help`"], "render", "scene.json", "other.json", "-o", "out/")
         self.usage(["scene.json is no command; to render that scene: simreel render scene.json"], "scene.json")
 
-    def test_outputs_are_tried_before_a_device_is(self):
+    def test_outputs_are_checked_before_a_device_is_opened(self):
         """Existing or unwritable outputs are reported before anything is simulated to place a camera."""
         nothing = {"__EGL_VENDOR_LIBRARY_FILENAMES": "/nothing"}
         for output in ("scene.json/out/", "/proc/self/out/", "/proc/nowhere/a.mp4", "/proc/self/a_####.png"):
@@ -128,7 +128,7 @@ class CommandLine(Case):
                       "--samples", "99")
         self.render(["--samples", "x"], "--samples", "x")
 
-    def test_a_stream_keeps_nothing(self):
+    def test_a_stream_cannot_be_resumed(self):
         for flag in ("--resume", "--skip-existing"):
             self.usage(["--output -", flag], "render", "scene.json", "-o", "-", flag)
 
@@ -137,7 +137,7 @@ class CommandLine(Case):
 
 
 class SceneMistakes(Case):
-    def test_names_of_nothing_are_told_with_all_other_mistakes(self):
+    def test_unknown_names_are_reported_with_all_other_errors(self):
         self.write("bad.json", """{"version": 1, "objects": {
             "flag": {"cloth": {"spacing": -1, "air": {"fluid": "smoke"}, "walls": "cave"}}, "ball": {"sphere": {"radius": -1}}},
             "camera": {"track": "bal"}, "lights": {"lamp": {"follow": {"object": "cve"}}}, "test": {"frames": [9999]}}""")
@@ -167,7 +167,7 @@ class SceneMistakes(Case):
         lines = self.mistake([], text).splitlines()
         self.assertEqual([lines[0], *lines[2:]], ["bad.json:" + head, caret])
 
-    def test_what_another_key_rules_out_is_a_warning(self):
+    def test_a_parameter_without_effect_causes_a_warning(self):
         self.write("idle.json", '{"version": 1, "render": {"size": [16, 9], "raySamples": 8},\n "objects": {"ball": {"sphere": {}}}}')
         warning = ('idle.json:1:44: warning: "raySamples" is for "quality": "high"; here it does nothing\n'
                    '  {"version": 1, "render": {"size": [16, 9], "raySamples": 8},\n'
@@ -211,7 +211,7 @@ class SceneMistakes(Case):
         for command in (["validate", "bad.json"], ["render", "bad.json", "-o", "out/"]):
             self.bad(2, ["bad.json is larger than the limit of 4194304 bytes"], *command)
 
-    def test_every_mistake_at_once(self):
+    def test_all_errors_are_reported_at_once(self):
         err = self.mistake([
             "bad.json:3:2: error: unknown key \"titel\"; did you mean \"title\"?",
             "bad.json:4:18: error: expected a number, found a string",
@@ -248,7 +248,7 @@ class SceneMistakes(Case):
             refused(outside, f"lies outside the folders a scene may read: {self.folder} and ")
         refused(".", "is not a file")
 
-    def test_values(self):
+    def test_invalid_values_are_reported_at_their_position(self):
         def at(line, column, message, values):
             self.mistake([f"bad.json:{line}:{column}: error: {message}\n"], json.dumps(with_values(values), indent=1))
         at(20, 13, '"position" and "target" are the same point; the camera looks nowhere',

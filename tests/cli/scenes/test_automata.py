@@ -19,14 +19,14 @@ class Families(Case):
                 self.assertEqual(problem, "")
         self.assertTrue(any(living for _, _, living in results))
 
-    def test_soups_of_every_family(self):
+    def test_random_cells_of_every_family_equal_golly(self):
         for family in golly.FAMILIES + (golly.NEWER if golly.version() >= (4, 0) else []):
             if not family.startswith("far"):  # the far families read thousands of cells around each cell
                 self.hold(golly.soups(family, 4, 1), 40)
         far = [case for case in golly.soups("farthest", 20, 1) if max(case["size"]) < 320]
         self.hold(far[:4], 3)
 
-    def test_rules_that_live(self):
+    def test_long_lived_rules_equal_golly(self):
         """Soups that still change after 60 generations."""
         self.hold([{"size": size, "rule": rule, "fill": fill, "border": border}
                    for rule, fill in (("B2-a/S12", 0.3), ("B3/S2-i34q", 0.3), ("B2/S34H", 0.3), ("B13/S012V", 0.3), ("/2/3", 0.3),
@@ -34,7 +34,7 @@ class Families(Case):
                                       ("R3,C0,M0,S8..13,B9..11,NC", 0.4), ("R2,C4,M0,S3..5,B3..4,NN", 0.4))
                    for size, border in (([61, 45], "torus"), ([33, 70], "dead"))], 60)
 
-    def test_borders(self):
+    def test_all_borders_equal_golly(self):
         self.hold([{"size": size, "rule": rule, "fill": 0.3, "border": border, "shift": shift}
                    for rule in ("B3/S23", "345/2/4")
                    for border, size, shift in (("klein", [31, 20], [0, 0]), ("klein", [30, 21], [1, 0]),
@@ -42,7 +42,7 @@ class Families(Case):
                                                ("crossSurface", [31, 20], [0, 0]), ("sphere", [27, 27], [0, 0]),
                                                ("torus", [31, 20], [5, 0]), ("torus", [31, 20], [0, -7]))], 60)
 
-    def test_rule_files(self):
+    def test_rule_files_equal_golly(self):
         """A table with bound variables, and one whose walls turn a torus into a cylinder, which Golly does not have."""
         self.write("Signal.rule", "@RULE Signal\n@TABLE\nn_states:5\nneighborhood:vonNeumann\nsymmetries:rotate4reflect\n"
                    "var a={0,1,2,3,4}\nvar b={1,2}\nvar c={0,3,4}\nvar d={a}\nvar e={a}\nvar f={a}\n"
@@ -51,7 +51,7 @@ class Families(Case):
         cases = [{"size": [47, 32], "ruleFile": "Signal.rule", "fill": 0.3, "border": b} for b in ("torus", "dead", "klein")]
         self.hold(cases, 60)
 
-    def test_a_cylinder(self):
+    def test_a_cylinder_equals_a_walled_torus_of_golly(self):
         self.write("WalledLife.rule", golly.WALLED_LIFE)
         width, height = 40, 27
         life = {"size": [width, height], "rule": "B3/S23", "border": "cylinder", "fill": 0.4, "stepsPerSecond": 80}
@@ -78,7 +78,7 @@ class Shapes(Case):
              "D": lambda dx, dy, r: (dx + dy) % 2 == 0, "H": lambda dx, dy, r: abs(dx - dy) <= r,
              "A": lambda dx, dy, r: dx * dy == 0 or dx == dy, "3": lambda dx, dy, r: dx == 0 > dy or dy == 0 > dx or dx == dy > 0}
 
-    def test_shapes(self):
+    def test_neighbourhoods_have_the_drawn_shapes(self):
         width, height, steps = 23, 17, 4
         cases = [(f"R{r},C{states},S2-4,6,B3-5,N{letter}", states, r, drawn) for letter, drawn in self.DRAWN.items()
                  for r, states in ((2, 2), (3, 4))]
@@ -108,7 +108,7 @@ class Shapes(Case):
 
 
 class Rule(Case):
-    def test_a_pattern_with_another_rule(self):
+    def test_the_rule_option_replaces_the_rule_of_a_pattern(self):
         self.write("g.rle", GLIDER)
         self.good("render", "g.rle", "--rule", "B2-a/S12", "-o", "out", "--frames", "0,30", "--size", "64x36")
         self.assertEqual(len(list((self.folder / "out").glob("*.png"))), 2)

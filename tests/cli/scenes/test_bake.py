@@ -58,7 +58,7 @@ class Bake(Case):
         # uvs of three corners; a picture's first row is at v = 1
         self.assertEqual([rows[0][6:8], rows[8][6:8], rows[62][6:8]], [(0, 1), (1, 1), (1, 0)])
 
-    def test_what_was_baked_is_read_as_the_same_surface(self):
+    def test_baked_files_are_read_back_as_the_same_surface(self):
         """Compares triangle by triangle, because the reader reorders vertices. Rotations are omitted, because even a
         rotation by 0 would not be exact."""
         self.good("bake", "scene.json", "-o", "out", "--frames", "5")
@@ -82,7 +82,7 @@ class Bake(Case):
             self.assertEqual(len(found), len(wanted))
             self.assertLess(max(abs(a - b) for a, b in zip(found, wanted)), 2e-6, suffix)
 
-    def test_a_picture_stands_upright_on_what_comes_back(self):
+    def test_textures_are_upright_on_meshes_read_back(self):
         red, blue = bytes([255, 0, 0]), bytes([0, 0, 255])
         self.write("flag.ppm", b"P6 8 8 255\n" + 32 * red + 32 * blue)
         self.write("scene.json", with_values({"objects.flag.material": {"texture": "flag.ppm"}, "objects.flag.cloth.jitter": 0,
@@ -111,7 +111,7 @@ class Bake(Case):
             self.assertEqual([tuple(round(v, 5) for v in row[:3]) for row in self.read(f"out/plate_{frame:06}.ply")[2]],
                              [(x - 1, 0, -1), (x + 1, 0, -1), (x - 1, 0, 1), (x + 1, 0, 1)])
 
-    def test_some_frames_are_the_same_as_all(self):
+    def test_selected_frames_equal_those_of_a_complete_bake(self):
         self.good("bake", "scene.json", "-o", "all")
         self.good("bake", "scene.json", "-o", "some", "--frames", "2,4", "--object", "flag")
         some = self.content("some")

@@ -42,7 +42,7 @@ class BakeMaps(Case):
     def read(self, name):
         return read_map((self.folder / name).read_bytes())
 
-    def test_a_skin_becomes_its_maps(self):
+    def test_a_skin_is_baked_to_maps(self):
         self.good("bake", "scene.json", "-o", "out", "--format", "maps")
         self.assertEqual(sorted(self.content("out")), [f"ball_000002_{name}.png" for name in MAPS])
         for name in MAPS:
@@ -110,7 +110,7 @@ class BakeMaps(Case):
         self.good("bake", "scene.json", "-o", "out", "--format", "maps", "--overwrite")
         self.assertEqual(len(self.content("out")), 5)
 
-    def test_twice_the_same(self):
+    def test_two_bakes_are_equal(self):
         self.good("bake", "scene.json", "-o", "a", "--format", "maps")
         self.good("bake", "scene.json", "-o", "b", "--format", "maps")
         self.assertEqual(self.content("a"), self.content("b"))
@@ -149,7 +149,7 @@ class SkinsInScenes(Case):
         self.bad_scene(["object \"flag\" is a cloth, not a field", "the scene has no field"],
                        "render", "scene.json", "-o", "out/")
 
-    def test_place_of_a_mistake(self):
+    def test_an_error_has_its_position(self):
         self.write("scene.json", '{"version": 1, "objects": {\n"hide": {"grayScott": {}},\n'
                                  '"ball": {"sphere": {}, "material": {"skin":\n  {"field": "hude"}}}}}')
         done = self.bad_scene([], "render", "scene.json", "-o", "out/")

@@ -205,7 +205,7 @@ class Sequence(Case):
     def glb(self, name):
         return Glb((self.folder / f"out/{name}.glb").read_bytes())
 
-    def test_gltf_moves_as_the_frames_do(self):
+    def test_the_gltf_animation_equals_the_frames(self):
         self.write("scene.json", with_values({"objects.sheet": SHEET}))
         self.bake("--sequence")
         self.assertEqual(sorted(self.content("out")), ["flag.glb", "sheet.glb"])
@@ -225,13 +225,13 @@ class Sequence(Case):
                     for got, want in zip(glb.at(key, attribute), frame[column]):
                         self.assertLess(max(abs(a - b) for a, b in zip(got, want)), near, (name, key, attribute))
 
-    def test_some_frames_begin_at_0_s(self):
+    def test_selected_frames_start_at_time_0(self):
         self.bake("--sequence", "--format", "glb", "--frames", "1,2,5")
         self.assertEqual(self.glb("flag").times, [single(i / 30) for i in (0, 1, 4)])
         frames = self.frames("flag", (1, 2, 5))
         self.assertEqual(self.glb("flag").columns["POSITION"], [tuple(map(single, p)) for p in frames[0]["v"]])
 
-    def test_one_frame_stands_still(self):
+    def test_one_frame_has_no_animation(self):
         self.bake("--sequence", "--frames", "3")
         self.bake("--format", "glb", "--frames", "3")
         still = self.glb("flag")
@@ -240,7 +240,7 @@ class Sequence(Case):
         once = Glb((self.folder / "out/flag_000003.glb").read_bytes())
         self.assertEqual((still.columns, still.indices), (once.columns, once.indices))
 
-    def test_point_caches_are_the_frames(self):
+    def test_point_caches_equal_the_frames(self):
         self.bake("--format", "pc2")
         self.bake("--format", "mdd", "--overwrite")
         self.assertEqual(sorted(self.content("out")), ["flag.mdd", "flag.obj", "flag.pc2"])
@@ -263,7 +263,7 @@ class Sequence(Case):
         self.bake("--format", "mdd", "--frames", "1,3,4", "--overwrite")
         self.assertEqual(read_cache((self.folder / "out/flag.mdd").read_bytes())[1], [single(i / 30) for i in (0, 2, 3)])
 
-    def test_a_surface_that_becomes_another(self):
+    def test_a_surface_with_changing_topology_is_refused(self):
         pattern = {"grayScott": {"size": [48, 32], "presteps": 5, "display": {"layer": "none"}}}
         self.write("scene.json", with_values({"objects": {
             "hills": {"contour": {"field": "pattern", "levels": 3, "low": 0.1, "high": 0.3}}, "pattern": pattern}}))
@@ -271,26 +271,26 @@ class Sequence(Case):
             self.bad(2, ["hills", "frame 1", "a file a frame"], "bake", "scene.json", "-o", "out", *how)
             self.assertEqual(self.content("out"), {})
 
-    def test_the_same_bytes_again(self):
+    def test_two_bakes_write_the_same_bytes(self):
         for folder in ("out", "again"):
             for how in (["--sequence"], ["--format", "pc2"], ["--format", "mdd", "--overwrite"]):
                 self.good("bake", "scene.json", "-o", folder, *how)
         self.assertEqual(self.content("out"), self.content("again"))
 
-    def test_what_is_there_is_kept(self):
+    def test_existing_files_are_kept(self):
         self.write("out/flag.obj", "mine")
         self.bad(6, ["out/flag.obj", "--overwrite"], "bake", "scene.json", "-o", "out", "--format", "pc2")
         self.assertEqual(self.content("out"), {"flag.obj": b"mine"})
         self.bad(2, ["--sequence", "obj", "glb, pc2 or mdd"], "bake", "scene.json", "-o", "out", "--format", "obj", "--sequence")
         self.bad(2, ["no object", "a mesh"], "bake", "scene.json", "-o", "out", "--sequence", "-D", 'objects={"b":{"sphere":{}}}')
 
-    def test_no_room_leaves_nothing(self):
+    def test_a_full_disk_leaves_no_files(self):
         limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (4000, 4000))
         for how in (["--sequence"], ["--format", "pc2"], ["--format", "mdd"]):
             self.bad(6, ["out/flag.", "File too large"], "bake", "scene.json", "-o", "out", *how, preexec_fn=limit)
             self.assertEqual(self.content("out"), {})
 
-    def test_an_interrupt_leaves_nothing(self):
+    def test_an_interrupt_leaves_no_files(self):
         self.write("scene.json", with_values({"time.duration": 300}))
         part = self.folder / "out/flag.mdd.part"
         code, messages = self.signal_when(lambda: part.exists() and part.stat().st_size > 100_000, "out", signal.SIGTERM, "bake", "scene.json",
@@ -313,7 +313,7 @@ class Sequence(Case):
         self.assertLess(many - few, grown / 4)
 
     @unittest.skipUnless(shutil.which("blender"), "Blender is not installed")
-    def test_blender_plays_them(self):
+    def test_blender_plays_the_sequences(self):
         self.bake("--sequence")
         self.bake("--format", "pc2")
         self.bake("--format", "mdd", "--overwrite")

@@ -113,7 +113,7 @@ class Caves(Case):
         self.scene(fill=0.52, cell=0.5)
         self.assertEqual(rooms(), separate)  # the number of rooms before corridors joined them
 
-    def test_levels_by_the_range_of_the_field(self):
+    def test_contour_levels_follow_the_range_of_the_field(self):
         pattern = {"grayScott": {"size": [48, 32], "presteps": 50, "display": {"layer": "none", "low": 0.1, "high": 0.4}}}
         def lines(**contour):
             self.write("scene.json", with_values({"objects": {

@@ -41,7 +41,7 @@ def blender_missing():
 
 
 class Cycles(Case):
-    def test_what_is_not_carried_over_is_refused(self):
+    def test_unsupported_parameters_are_refused(self):
         self.assertEqual(refusals(SMALL), [])
         for scene in sorted((CYCLES / "scenes").glob("*.json")):
             self.assertEqual(refusals(json.loads(scene.read_text())), [], scene)
@@ -76,7 +76,7 @@ class Cycles(Case):
         return {(x, y): tuple(line[step * x:step * x + 3]) for y, line in enumerate(lines) for x in range(width)}
 
     @unittest.skipIf(blender_missing(), blender_missing())
-    def test_things_are_where_they_are(self):
+    def test_objects_are_at_the_same_place(self):
         scene = copy.deepcopy(SMALL)
         self.write("scene.json", scene)
         self.cycles(0)
@@ -102,7 +102,7 @@ class Cycles(Case):
         self.assertLess(len(apart), 6, apart[:20])
 
     @unittest.skipIf(blender_missing(), blender_missing())
-    def test_light_is_alike(self):
+    def test_light_is_similar(self):
         for name, lights in (("sun and sky", {}), ("lamps", SMALL["lights"])):
             scene = {**copy.deepcopy(SMALL), "lights": lights}
             if lights:

@@ -51,7 +51,7 @@ class Fields(Case):
     def render(self, *more):
         return ["render", "scene.json", "-o", "out/", *more]
 
-    def test_values_are_beside_the_pictures(self):
+    def test_values_are_written_beside_the_pictures(self):
         self.good(*self.render("--fields", "npy"))
         files = self.content("out")
         self.assertEqual(sorted(files), sorted(["as-run.json", "manifest.json"] + [f"{i:06}.{kind}" for i in range(4)
@@ -77,7 +77,7 @@ class Fields(Case):
         self.assertEqual(baked["dish.u_000003.npy"], self.content("out")["000003.dish.u.npy"])
         self.assertEqual(baked["dish_000003.npy"], wanted)
 
-    def test_what_is_held_to_0_to_1_is_said_once(self):
+    def test_clamped_values_are_reported_once(self):
         """Without feed and kill the sum of u and v is conserved, except for values clamped to 1."""
         dish = {"size": [31, 24], "feed": 0, "kill": 0, "steps": 10, "seeds": {"count": 3, "radius": 4}}
         scene = with_values({"objects": {"dish": {"grayScott": dish}}, "time.duration": 1}, SCENE)
@@ -129,7 +129,7 @@ class Fields(Case):
         self.bad(6, "000001.dish.npy", *self.render("--fields", "npy", "--overwrite"))
 
 
-    def test_damaged_ones_are_written_again(self):
+    def test_damaged_files_are_written_again(self):
         self.good(*self.render("--fields", "npy"))
         whole = self.content("out")
         kept = (self.folder / "out/000000.dish.npy").stat().st_mtime_ns
@@ -140,7 +140,7 @@ class Fields(Case):
             self.assertEqual(self.content("out"), whole)
         self.assertEqual((self.folder / "out/000000.dish.npy").stat().st_mtime_ns, kept)
 
-    def test_damaged_and_not_asked_for(self):
+    def test_damaged_files_are_not_listed_by_a_run_without_fields(self):
         """The manifest does not list damaged files as complete."""
         self.good(*self.render("--fields", "npy"))
         (self.folder / "out/000002.dish.npy").write_bytes(b"")
@@ -149,7 +149,7 @@ class Fields(Case):
         self.assertEqual([f"{i:06}.dish.npy" in frame["files"] for i, frame in enumerate(frames)], [True, True, False, True])
         self.assertTrue(all(f"{i:06}.dish.u.npy" in frame["files"] for i, frame in enumerate(frames)))
 
-    def test_added_to_frames_that_are_kept(self):
+    def test_fields_are_added_to_existing_frames(self):
         self.good(*self.render())
         self.good(*self.render("--fields", "npy", "--resume"))
         files = self.content("out")

@@ -21,7 +21,7 @@ class Film(Case):
         self.good("render", "scene.json", "--frames", "0", "-o", name, "-q", *arguments)
         return pixels((self.folder / name).read_bytes())
 
-    def test_no_background(self):
+    def test_a_transparent_background_has_alpha(self):
         self.write("scene.json", SCENE)
         plain, three = self.picture("plain.png")
         cut, four = self.picture("cut.png", "-D", "render.transparent=true")
@@ -50,7 +50,7 @@ class Film(Case):
         self.assertLessEqual(max(apart), 6)
         self.assertLess(sum(apart) / len(apart), 1.5)
 
-    def test_where_there_is_no_alpha(self):
+    def test_formats_without_alpha_are_refused(self):
         self.write("scene.json", SCENE)
         see = ("render", "scene.json", "--frames", "0", "-D", "render.transparent=true")
         self.bad(2, "a video has no alpha channel for render.transparent", *see, "-o", "a.mp4")
@@ -91,7 +91,7 @@ class Film(Case):
         epidemic = str(SOURCE / "assets/scenes/epidemic.json")
         self.bad(2, "a chart lies over the picture", "render", epidemic, "-o", "map.png", "--frames", "0", "--bits", "16")
 
-    def test_light(self):
+    def test_exr_files_hold_light_and_layers(self):
         self.write("scene.json", SCENE)
         see = ("render", "scene.json", "-q", "--layers", "depth,object,position,normal,albedo")
         self.good(*see, "--frames", "0,3", "-o", "a/####.exr")
@@ -111,7 +111,7 @@ class Film(Case):
         self.good(*see, "--frames", "0", "-o", "d.exr", "-D", "sky.zenith=[0.2,0.2,0.4]")
         self.assertEqual(self.run_program("diff", "b.exr", "d.exr", "-q").returncode, 1)
 
-    def test_shares_of_objects_are_as_blurred_as_the_light(self):
+    def test_coverage_of_objects_has_the_motion_blur_of_the_light(self):
         turning = {"radius": 0.3, "position": {"keys": [[0, [-1, 0, 0]], [1, [1, 0, 0]]]}}
         self.write("scene.json", {"version": 1, "stage": False, "render": {"size": [48, 27], "samples": 2, "transparent": True}, "time": {"fps": 8, "duration": 1},
                                   "camera": {"position": [0, 0, 3], "target": [0, 0, 0]}, "sky": {"zenith": [1, 1, 1]}, "ground": {"visible": False},
@@ -137,7 +137,7 @@ class Film(Case):
             partly.append(sum(0 < alpha < 1 for alpha in channels["A"]))
         self.assertGreater(min(partly[1:]), 1.5 * partly[0])
 
-    def test_light_where_there_is_none(self):
+    def test_layers_without_light_are_refused(self):
         self.write("scene.json", SCENE)
         see = ("render", "scene.json", "--frames", "0")
         self.bad(2, "--layers: OpenEXR pictures have them", *see, "-o", "a.png", "--layers", "depth")

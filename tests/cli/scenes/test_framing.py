@@ -13,7 +13,7 @@ class Framing(Case):
     def render(self, output, *more, scene="scene.json"):
         return self.good("render", scene, "-o", output, *more).err
 
-    def test_the_camera_is_the_scene_s_whichever_frames_are_wanted(self):
+    def test_the_camera_does_not_depend_on_the_selected_frames(self):
         self.write("scene.json", self.SCENE)
         said = self.render("all/", "--frames", "0-12")
         self.assertEqual(said.count("a first run of 30 frames placed the camera; to keep it there: -D 'camera.position="), 1)
@@ -25,7 +25,7 @@ class Framing(Case):
         self.assertEqual((self.folder / "all/000010.png").read_bytes(), picture)
         self.assertEqual(self.render("quiet/", "--frames", "10", "-q"), "")
 
-    def test_the_other_memory_path_finds_the_same(self):
+    def test_both_memory_paths_place_the_same_camera(self):
         self.write("scene.json", {**self.SCENE, "objects": {**self.SCENE["objects"], "jet": {"particles": {"emitters": [{"rate": 300}]}}}})
         found = []
         for path in ("texel", "storage"):
@@ -34,7 +34,7 @@ class Framing(Case):
             found.append((manifest["camera"], manifest["frames"][0]["pixels"]))
         self.assertEqual(found[0], found[1])
 
-    def test_what_it_says_keeps_the_camera_there(self):
+    def test_the_printed_override_keeps_the_camera_there(self):
         stage = {key: value for key, value in self.SCENE.items() if key != "sky"}
         # a sheet so small that the camera would be nearer than its minimum distance
         far = {"sheet": {"cloth": {"size": [12, 12], "spacing": 0.004, "pins": []}}}
@@ -51,7 +51,7 @@ class Framing(Case):
                 self.assertNotIn("camera", again)
                 self.assertEqual(again["frames"][0]["pixels"], found["frames"][0]["pixels"])
 
-    def test_a_large_scene_is_framed_by_its_parameters_and_says_so(self):
+    def test_a_large_scene_is_framed_by_its_parameters_with_a_message(self):
         self.write("scene.json", {**self.SCENE, "objects": {"sheet": {"cloth": {"size": [400, 400]}}}, "time": {"duration": 5}})
         said = self.render("a/", "--frames", "0")
         self.assertEqual(said.count("a first run to see that would take too long; give \"camera\""), 1)

@@ -99,12 +99,12 @@ class Golly(Case):
             left, top = (min(c[i] for c in first) - min(c[i] for c in start[3]) for i in (0, 1))
             self.assertEqual({(x - left, y - top) for x, y in last}, end[3], border)
 
-    def test_whole_blocks_several_generations_a_pass(self):
+    def test_several_generations_per_pass_equal_golly(self):
         self.compare([128, 67], "B3/S23", 1000)
 
 
 class Life(Case):
-    def test_what_is_written_is_read(self):
+    def test_written_patterns_are_read_back(self):
         self.write("s.json", scene([257, 130], 1000, fill=0.3))
         self.good("bake", "s.json", "-o", "out", "--frames", "0,10")
         shutil.copy(self.folder / "out/cells_000000.rle", self.folder / "start.rle")
@@ -136,7 +136,7 @@ class Life(Case):
             self.good(*bake, env=env)
         self.assertEqual((self.folder / "out/cells_000010.rle").read_bytes(), right)
 
-    def test_the_rule_of_a_file(self):
+    def test_the_rule_of_a_pattern_file_is_used(self):
         self.write("hi.rle", "x = 3, y = 3, rule = B36/S23\nbo$2bo$3o!")
         self.write("s.json", scene([33, 31], 10, patterns=[{"file": "hi.rle", "at": [3, 4]}], border="dead"))
         self.good("bake", "s.json", "-o", "out", "--frames", "0")

@@ -67,7 +67,7 @@ class Materials(Case):
         self.scene("square.gltf", {"emission": [0, 1, 0], "color": [0, 0, 0]})
         self.assertEqual(self.picture(), ((0, 255, 0), (0, 255, 0)))
 
-    def test_what_of_a_file_is_not_drawn_is_said_once(self):
+    def test_ignored_parts_of_a_file_are_reported_once(self):
         transform = {"extensions": {"KHR_texture_transform": {"scale": [2, 2]}}}
         pane = {"name": "pane", "extensions": {"KHR_materials_anisotropy": {}, "KHR_materials_ior": {"ior": 1.3}},
                 "occlusionTexture": {"index": 0, "texCoord": 1}, "normalTexture": {"index": 0, **transform}, "emissiveTexture": {"index": 0}}
@@ -87,7 +87,7 @@ class Materials(Case):
         said = self.good("render", "square.json", "--frames", "0", "--size", "16x16", "-o", "driver/", "--rasterizer", "driver").err
         self.assertEqual(said.count("square: the driver's rasterizer draws the colour, roughness and metal"), 1)
 
-    def test_pictures_inside_a_file_that_are_none(self):
+    def test_invalid_pictures_inside_a_file_are_refused(self):
         broken = gltf([glowing([1, 1, 1], emissiveTexture={"index": 0})], [b"no picture"], [{"source": 0}])
         self.write("square.gltf", broken)
         self.scene("square.gltf")
@@ -144,7 +144,7 @@ class Materials(Case):
         for part in ("-mm of map_Kd of material \"all\"", "-t of map_Kd", "map_Ke (its -o and -s are not those of the others)"):
             self.assertIn(part, said)
 
-    def test_words_of_libraries_that_others_write(self):
+    def test_unsupported_words_of_libraries_are_reported(self):
         for library, part in ((b"Ke 0 1 0\naniso 0.5\nanisor 0.1\n", "aniso of material"), (b"Ke 0 1 0\nd -halo 1\n", "-halo of d"),
                               (b"Ke 0 1 0\nKd spectral glass.rfl\n", "\"Kd spectral glass.rfl\" of material"), (b"Ke 0 1 0\nPr nan\n", "\"Pr nan\""),
                               (b"Ke 0 1 0\nTf 1 0 0\n", "Tf of material")):
@@ -159,7 +159,7 @@ class Materials(Case):
         self.square(b"map_Ke gone.png\n")  # without its picture, a light source is dark
         self.assertEqual(self.picture(), ((0, 0, 0), (0, 0, 0)))
 
-    def test_light_in_libraries_as_of_old(self):
+    def test_usual_lighting_words_of_libraries_are_accepted(self):
         blender = b"Ns 250.000000\nKa 1.000000 1.000000 1.000000\nKs 0.500000 0.500000 0.500000\nKe 0 1 0\nNi 1.450000\nd 1.000000\nillum 2\n"
         for library in (blender, b"Ke 0 1 0\nKa 0 0 0\nKs 0 0 0\nNi 1\nillum 1\n", b"Ke 0 1 0\nKa 0.5 0.2 0.1\nKd 0.5 0.2 0.1\nKs 1 1 1\nillum 3\n",
                         b"Ke 0 1 0\nd 0.5\nNi 1.5\nillum 9\n", b"Ke 0 1 0\nillum 4\nTr 0.5\n"):
@@ -187,7 +187,7 @@ class Materials(Case):
         self.write("square.gltf", colored)
         self.assertIn(WORDS + "COLOR_0 of what is unlit", self.said())
 
-    def test_textures_that_a_gltf_moves(self):
+    def test_texture_transforms_of_gltf(self):
         red, green, blue, white = (255, 0, 0, 255), (0, 255, 0, 255), (0, 0, 255, 255), (255,) * 4
         across, down = png([red, red, green, green]), png([red, red, green, green, blue, blue, white, white], 1)
         # picture() reads u = 0.32, v = 0.68 and then u = 0.68, v = 0.32. A quarter turn: u' = v, v' = -u.

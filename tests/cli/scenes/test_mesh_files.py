@@ -27,7 +27,7 @@ class MeshFiles(Case):
         self.good("render", "m.json", "--size=48x27", "--frames=0", "-o", "scene.png")
         self.assertEqual((self.folder / "model.png").read_bytes(), (self.folder / "scene.png").read_bytes())
 
-    def test_turn_goes_once_round_the_scene(self):
+    def test_turn_moves_the_camera_once_around_the_scene(self):
         self.write("m.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.3\nf 1 2 3\n")
         self.good("render", "m.obj", "--size=48x27", "--turn=0.5", "--fps=8", "-o", "out/")
         frames = sorted((self.folder / "out").glob("*.png"))
@@ -35,16 +35,16 @@ class MeshFiles(Case):
         self.assertEqual(len({frame.read_bytes() for frame in frames}), 4)
         self.bad(2, ["--turn takes seconds above 0"], "render", "m.obj", "--turn=0", "-o", "no/")
 
-    def test_formats_of_meshes_that_are_not_read_are_refused(self):
+    def test_unsupported_mesh_formats_are_refused(self):
         self.write("m.stl", "solid\n")
         self.bad(2, ["m.stl is a mesh, not a scene, and of a format that is not read"], "render", "m.stl", "-o", "out/")
 
-    def test_lines_and_points_are_said_not_to_be_drawn_whatever_the_material(self):
+    def test_lines_and_points_are_reported_as_not_drawn_for_any_material(self):
         for material in (None, {"color": [1, 0, 0]}):
             self.assertIn("not drawn: lines (1); points (1)", self.said(SQUARE.replace("usemtl m\n", "") + "l 1 2\np 3\n", material))
         self.assertIn("not drawn: usemtl \"m\" (no material library has that name)", self.said(SQUARE))
 
-    def test_libraries_pictures_and_comments_as_other_programs_write_them(self):
+    def test_libraries_pictures_and_comments_of_other_programs_are_read(self):
         library = "newmtl m # red\nKd 1 1 1 # white\nmap_Kd maps\\red.bmp\n"
         (self.folder / "maps").mkdir()
         (self.folder / "maps/red.bmp").write_bytes(BMP)

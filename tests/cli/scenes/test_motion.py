@@ -22,7 +22,7 @@ class Motion(Case):
     def frame(self, folder, number):
         return (self.folder / folder / f"{number:06}.png").read_bytes()
 
-    def test_a_frame_alone_is_what_it_is_in_a_sequence(self):
+    def test_a_single_frame_equals_that_of_a_sequence(self):
         self.write("scene.json", FALL)
         self.good("render", "scene.json", "-o", "all/", "-q")
         for number in (0, 1, 7):
@@ -35,7 +35,7 @@ class Motion(Case):
         states = [json.loads((self.folder / name / "manifest.json").read_text())["frames"] for name in ("all", "sharp")]
         self.assertEqual([[frame["state"] for frame in one] for one in states][0], [frame["state"] for frame in states[1]])
 
-    def test_resumed_and_in_pieces_it_is_the_same(self):
+    def test_motion_blur_is_equal_in_resumed_runs_and_pieces(self):
         self.write("scene.json", FALL)
         self.good("render", "scene.json", "-o", "all/", "-q")
         for number in (5, 6):  # the frame of a kept state, and the next one
@@ -47,7 +47,7 @@ class Motion(Case):
                 for each in range(12):
                     self.assertEqual(pixels(self.frame("part", each)), pixels(self.frame("all", each)), each)
 
-    def test_the_other_memory_path_draws_it_alike(self):
+    def test_motion_blur_is_equal_on_both_memory_paths(self):
         self.write("scene.json", FALL)
         for path in ("texel", "storage"):
             self.good("render", "scene.json", "-o", f"{path}/", "--frames", "7", "--memory-path", path, "-q")
@@ -67,7 +67,7 @@ class Track(Case):
         return [sum(share * (at % width) for at, share in enumerate(alpha)) / total - (width - 1) / 2,
                 sum(share * (at // width) for at, share in enumerate(alpha)) / total - (height - 1) / 2], total
 
-    def test_what_is_tracked_stays_in_the_middle(self):
+    def test_a_tracked_object_stays_in_the_centre(self):
         self.write("scene.json", self.SCENE)
         orbit = ("-D", "camera={\"track\": \"ball\", \"orbit\": {\"distance\": 4}}")
         sizes = []
@@ -82,14 +82,14 @@ class Track(Case):
         at, _ = self.middle("--frames", "7", "-D", "camera.track={\"object\": \"ball\", \"offset\": [0, 0.3, 0]}")
         self.assertGreater(at[1], 3)  # the camera aims above the object, so the object is lower in the picture
 
-    def test_things_that_are_simulated_are_tracked(self):
+    def test_simulated_objects_are_tracked(self):
         scene = json.loads(json.dumps(self.SCENE))
         scene["objects"] = {"ball": {"cloth": {"size": [9, 9]}}}
         self.write("scene.json", scene)
         at, _ = self.middle("--frames", "5")
         self.assertLess(max(map(abs, at)), 6)
 
-    def test_a_damped_camera_lags_and_does_not_depend_on_which_frames_are_drawn(self):
+    def test_a_damped_camera_lags_independently_of_the_selected_frames(self):
         scene = json.loads(json.dumps(self.SCENE))
         scene["objects"] = {"ball": {"cloth": {"size": [9, 9], "pins": []}}}
         scene["camera"] = {"track": {"object": "ball", "damping": 0.1}, "orbit": {"distance": 4}}
@@ -108,7 +108,7 @@ class Track(Case):
         (_, level), _ = self.middle("--frames", "7", "-D", "camera.track.damping=0")
         self.assertGreater(low, level + 3)
 
-    def test_a_keyed_target_and_a_path_may_be_damped_too(self):
+    def test_keyed_targets_and_paths_can_be_damped(self):
         # With damping T, the camera's target lags by T behind an object in steady motion, after an initial phase.
         keys = [[0, [-3, 0, 0]], [2, [3, 0, 0]]]
         scene = {**self.SCENE, "camera": {"position": [0, 0, 6], "target": {"keys": keys}, "damping": 0.2},
@@ -153,7 +153,7 @@ class Chart(Case):
                          "curves": {"chart": {"curves": [{"of": "sheet.population", "color": [1, 0, 0]}, {"of": "sheet.kineticEnergy", "color": [0, 0, 1]}],
                                               "low": 0, "high": 162, "seconds": 1, "x": 0.1, "y": 0.1, "width": 0.8, "height": 0.8}}}}
 
-    def test_a_value_lies_where_the_scale_says_up_to_the_present(self):
+    def test_values_are_drawn_to_scale_up_to_the_current_frame(self):
         self.write("scene.json", self.SCENE)
         self.good("render", "scene.json", "-o", "all/", "--frames", "0,5,9", "-q")
         for frame, share in ((0, 0), (5, 0.5), (9, 0.9)):
@@ -164,7 +164,7 @@ class Chart(Case):
             self.assertAlmostEqual(sum(rows) / len(rows), 51, delta=0.6)
             self.assertAlmostEqual(max(x for x, _ in red), 29 + share * 142, delta=3)
 
-    def test_it_does_not_depend_on_which_frames_are_drawn(self):
+    def test_a_chart_does_not_depend_on_the_selected_frames(self):
         scene = json.loads(json.dumps(self.SCENE))
         for end in ("low", "high"):
             del scene["objects"]["curves"]["chart"][end]
@@ -181,7 +181,7 @@ class Text(Case):
     def scene(self, text, **more):
         return {"version": 1, "render": {"size": [97, 55]}, "objects": {"a": {"text": {"text": text, **more}}}}
 
-    def test_what_is_said_changes_with_the_frame(self):
+    def test_text_changes_with_the_frame(self):
         fire = json.loads((SOURCE / "assets/scenes/wildfire.json").read_text())
         name = next(iter(fire["objects"]))
         fire["objects"]["words"] = {"text": {"text": "{frame} {time:1}", "screen": {"height": 0.2}}}
@@ -211,7 +211,7 @@ class Text(Case):
             pictures = [pixels((self.folder / each).read_bytes()) for each in ("a.png", "c.png")]
             self.assertEqual(pictures[0] == pictures[1], equal, number)
 
-    def test_both_rasterizers_write_the_same_letters(self):
+    def test_both_rasterizers_draw_the_same_text(self):
         scene = self.scene("same", screen={"height": 0.3, "color": [1, 0, 0]})
         self.write("scene.json", scene)
         found = []

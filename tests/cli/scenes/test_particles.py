@@ -26,11 +26,11 @@ class Particles(Case):
             self.assert_words(words, done)
             self.assertFalse((self.folder / "out").exists())
 
-    def test_too_many(self):
+    def test_too_many_particles_are_refused(self):
         self.set_groups([{"count": 200_000_000}])
         self.bad_scene("16777216", "render", "scene.json", "-o", "out/")
 
-    def test_a_file_goes_in_and_comes_out(self):
+    def test_a_particle_file_is_read_and_baked_back(self):
         self.write("a.csv", "x,y,z,vx,vy,vz,mass\n1,0,0,0,0.5,0,2\n-1,0,0,0,-0.5,0,2\n0,3,0,0,0,0,1\n")
         self.set_groups([{"shape": "file", "file": "a.csv"}], method="none")
         self.good("bake", "scene.json", "-o", "out")
@@ -46,7 +46,7 @@ class Particles(Case):
         self.good("bake", "scene.json", "-o", "again", "--frames", "0")
         self.assertEqual(read_ply((self.folder / "again/p_000000.ply").read_bytes())[2], rows)
 
-    def test_glows_look_the_same_blended_and_summed_up(self):
+    def test_glows_look_the_same_on_both_memory_paths(self):
         """Sizes from specks to glows that cover the picture; positions before, inside and behind a sphere, and behind
         the camera."""
         rows = [(x, y, z, 8.0 ** (i % 5 - 2)) for i, (x, y, z) in enumerate(

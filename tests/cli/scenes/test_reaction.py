@@ -39,7 +39,7 @@ class Reaction(Case):
     def render(self, *more):
         return ["render", "scene.json", "-o", "out/", "--fields", "npy", *more]
 
-    def test_fields_of_each_species_on_both_memory_paths_in_pieces_too(self):
+    def test_species_fields_are_equal_on_both_memory_paths_and_in_pieces(self):
         # A second object reads this object and itself.
         self.write_rule(RULE, reader={"size": [22, 30], "parameters": {"f": {"field": "r.v"}, "own": {"field": "reader"}},
                                       "show": "w + f", "species": {"w": {"rate": "f - w*own"}}})
@@ -63,7 +63,7 @@ class Reaction(Case):
             if name.endswith("npy"):
                 self.assertEqual(data, whole[name], name)
 
-    def test_volumes_and_meshes_on_both_memory_paths_in_pieces_too(self):
+    def test_volumes_and_meshes_are_equal_on_both_memory_paths_and_in_pieces(self):
         volume = {"size": [13, 9], "depth": 7, "preset": "cahnHilliard", "steps": 5, "surface": {"color": "mu"},
                   "strokes": [{"at": 0.1, "until": 0.3, "from": [3, 4, 2], "to": [12, 8, 9], "radius": 2.5}]}
         mesh = {"mesh": {"shape": "torus", "resolution": [24, 13], "refine": 1}, "preset": "barkley", "steps": 5,
@@ -84,7 +84,7 @@ class Reaction(Case):
                 if name.endswith(("npy", "png")):
                     self.assertEqual(data, whole[name], name)
 
-    def test_several_steps_a_pass_are_the_same_on_both_memory_paths(self):
+    def test_several_steps_per_pass_are_equal_on_both_memory_paths(self):
         rule = {"size": [132, 37], "steps": 11, "dt": 1, "species": {
             "u": {"diffusion": 0.06, "start": "1 - 0.5*abs(random(1))", "rate": "0.04*(1 - u) - u*v^2"},
             "v": {"diffusion": 0.03, "start": "0.4*abs(random(2))", "rate": "u*v^2 - 0.1*v"}}}
@@ -103,14 +103,14 @@ class Reaction(Case):
         said = [self.bad(4, ["\"u\" of cell ("], *self.render("--overwrite", "--memory-path", path)).stderr for path in ("texel", "storage")]
         self.assertEqual(*said)
 
-    def test_pictures_are_starts_and_maps_of_diffusion(self):
+    def test_pictures_give_first_values_and_diffusion(self):
         self.write("map.png", gray_png(4, 3, [0, 255, 0, 255] * 3))
         self.write_rule({"size": [4, 4], "steps": 1, "dt": 0.5, "parameters": {"p": {"value": 0, "white": 2, "image": "map.png"}},
                          "species": {"u": {"start": "p", "rate": "diffuse(p, u)"}}})
         self.good(*self.render("--frames", "0"))
         self.assertEqual(values_of(self.content("out")["000000.r.u.npy"])[:4], (0, 2, 0, 2))
 
-    def test_counts_are_means_and_greatest_values(self):
+    def test_counts_are_mean_and_max_values(self):
         self.good(*self.render())
         files = self.content("out")
         rows = files["counts.csv"].decode().splitlines()
@@ -132,7 +132,7 @@ class Reaction(Case):
         self.assertEqual(self.content("out")["000005.r.npy"], before)
         self.bad_scene(["-D", "unknown name \"pp\"; did you mean"], *self.render("-D", 'objects.r.reaction.species.u.rate="p + q + pp"'))
 
-    def test_what_is_shown_is_an_expression(self):
+    def test_the_shown_field_may_be_an_expression(self):
         self.write_rule({**RULE, "show": "2*u + v"})
         self.good(*self.render("--frames", "7"))
         files = self.content("out")
@@ -140,7 +140,7 @@ class Reaction(Case):
         for a, b, c in zip(u, v, shown):
             self.assertAlmostEqual(c, 2 * a + b, delta=1e-5)
 
-    def test_a_lost_state_names_species_cell_and_step(self):
+    def test_a_diverged_state_is_reported_with_species_cell_and_step(self):
         # With 15 steps before the first frame, the step at t = 0.2 belongs to frame 2.
         rule = {"size": [13, 9], "steps": 3, "dt": 0.1, "method": "euler", "species": {
             "calm": {}, "loud": {"rate": "if(x > 4 and x < 5 and y > 6 and y < 7, 1/step(t, 0.75), 0)"}}}

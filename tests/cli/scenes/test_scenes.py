@@ -34,7 +34,7 @@ def png(width, height, rgba):
 
 
 class Overrides(Case):
-    def test_they_are_kept_with_the_pictures(self):
+    def test_overrides_are_stored_with_the_pictures(self):
         self.good("render", "scene.json", "-o", "plain/", "--frames", "0")
         self.good("render", "scene.json", "-o", "changed/", "--frames", "0", "-D", "objects.flag.cloth.wind=[1, 0, 0]",
                   "--seed", "7", "--size", "32x18", "--fps", "25", "--samples", "1")
@@ -50,12 +50,12 @@ class Overrides(Case):
         subprocess.run(f"{PROGRAM} render scene.json -o again/ --frames 0 {text}", shell=True, cwd=self.folder, check=True)
         self.assertEqual((self.folder / "again/000000.png").read_bytes(), (self.folder / "changed/000000.png").read_bytes())
 
-    def test_a_resumed_run_names_the_difference(self):
+    def test_resume_names_the_changed_override(self):
         self.good("render", "scene.json", "-o", "out/", "--frames", "0")
         self.bad(2, ["cannot resume: what is changed in the scene is -D seed=7 in this run and nothing in the earlier one"],
                  "render", "scene.json", "-o", "out/", "--seed", "7", "--resume")
 
-    def test_baked_points_name_them(self):
+    def test_baked_points_store_overrides(self):
         self.good("bake", "scene.json", "-o", "out/", "--frames", "0", "--seed", "7")
         head = (self.folder / "out/flag_000000.ply").read_bytes().split(b"end_header")[0].decode()
         self.assertIn("comment overrides -D seed=7\n", head)
@@ -67,7 +67,7 @@ class Folders(Case):
         self.write("there/board.png", png(4, 4, (200, 100, 50, 255)))
         self.write("project/scene.json", with_values({"objects.flag.material": {"texture": "board.png"}}))
 
-    def test_assets_may_lie_in_folders_that_are_given(self):
+    def test_assets_are_read_from_given_folders(self):
         refused = self.bad_scene(['error: no file "board.png" in '], "render", "project/scene.json", "-o", "out/")
         for command in (["render", "project/scene.json", "-o", "out/", "--frames", "0"], ["validate", "project/scene.json"],
                         ["trace", "project/scene.json", "--frames", "0"], ["bisect", "project/scene.json", "--frames", "1"],
@@ -83,7 +83,7 @@ class Folders(Case):
         self.good("render", "project/scene.json", "-o", "other/", "--frames", "0", "--assets", "there")
         self.bad(2, ["--assets nowhere", "no such folder"], "validate", "project/scene.json", "--assets", "nowhere")
 
-    def test_a_program_built_elsewhere_finds_the_shipped_ones(self):
+    def test_a_program_elsewhere_finds_the_shipped_assets(self):
         environment = {k: v for k, v in os.environ.items() if k != "SIMREEL_ASSETS"}
         shutil.copy(PROGRAM, self.folder / "elsewhere")
         done = subprocess.run([self.folder / "elsewhere", "validate", SOURCE / "assets/scenes/flag.json"], cwd=self.folder,
@@ -171,7 +171,7 @@ class ValidateAndRender(Case):
         self.both({"a": {"life": {"size": [32, 32], "border": "dead", "patterns": [{"file": "life.rle", "at": [31, 0]}]}}}, 2,
                   "outside the grid")
 
-    def test_what_several_objects_come_to(self):
+    def test_limits_over_several_objects_are_checked(self):
         balls = {f"s{i}": {"sphere": {}} for i in range(33)}
         self.both(dict(balls, flag={"cloth": {}}), 2, "at most 32 shapes")
 
@@ -186,7 +186,7 @@ class ValidateAndRender(Case):
         for line, start in zip(lines, ("s.json: error: ", "s.json: error: ", "none.json: error: ", "simreel: error: 2 of 3 ")):
             self.assertTrue(line.startswith(start), line)
 
-    def test_the_rest_is_known_to_a_device(self):
+    def test_limits_of_the_device_are_checked_with_a_device(self):
         for large, kind in (({"size": [65536, 65536]}, "life"), ({"size": [16384, 16384], "infected": 0.2}, "epidemic"),
                             ({"size": [16384, 16384], "strokes": [{"from": [8, 8, 0], "radius": 3}]}, "wildfire"),
                             ({"groups": [{"count": 9000000}]}, "particles"), ({"size": [65536, 65536]}, "life")):
@@ -205,7 +205,7 @@ class Skies(Case):
         self.write("sky.exr", write_exr((4, 2, values, attributes)))
         self.write("s.json", {"version": 1, "sky": {"picture": "sky.exr"}, "objects": {"a": {"sphere": {}}}})
 
-    def test_what_is_a_sky(self):
+    def test_valid_sky_pictures_are_accepted(self):
         for attributes in ({}, {"envmap": ("envmap", b"\0")},
                            {"chromaticities": ("chromaticities", struct.pack("<8f", .64, .33, .3, .6, .15, .06, .3127, .329))}):
             self.sky(**attributes)
@@ -213,7 +213,7 @@ class Skies(Case):
         self.sky(first=-1e-5)
         self.assertIn("sky.exr has 3 values a little below 0, which count as 0\n", self.good("validate", "s.json").err)
 
-    def test_what_is_none(self):
+    def test_invalid_sky_pictures_are_refused(self):
         aces = struct.pack("<8f", .7347, .2653, 0, 1, .0001, -.077, .32168, .33767)
         for words, options in (("it is a cube map; convert it", {"envmap": ("envmap", b"\1")}),
                                ("has primaries of its own (red 0.735 0.265, green 0.000 1.000); convert it",
@@ -260,7 +260,7 @@ class Warnings(Case):
                                   "make one of them fit"])
         self.assertEqual(pool(cell=0.2), [])
 
-    def test_columns_that_mean_nothing(self):
+    def test_unknown_columns_are_reported(self):
         self.write("s.json", {"version": 1, "objects": {"a": {"particles": {"groups": [{"shape": "file", "file": "p.csv"}]}}}})
         for table, columns in (("x,y,z,radius,vX,\"note, long\"\n1,2,3,4,5,a\n", 'columns "radius", "note, long"'),
                                ("x,y,z,foo\n1,2,3,4\n", 'column "foo"'), ("x,y,z,mass\n1,2,3,4\n", None)):
@@ -270,7 +270,7 @@ class Warnings(Case):
             if columns:
                 self.assertIn(f"p.csv: not used: {columns}; particles have x, y, z, vx, vy, vz, mass", warnings[0])
 
-    def test_pins_of_the_default(self):
+    def test_default_pins_are_reported(self):
         self.write("s.json", {"version": 1, "objects": {"sheet": {"cloth": {"size": [9, 9]}}}})
         render = ("render", "s.json", "--size", "32x18", "--frames", "0", "-o")
         line = 'cloth "sheet": its last row is pinned (default); "pins": [] lets it fall'
@@ -278,7 +278,7 @@ class Warnings(Case):
         self.assertEqual(self.good(*render, "b/", "-q").err, "")
         self.assertNotIn("pinned", self.good(*render, "c/", "-D", "objects.sheet.cloth.pins=[]").err)
 
-    def test_names_of_before(self):
+    def test_old_parameter_names_are_reported(self):
         self.write("old.json", """{"version": 1,
 "test": {"tolerance": {"max_diff_ratio": 0.1}}, "checks": [{"what": "population", "least": 0}],
 "objects": {"cells": {"life": {"size": [32, 32], "strokes": [{"at": 0, "share": 0.5}]}}}}""")
@@ -304,7 +304,7 @@ class StandardInput(Case):
         self.feed(text, "bench", "-", "--frames", "1", "--warm-up", "0", "--vary", "seed=1,2")
         self.assertIn(b"standard input comes once", self.feed(text, "bisect", "-", code=2).stderr)
 
-    def test_what_it_names_lies_in_the_current_folder(self):
+    def test_its_files_are_read_from_the_current_folder(self):
         self.write("here.png", png(4, 4, (200, 100, 50, 255)))
         scene = json.dumps(with_values({"objects.flag.material": {"texture": "here.png"}})).encode()
         self.feed(scene, "render", "-", "-o", "out/", "--frames", "0")

@@ -40,7 +40,7 @@ class Strokes(SpreadCase):
         done = self.good("render", "strokes.json", "-o", "out/", "--overwrite", "--frames", "0")
         return [line for line in done.err.splitlines() if "warning" in line]
 
-    def test_wholly_outside(self):
+    def test_strokes_outside_the_grid_are_reported(self):
         kinds = (("wildfire", "fire", {}), ("epidemic", "fire", {}), ("life", "fire", {"border": "dead"}))
         for kind, name, bounded in kinds:
             for stroke in ({"from": [71, 20, 0], "radius": 3}, {"from": [-3, 20, 0], "radius": 3.4},
@@ -54,7 +54,7 @@ class Strokes(SpreadCase):
                            {"shape": "line", "from": [-9, 30, 0], "to": [9, 44, 0], "radius": 3}):
                 self.assertEqual(self.warnings(kind, name, bounded, stroke), [])
 
-    def test_in_space(self):
+    def test_strokes_outside_volumes_and_meshes_are_reported(self):
         """Tests strokes in volumes and on meshes."""
         for space, stroke, said in (({"size": [8, 8], "depth": 8, "boundary": "no-flux"}, {"from": [4, 4, 19]},
                                      "lies wholly outside the volume of 8x8x8 cells"),
@@ -110,7 +110,7 @@ class Counts(SpreadCase):
             self.assertAlmostEqual(values["floatX"], 0.1, delta=0.01)
             self.assertAlmostEqual(values["leastUpright"], 1, delta=0.01)
 
-    def test_names(self):
+    def test_names_of_the_table_and_its_columns(self):
         for output, table in (("out/", "out/counts.csv"), ("a_####.png", "a.counts.csv"), ("b.mp4", "b.mp4.counts.csv")):
             self.good("render", "fire.json", "-o", output)
             self.assertEqual(self.rows(table)[0],
@@ -123,7 +123,7 @@ class Counts(SpreadCase):
         self.assertNotIn("counts.csv", self.content("cloth"))
         self.good("render", "fire.json", "-o", "-")
 
-    def test_pre_roll_and_a_slow_clock(self):
+    def test_a_pre_roll_with_a_low_step_rate(self):
         self.write("slow.json", with_values({"time.start": 0.2, "objects.town.epidemic.stepsPerSecond": 15}, SCENE))
         self.good("render", "slow.json", "-o", "out/")
         rows = self.rows("out/counts.csv")[1:]
@@ -131,7 +131,7 @@ class Counts(SpreadCase):
         self.assertEqual([row[1] for row in rows[1:4]], ["-0.133333", "-0.066667", "0.000000"])
         self.assertEqual(len(rows), 1 + 3 + 5)
 
-    def test_two_clocks_share_a_table(self):
+    def test_objects_with_different_step_rates_share_a_table(self):
         scene = with_values({"objects.fire": FIRE["objects"]["fire"], "objects.fire.wildfire.stepsPerSecond": 30}, SCENE)
         self.write("both.json", scene)
         self.good("render", "both.json", "-o", "out/")
@@ -188,7 +188,7 @@ class Counts(SpreadCase):
             self.good(*by_driver, "--memory-path", "texel")
             self.bad(2, "memory path", *by_driver, "--memory-path", "storage", "--resume")
 
-    def test_table_that_cannot_be_written(self):
+    def test_an_unwritable_table_is_an_error(self):
         (self.folder / "out/counts.csv").mkdir(parents=True)
         self.bad(6, ["counts.csv"], "render", "town.json", "-o", "out/")
 
@@ -214,7 +214,7 @@ class Mistakes(SpreadCase):
         self.wrong("chance", "fire.wildfire.embers", {"chance": 0.5})
         self.wrong("strength", "fire.wildfire.wind", {"strength": -1})
 
-    def test_nothing_to_start_from(self):
+    def test_a_scene_without_a_start_is_refused(self):
         self.wrong("nobody is ever infected", "town.epidemic.infected", 0, "town")
         self.wrong("nothing is ever lit", "fire.wildfire.strokes", [])
         self.wrong("nothing is ever lit", "fire.wildfire.strokes", [{"value": 0}])

@@ -18,7 +18,7 @@ class Stage(Case):
         self.assertIn(f"{len(chosen)} scenes: {len(chosen)} passed", done.stdout.decode())
 
 
-    def test_what_the_driver_cannot_do_is_said(self):
+    def test_features_that_the_driver_lacks_are_reported(self):
         self.write("ball.json", {"version": 1, "camera": {"lens": {"samples": 4}}, "objects": {"ball": {"sphere": {}}}})
         small = ("render", "ball.json", "--frames", "0", "--size", "32x18")
         self.assertIn("camera.lens: the driver's rasterizer draws all of the picture sharp",
@@ -41,7 +41,7 @@ class Stage(Case):
         self.bad_scene("between 1 and 1024", "render", "ball.json", *small, "-o", "c/", "-D", "render.raySamples=2000")
 
 
-    def test_light_goes_through_glass_with_quality_high_alone(self):
+    def test_glass_transmits_light_only_with_quality_high(self):
         glass = {"transmission": 1, "ior": 1.4}
         self.write("glass.json", {"version": 1, "objects": {"ball": {"sphere": {}, "material": glass}}})
         small = ("render", "glass.json", "--frames", "0", "--size", "32x18")
@@ -54,14 +54,14 @@ class Stage(Case):
         self.bad_scene(["\"attenuationColor\" is for a material with a \"transmission\" that is not \"thinWalled\""], "render", "sheet.json", "-o", "d/")
 
 
-    def test_a_file_says_that_it_is_glass(self):
+    def test_glass_of_a_mesh_file_is_recognized(self):
         self.write("bottle.json", {"version": 1, "objects": {"bottle": {"mesh": {"shape": "file", "file": str(SOURCE / "assets/meshes/bottle.glb")}}}})
         said = self.good("render", "bottle.json", "--frames", "0", "--size", "32x18", "-o", "a/").err
         self.assertIn("bottle: light goes through it with render.quality \"high\" alone", said)
         self.assertNotIn("KHR_", said)
 
 
-    def test_a_cone_is_of_a_spot(self):
+    def test_spot_parameters_need_a_spot_light(self):
         light = {"position": [0, 2, 0], "spot": {"angle": 30}}
         self.write("ball.json", {"version": 1, "lights": {"key": light}, "objects": {"ball": {"sphere": {}}}})
         self.write("where.json", {"version": 1, "lights": {"key": {"type": "spot", "position": [0, 0, 0]}}, "objects": {"ball": {"sphere": {}}}})
@@ -69,7 +69,7 @@ class Stage(Case):
         self.bad_scene(["\"spot\" is for lights of \"type\": \"spot\""], "render", "ball.json", "-o", "a/", "--frames", "0")
 
 
-    def test_skies_of_pictures(self):
+    def test_sky_pictures_are_checked(self):
         self.write("ball.json", {"version": 1, "sky": {"picture": "sky.hdr"}, "objects": {"ball": {"sphere": {}}}})
         see = ("render", "ball.json", "--frames", "0", "--size", "32x18")
         self.bad_scene("sky.hdr", *see, "-o", "a/")
@@ -86,7 +86,7 @@ class Stage(Case):
         self.write("sky.hdr", b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 2\n" + bytes(16))
         self.bad(6, ["2x2 pixels; one of all around is twice as wide as high"], *see, "-o", "g/")
 
-    def test_a_bright_picture_lights_the_ground_as_its_cosine_law_has_it(self):
+    def test_a_bright_sky_picture_lights_the_ground_by_the_cosine_law(self):
         """A cap of 28 degrees around the zenith (sin^2 = 0.2222) gives the same irradiance as uniform light of 0.2222
         times the radiance."""
         def sky(cap, rest):  # bytes of Radiance: 64 is 0.5 at exponent 128; exponent 129 doubles it

@@ -11,7 +11,7 @@ from serve_client import Server
 
 
 class Pictures(ServeCase):
-    def test_every_frame_is_that_of_render(self):
+    def test_every_frame_equals_that_of_render(self):
         server = self.serve()
         viewer = server.viewer()
         for frame in (0, 5, 2, 4, 0):
@@ -23,7 +23,7 @@ class Pictures(ServeCase):
         viewer.send(do="seek", frame=3)
         self.assertEqual(self.pixels(viewer.rest(3)[1]), self.rendered(3))
 
-    def test_with_little_memory_and_a_start(self):
+    def test_frames_are_equal_with_little_memory_and_a_late_start(self):
         scene = with_values({"time.start": 0.2, "time.duration": 1, "objects.flag.cloth.size": [300, 200],
                              "objects.flag.cloth.spacing": 0.01, "objects.flag.cloth.substeps": "auto"})
         self.write("scene.json", scene)
@@ -45,7 +45,7 @@ class Pictures(ServeCase):
             viewer.send(do="seek", frame=frame)
             self.assertEqual(self.pixels(viewer.rest(frame)[1]), self.rendered(frame, frames="0-4"), frame)
 
-    def test_a_camera_that_a_first_run_places(self):
+    def test_an_automatically_placed_camera_equals_that_of_render(self):
         """If the scene does not place the camera and a sheet falls, the camera is always where render places it."""
         self.write("scene.json", {"version": 1, "render": {"size": [64, 36], "samples": 1}, "time": {"fps": 30, "duration": 0.4},
                                   "objects": {"sheet": {"cloth": {"size": [9, 9], "pins": []}}, "ball": {"sphere": {"radius": 0.2}}}})
@@ -64,7 +64,7 @@ class Pictures(ServeCase):
                 while self.pixels(viewer.rest(6)[1]) != right:
                     self.assertLess(time.monotonic(), end, path)
 
-    def test_values_that_change(self):
+    def test_pictures_after_changed_values_equal_those_of_render(self):
         """Values changed in place, with a new renderer, with a new world or from the start: the picture always equals
         render's."""
         server = self.serve()
@@ -93,7 +93,7 @@ class Pictures(ServeCase):
         self.assertEqual(json.loads((self.folder / "scene.json").read_text()), SCENE)
 
 
-    def test_geometry_that_moves_the_stage(self):
+    def test_a_changed_object_moves_the_stage(self):
         """Camera, ground and lamps of a stage depend on the objects."""
         scene = {"version": 1, "render": {"size": [48, 27], "samples": 1}, "objects": {"ball": {"sphere": {"radius": 0.5}}}}
         self.write("scene.json", scene)
@@ -107,7 +107,7 @@ class Pictures(ServeCase):
 
 
 class Files(ServeCase):
-    def test_what_is_saved_is_shown_and_mistakes_stand_at_their_place(self):
+    def test_saved_scenes_are_shown_and_errors_have_their_position(self):
         server = self.serve()
         viewer = server.viewer()
         viewer.rest(0)
@@ -123,7 +123,7 @@ class Files(ServeCase):
         os.replace(self.write("other.json", with_values({"sun.intensity": 7})), self.folder / "scene.json")
         self.assertEqual(self.pixels(viewer.rest(2)[1]), self.rendered(2))
 
-    def test_a_scene_that_is_wrong_from_the_start(self):
+    def test_a_scene_that_is_invalid_at_the_start(self):
         self.write("scene.json", "{")
         server = self.serve()
         viewer = server.viewer()
@@ -131,7 +131,7 @@ class Files(ServeCase):
         self.write("scene.json", SCENE)
         self.assertEqual(self.pixels(viewer.rest(0)[1]), self.rendered(0))
 
-    def test_edit_writes_the_value_alone(self):
+    def test_edit_changes_only_the_value(self):
         text = ('{\r\n  "version": 1, // the format\n\t"render": {"size": [64, 36], "samples": 1}, "time": {"fps": 30,   "duration": 0.2},\n'
                 '  "camera": {"position": [0, 1, 3], /* from the front */ "target": [0, 1, 0]},\n'
                 '  "sun": {\n    "shadowSize": 64 // small\n  },\n'
@@ -201,7 +201,7 @@ class Files(ServeCase):
             found = json.loads(text[len(filler):])
             self.assertIn(found["sun"], [{"shadowSize": 64}] + [{"shadowSize": 64, "intensity": 1 + i} for i in range(12)])
 
-    def test_links_stay_links(self):
+    def test_a_symbolic_link_is_kept(self):
         (self.folder / "real.json").write_text(json.dumps(SCENE))
         (self.folder / "scene.json").unlink()
         (self.folder / "scene.json").symlink_to("real.json")
@@ -215,7 +215,7 @@ class Files(ServeCase):
 
 
 class Questions(ServeCase):
-    def test_what_a_pixel_shows(self):
+    def test_a_pixel_query_describes_the_object(self):
         server = self.serve()
         viewer = server.viewer()
         viewer.rest(0)
@@ -257,7 +257,7 @@ class Painting(ServeCase):
                 viewer.send(do="seek", frame=frame)
                 self.assertEqual(self.pixels(viewer.rest(frame)[1]), self.rendered(frame, *given), frame)
 
-    def test_nothing_to_paint(self):
+    def test_painting_a_scene_without_fields_is_refused(self):
         server = self.serve()
         viewer = server.viewer()
         viewer.rest(0)

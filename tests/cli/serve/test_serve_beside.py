@@ -57,7 +57,7 @@ class TwoSides(ServeCase):
         self.assertEqual(viewer.latest["scene"]["beside"]["edits"], [[DAMPING, "3"]])
         self.in_step(viewer)
 
-    def test_in_step_while_they_play(self):
+    def test_both_sides_stay_in_step_while_they_play(self):
         server = self.serve("--beside", "objects.flag.cloth.substeps=200")
         viewer = server.viewer()
         viewer.rest(0)
@@ -69,7 +69,7 @@ class TwoSides(ServeCase):
         self.in_step(viewer)
         self.assertTrue(all(len(about["files"]) == 2 for about, _ in viewer.pictures))
 
-    def test_from_the_page(self):
+    def test_the_page_turns_the_second_side_on(self):
         server = self.serve("--edit")
         viewer = server.viewer()
         viewer.send(do="seek", frame=4)
@@ -136,7 +136,7 @@ class Changes(ServeCase):
             self.assertEqual(viewer.pictures[-1][0]["frame"], frame)
         self.assertLessEqual(viewer.pictures[-1][0]["stepped"] - before, most, edits)
 
-    def test_keys_and_strokes_keep_what_is_before_them(self):
+    def test_changed_keys_and_strokes_keep_earlier_states(self):
         feed, strokes = "objects.dish.grayScott.feed", "objects.dish.grayScott.strokes"
         scene = with_values({feed: {"keys": [[0, 0.03], [0.2, 0.03], [0.3, 0.05]]},
                              strokes: [{"at": 0.1, "from": [20, 20, 0], "radius": 4}]}, FIELD)
@@ -156,7 +156,7 @@ class Changes(ServeCase):
             given = [word for path, value in viewer.latest["scene"]["edits"] for word in ("-D", f"{path}={value}")]
             self.assertEqual(self.pixels(viewer.rest(frame)[1]), self.rendered(frame, *given, frames="1-10"), frame)
 
-    def test_a_first_stroke_of_a_fluid(self):
+    def test_a_first_stroke_restarts_a_fluid(self):
         """Without strokes before, the fluid is simulated again from the start."""
         self.write("scene.json", {**FIELD, "objects": {"pool": {"fluid": {"size": [32, 32], "sides": {"left": {"velocity": [1, 0, 0]}}}}}})
         server = self.serve()
@@ -165,7 +165,7 @@ class Changes(ServeCase):
         viewer.rest(6)
         self.change(viewer, 6, {"objects.pool.fluid.strokes": [{"at": 0.1, "from": [16, 16, 0], "radius": 5, "dye": [1, 0, 0]}]}, 7)
 
-    def test_what_is_taken_back_needs_no_steps(self):
+    def test_undoing_a_change_needs_no_steps(self):
         server = self.serve()
         viewer = server.viewer()
         viewer.send(do="seek", frame=5)
@@ -177,7 +177,7 @@ class Changes(ServeCase):
             pass
         self.assertEqual(viewer.pictures[-1][0]["stepped"], stepped)
 
-    def test_what_only_shows_restarts_nothing(self):
+    def test_display_changes_do_not_restart_the_simulation(self):
         scene = with_values({"ground": {"height": -1, "color": [0.2, 0.2, 0.2]},
                              "objects.dish.grayScott.display": {"extent": [0.5, 1, 0]}}, FIELD)
         self.write("scene.json", scene)

@@ -48,7 +48,7 @@ class NamedFiles(ViewerCase):
             pass
         return wanted
 
-    def test_a_picture_that_a_state_comes_from(self):
+    def test_a_changed_start_picture_restarts_the_simulation(self):
         self.picture("start.png", 200)
         self.write("scene.json", with_values({"objects.dish.grayScott.image": "start.png"}, FIELD))
         viewer = self.viewer()
@@ -69,7 +69,7 @@ class NamedFiles(ViewerCase):
         viewer.until(lambda kind, m: kind == "scene" and not m["mistakes"])
         self.assertNotIn(self.becomes_rendered(viewer, 3), (first, second))
 
-    def test_a_picture_that_only_shows(self):
+    def test_a_changed_texture_does_not_restart_the_simulation(self):
         self.picture("cloth.png", 200)
         self.write("scene.json", with_values({"objects.flag.material": {"texture": "cloth.png"}}))
         viewer = self.viewer()
@@ -80,7 +80,7 @@ class NamedFiles(ViewerCase):
         self.assertNotEqual(self.becomes_rendered(viewer, 4), first)
         self.assertEqual(viewer.pictures[-1][0]["stepped"], stepped)
 
-    def test_a_file_that_comes_later(self):
+    def test_a_missing_file_may_be_added_later(self):
         self.write("scene.json", with_values({"objects.dish.grayScott.image": "start.png"}, FIELD))
         viewer = self.viewer()
         viewer.until(lambda kind, m: kind == "scene" and "start.png" in m["mistakes"])
@@ -90,7 +90,7 @@ class NamedFiles(ViewerCase):
 
 
 class Dragged(ViewerCase):
-    def test_a_dragged_value_goes_into_what_goes_on(self):
+    def test_a_dragged_value_acts_on_the_running_simulation(self):
         """The state after five frames with the old value and one with the new: equal to a scene with such keyframes."""
         for scene, path, before, value in ((FIELD, FEED, 0.03, 0.05), (BRUSSELATOR, RATE, 7.5, 8.5)):
             self.write("scene.json", with_values({path: before}, scene))
@@ -132,7 +132,7 @@ class RightSide(ViewerCase):
         viewer.rest(0)
         return viewer
 
-    def test_its_own_file_is_written(self):
+    def test_the_right_side_writes_its_own_file(self):
         viewer = self.begin("--edit")
         left, text = (self.folder / "scene.json").read_text(), (self.folder / "other.json").read_text()
         viewer.send(do="set", path="sun.intensity", value=4, beside=True)
@@ -163,7 +163,7 @@ class RightSide(ViewerCase):
         viewer.rest(0)
         self.assertEqual((self.folder / "other.json").read_text(), text)
 
-    def test_its_charts_and_baselines(self):
+    def test_the_right_side_has_its_own_charts_and_baselines(self):
         viewer = self.begin("--edit")
         if not viewer.latest.get("series", {}).get("beside"):  # unless the message has arrived already
             viewer.until(lambda kind, m: kind == "series" and m.get("beside"))

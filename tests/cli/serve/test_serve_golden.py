@@ -65,7 +65,7 @@ class Golden(ServeCase):
         after = self.tree()
         self.assertEqual({path: after[path] for path in before}, before)
 
-    def test_a_state_that_differs(self):
+    def test_a_different_state_fails(self):
         viewer = self.begin()
         viewer.send(do="seek", frame=3)
         self.verdict(viewer, 3, "pass")
@@ -94,7 +94,7 @@ class Golden(ServeCase):
             viewer.send(do="seek", frame=frame)
             self.assertEqual(self.verdict(viewer, frame)["verdict"], "pass", frame)
 
-    def test_a_new_baseline_is_seen(self):
+    def test_a_new_baseline_is_noticed(self):
         viewer = self.begin(update=False)
         self.verdict(viewer, 0, "missing")
         self.good("test", "scene.json", "--update")
@@ -114,7 +114,7 @@ class Golden(ServeCase):
         self.good("test", "scene.json")
         self.assertEqual(json.loads((self.folder / "golden/scene/any/baseline.json").read_text())["reason"], "accepted in simreel serve")
 
-    def test_accept_is_of_the_file_alone(self):
+    def test_accept_refuses_overridden_values(self):
         viewer = self.begin("--edit", "-D", "sun.intensity=9")
         self.verdict(viewer, 0, "fail")
         before = self.tree()
@@ -141,7 +141,7 @@ class Golden(ServeCase):
         viewer.send(do="testThis")
         self.assertIn("is a tested frame already", viewer.until(lambda kind, _: kind == "refused")["text"])
 
-    def test_a_test_beside_the_scene(self):
+    def test_the_test_settings_of_a_sidecar_are_used(self):
         self.write("scene.test.json", json.dumps({"test": {"frames": [1], "size": [32, 32]}}))
         viewer = self.begin("--edit")
         said = self.verdict(viewer, 0, "untested")
@@ -153,7 +153,7 @@ class Golden(ServeCase):
         viewer.send(do="seek", frame=1)
         self.assertEqual(self.verdict(viewer, 1, "pass")["size"], [32, 32])
 
-    def test_a_damaged_baseline(self):
+    def test_a_damaged_baseline_fails(self):
         viewer = self.begin()
         self.verdict(viewer, 0, "pass")
         (self.folder / "golden/scene/any/000003.png").write_bytes(b"no picture")

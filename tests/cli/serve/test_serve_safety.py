@@ -13,7 +13,7 @@ from serve_client import Closed, Refused, Server
 
 
 class Safety(ServeCase):
-    def test_only_who_has_the_token(self):
+    def test_requests_need_the_token(self):
         server = self.serve()
         status, headers, body = server.get(f"/{server.token}/")
         self.assertEqual(status, 200)
@@ -31,7 +31,7 @@ class Safety(ServeCase):
         self.assertEqual(server.get(f"/{server.token}/app.js", method="POST")[0], 405)
         self.assertNotIn(server.token, repr(server.get(f"/{server.token}/app.js")[2]))
 
-    def test_only_this_machine_and_this_page(self):
+    def test_requests_must_come_from_this_machine_and_page(self):
         server = self.serve()
         page = f"/{server.token}/"
         for host in ("evil.example", f"evil.example:{server.port}", "127.0.0.1.evil.example", "10.0.0.1", "",
@@ -48,7 +48,7 @@ class Safety(ServeCase):
             server.viewer(host="evil.example", origin="http://evil.example")
         server.viewer().close()
 
-    def test_nothing_of_the_file_system(self):
+    def test_no_other_files_are_served(self):
         server = self.serve()
         for tail in ("../scene.json", "%2e%2e/scene.json", "..%2fscene.json", "scene.json", "../../../../etc/passwd",
                      "%2fetc%2fpasswd", "//etc/passwd", "app.js/..", "app.js%00.html", "./././../etc/passwd",
@@ -58,7 +58,7 @@ class Safety(ServeCase):
             self.assertNotIn(b"root:", body)
             self.assertNotIn(b"cloth", body)
 
-    def test_messages_that_are_none(self):
+    def test_invalid_messages_are_refused(self):
         server = self.serve()
         viewer = server.viewer()
         viewer.rest(0)
@@ -72,7 +72,7 @@ class Safety(ServeCase):
         self.assertGreater(len([m for m in viewer.heard if m["kind"] == "refused"]), 14)
         self.assertEqual(json.loads((self.folder / "scene.json").read_text()), SCENE)
 
-    def test_oversized_messages_end_their_connection_alone(self):
+    def test_oversized_messages_close_only_their_connection(self):
         server = self.serve()
         other = server.viewer()
         for pieces in (1, 9):
@@ -96,7 +96,7 @@ class Safety(ServeCase):
         raw.close()
         other.rest(0)
 
-    def test_viewers_that_are_slow_or_vanish(self):
+    def test_slow_and_vanished_viewers_do_not_block_others(self):
         server = self.serve("--size", "320x180")
         quick, slow = server.viewer(), server.viewer(acknowledges=False)
         quick.rest(0)
@@ -116,7 +116,7 @@ class Safety(ServeCase):
         slow.until(lambda kind, message: kind == "picture" and message[0]["number"] == last)
         self.assertLessEqual(len(slow.pictures), 3)
 
-    def test_half_open_connections_hold_nobody(self):
+    def test_half_open_connections_do_not_block_others(self):
         """Connections that never send a request or the token."""
         server = self.serve()
         held = [socket.create_connection(("127.0.0.1", server.port), timeout=60) for _ in range(200)]
@@ -161,7 +161,7 @@ class Safety(ServeCase):
         for _ in range(300):  # many connections, one after another
             self.assertEqual(server.get("/")[0], 403)
 
-    def test_one_editor(self):
+    def test_only_one_viewer_edits(self):
         server = self.serve()
         first, second = server.viewer(), server.viewer()
         first.rest(0)
@@ -180,7 +180,7 @@ class Safety(ServeCase):
 
 
 class CommandLine(ServeCase):
-    def test_it_says_where(self):
+    def test_the_address_is_printed(self):
         server = self.serve("--port", "0")
         self.assertEqual(server.lines[1], f"From another machine, first: ssh -N -L {server.port}:127.0.0.1:{server.port} {socket.gethostname()}\n")
         again = self.run_program("serve", "scene.json", "--port", server.port)

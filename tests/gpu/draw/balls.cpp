@@ -41,7 +41,7 @@ std::filesystem::path temporaryMesh(const char* name, const char* text) {
 
 }  // namespace
 
-TEST_CASE("one ball of any shape, with its shadow, looks like the sphere as a surface") {
+TEST_CASE("an instance drawn as sphere or sprite, with its shadow, equals a sphere mesh") {
   testContext();
   for (const int samples : {1, 4})
     for (const float roughness : {0.25F, 0.9F}) {
@@ -68,7 +68,7 @@ TEST_CASE("one ball of any shape, with its shadow, looks like the sphere as a su
     }
 }
 
-TEST_CASE("a given box holds the shadow map as well as measured bounds do") {
+TEST_CASE("explicit bounds give the same shadow as measured bounds") {
   testContext();
   const scene::Scene scene = ballScene();
   InstanceStage group(std::vector<glm::vec3>(1, glm::vec3(-0.4F, 0.9F, 0.2F)));
@@ -81,7 +81,7 @@ TEST_CASE("a given box holds the shadow map as well as measured bounds do") {
   CHECK(d.far < 20);
 }
 
-TEST_CASE("additive ones and dead ones throw no shadow") {
+TEST_CASE("additive and dead instances cast no shadow") {
   testContext();
   const scene::Scene scene = ballScene();
   const Picture empty = drawn(scene, {}, {65, 49});
@@ -95,7 +95,7 @@ TEST_CASE("additive ones and dead ones throw no shadow") {
   CHECK(drawn(scene, {{}, {glow.instances}}, {65, 49}).bytes == empty.bytes);
 }
 
-TEST_CASE("small balls cover as much as large ones of their size, on either side of the step in detail") {
+TEST_CASE("light per ball area is continuous across the levels of detail") {
   testContext();
   scene::Scene scene = darkScene();
   scene.sun.shadow = false;
@@ -139,7 +139,7 @@ TEST_CASE("small balls are brighter on the side of the sun") {
   CHECK(p.at(32, 31).y > p.at(32, 33).y + 10);
 }
 
-TEST_CASE("small balls in mirrored light are mirrored") {
+TEST_CASE("mirroring the light mirrors the shading of small balls") {
   testContext();
   scene::Scene scene = darkScene();
   scene.sun.shadow = false;
@@ -168,7 +168,7 @@ TEST_CASE("small balls in mirrored light are mirrored") {
   CHECK(most > 150);
 }
 
-TEST_CASE("meshes turn their z axis along the velocity") {
+TEST_CASE("mesh instances align their z axis with the velocity") {
   testContext();
   scene::Scene scene = darkScene();
   scene.sun.shadow = false;
@@ -203,7 +203,8 @@ TEST_CASE("meshes turn their z axis along the velocity") {
   std::filesystem::remove(file);
 }
 
-TEST_CASE("bloom: none without strength; otherwise even on all sides, falling off, more with strength") {
+TEST_CASE(
+    "bloom: zero strength has no effect; otherwise it is symmetric, falls off, and grows with strength") {
   testContext();
   scene::Scene scene = darkScene();
   scene.sun.shadow = false;
@@ -238,7 +239,7 @@ TEST_CASE("bloom: none without strength; otherwise even on all sides, falling of
   }
 }
 
-TEST_CASE("light beyond what half floats hold stays white, with and without bloom") {
+TEST_CASE("light beyond the range of half floats stays white, with and without bloom") {
   testContext();
   scene::Scene scene = darkScene();
   scene.sun.shadow = false;

@@ -48,7 +48,7 @@ glm::ivec2 span(const Picture& picture, const draw::ChartLayout& layout, int x, 
 
 }  // namespace
 
-TEST_CASE("charts: a curve is where its counts are, with few steps and with many") {
+TEST_CASE("charts: a curve's height equals its counts for few and for many steps") {
   testContext();
   const glm::ivec2 size{641, 363};
   for (const int steps : {5, 300, 40001}) {
@@ -72,7 +72,9 @@ TEST_CASE("charts: a curve is where its counts are, with few steps and with many
   }
 }
 
-TEST_CASE("charts: a peak of one step among thousands is seen, and nothing beyond the last step") {
+TEST_CASE(
+    "charts: a one-step peak among thousands of steps is visible, and nothing is drawn after the last "
+    "step") {
   testContext();
   const glm::ivec2 size{641, 363};
   const ChartStage stage(20000, 40000, 1000,
@@ -86,7 +88,7 @@ TEST_CASE("charts: a peak of one step among thousands is seen, and nothing beyon
   CHECK(span(picture, layout, plot / 2 - 10, 0).x >= 0);
 }
 
-TEST_CASE("charts: names stand in the colours of their curves; the rest of the picture is untouched") {
+TEST_CASE("charts: names have the colours of their curves, and pixels outside the panel are unchanged") {
   testContext();
   for (const glm::ivec2 size : {glm::ivec2(640, 360), glm::ivec2(1919, 1081)}) {
     const ChartStage stage(0, 100, 10, [](int) { return glm::uvec4(0); });
@@ -122,7 +124,7 @@ TEST_CASE("charts: names stand in the colours of their curves; the rest of the p
   }
 }
 
-TEST_CASE("charts: any size of picture is drawn") {
+TEST_CASE("charts: pictures of any size, down to 1x1, are drawn") {
   testContext();
   const ChartStage stage(7, 7, 10, [](int i) { return glm::uvec4(i, 10 - i, 0, 0); });
   for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(9, 7), glm::ivec2(65, 33)})

@@ -37,7 +37,7 @@ int bit(int x, int y) {
 
 }  // namespace
 
-TEST_CASE("fields: each cell of bits, bytes and floats is its own square of pixels, at odd sizes") {
+TEST_CASE("fields: each cell of bits, bytes or floats covers its own square of pixels, at odd sizes") {
   testContext();
   const glm::ivec2 size{37, 21};
   const std::vector<glm::vec3> stops = {{0, 0.1F, 0.9F}, {1, 0.5F, 0}, {0.2F, 1, 0.3F}};
@@ -65,7 +65,7 @@ TEST_CASE("fields: each cell of bits, bytes and floats is its own square of pixe
   }
 }
 
-TEST_CASE("fields: categories have the colours of their numbers") {
+TEST_CASE("fields: category cells have the colour of their number") {
   testContext();
   const std::vector<glm::vec3> stops = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.25F, 0.5F, 1}};
   for (const Cells cells : {Cells::bytes, Cells::floats}) {
@@ -80,7 +80,7 @@ TEST_CASE("fields: categories have the colours of their numbers") {
   }
 }
 
-TEST_CASE("fields: a pixel is the average of the light under it, by area") {
+TEST_CASE("fields: a pixel is the area-weighted average of the light under it") {
   testContext();
   for (const glm::ivec2 pixels :
        {glm::ivec2(16, 12), glm::ivec2(7, 5), glm::ivec2(3, 2), glm::ivec2(45, 31)}) {
@@ -108,7 +108,7 @@ TEST_CASE("fields: a pixel is the average of the light under it, by area") {
   }
 }
 
-TEST_CASE("fields: categories far away mix light, not numbers") {
+TEST_CASE("fields: downscaled categories average colours, not category numbers") {
   testContext();
   // Cells are red and blue. The colour of the average number would be green; the average of the light is
   // purple.
@@ -120,7 +120,7 @@ TEST_CASE("fields: categories far away mix light, not numbers") {
   CHECK(has(picture, 5, 4, {0.5, 0, 0.5}, 1.5));
 }
 
-TEST_CASE("fields: smooth values are linear between the middles of cells") {
+TEST_CASE("fields: smooth values are interpolated linearly between cell centres") {
   testContext();
   FieldStage stage(Cells::floats, {4, 3}, [](int x, int y) { return 0.1 * x + 0.2 * y; });
   stage.display.smooth = true;
@@ -132,7 +132,7 @@ TEST_CASE("fields: smooth values are linear between the middles of cells") {
   CHECK(has(picture, 31, 12, glm::dvec3(0.3 + 0.2 * (12.5 / 8 - 0.5))));
 }
 
-TEST_CASE("fields: fit, part of the picture, border and opacity") {
+TEST_CASE("fields: fit, rectangle, border and opacity are applied") {
   testContext();
   FieldStage stage(Cells::bits, {10, 10}, [](int, int) { return 1; }, {1, 0, 1}, {{0, 0, 1}, {1, 0, 0}});
   stage.display.border = {0, 1, 0};
@@ -168,7 +168,7 @@ TEST_CASE("fields: fit, part of the picture, border and opacity") {
   CHECK(shown({stage.field}, {40, 20}, scene).brightness(20, 10) == 0);
 }
 
-TEST_CASE("fields: zoom, centre and tiling say which cell is where") {
+TEST_CASE("fields: zoom, centre and tiling place cells at the expected pixels") {
   testContext();
   const auto value = [](int x, int y) { return (x + 8 * y) / 64.0; };
   FieldStage stage(Cells::floats, {8, 8}, value);
@@ -195,7 +195,7 @@ TEST_CASE("fields: zoom, centre and tiling say which cell is where") {
 }
 
 TEST_CASE(
-    "fields: a field behind is light in the scene; one over is not mapped; later ones cover earlier ones") {
+    "fields: fields behind are tone mapped, fields over are not, and later fields cover earlier ones") {
   testContext();
   FieldStage stage(Cells::floats, {5, 5}, [](int, int y) { return y < 2 ? 0.18 : 0.5; });
   stage.display.fit = Fit::stretch;
@@ -221,7 +221,7 @@ TEST_CASE(
   CHECK(has(two, 20, 3, glm::dvec3(0.18)));
 }
 
-TEST_CASE("fields: relief is brighter towards the top left, and flat values keep their colour") {
+TEST_CASE("fields: relief brightens slopes towards the top left and keeps flat areas") {
   testContext();
   const auto hill = [](int x, int y) {
     return std::exp(-0.02 * ((x - 16) * (x - 16) + (y - 16) * (y - 16)));
@@ -238,7 +238,7 @@ TEST_CASE("fields: relief is brighter towards the top left, and flat values keep
   CHECK(dent.brightness(36, 36) + 100 < dent.brightness(62, 62));
 }
 
-TEST_CASE("fields: a small field repeated many times in a pixel is its mean") {
+TEST_CASE("fields: a field tiled many times within a pixel is averaged") {
   testContext();
   FieldStage stage(Cells::bits, {5, 3}, [](int x, int) { return x < 2 ? 1 : 0; });
   stage.display.tiled = true;

@@ -32,7 +32,7 @@ std::vector<glm::vec4> texels(const gl::Texture& texture, int level = 0) {
 
 }  // namespace
 
-TEST_CASE("field textures hold the values of every kind of cell, and only of skins") {
+TEST_CASE("field textures hold the values of every cell type, only for fields used by skins") {
   testContext();
   for (const Cells cells : {Cells::bits, Cells::bytes, Cells::floats}) {
     const auto value = [&](int x, int y) {
@@ -64,7 +64,7 @@ TEST_CASE("field textures hold the values of every kind of cell, and only of ski
   }
 }
 
-TEST_CASE("field textures average blocks of cells, and their mip maps the whole") {
+TEST_CASE("field textures average blocks of cells, and the coarsest mip level averages the whole field") {
   testContext();
   const auto value = [](int x, int y) { return double((x * 5 + y * 3) % 7 == 0); };
   for (const Cells cells : {Cells::bits, Cells::floats}) {
@@ -94,7 +94,7 @@ TEST_CASE("field textures average blocks of cells, and their mip maps the whole"
   }
 }
 
-TEST_CASE("field textures of categories hold light; new colours are taken up") {
+TEST_CASE("field textures of categories hold colours and follow palette changes") {
   testContext();
   FieldStage stage(Cells::bytes, {64, 64}, [](int x, int) { return x % 2; }, {3, 5, 1},
                    {{1, 0, 0}, {0, 0.5F, 2}});
@@ -113,7 +113,7 @@ TEST_CASE("field textures of categories hold light; new colours are taken up") {
   CHECK(glm::vec3(texels(entry->texture).at(7)) == glm::vec3(0, 0, 0.5F));
 }
 
-TEST_CASE("field textures for exact pictures hold the same bits, without mip maps") {
+TEST_CASE("field textures for the exact rasterizer hold the same bits, without mip levels") {
   testContext();
   for (const bool categories : {false, true}) {
     FieldStage stage(Cells::floats, {201, 131}, [](int x, int y) { return (x * 31 + y * 7) % 97 / 24.0; },

@@ -87,7 +87,7 @@ struct HillStage {
 
 }  // namespace
 
-TEST_CASE("surfaces: a grid of heights with the indices of a row is drawn as the grid in full") {
+TEST_CASE("surfaces: a heights-only grid with one row of indices is drawn like the full grid") {
   testContext();
   scene::Scene scene = darkScene();
   scene.camera.position = glm::vec3(1.5F, 3, 4);

@@ -154,7 +154,7 @@ double radiusAt(const sim::Instances& instances, const glm::vec4& place) {
 
 }  // namespace
 
-TEST_CASE("instances: who is in sight, and in the detail that his size on the picture asks for") {
+TEST_CASE("instances: visible instances are listed in the level of detail for their size on the picture") {
   testContext();
   const auto places = cloud(20001);
   for (const auto& [shape, additive] :
@@ -211,7 +211,7 @@ TEST_CASE("instances: who is in sight, and in the detail that his size on the pi
     }
 }
 
-TEST_CASE("instances: the sun's map has who reaches into it, small ones as squares of their texels") {
+TEST_CASE("instances: the sun's map lists instances that reach into it, small ones as squares of texels") {
   testContext();
   const auto places = cloud(4001);
   scene::Scene scene = darkScene();
@@ -268,8 +268,8 @@ TEST_CASE("instances: the sun's map has who reaches into it, small ones as squar
 }
 
 TEST_CASE(
-    "instances: small balls and glows are squares of their size and light, on coarse and wide pictures "
-    "too") {
+    "instances: small balls and glows are squares of the right size and light, also on coarse and wide "
+    "pictures") {
   testContext();
   const auto places = cloud(2001);
   scene::Scene scene = plainScene();
@@ -339,7 +339,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("instances: a small ball covers the pixels whose middles lie in the square of its area") {
+TEST_CASE("instances: a small ball covers the pixels whose centres lie in a square of its area") {
   testContext();
   // GPUs round the point size to an eighth of a pixel.
   for (const auto& [side, pixels] : {std::pair(1.87, 1), {2.13, 9}}) {
@@ -356,7 +356,7 @@ TEST_CASE("instances: a small ball covers the pixels whose middles lie in the sq
   }
 }
 
-TEST_CASE("instances: a ball before the eye is as wide as it looks from there") {
+TEST_CASE("instances: a ball close to the eye has its true perspective outline") {
   testContext();
   scene::Scene scene = plainScene();
   scene.camera.position = glm::vec3(0, 0, 0.75F);

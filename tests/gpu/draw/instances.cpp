@@ -81,7 +81,7 @@ long callsOfFrame(int count) {
 
 }  // namespace
 
-TEST_CASE("instances in sight are listed in the order of their slots, dead and lost ones left out") {
+TEST_CASE("visible instances are listed in slot order, without dead and NaN instances") {
   testContext();
   const scene::Scene scene = plainScene();
   // The size is fine enough that the minimum size of glows has no effect and coarse enough that some glows
@@ -136,7 +136,7 @@ TEST_CASE("instances in sight are listed in the order of their slots, dead and l
   }
 }
 
-TEST_CASE("levels of detail share the list, each ordered; together they hold every visible one once") {
+TEST_CASE("each visible instance is in exactly one level of detail, and each level's list is sorted") {
   testContext();
   const scene::Scene scene = plainScene();
   PassStage stage(scene, {640, 360});
@@ -184,7 +184,7 @@ TEST_CASE("the GL calls of a frame do not depend on the number of instances") {
   CHECK(callsOfFrame(1000000) == few);
 }
 
-TEST_CASE("two glows add up, over the sky too") {
+TEST_CASE("light of overlapping glows is added, also over the sky") {
   testContext();
   for (const float sky : {0.0F, 0.1F})
     for (const int samples : {1, 4}) {
@@ -215,7 +215,7 @@ TEST_CASE("two glows add up, over the sky too") {
     }
 }
 
-TEST_CASE("glows hide behind what is opaque, and hide nothing themselves") {
+TEST_CASE("glows are hidden by opaque surfaces and hide nothing") {
   testContext();
   const scene::Scene scene = plainScene();
   InstanceStage ball(std::vector<glm::vec3>(1, glm::vec3(0)));
@@ -233,7 +233,7 @@ TEST_CASE("glows hide behind what is opaque, and hide nothing themselves") {
         alone.brightness(16, 16) + 50);
 }
 
-TEST_CASE("small glows keep their light however small") {
+TEST_CASE("small glows conserve their light at any size") {
   testContext();
   scene::Scene scene = plainScene();
   const auto total = [&](float size, float brightness, glm::vec3 place) {
@@ -257,7 +257,7 @@ TEST_CASE("small glows keep their light however small") {
   CHECK(total(0.0336F, 5.2F, glm::vec3(0.028F, 0.028F, 0)) == doctest::Approx(fine).epsilon(0.3).scale(0));
 }
 
-TEST_CASE("a glow looks the same among many that are not alive") {
+TEST_CASE("a glow looks the same among many dead instances") {
   testContext();
   const scene::Scene scene = plainScene();
   const auto picture = [&](std::size_t count) {
@@ -276,7 +276,7 @@ TEST_CASE("a glow looks the same among many that are not alive") {
   CHECK(picture(400001).bytes == alone.bytes);
 }
 
-TEST_CASE("the light of many bright glows is that of one as bright as all") {
+TEST_CASE("many glows have the light of one glow with their total brightness") {
   testContext();
   scene::Scene scene = plainScene();
   scene.render.exposure = -11.0F;
@@ -299,7 +299,7 @@ TEST_CASE("the light of many bright glows is that of one as bright as all") {
   }
 }
 
-TEST_CASE("colours follow speed, mass and age through the stops; light fades over the life") {
+TEST_CASE("colours follow speed, mass and age through the gradient, and light fades with age") {
   testContext();
   const std::vector<glm::vec3> stops = {{0, 0, 0}, {0.4F, 0, 0}, {0.4F, 0.4F, 0}};
   const scene::Scene scene = plainScene();
@@ -334,7 +334,7 @@ TEST_CASE("colours follow speed, mass and age through the stops; light fades ove
   CHECK(near(shown(By::material, {0, 0, 0, 0.0F}, 1, 0.2F), {0.8, 0.7, 0.6}));
 }
 
-TEST_CASE("pictures of instances are the same from run to run") {
+TEST_CASE("repeated runs draw identical pictures of instances") {
   testContext();
   const auto [places, speeds] = mixed(30011);
   const std::vector<glm::vec3> stops = {{0.01F, 0.2F, 0}, {0.4F, 0.03F, 0}, {0.1F, 0.1F, 0.7F}};

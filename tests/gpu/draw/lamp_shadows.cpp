@@ -49,7 +49,7 @@ scene::Scene screened(glm::vec3 direction, bool shadow) {
 
 }  // namespace
 
-TEST_CASE("lights: a sheet throws its shadow where the lamp puts it") {
+TEST_CASE("lights: a sheet's shadow lies at its projection from the lamp") {
   testContext();
   scene::Scene scene = fromAbove();
   scene.lights = {lampAt({0.4F, 2, -0.2F}, 20, true)};
@@ -83,7 +83,7 @@ TEST_CASE("lights: a sheet throws its shadow where the lamp puts it") {
   }
 }
 
-TEST_CASE("lights: shadows lie right on all six maps, across their edges and corners") {
+TEST_CASE("lights: shadows are correct on all six cube faces and across their edges and corners") {
   testContext();
   for (const glm::vec3& direction : directions()) {
     CAPTURE(direction.x);
@@ -114,7 +114,7 @@ TEST_CASE("lights: shadows lie right on all six maps, across their edges and cor
   }
 }
 
-TEST_CASE("lights: edges of shadows are ramps, not steps") {
+TEST_CASE("lights: shadow edges are smooth ramps") {
   testContext();
   scene::Scene scene = fromAbove();
   scene.lights = {lampAt({0, 2, 0}, 20, true)};
@@ -137,7 +137,7 @@ TEST_CASE("lights: edges of shadows are ramps, not steps") {
   CHECK(largest < 260);
 }
 
-TEST_CASE("lights: no acne in grazing light, on coarse maps and on round things") {
+TEST_CASE("lights: no shadow acne under grazing light, on coarse maps and on round shapes") {
   testContext();
   const auto apart = [](scene::Scene& scene, const sim::Drawables& drawables) {
     scene.lights[0].shadow = false;
@@ -163,7 +163,7 @@ TEST_CASE("lights: no acne in grazing light, on coarse maps and on round things"
   CHECK(apart(scene, {.instances = {ball.instances}}) == 0);
 }
 
-TEST_CASE("lights: a shadow begins at the foot of what stands there") {
+TEST_CASE("lights: a shadow starts at the foot of a standing object") {
   testContext();
   scene::Scene scene = fromAbove();
   scene.lights = {lampAt({-3, 2, 0}, 60, true)};
@@ -175,7 +175,7 @@ TEST_CASE("lights: a shadow begins at the foot of what stands there") {
   CHECK(picture.brightness(62, 64) > 150);
 }
 
-TEST_CASE("lights: what lies within the radius casts no shadow") {
+TEST_CASE("lights: geometry inside a lamp's radius casts no shadow") {
   testContext();
   scene::Scene scene = fromAbove();
   scene.lights = {lampAt({0, 1, 0}, 20, true)};
@@ -186,7 +186,7 @@ TEST_CASE("lights: what lies within the radius casts no shadow") {
   CHECK(drawn(scene, {.surfaces = {shade.surface}}, {65, 65}).brightness(50, 32) > 150);
 }
 
-TEST_CASE("lights: their shadow maps forget the frame before, and follow a lamp that moves") {
+TEST_CASE("lights: shadow maps are cleared each frame and follow a moving lamp") {
   testContext();
   scene::Scene scene = fromAbove();
   scene.lights = {lampAt({0, 2, 0}, 20, true)};
@@ -206,8 +206,8 @@ TEST_CASE("lights: their shadow maps forget the frame before, and follow a lamp 
 }
 
 TEST_CASE(
-    "lights: surfaces that vertex shaders displace are lit and cast shadows as those that kernels "
-    "displace") {
+    "lights: surfaces displaced by vertex shaders are lit and cast shadows like those displaced by "
+    "kernels") {
   testContext();
   const auto shown = [](const char* technique) {
     scene::Scene scene = scene::parseScene(
@@ -228,7 +228,7 @@ TEST_CASE(
   CHECK(d.far < 8);
 }
 
-TEST_CASE("lights: hundreds of surfaces and none cast shadows alike") {
+TEST_CASE("lights: scenes of hundreds of surfaces and of none have correct shadows") {
   testContext();
   scene::Scene scene = fromAbove();
   scene.lights = {lampAt({0, 3, 0}, 40, true), lampAt({1, 3, 1}, 40, true)};
@@ -258,7 +258,7 @@ TEST_CASE("lights: hundreds of surfaces and none cast shadows alike") {
   CHECK(shown({}).bytes == none.bytes);
 }
 
-TEST_CASE("lights: of what the GPU has emitted, only the triangles that there are cast shadows") {
+TEST_CASE("lights: only the triangles that the GPU counted cast shadows") {
   testContext();
   scene::Scene scene = fromAbove();
   scene.lights = {lampAt({0, 2, 0}, 20, true)};
@@ -273,7 +273,7 @@ TEST_CASE("lights: of what the GPU has emitted, only the triangles that there ar
   CHECK(part.bytes != whole.bytes);
 }
 
-TEST_CASE("lights: what casts no shadow is drawn, and takes no light of lamps and sun from anything") {
+TEST_CASE("lights: objects with shadows off are drawn but block no lamp or sun light") {
   testContext();
   GridStage sheet({3, 3}, {-0.4F, 1, -0.4F}, {0.8F, 0, 0}, {0, 0, 0.8F});
   InstanceStage balls(std::vector<glm::vec3>{{0, 1, 1.5F}, {0, 1, -1.5F}});

@@ -72,7 +72,7 @@ TEST_CASE("lights: a plane below a point has the illuminance I cos^3(theta) / h^
     }
 }
 
-TEST_CASE("lights: a spot lights what lies within its cone, and fades towards the edge") {
+TEST_CASE("lights: a spot lights its cone and fades towards the edge") {
   testContext();
   for (const bool shadow : {false, true})
     for (const float softness : {0.0F, 0.4F, 1.0F}) {
@@ -115,7 +115,7 @@ TEST_CASE("lights: a spot lights what lies within its cone, and fades towards th
     }
 }
 
-TEST_CASE("lights: at a grazing angle everything mirrors more, ground and surfaces, sun and lamps") {
+TEST_CASE("lights: reflection grows at grazing angles, for ground and surfaces, sun and lamps") {
   testContext();
   for (const bool ground : {true, false})
     for (const bool lamp : {true, false}) {
@@ -159,7 +159,7 @@ TEST_CASE("lights: at a grazing angle everything mirrors more, ground and surfac
     }
 }
 
-TEST_CASE("lights: what mirrors shows the ball that shines, as wide as it is") {
+TEST_CASE("lights: smooth surfaces show a highlight as wide as the light's sphere") {
   testContext();
   for (const float radius : {0.01F, 0.9F})
     for (const float roughness : {0.25F, 0.5F}) {
@@ -187,7 +187,7 @@ TEST_CASE("lights: what mirrors shows the ball that shines, as wide as it is") {
     }
 }
 
-TEST_CASE("lights: sixteen together give their sum, at the intensity of their time") {
+TEST_CASE("lights: sixteen lights add up to their sum, at their animated intensity") {
   testContext();
   for (const int shadowed : {0, 3, 8}) {
     scene::Scene scene = fromAbove();
@@ -208,7 +208,7 @@ TEST_CASE("lights: sixteen together give their sum, at the intensity of their ti
   }
 }
 
-TEST_CASE("lights: every kind of drawable gets them") {
+TEST_CASE("lights: every type of drawable is lit") {
   testContext();
   // The light is on the camera's side of the object, in an otherwise dark scene.
   scene::Scene scene = darkScene();
@@ -268,7 +268,7 @@ TEST_CASE("lights: every kind of drawable gets them") {
   CHECK(gained({.surfaces = {left.surface, right.surface}}) > 60);
 }
 
-TEST_CASE("lights: skins get them") {
+TEST_CASE("lights: skins are lit") {
   testContext();
   FieldStage field(sim::Field::Cells::floats, {17, 13}, [](int, int) { return 0.25; });
   field.field.display = nullptr;
@@ -282,7 +282,7 @@ TEST_CASE("lights: skins get them") {
   CHECK(drawn(scene, drawables, {33, 33}).brightness(16, 16) > dark + 100);
 }
 
-TEST_CASE("lights: what is translucent lets them through") {
+TEST_CASE("lights: translucent surfaces transmit lamp light") {
   testContext();
   scene::Scene scene = darkScene();
   scene.sun.intensity = 0.0F;
@@ -295,8 +295,7 @@ TEST_CASE("lights: what is translucent lets them through") {
   CHECK(near(picture.at(16, 16), filmByte({0.4, 0.4, 0.4}), 2.5));
 }
 
-TEST_CASE(
-    "lights: one ball of any shape, lit and shading from nearby, looks like the sphere as a surface") {
+TEST_CASE("lights: one ball of any shape, lit from nearby, looks like a sphere mesh with its shadow") {
   testContext();
   scene::Scene scene;
   scene.camera.position = glm::vec3(0.3F, 1.6F, 4);
@@ -327,7 +326,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("lights: the camera sees the light itself, as bright as its candela say") {
+TEST_CASE("lights: a visible light has the brightness of its candela") {
   testContext();
   scene::Scene scene = darkScene();
   scene.sun.intensity = 0.0F;
@@ -354,8 +353,7 @@ TEST_CASE("lights: the camera sees the light itself, as bright as its candela sa
   CHECK(drawn(scene, {}, {65, 65}).brightness(32, 32) < 6);
 }
 
-TEST_CASE(
-    "lights: a scene without them makes shaders that know none, and one beyond the limits is refused") {
+TEST_CASE("lights: scenes without lights compile no light code, and too many lights are refused") {
   testContext();
   scene::Scene scene = darkScene();
   const draw::Lamps none(scene);

@@ -25,7 +25,7 @@ scene::Scene groundScene(glm::vec3 sun) {
 
 }  // namespace
 
-TEST_CASE("a matt sheet facing the sun has its own colour, on either side and in every variant") {
+TEST_CASE("a matt sheet facing the sun has its own colour on both sides, with and without shadows") {
   testContext();
   for (const bool shadow : {true, false})
     for (const float side : {1.0F, -1.0F}) {
@@ -49,7 +49,7 @@ TEST_CASE("a matt sheet facing the sun has its own colour, on either side and in
     }
 }
 
-TEST_CASE("light from behind shines through translucent cloth only") {
+TEST_CASE("light from behind passes only through translucent cloth") {
   testContext();
   scene::Scene scene = darkScene();
   scene.sun.direction = glm::vec3(0, 0, -1);
@@ -61,7 +61,7 @@ TEST_CASE("light from behind shines through translucent cloth only") {
   CHECK(near(picture.at(16, 16), filmByte({0.4, 0.4, 0.4}), 2.5));
 }
 
-TEST_CASE("a metal mirrors the sky, tinted by its colour") {
+TEST_CASE("metal reflects the sky, tinted by its colour") {
   testContext();
   scene::Scene scene = darkScene();
   scene.sun.intensity = 0.0F;
@@ -74,7 +74,7 @@ TEST_CASE("a metal mirrors the sky, tinted by its colour") {
   CHECK(near(c, filmByte({0.9, 0.5, 0.1}), 16));
 }
 
-TEST_CASE("a sheet throws its shadow where the sun puts it") {
+TEST_CASE("a sheet's shadow lies at its projection from the sun") {
   testContext();
   // The sun is at 45 degrees on the +x side: a point 2 m up shades the ground 2 m further towards -x.
   const scene::Scene scene = groundScene(glm::vec3(1, 1, 0));
@@ -96,7 +96,7 @@ TEST_CASE("a sheet throws its shadow where the sun puts it") {
   }
 }
 
-TEST_CASE("no shadow when the sun's shadow is off, and no acne on a lit sheet") {
+TEST_CASE("disabling the sun's shadow removes it, and a lit sheet shows no shadow acne") {
   testContext();
   scene::Scene scene = groundScene(glm::vec3(1, 1, 0));
   GridStage sheet({8, 8}, {0.5F, 2, -1}, {2, 0, 0}, {0, 0, 2});
@@ -114,7 +114,7 @@ TEST_CASE("no shadow when the sun's shadow is off, and no acne on a lit sheet") 
     for (int x = 12; x < 52; ++x) CHECK(std::abs(lit.brightness(x, y) - middle) < 30);
 }
 
-TEST_CASE("a picture forgets the frame before, also behind glows") {
+TEST_CASE("nothing of the previous frame remains in a picture, also behind glows") {
   testContext();
   const scene::Scene scene = darkScene();
   GridStage sheet({4, 4}, {-1.5F, -1.5F, 0}, {3, 0, 0}, {0, 3, 0});
@@ -137,7 +137,7 @@ TEST_CASE("a picture forgets the frame before, also behind glows") {
     }
 }
 
-TEST_CASE("the shadow map forgets the frame before") {
+TEST_CASE("nothing of the previous frame remains in the shadow map") {
   testContext();
   const scene::Scene scene = groundScene(glm::vec3(0.001F, 1, 0));
   GridStage far({4, 4}, {50, 2, 50}, {2, 0, 0}, {0, 0, 2});

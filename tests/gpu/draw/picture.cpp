@@ -52,7 +52,7 @@ TEST_CASE("sRGB bytes follow the film curve over its whole range") {
   }
 }
 
-TEST_CASE("exposure of one step doubles the light; the vignette darkens corners only") {
+TEST_CASE("one stop of exposure doubles the light, and the vignette darkens only the corners") {
   testContext();
   scene::Scene scene = darkScene();
   scene.sky.zenith = scene.sky.horizon = scene.sky.ground = glm::vec3(0.2F);
@@ -64,7 +64,7 @@ TEST_CASE("exposure of one step doubles the light; the vignette darkens corners 
   CHECK(farthest(picture.at(0, 0), filmByte({0.2, 0.2, 0.2})) <= 6);
 }
 
-TEST_CASE("the sky runs from zenith at the top of the picture over the horizon to the ground's colour") {
+TEST_CASE("the sky blends from zenith at the top over the horizon to the ground colour") {
   testContext();
   scene::Scene scene = darkScene();
   scene.sky.zenith = glm::vec3(0, 0, 1);
@@ -86,7 +86,7 @@ TEST_CASE("the sky runs from zenith at the top of the picture over the horizon t
   }
 }
 
-TEST_CASE("row 0 is the top, column 0 the left, at an odd size with 1 and 4 samples") {
+TEST_CASE("row 0 is the top and column 0 the left, at odd sizes with 1 and 4 samples") {
   testContext();
   const scene::Scene scene = darkScene();
   GridStage sheet({5, 5}, {-1.5F, 1.2F, 0}, {1.0F, 0, 0}, {0, -0.8F, 0});
@@ -100,7 +100,7 @@ TEST_CASE("row 0 is the top, column 0 the left, at an odd size with 1 and 4 samp
   }
 }
 
-TEST_CASE("four samples smooth an edge, one does not") {
+TEST_CASE("four samples smooth an edge; one sample does not") {
   testContext();
   const scene::Scene scene = darkScene();
   GridStage sheet({2, 2}, {-1, 1, 0}, {2, 0.3F, 0}, {0.3F, -2, 0});
@@ -118,7 +118,7 @@ TEST_CASE("four samples smooth an edge, one does not") {
   CHECK(between[1] > 40);
 }
 
-TEST_CASE("limits are named with their value") {
+TEST_CASE("exceeding a GL limit names the limit and its value") {
   testContext();
   scene::Scene scene = darkScene();
   const int max = gl::limits().textureSize;
@@ -138,7 +138,7 @@ TEST_CASE("limits are named with their value") {
     CHECK(failure(scene, {8, 8}, 1, ExitCode::device, rasterizer).find("shadowSize") != std::string::npos);
 }
 
-TEST_CASE("a texture shown once does not bleed from one border into the opposite one") {
+TEST_CASE("a texture without repeats does not bleed across opposite borders") {
   testContext();
   // The two texels are black, then white. A repeated texture would be grey at both borders.
   const auto file = temporaryFile("two_texels.png");
@@ -167,7 +167,7 @@ TEST_CASE("a texture shown once does not bleed from one border into the opposite
   std::filesystem::remove(file);
 }
 
-TEST_CASE("a missing or broken texture is named") {
+TEST_CASE("a missing or broken texture file is named in the error") {
   testContext();
   scene::Scene scene = darkScene();
   scene.objects.emplace_back();
@@ -187,7 +187,7 @@ TEST_CASE("a missing or broken texture is named") {
   std::filesystem::remove(file);
 }
 
-TEST_CASE("readback keeps the order and says when it is full") {
+TEST_CASE("readback returns frames in order and reports when it is full") {
   testContext();
   const glm::ivec2 size{17, 5};
   draw::Renderer renderer(darkScene(), size, 1, testOptions());

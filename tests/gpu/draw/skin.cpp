@@ -43,7 +43,7 @@ scene::Material plain(const glm::vec3& color, float roughness) {
 
 }  // namespace
 
-TEST_CASE("skin: a flat field gives the plain colour and the surface's own normal") {
+TEST_CASE("skin: a constant field gives the plain colour and the surface's own normal") {
   testContext();
   for (const double value : {0.0, 1.0}) {
     const FieldStage field(Cells::floats, {37, 23}, [&](int, int) { return value; });
@@ -81,7 +81,7 @@ TEST_CASE("skin: a step in the field is an edge between two colours, one pixel w
   CHECK(between >= 1);  // antialiased
 }
 
-TEST_CASE("skin: the threshold is a value of the field, and its range is known") {
+TEST_CASE("skin: the threshold is a field value, and its default is the middle of the range") {
   testContext();
   FieldStage field(Cells::floats, {64, 4}, [](int x, int) { return 10.0 + x; });
   field.field.range = {10, 74};
@@ -101,7 +101,7 @@ TEST_CASE("skin: the threshold is a value of the field, and its range is known")
   CHECK(quarter == doctest::Approx(middle / 2.0).epsilon(0.1));
 }
 
-TEST_CASE("skin: relief turns the shading the same way for mirrored uvs and on both faces") {
+TEST_CASE("skin: relief shades the same way for mirrored uvs and on both faces") {
   testContext();
   // One ridge in the middle, along y. The ridge is mirror-symmetric.
   const FieldStage field(Cells::floats, {32, 32}, [](int x, int) {
@@ -140,7 +140,7 @@ TEST_CASE("skin: relief turns the shading the same way for mirrored uvs and on b
   CHECK(above.brightness(65, 48) - above.brightness(65, 82) > 60);
 }
 
-TEST_CASE("skin: from three sides a square looks as it does by uv, and a mesh needs no uvs") {
+TEST_CASE("skin: triplanar projection of a square equals its uv projection, and a mesh needs no uvs") {
   testContext();
   const FieldStage field(Cells::floats, {96, 48}, [](int x, int y) { return waves(x / 96.0, y / 48.0); });
   scene::Material material = grown(Look::leather);
@@ -179,7 +179,7 @@ TEST_CASE("skin: from three sides a square looks as it does by uv, and a mesh ne
   }
 }
 
-TEST_CASE("skin: no seam shows on a sphere and a torus") {
+TEST_CASE("skin: a sphere and a torus show no seam") {
   testContext();
   // The seam is in front. If the mesh is turned by half and the field is rolled by half, the picture stays
   // the same and the seam is behind.
@@ -253,7 +253,7 @@ TEST_CASE("skin: the look map shows the field's own colours") {
         1);
 }
 
-TEST_CASE("skin: cracks glow in the dark, other looks do not") {
+TEST_CASE("skin: only the cracks look glows in the dark") {
   testContext();
   const FieldStage field(Cells::floats, {4, 4}, [](int, int) { return 1.0; });
   const auto dark = [](scene::Scene& scene, sim::Surface&) { scene.sun.intensity = 0.0F; };
@@ -261,7 +261,7 @@ TEST_CASE("skin: cracks glow in the dark, other looks do not") {
   CHECK(worn(grown(Look::leather), field, squareMesh(), dark).brightness(65, 65) < 10);
 }
 
-TEST_CASE("skin: cracks glow by how far the field is above the threshold") {
+TEST_CASE("skin: cracks glow in proportion to the field's excess over the threshold") {
   testContext();
   scene::Material material = grown(Look::cracks);
   material.skin->bump = 0;
@@ -287,7 +287,7 @@ TEST_CASE("skin: cracks glow by how far the field is above the threshold") {
   }
 }
 
-TEST_CASE("skin: grids wear skins, lost numbers and missing fields do no harm") {
+TEST_CASE("skin: grids can have skins; NaN values and missing fields are harmless") {
   testContext();
   const FieldStage lost(Cells::floats, {9, 7}, [](int x, int) {
     return x % 3 == 0 ? std::numeric_limits<double>::quiet_NaN() : x % 3 == 1 ? 1e38 : -1e38;

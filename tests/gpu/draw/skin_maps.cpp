@@ -67,7 +67,7 @@ float fraction(const std::vector<float>& sorted, double part) {
 
 }  // namespace
 
-TEST_CASE("skin maps: rolling the field by half moves them by exactly half") {
+TEST_CASE("skin maps: rolling the field by half rolls the maps by exactly half") {
   testContext();
   const auto value = [](int x, int y) { return waves(x / 62.0, y / 46.0); };
   const FieldStage field(Cells::floats, {62, 46}, value);
@@ -94,7 +94,7 @@ TEST_CASE("skin maps: rolling the field by half moves them by exactly half") {
     }
 }
 
-TEST_CASE("skin maps: no step over the border is larger than those inside") {
+TEST_CASE("skin maps: differences across the border are no larger than those inside") {
   testContext();
   const FieldStage field(Cells::floats, {61, 47}, [](int x, int y) { return waves(x / 61.0, y / 47.0); });
   for (const Look look : {Look::leather, Look::cracks, Look::map})
@@ -109,7 +109,7 @@ TEST_CASE("skin maps: no step over the border is larger than those inside") {
     }
 }
 
-TEST_CASE("skin maps: values follow theory on a slope") {
+TEST_CASE("skin maps: heights and normals on a slope equal their closed form") {
   testContext();
   // A triangle wave of 64 cells: it rises by 1/32 per cell to the middle, then falls. Its height is `depth`
   // cells.

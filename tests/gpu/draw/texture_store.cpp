@@ -34,7 +34,7 @@ double meanOf(const std::vector<double>& values, int i) {
 
 }  // namespace
 
-TEST_CASE("textures of files have the mip levels that we compute") {
+TEST_CASE("file textures have the mip levels computed on the CPU") {
   testContext();
   frame::Image picture{37, 22, {}};
   for (int i = 0; i < 37 * 22; ++i)
@@ -57,7 +57,7 @@ TEST_CASE("textures of files have the mip levels that we compute") {
   }
 }
 
-TEST_CASE("textures of numbers have the mip levels that a kernel makes, at odd sizes too") {
+TEST_CASE("float textures have the mip levels of the reference filter, also at odd sizes") {
   testContext();
   std::string hashes;
   for (const auto& [width, height] : {std::pair{37, 22}, {1, 9}, {16, 16}}) {

@@ -40,7 +40,7 @@ bool isMost(glm::ivec3 c, int channel) {
 
 }  // namespace
 
-TEST_CASE("textures without uv: upright and unmirrored from all sides") {
+TEST_CASE("textures without uv: a triplanar texture is upright and not mirrored from all sides") {
   testContext();
   // Upper texels are red and green, lower texels are blue and white.
   const ImageFile file(2, 2, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 255});
@@ -59,7 +59,7 @@ TEST_CASE("textures without uv: upright and unmirrored from all sides") {
   }
 }
 
-TEST_CASE("relief of a texture: what is bright stands out, and its sides face the light or not") {
+TEST_CASE("relief of a texture: bright texels are raised, and slopes facing the light are brighter") {
   testContext();
   // The white texel's centre is 0.25 m right of the middle; grey centres are 0.75 m right and 0.25 m left
   // of the middle.
@@ -77,7 +77,9 @@ TEST_CASE("relief of a texture: what is bright stands out, and its sides face th
   CHECK(brightness(0.5F, falling) > brightness(-0.5F, falling) + 5);
 }
 
-TEST_CASE("relief of a texture: a slope of hundreds of pixels is even, but for 25 of them at its ends") {
+TEST_CASE(
+    "relief of a texture: a slope of hundreds of pixels is shaded evenly, except within 25 pixels of its "
+    "ends") {
   testContext();
   // A pixel is 2 mm and a texel 200 pixels wide; the brightness rises from grey at pixel 100 to white at
   // pixel 300.

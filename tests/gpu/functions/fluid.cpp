@@ -21,6 +21,6 @@ struct Tanks {
 
 }  // namespace
 
-TEST_CASE("functions: what becomes of a fluid's cell") {
+TEST_CASE("functions: updates of a fluid cell on the GPU equal C++") {
   checkAll<Tanks>("fluid.glsl", "#include \"fluid/model.glsl\"\n");
 }

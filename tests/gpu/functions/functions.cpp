@@ -75,58 +75,58 @@ struct Pairs {
 
 }  // namespace
 
-TEST_CASE("functions: closest points of triangles and segments") {
+TEST_CASE("functions: closest points of triangles and segments on the GPU equal C++") {
   checkAll<Nearest>("closest.glsl");
 }
 
-TEST_CASE("functions: fire on slopes, in wind, and where its embers fall") {
+TEST_CASE("functions: fire spread on slopes and in wind, and ember flights, on the GPU equal C++") {
   checkAll<Fires>("wildfire.glsl", "#include \"spread/cells.glsl\"\n");
 }
 
-TEST_CASE("functions: ground of a deformed grid, its sides and corners") {
+TEST_CASE("functions: heights of a deformed grid, also on sides and corners, on the GPU equal C++") {
   checkAll<Grounds>("heights.glsl");
 }
 
-TEST_CASE("functions: out of shapes and of a mesh's distances") {
+TEST_CASE("functions: collisions with shapes and distance fields on the GPU equal C++") {
   checkAll<Solids>("colliders.glsl");
 }
 
-TEST_CASE("functions: a step of shallow water, its look and its drops") {
+TEST_CASE("functions: shallow water steps, look and drops on the GPU equal C++") {
   checkAll<Lakes>("water.glsl",
                   "#define SEA 1\n#include \"water/types.glsl\"\n#include "
                   "\"water/look_types.glsl\"\n#include \"water/model.glsl\"\n");
 }
 
-TEST_CASE("functions: floats on water and against each other") {
+TEST_CASE("functions: floats on water and in contact on the GPU equal C++") {
   checkAll<Bodies>("floats.glsl",
                    "#include \"water/types.glsl\"\n#include \"water/float_types.glsl\"\n#include "
                    "\"water/model.glsl\"\n");
 }
 
-TEST_CASE("functions: exact arithmetic") {
+TEST_CASE("functions: exact arithmetic on the GPU equals C++") {
   checkAll<Numbers>("exact.glsl");
 }
 
-TEST_CASE("functions: out of the walls of a contour") {
+TEST_CASE("functions: collisions with contour walls on the GPU equal C++") {
   checkAll<Walls>("walls.glsl");
 }
 
-TEST_CASE("functions: deformation") {
+TEST_CASE("functions: deformations on the GPU equal C++") {
   checkAll<Shapes>("deform.glsl", "#include \"mesh/types.glsl\"\n");
 }
 
-TEST_CASE("functions: contact of faces and edges") {
+TEST_CASE("functions: contact of faces and edges on the GPU equals C++") {
   checkAll<Pairs>("contact.glsl", "#include \"contact/types.glsl\"\n");
 }
 
-TEST_CASE("functions: cloth, its lines, its corners against thin things") {
+TEST_CASE("functions: cloth steps, constraint lines and thin colliders on the GPU equal C++") {
   checkAll<Sheets>("cloth.glsl", "#include \"cloth/segment_links.glsl\"\n");
 }
 
-TEST_CASE("functions: particles, their births and fields") {
+TEST_CASE("functions: particle births and force fields on the GPU equal C++") {
   checkAll<Crowds>("particles.glsl");
 }
 
-TEST_CASE("functions: penumbra of the sun's disc") {
+TEST_CASE("functions: the penumbra of the sun's disc on the GPU equals C++") {
   checkAll<Penumbras>("sun_disc.glsl", "#include \"draw/exact/shadows/disc_points.glsl\"\n");
 }

@@ -103,7 +103,7 @@ void checkNear(const std::string& expression, const std::vector<float>& given, d
 
 }  // namespace
 
-TEST_CASE("user kernels: the functions of a shader have the bits of the program's own") {
+TEST_CASE("user kernels: shader functions have the same bits as the program's exact functions") {
   testContext();
   const auto some = pairs(0.01F, 50.0F, -20.0F, 20.0F);
   checkBits("sin(y)", some, [](float, float y) { return shader::exactSin(y); });
@@ -120,7 +120,7 @@ TEST_CASE("user kernels: the functions of a shader have the bits of the program'
   checkBits("(x * 3.7) * 0.77", some, [](float x, float) { return (x * 3.7F) * 0.77F; });
 }
 
-TEST_CASE("user kernels: functions beyond the program's own are near the truth") {
+TEST_CASE("user kernels: functions without an exact version are within error bounds") {
   testContext();
   const auto wide = pairs(1e4F, 3e6F, -0.999F, 0.999F);
   checkNear("sin(x)", wide, 2.5e-7, [](double x, double) { return std::sin(x); });
@@ -138,7 +138,7 @@ TEST_CASE("user kernels: functions beyond the program's own are near the truth")
   checkNear("f16tof32(f32tof16(x))", near, 1e-3, [](double x, double) { return x; });
 }
 
-TEST_CASE("user kernels: NaN, infinities, ranges and zeros have one meaning") {
+TEST_CASE("user kernels: NaN, infinities, out-of-range conversions and zeros have defined results") {
   testContext();
   const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
   const std::vector<float> given = {nan,    2,      inf, 0, -inf, -0.0F, 1e38F, 1e38F,
@@ -164,7 +164,7 @@ TEST_CASE("user kernels: NaN, infinities, ranges and zeros have one meaning") {
   CHECK(of("(int)x / (int)y")[5] == -1.0F);
 }
 
-TEST_CASE("user kernels: what lies outside of an array reads as zero and takes no writes") {
+TEST_CASE("user kernels: out-of-bounds reads return zero, and out-of-bounds writes are dropped") {
   testContext();
   const kernels::Kernel kernel = lowered(
       "bounds.hlsl",
@@ -190,7 +190,7 @@ TEST_CASE("user kernels: what lies outside of an array reads as zero and takes n
         std::vector<std::uint32_t>{0, 0, 0, 0, 5, 6, 7, 5, 8, 0, 102});
 }
 
-TEST_CASE("user kernels: a texture is read between texels by weights in full precision") {
+TEST_CASE("user kernels: texture filtering uses weights in full precision") {
   testContext();
   const kernels::Kernel kernel = lowered(
       "sampling.hlsl",

@@ -73,7 +73,7 @@ TEST_CASE("automata of every family equal their twins with every border") {
   for (const char* rule : {"B3/S23", "/2/3"}) compareStates(soupOf(rule, GridBorder::sphere, {45, 45}));
 }
 
-TEST_CASE("automata run on grids hardly larger than their range") {
+TEST_CASE("automata on grids barely larger than their range equal the CPU automaton") {
   for (const glm::ivec2 size : {glm::ivec2(1, 1), {2, 3}, {5, 1}})
     for (const GridBorder border : allBorders) {
       compareStates(soupOf("345/2/4", border, size));
@@ -85,7 +85,8 @@ TEST_CASE("automata run on grids hardly larger than their range") {
           soupOf((std::string("R7,C0,M1,S20..50,B20..40,N") + shape).c_str(), GridBorder::klein, size));
 }
 
-TEST_CASE("rules of neighbourhoods run on bits, several generations a pass and by tiles") {
+TEST_CASE(
+    "neighbourhood rules on bits equal the CPU automaton, with several generations per pass and in tiles") {
   for (const char* rule :
        {"B2-a/S12", "B3/S2-i34q", "B3aijn4w/S2ae3eijkr4z", "B2/S34H", "B13/S012V",
         "MAPARYXfhZofugWaH7oaIDogBZofuhogOiAaIDogIAAgAAWaH7oaIDogGiA6ICAAIAAaIDogIAAgACAAIAAAAAAAA"}) {
@@ -101,7 +102,7 @@ TEST_CASE("rules of neighbourhoods run on bits, several generations a pass and b
   }
 }
 
-TEST_CASE("wide ranges, and sums that fill a byte") {
+TEST_CASE("automata with wide ranges, and with sums that fill a byte, equal the CPU automaton") {
   for (const char* rule : {"R127,C0,M1,S20000..30000,B18000..28000,NM",
                            "R60,C0,M1,S4000..6000,B3500..5500,NC", "R33,C7,M0,S700..1300,B600..1200,NN"}) {
     auto p = soupOf(rule, GridBorder::torus, {140, 129});
@@ -111,7 +112,7 @@ TEST_CASE("wide ranges, and sums that fill a byte") {
   compareStates(soupOf("R10,C0,M1,S123..212,B123..170,NM", GridBorder::torus, {150, 70}), 2);
 }
 
-TEST_CASE("ranges of whose cells no loop of a software driver gets to the end") {
+TEST_CASE("ranges too large for one loop of a software driver give correct cells") {
   struct Far {
     const char* rule;
     glm::ivec2 size;
@@ -170,7 +171,7 @@ TEST_CASE("neighbourhoods of any shape equal their twins") {
       compareStates(soupOf(rule, GridBorder::torus, size));
 }
 
-TEST_CASE("a trail follows any rule of two states") {
+TEST_CASE("a trail follows any two-state rule as on the CPU") {
   auto p = soupOf("B3/S23", GridBorder::klein, {70, 50});
   p.trail = 9;
   p.trailGiven = true;
@@ -179,7 +180,7 @@ TEST_CASE("a trail follows any rule of two states") {
   compareStates(p);
 }
 
-TEST_CASE("strokes paint states") {
+TEST_CASE("strokes paint cell states") {
   auto p = soupOf("/2/5", GridBorder::torus, {75, 52});
   StrokeParameters stroke;
   stroke.from = {-3, 20, 0};

@@ -81,7 +81,7 @@ TEST_CASE("body: skinning equals its CPU twin at any substep, in any order") {
                                    motion.figure().mesh.indices.back(), 0));
 }
 
-TEST_CASE("body: skinned vertices and normals are those of its equation in float64") {
+TEST_CASE("body: skinned vertices and normals equal the equation in double precision") {
   testContext();
   const sim::BodyParameters p = walkerBody();
   const sim::BodyMotion motion("walker", p);
@@ -109,7 +109,7 @@ TEST_CASE("body: skinned vertices and normals are those of its equation in float
   CHECK(mostTurned < 1e-5);
 }
 
-TEST_CASE("body: bones that are squeezed and stretched keep normals upright on the skin") {
+TEST_CASE("body: scaled bones keep normals perpendicular to the skin") {
   testContext();
   auto gltf = test::tubeText();
   gltf.document["nodes"][0]["scale"] = {2, 0.5, 1};
@@ -128,7 +128,7 @@ TEST_CASE("body: bones that are squeezed and stretched keep normals upright on t
   }
 }
 
-TEST_CASE("body: cloth pinned to the nearest places of a skin equals its CPU twin, grid and mesh") {
+TEST_CASE("body: cloth pinned to the nearest skin points equals its CPU twin, as grid and as mesh") {
   testContext();
   const auto sceneOf = [](const std::string& cloth) {
     return scene::parseScene(
@@ -181,7 +181,9 @@ TEST_CASE("body: cloth pinned to the nearest places of a skin equals its CPU twi
         });
 }
 
-TEST_CASE("body: a cape on a walking body equals its CPU twin, keeps out of it and follows the bone") {
+TEST_CASE(
+    "body: a cape on a walking body equals its CPU twin, does not penetrate the body and follows the "
+    "bone") {
   testContext();
   const scene::Scene scene = capeScene();
   sim::World world(scene);

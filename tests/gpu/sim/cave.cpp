@@ -135,7 +135,7 @@ TEST_CASE("a cave equals its twin at every stage") {
   }
 }
 
-TEST_CASE("every open cell of a cave reaches every other, over ways that are together as short as can be") {
+TEST_CASE("all open cells of a cave are connected by corridors of minimum total length") {
   testContext();
   for (int seed = 1; seed <= 12; ++seed) {
     sim::CaveParameters p = cave(70 + seed, 61);
@@ -159,7 +159,7 @@ TEST_CASE("every open cell of a cave reaches every other, over ways that are tog
   }
 }
 
-TEST_CASE("a spiral and a comb are one region: labels go any way") {
+TEST_CASE("a spiral and a comb are one region: labels propagate along every direction") {
   testContext();
   const glm::ivec2 size(67, 65);
   const sim::CaveGrid grid{size};

@@ -137,7 +137,7 @@ TEST_CASE("long lines of constraints, pinned anywhere, equal their CPU twin") {
   }
 }
 
-TEST_CASE("constraints that keep energy equal their CPU twin, on lines of any length and on what moves") {
+TEST_CASE("energy-conserving constraints equal their CPU twin, on lines of any length and with colliders") {
   sim::ColliderShape ball;
   ball.position = scene::Animated<glm::vec3>(
       {{0.0, glm::vec3(0, -0.8F, 0)}, {1.0, glm::vec3(0.4F, -0.7F, 0.1F)}}, scene::Ease::linear);
@@ -163,7 +163,7 @@ TEST_CASE("constraints that keep energy equal their CPU twin, on lines of any le
     }
 }
 
-TEST_CASE("cloth that rubs on moving colliders equals its CPU twin") {
+TEST_CASE("cloth with friction on moving colliders equals its CPU twin") {
   for (const auto solver : {sim::ClothSolver::springs, sim::ClothSolver::constraints}) {
     auto p = sheet(33, 21);
     p.solver = solver;
@@ -181,7 +181,7 @@ TEST_CASE("cloth that rubs on moving colliders equals its CPU twin") {
   }
 }
 
-TEST_CASE("fabric equals its CPU twin, clamped on every side or on one") {
+TEST_CASE("fabric equals its CPU twin, clamped on all sides or on one") {
   for (const bool all : {true, false}) {
     auto p = sheet(33, 21);
     p.hasFabric = true;

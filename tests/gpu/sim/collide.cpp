@@ -89,7 +89,7 @@ sim::MeshColliderPlan planOf(const scene::Scene& scene) {
 
 }  // namespace
 
-TEST_CASE("collide: distance fields equal their CPU twin, also where one search takes many rounds") {
+TEST_CASE("collide: distance fields equal their CPU twin, also if a search takes many rounds") {
   testContext();
   const test::TemporaryFile file("field.obj", test::boxObj({0.37, 0.21, 0.3}));
   // The centre of a sphere is equally close to all of its faces, so the search there takes many rounds.

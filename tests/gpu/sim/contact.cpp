@@ -276,7 +276,7 @@ sim::ParticleParameters fallingBalls() {
 
 }  // namespace
 
-TEST_CASE("balls that are thrown into cloths, are born and die there equal their CPU twins") {
+TEST_CASE("particles that collide with cloths, with births and deaths, equal their CPU twins") {
   auto held = contactSheet({13, 11}, {0, 0.1F, 0}, {0, 0, 0});
   held.pins.emplace_back().columns = {0, -1};
   sim::ColliderShape floor;
@@ -294,7 +294,7 @@ TEST_CASE("balls that are thrown into cloths, are born and die there equal their
   compareContact({held}, 8, {floor}, {&box}, &balls);
 }
 
-TEST_CASE("cloths in contact with solids that move and one that does not equal their CPU twins") {
+TEST_CASE("cloths in contact with moving and static solids equal their CPU twins") {
   testContext();
   auto held = contactSheet({13, 11}, {0, 0.1F, 0}, {90, 0, 0});
   held.pins.emplace_back().rows = {0};
@@ -344,7 +344,7 @@ float stepApart(const char* text, int frames) {
 
 }  // namespace
 
-TEST_CASE("a sheet falls on a mesh that waves, and on one that is moved and turned") {
+TEST_CASE("a sheet falls onto a waving mesh and a moving mesh without crossing it") {
   const float waving = stepApart(R"({"version": 1, "objects": {
     "sheet": {"cloth": {"size": [13, 11], "spacing": 0.05, "position": [0, 0.12, 0], "fabric": "cotton", "contact": true, "pins": []}},
     "sea": {"mesh": {"shape": "plane", "size": [1.2, 0, 1.2], "resolution": [17, 15], "collides": "faces", "friction": 0.5,
@@ -361,7 +361,7 @@ TEST_CASE("a sheet falls on a mesh that waves, and on one that is moved and turn
   CHECK(moved > -0.2F);  // the ring lifts the sheet, which would otherwise fall to -0.9 m
 }
 
-TEST_CASE("a sheet falls on the skin of a walking figure") {
+TEST_CASE("a sheet falls onto a walking figure without crossing its skin") {
   const float lowest = stepApart(R"({"version": 1, "time": {"start": 0.2}, "objects": {
     "sheet": {"cloth": {"size": [17, 15], "spacing": 0.05, "position": [0, 1.85, 0.1], "fabric": "cotton", "contact": true, "pins": []}},
     "walker": {"body": {"file": "meshes/walker.gltf", "animation": "walk", "collides": "faces", "friction": 0.4}}}})",
@@ -369,7 +369,7 @@ TEST_CASE("a sheet falls on the skin of a walking figure") {
   CHECK(lowest > 1.2F);
 }
 
-TEST_CASE("a disc of triangles falls on a sheet that hangs by its corners, and through nothing") {
+TEST_CASE("a mesh disc falls onto a hanging sheet without crossing it") {
   testContext();
   const scene::Scene scene = scene::parseScene(R"({"version": 1, "objects": {
     "sheet": {"cloth": {"size": [17, 15], "spacing": 0.05, "fabric": "canvas", "contact": {},

@@ -108,7 +108,7 @@ double differingFraction(const std::vector<std::uint8_t>& a, const std::vector<s
 
 }  // namespace
 
-TEST_CASE("deform: every technique with a state equals the CPU twin") {
+TEST_CASE("deform: every technique with a state equals its CPU twin") {
   testContext();
   for (const char* mesh :
        {R"("shape": "plane", "resolution": [131, 87])",
@@ -130,7 +130,9 @@ TEST_CASE("deform: every technique with a state equals the CPU twin") {
   }
 }
 
-TEST_CASE("deform: 401x401 vertices with sixteen displacements, within the loops of a software driver") {
+TEST_CASE(
+    "deform: 401x401 vertices with sixteen displacements equal the CPU in spite of the loop limits of "
+    "software drivers") {
   testContext();
   std::string waves;
   for (int i = 0; i < 16; ++i)
@@ -142,7 +144,7 @@ TEST_CASE("deform: 401x401 vertices with sixteen displacements, within the loops
   CHECK(wordsUnlike(stateAfter(mesh, deform, "compute", 1)[0], expected[0]) == 0);
 }
 
-TEST_CASE("deform: what bake writes is the same for all techniques, and the readback's") {
+TEST_CASE("deform: baked meshes are identical for all techniques and equal the readback") {
   testContext();
   const char* mesh = R"("shape": "sphere", "resolution": [37, 23], "position": [0, 0.5, 0])";
   const auto tableOf = [&](const std::string& technique) {
@@ -161,7 +163,8 @@ TEST_CASE("deform: what bake writes is the same for all techniques, and the read
   }
 }
 
-TEST_CASE("deform: after 1,000 frames, time 0 has the same bits; rest is never overwritten") {
+TEST_CASE(
+    "deform: after 1,000 frames, time 0 gives the same bits, because the rest shape is never overwritten") {
   testContext();
   scene::Object object;
   object.name = "sheet";
@@ -183,7 +186,7 @@ TEST_CASE("deform: after 1,000 frames, time 0 has the same bits; rest is never o
   }
 }
 
-TEST_CASE("deform: frames at which nobody looks are not displaced, and change nothing after them") {
+TEST_CASE("deform: frames that are not drawn are not displaced and do not change later frames") {
   testContext();
   const auto hashOf = [](sim::World& world) {
     world.startSummary();
@@ -209,7 +212,7 @@ TEST_CASE("deform: frames at which nobody looks are not displaced, and change no
   }
 }
 
-TEST_CASE("deform: one picture, five techniques") {
+TEST_CASE("deform: all five techniques draw the same picture") {
   testContext();
   struct Case {
     const char* mesh;

@@ -60,7 +60,8 @@ TEST_CASE("epidemic equals its CPU twin on 131x97, a torus") {
 }
 
 TEST_CASE(
-    "epidemic equals its CPU twin on 33x7, closed, with strokes and ages that advance in some steps") {
+    "epidemic equals its CPU twin on 33x7, closed, with strokes and with ages that advance only in some "
+    "steps") {
   auto p = city(33, 7);
   p.infected = 0;
   p.beta = scene::Animated<float>({{0.0, 0.5F}, {1.0, 0.1F}}, scene::Ease::linear);
@@ -76,7 +77,7 @@ TEST_CASE(
 
 // Software drivers skip groups of cells that cannot change. Most of the grid is such: before the outbreak
 // arrives, also across the borders of a torus, and after all infected have recovered, until immunity wanes.
-TEST_CASE("epidemic equals its CPU twin on 331x211, where most stands still") {
+TEST_CASE("epidemic equals its CPU twin on 331x211 with mostly unchanging cells") {
   for (const auto border : {Parameters::Border::torus, Parameters::Border::closed})
     for (const int frames : {7, 45, 110}) {
       CAPTURE(frames);
@@ -98,7 +99,7 @@ TEST_CASE("epidemic equals its CPU twin on 331x211, where most stands still") {
     }
 }
 
-TEST_CASE("epidemic equals its CPU twin on widths around an element") {
+TEST_CASE("epidemic equals its CPU twin on widths around 16 cells") {
   for (const int width : {3, 15, 16, 17, 32}) {
     auto p = city(width, 5);
     p.border = Parameters::Border::torus;
@@ -108,13 +109,13 @@ TEST_CASE("epidemic equals its CPU twin on widths around an element") {
   }
 }
 
-TEST_CASE("epidemic of everyone with everyone equals its CPU twin") {
+TEST_CASE("epidemic with global mixing equals its CPU twin") {
   auto p = city(131, 97);
   p.mixing = Parameters::Mixing::global;
   compare(p, 30);
 }
 
-TEST_CASE("epidemic equals its CPU twin on 2111x1033: loops in the kernels do not end early") {
+TEST_CASE("epidemic equals its CPU twin on 2111x1033: kernel loops do not end early at a driver's limit") {
   auto p = city(2111, 1033);
   p.infected = 0.2;
   p.beta = 0.3F;
@@ -122,7 +123,7 @@ TEST_CASE("epidemic equals its CPU twin on 2111x1033: loops in the kernels do no
   compare(p, 1);
 }
 
-TEST_CASE("epidemic: with fewer steps than frames some frames stand still") {
+TEST_CASE("epidemic: with fewer steps than frames, some frames repeat the state") {
   auto p = city(33, 7);
   p.infected = 0.3;
   p.stepsPerSecond = 15;
@@ -139,7 +140,7 @@ TEST_CASE("epidemic: with fewer steps than frames some frames stand still") {
   compare(p, 10);
 }
 
-TEST_CASE("epidemic: people neither come nor go, and without waning S never grows and R never shrinks") {
+TEST_CASE("epidemic: the number of people is constant; without waning S never grows and R never shrinks") {
   const auto rows = run(city(131, 97), 60);
   REQUIRE(rows.size() == 181);
   for (std::size_t i = 1; i < rows.size(); ++i) {
@@ -152,7 +153,7 @@ TEST_CASE("epidemic: people neither come nor go, and without waning S never grow
   CHECK(run(city(131, 97), 20, 6) != run(city(131, 97), 20, 5));
 }
 
-TEST_CASE("epidemic: immunity that wanes keeps it going") {
+TEST_CASE("epidemic: waning immunity keeps the epidemic going") {
   auto p = city(131, 97);
   CHECK(run(p, 200).back().y == 0);
   p.waning = 0.02F;
@@ -162,7 +163,7 @@ TEST_CASE("epidemic: immunity that wanes keeps it going") {
 // Tests one step from a known state: a susceptible cell with n infected neighbours becomes infected with
 // probability 1 - (1 - beta)^n. On a torus of alternating infected columns, n is 6 everywhere, and the
 // number of new infections is binomial.
-TEST_CASE("epidemic: the chance of infection is 1 - (1 - beta)^n, of recovery gamma") {
+TEST_CASE("epidemic: the infection probability is 1 - (1 - beta)^n, the recovery probability gamma") {
   auto p = city(510, 301);
   p.border = Parameters::Border::torus;
   p.stepsPerSecond = 30;
@@ -190,7 +191,7 @@ TEST_CASE("epidemic: the chance of infection is 1 - (1 - beta)^n, of recovery ga
 // recursion below includes it. The final size of N people deviates from this limit with standard deviation
 // sqrt(v/N), where v = (s (1-s) + c^2 R0^2 s^2 (1-s)) / (1 - R0 s)^2 and c^2 = 1 - gamma for geometrically
 // distributed durations (von Bahr and Martin-Loef, 1980).
-TEST_CASE("epidemic: final size of a mixed population is the mean-field limit") {
+TEST_CASE("epidemic: the final size of a mixed population is the mean-field limit") {
   auto p = city(1023, 769);
   p.mixing = Parameters::Mixing::global;
   p.stepsPerSecond = 600;

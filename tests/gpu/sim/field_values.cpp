@@ -8,7 +8,7 @@
 using namespace simreel;
 using Cells = sim::Field::Cells;
 
-TEST_CASE("field values come back bit for bit") {
+TEST_CASE("field values are read back bit for bit") {
   testContext();
   for (const Cells cells : {Cells::bits, Cells::bytes, Cells::floats, Cells::colors})
     for (const glm::ivec2 size :

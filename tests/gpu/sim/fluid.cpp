@@ -87,7 +87,7 @@ void compareFluid(const sim::FluidParameters& parameters, int frames) {
 
 }  // namespace
 
-TEST_CASE("fluid equals its CPU twin between walls, on sizes that are no multiples of anything") {
+TEST_CASE("fluid equals its CPU twin between walls, on sizes that are not multiples of a tile") {
   for (const glm::ivec2 size :
        {glm::ivec2(37, 29), glm::ivec2(64, 33), glm::ivec2(4, 5), glm::ivec2(131, 18)}) {
     CAPTURE(size.x);
@@ -98,7 +98,7 @@ TEST_CASE("fluid equals its CPU twin between walls, on sizes that are no multipl
 
 // Three of the solver's levels have tiles without walls or obstacles nearby, for which separate kernels
 // run.
-TEST_CASE("fluid equals its CPU twin where much of it lies in the open") {
+TEST_CASE("fluid equals its CPU twin with tiles far from walls and obstacles") {
   auto p = jets(150, 133);
   setSides(p, Side::wall, Side::open, Side::slip, Side::wall);
   p.lift = 20.0F;
@@ -117,7 +117,7 @@ TEST_CASE("fluid equals its CPU twin where much of it lies in the open") {
 
 // On the storage-buffer memory path, the levels before the coarsest share a dispatch and each finer level
 // has its own. On a torus, the cells that a workgroup reads extend across the seam.
-TEST_CASE("fluid equals its CPU twin on many levels") {
+TEST_CASE("fluid equals its CPU twin with many multigrid levels") {
   auto p = jets(1100, 41);
   setSides(p, Side::open, Side::slip, Side::open, Side::inflow);
   p.bottom.velocity = glm::vec3(3, -20, 0);
@@ -131,7 +131,7 @@ TEST_CASE("fluid equals its CPU twin on many levels") {
   compareFluid(p, 1);
 }
 
-TEST_CASE("fluid equals its CPU twin with every kind of side") {
+TEST_CASE("fluid equals its CPU twin with every side type") {
   auto p = jets(45, 38);
   setSides(p, Side::inflow, Side::open, Side::slip, Side::wall);
   p.left.velocity = scene::Animated<glm::vec3>({{0.0, glm::vec3(20, 3, 0)}, {0.2, glm::vec3(30, -3, 0)}},
@@ -156,7 +156,7 @@ TEST_CASE("fluid equals its CPU twin with cubic advection, between walls and on 
   compareFluid(p, 3);
 }
 
-TEST_CASE("fluid equals its CPU twin on a torus, odd ones too") {
+TEST_CASE("fluid equals its CPU twin on a torus, also of odd size") {
   for (const glm::ivec2 size : {glm::ivec2(36, 28), glm::ivec2(37, 29), glm::ivec2(9, 70)}) {
     CAPTURE(size.x);
     auto p = jets(size.x, size.y);
@@ -203,7 +203,7 @@ TEST_CASE("fluid with obstacles, heat, friction, confinement and heavy dye equal
   }
 }
 
-TEST_CASE("fluid equals its CPU twin with semi-Lagrangian advection, and where a box shuts in a pocket") {
+TEST_CASE("fluid equals its CPU twin with semi-Lagrangian advection and with an enclosed pocket") {
   auto p = jets(50, 41);
   p.advection = sim::FluidParameters::Advection::semiLagrangian;
   for (const glm::vec4 wall : {glm::vec4(25, 10, 22, 2), glm::vec4(25, 30, 22, 2), glm::vec4(15, 20, 2, 22),
@@ -219,7 +219,7 @@ TEST_CASE("fluid equals its CPU twin with semi-Lagrangian advection, and where a
   compareFluid(p, 6);
 }
 
-TEST_CASE("fluid with obstacles that move, turn, are pictures or squeeze a pocket equals its CPU twin") {
+TEST_CASE("fluid with moving, rotating, image and pocket-squeezing obstacles equals its CPU twin") {
   const auto file = std::filesystem::temp_directory_path() / "simreel_fluid_obstacle.pgm";
   {
     std::ofstream out(file, std::ios::binary);
@@ -260,7 +260,7 @@ TEST_CASE("fluid with obstacles that move, turn, are pictures or squeeze a pocke
   std::filesystem::remove(file);
 }
 
-TEST_CASE("fluid: the first step and the lowest cell of a flow that is lost are noted") {
+TEST_CASE("fluid: a diverging flow reports the first step and the lowest cell") {
   testContext();
   auto p = jets(75, 59);
   p.speed = 0.01F;  // far below the jets' speed of 60
@@ -289,7 +289,7 @@ TEST_CASE("fluid: the first step and the lowest cell of a flow that is lost are 
   CHECK(status[1] == static_cast<unsigned>(lowest));
 }
 
-TEST_CASE("lines of flow equal their CPU twin, round obstacles and over a seam") {
+TEST_CASE("flow lines equal their CPU twin, around obstacles and across a seam") {
   for (const bool torus : {false, true}) {
     auto p = jets(31, 22);
     if (torus) setSides(p, Side::periodic, Side::periodic, Side::wall, Side::open);
@@ -321,7 +321,7 @@ TEST_CASE("lines of flow equal their CPU twin, round obstacles and over a seam")
   }
 }
 
-TEST_CASE("what a fluid shows equals its CPU twin") {
+TEST_CASE("displayed values of a fluid equal their CPU twin") {
   for (const auto show : {sim::FluidParameters::Show::dye, sim::FluidParameters::Show::speed,
                           sim::FluidParameters::Show::vorticity, sim::FluidParameters::Show::pressure}) {
     auto p = jets(39, 27);

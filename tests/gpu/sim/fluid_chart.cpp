@@ -70,7 +70,7 @@ struct ChartKeeper : sim::CarryOver {
 
 }  // namespace
 
-TEST_CASE("fluid chart: drag and lift of each frame, of those that nobody looks at, too") {
+TEST_CASE("fluid chart: drag and lift are recorded for each frame, also for frames that are not drawn") {
   testContext();
   const auto seen = chartedFluid(), passed = chartedFluid();
   std::vector<std::vector<double>> measured = {seen->measure()};
@@ -114,7 +114,7 @@ TEST_CASE("fluid chart: drag and lift of each frame, of those that nobody looks 
   CHECK(most < 3);
 }
 
-TEST_CASE("fluid chart: it grows, and goes on from a checkpoint") {
+TEST_CASE("fluid chart: it grows during a run and continues from a checkpoint") {
   testContext();
   sim::FluidChartParameters p;
   p.low = 0;

@@ -61,7 +61,7 @@ int slidingDifferences(const std::vector<glm::vec4>& a, const std::vector<glm::v
 
 }  // namespace
 
-TEST_CASE("fluid with a keyed circle and a keyed box equals its CPU twin, slipping or not, on odd sizes") {
+TEST_CASE("fluid with a keyframed circle and box equals its CPU twin, slip and no-slip, on odd sizes") {
   testContext();
   for (const bool slip : {true, false}) {
     CAPTURE(slip);

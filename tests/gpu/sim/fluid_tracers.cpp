@@ -82,7 +82,7 @@ void checkTracers(const std::string& sides) {
 }  // namespace
 
 // Equation of the streaks: over = color + (under - color) exp(-trail brightness / 4096).
-TEST_CASE("tracers: streaks lie over what is shown, cell by cell") {
+TEST_CASE("tracers: streaks are blended over the displayed field, cell by cell") {
   testContext();
   const auto worldOf = [](const std::string& more) {
     return scene::parseScene(fmt::format(R"({{"version": 1, "seed": 9, "objects": {{"it": {{"fluid": {{
@@ -116,10 +116,10 @@ TEST_CASE("tracers: streaks lie over what is shown, cell by cell") {
   CHECK(empty > 100);
 }
 
-TEST_CASE("tracers: those of a channel equal their CPU twin") {
+TEST_CASE("tracers: tracers of a channel equal their CPU twin") {
   checkTracers(R"("left": {"kind": "inflow", "velocity": [40, 0, 0]}, "right": "open")");
 }
 
-TEST_CASE("tracers: those of a torus equal their CPU twin") {
+TEST_CASE("tracers: tracers on a torus equal their CPU twin") {
   checkTracers(R"("left": "periodic", "right": "periodic", "top": "periodic", "bottom": "periodic")");
 }

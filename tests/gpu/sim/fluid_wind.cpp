@@ -65,7 +65,7 @@ void checkInWind(const scene::Scene& scene, Twin twin, int frames) {
 
 }  // namespace
 
-TEST_CASE("fluid wind: particles equal their CPU twin") {
+TEST_CASE("fluid wind: particles in a fluid's wind equal their CPU twin") {
   for (const char* method : {"none", "all-pairs"}) {
     CAPTURE(method);
     const auto scene =
@@ -79,7 +79,7 @@ TEST_CASE("fluid wind: particles equal their CPU twin") {
   }
 }
 
-TEST_CASE("fluid wind: sheets equal their CPU twin") {
+TEST_CASE("fluid wind: sheets in a fluid's wind equal their CPU twin") {
   for (const char* solver : {R"("solver": "springs", "mass": 0.004, "stiffness": 60)",
                              R"("solver": "constraints", "mass": 0.004)", R"("fabric": "cotton")"}) {
     CAPTURE(std::string(solver));
@@ -92,14 +92,14 @@ TEST_CASE("fluid wind: sheets equal their CPU twin") {
   }
 }
 
-TEST_CASE("fluid wind: cloth of a mesh equals its CPU twin") {
+TEST_CASE("fluid wind: mesh cloth in a fluid's wind equals its CPU twin") {
   const auto scene = windyScene(R"("cloth": {"mesh": {"shape": "disc", "radius": 0.5}, "fabric": "silk",
     "position": [0.1, 0.5, 0.1], "rotation": [70, 20, 0], "substeps": 6, "air": {"fluid": "storm"}})");
   const auto& p = dynamic_cast<const sim::ClothParameters&>(*scene.objects.at(0).parameters);
   checkInWind(scene, GarmentTwin(sim::GarmentPlan("blown", p, 5, windFrame, {})), 8);
 }
 
-TEST_CASE("fluid wind: a wildfire equals its CPU twin") {
+TEST_CASE("fluid wind: a wildfire in a fluid's wind equals its CPU twin") {
   testContext();
   for (const char* more :
        {R"("slope": 0.4)", R"("embers": {"chance": 0.03, "distance": 20})", R"("relief": 9)"}) {

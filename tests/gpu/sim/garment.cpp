@@ -61,7 +61,7 @@ void compareGarment(const sim::ClothParameters& parameters, int frames,
 
 }  // namespace
 
-TEST_CASE("garment: a disc in gusting air, falling on what moves, equals its CPU twin") {
+TEST_CASE("garment: a disc in gusting air that falls onto moving colliders equals its CPU twin") {
   sim::ClothParameters p = test::freeCloth();
   p.mesh.shape = sim::ClothShape::disc;
   p.mesh.radius = 0.6F;

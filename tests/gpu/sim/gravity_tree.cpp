@@ -81,11 +81,11 @@ TEST_CASE("gravity tree equals its CPU twin bit for bit") {
   for (const int count : {1, 2, 7, 65}) compareWithTwin(bodiesOf(Cloud::plummer, count));
 }
 
-TEST_CASE("gravity tree equals its CPU twin over more than one tree") {
+TEST_CASE("gravity tree equals its CPU twin with more bodies than one tree holds") {
   compareWithTwin(bodiesOf(Cloud::disk, 40009), {1, 0.05F, 0.8F});
 }
 
-TEST_CASE("gravity tree is close to all pairs") {
+TEST_CASE("gravity tree errors against all pairs are small") {
   const Setup setup;
   for (const Cloud cloud : clouds)
     for (const int count : {1021, 5003}) {
@@ -99,7 +99,7 @@ TEST_CASE("gravity tree is close to all pairs") {
     }
 }
 
-TEST_CASE("gravity tree with fast numerics is as close to all pairs") {
+TEST_CASE("gravity tree errors with fast numerics are as small") {
   Setup setup;
   setup.fast = true;
   const auto bodies = bodiesOf(Cloud::twoClusters, 5003);
@@ -108,7 +108,7 @@ TEST_CASE("gravity tree with fast numerics is as close to all pairs") {
   CHECK(errors.max99 < 0.003);
 }
 
-TEST_CASE("gravity tree converges to all pairs as the opening angle falls") {
+TEST_CASE("gravity tree errors vanish as the opening angle goes to 0") {
   const auto bodies = bodiesOf(Cloud::plummer, 1021);
   Setup setup;
   double last = 1;
@@ -121,7 +121,7 @@ TEST_CASE("gravity tree converges to all pairs as the opening angle falls") {
   CHECK(last < 1e-6);
 }
 
-TEST_CASE("gravity tree opened to the last body loses none, also where shaders' loops are limited") {
+TEST_CASE("gravity tree with opening angle 0 includes every body, also with limited shader loops") {
   // One dispatch may visit at most 32768 bodies and 8191 nodes.
   const auto bodies = bodiesOf(Cloud::plummer, 33001);
   const auto got = onDevice(bodies, {1, 0.02F, 0});
@@ -168,7 +168,7 @@ TEST_CASE("the gravity tree's root holds the total mass and the centre of mass")
   CHECK(moments[3].z == doctest::Approx(spread[2][2]).epsilon(1e-5));
 }
 
-TEST_CASE("gravity tree hardly moves the centre of mass") {
+TEST_CASE("gravity tree forces move the centre of mass only slightly") {
   // Approximating bodies by nodes breaks Newton's third law for pairs, so a net force remains. It must be
   // small compared with the sum of force magnitudes.
   for (const Cloud cloud : {Cloud::plummer, Cloud::disk, Cloud::twoClusters}) {
@@ -194,7 +194,7 @@ TEST_CASE("two bodies pull each other by Newton's law") {
   CHECK(a[0].z == 0.0F);
 }
 
-TEST_CASE("slots without mass or with a lost position take no part in gravity") {
+TEST_CASE("bodies without mass or with a NaN position exert no gravity") {
   auto bodies = bodiesOf(Cloud::disk, 1021);
   const auto without = onDevice(bodies);
   const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -210,19 +210,19 @@ TEST_CASE("slots without mass or with a lost position take no part in gravity") 
   compareWithTwin(bodies);
 }
 
-TEST_CASE("gravity tree ends when nothing is a number") {
+TEST_CASE("gravity tree walks end if all positions are NaN") {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const auto got = onDevice(std::vector<glm::vec4>(1021, glm::vec4(nan)));
   for (const glm::vec4& a : got) CHECK(a == glm::vec4(0));
 }
 
-TEST_CASE("gravity tree spends few visits on many bodies at one point") {
+TEST_CASE("gravity tree visits few nodes for many bodies at one point") {
   GravityTreeTwin twin(bodiesOf(Cloud::onePoint, 40009), 0.5F);
   for (const glm::vec4& a : twin.accelerations(1, 0)) CHECK(a == glm::vec4(0));
   CHECK(twin.work.visits < 2 * 40009);
 }
 
-TEST_CASE("gravity tree of too many bodies names the limit") {
+TEST_CASE("gravity tree with too many bodies reports the limit") {
   testContext();
   CHECK_THROWS_WITH_AS(sim::GravityTree("stars", 2000000000, false),
                        doctest::Contains("GL_MAX_SHADER_STORAGE_BLOCK_SIZE"), UserError);

@@ -106,7 +106,7 @@ TEST_CASE("grayScott with health, strokes and presteps equals its CPU twin") {
   compare(p, 15);
 }
 
-TEST_CASE("grayScott: every cut of the work gives the same bits") {
+TEST_CASE("grayScott: every cut of the work into workgroups gives the same bits") {
   testContext();
   const auto p = field(147, 83);
   const sim::GrayScottPlan plan(p, "dish", 5, dishFrame);

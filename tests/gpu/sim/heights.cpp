@@ -158,7 +158,7 @@ const char* const grains =
 
 }  // namespace
 
-TEST_CASE("heights: cloth on a swell equals its CPU twin and stays above") {
+TEST_CASE("heights: cloth on a deforming mesh equals its CPU twin and stays above it") {
   for (const char* solver : {"", R"(, "solver": "constraints", "compliance": 1e-5)"}) {
     CAPTURE(solver);
     const auto scene = sceneOf(sheetWith(solver));
@@ -169,7 +169,7 @@ TEST_CASE("heights: cloth on a swell equals its CPU twin and stays above") {
   }
 }
 
-TEST_CASE("heights: cloth of a mesh on a swell equals its CPU twin and stays above") {
+TEST_CASE("heights: mesh cloth on a deforming mesh equals its CPU twin and stays above it") {
   const auto scene = sceneOf(
       R"("cloth": {"mesh": {"shape": "disc", "radius": 1, "resolution": [25, 3]}, "position": [1.8, 0.25, 0.1],
   "rotation": [4, 20, 0], "fabric": {"material": "canvas", "thickness": 0}, "margin": 0.02})");
@@ -181,7 +181,7 @@ TEST_CASE("heights: cloth of a mesh on a swell equals its CPU twin and stays abo
   CHECK(c.touching > 50);
 }
 
-TEST_CASE("heights: particles on a swell equal their CPU twin and stay above") {
+TEST_CASE("heights: particles on a deforming mesh equal their CPU twin and stay above it") {
   for (const char* method : {"none", "all-pairs"}) {
     CAPTURE(method);
     std::string text = grains;
@@ -213,13 +213,13 @@ TEST_CASE("heights: particles on a swell equal their CPU twin and stay above") {
   }
 }
 
-TEST_CASE("heights: a pre-roll begins with the heights of its own first frame") {
+TEST_CASE("heights: a pre-roll starts with the heights of its own first frame") {
   const auto scene = sceneOf(sheetWith(""), "compute", 0.25);
   ClothTwin twin = clothTwin(scene);
   CHECK(fall(scene, twin, 20, 0.02, 0.25).min > 0.02 - 1e-5);
 }
 
-TEST_CASE("heights: what falls has the same bits by every technique") {
+TEST_CASE("heights: falling objects have the same bits with every deformation technique") {
   testContext();
   std::vector<std::uint32_t> first;
   for (const char* technique : {"compute", "single-thread", "jobs", "mapped"}) {

@@ -122,7 +122,7 @@ TEST_CASE("isosurface equals its twin bit for bit: noise, balls, odd sizes, open
       }
 }
 
-TEST_CASE("isosurface: a ball has the area, the volume and the normals of a ball") {
+TEST_CASE("isosurface: the surface of a ball has the area, volume and normals of a ball") {
   double errors[2][2];
   for (int fine = 0; fine < 2; ++fine) {
     const int side = fine == 0 ? 23 : 46;
@@ -154,7 +154,7 @@ TEST_CASE("isosurface: a ball has the area, the volume and the normals of a ball
   }
 }
 
-TEST_CASE("cubes equal their twin bit for bit, and have the volume of the cells that live") {
+TEST_CASE("cubes equal their twin bit for bit and enclose the volume of the living cells") {
   const VolumeFunction lost = [](int x, int y, int z) {
     return (x + y + z) % 7 == 0 ? std::nanf("") : hashedValue(x, y, z);
   };
@@ -200,7 +200,7 @@ TEST_CASE("cubes equal their twin bit for bit, and have the volume of the cells 
       }
 }
 
-TEST_CASE("isosurface gets the memory that it needs, and says so") {
+TEST_CASE("isosurface allocates the memory that it needs and reports it") {
   const sim::IsosurfaceShape shape{glm::ivec3(40), 1, {0, 0, 0}, true};
   const SurfaceOnDevice made(shape, 0, hashedValue, hashedValue, {0, 1});
   CHECK(made.settled == 1);

@@ -42,7 +42,7 @@ void compareLenia(const LeniaParameters& p, int steps = 6) {
 
 }  // namespace
 
-TEST_CASE("lenia equals its CPU twin: sizes, kernels, growths") {
+TEST_CASE("lenia equals its CPU twin: sizes, kernels, growth functions") {
   for (const glm::ivec2 size : {glm::ivec2(61, 43), {64, 20}, {5, 70}, {3, 2}}) compareLenia(sea(size));
   auto p = sea({50, 47});
   p.kernels.resize(3);
@@ -67,7 +67,7 @@ TEST_CASE("smooth life equals its CPU twin") {
   compareLenia(p);
 }
 
-TEST_CASE("lenia on the GPU follows the equation in double") {
+TEST_CASE("lenia on the GPU equals its equation in double precision") {
   testContext();
   auto p = sea({48, 40});
   p.patches = 3;
@@ -87,7 +87,7 @@ TEST_CASE("lenia on the GPU follows the equation in double") {
   CHECK(worst < 2e-5);
 }
 
-TEST_CASE("smooth life on the GPU follows its paper in double") {
+TEST_CASE("smooth life on the GPU equals its paper's equations in double precision") {
   testContext();
   auto p = sea({44, 40});
   p.model = LeniaParameters::Model::smoothLife;
@@ -116,7 +116,7 @@ TEST_CASE("smooth life on the GPU follows its paper in double") {
   }
 }
 
-TEST_CASE("an orbium keeps its shape and glides half its kernel's radius in a unit of time") {
+TEST_CASE("an orbium keeps its shape and moves half its kernel's radius per unit of time") {
   testContext();
   LeniaParameters p;
   p.size = {80, 80};

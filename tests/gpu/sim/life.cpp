@@ -68,7 +68,7 @@ TEST_CASE("life equals its CPU twin at odd sizes, both borders") {
   }
 }
 
-TEST_CASE("life equals its CPU twin where several generations are one pass") {
+TEST_CASE("life equals its CPU twin with several generations per pass") {
   for (const glm::ivec2 size : {glm::ivec2(128, 61), {256, 4}, {384, 35}, {512, 200}}) {
     for (const char* rule : {"B3/S23", "B03/S1238"}) {
       auto p = grid(size.x, size.y);
@@ -81,7 +81,7 @@ TEST_CASE("life equals its CPU twin where several generations are one pass") {
   }
 }
 
-TEST_CASE("life: every way to cut the grid gives the same cells") {
+TEST_CASE("life: every way to split the grid into workgroups gives the same cells") {
   testContext();
   std::mt19937 random(3);
   for (const glm::ivec2 size : {glm::ivec2(512, 77), {257, 33}, {384, 40}}) {
@@ -117,7 +117,7 @@ TEST_CASE("life: every way to cut the grid gives the same cells") {
 }
 
 // Small grids are processed in tiles; only tiles near changes are computed.
-TEST_CASE("life equals its CPU twin where a frame has many generations") {
+TEST_CASE("life equals its CPU twin with many generations per frame") {
   for (const glm::ivec2 size : {glm::ivec2(32, 32), {64, 33}, {96, 63}, {160, 77}, {512, 96}}) {
     for (const char* rule : {"B3/S23", "B03/S1238", "B2/S", "B36/S125"}) {
       CAPTURE(rule);
@@ -131,7 +131,7 @@ TEST_CASE("life equals its CPU twin where a frame has many generations") {
   }
 }
 
-TEST_CASE("life equals its CPU twin after more generations than a dispatch may have loops for") {
+TEST_CASE("life equals its CPU twin after more generations than the loop limit of a dispatch") {
   for (const glm::ivec2 size : {glm::ivec2(32, 32), {256, 64}}) {
     auto p = grid(size.x, size.y);
     p.rule = "B2/S";  // never settles
@@ -140,7 +140,7 @@ TEST_CASE("life equals its CPU twin after more generations than a dispatch may h
   }
 }
 
-TEST_CASE("life equals its CPU twin where a front runs a cell a generation into what stands still") {
+TEST_CASE("life equals its CPU twin with a front that enters still regions at one cell per generation") {
   testContext();
   const simreel::test::TemporaryFile cell("cell.rle", "x = 1, y = 1\no!");
   // The front ends a pass exactly as far from the next tile as it moves in the next pass, on either side.
@@ -156,7 +156,7 @@ TEST_CASE("life equals its CPU twin where a front runs a cell a generation into 
   }
 }
 
-TEST_CASE("life equals its CPU twin where gliders cross what stands still") {
+TEST_CASE("life equals its CPU twin with gliders that cross still regions") {
   testContext();
   const simreel::test::TemporaryFile file(
       "gliders.rle",
@@ -216,13 +216,13 @@ TEST_CASE("life with strokes and a trail equals its CPU twin") {
   compare(p, 15);
 }
 
-TEST_CASE("life starts before frame 0 where the scene does") {
+TEST_CASE("life starts before frame 0 if the scene does") {
   auto p = grid(67, 41);
   p.stepsPerSecond = 7;
   compare(p, 30, 0.1, -1.5);
 }
 
-TEST_CASE("life steps at its own rate; a watch sees idle steps too") {
+TEST_CASE("life steps at its own rate, and a step callback also sees idle steps") {
   testContext();
   auto p = grid(64, 64);
   p.stepsPerSecond = 25;
@@ -238,7 +238,7 @@ TEST_CASE("life steps at its own rate; a watch sees idle steps too") {
   CHECK(generations == std::vector<int>{2, 5, 7, 10});
 }
 
-TEST_CASE("life watched and not watched ends the same; its quantities count") {
+TEST_CASE("life ends in the same state with and without a step callback, and its quantities count cells") {
   testContext();
   auto p = grid(256, 128);
   p.stepsPerSecond = 90;
@@ -258,7 +258,7 @@ TEST_CASE("life watched and not watched ends the same; its quantities count") {
   CHECK(alive > 1000);
 }
 
-TEST_CASE("life publishes its cells, or its trail") {
+TEST_CASE("life publishes its cells, or its trail if it has one") {
   testContext();
   auto p = grid(130, 20);
   p.trail = 10;
@@ -281,7 +281,7 @@ TEST_CASE("life publishes its cells, or its trail") {
   CHECK(life->elementName(3) == "cells (128 to 129, 1)");
 }
 
-TEST_CASE("life beyond the device's memory is refused with the limit's name") {
+TEST_CASE("life beyond the device's memory is refused with the name of the limit") {
   testContext();
   auto p = grid(maxLifeSide, maxLifeSide);
   try {

@@ -17,7 +17,7 @@ TEST_CASE("exact arithmetic has the bits of its C++ twin") {
   CHECK(numerics.fingerprint == sim::probeNumerics().fingerprint);
 }
 
-TEST_CASE("the drawn probe gives the same fingerprint each time, and draws without complaints") {
+TEST_CASE("the drawn probe gives the same fingerprint each time and causes no GL errors") {
   const gl::Context& context = testContext();
   const std::string fingerprint = draw::probePictures();
   CHECK(fingerprint.size() == 16);

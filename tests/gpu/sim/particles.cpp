@@ -125,7 +125,7 @@ TEST_CASE("particles: fields alone equal the CPU twin") {
   }
 }
 
-TEST_CASE("particles: the tree and fast numerics carry newborns where exact pairs do") {
+TEST_CASE("particles: tree and fast numerics place newborn particles like exact pairs") {
   auto p = cloud(sim::ParticleGroup::Shape::ball, 1, 12);
   p.groups[0].radius = 1e-4F;
   p.gravity = 1;
@@ -153,11 +153,11 @@ TEST_CASE("particles: the tree and fast numerics carry newborns where exact pair
     }
 }
 
-TEST_CASE("particles: a Plummer sphere in more than one chunk equals the CPU twin") {
+TEST_CASE("particles: a Plummer sphere of more than one chunk equals its CPU twin") {
   compare(cloud(sim::ParticleGroup::Shape::plummer, 2 * 1024 + 173), 3);
 }
 
-TEST_CASE("particles: gravity of 70,001 bodies is whole") {
+TEST_CASE("particles: gravity of 70,001 bodies includes every body") {
   // Loops of more than 65,535 iterations end silently on some software drivers; the remaining bodies must
   // count, too.
   testContext();
@@ -188,7 +188,7 @@ TEST_CASE("particles: gravity of 70,001 bodies is whole") {
   }
 }
 
-TEST_CASE("particles: four targets an invocation have the bits of one") {
+TEST_CASE("particles: four targets per invocation give the same bits as one") {
   testContext();
   const int count = 3 * 1024 + 517;
   std::vector<glm::vec4> bodies;
@@ -213,7 +213,7 @@ TEST_CASE("particles: four targets an invocation have the bits of one") {
   CHECK(results[1][static_cast<std::size_t>(count) - 3] == glm::vec4(7));
 }
 
-TEST_CASE("particles: a lost particle is noted with its number") {
+TEST_CASE("particles: a NaN particle is reported with its index") {
   for (const auto method : {sim::GravityMethod::none, sim::GravityMethod::allPairs}) {
     auto p = cloud(sim::ParticleGroup::Shape::ball, 131);
     p.acceleration = glm::vec3(1e6F, 0, 0);
@@ -230,7 +230,7 @@ TEST_CASE("particles: a lost particle is noted with its number") {
   }
 }
 
-TEST_CASE("particles: too many are refused before memory is taken") {
+TEST_CASE("particles: too many particles are refused before memory is allocated") {
   auto p = cloud(sim::ParticleGroup::Shape::ball, 1 << 24);
   for (int i = 0; i < 60; ++i) p.groups.push_back(p.groups[0]);
   CHECK_THROWS_AS(makeParticles(p), UserError);

@@ -48,7 +48,7 @@ TEST_CASE("radix sort equals std::stable_sort on odd sizes") {
   for (const int count : {1, 2, 63, 65, 255, 257, 2049, 70001}) compare(count, count, 32, 0, 0);
 }
 
-TEST_CASE("radix sort orders two words, the second first") {
+TEST_CASE("radix sort sorts by two words, the second word more significant") {
   for (const int count : {257, 20011}) {
     compare(count, count, 24, 24, 0);
     compare(count, count, 32, 32, 0);
@@ -56,13 +56,13 @@ TEST_CASE("radix sort orders two words, the second first") {
   }
 }
 
-TEST_CASE("radix sort keeps records with equal keys in their order") {
+TEST_CASE("radix sort is stable") {
   compare(5003, 5003, 32, 32, 3);
   compare(5003, 5003, 32, 0, 1);
   compare(2047, 2047, 24, 0, 16);
 }
 
-TEST_CASE("radix sort leaves what lies beyond the count alone") {
+TEST_CASE("radix sort does not change records beyond the count") {
   compare(1021, 4096, 24, 24, 0);
   compare(0, 7, 24, 24, 0);
 }

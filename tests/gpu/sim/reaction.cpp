@@ -188,7 +188,7 @@ TEST_CASE("reaction in a volume equals the evaluator: every function, boundary a
     }
 }
 
-TEST_CASE("reaction in a volume: a lost state is told by its three coordinates") {
+TEST_CASE("reaction in a volume: a diverging state is reported with its three coordinates") {
   auto p = rule(R"X("dt": 1, "steps": 10, "depth": 5, "species": {"quiet": {},
                     "loud": {"rate": "if(x > 10 and x < 11 and y > 7 and y < 8 and z > 2 and z < 3, 3/max(6 - t, 0), 0)"}})X");
   p.size = {17, 11};
@@ -252,7 +252,7 @@ TEST_CASE("reaction: strokes in volumes and on meshes equal the evaluator") {
       4);
 }
 
-TEST_CASE("reaction: a state that is lost is told by species, cell and step") {
+TEST_CASE("reaction: a diverging state is reported with species, cell and step") {
   auto p = rule(R"X("dt": 1, "steps": 10, "species": {"quiet": {},
                     "loud": {"rate": "if(x > 20 and x < 21 and y > 7 and y < 8, 3/max(6 - t, 0), 0)"}})X");
   p.size = {37, 21};
@@ -264,7 +264,9 @@ TEST_CASE("reaction: a state that is lost is told by species, cell and step") {
   CHECK(gpu->explainLoss(status[0], status[1]).find("after step 7;") != std::string::npos);
 }
 
-TEST_CASE("reaction: several steps a pass give the same bits, and tell what is lost as single ones do") {
+TEST_CASE(
+    "reaction: several steps per pass give the same bits and the same report of divergence as single "
+    "steps") {
   testContext();
   // Kernels that run several steps per pass support ddy on a torus only, because ddy changes sign under
   // reflection.
@@ -326,7 +328,7 @@ TEST_CASE("reaction: several steps a pass give the same bits, and tell what is l
   }
 }
 
-TEST_CASE("reaction: every cut of the work gives the same bits") {
+TEST_CASE("reaction: every cut of the work into workgroups gives the same bits") {
   testContext();
   auto p = rule(everything + "\"boundary\": \"torus\"");
   p.size = {147, 83};
@@ -343,7 +345,9 @@ TEST_CASE("reaction: every cut of the work gives the same bits") {
   }
 }
 
-TEST_CASE("reaction: every cut of a volume gives the same bits, and finds the same lost cell") {
+TEST_CASE(
+    "reaction: every cut of a volume into workgroups gives the same bits and finds the same diverging "
+    "cell") {
   testContext();
   auto p = rule(R"X("depth": 6, "dt": 0.1, "boundary": "fixed", "lets": {"q": "u*laplacian(v) + ddz(u)"},
       "species": {"u": {"start": "random(1)", "diffusion": 0.2, "rate": "v - u^3 + 0.01*x + noise(2)"},

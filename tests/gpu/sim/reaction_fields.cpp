@@ -111,7 +111,7 @@ void sameBits(const std::vector<float>& got, const std::vector<float>& want) {
 
 }  // namespace
 
-TEST_CASE("reaction reads fields of every kind with the bits of its twin, one that reads it among them") {
+TEST_CASE("reaction reads fields of every kind with its twin's bits, also fields that read it") {
   testContext();
   const scene::Scene scene = ofObjects(manyReaders);
   sim::World world(scene);
@@ -139,7 +139,7 @@ TEST_CASE("reaction reads fields of every kind with the bits of its twin, one th
 // du/dt = v and dv/dt = -u, each with the other's value held constant for a frame. With the frame duration
 // H this gives u' = u + H v and v' = v - H u simultaneously. The expected values are computed in double
 // precision; both grids have 4x4 cells.
-TEST_CASE("reactions that read each other both see the state before the frame") {
+TEST_CASE("reactions that read each other both read the state before the frame") {
   testContext();
   const auto one = [](const char* other, const char* rate, const char* start) {
     return fmt::format(
@@ -164,7 +164,7 @@ TEST_CASE("reactions that read each other both see the state before the frame") 
 
 // A field that is linear in x and y is reproduced exactly by bilinear sampling on any grid, except beyond
 // the centres of its outermost cells.
-TEST_CASE("a field on another grid is where it is in the picture") {
+TEST_CASE("a field on another grid is sampled at the same place of the picture") {
   testContext();
   for (const glm::ivec2 size :
        {glm::ivec2(40, 24), glm::ivec2(7, 90), glm::ivec2(10, 6), glm::ivec2(5, 4)}) {
@@ -192,7 +192,7 @@ TEST_CASE("a field on another grid is where it is in the picture") {
 
 // A mesh samples grids at its texture coordinates or by projection from a side ("maps"). Objects on the
 // same mesh are read cell by cell, independent of their positions.
-TEST_CASE("reaction on a mesh reads grids and its own mesh with the bits of its twin") {
+TEST_CASE("reaction on a mesh reads grids and its own mesh with its twin's bits") {
   testContext();
   const scene::Scene scene = ofObjects(R"X(
     "leaf": {"reaction": {"mesh": {"shape": "plane", "resolution": [23, 14]}, "dt": 0.05, "steps": 3,
@@ -239,7 +239,8 @@ double trilinear(const std::vector<float>& values, glm::ivec3 sources, glm::dvec
   return sum;
 }
 
-TEST_CASE("a volume reads another one of the same proportions, trilinear, with the bits of its twin") {
+TEST_CASE(
+    "a volume reads another volume of equal proportions by trilinear sampling, with its twin's bits") {
   testContext();
   const scene::Scene scene = ofObjects(R"X(
     "coarse": {"reaction": {"size": [9, 6], "depth": 12, "dt": 0.1, "steps": 2, "parameters": {"fine": {"field": "fine"}},
@@ -275,7 +276,8 @@ TEST_CASE("a volume reads another one of the same proportions, trilinear, with t
 }
 
 // With one Euler step a frame, two objects that read each other equal one object with two species.
-TEST_CASE("two reactions on the same mesh are one of two species, bit for bit") {
+TEST_CASE(
+    "two reactions that read each other on one mesh equal one reaction with two species, bit for bit") {
   testContext();
   const std::string mesh =
       R"("mesh": {"shape": "torus", "resolution": [33, 17]}, "dt": 0.02, "steps": 1, )";
@@ -296,7 +298,7 @@ TEST_CASE("two reactions on the same mesh are one of two species, bit for bit") 
 }
 
 // A function that is linear on the grid is linear on the mesh, up to the centres of the outermost cells.
-TEST_CASE("a mesh takes a grid's values where it lies on it") {
+TEST_CASE("a mesh samples a grid where it covers it") {
   testContext();
   sim::World world(ofObjects(R"X(
     "ramp": {"reaction": {"size": [40, 24], "steps": 0, "species": {"r": {"start": "x + 100*y"}}}},

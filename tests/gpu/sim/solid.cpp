@@ -209,7 +209,7 @@ TEST_CASE("the solid of a smooth field with many levels equals its twin in every
                                               : 0.9F; }, false);
 }
 
-TEST_CASE("a solid is closed, and its parts are as many as the map's regions say") {
+TEST_CASE("a solid is closed and has as many parts as the map has regions") {
   testContext();
   for (const glm::ivec2 size : oddSizes)
     for (const auto& map : binaryMaps())
@@ -235,7 +235,7 @@ TEST_CASE("a solid is closed, and its parts are as many as the map's regions say
       }
 }
 
-TEST_CASE("the floor's area in eighths of a cell is the sum over the sixteen cases") {
+TEST_CASE("the floor's area is the sum over the sixteen marching squares cases") {
   testContext();
   // Area in eighths of a cell that low corners cover. Two opposite low corners cover only their own
   // corners.
@@ -261,7 +261,7 @@ TEST_CASE("the floor's area in eighths of a cell is the sum over the sixteen cas
     }
 }
 
-TEST_CASE("contours of a cone are circles at second order") {
+TEST_CASE("contours of a cone converge to circles at second order") {
   testContext();
   const double radius = 0.3;
   double before[2] = {0, 0};
@@ -289,7 +289,7 @@ TEST_CASE("contours of a cone are circles at second order") {
   }
 }
 
-TEST_CASE("contours are closed loops that keep what is high on one side") {
+TEST_CASE("contours are closed loops with the high side always on the same side") {
   testContext();
   const glm::ivec2 size(57, 39);
   const FieldInMemory field(size, binaryMaps()[4], true);
@@ -305,7 +305,7 @@ TEST_CASE("contours are closed loops that keep what is high on one side") {
   }
 }
 
-TEST_CASE("memory grows to what a frame needs and stays") {
+TEST_CASE("a solid's memory grows to what a frame needs and is kept") {
   testContext();
   const glm::ivec2 size(121, 67);
   const auto empty = [](int, int) { return 0.0F; };
@@ -340,7 +340,7 @@ TEST_CASE("strips of 65,535 cells have solids: memory is buffers, not textures")
   }
 }
 
-TEST_CASE("solids for files: uv stretches nowhere, and mirrors nothing") {
+TEST_CASE("solids for files: uvs are neither stretched nor mirrored") {
   testContext();
   for (const bool ceiling : {false, true}) {
     sim::SolidShape shape = binary(31, 22, ceiling);

@@ -148,7 +148,7 @@ constexpr Painted paintedKinds[] = {{"life", lifeCells, true},
 
 }  // namespace
 
-TEST_CASE("strokes: one at 0 is in frame 0, round a torus or clipped at a border") {
+TEST_CASE("strokes: a stroke at time 0 is in frame 0, wrapped on a torus or clipped at a border") {
   for (const Painted& kind : paintedKinds)
     for (const bool torus : {true, false}) {
       if (!torus && !kind.bounded) continue;
@@ -159,8 +159,7 @@ TEST_CASE("strokes: one at 0 is in frame 0, round a torus or clipped at a border
     }
 }
 
-TEST_CASE(
-    "strokes: each is in the first frame that is not before it, whatever is simulated before frame 0") {
+TEST_CASE("strokes: a stroke appears in the first frame at or after its time, with any pre-roll") {
   const auto painted = disk({0.3, 46.2}, 5.2, true);
   const std::vector<bool> none(painted.size());
   for (const Painted& kind : paintedKinds) {
@@ -173,7 +172,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("strokes: a picture paints its own pixels, none beside it") {
+TEST_CASE("strokes: an image stroke paints exactly its own pixels") {
   // The image's first column and row are white, so that a read past a row's end, which gives the next row's
   // first pixel, is noticed.
   constexpr glm::ivec2 stamp(9, 5), at(20, 11);

@@ -47,7 +47,7 @@ SeenExtent wayOf(const scene::Framed& framed) {
 
 }  // namespace
 
-TEST_CASE("survey: a falling sheet is seen from where it starts to where gravity has it at the end") {
+TEST_CASE("survey: a falling sheet is framed from its start to its lowest position") {
   // The sheet falls below height 0, which is beyond the extent derived from its parameters.
   scene::Scene scene = sceneGoing(looseSheet(1), R"("time": {"duration": 0.6}, )");
   const sim::Survey survey = sim::surveyMotion(scene);
@@ -67,7 +67,7 @@ TEST_CASE("survey: a falling sheet is seen from where it starts to where gravity
   CHECK(kept.low.y < -0.4F);
 }
 
-TEST_CASE("survey: a jet is seen to its top, and one particle that goes astray is not") {
+TEST_CASE("survey: a jet is framed up to its top, and one stray particle is ignored") {
   scene::Scene scene = sceneGoing(R"({"jet": {"particles": {"method": "none", "acceleration": [0, -8, 0],
     "look": {"size": 0.001}, "emitters": [{"velocity": [0, 4, 0], "spread": 0, "speedVariation": 0, "lifetime": 1}]}}})",
                                   R"("time": {"start": 2, "duration": 1}, )");
@@ -81,7 +81,7 @@ TEST_CASE("survey: a jet is seen to its top, and one particle that goes astray i
   CHECK(wayOf(sim::surveyMotion(stray).framed.at(0)).high.x < 0.6F);
 }
 
-TEST_CASE("survey: all of a motion is in the picture and fills it, at every frame") {
+TEST_CASE("survey: a motion fills the picture and stays inside it at every frame") {
   for (const char* more : {"", R"("sky": {}, )"}) {
     scene::Scene scene =
         sceneGoing(R"({"sheet": {"cloth": {"size": [16, 16], "pins": [], "position": [0, 2, 0]}},
@@ -113,7 +113,7 @@ TEST_CASE("survey: all of a motion is in the picture and fills it, at every fram
   }
 }
 
-TEST_CASE("survey: fast numerics, and whose run it is, change nothing") {
+TEST_CASE("survey: fast numerics give the same camera") {
   const std::string sheet = R"({"sheet": {"cloth": {"size": [12, 12]}}})";
   scene::Scene exact = sceneGoing(sheet), fast = sceneGoing(sheet, R"("numerics": "fast", )");
   CHECK(sim::frameMotion(exact).camera == sim::frameMotion(fast).camera);
@@ -121,7 +121,7 @@ TEST_CASE("survey: fast numerics, and whose run it is, change nothing") {
 }
 
 // The stage needs the motion even if the scene places the camera.
-TEST_CASE("survey: a stage stands under what moves, wherever the camera is") {
+TEST_CASE("survey: the ground lies under the moving object for any camera") {
   scene::Scene free = sceneGoing(looseSheet(1)),
                placed = sceneGoing(looseSheet(1), R"("camera": {"position": [1, 2, 6]}, )");
   const float before = free.ground->height;
@@ -134,7 +134,7 @@ TEST_CASE("survey: a stage stands under what moves, wherever the camera is") {
   CHECK_FALSE(sim::needsSurvey(placed));
 }
 
-TEST_CASE("survey: what costs too much, is placed, or stands still is not run") {
+TEST_CASE("survey: no survey runs for expensive scenes, placed cameras or static scenes") {
   scene::Scene scene = sceneGoing(looseSheet(1));
   const sim::Survey none = sim::surveyMotion(scene, {}, 1000);
   CHECK(none.frames == 0);

@@ -55,7 +55,7 @@ void checkTally(const std::string& object, int frames) {
 
 }  // namespace
 
-TEST_CASE("tallies: a fluid's equal what is measured") {
+TEST_CASE("tallies: a fluid's sums equal its measured quantities") {
   checkTally(R"("fluid": {"size": [61, 37], "speed": 90, "lift": 20, "viscosity": 2,
     "obstacles": [{"center": [30, 20, 0], "radius": 5}, {"center": [0, 0, 0], "radius": 7}],
     "strokes": [{"until": 9, "from": [12, 12, 0], "radius": 4, "velocity": [60, -25, 0], "temperature": 2,
@@ -63,7 +63,7 @@ TEST_CASE("tallies: a fluid's equal what is measured") {
              4);
 }
 
-TEST_CASE("tallies: water's equal what is measured") {
+TEST_CASE("tallies: water's sums equal its measured quantities") {
   checkTally(R"("water": {"size": [151, 117], "cell": 0.2, "level": 0,
     "terrain": {"bed": -0.6, "hills": [{"center": [3, 0, 1], "radii": [4, 0, 3], "height": 1.4}]},
     "drops": [{"at": 0, "center": [-6, 0, 2], "radius": 2, "height": 0.4}]})",

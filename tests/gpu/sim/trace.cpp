@@ -49,7 +49,7 @@ std::uint32_t elementHash(const std::uint32_t* w, std::uint32_t i) {
 
 }  // namespace
 
-TEST_CASE("trace: the sums are those of the CPU, in blocks of every size") {
+TEST_CASE("trace: GPU hash sums equal the CPU's for every block size") {
   testContext();
   const auto scene = odd();
   sim::World world(scene);
@@ -85,7 +85,7 @@ TEST_CASE("trace: the sums are those of the CPU, in blocks of every size") {
 }
 
 // On the storage-buffer memory path, the arrays of a fluid are stored in planes.
-TEST_CASE("trace: the sums of a fluid are those of its elements") {
+TEST_CASE("trace: the hash sums of a fluid equal those of its elements") {
   testContext();
   const auto scene = scene::parseScene(R"({"version": 1, "objects": {"bath": {"fluid": {"size": [37, 22],
       "speed": 75, "substeps": 1, "strokes": [{"until": 9, "radius": 3, "from": [9, 9, 0], "velocity": [60, 9, 0],
@@ -114,7 +114,7 @@ TEST_CASE("trace: the sums of a fluid are those of its elements") {
   }
 }
 
-TEST_CASE("trace: a run does not leave its own trace, through the file and however fine") {
+TEST_CASE("trace: repeating a run matches its own trace, also through a file and at any resolution") {
   testContext();
   const auto scene = odd();
   const auto fine = traceRun(scene, 4, ample);
@@ -125,7 +125,7 @@ TEST_CASE("trace: a run does not leave its own trace, through the file and howev
   }
 }
 
-TEST_CASE("trace: a disturbed word is found at its frame, step, array and element") {
+TEST_CASE("trace: a changed word is located by frame, step, array and element") {
   testContext();
   const auto scene = odd();
   const auto baseline = traceRun(scene, 4, ample);
@@ -155,7 +155,7 @@ TEST_CASE("trace: a disturbed word is found at its frame, step, array and elemen
   }
 }
 
-TEST_CASE("trace: firstDivergence names the particle, and the frame where steps are not kept") {
+TEST_CASE("trace: firstDivergence names the particle, or only the frame if steps are not stored") {
   testContext();
   const auto scene = odd();
   const auto disturbed = [&](std::size_t max) {
@@ -173,7 +173,7 @@ TEST_CASE("trace: firstDivergence names the particle, and the frame where steps 
   CHECK(late->message.find("simreel bisect") != std::string::npos);
 }
 
-TEST_CASE("trace: another scene leaves the baseline where it should") {
+TEST_CASE("trace: a changed scene diverges from the baseline at the expected step") {
   testContext();
   const auto baseline = traceRun(odd(), 3, ample);
   const auto seed = firstDivergence(odd({{"objects.a.cloth.jitter", "0.011"}}), baseline);
@@ -190,7 +190,7 @@ TEST_CASE("trace: another scene leaves the baseline where it should") {
   CHECK(bigger->message.find("759 elements") != std::string::npos);
 }
 
-TEST_CASE("trace: a lost state comes through") {
+TEST_CASE("trace: a NaN state is traced") {
   testContext();
   const auto scene = odd({{"objects.a.cloth.stiffness", "1e7"}, {"objects.a.cloth.mass", "0.001"}});
   for (const std::size_t max : {ample, std::size_t{100}}) {
@@ -204,7 +204,7 @@ TEST_CASE("trace: a lost state comes through") {
   }
 }
 
-TEST_CASE("trace: lines of frames, of steps and dumps agree") {
+TEST_CASE("trace: traces of frames, traces of steps and dumps agree") {
   testContext();
   const auto scene = odd();
   std::vector<StateLine> frames;

@@ -125,7 +125,7 @@ ClothTwin clothOf(const scene::Scene& scene) {
 
 }  // namespace
 
-TEST_CASE("walls: particles among living terraces equal their CPU twin") {
+TEST_CASE("walls: particles among living terraces (a changing contour) equal their CPU twin") {
   for (const char* method : {"none", "all-pairs"})
     for (const char* margin : {"0.02", "0.1"}) {  // the margin spans one square or two
       CAPTURE(method);
@@ -137,7 +137,7 @@ TEST_CASE("walls: particles among living terraces equal their CPU twin") {
     }
 }
 
-TEST_CASE("walls: balls over ten squares wide equal their CPU twin") {
+TEST_CASE("walls: balls more than ten grid squares wide equal their CPU twin") {
   const std::string grains =
       with(with(with(wallGrains, "METHOD", "none"), "NAME", "hills"), "MARGIN", "0.6");
   const auto scene = wallsScene(grains, livingTerraces);
@@ -154,7 +154,7 @@ TEST_CASE("walls: particles in a growing cave equal their CPU twin") {
   }
 }
 
-TEST_CASE("walls: cloth on living terraces equals its CPU twin") {
+TEST_CASE("walls: cloth on a changing contour equals its CPU twin") {
   for (const char* solver : {"springs", "constraints"}) {
     CAPTURE(solver);
     const std::string sheet =
@@ -164,7 +164,7 @@ TEST_CASE("walls: cloth on living terraces equals its CPU twin") {
   }
 }
 
-TEST_CASE("walls: cloth of a mesh on living terraces equals its CPU twin") {
+TEST_CASE("walls: mesh cloth on a changing contour equals its CPU twin") {
   const auto scene = wallsScene(
       R"("cloth": {"mesh": {"shape": "sphere", "radius": 0.5, "resolution": [9, 3]}, "position": [0.4, 0.9, 0.1],
   "fabric": {"material": "rubber"}, "margin": 0.02, "walls": "hills"})",
@@ -173,7 +173,7 @@ TEST_CASE("walls: cloth of a mesh on living terraces equals its CPU twin") {
   checkBesideWalls(scene, GarmentTwin(sim::GarmentPlan("ball", p, 5, wallsFrame, {})), 40);
 }
 
-TEST_CASE("walls: who passes frames ends in the same state as who steps them") {
+TEST_CASE("walls: skipping frames gives the same state as stepping through them") {
   testContext();
   const std::string grains =
       with(with(with(wallGrains, "METHOD", "none"), "NAME", "hills"), "MARGIN", "0.02");
@@ -188,7 +188,7 @@ TEST_CASE("walls: who passes frames ends in the same state as who steps them") {
             passed.object(object).state()[i].buffer->readAll<std::uint32_t>());
 }
 
-TEST_CASE("walls: a margin over too many squares is refused with its remedy") {
+TEST_CASE("walls: a margin over too many grid squares is refused with advice") {
   testContext();
   const std::string grains = with(with(with(wallGrains, "METHOD", "none"), "NAME", "hall"), "MARGIN", "1");
   const auto scene = wallsScene(grains, with(growingCave, "CEILING", "false"));

@@ -158,7 +158,7 @@ TEST_CASE("water equals its CPU twin on sizes down to 2x3") {
   }
 }
 
-TEST_CASE("water with every kind of side and friction equals its CPU twin") {
+TEST_CASE("water with every border type and friction equals its CPU twin") {
   using enum sim::WaterBorder;
   auto p = pond(33, 29);
   p.sides = {open, wall, periodic, periodic};
@@ -184,7 +184,7 @@ TEST_CASE("water with bodies that float equals its CPU twin") {
   compareWater(p, 5);
 }
 
-TEST_CASE("water into which waves come equals its CPU twin") {
+TEST_CASE("water with incoming waves equals its CPU twin") {
   using enum sim::WaterBorder;
   auto p = pond(29, 35);
   p.sides = {sea, wall, sea, sea};
@@ -195,7 +195,7 @@ TEST_CASE("water into which waves come equals its CPU twin") {
   compareWater(p, 6);
 }
 
-TEST_CASE("water: what falls onto it lies on the water and on the dry ground") {
+TEST_CASE("water: particles rest on the water surface and on dry ground") {
   testContext();
   const scene::Scene scene = scene::parseScene(R"({"version": 1, "objects": {
     "grains": {"particles": {"method": "none", "collides": true, "bounce": 0, "margin": 0.05,
@@ -219,7 +219,7 @@ TEST_CASE("water: what falls onto it lies on the water and on the dry ground") {
   CHECK(ashore > 3);
 }
 
-TEST_CASE("water warns of steps that are too long, with the number") {
+TEST_CASE("water warns if steps are too long, with the step count needed") {
   auto p = pond(31, 30);
   p.greatestSpeed = 0.01;
   p.greatestDepth = 0.05;

@@ -64,7 +64,7 @@ int crowdDiffers(const std::vector<Texel>& a, const std::vector<Texel>& b) {
 
 }  // namespace
 
-TEST_CASE("water with floats that touch each other equals its CPU twin, over the seam of a torus too") {
+TEST_CASE("water with floats in contact equals its CPU twin, also across the seam of a torus") {
   testContext();
   const auto file = std::filesystem::temp_directory_path() / "simreel_float_wedge.obj";
   std::ofstream(file) << "v -0.2 0.15 -0.3\nv 0.2 0.15 -0.3\nv 0.2 0.15 0.3\nv -0.2 0.15 0.3\n"

@@ -108,7 +108,7 @@ TEST_CASE("wildfire equals its CPU twin on 33x7, closed, with firebreaks and emb
 // Software drivers skip groups of cells that cannot change. Most of the grid is such: before the fire
 // arrives, also across the borders of a torus, behind a firebreak until a stroke lights that side, and
 // after all cells have burnt out.
-TEST_CASE("wildfire equals its CPU twin on 331x211, where most stands still") {
+TEST_CASE("wildfire equals its CPU twin on 331x211 with mostly unchanging cells") {
   for (const auto border : {Parameters::Border::torus, Parameters::Border::closed})
     for (const int frames : {7, 45, 120}) {
       CAPTURE(frames);
@@ -124,7 +124,7 @@ TEST_CASE("wildfire equals its CPU twin on 331x211, where most stands still") {
     }
 }
 
-TEST_CASE("wildfire equals its CPU twin on widths around an element") {
+TEST_CASE("wildfire equals its CPU twin on widths around 16 cells") {
   for (const int width : {3, 15, 16, 17, 32}) {
     auto p = plain(width, 5);
     p.border = Parameters::Border::torus;
@@ -133,8 +133,7 @@ TEST_CASE("wildfire equals its CPU twin on widths around an element") {
   }
 }
 
-TEST_CASE(
-    "wildfire: every cell is counted, fuel only shrinks, burnt ground only grows, and the fire goes out") {
+TEST_CASE("wildfire: cell counts add up, fuel only shrinks, burnt area only grows, and the fire ends") {
   const auto p = plain(131, 97);
   const auto gpu = spread::make(sim::wildfireKind(), p);
   glm::uvec4 last = spread::rowsOf(*gpu)[0];
@@ -173,7 +172,7 @@ TEST_CASE("wildfire: bare ground never burns, and a firebreak holds") {
   CHECK(burnt == 64 * 97);
 }
 
-TEST_CASE("wildfire: without wind as far to every side, with wind further that way") {
+TEST_CASE("wildfire: fire spreads equally to all sides without wind, and further downwind with wind") {
   auto p = plain(255, 255);
   p.spread = 0.12F;
   double x = 0;
@@ -219,7 +218,7 @@ TEST_CASE("wildfire equals its CPU twin on 131x97 with hills") {
 
 // On a slope of half a cell size per cell, in each of four directions, fire spreads further uphill than
 // downhill and equally to both sides.
-TEST_CASE("wildfire: further uphill than downhill") {
+TEST_CASE("wildfire: fire spreads further uphill than downhill") {
   const auto rising = [](glm::ivec2 way) {  // white is 127.5 cell sizes higher than black
     std::string pgm = "P5 255 255 255\n";
     for (int y = 0; y < 255; ++y)
@@ -251,7 +250,7 @@ TEST_CASE("wildfire: further uphill than downhill") {
 // lattice. The fraction of neighbours in each direction that burns after one step must equal e^(slope *
 // tangent in that direction) times the probability on even ground. The formula is written independently of
 // the simulation's code.
-TEST_CASE("wildfire: it climbs by e^(slope * tangent), to all eight sides alike") {
+TEST_CASE("wildfire: uphill spread grows by e^(slope * tangent) in all eight directions") {
   constexpr int side = 510;
   constexpr double spreads = 0.05;
   std::string dots = "P5 510 510 255\n";
@@ -302,7 +301,7 @@ TEST_CASE("wildfire: it climbs by e^(slope * tangent), to all eight sides alike"
     }
 }
 
-TEST_CASE("wildfire: embers leap a firebreak downwind") {
+TEST_CASE("wildfire: embers cross a firebreak downwind") {
   auto p = plain(131, 97);
   p.strokes[0].from = p.strokes[0].to = {20, 50, 0};
   p.strokes.push_back(spread::dot({65, -2, 0}, 3, 0));
@@ -316,7 +315,7 @@ TEST_CASE("wildfire: embers leap a firebreak downwind") {
 
 // A cell with full fuel next to one burning neighbour catches fire with probability `base`; for a diagonal
 // neighbour, base / sqrt(2).
-TEST_CASE("wildfire: the chance of catching fire is spread, weighed by fuel and moisture") {
+TEST_CASE("wildfire: the probability of catching fire is `spread`, weighted by fuel and moisture") {
   for (const double moisture : {0.0, 0.5}) {
     auto p = plain(900, 900);
     p.stepsPerSecond = 30;
@@ -337,7 +336,7 @@ TEST_CASE("wildfire: the chance of catching fire is spread, weighed by fuel and 
   }
 }
 
-TEST_CASE("wildfire: a map on which nothing burns is refused") {
+TEST_CASE("wildfire: a map without fuel is refused") {
   auto p = plain(33, 7);
   p.fuelLevel = 0;
   CHECK_THROWS_WITH_AS(spread::make(sim::wildfireKind(), p),

@@ -34,7 +34,7 @@ std::string hashAt(const scene::Scene& scene, int frame) {
 
 }  // namespace
 
-TEST_CASE("the state hash tells frames and seeds apart and repeats") {
+TEST_CASE("the state hash differs between frames and seeds and is repeatable") {
   testContext();
   const auto scene = sheet(R"({"size": [33, 21], "jitter": 0.01})");
   const auto first = hashAt(scene, 5);
@@ -51,7 +51,7 @@ TEST_CASE("the state hash is the same on every device") {
   CHECK(hashAt(sheet(R"({"size": [33, 21], "jitter": 0.01})"), 60) == "871a618e330b5bbfb27a0535a89326d8");
 }
 
-TEST_CASE("the state hash takes in every word of small and large arrays") {
+TEST_CASE("the state hash covers every word of small and large arrays") {
   testContext();
   const sim::StateHash kernel;
   // Counts are odd, and the last one exceeds the invocations of one dispatch.
@@ -76,7 +76,7 @@ TEST_CASE("the state hash takes in every word of small and large arrays") {
   }
 }
 
-TEST_CASE("the state hash of planes is that of their elements, which are read as such") {
+TEST_CASE("the state hash of plane-stored arrays equals the hash of their elements") {
   testContext();
   const sim::StateHash kernel;
   for (const int planes : {1, 3, 4})
@@ -107,7 +107,7 @@ TEST_CASE("the state hash of planes is that of their elements, which are read as
     }
 }
 
-TEST_CASE("a blow-up is found within its frame, with step, particle and advice") {
+TEST_CASE("a diverging simulation is reported in its frame, with step, particle and advice") {
   testContext();
   const auto scene =
       sheet(R"({"size": [9, 7], "stiffness": 1e7, "mass": 0.001, "substeps": 2, "jitter": 0.01})");

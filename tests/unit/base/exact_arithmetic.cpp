@@ -37,7 +37,8 @@ double relative(float got, double wanted) {
 
 }  // namespace
 
-TEST_CASE("exact arithmetic: reciprocals and inverse roots of all floats") {
+TEST_CASE(
+    "exact arithmetic: reciprocals and inverse square roots of all floats are within their error bounds") {
   double reciprocal = 0;
   double inverse = 0;
   double root = 0;
@@ -65,7 +66,7 @@ TEST_CASE("exact arithmetic: reciprocals and inverse roots of all floats") {
   CHECK(shader::exactFlush(1e-31F) == 0.0F);
 }
 
-TEST_CASE("exact arithmetic: sine, cosine and exponential") {
+TEST_CASE("exact arithmetic: sine, cosine and exponential are within their error bounds") {
   double sine = 0;
   double cosine = 0;
   const auto both = [&](float x) {
@@ -93,7 +94,7 @@ TEST_CASE("exact arithmetic: sine, cosine and exponential") {
   CHECK(shader::exactExp(100.0F) == shader::exactExp(69.0F));
 }
 
-TEST_CASE("exact arithmetic: logarithm and power") {
+TEST_CASE("exact arithmetic: logarithm and power are within their error bounds") {
   double worst = 0;
   const auto check = [&](int bits) {
     const float x = shader::intBitsToFloat(bits);
@@ -123,7 +124,7 @@ TEST_CASE("exact arithmetic: logarithm and power") {
   CHECK(shader::exactPow(0.0F, 0.0F) == 1.0F);
 }
 
-TEST_CASE("exact arithmetic: acos") {
+TEST_CASE("exact arithmetic: acos is within its error bound") {
   double worst = 0;
   for (int i = -100000; i <= 100000; ++i) {
     const float x = static_cast<float>(i) * 1e-5F;
@@ -135,7 +136,7 @@ TEST_CASE("exact arithmetic: acos") {
   CHECK(shader::exactAcos(-1.0F) == 3.14159265F);
 }
 
-TEST_CASE("exact arithmetic: the encoding of a picture's light") {
+TEST_CASE("exact arithmetic: the sRGB encoding of light is within its error bound") {
   double worst = 0;
   double worstOfBright = 0;
   sweep(0, 1, 101, [&](float x) {

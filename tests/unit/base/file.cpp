@@ -13,7 +13,7 @@
 
 using namespace simreel;
 
-TEST_CASE("files: memory below /dev/shm is a disk, what is written there takes the place of what was") {
+TEST_CASE("files: writing to /dev/shm replaces the file, like on any disk") {
   if (::access("/dev/shm", W_OK) != 0) return;
   std::string folder = "/dev/shm/simreel-test-XXXXXX";
   REQUIRE(::mkdtemp(folder.data()) != nullptr);
@@ -24,7 +24,7 @@ TEST_CASE("files: memory below /dev/shm is a disk, what is written there takes t
   std::filesystem::remove_all(folder);
 }
 
-TEST_CASE("files: what a link of the system's leads to is written into and keeps its name") {
+TEST_CASE("files: writing through a /proc/self/fd link writes into the open file instead of replacing it") {
   std::string folder = (std::filesystem::temp_directory_path() / "simreel-test-XXXXXX").string();
   REQUIRE(::mkdtemp(folder.data()) != nullptr);
   const std::filesystem::path file = folder + "/a", other = folder + "/b";
@@ -40,7 +40,7 @@ TEST_CASE("files: what a link of the system's leads to is written into and keeps
   std::filesystem::remove_all(folder);
 }
 
-TEST_CASE("files: two that write one file at once both write it whole") {
+TEST_CASE("files: two concurrent writers of one file each write it completely") {
   std::string folder = (std::filesystem::temp_directory_path() / "simreel-test-XXXXXX").string();
   REQUIRE(::mkdtemp(folder.data()) != nullptr);
   const std::filesystem::path file = folder + "/a";
@@ -70,7 +70,7 @@ TEST_CASE("files: two that write one file at once both write it whole") {
   std::filesystem::remove_all(folder);
 }
 
-TEST_CASE("files: a link below /dev/shm is taken for what it is on any disk") {
+TEST_CASE("files: a link in /dev/shm is treated like a link on any disk") {
   if (::access("/dev/shm", W_OK) != 0) return;
   std::vector<std::string> left;
   for (const std::string& disk :

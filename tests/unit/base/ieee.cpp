@@ -37,7 +37,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-TEST_CASE("elementary functions of doubles: exponentials against the C library") {
+TEST_CASE("elementary functions of doubles: exponentials agree with the C library") {
   const auto naturalExp = [](long double x) { return std::exp(x); };
   const auto binaryExp = [](long double x) { return std::exp2(x); };
   CHECK(worstError(-708, 709, ieee::exp, naturalExp) < unit);
@@ -52,7 +52,7 @@ TEST_CASE("elementary functions of doubles: exponentials against the C library")
   CHECK(ieee::exp2(1023.5) == infinity);
 }
 
-TEST_CASE("elementary functions of doubles: logarithms and powers against the C library") {
+TEST_CASE("elementary functions of doubles: logarithms and powers agree with the C library") {
   const auto natural = [](long double x) { return std::log(x); };
   const auto binary = [](long double x) { return std::log2(x); };
   for (const double last : {1e-300, 1e-6, 1.0, 1e6, 1e300}) {
@@ -76,7 +76,7 @@ TEST_CASE("elementary functions of doubles: logarithms and powers against the C 
   CHECK(ieee::pow(9, 0.5) == 3);
 }
 
-TEST_CASE("elementary functions of doubles: sine, cosine and tangent against the C library") {
+TEST_CASE("elementary functions of doubles: sine, cosine and tangent agree with the C library") {
   const auto sine = [](long double x) { return std::sin(x); };
   const auto cosine = [](long double x) { return std::cos(x); };
   const auto tangent = [](long double x) { return std::tan(x); };
@@ -97,7 +97,7 @@ TEST_CASE("elementary functions of doubles: sine, cosine and tangent against the
   CHECK(ieee::tan(0) == 0);
 }
 
-TEST_CASE("elementary functions of doubles have these bits with every compiler") {
+TEST_CASE("elementary functions of doubles have the same bits with every compiler") {
   CHECK(bitsOf(ieee::exp(1)) == 0x4005bf0a8b145769ULL);
   CHECK(bitsOf(ieee::exp(-0.7)) == 0x3fdfc80db9dd5542ULL);
   CHECK(bitsOf(ieee::exp(3.3e-5)) == 0x3ff000229a842684ULL);
@@ -132,7 +132,7 @@ TEST_CASE("elementary functions of doubles have these bits with every compiler")
   CHECK(bitsOf(ieee::tan(-12345.6)) == 0x3ff28d5b3daaede1ULL);
 }
 
-TEST_CASE("elementary functions of doubles: angles against the C library") {
+TEST_CASE("elementary functions of doubles: inverse trigonometric functions agree with the C library") {
   long double worst = 0;
   for (int i = -2003; i <= 2003; ++i)
     for (const double x : {-3.0, -1.0, -0.37, -1e-9, 0.0, 1e-12, 0.2, 1.0, 7.5}) {

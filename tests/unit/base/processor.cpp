@@ -4,7 +4,7 @@
 
 using simreel::processorName;
 
-TEST_CASE("a processor is named by model, numbers and instruction sets") {
+TEST_CASE("a processor is described by model, core counts and instruction sets") {
   const char* intel =
       "processor\t: 0\nvendor_id\t: GenuineIntel\ncpu family\t: 6\nmodel\t\t: 85\n"
       "model name\t: Intel(R) Xeon(R) Processor @ 2.00GHz\nstepping\t: 7\nflags\t\t: fpu sse4_1 avx avx2 "

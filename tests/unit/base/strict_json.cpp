@@ -41,7 +41,7 @@ std::string reading(const std::string& value, const Read& read) {
 
 }  // namespace
 
-TEST_CASE("text that is no JSON, or holds too much, is refused") {
+TEST_CASE("text that is not JSON, or exceeds the limits, is refused") {
   CHECK(parsing(R"({"a": [1, {"a": 2}], "b": {"a": null}})").empty());
   CHECK(parsing("") == "not valid JSON at byte 1");
   CHECK(parsing("{\"a\": 1,}") == "not valid JSON at byte 9");
@@ -53,12 +53,12 @@ TEST_CASE("text that is no JSON, or holds too much, is refused") {
   CHECK(parsing("1 // yes", {.comments = true}).empty());
 }
 
-TEST_CASE("zero bytes may follow JSON, and nothing may follow them") {
+TEST_CASE("zero bytes may follow JSON, but nothing may follow them") {
   CHECK(parsing(std::string("{}\0\0", 4)).empty());
   CHECK(parsing(std::string("{}\0{", 4)) == "not valid JSON: a zero byte stands in it");
 }
 
-TEST_CASE("levels, objects and lists are counted outside of texts") {
+TEST_CASE("nesting, objects and lists are counted outside of strings only") {
   CHECK(parsing(times(100, "[") + times(100, "]")).empty());
   CHECK(parsing(times(101, "[") + times(101, "]")) == "nested deeper than 100 levels");
   CHECK(parsing(times(200'000, R"({"a":)")) == "nested deeper than 100 levels");
@@ -67,7 +67,7 @@ TEST_CASE("levels, objects and lists are counted outside of texts") {
   CHECK(parsing("[[], {}, []]", {.containers = 3}) == "it holds more than 3 objects and lists");
 }
 
-TEST_CASE("a value that is not what it is asked for is named by its path") {
+TEST_CASE("a value of the wrong type is reported with its path") {
   const auto json = parseStrictJson(R"({"a": [{"b": "text", "c d": true, "": null}], "n": 1.5})");
   const JsonValue root(json);
   const JsonValue item = root.at("a").at(0);
@@ -87,7 +87,7 @@ TEST_CASE("a value that is not what it is asked for is named by its path") {
   CHECK(!item.find("x"));
 }
 
-TEST_CASE("whole numbers are those that the type and the bounds hold") {
+TEST_CASE("integers must fit the type and the bounds") {
   const auto asInt = [](const JsonValue& v) { return v.integer(); };
   for (const char* good : {"0", "-2147483648", "2147483647"}) CHECK(reading(good, asInt).empty());
   for (const char* none : {"1.5", "1.0", "1e300", "true", "\"1\"", "null", "[]"})
@@ -104,7 +104,7 @@ TEST_CASE("whole numbers are those that the type and the bounds hold") {
   CHECK(reading("5", bounded) == "v must be between 1 and 4");
 }
 
-TEST_CASE("a member that nobody asked for is a mistake") {
+TEST_CASE("an unknown member is an error") {
   const auto json = parseStrictJson(R"({"a": {"b": 1, "c": 2}})");
   JsonObject root{JsonValue(json)};
   CHECK(mistake([&] { root.finish(); }) == "a is unknown");

@@ -7,7 +7,7 @@
 
 using namespace simreel;
 
-TEST_CASE("text: what steers a terminal is spelt out") {
+TEST_CASE("text: terminal control characters are escaped") {
   CHECK(oneLine("plain, Grüße, 日本, 🙂") == "plain, Grüße, 日本, 🙂");
   CHECK(oneLine("a\nb\r\tc") == "a\\nb\\r\\tc");
   CHECK(oneLine(std::string_view("\x1b[31m\a\0\x7f", 8)) == "\\x1b[31m\\x07\\x00\\x7f");
@@ -18,13 +18,13 @@ TEST_CASE("text: what steers a terminal is spelt out") {
   CHECK(severalLines("a\n\tb\r\x1b") == "a\n\tb\\r\\x1b");
 }
 
-TEST_CASE("text: no line is a workflow command") {
+TEST_CASE("text: no output line can be read as a GitHub workflow command") {
   CHECK(withoutCommands("::error::x\n  ::notice::y\na ::b\n") == ": :error::x\n  : :notice::y\na ::b\n");
   CHECK(withoutCommands("x ##[error]y") == "x # #[error]y");
   CHECK(withoutCommands("") == "");
 }
 
-TEST_CASE("dispatches are held against the limit of each direction") {
+TEST_CASE("dispatches are checked against the limit of each dimension") {
   gl::Limits limits;
   limits.groupsX = 2147483647;
   limits.groupsY = 65535;

@@ -57,7 +57,7 @@ WorkForce force(
 
 }  // namespace
 
-TEST_CASE("workers: answers come in order, however long each took") {
+TEST_CASE("workers: results are returned in order, independent of how long each takes") {
   for (const std::size_t workers : {1U, 3U, 20U}) {
     Heard heard;
     employ(force(workers, 7, heard));
@@ -70,7 +70,7 @@ TEST_CASE("workers: answers come in order, however long each took") {
   CHECK(none.said == std::vector<std::string>{"item 0"});
 }
 
-TEST_CASE("workers: one that ends costs what it had in hand, and says how") {
+TEST_CASE("workers: a worker that dies loses only its current item and reports how it died") {
   Heard heard;
   employ(force(2, 6, heard, [](const Task& task) {
     if (task.item == 1) ::raise(SIGKILL);
@@ -82,7 +82,7 @@ TEST_CASE("workers: one that ends costs what it had in hand, and says how") {
                                                "lost 4: failed: no more paper", "item 5"});
 }
 
-TEST_CASE("workers: each has a place, which who follows on one that ended takes") {
+TEST_CASE("workers: each worker has a slot, and a replacement takes the dead worker's slot") {
   Heard heard;
   WorkForce placed = force(2, 6, heard);
   placed.work = [](WorkerLine& line) {
@@ -102,14 +102,14 @@ TEST_CASE("workers: each has a place, which who follows on one that ended takes"
   CHECK(places.find('0') != std::string::npos);
 }
 
-TEST_CASE("workers: every one dies at every item") {
+TEST_CASE("workers: a job in which every worker dies at every item ends") {
   Heard heard;
   employ(force(2, 5, heard, [](const Task&) { ::_exit(9); }));
   CHECK(heard.said.size() == 5);
   for (const std::string& said : heard.said) CHECK(said.ends_with(": ended with status 9"));
 }
 
-TEST_CASE("workers: what was lost is done again by another, who knows how often it was") {
+TEST_CASE("workers: a lost item is retried by another worker, which knows the number of tries") {
   Heard heard;
   std::vector<std::string> losses;
   WorkForce patient = force(2, 4, heard, [](const Task& task) {
@@ -130,7 +130,7 @@ TEST_CASE("workers: what was lost is done again by another, who knows how often 
                                            "2 ended with status 4"});
 }
 
-TEST_CASE("workers: one that takes too long is ended with all that it started, the others are not") {
+TEST_CASE("workers: a worker that exceeds its time is killed with its children; other workers continue") {
   Heard heard;
   int pipe[2] = {-1, -1};
   REQUIRE(::pipe(pipe) == 0);
@@ -149,7 +149,7 @@ TEST_CASE("workers: one that takes too long is ended with all that it started, t
   ::close(pipe[0]);
 }
 
-TEST_CASE("workers: what keeps all of them from working is thrown") {
+TEST_CASE("workers: an error that stops all workers is thrown") {
   Heard heard;
   WorkForce refused = force(2, 3, heard);
   refused.work = [](WorkerLine&) { fail(ExitCode::device, "no paint"); };
@@ -160,7 +160,7 @@ TEST_CASE("workers: what keeps all of them from working is thrown") {
   CHECK(heard.said.empty());
 }
 
-TEST_CASE("workers: of one that cannot begin is told, whether another had begun before or does later") {
+TEST_CASE("workers: a worker that cannot start is reported, whether or not other workers started") {
   for (const unsigned later : {0U, 1U}) {
     Heard heard;
     WorkForce some = force(2, 3, heard);
@@ -181,7 +181,7 @@ TEST_CASE("workers: of one that cannot begin is told, whether another had begun 
   }
 }
 
-TEST_CASE("workers: what is to be alone is, and in order") {
+TEST_CASE("workers: exclusive items run alone and in order") {
   Heard heard;
   int pipe[2] = {-1, -1};
   REQUIRE(::pipe(pipe) == 0);
@@ -207,7 +207,7 @@ TEST_CASE("workers: what is to be alone is, and in order") {
   ::close(pipe[1]);
 }
 
-TEST_CASE("workers: after an interrupt what is finished is kept") {
+TEST_CASE("workers: finished results are kept after an interrupt") {
   Heard heard;
   int signal = 0;
   WorkForce stopped = force(1, 5, heard);

@@ -41,7 +41,7 @@ SweepPlan planIn(const std::string& folder) {
 
 }  // namespace
 
-TEST_CASE("sweep: a plan is read as it was written, a line for each job") {
+TEST_CASE("sweep: a plan is read back as written, one line per job") {
   const TemporaryFolder folder;
   const SweepPlan plan = planIn(folder.string());
   const std::string text = planText(plan);
@@ -68,14 +68,14 @@ TEST_CASE("sweep: a plan is read as it was written, a line for each job") {
   }
 }
 
-TEST_CASE("sweep: the first job with a mistake is the one that is told of") {
+TEST_CASE("sweep: the first job with an error is reported") {
   SweepPlan plan;
   plan.varied = {"objects.dish.grayScott.feed"};
   for (const char* feed : {"0.03", "9", "\"much\""}) plan.jobs.push_back({{{plan.varied[0], feed}}, {}});
   CHECK_THROWS_WITH_AS(checkJobs(plan, dish), doctest::Contains("feed=9"), UserError);
 }
 
-TEST_CASE("sweep: names as short as they differ") {
+TEST_CASE("sweep: names are as short as uniqueness allows") {
   using List = std::vector<std::string>;
   CHECK(shortNames({"objects.a.cloth.air", "objects.b.cloth.air"}) == List{"a.cloth.air", "b.cloth.air"});
   CHECK(shortNames({"seed"}) == List{"seed"});
@@ -83,7 +83,7 @@ TEST_CASE("sweep: names as short as they differ") {
   CHECK(shortNames({"render.samples", "seed"}) == List{"samples", "seed"});
 }
 
-TEST_CASE("sweep: results keep every number, and what is missing or failed is told apart") {
+TEST_CASE("sweep: results keep every digit, and distinguish missing from failed jobs") {
   const TemporaryFolder folder;
   const SweepPlan plan = planIn(folder.string());
   JobResult result;
@@ -137,7 +137,7 @@ TEST_CASE("sweep: results keep every number, and what is missing or failed is to
   }
 }
 
-TEST_CASE("sweep: exit codes") {
+TEST_CASE("sweep: the exit code reflects failed and missing jobs") {
   const auto code = [](std::size_t done, std::size_t failed, std::size_t aborted, std::size_t missing,
                        std::size_t checksFailed) {
     SweepTally tally;

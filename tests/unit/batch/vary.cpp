@@ -36,7 +36,7 @@ std::vector<std::string> jobsOf(const std::vector<std::string>& texts, Combinati
 
 }  // namespace
 
-TEST_CASE("vary: lists, ranges and what commas belong to") {
+TEST_CASE("vary: lists and ranges are parsed; commas inside brackets do not separate values") {
   using List = std::vector<std::string>;
   CHECK(valuesOf("a.b=1,2,4") == List{"1", "2", "4"});
   CHECK(valuesOf("a=0:1:0.1") ==
@@ -56,7 +56,7 @@ TEST_CASE("vary: lists, ranges and what commas belong to") {
     CHECK_THROWS_AS(static_cast<void>(simreel::batch::parseVary(wrong)), UserError);
 }
 
-TEST_CASE("vary: grid, zip") {
+TEST_CASE("vary: grid combines all values, zip pairs them") {
   using List = std::vector<std::string>;
   CHECK(jobsOf({"a=1,2", "b=x,y,z"}, Combination::grid) ==
         List{"a=1 b=x", "a=1 b=y", "a=1 b=z", "a=2 b=x", "a=2 b=y", "a=2 b=z"});
@@ -71,7 +71,7 @@ TEST_CASE("vary: grid, zip") {
                        doctest::Contains("more than"), UserError);
 }
 
-TEST_CASE("vary: samples are even, and of their seed alone") {
+TEST_CASE("vary: samples are spread evenly and depend only on their seed") {
   const std::vector<std::string> varied = {"a=0:1", "b=x,y,z"};
   const auto jobs = jobsOf(varied, Combination::sample, 12, 7);
   CHECK(jobs == jobsOf(varied, Combination::sample, 12, 7));

@@ -68,7 +68,7 @@ std::string message(const std::string& technique, const scene::Scene& scene) {
 
 }  // namespace
 
-TEST_CASE("bench: the figures of a row") {
+TEST_CASE("bench: the figures of a row are computed from its samples") {
   const RowFigures f = figuresOf(row("jobs", true).times, frame::Timing::wait);
   CHECK(f.frame.median == 10);
   CHECK(f.outliers.count == 1);
@@ -87,7 +87,7 @@ TEST_CASE("bench: the figures of a row") {
   CHECK(figuresOf({}, frame::Timing::query).bound.empty());
 }
 
-TEST_CASE("bench: the tables") {
+TEST_CASE("bench: tables have the expected columns and leave out minor stages") {
   const std::string text = benchText(report(true));
   CHECK(contains(text, "1, worst 50.0 ms in frame 33"));
   CHECK(contains(text, "of it deform"));
@@ -104,7 +104,7 @@ TEST_CASE("bench: the tables") {
   CHECK(contains(benchText(empty), "<compute> & more"));
 }
 
-TEST_CASE("bench: JSON") {
+TEST_CASE("bench: the JSON report has all figures") {
   const auto json = benchJson(report(false));
   const auto& first = json["rows"][0];
   CHECK(json["bench"] == 1);
@@ -142,7 +142,7 @@ TEST_CASE("bench: the chart is well-formed and to scale") {
   CHECK(lint(benchChart(empty)) == "");
 }
 
-TEST_CASE("bench: values of --vary") {
+TEST_CASE("bench: values of --vary are parsed") {
   const auto sizes = simreel::cli::parseVary("objects.a.cloth.size=[9,7],[11,7]");
   REQUIRE(sizes.size() == 2);
   CHECK(sizes[1].name == "size=[11,7]");
@@ -160,7 +160,7 @@ TEST_CASE("bench: values of --vary") {
   CHECK_THROWS_AS(static_cast<void>(combine(many, "plain")), UserError);
 }
 
-TEST_CASE("bench: techniques are choices of that name") {
+TEST_CASE("bench: --technique offers the choices of the parameter \"technique\"") {
   struct Mesh final : scene::Parameters {
     int technique = 0;
     float deep = 1;

@@ -65,7 +65,7 @@ scene::Light endingAt(const char* name, float range, glm::vec3 place) {
 
 }  // namespace
 
-TEST_CASE("area light: a plate above a plate has the form factor of the tables") {
+TEST_CASE("area light: a plate above a plate has the tabulated form factor") {
   // Howell's catalogue, C-11 (differential element to a parallel rectangle below its corner), four times.
   const double a = 0.7, b = 0.4, h = 0.9;
   const Rectangle plate{{0, h, 0}, {a, 0, 0}, {0, 0, b}};
@@ -80,7 +80,7 @@ TEST_CASE("area light: a plate above a plate has the form factor of the tables")
   CHECK(shareOf(plate, {0, 2, 0}, {0, -1, 0}) == 0);  // a point behind the light receives nothing
 }
 
-TEST_CASE("area light: what a surface receives is the integral, the horizon included") {
+TEST_CASE("area light: irradiance equals the integral over the light, clipped at the horizon") {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> any(-1, 1);
   const auto vector = [&] { return glm::dvec3(any(random), any(random), any(random)); };
@@ -104,14 +104,14 @@ TEST_CASE("area light: what a surface receives is the integral, the horizon incl
   CHECK(cut > 8);
 }
 
-TEST_CASE("area light: from far away it is a point of its intensity, and near by half of the sky") {
+TEST_CASE("area light: it equals a point light from far away and half of the sky close up") {
   const Rectangle r{{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}};  // the rectangle's front side faces +z
   const double d = 30;
   CHECK(shareOf(r, {0, 0, d}, {0, 0, -1}) == doctest::Approx(0.04 / (d * d)).epsilon(1e-3));
   CHECK(shareOf(r, {0, 0, 1e-4}, {0, 0, -1}) == doctest::Approx(std::numbers::pi).epsilon(1e-3));
 }
 
-TEST_CASE("area light: the lobe looks at the mirrored place, or the nearest on the border") {
+TEST_CASE("area light: the representative point is the mirrored point, or the nearest one on the border") {
   const glm::vec3 middle(0, 2, 0), across(0.5F, 0, 0), up(0, 0, 0.25F);
   const glm::vec3 straight = towardsRectangle({0.1F, 0, 0.1F}, {0, 1, 0}, middle, across, up);
   CHECK(glm::length(straight - glm::vec3(0, 1, 0)) < 1e-6F);
@@ -121,7 +121,8 @@ TEST_CASE("area light: the lobe looks at the mirrored place, or the nearest on t
 }
 
 TEST_CASE(
-    "area light: a lobe mirrors about what its integral over the rectangle says, at grazing angles, too") {
+    "area light: reflected light is within a factor of 2 of the lobe's integral over the rectangle, also "
+    "at grazing angles") {
   const Rectangle r{{0, 1.6, -2}, {1.1, 0, 0}, {0, 0.9, 0}};  // the rectangle's front side faces +z
   const glm::dvec3 normal(0, 1, 0);
   double worst = 0;
@@ -164,7 +165,9 @@ TEST_CASE(
   CHECK(worst < 2);
 }
 
-TEST_CASE("area light: its front faces the target, its level sides are level, and lumens go to one side") {
+TEST_CASE(
+    "area light: its front faces the target, its horizontal sides are level, and lumens are emitted to one "
+    "side") {
   scene::Scene scene;
   scene::Light light = endingAt("window", 0, {1, 2, 3});
   light.type = scene::Light::Type::area;
@@ -186,7 +189,7 @@ TEST_CASE("area light: its front faces the target, its level sides are level, an
   CHECK(draw::candelas(light, 0) == doctest::Approx(100 / std::numbers::pi));
 }
 
-TEST_CASE("range: all near by, nothing at the end, and no step between") {
+TEST_CASE("range: attenuation is 1 nearby, 0 at the range's end, and continuous between") {
   CHECK(rangeShare(100, 0) == 1);
   CHECK(rangeShare(0.25F, 0.25F) == doctest::Approx(std::pow(1 - std::pow(0.25, 4), 2)));
   CHECK(rangeShare(1, 0.25F) == doctest::Approx(std::pow(1 - 1.0 / 16, 2)));
@@ -194,7 +197,7 @@ TEST_CASE("range: all near by, nothing at the end, and no step between") {
   CHECK(rangeShare(9, 0.25F) == 0);
 }
 
-TEST_CASE("range: cells know every lamp that reaches into them") {
+TEST_CASE("range: grid cells list every lamp that reaches into them") {
   scene::Scene scene;
   std::mt19937 random(3);
   std::uniform_real_distribution<float> any(-5, 5);

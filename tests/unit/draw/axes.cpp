@@ -17,7 +17,7 @@ std::string labels(const std::vector<Tick>& ticks) {
 
 }  // namespace
 
-TEST_CASE("ticks are round numbers within the ends") {
+TEST_CASE("axis ticks are round numbers within the axis range") {
   CHECK(labels(ticksBetween(0.014, 0.062, 6)) == "0.02 0.03 0.04 0.05 0.06 ");
   CHECK(labels(ticksBetween(0.05F, 0.06F, 5)) == "0.050 0.052 0.054 0.056 0.058 0.060 ");
   CHECK(labels(ticksBetween(0.06, 0.05, 2)) == "0.050 0.055 0.060 ");
@@ -36,7 +36,7 @@ TEST_CASE("ticks are round numbers within the ends") {
   CHECK(ticksBetween(0, 1, 0).empty());
 }
 
-TEST_CASE("a field with scales leaves room for them") {
+TEST_CASE("a field with axes leaves room for them") {
   sim::FieldDisplay display;
   CHECK(axesMargin(display, {1280, 720}) == glm::ivec2(0, 0));
   display.across = sim::FieldDisplay::Axis{"F", 0.0F, 1.0F};

@@ -5,7 +5,7 @@
 
 namespace simreel::test::draw_bands {
 
-TEST_CASE("exact: a band has the rows whose visibility and glows there is room for, in whole tiles") {
+TEST_CASE("exact: a band has as many whole rows of tiles as its memory for visibility and glows allows") {
   constexpr std::size_t visible = std::size_t{32}
                                   << 20;  // number of samples whose visibility fits into 256 MiB
   constexpr std::int64_t software = std::int64_t{128} << 20;  // maximum size of one buffer on llvmpipe

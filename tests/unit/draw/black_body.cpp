@@ -42,7 +42,8 @@ glm::dvec2 placeOf(glm::dvec3 xyz) {
 
 }  // namespace
 
-TEST_CASE("black body: illuminant A, and Planck's law over the standard observer") {
+TEST_CASE(
+    "black body: colours equal CIE illuminant A and Planck's law integrated over the standard observer") {
   const glm::dvec2 a =
       placeOf(xyzOf(draw::blackBodyColor(2855.6)));  // illuminant A; CIE 15 gives 0.44758, 0.40745
   CHECK(std::abs(a.x - 0.44758) < 1e-3);
@@ -59,7 +60,7 @@ TEST_CASE("black body: illuminant A, and Planck's law over the standard observer
   CHECK(ember.x > 2 * ember.y);
 }
 
-TEST_CASE("white balance: the light it is for becomes grey") {
+TEST_CASE("white balance: the light it is set for becomes grey") {
   for (const double kelvin : {2000., 2700., 4500., 6504., 12000., 25000.}) {
     CAPTURE(kelvin);
     const glm::vec3 shown = draw::whiteBalance(kelvin) * draw::blackBodyColor(kelvin);

@@ -18,7 +18,7 @@ void fill(std::vector<glm::vec4>& picture, glm::ivec2 size, glm::ivec4 box, cons
 
 }  // namespace
 
-TEST_CASE("boxes: layers paint what painting in order does, in any order within a layer") {
+TEST_CASE("boxes: painting layer by layer, in any order within a layer, equals painting in order") {
   std::minstd_rand random(3);
   const glm::ivec2 size(61, 47);
   for (int round = 0; round < 40; ++round) {

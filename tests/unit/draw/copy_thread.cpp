@@ -8,7 +8,7 @@
 
 using namespace simreel;
 
-TEST_CASE("copies: each task gets its own bytes, whatever the order in which they are waited for") {
+TEST_CASE("copies: each copy task receives its own bytes, in any order of waiting") {
   std::array<std::vector<std::uint8_t>, 3> pictures;
   std::array<draw::CopyThread::Task, 3> tasks;
   draw::CopyThread thread;
@@ -25,7 +25,7 @@ TEST_CASE("copies: each task gets its own bytes, whatever the order in which the
   }
 }
 
-TEST_CASE("copies: a thread that nobody waits for ends with what it is at") {
+TEST_CASE("copies: an abandoned copy thread finishes its current task and ends") {
   const std::vector<std::uint8_t> picture(1 << 20, 9);
   std::array<draw::CopyThread::Task, 8> tasks;
   draw::CopyThread thread;

@@ -30,7 +30,7 @@ Polygon circle(glm::dvec2 middle, double radius, int corners, double turn = 1) {
 
 }  // namespace
 
-TEST_CASE("coverage: a rectangle's pixels have the share of their area that it covers") {
+TEST_CASE("coverage: each pixel's coverage is the fraction of its area inside the rectangle") {
   const std::vector<Polygon> box = {{{1.25, 2.5}, {4.5, 2.5}, {4.5, 4.75}, {1.25, 4.75}}};
   const draw::Coverage found = draw::coverageOf(box, {20, 10});
   CHECK(found.corner == glm::ivec2(1, 2));
@@ -42,7 +42,7 @@ TEST_CASE("coverage: a rectangle's pixels have the share of their area that it c
             static_cast<int>(std::floor(255 * across[x] * down[y] + 0.5)));
 }
 
-TEST_CASE("coverage: a triangle's slope gives each pixel its area, whichever way round it goes") {
+TEST_CASE("coverage: pixels on a triangle's slope have their exact area, in either winding order") {
   // Below the line y = x / 2: pixel (x, 0) of 4.
   for (const bool back : {false, true}) {
     std::vector<Polygon> triangle = {{{0, 0}, {4, 0}, {4, 2}}};
@@ -55,7 +55,7 @@ TEST_CASE("coverage: a triangle's slope gives each pixel its area, whichever way
   }
 }
 
-TEST_CASE("coverage: rings have holes, and their areas are those of circles") {
+TEST_CASE("coverage: rings have holes and the area of their circles") {
   const glm::dvec2 middle(40.3, 31.7);
   const std::vector<Polygon> ring = {circle(middle, 25, 400), circle(middle, 14, 400, -1)};
   const draw::Coverage found = draw::coverageOf(ring, {91, 67});
@@ -64,7 +64,7 @@ TEST_CASE("coverage: rings have holes, and their areas are those of circles") {
   CHECK(found.share[static_cast<std::size_t>(at.y * found.size.x + at.x)] == 0);
 }
 
-TEST_CASE("coverage: what lies beyond the picture is cut off, and what lies outside is nothing") {
+TEST_CASE("coverage: shapes are clipped at the picture, and shapes outside have no coverage") {
   const std::vector<Polygon> disc = {circle({0, 33}, 20, 400)};
   CHECK(areaOf(draw::coverageOf(disc, {91, 67})) == doctest::Approx(std::numbers::pi * 200).epsilon(2e-3));
   const std::vector<Polygon> corner = {circle({91, 67}, 20, 400)};

@@ -32,7 +32,7 @@ double mirrored(double angle, double eta) {
 
 }  // namespace dielectric
 
-TEST_CASE("clear surfaces: Fresnel's equations, from both sides") {
+TEST_CASE("clear surfaces: reflection follows Fresnel's equations from both sides") {
   double worst = 0;
   for (const double eta : {1 / 1.5, 1 / 1.33, 1 / 2.42, 1.5, 1.33, 2.42})
     for (int i = 0; i < 1800; ++i) {
@@ -52,7 +52,7 @@ TEST_CASE("clear surfaces: Fresnel's equations, from both sides") {
         doctest::Approx(0.5 * across * across).epsilon(1e-4));
 }
 
-TEST_CASE("clear surfaces: Snell's law") {
+TEST_CASE("clear surfaces: refraction follows Snell's law") {
   const glm::vec3 normal = glm::normalize(glm::vec3(0.2F, 1, -0.4F));
   const glm::vec3 aside = glm::normalize(glm::cross(normal, glm::vec3(1, 0, 0)));
   double worst = 0, length = 0;

@@ -70,7 +70,7 @@ const std::array<glm::vec3, 8> ways = {glm::vec3(0, 1, 0),
 
 }  // namespace
 
-TEST_CASE("environment: even light is the same for all") {
+TEST_CASE("environment: a uniform environment gives uniform irradiance") {
   load(pictureOf([](glm::dvec3) { return glm::dvec3(0.5, 1, 2); }), 3);
   for (const glm::vec3& way : ways)
     for (const float roughness : {0.0F, 0.1F, 0.25F, 0.6F, 1.0F}) {
@@ -79,7 +79,7 @@ TEST_CASE("environment: even light is the same for all") {
     }
 }
 
-TEST_CASE("environment: a direction is seen where the picture has it, turned or not") {
+TEST_CASE("environment: directions map to the right texels, also with rotation") {
   // Smooth light that differs in each direction.
   const auto light = [](glm::dvec3 d) { return glm::dvec3(1 + 0.5 * d.x, 1 + 0.5 * d.y, 1 + 0.5 * d.z); };
   load(pictureOf(light));
@@ -102,7 +102,7 @@ TEST_CASE("environment: a direction is seen where the picture has it, turned or 
   }
 }
 
-TEST_CASE("environment: what falls onto a surface is the integral over its hemisphere") {
+TEST_CASE("environment: irradiance is the integral over the hemisphere") {
   const auto light = [](glm::dvec3 d) {
     const double lamp = std::pow(std::fmax(glm::dot(d, glm::normalize(glm::dvec3(1, 2, 0.5))), 0), 4);
     return glm::dvec3(0.2 + 3 * lamp, 0.2 + lamp, 0.4 + 0.2 * d.y);
@@ -123,7 +123,7 @@ TEST_CASE("environment: what falls onto a surface is the integral over its hemis
   }
 }
 
-TEST_CASE("environment: rough surfaces mirror the mean over a lobe of GGX") {
+TEST_CASE("environment: rough reflections are the mean over a GGX lobe") {
   const glm::dvec3 lamp = glm::normalize(glm::dvec3(-1, 1, -2));
   const auto light = [&](glm::dvec3 d) {
     return glm::dvec3(std::pow(std::fmax(glm::dot(d, lamp), 0), 24));
@@ -154,7 +154,7 @@ TEST_CASE("environment: rough surfaces mirror the mean over a lobe of GGX") {
     }
 }
 
-TEST_CASE("environment: what is no panorama is told") {
+TEST_CASE("environment: an image that is not a panorama is reported") {
   const auto says = [](const sim::LightFile& file, const char* words) {
     try {
       static_cast<void>(draw::environmentOf(file, 1, 0, "the sky's picture a.hdr"));
@@ -179,7 +179,7 @@ TEST_CASE("environment: what is no panorama is told") {
   CHECK(says(file, "a.hdr has no channel B"));
 }
 
-TEST_CASE("environment: what resampling leaves a little below 0 counts as 0") {
+TEST_CASE("environment: slightly negative values from resampling become 0") {
   const Silence silence;
   sim::LightFile file = pictureOf([](glm::dvec3) { return glm::dvec3(0); });
   const draw::EnvironmentTexels black = draw::environmentOf(file, 1, 0, "picture");

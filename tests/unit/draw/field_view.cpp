@@ -6,7 +6,7 @@
 using namespace simreel;
 using Fit = sim::FieldDisplay::Fit;
 
-TEST_CASE("a field fits into its part of the picture") {
+TEST_CASE("a field fits into its rectangle of the picture") {
   sim::FieldDisplay display;
   display.fit = Fit::contain;
   draw::FieldView view = draw::fieldView(display, {100, 50}, {400, 400}, 0);
@@ -23,7 +23,7 @@ TEST_CASE("a field fits into its part of the picture") {
   CHECK(view.origin == glm::dvec2(0, 0));
 }
 
-TEST_CASE("the centre stays in the middle of the part while zooming") {
+TEST_CASE("zooming keeps the field's centre in the middle of the rectangle") {
   sim::FieldDisplay display;
   display.corner = {0.5F, 0.25F, 0};
   display.extent = {0.5F, 0.5F, 0};
@@ -40,7 +40,7 @@ TEST_CASE("the centre stays in the middle of the part while zooming") {
         doctest::Approx(draw::fieldView(display, {640, 360}, {641, 363}, 0).perPixel.x));
 }
 
-TEST_CASE("at whole magnifications cells begin on pixels, whatever the picture's size") {
+TEST_CASE("at integer magnifications cells start at pixel borders, for any picture size") {
   sim::FieldDisplay display;
   display.fit = Fit::contain;
   const draw::FieldView view = draw::fieldView(display, {33, 20}, {101, 60}, 0);

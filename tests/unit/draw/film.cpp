@@ -51,7 +51,7 @@ constexpr std::array<float, 9> lights = {1e-4F, 0.003F, 0.02F, 0.18F, 0.5F, 1, 3
 
 }  // namespace
 
-TEST_CASE("film: agx and filmic are what their authors say") {
+TEST_CASE("film: AgX and filmic equal their published definitions") {
   for (const float r : lights)
     for (const float g : lights)
       for (const float b : {0.01F, 0.3F, 5.0F}) {
@@ -68,7 +68,7 @@ TEST_CASE("film: agx and filmic are what their authors say") {
       }
 }
 
-TEST_CASE("film: grey stays grey, more light is never darker, and nothing is black") {
+TEST_CASE("film: grey stays grey, the curve is monotonic, and zero light is black") {
   const auto check = [](auto film) {
     float before = -1;
     for (float light = 1e-3F; light < 100; light *= 1.1F) {
@@ -86,7 +86,7 @@ TEST_CASE("film: grey stays grey, more light is never darker, and nothing is bla
   check([](glm::vec3 light) { return shader::filmedFilmic(light); });
 }
 
-TEST_CASE("transparent: the light of what hides a part of a pixel is its own") {
+TEST_CASE("transparent: partly covered pixels store unpremultiplied light of the covering surface") {
   // An object that covers a quarter of the pixel, and its light over the background.
   CHECK(shader::coverOf(0.25F, glm::vec3(0)) == 0.25F);
   const glm::vec3 own = shader::lightOfCover(0.25F * glm::vec3(0.8F, 2, 0.1F), 0.25F);
@@ -100,7 +100,7 @@ TEST_CASE("transparent: the light of what hides a part of a pixel is its own") {
   CHECK(shader::lightOfCover(glm::vec3(0), 0) == glm::vec3(0));
 }
 
-TEST_CASE("transparent: what is laid over a picture looks the same over anything behind it") {
+TEST_CASE("transparent: compositing over any background gives the same result as drawing over it") {
   for (const double alpha : {0., 1., 100., 254., 255.})
     for (const float opacity : {0.0F, 0.3F, 0.85F, 1.0F}) {
       const glm::vec3 color(0.9F, 0.2F, 0.5F);

@@ -72,7 +72,7 @@ glm::dvec3 mapped(const Plane& plane, glm::dvec3 normal, glm::dvec3 t, glm::dvec
 
 }  // namespace
 
-TEST_CASE("normal maps: tangent frames as MikkTSpace has them, whatever way uvs and pixels lie") {
+TEST_CASE("normal maps: tangent frames equal MikkTSpace for any orientation of uvs and pixels") {
   Numbers number;
   double worst = 0;
   for (int i = 0; i < 2000; ++i) {
@@ -91,7 +91,7 @@ TEST_CASE("normal maps: tangent frames as MikkTSpace has them, whatever way uvs 
   CHECK(worst < 2e-5);
 }
 
-TEST_CASE("normal maps: red leans along u, green up the picture") {
+TEST_CASE("normal maps: red tilts along u, green upwards in the picture") {
   const Plane plane{{1, 0, 0}, {0, -1, 0}};  // v points down, as in a picture seen from +z
   const glm::dvec3 n(0, 0, 1), across(0.01, 0, 0), above(0, 0.01, 0);
   CHECK(mapped(plane, n, {0.6, 0, 0.8}, across, above).x == doctest::Approx(0.6));
@@ -107,7 +107,7 @@ TEST_CASE("normal maps: red leans along u, green up the picture") {
         doctest::Approx(1));
 }
 
-TEST_CASE("normal maps: what differs within a pixel is rougher there") {
+TEST_CASE("normal maps: normals that vary within a pixel increase its roughness") {
   CHECK(finish::spreadRoughness(0.3F, {0.5F, 0.5F, 1.0F}) == 0.3F);
   // a unit normal rounded to bytes causes no extra roughness
   CHECK(finish::spreadRoughness(0.3F, {0.5F, 0.5F, 0.996F}) == 0.3F);
@@ -117,7 +117,7 @@ TEST_CASE("normal maps: what differs within a pixel is rougher there") {
   CHECK(finish::spreadRoughness(0.3F, {0.5F, 0.5F, 0.9F}) == doctest::Approx(wanted).epsilon(1e-4));
 }
 
-TEST_CASE("clear coat: what it mirrors is kept from what is below") {
+TEST_CASE("clear coat: the base loses the light that the coat reflects") {
   for (const float roughness : {0.0F, 0.2F, 0.7F})
     for (const float nv : {0.05F, 0.4F, 1.0F}) {
       const glm::vec2 share =
@@ -130,7 +130,7 @@ TEST_CASE("clear coat: what it mirrors is kept from what is below") {
   CHECK(finish::coated({1, 2, 4}, {9, 9, 9}, 0, 0.1F, 0.5F) == glm::vec3(1, 2, 4));
 }
 
-TEST_CASE("sheen: the lobe of fibres, and its integral over the surroundings") {
+TEST_CASE("sheen: the lobe and its integral equal their formula") {
   Numbers number;
   const glm::dvec3 n(0, 0, 1);
   for (int i = 0; i < 500; ++i) {

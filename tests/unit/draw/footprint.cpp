@@ -92,7 +92,7 @@ TextureReads noiseOf(glm::ivec2 size) {
 
 }  // namespace
 
-TEST_CASE("footprints: texels, levels and taps as in double precision") {
+TEST_CASE("footprints: texels, mip levels and taps equal double precision") {
   for (const glm::ivec2 size :
        {glm::ivec2(37, 21), glm::ivec2(64, 5), glm::ivec2(1, 9), glm::ivec2(1, 1)}) {
     TextureReads texture = noiseOf(size);

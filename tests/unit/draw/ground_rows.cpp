@@ -36,7 +36,7 @@ bool sees(const ExactView& view, float ground, int row) {
 
 }  // namespace
 
-TEST_CASE("ground: every row that sees it is among those that may, and few others are") {
+TEST_CASE("ground: the row range contains every row that sees the ground and few others") {
   constexpr int step = 8;
   std::mt19937 random(7);
   std::uniform_real_distribution<float> any(-1, 1);
@@ -66,7 +66,8 @@ TEST_CASE("ground: every row that sees it is among those that may, and few other
   }
 }
 
-TEST_CASE("ground: how near it is within a pixel lies around its middle, rays too, and nearly touches it") {
+TEST_CASE(
+    "ground: within a pixel, nearness and rays deviate from the pixel's centre by at most a tight bound") {
   std::mt19937 random(8);
   std::uniform_real_distribution<float> any(-1, 1);
   const glm::ivec2 size(91, 67);

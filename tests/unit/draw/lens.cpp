@@ -30,7 +30,7 @@ scene::Camera tilted() {
 
 }  // namespace
 
-TEST_CASE("lens: points lie evenly over a disc, and in polygons") {
+TEST_CASE("lens: sample points cover a disc evenly, and also polygons") {
   for (const int count : {2, 7, 32, 1000}) {
     const auto points = draw::openingPoints(count, 0);
     REQUIRE(points.size() == static_cast<std::size_t>(count));
@@ -63,7 +63,9 @@ TEST_CASE("lens: points lie evenly over a disc, and in polygons") {
   }
 }
 
-TEST_CASE("lens: as large as a real one, and focused where the camera looks unless the scene says where") {
+TEST_CASE(
+    "lens: the aperture follows focal length and f-number, and the focus is the camera's target by "
+    "default") {
   scene::Camera camera = tilted();
   camera.lens->fNumber = 1.4F;
   const glm::ivec2 size(91, 67);
@@ -86,7 +88,8 @@ TEST_CASE("lens: as large as a real one, and focused where the camera looks unle
 }
 
 TEST_CASE(
-    "lens: places at the focus stay, others move by opening, distance and focus, and rays meet them") {
+    "lens: points in focus do not move, other points move by aperture, distance and focus, and rays "
+    "agree") {
   const scene::Camera camera = tilted();
   const glm::ivec2 size(91, 67);
   const draw::View view = draw::viewAt(camera, 0, size, {});

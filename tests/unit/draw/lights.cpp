@@ -59,7 +59,7 @@ scene::Light lightNamed(const char* name, bool shadow) {
 
 }  // namespace
 
-TEST_CASE("flicker: the hash's values at whole numbers, smooth in between, also before time 0") {
+TEST_CASE("flicker: values interpolate hashes at integer times smoothly, also before time 0") {
   for (const int seed : {1, 7, 2147483647})
     for (const std::uint32_t light : {0U, 0x12345678U, 0xffffffffU})
       for (const double x : {0.0, 0.3, 17.0, 17.5, 999.25, -0.25, -3.0}) {
@@ -75,7 +75,7 @@ TEST_CASE("flicker: the hash's values at whole numbers, smooth in between, also 
 }
 
 TEST_CASE(
-    "flicker: bounded by its amount, mean 0, without jumps, and another one for each light and seed") {
+    "flicker: it is bounded by its amount, has mean 0 and no jumps, and differs between lights and seeds") {
   scene::Flicker flicker;
   flicker.amount = 0.4F;
   flicker.sway = 0.1F;
@@ -111,7 +111,7 @@ TEST_CASE(
   CHECK(draw::flickered(flicker, "torch", 3, 1.1).moved == glm::vec3(0));
 }
 
-TEST_CASE("lamps: those with shadows first, and their maps side by side without overlap") {
+TEST_CASE("lamps: lamps with shadows come first, and their maps do not overlap") {
   scene::Scene scene;
   scene.lights = {lightNamed("a", false), lightNamed("b", true), lightNamed("c", false),
                   lightNamed("d", true)};
@@ -135,7 +135,7 @@ TEST_CASE("lamps: those with shadows first, and their maps side by side without 
   CHECK(lamps[1].sampling.y == doctest::Approx(2.0 / 23));
 }
 
-TEST_CASE("lamps: one that follows a path stands by it, and is dark without") {
+TEST_CASE("lamps: a lamp that follows a path is placed on it, and is off without a path") {
   scene::Scene scene;
   scene.lights = {lightNamed("a", false)};
   scene::Light& light = scene.lights[0];
@@ -156,7 +156,7 @@ TEST_CASE("lamps: one that follows a path stands by it, and is dark without") {
   CHECK(glm::vec3(dark.power) == glm::vec3(0));
 }
 
-TEST_CASE("lamps: candela over pi, and values at their time") {
+TEST_CASE("lamps: intensity is candela / pi, evaluated at the given time") {
   scene::Scene scene;
   scene.lights = {lightNamed("a", false)};
   scene::Light& light = scene.lights[0];
@@ -195,7 +195,7 @@ TEST_CASE("point light: inverse square outside the ball, constant inside") {
   }
 }
 
-TEST_CASE("point light: 4 pi lumen a candela go through any closed surface around it") {
+TEST_CASE("point light: a light of 1 candela emits 4 pi lumens through any closed surface around it") {
   const vec4 ball(0.4F, 0.2F, -0.5F, 0.05F);
   constexpr int rings = 301;
   constexpr int sectors = 403;
@@ -213,13 +213,14 @@ TEST_CASE("point light: 4 pi lumen a candela go through any closed surface aroun
   CHECK(flux == doctest::Approx(4 * std::numbers::pi).epsilon(1e-3));
 }
 
-TEST_CASE("point light: a ball widens the lobe by half the angle it spans, a point does not") {
+TEST_CASE(
+    "point light: a spherical light widens the lobe by half its angular size; a point light does not") {
   CHECK(widenedAlpha(0.3F, 0) == doctest::Approx(0.3));
   CHECK(widenedAlpha(0.3F, 0.8F) == doctest::Approx(0.5));
   CHECK(widenedAlpha(0, 1) == doctest::Approx(0.5));
 }
 
-TEST_CASE("lights: lumens are the integral of the intensity over all directions") {
+TEST_CASE("lights: lumens are the integral of intensity over all directions") {
   scene::Light light;
   light.intensity = 800.0F;
   CHECK(draw::candelas(light, 0) == 800.0F);

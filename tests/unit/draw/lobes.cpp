@@ -63,7 +63,7 @@ glm::dvec2 mirroredOf(double nv, double alpha) {
 
 }  // namespace
 
-TEST_CASE("lobes: GGX with Smith's shadowing and Schlick's Fresnel term, and the same both ways") {
+TEST_CASE("lobes: the lobe is GGX with Smith shadowing and Schlick Fresnel, and is reciprocal") {
   std::mt19937 engine(11);
   std::uniform_real_distribution<double> turn(0, 2 * std::numbers::pi), up(0.03, 1), rough(0.25, 1);
   const auto direction = [&] {
@@ -90,7 +90,7 @@ TEST_CASE("lobes: GGX with Smith's shadowing and Schlick's Fresnel term, and the
   CHECK(smooth.y < 1e-20F);
 }
 
-TEST_CASE("lobes: the share of evenly lit surroundings that is mirrored is the lobe's integral") {
+TEST_CASE("lobes: the reflected fraction of uniform light is the lobe's integral") {
   double worst = 0, worstWhite = 0;
   for (int i = 0; i <= 19; ++i)
     for (const double nv : {0.05, 0.1, 0.17, 0.3, 0.45, 0.6, 0.8, 0.95, 1.0}) {

@@ -90,12 +90,12 @@ Level levelOf(glm::ivec2 size, std::span<const std::uint8_t> rgba) {
 
 }  // namespace
 
-TEST_CASE("mip levels: the table is the curve of sRGB") {
+TEST_CASE("mip levels: the conversion table equals the sRGB curve") {
   for (int i = 0; i < 256; ++i)
     CHECK(draw::linearOfSrgb(static_cast<std::uint8_t>(i)) == std::lround(65535 * decoded(i)));
 }
 
-TEST_CASE("mip levels agree with the same filter in float64, at odd sizes too") {
+TEST_CASE("mip levels agree with the same filter in double precision, also at odd sizes") {
   for (const glm::ivec2 size :
        {glm::ivec2(64, 64), {63, 63}, {65, 40}, {1, 37}, {100, 1}, {7, 5}, {2, 3}, {3, 129}, {127, 254}})
     for (const bool opaque : {true, false}) {
@@ -126,7 +126,7 @@ TEST_CASE("mip levels agree with the same filter in float64, at odd sizes too") 
     }
 }
 
-TEST_CASE("mip levels: one colour stays that colour") {
+TEST_CASE("mip levels: a uniform colour stays uniform") {
   for (int byte = 0; byte < 256; ++byte)
     for (const int alpha : {0, 1, 128, 255}) {
       std::vector<std::uint8_t> rgba(4 * 5 * 6);
@@ -144,7 +144,7 @@ TEST_CASE("mip levels: transparent texels do not bleed") {
   CHECK(level.rgba == std::vector<std::uint8_t>{255, 0, 0, 128});
 }
 
-TEST_CASE("mip levels: the same bytes on every machine") {
+TEST_CASE("mip levels: every machine computes the same bytes") {
   std::vector<std::uint8_t> all;
   for (const glm::ivec2 size : {glm::ivec2(64, 32), {61, 35}, {1, 9}})
     for (const bool opaque : {true, false})

@@ -9,7 +9,7 @@
 
 using namespace simreel;
 
-TEST_CASE("orbit: turn, elevation and distance say where the camera stands") {
+TEST_CASE("orbit: turn, elevation and distance give the camera position") {
   scene::Orbit orbit;
   orbit.distance = 4.0F;
   orbit.elevation = 0.0F;
@@ -25,7 +25,7 @@ TEST_CASE("orbit: turn, elevation and distance say where the camera stands") {
   CHECK(glm::length(eye() - glm::vec3(0, 2, -4 * std::sqrt(0.75F))) < 1e-5F);
 }
 
-TEST_CASE("orbit: the view looks at the target from there, and turns with time") {
+TEST_CASE("orbit: the camera looks at the target and turns with time") {
   scene::Camera camera;
   camera.orbit.emplace();
   camera.target = glm::vec3(0, 1, 0);
@@ -39,7 +39,7 @@ TEST_CASE("orbit: the view looks at the target from there, and turns with time")
   }
 }
 
-TEST_CASE("track: the view looks at the object's middle, and goes along with it on an orbit") {
+TEST_CASE("track: the camera looks at the object's centre and moves with it on an orbit") {
   scene::Camera camera;
   camera.track.emplace();
   camera.track->object = "ball";

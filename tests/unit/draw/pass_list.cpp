@@ -40,14 +40,14 @@ TEST_CASE("pass list: a pass that writes what no later pass reads is refused") {
   CHECK(fault.what == "writes what no later pass reads");
 }
 
-TEST_CASE("pass list: a pass of a band among those of the picture is refused") {
+TEST_CASE("pass list: a per-band pass among whole-picture passes is refused") {
   PassEntry early = film;
   early.writes = {"light", "picture"};
   early.reads = {"drawables"};
   CHECK(faultOf(std::array{depth, early, shade, film}).what == "runs inside a loop that has ended");
 }
 
-TEST_CASE("pass list: a pass that reads what one band has, but runs once a view, is refused") {
+TEST_CASE("pass list: a once-per-view pass that reads per-band data is refused") {
   PassEntry whole = shade;
   whole.each = Each::view;
   const PassFault fault = faultOf(std::array{depth, whole, film});
@@ -55,12 +55,12 @@ TEST_CASE("pass list: a pass that reads what one band has, but runs once a view,
   CHECK(fault.resource == "keys");
 }
 
-TEST_CASE("pass list: what bisect compares is what the passes keep, in their order") {
+TEST_CASE("pass list: bisect compares the outputs that passes keep, in pass order") {
   CHECK(draw::passNames() ==
         std::vector<std::string>{"visibility", "shadow", "light", "glow", "bloom", "picture"});
 }
 
-TEST_CASE("pass list: passes have names of their own") {
+TEST_CASE("pass list: pass names are unique") {
   std::set<std::string_view> names;
   for (const PassEntry& entry : draw::exactPasses) CHECK(names.insert(entry.name).second);
 }

@@ -34,7 +34,7 @@ int fullest(const std::vector<vec3>& points, int first, int second, int columns)
 
 }  // namespace
 
-TEST_CASE("rays: samples are spread as evenly as Sobol's points") {
+TEST_CASE("rays: samples are distributed as evenly as Sobol points") {
   for (const uint seed : {1U, 77U, 0xdeadbeefU})
     for (const uint which : {0U, 3U})
       for (const uint count : {16U, 64U, 1024U}) {
@@ -53,7 +53,7 @@ TEST_CASE("rays: samples are spread as evenly as Sobol's points") {
       }
 }
 
-TEST_CASE("rays: pixels and sets have points of their own") {
+TEST_CASE("rays: different pixels and sets have different points") {
   std::vector<float> first;
   for (uint seed = 0; seed < 1000; ++seed) first.push_back(samplePoint(0, 63, seed, 1).x);
   std::sort(first.begin(), first.end());

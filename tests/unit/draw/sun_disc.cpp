@@ -43,7 +43,8 @@ double beyond(double x) {
 }  // namespace
 
 TEST_CASE(
-    "sun disc: behind an edge light grows as the share of the disc that is seen, as wide as the gap") {
+    "sun disc: behind an edge, light grows with the visible fraction of the disc, over a penumbra "
+    "proportional to the gap") {
   casters = [](glm::ivec2 texel) { return texel.x < 500 ? 0.9F : -1e30F; };
   for (const float gap : {0.1F, 0.25F, 0.5F}) {
     const double radius = 100.0 * static_cast<double>(gap);  // radius of the penumbra in texels
@@ -58,7 +59,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("sun disc: a penumbra is as narrow and as wide as it may be at least and at most") {
+TEST_CASE("sun disc: penumbra width is clamped to its min and max") {
   casters = [](glm::ivec2 texel) { return texel.x < 500 ? 0.9F : -1e30F; };
   const auto at = [](float x, float near) { return sunDiscFraction(receiver({x, 300.3F}, near)); };
   CHECK(at(502.5F, 0.899F) == 1);
@@ -70,7 +71,7 @@ TEST_CASE("sun disc: a penumbra is as narrow and as wide as it may be at least a
   CHECK(at(700.0F, -20.0F) == 1);  // a receiver far behind all objects is not shaded
 }
 
-TEST_CASE("sun disc: what lies in the receiver's plane does not shade it, what stands on it does") {
+TEST_CASE("sun disc: a caster in the receiver's plane casts no shadow; a standing caster does") {
   // A plane that rises by 0.004 per texel along x and falls by 0.002 along y.
   const glm::vec2 rise(0.004F, -0.002F);
   const auto plane = [&](glm::vec2 at) { return 0.5F + rise.x * (at.x - 400) + rise.y * (at.y - 400); };

@@ -7,7 +7,7 @@
 
 using namespace simreel::frame;
 
-TEST_CASE("bench: percentiles of known sets") {
+TEST_CASE("bench: percentiles of known sets are right") {
   // numpy.percentile([15, 20, 35, 40, 50], [5, 40, 50, 95]) = 16, 29, 35, 48
   const std::vector<double> five = {15, 20, 35, 40, 50};
   CHECK(percentile(five, 0.05) == doctest::Approx(16));
@@ -38,7 +38,7 @@ TEST_CASE("bench: statistics do not depend on the order") {
   CHECK(statisticsOf({}).median == 0);
 }
 
-TEST_CASE("bench: outliers lie beyond three medians") {
+TEST_CASE("bench: outliers are values beyond three medians") {
   const Outliers found = outliersOf(std::vector<double>{2, 2, 6.5, 2, 2, 2, 40, 6, 2});
   CHECK(found.bound == 6);
   CHECK(found.count == 2);  // counts two outliers: the value 6 lies exactly on the bound

@@ -7,7 +7,8 @@
 
 using namespace simreel;
 
-TEST_CASE("count table: what is measured stands beside counts, as short as its floats are themselves") {
+TEST_CASE(
+    "count table: measured values stand next to counts, in the shortest form that reads back exactly") {
   sim::World::CountNames fire{"fire", {"burning", "burnt"}};
   sim::World::CountNames pond{"pond", {"a", "b", "c", "d", "e"}};
   pond.elements = 2;

@@ -65,7 +65,7 @@ std::vector<float> channelNamed(Imf::InputFile& file, const char* name) {
 
 }  // namespace
 
-TEST_CASE("exr: colour, depth, position and objects come back") {
+TEST_CASE("exr: colour, depth, position and object IDs are read back") {
   const draw::PictureLayers made = smallLayers();
   const WrittenFile written(frame::encodeExr(made, {{"simreel:frame", "7"}}));
   Imf::InputFile file(written.path.c_str());
@@ -102,7 +102,7 @@ TEST_CASE("exr: colour, depth, position and objects come back") {
   CHECK(manifest.find(R"("a ball":")") != std::string::npos);
 }
 
-TEST_CASE("exr: the golden runner reads what is written") {
+TEST_CASE("exr: the golden runner reads the written files") {
   draw::PictureLayers made = smallLayers();
   made.alpha = false;
   const auto bytes = frame::encodeExr(made, {});
@@ -113,7 +113,7 @@ TEST_CASE("exr: the golden runner reads what is written") {
   CHECK(read.image.height == 3);
 }
 
-TEST_CASE("exr: the hash tells every part, and files are the same each time") {
+TEST_CASE("exr: the hash covers every layer, and equal content gives equal files") {
   const draw::PictureLayers made = smallLayers();
   CHECK((frame::encodeExr(made, {}) == frame::encodeExr(made, {})));
   const std::string hash = frame::pixelHash(made);
@@ -132,7 +132,7 @@ TEST_CASE("exr: the hash tells every part, and files are the same each time") {
   CHECK(differs([](auto& p) { p.shares[58].coverage = 0.5F; }));
 }
 
-TEST_CASE("exr: names have the numbers of MurmurHash3") {
+TEST_CASE("exr: object IDs are MurmurHash3 of the names") {
   // From the reference implementation (SMHasher), seed 0.
   CHECK(frame::cryptomatteId("hello") == 0x248bfa47U);
   CHECK(frame::cryptomatteId("hello, world") == 0x149bbb7fU);

@@ -24,7 +24,7 @@ std::string textOf(const std::vector<std::byte>& file, std::size_t bytes) {
 
 }  // namespace
 
-TEST_CASE("an NPY file is version 1.0, aligned, rows from the top") {
+TEST_CASE("an NPY file has version 1.0, aligned data and the top row first") {
   const std::vector<float> values = {1, 2, 3, 4, 5, 6.25F};
   const auto file = frame::encodeField(frame::FieldFormat::npy, {3, 2}, values);
   const std::size_t header = file.size() - 24;
@@ -48,7 +48,7 @@ TEST_CASE("the header of an NPY file is a multiple of 64 bytes for every size") 
   }
 }
 
-TEST_CASE("a PFM file is little endian, last row first") {
+TEST_CASE("a PFM file is little endian with the bottom row first") {
   const std::vector<float> values = {1, 2, 3, 4, 5, 6};
   const auto file = frame::encodeField(frame::FieldFormat::pfm, {3, 2}, values);
   const std::string header = "Pf\n3 2\n-1.0\n";
@@ -58,7 +58,7 @@ TEST_CASE("a PFM file is little endian, last row first") {
   CHECK(floatAt(file, header.size() + 12) == 1);
 }
 
-TEST_CASE("formats of fields are npy and pfm") {
+TEST_CASE("field formats are npy and pfm only") {
   CHECK(frame::parseFieldFormat("npy") == frame::FieldFormat::npy);
   CHECK(frame::parseFieldFormat("pfm") == frame::FieldFormat::pfm);
   CHECK_THROWS_AS(static_cast<void>(frame::parseFieldFormat("tiff")), UserError);

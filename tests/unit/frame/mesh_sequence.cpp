@@ -55,8 +55,7 @@ std::string failureOf(const std::string& format, const std::vector<int>& frames,
 
 }  // namespace
 
-TEST_CASE(
-    "meshes as PLY and glTF are read back bit for bit, as OBJ as well as the library reads decimals") {
+TEST_CASE("PLY and glTF meshes are read back bit for bit, OBJ within the library's decimal precision") {
   const TemporaryFolder folder;
   sim::MeshTable mesh;
   std::uint32_t word = 1;
@@ -95,7 +94,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("mesh sequences: glTF moves by the rules of morph targets and their weights") {
+TEST_CASE("mesh sequences: glTF animates by morph targets and weights") {
   const TemporaryFolder folder;
   const auto file = folder / "pair.glb";
   const auto sequence = frame::openSequence("glb", file, {"pair", {4, 5, 8}, 10, {"a comment"}});
@@ -167,14 +166,14 @@ TEST_CASE("mesh sequences: one file holds one surface") {
   CHECK(failureOf("pc2", {0, 2, 3}, {}).find("--frames: PC2 has one step") == 0);
 }
 
-TEST_CASE("mesh sequences: more than GLB holds is said with the first frame") {
+TEST_CASE("mesh sequences: a sequence above the size limit of GLB is refused at the first frame") {
   std::vector<int> frames(60'000);
   for (std::size_t i = 0; i < frames.size(); ++i) frames[i] = static_cast<int>(i);
   const std::string said = failureOf("glb", frames, {movedPair(0)});
   CHECK(said.find("\"it\": 60000 frames of 4 vertices are 14.") == 0);
 }
 
-TEST_CASE("files in parts: written over, and gone where they are not finished") {
+TEST_CASE("files in parts: a complete file replaces the old one, and an unfinished one is removed") {
   const TemporaryFolder folder;
   const auto file = folder / "file";
   const auto bytes = [](std::string_view text) { return std::as_bytes(std::span(text)); };

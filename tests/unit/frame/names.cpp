@@ -7,7 +7,7 @@ using namespace simreel;
 using namespace simreel::frame;
 using namespace simreel::frame::test;
 
-TEST_CASE("output: every form") {
+TEST_CASE("output: every form of output name is parsed") {
   const TemporaryFolder folder;
   const std::string base = folder.string();
   CHECK(parseOutput(base, 9).file(7) == folder / "000007.png");
@@ -28,7 +28,7 @@ TEST_CASE("output: every form") {
   CHECK(parseOutput("-", 9).kind == OutputName::Kind::stream);
 }
 
-TEST_CASE("output: senseless forms are usage errors") {
+TEST_CASE("output: invalid output names are usage errors") {
   for (const char* output :
        {"",        "poster.png", "a.jpg",     "a.exr",           "a_####.jpg",
         "a_####",  "a_####.mp4", "##_##.png", "%d_%d.png",       "%d_#.png",
@@ -43,7 +43,7 @@ TEST_CASE("output: senseless forms are usage errors") {
   CHECK(contains(errorOf([] { (void)parseOutput("d/p.png", 2); }).second, "d/p_####.png"));
 }
 
-TEST_CASE("frames: lists, ranges and steps") {
+TEST_CASE("frames: lists, ranges and steps of frames are parsed") {
   CHECK(parseFrames("7") == std::vector{7});
   CHECK(parseFrames("0-4") == std::vector{0, 1, 2, 3, 4});
   CHECK(parseFrames("0-9x4,150") == std::vector{0, 4, 8, 150});
@@ -69,7 +69,7 @@ TEST_CASE("frames: lists, ranges and steps") {
   }
 }
 
-TEST_CASE("progress: texts") {
+TEST_CASE("progress: progress texts show frames and time left") {
   CHECK(formatDuration(9.84) == "9.8 s");
   CHECK(formatDuration(185.2) == "3 min 05 s");
   CHECK(formatDuration(7460) == "2 h 04 min");
@@ -87,7 +87,8 @@ TEST_CASE("progress: texts") {
   }
 }
 
-TEST_CASE("progress: one JSON object a line, and silence when piped") {
+TEST_CASE(
+    "progress: ndjson mode prints one JSON object per line, and automatic mode prints nothing if piped") {
   const TemporaryFolder folder;
   const auto record = [&](Progress::Mode mode) {
     const std::string path = (folder / "progress").string();

@@ -63,7 +63,7 @@ std::uint32_t random(std::size_t i) {
 
 }  // namespace
 
-TEST_CASE("png: odd sizes come back exactly") {
+TEST_CASE("png: odd sizes are read back exactly") {
   for (const auto& [width, height] : {std::pair{1, 1}, {3, 5}, {2, 1}, {1, 300}, {641, 359}, {1920, 400}}) {
     const Image image = picture(width, height);
     const auto file = encodePng(image, {});
@@ -76,7 +76,7 @@ TEST_CASE("png: odd sizes come back exactly") {
   }
 }
 
-TEST_CASE("png: the hash sees size and colour, not alpha") {
+TEST_CASE("png: the hash depends on size and colour, not on alpha") {
   Image image = picture(6, 4);
   const std::string hash = pixelHash(image);
   CHECK(hash.size() == 32);
@@ -88,7 +88,7 @@ TEST_CASE("png: the hash sees size and colour, not alpha") {
   CHECK(pixelHash(wide) != pixelHash(square));
 }
 
-TEST_CASE("png: text chunks stand after the header, Latin-1 or international") {
+TEST_CASE("png: text chunks follow the header, as Latin-1 or international text") {
   const auto file = encodePng(picture(8, 8), {{"Software", "simreel"},
                                               {"simreel:scene", "caf\xc3\xa9"},
                                               {"Title", "\xe9\x9b\xaa and \xc3\xa9"},
@@ -108,7 +108,7 @@ TEST_CASE("png: text chunks stand after the header, Latin-1 or international") {
   CHECK(decodeImage(file, "test").width == 8);
 }
 
-TEST_CASE("png: says that its numbers are sRGB, with the gamma and primaries of the specification") {
+TEST_CASE("png: files declare sRGB with the gamma and primaries of the specification") {
   const auto chunks = chunksOf(encodePng(picture(8, 8), {}));
   REQUIRE(chunks.size() == 6);
   CHECK(chunks[1].type == "sRGB");
@@ -121,7 +121,7 @@ TEST_CASE("png: says that its numbers are sRGB, with the gamma and primaries of 
   CHECK(chunks[3].data.size() == 32);
 }
 
-TEST_CASE("png: a broken file is a user error that names it") {
+TEST_CASE("png: a broken file is a user error that names the file") {
   const auto file = encodePng(picture(40, 30), {});
   for (const std::size_t size :
        {std::size_t{0}, std::size_t{5}, std::size_t{20}, std::size_t{60}, file.size() / 2}) {
@@ -145,7 +145,7 @@ TEST_CASE("png: a broken file is a user error that names it") {
   }
 }
 
-TEST_CASE("png: the compressor gives back what it got") {
+TEST_CASE("png: decompressing returns the compressed bytes") {
   // Filtered rows of 4 bytes to 2 million, some close to the 64 KiB of a stored block.
   for (const auto& [width, height] : {std::pair{1, 1},
                                       {2, 2},
@@ -173,7 +173,9 @@ TEST_CASE("png: the compressor gives back what it got") {
   }
 }
 
-TEST_CASE("png: the first bytes are stored, for a compressor without history hashes an address") {
+TEST_CASE(
+    "png: the first bytes are stored uncompressed, because a compressor without history would hash an "
+    "address") {
   // Regression test: without a history the compressor hashed an address and chose other matches in 2 of
   // 100,000 runs. 7 bytes of headers, then the rows' first 32 bytes.
   const auto chunks = chunksOf(encodePng(picture(96, 54), {}));
@@ -186,7 +188,7 @@ TEST_CASE("png: the first bytes are stored, for a compressor without history has
             .data.starts_with(std::string("\x78\x01\x01\x04\x00\xfb\xff\x01", 8)));
 }
 
-TEST_CASE("png: threads encode the same bytes as one") {
+TEST_CASE("png: many threads encode the same bytes as one thread") {
   std::vector<Image> images;
   std::vector<std::vector<std::byte>> expected;
   for (int i = 0; i < 6; ++i) {
@@ -207,7 +209,7 @@ TEST_CASE("png: threads encode the same bytes as one") {
   }
 }
 
-TEST_CASE("png: grey numbers of 16 bits are linear and come back") {
+TEST_CASE("png: 16-bit grey values are linear and are read back") {
   const std::vector<std::uint8_t> bytes = {0x12, 0x34, 0xff, 0xff, 0, 0, 0, 1, 0x80, 0, 0xab, 0xcd};
   const auto file = encodePng({{3, 2}, 1, 16, bytes, true}, {{"Software", "simreel"}});
   const auto chunks = chunksOf(file);

@@ -63,7 +63,7 @@ TEST_CASE("sequence: two runs write the same bytes") {
 }
 
 TEST_CASE(
-    "sequence: exact pictures and their manifest are the same on every machine, run.json tells which") {
+    "sequence: exact pictures and their manifest are equal on every machine; run.json names the machine") {
   const TemporaryFolder folder;
   RunInfo here = runInfo();
   here.rasterizer = "exact";
@@ -84,7 +84,7 @@ TEST_CASE(
   CHECK(contains(text(folder / "c/manifest.json"), "\"fingerprint\": \"fingerprint\""));
 }
 
-TEST_CASE("run.json: frames are of who drew them last") {
+TEST_CASE("run.json: each frame is listed under the run that drew it last") {
   RunRecord first;
   first.host = "a";
   first.processor = "p";
@@ -111,7 +111,7 @@ TEST_CASE("run.json: frames are of who drew them last") {
     CHECK(errorOf([&] { static_cast<void>(parseRunLog(broken, "run.json")); }).first == ExitCode::usage);
 }
 
-TEST_CASE("sequence: existing frames are refused before anything is drawn") {
+TEST_CASE("sequence: existing frames are refused before drawing starts") {
   const TemporaryFolder folder;
   const std::string output = (folder / "f_##.png").string();
   renderInto(output, Existing::error, 3);
@@ -123,7 +123,7 @@ TEST_CASE("sequence: existing frames are refused before anything is drawn") {
   CHECK(renderInto(output, Existing::overwrite, 5).size() == 5);
 }
 
-TEST_CASE("sequence: resume draws anew what is missing, cut short or changed") {
+TEST_CASE("sequence: resume redraws missing, truncated and changed frames") {
   const TemporaryFolder folder;
   const std::string output = folder.string();
   renderInto(output, Existing::error, 8);
@@ -158,7 +158,7 @@ TEST_CASE("sequence: resume draws anew what is missing, cut short or changed") {
   CHECK(renderInto(output, Existing::resume, 8).size() == 8);
 }
 
-TEST_CASE("sequence: resume refuses another run, and starts over from a broken manifest") {
+TEST_CASE("sequence: resume refuses frames of a different run, and starts over if the manifest is broken") {
   const TemporaryFolder folder;
   renderInto(folder.string(), Existing::error, 2);
   const auto refusal = [&](const RunInfo& run) {
@@ -178,7 +178,7 @@ TEST_CASE("sequence: resume refuses another run, and starts over from a broken m
   }
 }
 
-TEST_CASE("sequence: files beside a frame are kept where the manifest and their hash say so") {
+TEST_CASE("sequence: companion files of a frame are kept if manifest and hash match") {
   const TemporaryFolder folder;
   const std::vector<int> frames = {0};
   const auto store = [&](Existing existing) {
@@ -207,7 +207,7 @@ TEST_CASE("sequence: files beside a frame are kept where the manifest and their 
   CHECK(text(folder / "manifest.json") == manifest);
 }
 
-TEST_CASE("sequence: skipping lists kept frames that say that they are of the run") {
+TEST_CASE("sequence: skipping lists existing frames that declare this run") {
   const TemporaryFolder folder;
   renderInto(folder.string(), Existing::error, 3);
   const std::string manifest = text(folder / "manifest.json");
@@ -234,7 +234,7 @@ TEST_CASE("sequence: skipping lists kept frames that say that they are of the ru
   CHECK(contains(message, "000002.png is a folder"));
 }
 
-TEST_CASE("sequence: skipping refuses frames of another run, by the manifest or by what they say") {
+TEST_CASE("sequence: skipping refuses frames of a different run, by manifest or by their own metadata") {
   RunInfo seed = runInfo(), scene = runInfo(), changed = runInfo();
   seed.seed = 8;
   scene.sceneHash = "other";
@@ -283,7 +283,7 @@ TEST_CASE("sequence: skipping refuses frames of another run, by the manifest or 
   }
 }
 
-TEST_CASE("sequence: any digit of a manifest that was changed starts over") {
+TEST_CASE("sequence: a manifest with any changed digit starts over") {
   const TemporaryFolder folder;
   renderInto(folder.string(), Existing::error, 2);
   const std::string manifest = text(folder / "manifest.json");
@@ -307,7 +307,7 @@ TEST_CASE("sequence: any digit of a manifest that was changed starts over") {
   CHECK(manifestText(parseManifest(three, "m.json")) == manifest);
 }
 
-TEST_CASE("sequence: a later run with other frames keeps the earlier ones in the manifest") {
+TEST_CASE("sequence: a later run with other frames keeps earlier frames in the manifest") {
   const TemporaryFolder folder;
   renderInto(folder.string(), Existing::error, 3);
   const std::vector<int> frames = {1};
@@ -318,7 +318,7 @@ TEST_CASE("sequence: a later run with other frames keeps the earlier ones in the
   CHECK(parseManifest(text(folder / "manifest.json"), "manifest").frames.size() == 3);
 }
 
-TEST_CASE("sequence: frames done before an error elsewhere can be resumed") {
+TEST_CASE("sequence: frames finished before an unrelated error can be resumed") {
   const TemporaryFolder folder;
   const auto frames = upTo(4);
   {
@@ -329,7 +329,7 @@ TEST_CASE("sequence: frames done before an error elsewhere can be resumed") {
   CHECK(renderInto(folder.string(), Existing::resume, 4) == std::vector{1, 2, 3});
 }
 
-TEST_CASE("sequence: what cannot be written is one user error") {
+TEST_CASE("sequence: an unwritable output is one user error") {
   const TemporaryFolder folder;
   writeFileAtomically(folder / "file", std::string_view("x"));
   const auto [code, message] =
@@ -361,7 +361,7 @@ TEST_CASE("sequence: a full disk is one user error, and the run can be resumed")
   CHECK(::umount(folder.string().c_str()) == 0);
 }
 
-TEST_CASE("sequence: one picture under a plain name") {
+TEST_CASE("sequence: a single picture is written under its plain name") {
   const TemporaryFolder folder;
   const std::vector<int> frames = {150};
   const auto sink = openSink(parseOutput((folder / "poster.png").string(), frames.size()), Existing::error,

@@ -27,7 +27,7 @@ sim::MeshTable tetrahedron() {
 
 }  // namespace
 
-TEST_CASE("binary glTF is read by assimp as it was written") {
+TEST_CASE("binary glTF is read back by assimp") {
   const sim::MeshTable mesh = tetrahedron();
   const std::vector<std::string> comments = {"simreel", "a \"quoted\" word"};
   const std::vector<std::byte> file = frame::encodeGlb(mesh, "solid", comments);
@@ -55,7 +55,7 @@ TEST_CASE("binary glTF is read by assimp as it was written") {
   }
 }
 
-TEST_CASE("binary glTF of a mesh without triangles is a file without meshes") {
+TEST_CASE("a mesh without triangles gives a binary glTF without meshes") {
   const std::vector<std::byte> file = frame::encodeGlb({}, "nothing", {});
   const std::string text(reinterpret_cast<const char*>(file.data()) + 20, file.size() - 20);
   const auto document = nlohmann::json::parse(text);
@@ -63,7 +63,7 @@ TEST_CASE("binary glTF of a mesh without triangles is a file without meshes") {
   CHECK(!document.contains("buffers"));
 }
 
-TEST_CASE("contours become loops without the points on straight lines") {
+TEST_CASE("contours are written as loops without points on straight lines") {
   sim::ContourLines lines;
   lines.size = {5, 5};
   // A square of side 2 with a point in the middle of each side, and a triangle of another level,
@@ -88,7 +88,7 @@ TEST_CASE("contours become loops without the points on straight lines") {
   CHECK(document["features"][3]["geometry"]["coordinates"] == nlohmann::json({0.0, -1.0}));
 }
 
-TEST_CASE("a camera stands on its path by length, and looks along it") {
+TEST_CASE("a path camera is placed by arc length and looks along the path") {
   const std::vector<glm::vec3> path = {{0, 0, 0}, {3, 0, 0}, {3, 0, 1}};
   scene::Follow follow;
   follow.height = 2;

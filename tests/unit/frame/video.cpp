@@ -86,7 +86,7 @@ std::string throughPipe(const Write& write) {
 
 }  // namespace
 
-TEST_CASE("video: the same bytes whatever the number of processors") {
+TEST_CASE("video: bytes do not depend on the number of processors") {
   if (!ffmpegInstalled()) return;
   const TemporaryFolder folder;
   cpu_set_t all, one;
@@ -105,7 +105,7 @@ TEST_CASE("video: the same bytes whatever the number of processors") {
   }
 }
 
-TEST_CASE("video: ffmpeg writes each kind, with a manifest") {
+TEST_CASE("video: ffmpeg writes each format, with a manifest") {
   if (!ffmpegInstalled()) {
     MESSAGE("skipped: ffmpeg is not installed");
     return;
@@ -141,7 +141,7 @@ TEST_CASE("video: ffmpeg writes each kind, with a manifest") {
   sink->finish();
 }
 
-TEST_CASE("video: an interrupted run keeps the frames so far, an abandoned one leaves nothing") {
+TEST_CASE("video: an interrupted run keeps the frames written so far; an abandoned run leaves no file") {
   if (!ffmpegInstalled()) {
     MESSAGE("skipped: ffmpeg is not installed");
     return;
@@ -169,7 +169,7 @@ TEST_CASE("video: an interrupted run keeps the frames so far, an abandoned one l
   CHECK(files == 3);
 }
 
-TEST_CASE("video: a missing or dying ffmpeg is one line, and never a hang") {
+TEST_CASE("video: a missing or dying ffmpeg is a one-line error and never a hang") {
   {
     const TemporaryFolder empty;
     const SearchPath path(empty.string());
@@ -196,7 +196,7 @@ TEST_CASE("video: a missing or dying ffmpeg is one line, and never a hang") {
   CHECK(contains(withFakeFfmpeg("exec <&-; exec sleep 60").second, "closed its input"));
 }
 
-TEST_CASE("stream: raw frames") {
+TEST_CASE("stream: raw frames have the right bytes") {
   const std::string bytes = throughPipe([](int descriptor) {
     const auto sink = openStreamSink("rgba", runInfo(3, 2), {}, descriptor);
     for (int frame = 0; frame < 3; ++frame) sink->add(frameInfo(frame), picture(3, 2, frame));
@@ -209,7 +209,7 @@ TEST_CASE("stream: raw frames") {
                    [](std::uint8_t a, char b) { return a == static_cast<std::uint8_t>(b); }));
 }
 
-TEST_CASE("stream: y4m header, frames and values") {
+TEST_CASE("stream: y4m has the right header, frames and values") {
   RunInfo run = runInfo(2, 1);
   run.fps = 59.94;
   const Image image{2, 1, {255, 255, 255, 255, 255, 0, 0, 255}};
@@ -229,7 +229,7 @@ TEST_CASE("stream: y4m header, frames and values") {
   }
 }
 
-TEST_CASE("films of every fifth frame play as fast as the scene") {
+TEST_CASE("a video of every fifth frame plays at the scene's speed") {
   const auto rate = [](double fps, std::initializer_list<int> frames) {
     return playedRate(fps, std::vector<int>(frames)).text('/');
   };
@@ -260,7 +260,7 @@ TEST_CASE("stream: a closed pipe and an unknown format are user errors") {
   CHECK(errorOf([] { (void)openStreamSink("bmp", runInfo(), {}, 1); }).first == ExitCode::usage);
 }
 
-TEST_CASE("interrupt: the first signal is noted") {
+TEST_CASE("interrupt: the first signal requests a stop") {
   CHECK(interruptSignal() == 0);
   catchInterrupts();
   ::raise(SIGTERM);

@@ -4,7 +4,7 @@
 
 using simreel::gl::ContextOptions;
 
-TEST_CASE("context options: each process takes the next device of a list") {
+TEST_CASE("context options: each process takes the next device of the list") {
   const ContextOptions two{.device = "0,1", .debug = true, .memoryPath = "texel"};
   CHECK(two.deviceCount() == 2);
   CHECK(two.ofWorker(0).device == "0");

@@ -21,7 +21,7 @@ frame::Image picture(std::vector<std::uint8_t> grey) {
 
 }  // namespace
 
-TEST_CASE("statistics of a component") {
+TEST_CASE("statistics of a component are right") {
   const std::vector<glm::vec4> items = {{3, 1, 0, 2}, {0, -5, 12, 4}, {3, 2.5F, 4, 9}};
   CHECK(statistic(Statistic::sum, Component::x, items) == 6);
   CHECK(statistic(Statistic::mean, Component::w, items) == 5);
@@ -33,7 +33,7 @@ TEST_CASE("statistics of a component") {
   CHECK(std::isnan(statistic(Statistic::max, Component::x, {})));
 }
 
-TEST_CASE("a NaN anywhere is the statistic's value") {
+TEST_CASE("a NaN in the component of any element makes the statistic NaN") {
   for (const Statistic which : {Statistic::mean, Statistic::min, Statistic::max, Statistic::sum})
     for (std::size_t at = 0; at < 3; ++at) {
       std::vector<glm::vec4> items(3, glm::vec4(1));
@@ -43,14 +43,14 @@ TEST_CASE("a NaN anywhere is the statistic's value") {
     }
 }
 
-TEST_CASE("words for components") {
+TEST_CASE("component names are parsed") {
   CHECK(componentOf("x") == Component::x);
   CHECK(componentOf("w") == Component::w);
   CHECK(componentOf("length") == Component::length);
   for (const char* word : {"", "xy", "q", "len", "X"}) CHECK(!componentOf(word));
 }
 
-TEST_CASE("numbers that are none are found by their bits") {
+TEST_CASE("NaN and infinity are detected by their bits") {
   std::vector<glm::vec4> items(4, glm::vec4(std::numeric_limits<float>::max()));
   items[0].x = std::numeric_limits<float>::denorm_min();
   CHECK(findNotFinite(items).count == 0);
@@ -62,7 +62,7 @@ TEST_CASE("numbers that are none are found by their bits") {
   CHECK(found.component == 2);
 }
 
-TEST_CASE("contrast of pictures") {
+TEST_CASE("the contrast of pictures is the standard deviation of luma") {
   const Contrast flat = contrastOf(picture({90, 90, 90, 90}));
   CHECK(flat.oneColour);
   CHECK(flat.lumaDeviation == doctest::Approx(0).epsilon(1e-12));

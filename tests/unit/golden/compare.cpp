@@ -36,7 +36,7 @@ scene::Tolerance tolerance(int channel, std::optional<double> ratio = {}) {
 
 }  // namespace
 
-TEST_CASE("pictures are compared by channel, alpha too, and counted by pixel") {
+TEST_CASE("pictures are compared per channel, including alpha, and differences are counted per pixel") {
   const auto a = uniform(5, 3, {100, 100, 100, 100});
   auto b = a;
   at(b, 1, 0, 0) = 103;
@@ -77,7 +77,9 @@ TEST_CASE("pictures are compared by channel, alpha too, and counted by pixel") {
   CHECK(metrics.psnr == psnrOf(std::max(squaresOver(0), squaresOver(255))));
 }
 
-TEST_CASE("equal pictures are equal to the eye; where alpha alone differs, a background shows it") {
+TEST_CASE(
+    "equal pictures have no perceptual difference; a difference in alpha alone is visible over a "
+    "background") {
   const auto a = frame::test::picture(40, 30);
   auto b = a;
   const auto equal = golden::measure(a, b, tolerance(0));
@@ -103,7 +105,7 @@ TEST_CASE("equal pictures are equal to the eye; where alpha alone differs, a bac
   CHECK(unseen.flipMean == 0);
 }
 
-TEST_CASE("the densest window is found wherever it lies, and clipped to small pictures") {
+TEST_CASE("the window with most differences is found anywhere and is clipped to small pictures") {
   const auto a = uniform(40, 30, {0, 0, 0, 255});
   auto b = a;
   for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {39, 29}, {38, 29}, {37, 27}, {20, 10}})
@@ -129,7 +131,7 @@ TEST_CASE("the densest window is found wherever it lies, and clipped to small pi
   CHECK(golden::measure(a, b, t).windowRatio == 0);
 }
 
-TEST_CASE("every bound that is given must hold; two of a hundred pixels may differ when none is") {
+TEST_CASE("all given bounds must hold; without bounds, 2% of pixels may differ") {
   const auto a = uniform(10, 10, {0, 0, 0, 255});
   auto b = a;
   at(b, 3, 4, 0) = 40;
@@ -174,7 +176,7 @@ TEST_CASE("every bound that is given must hold; two of a hundred pixels may diff
   CHECK(broken(t).size() == 1);
 }
 
-TEST_CASE("results do not depend on the number of threads") {
+TEST_CASE("comparison results do not depend on the number of threads") {
   const auto a = frame::test::picture(150, 130), b = frame::test::picture(150, 130, 3);
   const auto several = golden::measure(a, b, {});
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
@@ -184,7 +186,7 @@ TEST_CASE("results do not depend on the number of threads") {
   CHECK(several.flipMean == single.flipMean);
 }
 
-TEST_CASE("a difference image shows every difference and nothing else") {
+TEST_CASE("a difference image shows all differing pixels and only those") {
   const auto a = frame::test::picture(256, 2);
   auto b = a;
   for (int x = 0; x < 256; ++x) {

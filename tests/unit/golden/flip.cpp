@@ -33,14 +33,14 @@ const std::array<double, 3> blue = {blueL, 79.1875 * blueL / 100, -107.8602 * bl
 
 }  // namespace
 
-TEST_CASE("flip: green and blue are 1 apart, equal pictures 0") {
+TEST_CASE("flip: green against blue is 1, equal pictures are 0") {
   const auto a = uniform(23, 17, 0, 255, 0), b = uniform(23, 17, 0, 0, 255);
   for (const float error : golden::flipMap(a, b)) CHECK(error == doctest::Approx(1).epsilon(1e-6));
   CHECK(golden::flipMean(a, a) == 0);
   CHECK(golden::flipMap(a, b).size() == 23 * 17);
 }
 
-TEST_CASE("flip: black and white, and two greys, as worked out by hand") {
+TEST_CASE("flip: black against white and two greys equal values worked out by hand") {
   // Uniform pictures have no features, so only the colours contribute: a* = b* = 0, HyAB = dL*.
   const double largest = powered(green, blue), knee = 0.4 * largest;
   const double blackWhite = std::pow(100, 0.7);
@@ -57,7 +57,7 @@ TEST_CASE("flip: black and white, and two greys, as worked out by hand") {
         doctest::Approx(greys).epsilon(1e-4));
 }
 
-TEST_CASE("flip: symmetric, and the same where rows beyond the filters' reach are equal") {
+TEST_CASE("flip: the error is symmetric, and rows outside the filter's radius do not matter") {
   // The error of a difference in the last rows of a tall picture must not depend on equal rows above.
   auto low = frame::test::picture(30, 60), changed = low;
   for (std::size_t i = 4 * 30 * 45; i < 4 * 30 * 47; ++i) changed.bytes[i] ^= 0x30;
@@ -79,7 +79,7 @@ TEST_CASE("flip: symmetric, and the same where rows beyond the filters' reach ar
     }
 }
 
-TEST_CASE("ssim: two greys as worked out by hand, equal pictures 1") {
+TEST_CASE("ssim: two greys equal a value worked out by hand, equal pictures are 1") {
   const auto a = uniform(20, 9, 50, 100, 200), b = uniform(20, 9, 60, 100, 180);
   // No variance: (2 m n + C1) / (m^2 + n^2 + C1) in each channel, C1 = (0.01 * 255)^2.
   const auto similarity = [](double m, double n) {
@@ -92,7 +92,7 @@ TEST_CASE("ssim: two greys as worked out by hand, equal pictures 1") {
   CHECK(golden::psnr(a, b) == doctest::Approx(10 * std::log10(255 * 255 / (500.0 / 3))));
 }
 
-TEST_CASE("ssim: a picture and its negative are structurally opposite") {
+TEST_CASE("ssim: a picture and its negative have an SSIM below 0.1") {
   const auto a = frame::test::picture(60, 60);
   auto b = a;
   for (std::size_t i = 0; i < b.bytes.size(); ++i)

@@ -33,7 +33,9 @@ long linesWith(const std::string& text, const std::string& start) {
 
 }  // namespace
 
-TEST_CASE("text for any reader") {
+TEST_CASE(
+    "control characters in text are replaced, long text is cut between characters, and counts have "
+    "plurals") {
   CHECK(cleanText("a\r\nb\rc\td") == "a\nb\nc\td");
   CHECK(cleanText("\x1B[0m\x7F|") == "\xEF\xBF\xBD[0m\xEF\xBF\xBD|");
   CHECK(cleanText("\xC2\x85\xC2\xA0\xEF\xBF\xBE\xEF\xBF\xBD") ==
@@ -51,7 +53,7 @@ TEST_CASE("text for any reader") {
   CHECK(counted(0, "scene") == "0 scenes");
 }
 
-TEST_CASE("annotations: an error for each failing scene, with the command that accepts it") {
+TEST_CASE("annotations: each failing scene is an error with the command that accepts it") {
   const std::string text = githubAnnotations(golden::test::fullSuite());
   CHECK(linesOf(text)[0] ==
         "::error file=assets/scenes/flag.json,line=12,title=simreel%3A flag (fail)::frame 60: 312 pixels "
@@ -68,7 +70,7 @@ TEST_CASE("annotations: an error for each failing scene, with the command that a
   CHECK(!contains(text, "is-xfail"));
 }
 
-TEST_CASE("annotations: a flaky scene that is allowed is a warning") {
+TEST_CASE("annotations: an allowed flaky scene is a warning") {
   SuiteResult suite = golden::test::fullSuite();
   suite.allowFlaky = true;
   suite.acceptCommand = "";
@@ -80,7 +82,7 @@ TEST_CASE("annotations: a flaky scene that is allowed is a warning") {
   CHECK(!contains(text, "To accept"));
 }
 
-TEST_CASE("annotations: one line each whatever the names hold") {
+TEST_CASE("annotations: each annotation is one line for any names") {
   SuiteResult suite = golden::test::oddSuite();
   suite.scenes = {suite.scenes[1]};
   suite.scenes[0].notes.clear();
@@ -98,7 +100,7 @@ TEST_CASE("annotations: one line each whatever the names hold") {
     }
 }
 
-TEST_CASE("annotations: nine of a kind and one that counts the rest") {
+TEST_CASE("annotations: nine annotations of a kind are written, and one with the count of the rest") {
   SuiteResult suite;
   const auto fill = [&](Status status, int count) {
     for (int i = 0; i < count; ++i)
@@ -115,7 +117,7 @@ TEST_CASE("annotations: nine of a kind and one that counts the rest") {
   CHECK(linesWith(text, "::notice title=simreel::21 more;") == 1);
 }
 
-TEST_CASE("summary: pictures of the worst frame, as many as fit") {
+TEST_CASE("summary: pictures of the worst frame are embedded up to the size limit") {
   SuiteResult suite = golden::test::fullSuite();
   const auto plain = [](const std::string& picture) { return "at/" + picture; };
   CHECK(contains(markdownSummary(suite, plain),
@@ -136,7 +138,7 @@ TEST_CASE("summary: pictures of the worst frame, as many as fit") {
   CHECK(linesWith(markdownSummary(suite, plain), "| flag | <img") == 50);
 }
 
-TEST_CASE("summary: heading, table, command and what passed") {
+TEST_CASE("summary: it has a heading, a table, a command and the passed scenes") {
   const std::string text = markdownSummary(golden::test::fullSuite());
   CHECK(text.starts_with(
       "## simreel: 6 of 9 scenes failed\n\n1 pass, 1 updated, 1 xfail, 1 flaky, 1 fail, "));
@@ -159,7 +161,7 @@ TEST_CASE("summary: heading, table, command and what passed") {
   CHECK(!contains(markdownSummary(good), "```"));
 }
 
-TEST_CASE("summary: names and messages are shown, not read") {
+TEST_CASE("summary: names and messages are escaped, not interpreted as Markdown") {
   SuiteResult suite = golden::test::oddSuite();
   suite.scenes = {suite.scenes[1]};
   suite.acceptCommand = "simreel accept ```` x";
@@ -172,7 +174,7 @@ TEST_CASE("summary: names and messages are shown, not read") {
     if (line.starts_with("| fail")) CHECK(std::count(line.begin(), line.end(), '|') == 10);
 }
 
-TEST_CASE("summary: thousands of scenes stay below GitHub's limit") {
+TEST_CASE("summary: thousands of scenes stay within GitHub's size limit") {
   SuiteResult suite;
   const std::string longWords(2000, '|');
   for (int i = 0; i < 3000; ++i) {

@@ -10,7 +10,7 @@
 using namespace simreel;
 using namespace simreel::golden;
 
-TEST_CASE("inputs: the scene, its sidecar, what it names and the buffers of glTF") {
+TEST_CASE("inputs: inputs are the scene, its sidecar, referenced files and glTF buffers") {
   const frame::test::TemporaryFolder folder;
   const auto file = [&](const std::string& name) { return folder / name; };
   const auto write = [&](const std::string& name, std::string_view text) {

@@ -84,7 +84,7 @@ bool passes(const FrameResult& result) {
 
 }  // namespace
 
-TEST_CASE("judge: what a picture is asked for depends on who drew its baseline") {
+TEST_CASE("judge: the criteria depend on the machine that drew the baseline") {
   CHECK(asked(maker, maker) == Asked::equal);
   CHECK(asked(maker, otherMachine()) == Asked::near);
   Origin other = maker;
@@ -101,7 +101,7 @@ TEST_CASE("judge: what a picture is asked for depends on who drew its baseline")
   CHECK(asked({"numerics", "drawing", "", ""}, {"numerics", "drawing", "", ""}) == Asked::near);
 }
 
-TEST_CASE("judge: on the machine that drew the baseline no bit may differ") {
+TEST_CASE("judge: on the baseline's own machine all bits must be equal") {
   const Baseline baseline(maker);
   CHECK(passes(baseline.judged(made(0, 0), maker)));
   const FrameResult result = baseline.judged(made(1, 1), maker);
@@ -110,7 +110,7 @@ TEST_CASE("judge: on the machine that drew the baseline no bit may differ") {
   simreel::test::checkHas(result.message, "1 pixels differ, by 1 at most");
 }
 
-TEST_CASE("judge: another machine with the same numerics may be 2 of 255 apart on 2% of the pixels") {
+TEST_CASE("judge: another machine with equal numerics may differ by 2 of 255 in 2% of the pixels") {
   const Baseline baseline(maker);
   const auto judged = [&](int count, int step) {
     return baseline.judged(made(count, step), otherMachine());
@@ -134,7 +134,7 @@ TEST_CASE("judge: another machine with the same numerics may be 2 of 255 apart o
                           "the state differs: flag.positions");
 }
 
-TEST_CASE("judge: the mean FLIP error counts on another machine") {
+TEST_CASE("judge: the mean FLIP error is checked on other machines") {
   Metrics metrics;
   CHECK(brokenNearness(metrics, width, height).empty());
   metrics.flipMean = 0.0021;
@@ -142,7 +142,7 @@ TEST_CASE("judge: the mean FLIP error counts on another machine") {
   simreel::test::checkHas(brokenNearness(metrics, width, height).front(), "FLIP error is 0.0021");
 }
 
-TEST_CASE("judge: quick measures leave out SSIM and FLIP where no verdict needs them") {
+TEST_CASE("judge: quick measuring skips SSIM and FLIP unless the verdict needs them") {
   const Baseline baseline(maker);
   Origin other = otherMachine();
   other.numerics = "others";
@@ -162,7 +162,7 @@ TEST_CASE("judge: quick measures leave out SSIM and FLIP where no verdict needs 
   CHECK(quick(otherMachine(), {}) == whole);  // the quick test compares the mean FLIP error too
 }
 
-TEST_CASE("judge: other numerics have the scene's tolerance") {
+TEST_CASE("judge: different numerics use the scene's tolerance") {
   const Baseline baseline(maker);
   Origin other = otherMachine();
   other.numerics = "others";
@@ -171,7 +171,7 @@ TEST_CASE("judge: other numerics have the scene's tolerance") {
   CHECK(!passes(baseline.judged(made(1200, 13), other)));
 }
 
-TEST_CASE("judge: baselines of before machines were noted are read") {
+TEST_CASE("judge: old baselines without a machine are read") {
   const Baseline baseline({"numerics", "", "", ""});
   std::ifstream file(baseline.folder() / "any/baseline.json");
   const std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -181,7 +181,7 @@ TEST_CASE("judge: baselines of before machines were noted are read") {
   CHECK(!passes(baseline.judged(made(1, 3), maker)));
 }
 
-TEST_CASE("judge: a baseline remembers the machine of each frame") {
+TEST_CASE("judge: a baseline stores the machine of each frame") {
   const Baseline baseline(maker);
   const auto read = readPictures(baseline.folder(), "any");
   REQUIRE(read);

@@ -41,7 +41,7 @@ std::string lint(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("JUnit: totals and the environment") {
+TEST_CASE("JUnit: totals and environment are written") {
   SuiteResult suite = golden::test::fullSuite();
   pugi::xml_document document;
   pugi::xml_node node = suiteOf(document, suite);
@@ -65,7 +65,7 @@ TEST_CASE("JUnit: totals and the environment") {
   CHECK(property("version") == "0.1.0");
 }
 
-TEST_CASE("JUnit: how each status is told") {
+TEST_CASE("JUnit: each status has its JUnit element") {
   pugi::xml_document document;
   const pugi::xml_node node = suiteOf(document, golden::test::fullSuite());
   const pugi::xml_node flag = caseOf(node, "flag");
@@ -97,7 +97,7 @@ TEST_CASE("JUnit: how each status is told") {
   for (const char* name : {"waves", "is-updated"}) CHECK(!caseOf(node, name).first_child());
 }
 
-TEST_CASE("JUnit: a flaky scene passes where that is allowed, and says so") {
+TEST_CASE("JUnit: an allowed flaky scene passes with a note") {
   SuiteResult suite = golden::test::fullSuite();
   suite.allowFlaky = true;
   pugi::xml_document document;
@@ -109,7 +109,7 @@ TEST_CASE("JUnit: a flaky scene passes where that is allowed, and says so") {
         std::string("flaky: failed, then passed on attempt 2\nattempt 1: frame 9: 5 pixels differ\n"));
 }
 
-TEST_CASE("JUnit: characters that XML forbids are replaced") {
+TEST_CASE("JUnit: characters forbidden in XML are replaced") {
   pugi::xml_document document;
   const pugi::xml_node node = suiteOf(document, golden::test::brokenSuite());
   const std::string text = junitText(golden::test::brokenSuite());
@@ -121,7 +121,7 @@ TEST_CASE("JUnit: characters that XML forbids are replaced") {
   CHECK(contains(flag.child("failure").text().get(), "caf\xC3\xA9 \xE2\x82\xAC"));
 }
 
-TEST_CASE("JUnit: the file is valid against the schema its readers share") {
+TEST_CASE("JUnit: the file is valid against the common JUnit schema") {
   if (std::system("xmllint --version > /dev/null 2>&1") != 0) {
     MESSAGE("skipped: xmllint is not installed (libxml2-utils)");
     return;

@@ -49,7 +49,7 @@ draw::PassArray& arrayOf(golden::PassDump& dump, const std::string& pass) {
 
 }  // namespace
 
-TEST_CASE("passes: numbers name object and primitive") {
+TEST_CASE("passes: IDs in a pass are translated to object and primitive") {
   const auto dump = smallPicture();
   const auto& picture = dump.picture;
   CHECK(golden::thingOfNumber(picture, 99).name() == "triangle 99 of flag");
@@ -66,7 +66,7 @@ TEST_CASE("passes: numbers name object and primitive") {
   CHECK_FALSE(golden::showsOneThing(picture, -1, 1));
 }
 
-TEST_CASE("passes: hashes tell passes apart, each by all that it left") {
+TEST_CASE("passes: each pass hash covers all outputs of its pass") {
   auto dump = smallPicture();
   const auto before = golden::hashesOf(dump.picture);
   CHECK(before.size() == 3);
@@ -88,7 +88,7 @@ TEST_CASE("passes: hashes tell passes apart, each by all that it left") {
   CHECK(golden::firstDifferentPass(before, golden::hashesOf(turned.picture)) == "light");
 }
 
-TEST_CASE("passes: a dump comes back as it was, and damage is found") {
+TEST_CASE("passes: a dump is read back, and damage is detected") {
   const auto dump = smallPicture();
   const auto bytes = golden::encodePasses(dump);
   const auto back = golden::readPasses(bytes);
@@ -110,7 +110,7 @@ TEST_CASE("passes: a dump comes back as it was, and damage is found") {
                   std::runtime_error);
 }
 
-TEST_CASE("passes: the first difference, at a pixel that shows one thing where there is one") {
+TEST_CASE("passes: the first difference is located, preferably at a pixel with one object") {
   const auto here = smallPicture();
   auto there = smallPicture();
   auto& light = arrayOf(there, "light").words;

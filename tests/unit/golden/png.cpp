@@ -21,7 +21,7 @@ bool same(const std::vector<std::byte>& a, const std::vector<std::byte>& b) {
 
 }  // namespace
 
-TEST_CASE("files that differ in text alone hold the same pixels") {
+TEST_CASE("PNG files that differ only in text chunks have equal pixels") {
   const auto plain = frame::encodePng(picture(30, 20), {});
   const auto text =
       frame::encodePng(picture(30, 20), {{"Software", "simreel"}, {"Title", "a flag \xe2\x9a\x91"}});
@@ -39,7 +39,7 @@ TEST_CASE("files that differ in text alone hold the same pixels") {
   CHECK_FALSE(same(plain, {}));
 }
 
-TEST_CASE("a picture that was written is read; one flipped bit anywhere is noticed") {
+TEST_CASE("a written PNG is read back, and any flipped bit is detected") {
   const frame::test::TemporaryFolder folder;
   const auto image = picture(13, 7);
   const auto file = frame::encodePng(image, {{"Software", "simreel"}});

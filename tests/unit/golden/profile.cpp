@@ -14,14 +14,14 @@ std::string profile(const char* renderer) {
 
 }  // namespace
 
-TEST_CASE("profiles of software drivers") {
+TEST_CASE("profiles of software drivers are named by driver") {
   CHECK(profileName("llvmpipe (LLVM 15.0.6, 256 bits)", true) == "llvmpipe-fma");
   CHECK(profileName("llvmpipe (LLVM 15.0.6, 256 bits)", false) == "llvmpipe");
   CHECK(profileName("Gallium 0.4 on llvmpipe (LLVM 3.5, 256 bits)", false) == "llvmpipe");
   CHECK(profile("softpipe") == "softpipe");
 }
 
-TEST_CASE("profiles of NVIDIA devices are their architectures") {
+TEST_CASE("profiles of NVIDIA devices are named by architecture") {
   const auto all = [](const char* family, std::initializer_list<const char*> renderers) {
     for (const char* renderer : renderers) {
       INFO(renderer);
@@ -53,7 +53,7 @@ TEST_CASE("profiles of NVIDIA devices are their architectures") {
   all("tegra-xavier-nvgpu", {"NVIDIA Tegra Xavier (nvgpu)/integrated"});
 }
 
-TEST_CASE("profiles of AMD devices are their chips") {
+TEST_CASE("profiles of AMD devices are named by chip") {
   CHECK(profile("AMD Radeon RX 6800 (radeonsi, navi21, LLVM 15.0.7, DRM 3.49)") == "amd-navi21");
   CHECK(profile("AMD Radeon RX 6700 XT (navi22, LLVM 15.0.7, DRM 3.49, 6.1.0)") == "amd-navi22");
   CHECK(profile("AMD Radeon (TM) RX 480 Graphics (POLARIS10, DRM 3.35.0, 5.4.0-70-generic, LLVM 10.0.0)") ==
@@ -65,7 +65,7 @@ TEST_CASE("profiles of AMD devices are their chips") {
   CHECK(profile("AMD Radeon RX 6800 XT") == "amd-radeon-rx-6800-xt");
 }
 
-TEST_CASE("profiles of Intel devices") {
+TEST_CASE("profiles of Intel devices are named by device") {
   CHECK(profile("Mesa Intel(R) UHD Graphics 630 (CFL GT2)") == "intel-uhd-630");
   CHECK(profile("Intel(R) UHD Graphics 630") == "intel-uhd-630");
   CHECK(profile("Mesa Intel(R) HD Graphics 530 (SKL GT2)") == "intel-hd-530");
@@ -77,7 +77,7 @@ TEST_CASE("profiles of Intel devices") {
   CHECK(profile("Mesa DRI Intel(R) HD Graphics 4000 (IVB GT2)") == "intel-hd-4000");
 }
 
-TEST_CASE("profiles of drivers over another driver, and of those nobody thought of") {
+TEST_CASE("profiles of layered and unknown drivers are named") {
   CHECK(profile("zink Vulkan 1.3(AMD Radeon RX 7800 XT (RADV NAVI32))") ==
         "zink-amd-radeon-rx-7800-xt-radv");
   CHECK(profile("zink Vulkan 1.3(NVIDIA GeForce GTX 1070 (NVK GP104-A) (MESA_NVK))") ==
@@ -95,7 +95,7 @@ TEST_CASE("profiles of drivers over another driver, and of those nobody thought 
   CHECK(profile("zink )(") == "zink-unknown");
 }
 
-TEST_CASE("a profile names a folder, whatever the renderer's text") {
+TEST_CASE("a profile name is a valid folder name for any renderer string") {
   std::uint32_t random = 7;
   const std::string pieces[] = {"NVIDIA ", "AMD ", "Intel(R) ",         "/",    "..",   "(",    ")", ", ",
                                 "\xFF",    "\n",   "A very long name ", "zink", "UHD ", "Arc ", " 9"};

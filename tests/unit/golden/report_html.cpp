@@ -64,7 +64,7 @@ class Folder {
 
 }  // namespace
 
-TEST_CASE("html report: data comes out as it went in, whatever its text is") {
+TEST_CASE("html report: embedded data is read back exactly, for any text") {
   const nlohmann::json data = {
       {"list", {1, nullptr, nlohmann::json::array(), {{"a", {{"b", 2.5}}}}, {{"a", "c"}}}},
       {"none", nlohmann::json::object()},
@@ -77,7 +77,7 @@ TEST_CASE("html report: data comes out as it went in, whatever its text is") {
   CHECK(dataOf(page).find("{{app.js}}") != std::string::npos);
 }
 
-TEST_CASE("html report: every file is inside once, and nothing outside is referred to") {
+TEST_CASE("html report: all files are embedded once and nothing external is referenced") {
   const std::string page = golden::htmlReport("{}");
   CHECK(golden::pageFiles().size() >= 8);
   for (const golden::PageFile& file : golden::pageFiles()) {
@@ -95,7 +95,7 @@ TEST_CASE("html report: every file is inside once, and nothing outside is referr
   CHECK(golden::htmlReport("{}") == page);
 }
 
-TEST_CASE("html report: written whole, or one line says why not") {
+TEST_CASE("html report: the report is written completely, or a one-line error says why not") {
   const Folder folder;
   golden::writeReportPage(folder.path(), "{\"a\": 1}");
   std::ifstream file(folder.path() / "index.html", std::ios::binary);

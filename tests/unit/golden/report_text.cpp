@@ -8,7 +8,7 @@ using namespace simreel;
 using namespace simreel::golden;
 using frame::test::contains;
 
-TEST_CASE("console: a scene that passed is one line") {
+TEST_CASE("console: a passed scene is one line") {
   SceneResult scene = golden::test::scene("flag", Status::pass);
   scene.messages = {"never shown"};
   CHECK(sceneLine(scene) == "pass  flag  (1 frame, 2.1 s)\n");
@@ -21,7 +21,7 @@ TEST_CASE("console: a scene that passed is one line") {
   CHECK(sceneLine(scene) == "updated  flag  (3 frames, 2.1 s)\n      note: no baseline of nvidia-ada\n");
 }
 
-TEST_CASE("console: a scene that failed says why and where the pictures are") {
+TEST_CASE("console: a failed scene prints the reason and the pictures' paths") {
   SceneResult scene = golden::test::failedScene();
   scene.frames.pop_back();
   scene.frames[1].differenceImage = "";
@@ -41,13 +41,13 @@ TEST_CASE("console: a scene that failed says why and where the pictures are") {
         "NONDETERMINISTIC  a  (1 frame, 2.1 s)\n      two runs of the same program differ\n");
 }
 
-TEST_CASE("console: a flaky scene") {
+TEST_CASE("console: a flaky scene lists its failed attempts") {
   CHECK(sceneLine(golden::test::fullSuite().scenes[4]) ==
         "flaky  is-flaky  (1 frame, 2.1 s: failed, then passed on attempt 2)\n"
         "      attempt 1: frame 9: 5 pixels differ\n");
 }
 
-TEST_CASE("console: colours only when asked, and no text steers the terminal") {
+TEST_CASE("console: colours appear only on request, and no text controls the terminal") {
   const SceneResult scene = golden::test::scene("flag", Status::fail);
   CHECK(!contains(sceneLine(scene), "\x1B"));
   CHECK(sceneLine(scene, true).starts_with("\x1B[1;31mFAIL\x1B[0m  flag"));
@@ -61,7 +61,7 @@ TEST_CASE("console: colours only when asked, and no text steers the terminal") {
                  "\n      ::error::injected\n      \n      ```\n"));
 }
 
-TEST_CASE("console: the closing lines") {
+TEST_CASE("console: the closing lines give totals") {
   SuiteResult suite;
   suite.seconds = 6.2;
   suite.scenes = {golden::test::scene("a", Status::pass), golden::test::scene("flag", Status::fail),

@@ -43,7 +43,7 @@ std::string keysOf(const Json& object) {
 
 }  // namespace
 
-TEST_CASE("every status has a name, and the name finds it") {
+TEST_CASE("every status has a name that maps back to it") {
   for (int i = 0; i < statusCount; ++i) {
     const auto status = static_cast<Status>(i);
     CHECK(statusOfName(statusName(status)) == status);
@@ -57,7 +57,7 @@ TEST_CASE("every status has a name, and the name finds it") {
   CHECK(!isFailure(Status::xfail, false));
 }
 
-TEST_CASE("a report is read back as it was written") {
+TEST_CASE("a report is read back as written") {
   for (const SuiteResult& suite : {golden::test::fullSuite(), golden::test::oddSuite(), SuiteResult{}}) {
     const std::string text = reportText(suite);
     CHECK(text.ends_with("}\n"));
@@ -69,7 +69,7 @@ TEST_CASE("a report is read back as it was written") {
   CHECK(parseReport(reportText(flaky), "report.json") != golden::test::fullSuite());
 }
 
-TEST_CASE("bytes that are no UTF-8 are replaced in a report, and nothing else is") {
+TEST_CASE("invalid UTF-8 in a report is replaced, and valid text is kept") {
   const std::string text = reportText(golden::test::brokenSuite());
   const SuiteResult back = parseReport(text, "report.json");
   CHECK(contains(back.scenes[1].messages[1], "bad \xEF\xBF\xBD"));
@@ -78,7 +78,7 @@ TEST_CASE("bytes that are no UTF-8 are replaced in a report, and nothing else is
   CHECK(reportText(back) == text);
 }
 
-TEST_CASE("numbers that JSON does not have") {
+TEST_CASE("NaN and infinity in a report are written as null or large numbers and read back") {
   SuiteResult suite = golden::test::fullSuite();
   const double infinity = std::numeric_limits<double>::infinity();
   suite.scenes[1].checks[0].value = std::nan("");
@@ -95,7 +95,7 @@ TEST_CASE("numbers that JSON does not have") {
   CHECK(back.scenes[1].tolerance.at("hardFail").value > 1e308);
 }
 
-TEST_CASE("the keys of a report, in their order") {
+TEST_CASE("a report's keys have a fixed order") {
   const Json json = Json::parse(reportText(golden::test::fullSuite()));
   CHECK(keysOf(json) ==
         "simreel format unit expected environment command shard acceptCommand allowFlaky strict seconds "
@@ -128,7 +128,7 @@ TEST_CASE("the keys of a report, in their order") {
   CHECK(json["scenes"][0]["divergence"].is_null());
 }
 
-TEST_CASE("a wrong value in a report is named by its path") {
+TEST_CASE("a wrong value in a report is reported with its path") {
   const auto scene = [](Json& json) -> Json& { return json["scenes"][1]; };
   CHECK(refusalOf([&](Json& j) { scene(j)["frames"][1]["pixels"] = 3; }) ==
         "out/report.json: scenes[1].frames[1].pixels must be text");
@@ -156,7 +156,7 @@ TEST_CASE("a wrong value in a report is named by its path") {
   CHECK(refusalOf([&](Json& j) { j = Json::array(); }) == "out/report.json: it must be an object");
 }
 
-TEST_CASE("missing, unknown and repeated keys of a report") {
+TEST_CASE("missing, unknown and repeated keys of a report are refused") {
   CHECK(refusalOf([](Json& j) { j.erase("scenes"); }) == "out/report.json: scenes is missing");
   CHECK(refusalOf([](Json& j) { j["scenes"][1]["frames"][0].erase("state"); }) ==
         "out/report.json: scenes[1].frames[0].state is missing");
@@ -173,7 +173,7 @@ TEST_CASE("missing, unknown and repeated keys of a report") {
   CHECK(parseReport(sorted.dump(), "report.json").version == golden::test::fullSuite().command);
 }
 
-TEST_CASE("a report of another format, or whose counts are wrong, is refused") {
+TEST_CASE("a report of another format or with wrong counts is refused") {
   CHECK(refusalOf([](Json& j) { j["format"] = 1; }) ==
         "out/report.json: format must be 5: this program reads no other; run simreel test again");
   CHECK(refusalOf([](Json& j) { j["format"] = "3"; }) ==
@@ -182,7 +182,7 @@ TEST_CASE("a report of another format, or whose counts are wrong, is refused") {
   CHECK(contains(refusalOf([](Json& j) { j["counts"].erase("fail"); }), "as the scenes say"));
 }
 
-TEST_CASE("paths of a report stay in its folder") {
+TEST_CASE("paths in a report must stay inside its folder") {
   const auto at = [](Json& json, const char* key) -> Json& {
     return std::string(key) == "candidate" ? json["scenes"][1][key] : json["scenes"][1]["frames"][1][key];
   };
@@ -202,7 +202,7 @@ TEST_CASE("paths of a report stay in its folder") {
   }
 }
 
-TEST_CASE("text that is no JSON is refused as such") {
+TEST_CASE("text that is not JSON is refused as such") {
   CHECK(contains(messageFor(""), "out/report.json: not valid JSON at byte 1"));
   CHECK(contains(messageFor("# not json"), "not valid JSON"));
   CHECK(contains(messageFor("{\"a\": \"\xFF\"}"), "not valid JSON"));
@@ -211,7 +211,7 @@ TEST_CASE("text that is no JSON is refused as such") {
   CHECK(contains(messageFor(std::string(100000, '[') + std::string(100000, ']')), "nested deeper"));
 }
 
-TEST_CASE("no damage to a report does more than a refusal") {
+TEST_CASE("no damage to a report causes more than a refusal") {
   const std::string whole = reportText(golden::test::oddSuite());
   const auto survives = [](const std::string& text) {
     try {
@@ -241,7 +241,7 @@ TEST_CASE("no damage to a report does more than a refusal") {
   }
 }
 
-TEST_CASE("any value of a report replaced by any kind of value does no more than a refusal") {
+TEST_CASE("any value of a report replaced by a value of any type causes at most a refusal") {
   const Json whole = Json::parse(reportText(golden::test::fullSuite()));
   const Json flat = whole.flatten();
   const Json values[] = {nullptr,

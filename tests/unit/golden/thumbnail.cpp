@@ -7,7 +7,7 @@
 using namespace simreel;
 using namespace simreel::golden;
 
-TEST_CASE("thumbnails are means of whole blocks") {
+TEST_CASE("thumbnails average whole blocks of pixels") {
   frame::Image image{5, 2, {}};
   for (int i = 0; i < 10; ++i)
     for (int c = 0; c < 4; ++c) image.bytes.push_back(static_cast<std::uint8_t>(20 * i + c));
@@ -21,7 +21,7 @@ TEST_CASE("thumbnails are means of whole blocks") {
   CHECK(thumbnail(image, 1).bytes[0] == 90);
 }
 
-TEST_CASE("addresses of pictures") {
+TEST_CASE("URLs of pictures are percent-encoded") {
   CHECK(addressOf("files/a-b_c.~/1.png") == "files/a-b_c.~/1.png");
   CHECK(addressOf("r & d/\"<\xC3\xA9%") == "r%20%26%20d/%22%3C%C3%A9%25");
   CHECK(dataAddress("nowhere.png", 160).empty());

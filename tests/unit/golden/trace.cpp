@@ -88,7 +88,7 @@ bool equal(const StepTrace& a, const StepTrace& b) {
 
 }  // namespace
 
-TEST_CASE("a trace is laid out as fine as its bytes allow") {
+TEST_CASE("a trace is as fine as its byte limit allows") {
   const auto bytes = [](const StepTrace& trace) { return trace.totalWords() * 4; };
   const auto fine = layOut(twoArrays, -3, 5, 96 << 10);
   CHECK(fine.frames == 8);
@@ -110,7 +110,7 @@ TEST_CASE("a trace is laid out as fine as its bytes allow") {
   CHECK(layOut(twoArrays, -3, 5, 10).detailed == 0);
 }
 
-TEST_CASE("a trace survives its file") {
+TEST_CASE("a trace is read back from its file") {
   for (const std::size_t max : {std::size_t{96} << 10, std::size_t{399}, std::size_t{10}}) {
     const auto trace = made(twoArrays, -3, 5, max);
     CHECK(equal(decodeTrace(encodeTrace(trace), "steps.bin"), trace));
@@ -119,7 +119,7 @@ TEST_CASE("a trace survives its file") {
   CHECK(equal(decodeTrace(encodeTrace(still), "steps.bin"), still));
 }
 
-TEST_CASE("a trace file cut short anywhere is refused in one line") {
+TEST_CASE("a trace file truncated anywhere is refused in one line") {
   const auto whole = encodeTrace(made(twoArrays, -1, 1, 700));
   for (std::size_t size = 0; size < whole.size(); ++size) {
     std::vector<std::byte> part(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
@@ -133,7 +133,7 @@ TEST_CASE("a trace file cut short anywhere is refused in one line") {
   }
 }
 
-TEST_CASE("damage to a trace file is noticed, and none that is signed crashes the reader") {
+TEST_CASE("damage to a trace file is detected, and damage with a valid hash never crashes the reader") {
   const auto whole = encodeTrace(made(twoArrays, -1, 1, 700));
   std::uint32_t random = 1;
   for (std::size_t at = 0; at < whole.size(); ++at)
@@ -149,7 +149,7 @@ TEST_CASE("damage to a trace file is noticed, and none that is signed crashes th
     }
 }
 
-TEST_CASE("absurd numbers in a trace file take no memory") {
+TEST_CASE("absurd sizes in a trace file allocate no memory") {
   const auto whole = encodeTrace(made({{"a", "b", 5, 5, 2}}, 0, 2, 1000));
   // magic, first frame, frames, detailed, arrays, "a", "b", elements, elements per block, steps
   for (const std::size_t at : {8U, 12U, 16U, 20U, 24U, 29U, 34U, 38U, 42U})
@@ -169,13 +169,13 @@ TEST_CASE("absurd numbers in a trace file take no memory") {
   CHECK(decodeRefusal(uneven).find("sizes make no sense") != std::string::npos);
 }
 
-TEST_CASE("equal traces have no divergence") {
+TEST_CASE("equal traces do not diverge") {
   const auto trace = made(twoArrays, -3, 5, 4096);
   CHECK(!compareTraces(trace, trace));
   CHECK(!compareTraces(made(twoArrays, -3, 9, 4096), trace));  // additional frames in the run are ignored
 }
 
-TEST_CASE("a trace without arrays costs nothing, however many frames it claims") {
+TEST_CASE("a trace without arrays is cheap for any claimed number of frames") {
   StepTrace trace;
   trace.frames = 1U << 31U;
   const std::clock_t start = std::clock();
@@ -188,7 +188,7 @@ TEST_CASE("a trace without arrays costs nothing, however many frames it claims")
         CLOCKS_PER_SEC);  // processor time; microseconds, because no time is spent per frame
 }
 
-TEST_CASE("one changed element is named exactly, wherever it is") {
+TEST_CASE("one changed element is located exactly at any position") {
   for (const std::size_t max : {std::size_t{96} << 10, std::size_t{2048}, std::size_t{700}}) {
     const auto baseline = made(twoArrays, -3, 5, max);
     for (std::uint32_t element = 0; element < 137; ++element)
@@ -210,7 +210,7 @@ TEST_CASE("one changed element is named exactly, wherever it is") {
   }
 }
 
-TEST_CASE("an element whose hashes differ by a high power of two is not guessed") {
+TEST_CASE("an element whose hash differs by a high power of two gives a range, not a guessed element") {
   const auto baseline = made(twoArrays, 0, 2, 700);
   const auto found = compareTraces(made(twoArrays, 0, 2, 700, from(1, 0, 1, 10, 0x80000000U)), baseline);
   REQUIRE(found.has_value());
@@ -220,7 +220,7 @@ TEST_CASE("an element whose hashes differ by a high power of two is not guessed"
                                                     // second i indistinguishable
 }
 
-TEST_CASE("several changed elements are a range, and an earlier step of a later array comes first") {
+TEST_CASE("several changed elements give a range, and an earlier step of a later array is reported first") {
   const auto baseline = made(twoArrays, -3, 5, 2048);
   const auto several = made(twoArrays, -3, 5, 2048, [](int f, auto a, auto s, auto i, std::uint32_t h) {
     const bool first = f == 2 && s == 1 && a == 1 && (i == 20 || i == 21 || i == 69);
@@ -237,7 +237,7 @@ TEST_CASE("several changed elements are a range, and an earlier step of a later 
   CHECK(found->message.find("within elements") != std::string::npos);
 }
 
-TEST_CASE("of objects with steps of other lengths, the one that differs earliest in its time comes first") {
+TEST_CASE("among objects with different step lengths, the earliest divergence in time is reported") {
   const Arrays arrays = {{"a", "positions", 9, 9, 5}, {"b", "positions", 9, 9, 2}};
   const auto baseline = made(arrays, 0, 2, 2048);
   for (const auto& [atStep, first] : {std::pair(2U, "a"), std::pair(3U, "b")}) {
@@ -252,7 +252,7 @@ TEST_CASE("of objects with steps of other lengths, the one that differs earliest
   }
 }
 
-TEST_CASE("a difference in the first state or after the last frame with steps says so") {
+TEST_CASE("a difference in the first state, or after the last frame with steps, is reported as such") {
   const auto first =
       compareTraces(made(twoArrays, -3, 5, 4096, from(-3, 1, 1, 7, 3)), made(twoArrays, -3, 5, 4096));
   REQUIRE(first.has_value());
@@ -267,7 +267,7 @@ TEST_CASE("a difference in the first state or after the last frame with steps sa
   CHECK(late->message.find("simreel bisect") != std::string::npos);
 }
 
-TEST_CASE("traces of different fineness are compared by what both know") {
+TEST_CASE("traces of different fineness are compared at the coarser fineness") {
   const auto change = from(3, 0, 2, 99, 12345);
   for (const std::size_t runBytes : {96U << 10, 2048U, 400U, 300U, 10U})
     for (const std::size_t baseBytes : {96U << 10, 2048U, 400U, 300U, 10U}) {
@@ -285,7 +285,7 @@ TEST_CASE("traces of different fineness are compared by what both know") {
     }
 }
 
-TEST_CASE("other arrays, sizes, steps or starts are a divergence at the first frame") {
+TEST_CASE("different arrays, sizes, steps or starts diverge at the first frame") {
   const auto baseline = made(twoArrays, -3, 5, 4096);
   const auto expect = [&](const Arrays& arrays, int first, const char* words) {
     const auto found = compareTraces(made(arrays, first, 5, 4096), baseline);

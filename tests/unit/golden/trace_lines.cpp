@@ -21,7 +21,7 @@ const StateDump dump{7, 2, {{"flag", "positions", {1, 2, 3, 4, 5, 6, 7, 8}}, {"f
 
 }  // namespace
 
-TEST_CASE("the header of a trace survives its line") {
+TEST_CASE("a trace's header line is read back") {
   TraceHeader header{"1.2.3", "driver \"x\"", "abc", "texel", "", {-12, {{"fläg", "positions", 63, 4}}}};
   for (const char* inexact : {"", "exactSin(1.5): GPU 1, CPU 2"}) {
     header.inexact = inexact;
@@ -36,7 +36,7 @@ TEST_CASE("the header of a trace survives its line") {
   }
 }
 
-TEST_CASE("lines of frames and of steps survive") {
+TEST_CASE("frame and step lines are read back") {
   const StateLine frame{-3, "", 0, 0, {{"b.positions", "00ff"}, {"a.velocities", "12"}}};
   CHECK(stateLine(frame) == R"({"frame":-3,"arrays":{"b.positions":"00ff","a.velocities":"12"}})");
   CHECK(readStateLine(stateLine(frame)) ==
@@ -50,7 +50,7 @@ TEST_CASE("lines of frames and of steps survive") {
   CHECK(stateLine(frame).find('\n') == std::string::npos);
 }
 
-TEST_CASE("what is no trace is refused with its beginning") {
+TEST_CASE("a file that is not a trace is refused with its first bytes") {
   for (const std::string& text :
        {std::string("hello"), std::string(""), std::string("{}"), std::string("[1]"), std::string("null"),
         std::string("{\"frame\":\"x\",\"arrays\":{}}"), std::string(1000, '\x01')}) {
@@ -64,7 +64,7 @@ TEST_CASE("what is no trace is refused with its beginning") {
   CHECK_THROWS_WITH(static_cast<void>(readHeaderLine(later)), "its trace has format 2, not 1");
 }
 
-TEST_CASE("a dump survives, and one cut short or too long is refused") {
+TEST_CASE("a dump is read back, and a truncated or too long dump is refused") {
   const auto bytes = encodeDump(dump);
   const auto read = readDump(bytes);
   CHECK(read.frame == 7);
@@ -80,7 +80,7 @@ TEST_CASE("a dump survives, and one cut short or too long is refused") {
   CHECK_THROWS_AS(static_cast<void>(readDump(longer)), std::runtime_error);
 }
 
-TEST_CASE("a dump that claims absurd sizes is refused before memory is taken") {
+TEST_CASE("a dump with absurd sizes is refused before memory is allocated") {
   for (const char* elements : {"18446744073709551615", "1152921504606846977", "-1", "1e300"}) {
     const std::string text =
         std::string(R"({"frame":0,"step":0,"arrays":[{"object":"a","array":"b","elements":)") + elements +
@@ -89,7 +89,7 @@ TEST_CASE("a dump that claims absurd sizes is refused before memory is taken") {
   }
 }
 
-TEST_CASE("numbers of a trace's lines that no int holds are refused, never converted") {
+TEST_CASE("numbers in trace lines that do not fit an int are refused") {
   for (const char* number : {"1e300", "2147483648", "-2147483649", "18446744073709551615", "1.5", "true"}) {
     const std::string line = R"({"frame":)" + std::string(number) + R"(,"arrays":{}})";
     CAPTURE(line);
@@ -98,7 +98,7 @@ TEST_CASE("numbers of a trace's lines that no int holds are refused, never conve
   CHECK(readStateLine(R"({"frame":-2147483648,"arrays":{}})").frame == std::numeric_limits<int>::min());
 }
 
-TEST_CASE("ulps count the floats between two") {
+TEST_CASE("ulps count the floats between two values") {
   CHECK(ulpsBetween(bitsOf(1.0F), bitsOf(1.0F)) == 0);
   CHECK(ulpsBetween(bitsOf(1.0F), bitsOf(std::nextafter(1.0F, 2.0F))) == 1);
   CHECK(ulpsBetween(bitsOf(std::nextafter(1.0F, 0.0F)), bitsOf(std::nextafter(1.0F, 2.0F))) == 2);
@@ -112,7 +112,7 @@ TEST_CASE("ulps count the floats between two") {
   CHECK(!ulpsBetween(0x7fc00000U, 0x7fc00001U));
 }
 
-TEST_CASE("compared words name the first element, count all, and keep the largest distance") {
+TEST_CASE("comparing words returns the first differing element, the count and the max distance") {
   std::vector<std::uint32_t> here(4 * 9, bitsOf(1.0F));
   auto there = here;
   CHECK(compareWords(here, there).differing == 0);
@@ -131,7 +131,7 @@ TEST_CASE("compared words name the first element, count all, and keep the larges
   CHECK(found.withNan == 1);
 }
 
-TEST_CASE("zeros of different sign differ though no float lies between") {
+TEST_CASE("zeros of different sign differ although their ulp distance is 0") {
   const auto found = compareWords({0, 0, 0, 0}, {0, 0x80000000U, 0, 0});
   CHECK(found.differing == 1);
   CHECK(found.maxUlps == 0);

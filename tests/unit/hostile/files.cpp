@@ -76,7 +76,8 @@ std::string png(std::uint32_t width, std::uint32_t height, const std::string& pi
 
 }  // namespace
 
-TEST_CASE("JSON a million deep is refused in manifest, checkpoint, report, baseline and trace") {
+TEST_CASE(
+    "JSON nested a million levels deep is refused in manifest, checkpoint, report, baseline and trace") {
   const std::string deep = times(1'000'000, R"({"a":)") + "1" + times(1'000'000, "}");
   checkHas(refusal([&] { static_cast<void>(frame::parseManifest(deep, "m.json")); }), "nested deeper");
   checkHas(refusal([&] { static_cast<void>(golden::parseReport(deep, "r.json")); }), "nested deeper");
@@ -88,7 +89,7 @@ TEST_CASE("JSON a million deep is refused in manifest, checkpoint, report, basel
   CHECK(none == "nothing was refused");  // an invalid checkpoint causes a warning, and the run starts over
 }
 
-TEST_CASE("a checkpoint that holds more or less than it says is not used, whatever its hash") {
+TEST_CASE("a checkpoint whose size does not match its header is ignored, also with a valid hash") {
   frame::RunInfo run;
   run.width = run.height = 8;
   const auto reads = [&](const char* sizes, const char* payload) {
@@ -108,7 +109,7 @@ TEST_CASE("a checkpoint that holds more or less than it says is not used, whatev
   CHECK(!reads(R"("counts":18446744073709551615,"parts":[["a","b",7]])", "123456"));
 }
 
-TEST_CASE("a manifest's number that no int holds is refused, however it would wrap") {
+TEST_CASE("a manifest number that does not fit an int is refused, also if it would wrap") {
   frame::Manifest manifest;
   manifest.run.seed = 77;
   const std::string text = frame::manifestText(manifest);
@@ -122,7 +123,7 @@ TEST_CASE("a manifest's number that no int holds is refused, however it would wr
   }
 }
 
-TEST_CASE("pictures that inflate beyond their size, or promise what they cannot hold, are refused") {
+TEST_CASE("pictures that decompress beyond their size, or declare impossible sizes, are refused") {
   const auto whole = [](const std::string& text) { return std::as_bytes(std::span(text)); };
   CHECK(frame::decodeImage(whole(png(100, 100, zeros(100 * 301))), "whole.png").bytes.size() == 40000);
   const TemporaryFile bomb("bomb.png", png(100, 100, zeros(3'000'000'000)));
@@ -134,7 +135,7 @@ TEST_CASE("pictures that inflate beyond their size, or promise what they cannot 
            "do not fit in its");
 }
 
-TEST_CASE("pipes and devices are refused at once") {
+TEST_CASE("pipes and devices as inputs are refused at once") {
   const std::filesystem::path pipe = std::filesystem::temp_directory_path() / "simreel-hostile-pipe";
   std::filesystem::remove(pipe);
   REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
@@ -145,8 +146,7 @@ TEST_CASE("pipes and devices are refused at once") {
   std::filesystem::remove(pipe);
 }
 
-TEST_CASE(
-    "a pattern that is listed 4096 times is read once, and its cells are counted before they are set") {
+TEST_CASE("a pattern listed 4096 times is read once, and its cells are counted before they are set") {
   std::string rows;
   for (int y = 0; y < 1000; ++y) rows += times(500, "bo") + "$\n";
   const TemporaryFile file("large.rle", "x = 1000, y = 1000\n" + rows + "!\n");
@@ -162,7 +162,7 @@ TEST_CASE(
            "4096 patterns have 2048000000 living cells");
 }
 
-TEST_CASE("pictures whose chunks have line breaks for names are refused in one line") {
+TEST_CASE("pictures with line breaks in chunk names are refused in one line") {
   std::string bytes("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\x08\0\0\0\x08\x08\x03\0\0\0\0\0\0\0", 33);
   bytes += std::string(
       "\0\0\0\x04\n\x1b]\x07"
@@ -177,7 +177,7 @@ TEST_CASE("pictures whose chunks have line breaks for names are refused in one l
   }
 }
 
-TEST_CASE("pictures with numbers of many digits are refused, wherever the number stands") {
+TEST_CASE("pictures with many-digit numbers in any header field are refused") {
   const auto refusal = [](const std::string& text) -> std::string {
     try {
       (void)sim::decodePicture(text, "odd.ppm", "texture", 4096);

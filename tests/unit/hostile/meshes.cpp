@@ -50,7 +50,7 @@ std::string row(std::size_t count, const Child& child) {
 
 }  // namespace
 
-TEST_CASE("node graphs of glTF that double, turn in circles or go a million deep are refused") {
+TEST_CASE("glTF node graphs that are exponential, cyclic or a million levels deep are refused") {
   CHECK(refusalOf("whole.gltf", gltf(R"([{"mesh":0}])")) == "nothing was refused");
   const auto once = [](const std::string& next) { return next; };
   const auto twice = [](const std::string& next) { return next + "," + next; };
@@ -67,7 +67,7 @@ TEST_CASE("node graphs of glTF that double, turn in circles or go a million deep
            "nested deeper");
 }
 
-TEST_CASE("a glTF that counts more than its bytes hold is refused before the bytes are read") {
+TEST_CASE("a glTF that declares more elements than its bytes hold is refused before reading them") {
   const std::string node = R"([{"mesh":0}])";
   checkHas(refusalOf("four.gltf", gltf(node, "4")), "count is 4: 48 bytes, of which its view holds 36");
   checkHas(refusalOf("many.gltf", gltf(node, "20000000")), "count");
@@ -162,7 +162,7 @@ TEST_CASE("faces of 900,000 corners are refused") {
            "corners");
 }
 
-TEST_CASE("corners of an OBJ's face are counted over lines that go on, to the last one allowed") {
+TEST_CASE("corners of an OBJ face are counted across continued lines, up to the limit") {
   const std::string vertices = "# \\\nv 0 0 0\nv 1 0 0\nv 0 1 0\n";
   const auto face = [&](int corners) {
     std::string text = vertices + "  f";
@@ -174,7 +174,7 @@ TEST_CASE("corners of an OBJ's face are counted over lines that go on, to the la
   CHECK_FALSE(has(refusalOf("face.obj", face(10'000)), "corners"));
 }
 
-TEST_CASE("pipes beside a mesh are not waited for") {
+TEST_CASE("pipes as companion files of a mesh do not block") {
   const std::filesystem::path folder = std::filesystem::temp_directory_path() / "simreel-hostile-folder";
   std::filesystem::remove_all(folder);
   std::filesystem::create_directory(folder);
@@ -192,7 +192,7 @@ TEST_CASE("pipes beside a mesh are not waited for") {
   std::filesystem::remove_all(folder);
 }
 
-TEST_CASE("isolated work gives back bytes and mistakes, and its crashes stay its own") {
+TEST_CASE("isolated work returns bytes and errors, and its crashes do not affect the process") {
   const Allotment small{std::size_t{64} << 20, 1};
   const auto ended = [&](const std::function<std::string()>& work) {
     try {

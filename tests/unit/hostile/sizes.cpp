@@ -110,7 +110,7 @@ TEST_CASE("an EXR whose display window is far larger than its pixels is refused"
            "a display window of 8192x4096 pixels around 2x1");
 }
 
-TEST_CASE("a PNG of 16384x16384 bits is refused by its size") {
+TEST_CASE("a 1-bit PNG of 16384x16384 pixels is refused by its size") {
   std::string png = std::string("\x89PNG\r\n\x1a\n", 8) + high(13, 4) + "IHDR" + high(16384, 4) +
                     high(16384, 4) + std::string("\1\0\0\0\0", 5) + high(0, 4) + high(40000, 4) + "IDAT" +
                     std::string(40000, '\0');
@@ -118,14 +118,14 @@ TEST_CASE("a PNG of 16384x16384 bits is refused by its size") {
            "16384x16384 pixels is above the limit of 134217728");
 }
 
-TEST_CASE("a font whose glyphs double 60 times takes no gigabytes") {
+TEST_CASE("a font with exponentially nested glyphs uses little memory") {
   const TemporaryFile small("two.ttf", doublingFont(3));
   CHECK(sim::Font(small.path()).glyph(U'H').outlines.size() == 4);
   const TemporaryFile file("double.ttf", doublingFont(60));
   checkHas(refusal([&] { static_cast<void>(sim::Font(file.path())); }), "the outline of U+0048 is damaged");
 }
 
-TEST_CASE("a cloth of four million vertices is refused where its resolution stands") {
+TEST_CASE("a cloth of four million vertices is refused at its resolution parameter") {
   checkHas(
       refusal([&] {
         static_cast<void>(scene::parseScene(
@@ -135,14 +135,14 @@ TEST_CASE("a cloth of four million vertices is refused where its resolution stan
       "2000x2000 are more than 250000 vertices");
 }
 
-TEST_CASE("a fluid of 268 million cells is planned without memory for each") {
+TEST_CASE("planning a fluid of 268 million cells allocates no memory per cell") {
   sim::FluidParameters parameters;
   parameters.size = {16384, 16384};
   CHECK(refusal([&] { static_cast<void>(sim::FluidPlan(parameters, "ink", 1, 0.02)); }) ==
         "nothing was refused");
 }
 
-TEST_CASE("water of 67 million cells is looked at without memory for each, and told to be large") {
+TEST_CASE("checking water of 67 million cells allocates no memory per cell and reports the size") {
   const auto pond = [](const std::string& size) {
     return scene::parseScene(R"({"version": 1, "objects": {"pond": {"water": {"size": )" + size +
                                  R"(, "level": 1, "floats": [{"shape": "box", "size": [1, 1, 1]}]}}}})",
@@ -157,7 +157,7 @@ TEST_CASE("water of 67 million cells is looked at without memory for each, and t
   CHECK(sim::tooLargeForMany(pond("[64, 64]")).empty());
 }
 
-TEST_CASE("epidemics and fires of 268 million cells are looked at without memory for each") {
+TEST_CASE("checking epidemics and wildfires of 268 million cells allocates no memory per cell") {
   for (const char* object : {R"("epidemic": {"size": [16384, 16384], "infected": 0.1})",
                              R"("wildfire": {"size": [16384, 16384], "strokes": [{"radius": 3}]})"}) {
     const scene::Scene large =
@@ -168,7 +168,7 @@ TEST_CASE("epidemics and fires of 268 million cells are looked at without memory
   }
 }
 
-TEST_CASE("a cloth of springs of 268 million particles is looked at without memory for each") {
+TEST_CASE("checking a spring cloth of 268 million particles allocates no memory per particle") {
   const scene::Scene large = scene::parseScene(
       R"({"version": 1, "objects": {"a": {"cloth": {"size": [16384, 16384], "substeps": "auto"}}}})",
       "cloth.json", {}, sim::kinds());

@@ -54,7 +54,7 @@ void checkEverywhere(const std::vector<glm::vec2>& flat) {
 
 }  // namespace
 
-TEST_CASE("hollow polygons are cut along their insides") {
+TEST_CASE("polygons with holes are triangulated without their holes") {
   // a polygon in the shape of an arrow
   checkEverywhere({{0, 0}, {2, 0}, {2, 2}, {1, 0.5F}});
   checkEverywhere({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}});  // a polygon in the shape of an L
@@ -73,7 +73,7 @@ TEST_CASE("hollow polygons are cut along their insides") {
   checkEverywhere(star);
 }
 
-TEST_CASE("polygons that meet themselves, without area or of too much work end, too") {
+TEST_CASE("triangulation of self-intersecting, zero-area and very large polygons ends") {
   std::vector<std::array<unsigned, 3>> triangles;
   sim::PolygonCutter cutter;
   cutter.cut(std::vector<glm::vec3>{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {3, 3, 0}}, triangles);

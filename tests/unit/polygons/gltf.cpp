@@ -108,7 +108,7 @@ Document skinned() {
 
 }  // namespace
 
-TEST_CASE("glTF without normals is flat, with them as they are") {
+TEST_CASE("glTF without normals is flat shaded; given normals are kept") {
   for (const bool strip : {true, false}) {
     Document d;
     Json primitive = {{"attributes", {{"POSITION", d.add(roof, "VEC3", 3)}}}};
@@ -133,7 +133,7 @@ TEST_CASE("glTF without normals is flat, with them as they are") {
   CHECK(d.mesh().normals == std::vector<glm::vec3>{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}});
 }
 
-TEST_CASE("a skinned glTF mesh stands where its joints put it, wherever its node is") {
+TEST_CASE("a skinned glTF mesh is posed by its joints, independent of its node's transform") {
   Document d = skinned();
   const sim::Mesh mesh = d.mesh();
   CHECK(mesh.positions == std::vector<glm::vec3>{{0, 7, 0}, {1, 7, 0}, {0, 7, 1}});
@@ -150,7 +150,7 @@ TEST_CASE("a skinned glTF mesh stands where its joints put it, wherever its node
   CHECK(d.mesh().positions == std::vector<glm::vec3>{{0, 8, 0}, {1, 8, 0}, {0, 9, 0}});
 }
 
-TEST_CASE("a skin that cannot be followed is refused") {
+TEST_CASE("a broken skin is refused") {
   Document d = skinned();
   d.json["skins"][0]["joints"] = {5};
   checkHas(d.refusal(), "joint 0 is node 5, which is none of its default scene");
@@ -165,7 +165,7 @@ TEST_CASE("a skin that cannot be followed is refused") {
   checkHas(d.refusal(), "names number 3 of its 1 skins");
 }
 
-TEST_CASE("glTF without scenes has the roots of its nodes, and without nodes its meshes") {
+TEST_CASE("glTF without scenes uses its root nodes, and without nodes its meshes") {
   Document d;
   d.json["meshes"] = {{{"primitives", {{{"attributes", {{"POSITION", d.add(triangle, "VEC3", 3)}}}}}}}};
   d.json["nodes"] = {{{"mesh", 0}}, {{"children", {0}}, {"translation", {0, 0, 5}}}};
@@ -176,7 +176,8 @@ TEST_CASE("glTF without scenes has the roots of its nodes, and without nodes its
   CHECK(d.mesh().positions[1] == glm::vec3(1, 0, 0));
 }
 
-TEST_CASE("glTF: what other extensions compress is read from its fallback, or refused by name") {
+TEST_CASE(
+    "glTF: data compressed by extensions is read from its fallback, or refused by the extension's name") {
   Document d;
   const Json draco = {
       {"KHR_draco_mesh_compression", {{"bufferView", 0}, {"attributes", {{"POSITION", 0}}}}}};
@@ -200,8 +201,7 @@ TEST_CASE("glTF: what other extensions compress is read from its fallback, or re
   CHECK(d.mesh().positions == std::vector<glm::vec3>{glm::vec3(0)});
 }
 
-TEST_CASE(
-    "glTF: lines and points beside triangles, and pictures of other formats, are said not to be drawn") {
+TEST_CASE("glTF: lines, points and unsupported image formats are reported as not drawn") {
   Document d;
   const Json attributes = {{"POSITION", d.add(triangle, "VEC3", 3)}};
   d.json["meshes"] = {{{"primitives",
@@ -217,7 +217,7 @@ TEST_CASE(
   CHECK(mesh.materials.at(0).colorMap.image == -1);
 }
 
-TEST_CASE("glTF: a rotation turns, whatever its quaternion's length") {
+TEST_CASE("glTF: quaternions of any length are normalized") {
   Document d;
   d.json["meshes"] = {{{"primitives", {{{"attributes", {{"POSITION", d.add(triangle, "VEC3", 3)}}}}}}}};
   d.json["nodes"][0]["rotation"] = {0, 0, 3, 3};  // an unnormalized quaternion for a quarter turn about z
@@ -228,7 +228,7 @@ TEST_CASE("glTF: a rotation turns, whatever its quaternion's length") {
   checkHas(d.refusal(), "rotation must be a quaternion of length 1");
 }
 
-TEST_CASE("glTF: what a scale of 0 makes flat, and versions that are needed and not read, are said") {
+TEST_CASE("glTF: zero scales, and required but unsupported versions, are reported") {
   Document d;
   d.json["meshes"] = {{{"primitives", {{{"attributes", {{"POSITION", d.add(triangle, "VEC3", 3)}}}}}}}};
   CHECK(d.mesh().undrawn.empty());
@@ -241,7 +241,7 @@ TEST_CASE("glTF: what a scale of 0 makes flat, and versions that are needed and 
   checkHas(d.refusal(), "needs a reader of glTF 2.1, and this one reads 2.0");
 }
 
-TEST_CASE("GLB: a header that names another length than the file has is refused or said") {
+TEST_CASE("GLB: a header length that differs from the file size is refused or reported") {
   Document d;
   d.json["meshes"] = {{{"primitives", {{{"attributes", {{"POSITION", d.add(triangle, "VEC3", 3)}}}}}}}};
   const std::string json = d.text();

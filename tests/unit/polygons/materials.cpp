@@ -34,7 +34,7 @@ using Lines = std::vector<std::string>;
 
 }  // namespace
 
-TEST_CASE("MTL: numbers that are none, and numbers out of their range, are said") {
+TEST_CASE("MTL: invalid and out-of-range numbers are reported") {
   const auto ignored = [](const std::string& line) { return lookOf("newmtl m\n" + line + "\n").ignored; };
   CHECK(ignored("Kd 0.5 0.25 1").empty());
   CHECK(ignored("Kd 0.5").empty());
@@ -54,7 +54,7 @@ TEST_CASE("MTL: numbers that are none, and numbers out of their range, are said"
   CHECK(shown.materials.at(0).emission == glm::vec3(2, 0, 0));
 }
 
-TEST_CASE("MTL: a name that comes twice is said, and means its last material alone") {
+TEST_CASE("MTL: a repeated material name is reported, and the last definition counts") {
   const sim::Mesh twice = lookOf("newmtl m\nKd 1 0 0\nPr 0.2\nnewmtl m\nKd 0 1 0\nNs 998\n");
   CHECK(twice.ignored == Lines{"all but the last newmtl \"m\""});
   CHECK(twice.materials.at(0).color == glm::vec3(0, 1, 0));
@@ -63,7 +63,7 @@ TEST_CASE("MTL: a name that comes twice is said, and means its last material alo
   CHECK(lookOf("newmtl m\nKd 0 1 0\n", "mtllib polygons-materials.mtl\n" + square).ignored.empty());
 }
 
-TEST_CASE("materials name pictures in every folder that the scene may read, and in no other") {
+TEST_CASE("materials may reference pictures in every readable folder, and in no other folder") {
   namespace fs = std::filesystem;
   const fs::path folder = fs::temp_directory_path() / ("simreel-materials-" + std::to_string(::getpid()));
   const std::string png("\x89PNG\r\n\x1a\n", 8);

@@ -46,7 +46,7 @@ const std::string square = "0,0,0 1,0,0 1,1,0 | 0,0,0 1,1,0 0,1,0";
 
 }  // namespace
 
-TEST_CASE("OBJ: numbers of every notation are numbers, and no vertex is left out") {
+TEST_CASE("OBJ: numbers in every notation are read, and no vertex is skipped") {
   CHECK(drawn(meshOf("v .5 0 0\nv +1. -.5e0 1E-1\nv 1 1 0\nv 0 1 0\nf 1 2 3\n")) ==
         "0.5,0,0 1,-0.5,0.1 1,1,0");
   CHECK(drawn(meshOf("\xEF\xBB\xBF" + corners + "v 5 5 5\nf 1 2 3 4\n")) == square);
@@ -58,7 +58,7 @@ TEST_CASE("OBJ: numbers of every notation are numbers, and no vertex is left out
   checkHas(refusalOf("v 0 0 0\nvt x\n"), "line 2 \"x\"");
 }
 
-TEST_CASE("OBJ: weights change no vertex, and colours follow places or weights") {
+TEST_CASE("OBJ: vertex weights are ignored, and colours after positions or weights are read") {
   CHECK(drawn(meshOf("v 0 0 0 1\nv 1 0 0 0.5\nv 1 1 0 2\nv 0 1 0 1\nf 1 2 3 4\n")) == square);
   const sim::Mesh six = meshOf("v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nf 1 2 3\n");
   REQUIRE(six.colors.size() == 3);
@@ -70,7 +70,7 @@ TEST_CASE("OBJ: weights change no vertex, and colours follow places or weights")
   CHECK(seven.colors[2] == glm::vec3(0, 0, 1));
 }
 
-TEST_CASE("OBJ: comments end lines, backslashes continue them, and lines end in three ways") {
+TEST_CASE("OBJ: comments, backslash continuations and all three line endings are read") {
   CHECK(drawn(meshOf("v 0 0 0 # 7 7 7\nv 1 0 0#8\nv 1 1 0\nv 0 1 0\nf 1 2 3 # 4\n")) ==
         "0,0,0 1,0,0 1,1,0");
   CHECK(drawn(meshOf("# goes on \\\n" + corners + "f 1 2 \\\n  3 4\n")) == square);
@@ -78,7 +78,7 @@ TEST_CASE("OBJ: comments end lines, backslashes continue them, and lines end in 
   CHECK(drawn(meshOf("v 0 0 0\rv 1 0 0\rv 1 1 0\rv 0 1 0\rf 1 2 3 4\r")) == square);
 }
 
-TEST_CASE("OBJ: corners count from the first, from the last so far, or ahead") {
+TEST_CASE("OBJ: absolute, relative and forward indices of corners are read") {
   CHECK(drawn(meshOf(corners + "f -4 -3 -2 -1\n")) == square);
   CHECK(drawn(meshOf(corners + "f -4 -3 -2 -1\nv 9 9 9\n")) == square);
   CHECK(drawn(meshOf("f 1 2 3 4\n" + corners)) == square);
@@ -94,7 +94,7 @@ TEST_CASE("OBJ: corners count from the first, from the last so far, or ahead") {
   checkHas(refusalOf(corners + "f 1 two 3\n"), "line 5 \"two\"");
 }
 
-TEST_CASE("OBJ: what is not drawn is said, by kind and number") {
+TEST_CASE("OBJ: elements that are not drawn are reported by kind and count") {
   CHECK(meshOf(corners + "f 1 2 3\n").undrawn.empty());
   CHECK(meshOf("mtllib\no x\ng a b\ns 1\nusemtl\n" + corners + "bevel on\nf 1 2 3\n").undrawn.empty());
   const sim::Mesh mesh =
@@ -106,7 +106,7 @@ TEST_CASE("OBJ: what is not drawn is said, by kind and number") {
   checkHas(refusalOf(corners + "l 1 2\n"), "holds no triangle, but lines (1)");
 }
 
-TEST_CASE("OBJ: smoothing groups smooth, and faces without one are flat") {
+TEST_CASE("OBJ: smoothing groups give smooth normals, and faces outside groups are flat") {
   // A roof: two squares that share an edge along y at a right angle.
   const std::string roof = "v 1 0 0\nv 1 1 0\nv 0 1 1\nv 0 0 1\nv -1 1 0\nv -1 0 0\n";
   const auto normals = [&](const std::string& first, const std::string& second) {
@@ -143,7 +143,7 @@ TEST_CASE("OBJ: smoothing groups smooth, and faces without one are flat") {
   checkHas(refusalOf(corners + "s one\nf 1 2 3\n"), "line 5 \"one\", which is no smoothing group");
 }
 
-TEST_CASE("OBJ: 100,000 objects, materials and fans around one vertex are read in a moment") {
+TEST_CASE("OBJ: 100,000 objects, materials and fans around one vertex are read quickly") {
   std::string objects = "v 0 0 0\nv 1 0 0\nv 0 1 0\n", fan = objects;
   for (int i = 0; i < 100'000; ++i) {
     objects += fmt::format("o o{0}\nusemtl m{0}\nf 1 2 3\n", i);

@@ -45,7 +45,7 @@ std::string bmp(int rows) {
 
 }  // namespace
 
-TEST_CASE("BMP pictures have their rows from above or below") {
+TEST_CASE("BMP pictures are read bottom-up and top-down") {
   for (const int rows : {2, -2}) {
     const sim::Picture picture = sim::decodePicture(bmp(rows), "a.bmp", "texture", 64);
     CHECK(picture.size == glm::ivec2(1, 2));
@@ -57,7 +57,7 @@ TEST_CASE("BMP pictures have their rows from above or below") {
                        doctest::Contains("is not a picture"), UserError);
 }
 
-TEST_CASE("levels of a PNG of 16 bits keep them, and of 8 bits are those of the picture") {
+TEST_CASE("16-bit PNG values are kept as levels, and 8-bit levels are the picture's luma") {
   const auto levelsOf = [](int bits, const std::vector<std::uint8_t>& bytes) {
     const std::vector<std::byte> png = frame::encodePng({{2, 1}, 3, bits, bytes}, {});
     const TemporaryFile file("levels.png",

@@ -62,7 +62,7 @@ std::string binary(bool bigEndian, float x, const std::string& lineEnd = "\n") {
 
 }  // namespace
 
-TEST_CASE("PLY: binary data may begin with bytes that look like ends of lines") {
+TEST_CASE("PLY: binary data may start with line-break bytes") {
   for (const bool bigEndian : {false, true})
     for (const char* lineEnd : {"\n", "\r\n", "\r"})
       for (const std::uint32_t first : {10U, 13U, 32U, 0x3f000a0aU, 0x0a0d003fU}) {
@@ -75,7 +75,7 @@ TEST_CASE("PLY: binary data may begin with bytes that look like ends of lines") 
       }
 }
 
-TEST_CASE("PLY: each triangle of each strip is there, and faces its way") {
+TEST_CASE("PLY: all triangles of strips are read with the right orientation") {
   const std::string header =
       "element vertex 6\n" + place + "element tristrips 2\nproperty list int int vertex_indices\n";
   const sim::Mesh mesh =
@@ -84,7 +84,7 @@ TEST_CASE("PLY: each triangle of each strip is there, and faces its way") {
   for (const glm::vec3& n : mesh.normals) CHECK(n == glm::vec3(0, 0, 1));
 }
 
-TEST_CASE("PLY: elements come in any order, and comments stand anywhere in the header") {
+TEST_CASE("PLY: elements may come in any order, and comments anywhere in the header") {
   CHECK(meshOf(text(oneFace + threeCorners, "3 0 1 2\n0 0 0\n1 0 0\n0 1 0\n")).positions[1].x == 1.0F);
   const std::string noted =
       "element vertex 3\ncomment Points\n" + place + "obj_info 7\n" + oneFace + "comment\n";
@@ -97,7 +97,7 @@ TEST_CASE("PLY: elements come in any order, and comments stand anywhere in the h
   CHECK(mesh.undrawn == std::vector<std::string>{"elements \"camera\" (1)", "edges (1)"});
 }
 
-TEST_CASE("PLY: normals, texture coordinates and colours of vertices of any type") {
+TEST_CASE("PLY: vertex normals, texture coordinates and colours of any type are read") {
   const std::string header =
       "element vertex 3\n" + place +
       "property float nx\nproperty float ny\nproperty float nz\nproperty double s\nproperty double t\n"
@@ -110,7 +110,7 @@ TEST_CASE("PLY: normals, texture coordinates and colours of vertices of any type
   CHECK(mesh.colors[0] == glm::vec3(1, 0, 0));
 }
 
-TEST_CASE("PLY: colours and textures of faces are said not to be drawn") {
+TEST_CASE("PLY: face colours and textures are reported as not drawn") {
   const sim::Mesh mesh = meshOf(text("comment TextureFile t.png\n" + threeCorners + oneFace +
                                          "property uchar red\nproperty list uchar float texcoord\n",
                                      "0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 2 0 0\n"));
@@ -119,7 +119,7 @@ TEST_CASE("PLY: colours and textures of faces are said not to be drawn") {
                                                  "TextureFile t.png"});
 }
 
-TEST_CASE("PLY: what does not fit its header is refused, with its place") {
+TEST_CASE("PLY: data that does not match the header is refused with its place") {
   const std::string body = "0 0 0\n1 0 0\n0 1 0\n";
   checkHas(refusalOf(text(threeCorners + oneFace, "0 0 0 7\n1 0 0\n0 1 0\n3 0 1 2\n")),
            "line 10 more numbers than the header has properties");
@@ -140,7 +140,7 @@ TEST_CASE("PLY: what does not fit its header is refused, with its place") {
         std::vector<std::string>{"8 bytes after its last element"});
 }
 
-TEST_CASE("PLY: other versions, and lists whose lengths are no whole numbers, are refused") {
+TEST_CASE("PLY: other versions, and list lengths that are not integers, are refused") {
   const std::string body = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
   CHECK(meshOf(text(threeCorners + oneFace, body)).indices.size() == 3);
   checkHas(refusalOf("ply\nformat ascii 2.0\n" + threeCorners + oneFace + "end_header\n" + body),

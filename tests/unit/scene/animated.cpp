@@ -12,7 +12,7 @@
 using simreel::scene::Animated;
 using simreel::scene::Ease;
 
-TEST_CASE("keyframes: a spline goes through its keys at a speed that changes steadily") {
+TEST_CASE("keyframes: a spline passes through its keys with continuous speed") {
   const Animated<float> value({{0, 1.0F}, {1, 2.0F}, {3, 7.0F}, {3.5, 7.5F}, {5, 3.0F}}, Ease::spline);
   for (const auto& key : value.keys()) CHECK(value.at(key.time) == key.value);
   const auto speed = [&](double time) { return (value.at(time + 1e-4) - value.at(time - 1e-4)) / 2e-4; };
@@ -32,7 +32,7 @@ TEST_CASE("keyframes: a spline goes through its keys at a speed that changes ste
   }
 }
 
-TEST_CASE("keyframes: a spline of even steps is nearly straight between its ends") {
+TEST_CASE("keyframes: a spline with even steps is nearly straight") {
   const Animated<glm::vec3> place({{0, glm::vec3(0)}, {1, {1, 2, -1}}, {2, {2, 4, -2}}, {3, {3, 6, -3}}},
                                   Ease::spline);
   for (int i = 0; i <= 10; ++i) {
@@ -41,7 +41,7 @@ TEST_CASE("keyframes: a spline of even steps is nearly straight between its ends
   }
 }
 
-TEST_CASE("keyframes: what is held stays until the next key") {
+TEST_CASE("keyframes: a hold key keeps its value until the next key") {
   const Animated<float> value({{0, 1.0F}, {1, 2.0F}, {2, 5.0F}}, Ease::hold);
   CHECK(value.at(-1) == 1.0F);
   CHECK(value.at(0.999) == 1.0F);
@@ -50,7 +50,7 @@ TEST_CASE("keyframes: what is held stays until the next key") {
   CHECK(value.at(9) == 5.0F);
 }
 
-TEST_CASE("keyframes: two at one time are a jump") {
+TEST_CASE("keyframes: two keys at one time make a jump") {
   for (const Ease ease : {Ease::linear, Ease::smooth, Ease::spline, Ease::hold}) {
     CAPTURE(static_cast<int>(ease));
     const Animated<float> value({{0, 0.0F}, {1, 2.0F}, {1, 10.0F}, {2, 12.0F}}, ease);
@@ -65,7 +65,7 @@ TEST_CASE("keyframes: two at one time are a jump") {
   CHECK((cut.at(1 + 2e-3) - cut.at(1 + 1e-3)) / 1e-3 == doctest::Approx(2).epsilon(0.02));
 }
 
-TEST_CASE("keyframes: when a value has jumped last") {
+TEST_CASE("keyframes: the time of a value's last jump is found") {
   const double never = -std::numeric_limits<double>::infinity();
   const Animated<float> cut({{0, 1.0F}, {1, 2.0F}, {1, 5.0F}, {2, 5.0F}, {2, 5.0F}, {3, 0.0F}},
                             Ease::linear);

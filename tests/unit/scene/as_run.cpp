@@ -26,7 +26,7 @@ std::string asRun(const std::string& text, const std::vector<std::string>& chang
 
 }  // namespace
 
-TEST_CASE("scene as run: plain JSON with its overrides") {
+TEST_CASE("scene as run: it is plain JSON that includes the overrides") {
   CHECK(asRun("{\"version\": 1, // so\n \"title\": \"a \\\"b\\\"\", \"time\": {\"fps\": 30}}",
               {"time.fps=0.1", "render.size=[64,36]", "seed=3", "objects.b={\"sphere\":{}}"}) ==
         "{\n  \"version\": 1,\n  \"title\": \"a \\\"b\\\"\",\n  \"time\": {\"fps\": 0.1},\n"
@@ -35,7 +35,7 @@ TEST_CASE("scene as run: plain JSON with its overrides") {
   CHECK_THROWS_AS(asRun("{\"version\": 1, }"), UserError);
 }
 
-TEST_CASE("scene as run: every shipped scene's is that scene again") {
+TEST_CASE("scene as run: reading it back gives the same scene, for every shipped scene") {
   const fs::path folder = fs::path(sourceFolder()) / "assets/scenes";
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() != ".json" || entry.path().stem().extension() == ".test") continue;
@@ -46,7 +46,7 @@ TEST_CASE("scene as run: every shipped scene's is that scene again") {
   }
 }
 
-TEST_CASE("scene as run: what drawing alone hears of leaves the simulation the same") {
+TEST_CASE("scene as run: parameters used only for drawing do not change the simulation hash") {
   const std::string text =
       R"({"version": 1, "time": {"fps": 30}, "objects": {"dish": {"grayScott": {"size": [16, 16]}}}})";
   const auto hash = [&](const std::string& change) { return scene::simulationHash(asRun(text, {change})); };

@@ -50,7 +50,7 @@ class Folders {
 
 }  // namespace
 
-TEST_CASE("assets lie in the scene's folder or the asset folder") {
+TEST_CASE("assets are found in the scene's folder and in the asset folder") {
   const Folders folders;
   CHECK(folders.found("scenes.png") == folders.root / "scenes" / "scenes.png");
   CHECK(folders.found("sub/../scenes.png") == folders.root / "scenes" / "scenes.png");
@@ -60,7 +60,7 @@ TEST_CASE("assets lie in the scene's folder or the asset folder") {
   CHECK(folders.found("").empty());
 }
 
-TEST_CASE("nothing outside the folders is read") {
+TEST_CASE("files outside the allowed folders are refused") {
   const Folders folders;
   const std::string outside = "lies outside the folders a scene may read";
   CHECK(
@@ -72,7 +72,7 @@ TEST_CASE("nothing outside the folders is read") {
   CHECK(has(folders.errors((folders.root / "outside" / "outside.png").string()), outside));
 }
 
-TEST_CASE("a scene may read below folders that the user gives") {
+TEST_CASE("a scene may read folders that the user allows") {
   const Folders folders;
   const std::vector<fs::path> given = {folders.root / "none", folders.root / "outside"};
   const auto parseWith = [&](const std::string& picture, std::span<const fs::path> extra) {
@@ -88,7 +88,7 @@ TEST_CASE("a scene may read below folders that the user gives") {
   CHECK(has(folders.errors("leak.png"), "; --assets DIR lets it read another"));
 }
 
-TEST_CASE("a missing asset names the folders looked in") {
+TEST_CASE("a missing asset lists the searched folders") {
   const Folders folders;
   const std::string report = folders.errors("nope.png");
   CHECK(has(report, "no file \"nope.png\" in " + (folders.root / "scenes").string() + " and " +

@@ -55,7 +55,7 @@ TEST_CASE("colours: names are those of CSS, in any case") {
     CHECK_MESSAGE(!scene::colorOf(wrong).has_value(), wrong);
 }
 
-TEST_CASE("colours: a scene gives them as numbers, as text or along keyframes") {
+TEST_CASE("colours: a scene gives colours as numbers, text or keyframes") {
   const scene::Scene named = withColor("\"tomato\"");
   CHECK(named.objects[0].material.color == scene::colorOf("tomato"));
   CHECK(named.sun.color.at(0) == scene::colorOf("tomato"));
@@ -66,7 +66,7 @@ TEST_CASE("colours: a scene gives them as numbers, as text or along keyframes") 
   CHECK(moving.sun.color.at(1) == glm::vec3(1));
 }
 
-TEST_CASE("colours: a mistake is reported with a suggestion") {
+TEST_CASE("colours: an error is reported with a suggestion") {
   CHECK(messageOf("\"tomatoe\"").find("unknown colour \"tomatoe\"; did you mean \"tomato\"?") !=
         std::string::npos);
   CHECK(messageOf("\"#12345\"").find("expected \"#rrggbb\" in hexadecimal digits") != std::string::npos);

@@ -133,7 +133,7 @@ void comparePage(const std::map<std::string, std::string>& shown, const Json& sc
 
 }  // namespace
 
-TEST_CASE("defaults: given or left out, every one that a shipped scene may have is the same") {
+TEST_CASE("defaults: stating the default of any parameter of a shipped scene changes nothing") {
   const Json schema = Json::parse(scene::schemaText(sim::kinds().list));
   int same = 0;
   std::set<std::string> refused;
@@ -184,7 +184,7 @@ TEST_CASE("defaults: given or left out, every one that a shipped scene may have 
   for (const std::string& path : refused) CHECK_MESSAGE(allowed.contains(path), path);
 }
 
-TEST_CASE("defaults: the pages show those of the schema") {
+TEST_CASE("defaults: documentation pages show the defaults of the schema") {
   const Json schema = Json::parse(scene::schemaText(sim::kinds().list));
   int compared = 0;
   for (const scene::Kind& kind : sim::kinds().list)

@@ -30,7 +30,7 @@ std::string repeated(const std::string& part, int times) {
 
 }  // namespace
 
-TEST_CASE("an expression binds as mathematics does") {
+TEST_CASE("operators in expressions have mathematical precedence") {
   CHECK(asC("a + b*c") == "a + b * c");
   CHECK(asC("(a + b)*c") == "(a + b) * c");
   CHECK(asC("a - b - c") == "a - b - c");
@@ -49,7 +49,7 @@ TEST_CASE("an expression binds as mathematics does") {
   CHECK(asC("order + android") == "order + android");
 }
 
-TEST_CASE("a mistake in an expression has its place and says what to do") {
+TEST_CASE("an error in an expression has a position and advice") {
   CHECK(mistakeIn("") == "0-1: the expression is empty");
   CHECK(mistakeIn("a +") == "2-3: the expression ends where a value is missing");
   CHECK(mistakeIn("a + * b") == "4-5: expected a number, a name or (, found \"*\"");
@@ -74,7 +74,7 @@ TEST_CASE("a mistake in an expression has its place and says what to do") {
   CHECK(mistakeIn("\xc3\xa9 + 1") == "0-2: expected a number, a name or (, found \"\xc3\xa9\"");
 }
 
-TEST_CASE("an expression that is too long, too deep or too large is refused before it costs anything") {
+TEST_CASE("an expression that is too long, deep or large is refused early") {
   const std::string deep = "nested deeper than 64 levels; split it by \"lets\"";
   CHECK(mistakeIn(repeated("(", 1000)).ends_with(deep));
   CHECK(mistakeIn(repeated("-", 1000) + "a").ends_with(deep));

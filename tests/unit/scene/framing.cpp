@@ -48,7 +48,7 @@ float reach(const scene::Scene& scene, const scene::Box& box) {
 
 }  // namespace
 
-TEST_CASE("a camera that stands nowhere has all of a solid in view, and little more") {
+TEST_CASE("an automatic camera frames a whole solid tightly") {
   for (const glm::ivec2 size : {glm::ivec2(1280, 720), glm::ivec2(300, 900)})
     for (const float scale : {0.01F, 1.0F, 500.0F})
       for (const glm::vec3& extent :
@@ -61,7 +61,7 @@ TEST_CASE("a camera that stands nowhere has all of a solid in view, and little m
       }
 }
 
-TEST_CASE("a camera looks down on what lies, and almost level at what is tall") {
+TEST_CASE("an automatic camera looks down on flat objects and almost horizontally at tall ones") {
   const auto way = [](const glm::vec3& extent) {
     const scene::Scene scene = with({{-0.5F * extent, 0.5F * extent}}, {640, 360});
     const glm::vec3 back = scene.camera.position.at(0);
@@ -74,7 +74,7 @@ TEST_CASE("a camera looks down on what lies, and almost level at what is tall") 
   CHECK(way({3, 3, 3}).z > 0.8F);
 }
 
-TEST_CASE("a camera frames all that ask for it together, and stays where a scene has placed it") {
+TEST_CASE("an automatic camera frames all objects together, and a placed camera does not move") {
   const scene::Box left{{-5, 0, 0}, {-4, 1, 1}};
   const scene::Box right{{6, 0, -3}, {7, 2, 1}};
   const scene::Scene both = with({left, right}, {640, 360});
@@ -88,7 +88,7 @@ TEST_CASE("a camera frames all that ask for it together, and stays where a scene
   CHECK(with({}, {64, 64}).camera.position.at(0) == scene::Camera().position.at(0));
 }
 
-TEST_CASE("a camera that goes round has all in view from everywhere, and from somewhere little more") {
+TEST_CASE("an orbiting camera keeps all objects in view, tightly at some angle") {
   for (const bool round : {false, true})
     for (const float elevation : {-15.0F, 0.0F, 20.0F, 70.0F}) {
       CAPTURE(round);

@@ -21,11 +21,11 @@ const std::string whole = R"({
 
 }  // namespace
 
-TEST_CASE("the scene to be damaged is good") {
+TEST_CASE("the scene used for fuzzing is valid") {
   CHECK(mistakes(whole).empty());
 }
 
-TEST_CASE("a scene cut short anywhere is refused with a report") {
+TEST_CASE("a scene truncated anywhere is refused with a report") {
   for (std::size_t length = 0; length < whole.size() - 1; ++length) {
     const std::string report = mistakes(std::string_view(whole).substr(0, length));
     INFO(length, report);

@@ -32,7 +32,7 @@ std::string understoodAs(std::string object, const std::string& shape) {
 
 }  // namespace
 
-TEST_CASE("a file that is given says which shape") {
+TEST_CASE("a given file or image implies the matching shape") {
   const struct {
     const char* object;
     const char* shape;

@@ -25,7 +25,7 @@ std::string several(int count, int shadowed) {
 
 }  // namespace
 
-TEST_CASE("lights: every field is read, in the order of the file") {
+TEST_CASE("lights: all fields are read, in file order") {
   const Scene scene =
       parse(withLights(R"("zeta": {"type": "point", "position": [1, 2, 3], "color": [0.5, 1, 2],
     "intensity": {"keys": [[0, 10], [2, 30]], "ease": "linear"}, "radius": 0.25, "glow": 0.5, "shadow": false,
@@ -54,7 +54,7 @@ TEST_CASE("lights: every field is read, in the order of the file") {
   CHECK(parse(R"({"version": 1})").lights.empty());
 }
 
-TEST_CASE("lights: what moves may move along keyframes") {
+TEST_CASE("lights: animatable fields accept keyframes") {
   for (const char* field : {"intensity", "radius", "glow"}) {
     const Scene scene =
         parse(withLights("\"a\": {\"" + std::string(field) + R"(": {"keys": [[0, 1], [4, 3]]}})"));
@@ -80,7 +80,7 @@ TEST_CASE("lights: what moves may move along keyframes") {
   CHECK(by.follow->side == -2);
 }
 
-TEST_CASE("lights: mistakes are told where they are, with a suggestion") {
+TEST_CASE("lights: errors are reported at their place with a suggestion") {
   const auto says = [](const std::string& lights, const std::string& what) {
     return has(mistakes(withLights(lights)), what);
   };
@@ -99,7 +99,7 @@ TEST_CASE("lights: mistakes are told where they are, with a suggestion") {
   CHECK(has(mistakes(R"({"version": 1, "light": {}})"), "did you mean \"lights\"?"));
 }
 
-TEST_CASE("lights: at most 256, and eight with shadows") {
+TEST_CASE("lights: at most 256 lights are allowed, eight of them with shadows") {
   CHECK(parse(several(256, 8)).lights.size() == 256);
   CHECK(has(mistakes(several(257, 0)), "a scene has at most 256 lights, found 257"));
   CHECK(has(mistakes(several(16, 9)),
@@ -107,7 +107,7 @@ TEST_CASE("lights: at most 256, and eight with shadows") {
   CHECK(has(mistakes(several(9, 9)), "s.json:1:26: error: 9 lights"));
 }
 
-TEST_CASE("lights: overrides change and complete them, and add none in passing") {
+TEST_CASE("lights: overrides change and complete lights but do not create them") {
   const std::string text = withLights(R"("torch": {"intensity": 5})");
   CHECK(parse(text, {"lights.torch.intensity=7"}).lights.at(0).intensity.at(0) == 7.0F);
   CHECK(parse(text, {"lights.torch.flicker.rate=2"}).lights.at(0).flicker);
@@ -121,7 +121,7 @@ TEST_CASE("lights: overrides change and complete them, and add none in passing")
   CHECK(has(mistakes(text, {"lights.torch.intenisty=7"}), "did you mean \"intensity\"?"));
 }
 
-TEST_CASE("lights: schema and help come from the same declaration") {
+TEST_CASE("lights: schema and help are generated from the same declaration") {
   const std::string help = helpText("lights", toyKinds().list, 100);
   for (const char* name : {"position", "intensity", "radius", "flicker.rate", "shadowSize"})
     CHECK_MESSAGE(has(help, std::string("\n  ") + name + " "), name);

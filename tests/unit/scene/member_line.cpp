@@ -6,7 +6,7 @@
 
 using simreel::scene::memberLine;
 
-TEST_CASE("lines of members") {
+TEST_CASE("the source line of each member is found") {
   const std::string text = "{ // a scene\n \"objects\":\n {\"a\": 1,\n\n  \"b\": {\"c\": [1,\n 2]}}\n}";
   const auto line = [&](const std::vector<std::string>& path) { return memberLine(text, path); };
   CHECK(line({}) == 1);

@@ -31,7 +31,7 @@ float farthest(const std::vector<glm::vec3>& points, const glm::vec3& way) {
 
 }  // namespace
 
-TEST_CASE("outline: of a ball's points no direction lacks more than 5 in 100") {
+TEST_CASE("outline: a subset of a ball's points loses at most 5% of the extent in any direction") {
   const std::vector<glm::vec3> points = evenBall(20000);
   const std::vector<glm::vec3> outer = scene::outermost(points);
   CHECK(outer.size() == 98);
@@ -41,7 +41,7 @@ TEST_CASE("outline: of a ball's points no direction lacks more than 5 in 100") {
   }
 }
 
-TEST_CASE("outline: the order of points does not matter, nor that some are equally far") {
+TEST_CASE("outline: the result does not depend on the point order, also with ties") {
   std::vector<glm::vec3> points;
   // points of a cube of 10x10x10 cells
   for (int i = 0; i < 1000; ++i) points.emplace_back(i % 10, (i / 10) % 10, i / 100);
@@ -52,7 +52,7 @@ TEST_CASE("outline: the order of points does not matter, nor that some are equal
   CHECK(scene::outermost(points, 0.05, 0.1F) == outer);
 }
 
-TEST_CASE("outline: a few that went astray are left out, by whole numbers") {
+TEST_CASE("outline: a few stray points are ignored, by an integer rule") {
   std::vector<glm::vec3> points = evenBall(199);
   points.emplace_back(50, 0, 0);
   const glm::vec3 right(1, 0, 0);

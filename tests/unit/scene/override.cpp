@@ -5,7 +5,7 @@
 using namespace simreel::scene;
 using namespace simreel::scene::toy;
 
-TEST_CASE("an override changes, adds and reaches into lists") {
+TEST_CASE("an override changes and adds members, and reaches into lists") {
   const std::string text = withCloth(R"("wind": [1, 2, 3], "pins": [{"row": 1}, {"row": 2}])");
   const Scene scene =
       parse(text, {"objects.flag.cloth.wind=[3,0,1]", "objects.flag.cloth.pins.1.row=7", "time.fps=30",
@@ -24,11 +24,11 @@ TEST_CASE("an override changes, adds and reaches into lists") {
   CHECK(parse(text, {"seed=2", "seed=3"}).seed == 3);
 }
 
-TEST_CASE("an override mends a mistake of the file") {
+TEST_CASE("an override can correct an error of the file") {
   CHECK(mistakes("{\"version\": 1, \"seed\": \"x\"}", {"seed=4"}).empty());
 }
 
-TEST_CASE("mistakes in overrides point at the -D") {
+TEST_CASE("errors in overrides point to their -D option") {
   const std::string text = withCloth(R"("pins": [{"row": 1}])");
   CHECK(mistakes(text, {"objects.flag.cloth.wnd=[3,0,1]"}) ==
         "-D objects.flag.cloth.wnd=[3,0,1]: error: unknown key \"wnd\"; did you mean \"wind\"?\n"
@@ -56,7 +56,7 @@ TEST_CASE("mistakes in overrides point at the -D") {
   CHECK(has(mistakes(text, {deep + "=1"}), "this path is too deep"));
 }
 
-TEST_CASE("an override adds no object and no item in passing") {
+TEST_CASE("an override does not create objects or list items implicitly") {
   const std::string text = withCloth(R"("wind": [1, 2, 3])");
   CHECK(mistakes(text, {"objects.flga.cloth.wind=[3,0,1]"}) ==
         "-D objects.flga.cloth.wind=[3,0,1]: error: no object is named \"flga\"; did you mean \"flag\"? "
@@ -74,7 +74,7 @@ TEST_CASE("an override adds no object and no item in passing") {
   CHECK(parse(text, {"ground.height=-2"}).ground->height == -2.0F);
 }
 
-TEST_CASE("a scene keeps its overrides, which can be typed again") {
+TEST_CASE("a scene stores its overrides in a form that can be typed again") {
   const Scene scene = parse(withCloth(""), {"seed=3", "title=two words"});
   CHECK(scene.overrides == std::vector<std::string>{"seed=3", "title=two words"});
   CHECK(asArguments(scene.overrides) == "-D seed=3 -D 'title=two words'");
@@ -88,7 +88,7 @@ TEST_CASE("an override needs a path and a value") {
   CHECK(parseOverride("a.b=c=d").value == "c=d");
 }
 
-TEST_CASE("mistakes of file and overrides come together, the file's first") {
+TEST_CASE("errors of file and overrides are reported together, the file's first") {
   const std::string report = mistakes("{\"version\": 1, \"sed\": 1}", {"time.fps=0"});
   CHECK(report.find("s.json:1:16") < report.find("-D time.fps=0"));
   CHECK(has(report, "-D time.fps=0"));

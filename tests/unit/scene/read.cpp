@@ -7,7 +7,7 @@
 using namespace simreel::scene;
 using namespace simreel::scene::toy;
 
-TEST_CASE("a scene with everything in it") {
+TEST_CASE("a scene with every section is read") {
   const Scene scene = parse(R"({"$schema": "x", "version": 1, "title": "t", "seed": 9, "numerics": "fast",
     "render": {"size": [64, 32], "samples": 1, "exposure": 0.5, "vignette": 0.25},
     "time": {"fps": 24, "start": 1, "duration": 1.5},
@@ -48,7 +48,7 @@ TEST_CASE("a scene with everything in it") {
   CHECK(cloth.pins[1].weight == 4.0F);
 }
 
-TEST_CASE("the smallest scene has the defaults") {
+TEST_CASE("a minimal scene has the defaults") {
   const Scene scene = parse(R"({"version": 1})");
   CHECK(!scene.ground);
   CHECK(scene.objects.empty());
@@ -58,14 +58,14 @@ TEST_CASE("the smallest scene has the defaults") {
   CHECK(parse(R"({"version": 1, "time": {"duration": 0}})").frameCount() == 1);
 }
 
-TEST_CASE("the hash covers text and overrides") {
+TEST_CASE("the scene hash covers text and overrides") {
   const std::string hash = parse(R"({"version": 1})").hash;
   CHECK(parse(R"({"version": 1})").hash == hash);
   CHECK(parse(R"({"version":  1})").hash != hash);
   CHECK(parse(R"({"version": 1})", {"seed=1"}).hash != hash);
 }
 
-TEST_CASE("all mistakes of a scene come at once, in order of place") {
+TEST_CASE("all errors of a scene are reported at once, ordered by position") {
   const std::string report = mistakes(R"({
   "time": {"fps": "fast", "duration": -1},
   "render": {"size": [0, 20], "samples": 2.5},
@@ -89,7 +89,7 @@ TEST_CASE("all mistakes of a scene come at once, in order of place") {
   }
 }
 
-TEST_CASE("each type says what it expected") {
+TEST_CASE("a wrong type error names the expected type") {
   const auto says = [](const char* member, const char* message) {
     const std::string report = mistakes(withCloth(member));
     INFO(report);
@@ -125,19 +125,19 @@ TEST_CASE("each type says what it expected") {
   CHECK(mistakes(withCloth(R"("threads": 3.0)")).empty());
 }
 
-TEST_CASE("an unknown key without a near name lists the known ones") {
+TEST_CASE("an unknown key without a similar name lists the known keys") {
   CHECK(has(mistakes(withCloth(R"("seam": {"zzzzzz": 1})")), "unknown key \"zzzzzz\"; known here: width"));
   CHECK(has(mistakes("{\"version\": 1, \"tiem\": {}}"), "did you mean \"time\"?"));
 }
 
-TEST_CASE("versions") {
+TEST_CASE("unsupported scene versions are refused") {
   CHECK(has(mistakes("{\"version\": 2, \"new\": 1}"),
             "s.json:1:13: error: unknown version 2; this program reads version 1"));
   CHECK(!has(mistakes("{\"version\": 2, \"new\": 1}"), "unknown key"));
   CHECK(has(mistakes("{\"version\": \"1\"}"), "expected a whole number, found a string"));
 }
 
-TEST_CASE("an object has one kind") {
+TEST_CASE("an object without exactly one kind, or with an invalid name, is refused") {
   const auto withObjects = [](const std::string& objects) {
     return mistakes("{\"version\": 1,\n\"objects\": " + objects + "}");
   };
@@ -152,7 +152,7 @@ TEST_CASE("an object has one kind") {
   CHECK(has(withObjects(many + "}"), "more than 1000 objects"));
 }
 
-TEST_CASE("mistakes that involve several values") {
+TEST_CASE("errors that involve several values are reported") {
   const auto says = [](const std::string& member, const char* message) {
     const std::string report = mistakes("{\"version\": 1, " + member + "}");
     INFO(report);
@@ -173,7 +173,7 @@ TEST_CASE("mistakes that involve several values") {
              "\"size\" must be between 1 and 16384 pixels, found 16385"));
 }
 
-TEST_CASE("keyframes: at, between and outside the keys") {
+TEST_CASE("keyframes: values at, between and outside the keys are right") {
   const Scene scene = parse(withCloth(
       R"("gust": {"keys": [[1, 2], [3, 4]]}, "lift": {"keys": [[0, [0, 0, 0]], [1, [4, 0, 0]]], "ease": "smooth"})"));
   const Cloth& cloth = clothOf(scene);
@@ -189,7 +189,7 @@ TEST_CASE("keyframes: at, between and outside the keys") {
   CHECK(!clothOf(parse(withCloth(R"("gust": {"keys": [[1, 2]]})"))).gust.moves());
 }
 
-TEST_CASE("mistakes in keyframes") {
+TEST_CASE("errors in keyframes are reported") {
   const auto says = [](const std::string& gust, const char* message) {
     const std::string report = mistakes(withCloth("\"gust\": " + gust));
     INFO(report);

@@ -13,7 +13,7 @@
 using namespace simreel::scene;
 using namespace simreel::scene::toy;
 
-TEST_CASE("the schema says what the reader checks") {
+TEST_CASE("the schema states what the reader checks") {
   const std::string text = schemaText(toyKinds().list);
   CHECK(text.back() == '\n');
   const auto schema = nlohmann::json::parse(text);
@@ -51,7 +51,7 @@ TEST_CASE("the schema says what the reader checks") {
     CHECK_MESSAGE(schema["properties"][name].contains("description"), name);
 }
 
-TEST_CASE("help has the sentence, default, range and unit of each parameter") {
+TEST_CASE("help shows description, default, range and unit of each parameter") {
   const HelpPage page = helpPage("cloth", toyKinds().list);
   const auto line = [&](const std::string& name) {
     const auto rows = page.rowsAt(name);
@@ -71,7 +71,7 @@ TEST_CASE("help has the sentence, default, range and unit of each parameter") {
   CHECK(page.rowsAt("seam").size() > 1);
 }
 
-TEST_CASE("help keeps to the width of the terminal, and loses no word by it") {
+TEST_CASE("help fits the terminal's width without losing words") {
   const auto words = [](const std::string& text) {
     std::istringstream in(text);
     return std::vector<std::string>(std::istream_iterator<std::string>(in), {});
@@ -87,7 +87,7 @@ TEST_CASE("help keeps to the width of the terminal, and loses no word by it") {
   }
 }
 
-TEST_CASE("every section has help, and a wrong name gets a suggestion") {
+TEST_CASE("every section has help, and a misspelt section gets a suggestion") {
   for (const char* name : {"scene", "render", "time", "camera", "stage", "sun", "sky", "ground", "lights",
                            "material", "test", "checks", "capsule"})
     CHECK_MESSAGE(has(helpText(name, toyKinds().list, 100), std::string(name) + ": "), name);
@@ -100,7 +100,7 @@ TEST_CASE("every section has help, and a wrong name gets a suggestion") {
   }
 }
 
-TEST_CASE("the list has one entry for each kind and section") {
+TEST_CASE("the section list has one entry for each kind and section") {
   const std::string list = listText(toyKinds().list, 100);
   CHECK(has(list, "  cloth      A toy cloth.\n"));
   CHECK(has(list, "  camera    "));

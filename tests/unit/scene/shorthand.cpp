@@ -52,7 +52,7 @@ std::string mistakesOf(const std::string& members) {
 
 }  // namespace
 
-TEST_CASE("a word stands for the group that has it") {
+TEST_CASE("a preset name can replace its group") {
   CHECK(!wovenOf("").isWoven);
   const Woven word = wovenOf(R"("cloth": "satin")");
   CHECK(word.isWoven);
@@ -65,7 +65,7 @@ TEST_CASE("a word stands for the group that has it") {
         Weave::plain);
 }
 
-TEST_CASE("a word that is none, and what is neither word nor group") {
+TEST_CASE("an unknown word, and a value that is neither word nor group, are refused") {
   test::checkHas(mistakesOf(R"("cloth": "satn")"),
                  "s.json:1:53: error: unknown weave \"satn\"; did you mean \"satin\"?");
   test::checkHas(mistakesOf(R"("cloth": "satn")"),
@@ -75,7 +75,7 @@ TEST_CASE("a word that is none, and what is neither word nor group") {
   test::checkHas(mistakesOf(R"("cloth": {"density": "satin"})"), "expected a number, found a string");
 }
 
-TEST_CASE("schema and help say so") {
+TEST_CASE("schema and help document shorthand words") {
   const auto schema = nlohmann::json::parse(schemaText(wovenKinds().list));
   const auto& cloth = schema["$defs"]["woven"]["properties"]["cloth"];
   CHECK(cloth["description"] == "Cloth. Off unless given.");

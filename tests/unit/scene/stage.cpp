@@ -29,7 +29,7 @@ const std::string ball = R"({"m": {"sphere": {}}})";
 
 }  // namespace
 
-TEST_CASE("stage: a scene of one line has ground, light from three sides, and a colour") {
+TEST_CASE("stage: a one-line scene gets ground, three-sided light and a colour") {
   const scene::Scene scene = parsed(ball);
   CHECK(scene.staged);
   CHECK(scene.ground);
@@ -46,7 +46,7 @@ TEST_CASE("stage: a scene of one line has ground, light from three sides, and a 
   CHECK(sun.x * eye.x + sun.z * eye.z > 0);
 }
 
-TEST_CASE("stage: naming sun, sky, ground or lights changes nothing that the scene does not name") {
+TEST_CASE("stage: an empty group for sun, sky, ground or lights keeps the values of the stage") {
   const scene::Scene plain = parsed(ball);
   for (const char* given : {"sun", "sky", "ground", "lights"}) {
     CAPTURE(given);
@@ -66,7 +66,7 @@ TEST_CASE("stage: naming sun, sky, ground or lights changes nothing that the sce
   }
 }
 
-TEST_CASE("stage: values that a scene gives replace those of the stage one by one") {
+TEST_CASE("stage: each value in the scene replaces only that value of the stage") {
   const scene::Scene plain = parsed(ball);
   const scene::Scene scene =
       parsed(ball, R"("sun": {"intensity": 1}, "sky": {"zenith": [1, 0, 0]}, "ground": {"color": [0, 1, 0]},
@@ -84,14 +84,14 @@ TEST_CASE("stage: values that a scene gives replace those of the stage one by on
   CHECK(parsed(ball, R"("lights": {"rim": {"position": [0, 3, 0]}}, )").lights.size() == 1);
 }
 
-TEST_CASE("stage: a picture of the sky brings its own light, and the floor stays") {
+TEST_CASE("stage: a sky picture replaces the light of the sun and keeps the floor") {
   const scene::Scene scene = parsed(ball, R"("sky": {"picture": "textures/studio.hdr"}, )");
   CHECK(scene.staged);
   CHECK(scene.sun.intensity.at(0) == 0);
   CHECK(scene.ground.has_value());
 }
 
-TEST_CASE("stage: false leaves the plain defaults") {
+TEST_CASE("stage: false gives the plain defaults") {
   const scene::Scene scene = parsed(ball, R"("stage": false, )");
   CHECK_FALSE(scene.staged);
   CHECK_FALSE(scene.ground.has_value());
@@ -103,7 +103,7 @@ TEST_CASE("stage: false leaves the plain defaults") {
   CHECK(scene.camera.fieldOfView.at(0) == scene::Camera().fieldOfView.at(0));
 }
 
-TEST_CASE("stage: each preset has light of its own, and a backdrop colours floor and background") {
+TEST_CASE("stage: every preset has different light, and a backdrop colours floor and background") {
   std::set<float> heights;
   for (const char* preset :
        {"studio", "daylight", "overcast", "sunset", "night", "void", "paper", "blueprint"}) {
@@ -123,7 +123,7 @@ TEST_CASE("stage: each preset has light of its own, and a backdrop colours floor
   CHECK(color.x == color.z);
 }
 
-TEST_CASE("stage: cameras and materials that a scene gives stay") {
+TEST_CASE("stage: cameras and materials of the scene are kept") {
   const scene::Scene placed = parsed(ball, R"("camera": {"position": [1, 2, 9]}, )");
   CHECK(placed.staged);
   CHECK(placed.camera.position.at(0) == glm::vec3(1, 2, 9));
@@ -140,7 +140,7 @@ TEST_CASE("stage: cameras and materials that a scene gives stay") {
   CHECK(painted.objects[2].material.color == glm::vec3(1));
 }
 
-TEST_CASE("stage: pictures of fields and landscapes have none") {
+TEST_CASE("stage: scenes of fields or landscapes get no stage by default") {
   CHECK_FALSE(parsed(R"({"m": {"life": {}}})").staged);
   CHECK_FALSE(parsed(R"({"m": {"water": {}}})").staged);
   const scene::Scene asked = parsed(R"({"m": {"water": {}}})", R"("stage": "sunset", )");
@@ -148,7 +148,7 @@ TEST_CASE("stage: pictures of fields and landscapes have none") {
   CHECK_FALSE(asked.ground.has_value());  // the terrain is its floor
 }
 
-TEST_CASE("stage: neighbours differ in colour, and what shines stands in the dark") {
+TEST_CASE("stage: neighbouring objects get different colours, and emissive objects a dark stage") {
   const scene::Scene two = parsed(R"({"a": {"sphere": {}}, "b": {"sphere": {}}})");
   CHECK(two.objects[0].material.color != two.objects[1].material.color);
   const scene::Scene lawn = parsed(R"({"a": {"mesh": {"shape": "grass"}}, "b": {"mesh": {}}})");
@@ -162,7 +162,7 @@ TEST_CASE("stage: neighbours differ in colour, and what shines stands in the dar
   CHECK(bright.sky.ground.at(0).x > 0.3F);
 }
 
-TEST_CASE("stage: the ground in the sun has the brightness of what it fades into") {
+TEST_CASE("stage: sunlit ground is as bright as the background it fades into") {
   for (const bool dark : {false, true}) {
     const scene::Scene scene = parsed(
         fmt::format(R"({{"a": {{"particles": {{"groups": [{{}}], "look": {{"additive": {}}}}}}}}})", dark));
@@ -173,7 +173,7 @@ TEST_CASE("stage: the ground in the sun has the brightness of what it fades into
   }
 }
 
-TEST_CASE("stage: what stands there is in the middle of the picture and fills it") {
+TEST_CASE("stage: the objects are centred and fill the picture") {
   for (const char* size : {"[640, 360]", "[300, 900]"}) {
     const scene::Scene scene =
         parsed(R"({"a": {"capsule": {"position": [7, 3, 1]}}, "b": {"sphere": {"position": [9, 3, 0]}}})",

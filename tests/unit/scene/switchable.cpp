@@ -52,7 +52,7 @@ std::string switchMistake(const std::string& members) {
 
 }  // namespace
 
-TEST_CASE("true stands for a group without fields, false for none") {
+TEST_CASE("true means a group with defaults, false means none") {
   CHECK(!switchedOf("").isOn);
   CHECK(switchedOf(R"("group": true)").isOn);
   CHECK(switchedOf(R"("group": true)").size == 2);
@@ -64,7 +64,7 @@ TEST_CASE("true stands for a group without fields, false for none") {
   CHECK(switchMistake(R"("group": {"width": 4})").find("unknown key") != std::string::npos);
 }
 
-TEST_CASE("a field may be false, true or a word") {
+TEST_CASE("a switchable field may be false, true or a word") {
   CHECK((!switchedOf("").touches && !switchedOf("").byFaces));
   CHECK((switchedOf(R"("touches": true)").touches && !switchedOf(R"("touches": true)").byFaces));
   CHECK((!switchedOf(R"("touches": "faces")").touches && switchedOf(R"("touches": "faces")").byFaces));
@@ -74,7 +74,7 @@ TEST_CASE("a field may be false, true or a word") {
               .find(R"(expected true, false or "faces", found)") != std::string::npos);
 }
 
-TEST_CASE("the schema and the help have both") {
+TEST_CASE("schema and help document switchable fields") {
   const auto schema = nlohmann::json::parse(schemaText(switchedKinds().list));
   const auto& properties = schema["$defs"]["switched"]["properties"];
   CHECK(properties["touches"]["enum"] == nlohmann::json::array({false, true, "faces"}));

@@ -16,7 +16,7 @@ std::string first(std::string_view text) {
 
 }  // namespace
 
-TEST_CASE("syntax errors name line, column and cause in our words") {
+TEST_CASE("syntax errors give line, column and cause") {
   CHECK(first("") == "s.json:1:1: error: the text is empty; a scene begins with {");
   CHECK(first(" \n ") == "s.json:1:1: error: the text is empty; a scene begins with {");
   CHECK(first("{\n") == "s.json:2:1: error: the text ends, but the '{' of line 1 is still open");
@@ -34,7 +34,7 @@ TEST_CASE("syntax errors name line, column and cause in our words") {
   CHECK(first("[]") == "s.json:1:1: error: expected a scene in { }, found a list");
 }
 
-TEST_CASE("words and numbers that JSON lacks") {
+TEST_CASE("words and numbers that are not JSON are refused with advice") {
   CHECK(first("{\"a\":\n NaN}") == "s.json:2:2: error: NaN is not a number in JSON; give a finite number");
   CHECK(first("{\"a\": -Infinity}") ==
         "s.json:1:7: error: -Infinity is not a number in JSON; give a finite number");
@@ -50,7 +50,7 @@ TEST_CASE("words and numbers that JSON lacks") {
   CHECK(first("{\"a\": 05}") == "s.json:1:7: error: a number has no leading zero");
 }
 
-TEST_CASE("strings and bytes that cannot be read") {
+TEST_CASE("invalid strings and bytes are refused") {
   CHECK(first("{\"a\": \"b") == "s.json:1:7: error: string without closing quote");
   CHECK(first("{\"a\": \"b\n\"}") == "s.json:1:7: error: string without closing quote");
   CHECK(has(first("{\"a\": \"\\q\"}"), "s.json:1:9: error: unknown escape"));
@@ -68,12 +68,12 @@ TEST_CASE("comments and a byte order mark are allowed") {
         "s.json:1:13: error: unknown word \"x\"; strings and keys need double quotes");
 }
 
-TEST_CASE("a key given twice is a mistake at the second") {
+TEST_CASE("a repeated key is an error at the second key") {
   CHECK(first("{\"version\": 1,\n \"seed\": 1, \"seed\": 2}") ==
         "s.json:2:13: error: key \"seed\" is given twice in this object");
 }
 
-TEST_CASE("deep nesting stops at the limit without using up the stack") {
+TEST_CASE("nesting beyond the limit is refused without exhausting the stack") {
   const std::string deep(2'000'000, '[');
   CHECK(first("{\"a\": " + deep) == "s.json:1:70: error: nested deeper than 64 levels");
   std::string objects;
@@ -81,7 +81,7 @@ TEST_CASE("deep nesting stops at the limit without using up the stack") {
   CHECK(has(first(objects), "nested deeper than 64 levels"));
 }
 
-TEST_CASE("the number of values and the size are limited") {
+TEST_CASE("the number of values and the file size are limited") {
   std::string many = "{\"a\": [0";
   for (int i = 0; i < 1'000'000; ++i) many += ",0";
   CHECK(has(first(many + "]}"), "more than 1000000 values"));
@@ -89,7 +89,7 @@ TEST_CASE("the number of values and the size are limited") {
             "larger than the limit of 4194304 bytes"));
 }
 
-TEST_CASE("every value and key knows its bytes") {
+TEST_CASE("every value and key has its byte range") {
   const std::string text = R"( {"a\"b\\": [ "x\\\"", -1.5e2 ,true], "n":null,"o" : {}})";
   Diagnostics diagnostics("s.json", text);
   const auto root = parseJson(text, 0, 0, diagnostics);
@@ -106,7 +106,7 @@ TEST_CASE("every value and key knows its bytes") {
   CHECK(diagnostics.textAt(root->place()) == text.substr(1));
 }
 
-TEST_CASE("the caret stands under the mistake: tabs, UTF-8 and long lines") {
+TEST_CASE("the caret is below the error: tabs, UTF-8 and long lines") {
   CHECK(mistakes("{\"version\": 1,\n\t\"sed\": 1}") ==
         "s.json:2:2: error: unknown key \"sed\"; did you mean \"seed\"?\n      \"sed\": 1}\n      ^~~~~");
   CHECK(mistakes("{\"version\": 1, \"title\": \"\u00e9\u00e9\", \"sed\": 1}") ==
@@ -121,7 +121,7 @@ TEST_CASE("the caret stands under the mistake: tabs, UTF-8 and long lines") {
   CHECK(report.substr(caret).find('^') == report.substr(line).find("\"sed\""));
 }
 
-TEST_CASE("at most 50 mistakes are printed") {
+TEST_CASE("at most 50 errors are printed") {
   std::string text = "{\"version\": 1";
   for (int i = 0; i < 5000; ++i) text += ",\n\"unknown" + std::to_string(i) + "\": 1";
   const std::string report = mistakes(text + "}");
@@ -131,7 +131,7 @@ TEST_CASE("at most 50 mistakes are printed") {
   CHECK(has(report, " more"));
 }
 
-TEST_CASE("nothing of a hostile scene steers the terminal") {
+TEST_CASE("text of a hostile scene cannot control the terminal") {
   const std::string report = mistakes("{\"version\": 1, \"\\u001b[31mred\\u009b\": 1 /* \x1b[0m */}");
   CHECK(has(report, "unknown key \"\\x1b[31mred\\u009b\""));
   CHECK(report.find('\x1b') == std::string::npos);

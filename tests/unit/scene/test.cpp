@@ -57,7 +57,7 @@ class Files {
 
 }  // namespace
 
-TEST_CASE("test settings with everything in them") {
+TEST_CASE("test settings with every member are read") {
   const Scene scene = parse(sceneWith(R"("test": {"frames": [0, 60, 119], "size": [64, 36], "samples": 1,
     "tolerance": {"maxChannelDiff": 3, "maxDiffPixels": 20, "maxDiffRatio": 0.25, "windowSize": 8,
                   "maxWindowRatio": 0.5, "maxFlipMean": 0.125, "hardFail": 200},
@@ -79,7 +79,7 @@ TEST_CASE("test settings with everything in them") {
   CHECK(scene.test.toleranceOrigin.at("hardFail") == "s.json");
 }
 
-TEST_CASE("bounds are read by the names they had before, unless they have both") {
+TEST_CASE("bounds are also read by their old names, but not by both") {
   const Scene scene = parse(sceneWith(R"("test": {"tolerance": {"max_channel_diff": 3, "hard_fail": 200}},
     "checks": [{"what": "mass", "least": 1, "most": 2}])"),
                             {"test.tolerance.max_diff_ratio=0.5"});
@@ -97,7 +97,7 @@ TEST_CASE("bounds are read by the names they had before, unless they have both")
   CHECK(has(checkMistakes(R"("what": "mass", "least": 2, "most": 1)"), "s.json:3:27: error: \"min\" (2)"));
 }
 
-TEST_CASE("test settings not given have their defaults") {
+TEST_CASE("omitted test settings have their defaults") {
   const Scene scene = parse(sceneWith(R"("title": "t")"));
   CHECK(scene.test.frames.empty());
   CHECK(scene.test.size == glm::ivec2(320, 180));
@@ -110,7 +110,7 @@ TEST_CASE("test settings not given have their defaults") {
   CHECK(!parse(sceneWith(R"("test": {"samples": "scene"})")).test.samples);
 }
 
-TEST_CASE("frames not given are the first, the middle and the last, none twice") {
+TEST_CASE("omitted test frames are the first, middle and last frame without repeats") {
   const auto framesOf = [](const char* duration) {
     return parse(sceneWith("\"seed\": 1"),
                  {std::string("time.fps=1"), std::string("time.duration=") + duration})
@@ -122,7 +122,7 @@ TEST_CASE("frames not given are the first, the middle and the last, none twice")
   CHECK(framesOf("1") == std::vector<int>{0});
 }
 
-TEST_CASE("mistakes in test settings") {
+TEST_CASE("errors in test settings are reported") {
   const auto says = [](const char* members, const char* message) {
     const std::string report = mistakes(sceneWith("\"test\": {" + std::string(members) + "}"));
     INFO(report);
@@ -147,20 +147,20 @@ TEST_CASE("mistakes in test settings") {
   CHECK(!says(R"("frames": [0, 119])", "error"));
 }
 
-TEST_CASE("a length that cannot be read says nothing about the frames") {
+TEST_CASE("an invalid duration causes no follow-up errors about frames") {
   const std::string report = mistakes(sceneWith(R"("time": {"duration": "x"}, "test": {"frames": [500]})"));
   CHECK(has(report, "expected a number, found a string"));
   CHECK(!has(report, "beyond"));
 }
 
-TEST_CASE("an override that shortens a scene does not stop its rendering") {
+TEST_CASE("an override that shortens a scene does not stop rendering") {
   const std::string scene = sceneWith(R"("test": {"frames": [0, 119]}, "checks": [{"what": "no-nan"}])");
   CHECK(mistakes(scene, {"time.duration=1"}).empty());
   CHECK(mistakes(scene, {"time={\"fps\": 30}"}).empty());
   CHECK(has(mistakes(scene, {"test.frames=[120]"}), "-D test.frames=[120]: error: frame 120 is beyond"));
 }
 
-TEST_CASE("checks with everything in them") {
+TEST_CASE("checks with every member are read") {
   const Scene scene =
       parse(sceneWith(R"("checks": [{"what": "not-blank"}, {"what": "no-nan", "object": "flag"},
     {"what": "max", "object": "flag", "of": "positions.length", "frames": [3, 7], "min": -1, "max": 2.5},
@@ -178,7 +178,7 @@ TEST_CASE("checks with everything in them") {
   CHECK(scene.checks[3].drift == 0.5);
 }
 
-TEST_CASE("mistakes in checks") {
+TEST_CASE("errors in checks are reported") {
   const auto says = [](const char* check, const char* message) {
     const std::string report = checkMistakes(check);
     INFO(report);
@@ -219,7 +219,7 @@ TEST_CASE("mistakes in checks") {
   CHECK(!says(R"("what": "mass", "drift": 0, "frames": [5, 6])", "error"));
 }
 
-TEST_CASE("checks of quantities that no object has") {
+TEST_CASE("checks of unknown quantities are refused") {
   const auto says = [](const std::string& objects, const std::string& check) {
     return mistakes("{\"version\": 1, \"objects\": {" + objects + "},\n\"checks\": [{" + check + "}]}");
   };
@@ -239,13 +239,13 @@ TEST_CASE("checks of quantities that no object has") {
   CHECK(!has(says(R"("a": {"cloht": {}})", R"("what": "enrgy", "max": 1)"), "quantity"));
 }
 
-TEST_CASE("drift needs a second frame, also of the tested ones") {
+TEST_CASE("drift needs a second frame; tested frames count") {
   const std::string report =
       mistakes(sceneWith(R"("test": {"frames": [3]}, "checks": [{"what": "mass", "drift": 1}])"));
   CHECK(has(report, "the scene tests one frame only"));
 }
 
-TEST_CASE("the sidecar's members replace the scene's own as a whole") {
+TEST_CASE("the sidecar's members replace the scene's members completely") {
   const Files files;
   files.write("flag.json", sceneWith(R"("test": {"frames": [5], "tolerance": {"hardFail": 9}},
                                         "checks": [{"what": "no-nan"}])"));
@@ -273,7 +273,7 @@ TEST_CASE("the sidecar's members replace the scene's own as a whole") {
   CHECK(files.load().test.frames == std::vector<int>{5});
 }
 
-TEST_CASE("mistakes in the sidecar name it, with line and column") {
+TEST_CASE("errors in the sidecar name it, with line and column") {
   const Files files;
   files.write("flag.json", sceneWith(R"("titel": "t")"));
   files.write("flag.test.json", "{\"test\": {\"frames\": [0, 500]},\n \"seed\": 3}");
@@ -290,7 +290,7 @@ TEST_CASE("mistakes in the sidecar name it, with line and column") {
   CHECK(has(files.errors(), "/flag.test.json:1:1: error: the text is empty"));
 }
 
-TEST_CASE("a test is held to its frames even when an override shortens the scene") {
+TEST_CASE("a test requires its frames even if an override shortens the scene") {
   const Files files;
   files.write("flag.json", sceneWith(R"("test": {"frames": [0, 119]})"));
   CHECK(files.errors().empty());

@@ -24,7 +24,7 @@ nlohmann::json brushedStroke(const std::string& kind, const nlohmann::json& give
 
 }  // namespace
 
-TEST_CASE("serve: a fluid that is painted keeps the jets that nobody gave it") {
+TEST_CASE("serve: a painted fluid keeps its default jets") {
   nlohmann::json given = nlohmann::json::parse(R"({"size": [64, 40]})");
   const simreel::scene::Scene left = brushedScene("fluid", given);
   given["strokes"] = simreel::serve::strokesOf(left.objects.front(), given);
@@ -51,7 +51,7 @@ TEST_CASE("serve: a fluid that is painted keeps the jets that nobody gave it") {
            nlohmann::json::array());
 }
 
-TEST_CASE("serve: a brush sets something in a fluid, and pushes it along, no faster than it may go") {
+TEST_CASE("serve: a brush sets values in a fluid and pushes it, up to the fluid's max speed") {
   const nlohmann::json given = nlohmann::json::parse(R"({"size": [64, 40], "speed": 50})");
   const nlohmann::json pressed = brushedStroke("fluid", given, {.from = {3, 4}, .to = {3, 4}});
   CHECK(pressed.contains("dye"));
@@ -65,7 +65,7 @@ TEST_CASE("serve: a brush sets something in a fluid, and pushes it along, no fas
   CHECK_FALSE(brushedStroke("fluid", fire, {}).contains("dye"));
 }
 
-TEST_CASE("serve: a stroke begins at the step that the frame shows") {
+TEST_CASE("serve: a stroke starts at the simulation step of the displayed frame") {
   const auto begins = [](const std::string& kind, const nlohmann::json& given, double time) {
     return brushedStroke(kind, given, {.time = time})["at"].get<double>();
   };

@@ -35,7 +35,7 @@ const std::string field = "/objects/dish/grayScott";
 
 }  // namespace
 
-TEST_CASE("changes of what only draws or shows leave all of a simulation") {
+TEST_CASE("changes of drawing parameters keep all simulated states") {
   CHECK(secondsAlike(dish().dump(), dish().dump()) == all);
   CHECK(alikeWith("/sun/intensity", 4) == all);
   CHECK(alikeWith("/ground/color", {0, 0, 0}) == all);
@@ -45,7 +45,7 @@ TEST_CASE("changes of what only draws or shows leave all of a simulation") {
   CHECK(withoutWhatShows(dish().dump()).find("opacity") == std::string::npos);
 }
 
-TEST_CASE("changes of strokes leave a simulation as it was before the first of them") {
+TEST_CASE("changes of strokes keep the states before the first changed stroke") {
   CHECK(alikeWith(field + "/strokes/1/radius", 3) == 2);
   CHECK(alikeWith(field + "/strokes/1/at", 1) == 1);
   CHECK(alikeWith(field + "/strokes/1/at", 3) == 2);
@@ -68,7 +68,7 @@ TEST_CASE("changes of strokes leave a simulation as it was before the first of t
   CHECK(secondsAlike(two, dyed) < 0);  // no shared time, because the earlier states have no dye
 }
 
-TEST_CASE("changes of keyframes leave a simulation as it was before the first that is another one") {
+TEST_CASE("changes of keyframes keep the states before the first changed key") {
   const std::string keys = field + "/feed/keys/";
   CHECK(alikeWith(keys + "2", {2, 5}) == 1);
   CHECK(alikeWith(keys + "3/1", 5) == 2);
@@ -82,7 +82,7 @@ TEST_CASE("changes of keyframes leave a simulation as it was before the first th
   CHECK(alikeWith("/objects/ball/sphere/position/keys/1/1/0", 2) == 0);
 }
 
-TEST_CASE("of other changes nothing is known") {
+TEST_CASE("other changes keep no states") {
   CHECK(alikeWith(field + "/kill", 0.05) < 0);
   CHECK(alikeWith(field + "/feed", 0.05) < 0);
   CHECK(alikeWith(field + "/seeds", 1) < 0);

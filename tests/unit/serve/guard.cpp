@@ -20,7 +20,7 @@ std::string restOf(const Guard& guard, std::string_view path) {
 
 }  // namespace
 
-TEST_CASE("serve: tokens are 32 hexadecimal digits, no two alike") {
+TEST_CASE("serve: tokens are 32 hexadecimal digits and never repeat") {
   std::set<std::string> all;
   for (int i = 0; i < 64; ++i) {
     const std::string one = simreel::serve::randomToken();
@@ -31,7 +31,7 @@ TEST_CASE("serve: tokens are 32 hexadecimal digits, no two alike") {
   CHECK_EQ(all.size(), 64);
 }
 
-TEST_CASE("serve: a path begins with the token, all of it") {
+TEST_CASE("serve: request paths must start with the complete token") {
   const Guard guard(token, "127.0.0.1");
   CHECK_EQ(restOf(guard, "/" + token + "/"), "");
   CHECK_EQ(restOf(guard, "/" + token + "/app.js"), "app.js");
@@ -48,7 +48,7 @@ TEST_CASE("serve: a path begins with the token, all of it") {
   }
 }
 
-TEST_CASE("serve: a Host header names this machine") {
+TEST_CASE("serve: the Host header must name this machine") {
   const Guard guard(token, "127.0.0.1");
   for (const char* host :
        {"localhost", "localhost:1", "127.0.0.1", "127.0.0.1:65535", "127.1.2.3:80", "[::1]", "[::1]:8000"})
@@ -59,7 +59,7 @@ TEST_CASE("serve: a Host header names this machine") {
     CHECK_MESSAGE(!guard.allowsHost(host), host);
 }
 
-TEST_CASE("serve: where other machines reach it a Host header is an address, never somebody's name") {
+TEST_CASE("serve: if other machines can connect, the Host header must be an IP address or localhost") {
   const Guard guard(token, "0.0.0.0");
   for (const char* host : {"10.0.0.1", "192.168.1.7:8000", "[fe80::1]:8000", "localhost:8000"})
     CHECK_MESSAGE(guard.allowsHost(host), host);
@@ -67,7 +67,7 @@ TEST_CASE("serve: where other machines reach it a Host header is an address, nev
     CHECK_MESSAGE(!guard.allowsHost(host), host);
 }
 
-TEST_CASE("serve: an Origin is the page's own") {
+TEST_CASE("serve: the Origin header must be the page's own origin") {
   CHECK(Guard::allowsOrigin("http://127.0.0.1:8000", "127.0.0.1:8000"));
   for (const char* origin :
        {"", "null", "http://", "https://127.0.0.1:8000", "http://127.0.0.1", "http://127.0.0.1:8001",
@@ -76,7 +76,7 @@ TEST_CASE("serve: an Origin is the page's own") {
   CHECK_FALSE(Guard::allowsOrigin("http://", ""));
 }
 
-TEST_CASE("serve: a tunnel ends where it listens") {
+TEST_CASE("serve: an SSH tunnel command targets the listening address") {
   using simreel::serve::tunnelCommand;
   CHECK_EQ(tunnelCommand("127.0.0.1", 80, "node7"), "ssh -N -L 80:127.0.0.1:80 node7");
   CHECK_EQ(tunnelCommand("0.0.0.0", 80, "node7"), "ssh -N -L 80:127.0.0.1:80 node7");

@@ -32,7 +32,7 @@ int before(const KeptStates& kept, int frame) {
 
 }  // namespace
 
-TEST_CASE("serve: every state is kept while there is room") {
+TEST_CASE("serve: all states are kept while memory suffices") {
   KeptStates kept(5 * each);
   passTo(kept, 4);
   CHECK_EQ(kept.frames(), std::vector{0, 1, 2, 3, 4});
@@ -43,7 +43,7 @@ TEST_CASE("serve: every state is kept while there is room") {
   CHECK(kept.wants(5));
 }
 
-TEST_CASE("serve: where there is no room states are twice as far apart") {
+TEST_CASE("serve: without room, the spacing of kept states doubles") {
   KeptStates kept(5 * each);
   passTo(kept, 5);
   CHECK_EQ(kept.frames(), std::vector{0, 2, 4});
@@ -55,14 +55,14 @@ TEST_CASE("serve: where there is no room states are twice as far apart") {
   CHECK_LE(kept.bytes(), 5 * each);
 }
 
-TEST_CASE("serve: the first state stays, however little room there is") {
+TEST_CASE("serve: the first state is kept even with little room") {
   KeptStates kept(1);
   passTo(kept, 9);
   CHECK_EQ(kept.frames(), std::vector{0});
   CHECK_EQ(before(kept, 9), 0);
 }
 
-TEST_CASE("serve: the nearest state at or before a frame") {
+TEST_CASE("serve: the nearest kept state at or before a frame is found") {
   KeptStates kept(5 * each);
   CHECK_EQ(before(kept, 3), -1);
   passTo(kept, 5);
@@ -75,7 +75,7 @@ TEST_CASE("serve: the nearest state at or before a frame") {
   CHECK_EQ(kept.before(3)->bytes, std::string(each, '\2'));
 }
 
-TEST_CASE("serve: states are forgotten from a frame on, or all") {
+TEST_CASE("serve: states are discarded from a given frame on, or all") {
   KeptStates kept(5 * each);
   passTo(kept, 4);
   kept.keep(stateOfFrame(4));  // keeps the same state again

@@ -41,7 +41,7 @@ std::string replaced(const std::string& part, const std::string& by) {
 
 }  // namespace
 
-TEST_CASE("serve: the bytes of a value alone are replaced") {
+TEST_CASE("serve: replacing a value changes only its bytes") {
   CHECK_EQ(with("time.fps", "60"), replaced("  30", "  60"));
   CHECK_EQ(with("time.duration", "0.1"), replaced("2.0", "0.1"));
   CHECK_EQ(with("objects.flag.cloth.size", "[3,\n4]"), replaced("[9, 7]", "[3,\n4]"));
@@ -52,24 +52,24 @@ TEST_CASE("serve: the bytes of a value alone are replaced") {
   CHECK_EQ(with("time.fps", "30"), text);
 }
 
-TEST_CASE("serve: a value that is no JSON is written as a string") {
+TEST_CASE("serve: a value that is not JSON is written as a string") {
   CHECK_EQ(with("objects.flag.cloth.wind", "north \"1\""), replaced(R"("\"a, b\"")", R"("north \"1\"")"));
 }
 
-TEST_CASE("serve: a member that is not there comes after the last one of its group, in its manner") {
+TEST_CASE("serve: a new member is appended to its group in the same style") {
   CHECK_EQ(with("time.start", "1"), replaced("2.0 /* s */", "2.0, \"start\": 1 /* s */"));
   CHECK_EQ(with("sun.intensity", "3"),
            replaced("// dark\n  ]", "// dark\n  ],\n  \"sun\": {\"intensity\": 3}"));
   CHECK_EQ(withValue("{}", {"sun.intensity", "3"}), R"({"sun": {"intensity": 3}})");
 }
 
-TEST_CASE("serve: an item that is the next one of a list comes after the last, comments stay") {
+TEST_CASE("serve: a new list item is appended after the last, and comments are kept") {
   CHECK_EQ(with("lights.2", "{}"),
            replaced("{\"color\": [0, 0, 0]} // dark", "{\"color\": [0, 0, 0]}, // dark\n    {}"));
   CHECK_EQ(with("objects.flag.cloth.size.2", "1"), replaced("[9, 7]", "[9, 7, 1]"));
 }
 
-TEST_CASE("serve: a path that leads nowhere is refused") {
+TEST_CASE("serve: an invalid path is refused") {
   for (const char* path : {"lights.3", "lights.x", "time.fps.x", "objects.flag.cloth.size.7"})
     CHECK_THROWS_AS(with(path, "1"), UserError);
   CHECK_THROWS_AS(withValue("{", {"a", "1"}), UserError);

@@ -19,7 +19,7 @@ const std::string lit = R"("stage": false, "camera": {"position": [0, 1, 3], "ta
 
 }  // namespace
 
-TEST_CASE("a renderer draws another script's objects only where camera, stage and dress are the same") {
+TEST_CASE("a renderer is reused for another script only if camera, stage and materials are equal") {
   const auto alike = [](const std::string& before, const std::string& after, const std::string& more) {
     return drawsAlike(*scriptOf(before, more), *scriptOf(after, more));
   };

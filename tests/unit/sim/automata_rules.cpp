@@ -31,7 +31,7 @@ std::string fileMistake(std::string_view text) {
 
 }  // namespace
 
-TEST_CASE("there are 102 arrangements of nine cells, 51 without the middle") {
+TEST_CASE("nine cells have 102 arrangements up to symmetry, 51 without the centre") {
   std::set<std::pair<int, int>> all;
   int cells[9][13] = {};
   for (unsigned i = 0; i < 512; ++i) {
@@ -46,7 +46,7 @@ TEST_CASE("there are 102 arrangements of nine cells, 51 without the middle") {
   for (const auto& [count, letter] : all) CHECK(16 % cells[count][letter] == 0);
 }
 
-TEST_CASE("rules are written as Golly writes them") {
+TEST_CASE("rules are written in Golly's notation") {
   CHECK(written("B2cekin/S12") == "B2-a/S12");
   CHECK(written("B2-a/S12") == "B2-a/S12");
   CHECK(written("b2nic/s") == "B2cin/S");
@@ -79,7 +79,7 @@ TEST_CASE("rules are written as Golly writes them") {
   CHECK(written("313") == "R1/T3/C3/NM");
 }
 
-TEST_CASE("presets are rules") {
+TEST_CASE("every preset is a valid rule") {
   for (const RulePreset& preset : rulePresets()) {
     CAPTURE(preset.name);
     CHECK(written(preset.rule).find(": ") == std::string::npos);
@@ -87,7 +87,7 @@ TEST_CASE("presets are rules") {
   }
 }
 
-TEST_CASE("MAP says what letters say") {
+TEST_CASE("MAP rules equal the letter notation") {
   const CellRule life =
       ruleOf("MAPARYXfhZofugWaH7oaIDogBZofuhogOiAaIDogIAAgAAWaH7oaIDogGiA6ICAAIAAaIDogIAAgACAAIAAAAAAAA==");
   for (unsigned i = 0; i < 512; ++i) CHECK(life.outcome(i) == CellRule().outcome(i));
@@ -100,7 +100,7 @@ TEST_CASE("MAP says what letters say") {
   }
 }
 
-TEST_CASE("rules that make no sense are refused at their place, of every family") {
+TEST_CASE("invalid rules of every family are refused at their position") {
   checkHas(written("B1a/S"), "2: there is no arrangement a of 1 neighbours; its letters are ce");
   checkHas(written("B5z/S"), "2: there is no arrangement z of 5");
   checkHas(written("B2cc/S"), "3: the letter c is there twice");
@@ -141,7 +141,7 @@ TEST_CASE("rules that make no sense are refused at their place, of every family"
   checkHas(written("MAPABC"), "3: MAP is followed by 86, 22");
 }
 
-TEST_CASE("circles of Larger than Life hold the points nearer than the range and a half") {
+TEST_CASE("circular Larger than Life neighbourhoods contain the points nearer than range + 1/2") {
   for (int range = 1; range <= 500; range += 1 + range / 20) {
     WideRule rule;
     rule.range = range;
@@ -155,7 +155,7 @@ TEST_CASE("circles of Larger than Life hold the points nearer than the range and
   }
 }
 
-TEST_CASE("neighbourhoods of range 2 look as the help of Golly draws them") {
+TEST_CASE("neighbourhoods of range 2 equal the drawings in Golly's help") {
   const auto drawn = [](const char* letter) {
     const WideRule rule = ruleOf((std::string("R2,C0,S3,B3,N") + letter).c_str()).wide;
     std::string cells;
@@ -183,7 +183,7 @@ TEST_CASE("neighbourhoods of range 2 look as the help of Golly draws them") {
   CHECK(drawn("@891891") == "#...#..#...###...#..#...#");
 }
 
-TEST_CASE("a table with variables and symmetries is what it says") {
+TEST_CASE("a rule table with variables and symmetries gives the expected states") {
   // A signal of state 2 moves along a wire of state 1 and leaves state 3 behind, which becomes wire again;
   // rotational symmetry.
   const CellRule rule = parseRuleFile(
@@ -202,7 +202,7 @@ TEST_CASE("a table with variables and symmetries is what it says") {
   CHECK(cells == std::vector<std::uint8_t>{0, 0, 0, 0, 0, 1, 1, 3, 2, 1, 0, 0, 0, 0, 0});
 }
 
-TEST_CASE("Life as a table of permuted neighbours and as a tree is Life") {
+TEST_CASE("Life written as a rule table with permuted neighbours and as a tree equals Life") {
   const CellRule table = parseRuleFile(
       "@RULE L\n@TABLE\nn_states:2\nneighborhood:Moore\nsymmetries:permute\nvar a={0,1}\nvar b={0,1}\nvar "
       "c={0,1}\nvar d={0,1}\nvar e={0,1}\nvar f={0,1}\nvar g={0,1}\nvar h={0,1}\n0,1,1,1,0,0,0,0,0,1\n"
@@ -237,7 +237,7 @@ TEST_CASE("Life as a table of permuted neighbours and as a tree is Life") {
   }
 }
 
-TEST_CASE("cyclic rules are what tables say") {
+TEST_CASE("cyclic rules equal their rule tables") {
   const auto table = [](int states, int threshold, bool four) {
     std::string text = "@RULE C\n@TABLE\nn_states:" + std::to_string(states) +
                        "\nneighborhood:" + (four ? "vonNeumann" : "Moore") + "\nsymmetries:permute\n";
@@ -276,7 +276,7 @@ TEST_CASE("cyclic rules are what tables say") {
   }
 }
 
-TEST_CASE("rule files that make no sense are refused at their place") {
+TEST_CASE("invalid rule files are refused at their position") {
   const std::string head = "@RULE X\n@TABLE\nn_states:3\nneighborhood:vonNeumann\nsymmetries:rotate4\n";
   checkHas(fileMistake("x = 3, y = 3\n"), "r.rule: this is no rule file");
   checkHas(fileMistake("@RULE X\n@COLORS\n"), "neither @TABLE nor @TREE");

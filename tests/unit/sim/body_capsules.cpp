@@ -30,7 +30,7 @@ scene::Scene tubeScene(const test::TemporaryFile& file, const std::string& more)
 
 }  // namespace
 
-TEST_CASE("capsules around a tube have its axis and its radius") {
+TEST_CASE("capsules fitted to a tube have its axis and radius") {
   const test::TemporaryFile file("tube.gltf", test::tubeText().text());
   const auto capsules = sim::fitCapsules(sim::loadFigure(file.path()));
   REQUIRE(capsules.size() == 2);
@@ -41,7 +41,7 @@ TEST_CASE("capsules around a tube have its axis and its radius") {
   }
 }
 
-TEST_CASE("a capsule leaves out what sticks out, and lies in the middle of its skin") {
+TEST_CASE("a capsule ignores protrusions and is centred in its skin") {
   const test::TemporaryFile file("tube.gltf", test::tubeText().text());
   sim::Figure figure = sim::loadFigure(file.path());
   // Spikes: two of the 24 vertices of each ring of the lower half, on opposite sides.
@@ -85,7 +85,7 @@ TEST_CASE("a bone without children has a capsule as long as its skin") {
   CHECK(capsules[0].radius < 0.21);
 }
 
-TEST_CASE("of many bones those with the most skin have capsules") {
+TEST_CASE("with many bones, those with the most skin get capsules") {
   sim::Figure figure;
   for (int bone = 0; bone < 40; ++bone) {
     figure.nodes.push_back({.name = std::to_string(bone)});
@@ -103,7 +103,7 @@ TEST_CASE("of many bones those with the most skin have capsules") {
   for (const sim::BoneCapsule& capsule : capsules) CHECK(capsule.node * 17 % 40 >= 16);
 }
 
-TEST_CASE("cloth hears where the capsules of a moving body are and how fast") {
+TEST_CASE("cloth steps receive positions and velocities of a moving body's capsules") {
   const test::TemporaryFile file("tube.gltf", test::tubeText().text());
   const scene::Scene scene = tubeScene(file, R"(, "animation": "bend", "scale": 2)");
   const sim::Bones bones(scene);
@@ -129,7 +129,7 @@ TEST_CASE("cloth hears where the capsules of a moving body are and how fast") {
   }
 }
 
-TEST_CASE("pins follow a bone from where the sheet lies at the start") {
+TEST_CASE("pins follow a bone from the sheet's initial position") {
   const test::TemporaryFile file("tube.gltf", test::tubeText().text());
   const scene::Scene scene = tubeScene(file, R"(, "animation": "bend")");
   const sim::Bones bones(scene);
@@ -165,7 +165,7 @@ TEST_CASE("pins follow a bone from where the sheet lies at the start") {
   CHECK(glm::length(later - glm::vec3(1 - s, 0.5F + s, 0.7F)) < 1e-5F);
 }
 
-TEST_CASE("the walker's capsules lie within arm's reach of its skin") {
+TEST_CASE("the walker has 15 to 24 capsules with plausible radii") {
   const sim::Figure figure = sim::loadFigure(sourceFolder() + "/assets/meshes/walker.gltf");
   const auto capsules = sim::fitCapsules(figure);
   CHECK(capsules.size() >= 15);

@@ -67,7 +67,7 @@ TEST_CASE("body: a tube is read with its bones, weights and motions") {
   CHECK(figure.nodes[static_cast<std::size_t>(high)].parent == figure.nodeNamed("low", "body"));
 }
 
-TEST_CASE("body: without normals its faces are flat") {
+TEST_CASE("body: a file without normals is flat shaded") {
   auto gltf = test::tubeText();
   gltf.document["meshes"][0]["primitives"][0]["attributes"].erase("NORMAL");
   const TemporaryFile file("tube.gltf", gltf.text());
@@ -76,7 +76,7 @@ TEST_CASE("body: without normals its faces are flat") {
   CHECK(figure.follow.size() == figure.mesh.positions.size());
 }
 
-TEST_CASE("body: bytes and shorts are weights too, and a mesh without a skin follows its node") {
+TEST_CASE("body: byte and short weights are read, and a mesh without a skin follows its node") {
   auto gltf = test::tubeText();
   std::vector<std::uint8_t> weights;
   for (int i = 0; i < 24 * 41; ++i) weights.insert(weights.end(), {100, 155, 0, 0});
@@ -98,7 +98,7 @@ TEST_CASE("body: bytes and shorts are weights too, and a mesh without a skin fol
   CHECK(worn == 24 * 41);
 }
 
-TEST_CASE("body: each mistake of a file is one line with its place") {
+TEST_CASE("body: each file error is one line with its place") {
   checkHas(figureFailure(TubeFaults{.noSkin = true}), "no skin");
   checkHas(figureFailure(TubeFaults{.noWeights = true}), "mesh 0, which has no WEIGHTS_0");
   checkHas(figureFailure(TubeFaults{.noJoints = true}), "mesh 0, which has no JOINTS_0");
@@ -128,7 +128,7 @@ TEST_CASE("body: each mistake of a file is one line with its place") {
   checkHas(changed([](auto& d) { d["animations"][0]["channels"][0]["sampler"] = 7; }), "sound glTF");
 }
 
-TEST_CASE("body: whatever stands in a file is read or refused in one line") {
+TEST_CASE("body: any damaged file is read or refused in one line") {
   auto gltf = test::tubeText();
   nlohmann::json whole = nlohmann::json::parse(gltf.text());
   std::vector<nlohmann::json::json_pointer> leaves;
@@ -155,7 +155,7 @@ TEST_CASE("body: whatever stands in a file is read or refused in one line") {
   CHECK(astray == 0);
 }
 
-TEST_CASE("body: names that are not there are named, and what there is") {
+TEST_CASE("body: unknown names are reported with the available names") {
   const TemporaryFile file("tube.gltf", test::tubeText().text());
   const std::string body = fmt::format(R"("tube": {{"body": {{"file": "{}" )", file.path().string());
   CHECK(problemOf(body + R"(, "animation": "bend", "collides": true}})") == "none");

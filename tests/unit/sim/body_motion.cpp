@@ -32,7 +32,7 @@ void checkNear(const glm::dvec3& got, const glm::dvec3& expected, double slack =
 
 }  // namespace
 
-TEST_CASE("slerp is the sine rule, on the shorter arc") {
+TEST_CASE("slerp follows the sine formula along the shorter arc") {
   const glm::dvec3 axis = glm::normalize(glm::dvec3(1, -2, 0.5));
   const auto turned = [&](double degrees) {
     const double half = degrees * 0.008726646259971648;
@@ -50,7 +50,7 @@ TEST_CASE("slerp is the sine rule, on the shorter arc") {
     }
 }
 
-TEST_CASE("body: linear, stepped and cubic motions have closed values") {
+TEST_CASE("body: linear, stepped and cubic motions equal their closed form") {
   const test::TemporaryFile file("tube.gltf", test::tubeText().text());
   const sim::BodyMotion bend("tube", tubeBody(file, "bend"));
   for (const double t : {0.0, 0.1, 0.25, 0.5, 0.6, 1.0}) {
@@ -77,7 +77,7 @@ TEST_CASE("body: linear, stepped and cubic motions have closed values") {
   }
 }
 
-TEST_CASE("body: a motion loops, ends, starts within and goes at a speed") {
+TEST_CASE("body: loop, end, start offset and speed of a motion work") {
   const test::TemporaryFile file("tube.gltf", test::tubeText().text());
   auto p = tubeBody(file, "bend");
   const auto aside = [&](double time) {
@@ -98,7 +98,7 @@ TEST_CASE("body: a motion loops, ends, starts within and goes at a speed") {
   CHECK(aside(-7) == doctest::Approx(0));
 }
 
-TEST_CASE("body: the scene places it and turns bones on top of the motion") {
+TEST_CASE("body: the scene places the body and rotates bones on top of the motion") {
   const test::TemporaryFile file("tube.gltf", test::tubeText().text());
   auto p = tubeBody(file, "bend");
   p.position = glm::vec3(1, 2, 3);
@@ -115,7 +115,7 @@ TEST_CASE("body: the scene places it and turns bones on top of the motion") {
   checkNear(pointAt(motion, "tip", {0, 0, 0}, 1), {0.5, 0.75, 0}, 1e-6);
 }
 
-TEST_CASE("body: times that differ by rounding have the same bits") {
+TEST_CASE("body: times that differ by rounding give the same bits") {
   const test::TemporaryFile file("tube.gltf", test::tubeText().text());
   const sim::BodyMotion motion("tube", tubeBody(file, "bend"));
   for (int frame = 0; frame < 300; ++frame) {

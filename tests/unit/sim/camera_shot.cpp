@@ -72,7 +72,7 @@ std::string mistakeOf(const scene::CameraFile& wanted, const test::GltfText& glt
 
 }  // namespace
 
-TEST_CASE("glTF cameras: one goes with its node and those above it, scales left out") {
+TEST_CASE("glTF cameras: a camera follows its node and its ancestors, without their scale") {
   const auto shot = sim::readCamera(asked("wide"), shotText().text());
   CHECK(shot->fieldOfView() == doctest::Approx(60));
   CHECK(shot->near() == 0.2);
@@ -100,7 +100,7 @@ TEST_CASE("glTF cameras: one goes with its node and those above it, scales left 
   CHECK(glm::length(round->at(2.85).eye - shot->at(1.7).eye) < 1e-6);
 }
 
-TEST_CASE("glTF cameras: a view is that of the file, as high as that says and as wide as the picture is") {
+TEST_CASE("glTF cameras: the view has the file's field of view and the picture's aspect ratio") {
   scene::Camera camera;
   camera.gltf.emplace();
   camera.gltf->shot = sim::readCamera(asked("wide"), shotText().text());
@@ -114,7 +114,7 @@ TEST_CASE("glTF cameras: a view is that of the file, as high as that says and as
   CHECK(glm::length(glm::normalize(view.right) - glm::vec3(0, 0, -1)) < 1e-6F);
 }
 
-TEST_CASE("glTF cameras: an orthographic one shows as much as the file says, along parallel rays") {
+TEST_CASE("glTF cameras: an orthographic camera shows the file's extent along parallel rays") {
   const TemporaryFile file("shot.gltf", shotText().text());
   const auto parsed = [&](const std::string& more) {
     return scene::parseScene(
@@ -146,7 +146,7 @@ TEST_CASE("glTF cameras: an orthographic one shows as much as the file says, alo
   }
 }
 
-TEST_CASE("glTF cameras: mistakes") {
+TEST_CASE("glTF cameras: invalid cameras are reported") {
   const test::GltfText gltf = shotText();
   checkHas(mistakeOf(asked(""), gltf), "has 2 cameras; say which by its \"name\": flat, wide");
   checkHas(mistakeOf(asked("wid"), gltf), "has no camera \"wid\"; did you mean \"wide\"?");
@@ -174,7 +174,7 @@ TEST_CASE("glTF cameras: mistakes") {
                        UserError);
 }
 
-TEST_CASE("glTF cameras: a scene takes angle and reach of the file where it gives none") {
+TEST_CASE("glTF cameras: a scene uses the file's field of view, near and far unless it gives its own") {
   test::GltfText gltf = shotText();
   gltf.document["cameras"][0]["perspective"]["zfar"] = 70;
   const TemporaryFile file("shot.gltf", gltf.text());

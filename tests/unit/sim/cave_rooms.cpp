@@ -42,7 +42,9 @@ long filled(std::vector<std::string>& rows, std::size_t x, std::size_t y, glm::d
 
 }  // namespace
 
-TEST_CASE("rooms of a cave: joined over edges alone, by their lowest cell, with centre and area") {
+TEST_CASE(
+    "rooms of a cave: rooms join across cell edges only, are ordered by their lowest cell, and have centre "
+    "and area") {
   const sim::CaveGrid grid{{6, 4}};
   const auto rooms = sim::caveRooms(grid, cellsOf(grid, {"#..#.#", "##.##.", ".#...#", ".#####"}), 0.5F);
   REQUIRE(rooms.size() == 4);
@@ -56,7 +58,7 @@ TEST_CASE("rooms of a cave: joined over edges alone, by their lowest cell, with 
   CHECK(sim::caveRooms(grid, cellsOf(grid, {"######"}), 1).empty());
 }
 
-TEST_CASE("rooms of a cave: those that filling them finds, across words and in every shape") {
+TEST_CASE("rooms of a cave: rooms equal a flood fill, across words and for every shape") {
   std::mt19937 random(5);
   for (const glm::ivec2 size :
        {glm::ivec2(1, 1), glm::ivec2(1, 70), glm::ivec2(70, 1), glm::ivec2(139, 61)})

@@ -78,7 +78,7 @@ TEST_CASE("a glider in every format is the same glider") {
   CHECK(parsePattern("#C one\n#r 12/34\no!", "p").rule->text() == "B34/S12");
 }
 
-TEST_CASE("mistakes in patterns have line and column") {
+TEST_CASE("errors in patterns have line and column") {
   checkHas(mistake("#Life 1.07\n0 1\n"), "p:1:1: of the formats that begin with \"#Life\"");
   checkHas(mistake("#Life 1.06\n0 1\n2\n"), "p:3:2: a whole number is missing");
   checkHas(mistake("#Life 1.06\n0 1 2\n"), "p:2:4: a line holds the place of one cell");
@@ -109,7 +109,7 @@ TEST_CASE("mistakes in patterns have line and column") {
   checkHas(mistake(deep(40, true)), "more than 134217728 living cells");
 }
 
-TEST_CASE("names of pattern files") {
+TEST_CASE("pattern files are recognized by the extension of their name") {
   for (const char* name :
        {"gun.rle", "a/b.RLE", "c.cells", "d.Life", "e.lif", "f.mc", "g.rle.gz", "h.mc.GZ"})
     CHECK(isPatternName(name));
@@ -117,7 +117,9 @@ TEST_CASE("names of pattern files") {
     CHECK_FALSE(isPatternName(name));
 }
 
-TEST_CASE("a grid that is not given fits its patterns, 16 to 9, and they lie in its middle") {
+TEST_CASE(
+    "an unspecified grid size fits its patterns with the aspect ratio 16 to 9, and the patterns are "
+    "centred") {
   const LifePlan gun(fitted("gosper_gun"), "cells", 1, 0.1);
   CHECK(gun.parameters().size == glm::ivec2(80, 45));  // 36 x 9 cells plus a margin of 18 on every side: at
                                                        // least 72 x 45
@@ -142,7 +144,7 @@ TEST_CASE("a grid that is not given fits its patterns, 16 to 9, and they lie in 
   CHECK(living(LifePlan(placed, "cells", 1, 0.1)).contains({101, 5}));
 }
 
-TEST_CASE("a pattern lies where it is placed, cell for cell, also across words and a torus's edge") {
+TEST_CASE("a pattern is placed exactly, also across words and a torus's border") {
   LifeParameters soup;
   soup.size = {131, 9};
   soup.fill = 0.8F;  // dense, so that runs of living cells are long
@@ -163,7 +165,7 @@ TEST_CASE("a pattern lies where it is placed, cell for cell, also across words a
   }
 }
 
-TEST_CASE("a pattern that was made for a bounded grid brings it along") {
+TEST_CASE("a pattern made for a bounded grid sets that grid") {
   const simreel::test::TemporaryFile file("bounded.rle", "x = 3, y = 1, rule = B3/S23:P31,20\n3o!");
   LifeParameters p = fitted("glider");
   p.patterns[0].file = file.path();
@@ -175,7 +177,7 @@ TEST_CASE("a pattern that was made for a bounded grid brings it along") {
   CHECK_THROWS_AS(LifePlan(p, "cells", 1, 0.1), UserError);
 }
 
-TEST_CASE("where a file says that its pattern lies in a bounded grid, there it lies") {
+TEST_CASE("a pattern's position in its bounded grid is kept") {
   const auto placed = [](const std::string& name, const std::string& text, auto change) {
     const simreel::test::TemporaryFile file(name, text);
     LifeParameters p = fitted("glider");
@@ -205,7 +207,7 @@ TEST_CASE("where a file says that its pattern lies in a bounded grid, there it l
   checkHas(mistake("#CXRLE Pos=3\nx = 3, y = 1\n3o!"), "p:1:8: a place is expected here");
 }
 
-TEST_CASE("patterns packed by gzip are read, cut-off ones and those of 64 MiB refused") {
+TEST_CASE("gzipped patterns are read; truncated ones and those of 64 MiB are refused") {
   // Result of gzip -9 for a pattern file of two lines, "x = 3, y = 1" and "3o!".
   const std::string packed(
       "\x1f\x8b\x08\x00\x00\x00\x00\x00\x02\x03\xab\x50\xb0\x55\x30\xd6\x51"
@@ -228,7 +230,7 @@ TEST_CASE("patterns packed by gzip are read, cut-off ones and those of 64 MiB re
   checkHas(refused(damaged), "is damaged");
 }
 
-TEST_CASE("macrocell files of two states and of several") {
+TEST_CASE("macrocell files with two and with several states are read") {
   const CellPattern two =
       parsePattern("[M2] (golly 3.3)\n#R B36/S23:T40,30\n$$..*$...*$.***$$$$\n4 0 1 1 0\n", "p");
   CHECK(two.rule == CellRule(LifeRule{1 << 3 | 1 << 6, 12}));

@@ -14,7 +14,7 @@
 using namespace simreel;
 using simreel::test::checkHas;
 
-TEST_CASE("chart: scales are round, hold what they are of, and are no wider than they must be") {
+TEST_CASE("chart: axis scales are round, contain their values and are as narrow as possible") {
   struct Known {
     double least, most, low, high;
   };
@@ -42,7 +42,7 @@ TEST_CASE("chart: scales are round, hold what they are of, and are no wider than
   }
 }
 
-TEST_CASE("chart: mistakes") {
+TEST_CASE("chart: errors in charts are reported") {
   const auto mistakeOf = [](const std::string& chart) {
     try {
       static_cast<void>(scene::parseScene(

@@ -15,7 +15,7 @@
 
 using namespace simreel;
 
-TEST_CASE("energy: undamped springs keep it for a minute") {
+TEST_CASE("energy: undamped springs conserve energy for a minute") {
   for (const double degrees : {10.0, 45.0}) {
     CAPTURE(degrees);
     auto given = swing::springs(degrees, 0.1);
@@ -26,7 +26,7 @@ TEST_CASE("energy: undamped springs keep it for a minute") {
   }
 }
 
-TEST_CASE("energy: constraints of damped cloth keep it for a minute where nothing flutters") {
+TEST_CASE("energy: constraints of damped cloth conserve energy for a minute if nothing flutters") {
   auto given = swing::fabric(10, 0.1);
   given.parameters.damping = 1e-6F;
   given.parameters.size.x = 2;
@@ -37,7 +37,7 @@ TEST_CASE("energy: constraints of damped cloth keep it for a minute where nothin
   CHECK(course.rise < 4e-3);  // the energy is evaluated as in short substeps
 }
 
-TEST_CASE("energy: fabrics and meshes that nothing damps keep it for a minute") {
+TEST_CASE("energy: undamped fabrics and meshes conserve energy for a minute") {
   for (const bool mesh : {false, true})
     for (const double degrees : {10.0, 60.0}) {
       CAPTURE(mesh);
@@ -49,7 +49,7 @@ TEST_CASE("energy: fabrics and meshes that nothing damps keep it for a minute") 
     }
 }
 
-TEST_CASE("energy: what a wide swing of a finer fabric loses to flutter stays in it") {
+TEST_CASE("energy: a wide swing of a fine fabric conserves energy, including the energy lost to flutter") {
   // The cloth crumples within ten seconds. A second-order scheme loses a tenth of the energy in that time.
   const auto course = swing::courseOfTwin(swing::fabric(60, 0.05), 10);
   CHECK(std::abs(course.drift()) < 5e-3);
@@ -99,7 +99,7 @@ sim::ClothParameters crumpled() {
 
 }  // namespace
 
-TEST_CASE("energy: constraints that keep it are the gradient of what is measured") {
+TEST_CASE("energy: energy-conserving constraint forces are the gradient of the measured energy") {
   // An odd size with pins; lines of two segments.
   for (const bool fabric : {false, true}) {
     CAPTURE(fabric);
@@ -126,7 +126,7 @@ TEST_CASE("energy: constraints that keep it are the gradient of what is measured
   }
 }
 
-TEST_CASE("energy: so are faces and attachments that keep it") {
+TEST_CASE("energy: energy-conserving face and attachment forces are the gradient of the measured energy") {
   sim::ClothParameters p = crumpled();
   p.hasFabric = p.hasMesh = true;
   p.mesh.size = glm::vec3(0.35F, 0, 0.5F);
@@ -142,7 +142,7 @@ TEST_CASE("energy: so are faces and attachments that keep it") {
         }) < 2e-3);
 }
 
-TEST_CASE("energy: sheets between pins keep it, too") {
+TEST_CASE("energy: sheets between pins conserve energy") {
   // A straight line between pins has one redundant constraint.
   struct Held {
     const char* name;
@@ -184,7 +184,7 @@ TEST_CASE("energy: sheets between pins keep it, too") {
   }
 }
 
-TEST_CASE("energy: long sheets that nothing damps hang and swing at \"auto\"") {
+TEST_CASE("energy: long undamped sheets hang and swing stably with substeps \"auto\"") {
   for (const double degrees : {0.0, 80.0}) {
     CAPTURE(degrees);
     auto given = swing::fabric(degrees, 0.02);
@@ -203,7 +203,7 @@ TEST_CASE("energy: long sheets that nothing damps hang and swing at \"auto\"") {
   }
 }
 
-TEST_CASE("energy: a fabric two columns wide, which cannot flutter, keeps it for a minute") {
+TEST_CASE("energy: a fabric two columns wide, which cannot flutter, conserves energy for a minute") {
   auto given = swing::fabric(10, 0.1);
   given.parameters.size.x = 2;
   given.parameters.substeps = 16;
@@ -212,7 +212,7 @@ TEST_CASE("energy: a fabric two columns wide, which cannot flutter, keeps it for
   CHECK(course.rise < 3e-3);
 }
 
-TEST_CASE("energy: of damped cloth the mean over a swing does not rise") {
+TEST_CASE("energy: the mean energy of damped cloth over a swing does not rise") {
   // The cloth starts to flutter with ever shorter waves, until the substeps cannot resolve them: the scheme
   // loses that energy.
   for (const bool mesh : {false, true})

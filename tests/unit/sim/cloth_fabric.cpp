@@ -66,7 +66,7 @@ double pseudo(std::size_t i) {
 
 }  // namespace
 
-TEST_CASE("fabric: the bending force is the gradient of a plate's energy, borders and clamps included") {
+TEST_CASE("fabric: the bending force is the gradient of a plate's energy, including borders and clamps") {
   for (const bool clamped : {false, true}) {
     const glm::ivec2 size(7, 6);
     sim::ClothParameters p = freeFabric(size, 0.02F);
@@ -143,7 +143,9 @@ TEST_CASE("fabric: a clamped strip bends by q L^4 / 8 D at any spacing") {
   CHECK(*most < 1.02 * *least);
 }
 
-TEST_CASE("fabric: the energy of z = (a x^2 + 2 b x y + c y^2) / 2 is D / 2 (a^2 + 2 b^2 + c^2) an area") {
+TEST_CASE(
+    "fabric: the bending energy of z = (a x^2 + 2 b x y + c y^2) / 2 is D / 2 (a^2 + 2 b^2 + c^2) per "
+    "area") {
   struct Shape {
     double a, b, c;
   };
@@ -179,7 +181,7 @@ TEST_CASE("fabric: the energy of z = (a x^2 + 2 b x y + c y^2) / 2 is D / 2 (a^2
   }
 }
 
-TEST_CASE("fabric: its mass is density times area") {
+TEST_CASE("fabric: mass is density times area") {
   sim::ClothParameters p = freeFabric({9, 5}, 0.25F);
   p.fabric.density = 0.5;
   double sum = 0;
@@ -190,7 +192,7 @@ TEST_CASE("fabric: its mass is density times area") {
   CHECK(p.massAt({8, 2}) == p.massAt({4, 2}) / 2);
 }
 
-TEST_CASE("fabric: it hangs longer by rho g H / 2 k, borders as much as the rest") {
+TEST_CASE("fabric: a hanging fabric stretches by rho g H / 2 k, at borders as inside") {
   constexpr int rows = 48;
   sim::ClothParameters p = freeFabric({5, rows}, 0.025F);
   p.gravity = glm::vec3(0, -9.8F, 0);
@@ -211,7 +213,7 @@ TEST_CASE("fabric: it hangs longer by rho g H / 2 k, borders as much as the rest
   }
 }
 
-TEST_CASE("fabric: a grid of rubber hangs longer by rho g H / 2 k, whatever the substeps") {
+TEST_CASE("fabric: a hanging grid of rubber stretches by rho g H / 2 k, for any number of substeps") {
   // The diagonals, a third as stiff as the links, contribute to k.
   for (const int substeps : {6, 24}) {
     sim::ClothParameters p = freeFabric({9, 21}, 0.05F);
@@ -231,7 +233,7 @@ TEST_CASE("fabric: a grid of rubber hangs longer by rho g H / 2 k, whatever the 
   }
 }
 
-TEST_CASE("fabric: bending is stable up to the declared limit and blows up soon beyond it") {
+TEST_CASE("fabric: bending is stable up to the declared limit and unstable soon beyond it") {
   const auto fastestAfter = [](sim::ClothParameters p, double dt) {
     p.substeps = 1;
     ClothTwin twin(sim::ClothPlan(p, 3, dt, {}));

@@ -20,7 +20,7 @@ void checkBox(const sim::ClothParameters& cloth, const glm::vec3& min, const glm
 
 }  // namespace
 
-TEST_CASE("cloth: in view is the sheet at rest, and where it will hang") {
+TEST_CASE("cloth: automatic framing contains the sheet at rest and where it will hang") {
   sim::ClothParameters cloth;  // a cloth whose last row is pinned
   cloth.size = {11, 6};
   cloth.spacing = 0.2F;
@@ -34,7 +34,9 @@ TEST_CASE("cloth: in view is the sheet at rest, and where it will hang") {
   checkBox(cloth, {0, 2, 2.5F}, {2, 2, 3.5F});
 }
 
-TEST_CASE("cloth: without pins in view is the way down to the height 0, or as far as it is wide") {
+TEST_CASE(
+    "cloth: without pins, framing contains the fall to height 0, or below that a fall as deep as the sheet "
+    "is wide") {
   sim::ClothParameters cloth;
   cloth.pins.clear();
   cloth.size = {11, 6};

@@ -80,7 +80,7 @@ double distanceFromCatenary(sim::ClothParameters p, double weightPerStiffness) {
 
 }  // namespace
 
-TEST_CASE("oracle: springs hang in the catenary that stretches, within 4 mm") {
+TEST_CASE("oracle: springs hang in the elastic catenary within 4 mm") {
   for (const double stiffness : {500.0, 5000.0}) {
     CAPTURE(stiffness);
     sim::ClothParameters p = oracleSheet(41, 2, 0.1F);
@@ -94,7 +94,7 @@ TEST_CASE("oracle: springs hang in the catenary that stretches, within 4 mm") {
   }
 }
 
-TEST_CASE("oracle: constraints hang in the catenary within 2 mm, compliant ones in that which stretches") {
+TEST_CASE("oracle: constraints hang in the catenary within 2 mm, compliant ones in the elastic catenary") {
   for (const double compliance : {0.0, 2e-3}) {
     CAPTURE(compliance);
     sim::ClothParameters p = oracleSheet(41, 2, 0.1F);
@@ -139,7 +139,7 @@ struct Crossings {
 
 }  // namespace
 
-TEST_CASE("oracle: a pendulum's period is that of the elliptic integral, at any amplitude") {
+TEST_CASE("oracle: a pendulum's period equals the elliptic integral at any amplitude") {
   for (const int kind : {0, 1, 2})  // springs, energy-conserving constraints, constraints of damped cloth
     for (const double degrees : {10.0, 60.0, 120.0}) {
       CAPTURE(degrees);
@@ -178,7 +178,9 @@ TEST_CASE("oracle: a pendulum's period is that of the elliptic integral, at any 
     }
 }
 
-TEST_CASE("oracle: a hanging sheet swings as a chain, with half the first zero of J0 times sqrt(g / L)") {
+TEST_CASE(
+    "oracle: a hanging sheet swings like a chain, with half the first zero of J0 times sqrt(g / L) as "
+    "angular frequency") {
   for (const bool damped : {false, true}) {
     CAPTURE(damped);
     sim::ClothParameters p = oracleSheet(5, 41, 0.025F);
@@ -231,7 +233,7 @@ double missesFall(Twin twin, double terminal) {
 
 }  // namespace
 
-TEST_CASE("oracle: flat cloth falls through air as fast as its weight is its drag") {
+TEST_CASE("oracle: flat cloth falls through air at its terminal velocity") {
   const auto terminalOf = [](double density) { return std::sqrt(2 * density * 9.8 / (1.2 * 0.9)); };
   sim::ClothParameters p = oracleSheet(2, 2, 0.1F);
   p.hasAir = true;

@@ -94,7 +94,7 @@ TEST_CASE("a mass on a spring swings with period 2 pi sqrt(m/k)") {
   CHECK(period == doctest::Approx(2 * 3.14159265358979 * std::sqrt(1.0 / 500)).epsilon(1e-3).scale(0));
 }
 
-TEST_CASE("constraints stretch by compliance times load, whatever the number of substeps") {
+TEST_CASE("constraints stretch by compliance times load for any number of substeps") {
   // Three masses of 1 kg below a pin: the first link carries 3 g, the last 1 g.
   for (const int substeps : {8, 16, 40}) {
     sim::ClothParameters p = freeSheet(2, 4);
@@ -145,7 +145,7 @@ double columnStretch(const ClothTwin& twin, int rows) {
 
 }  // namespace
 
-TEST_CASE("rigid constraints hold however many rows hang on them") {
+TEST_CASE("rigid constraints hold for any number of hanging rows") {
   for (const int rows : {16, 64, 256, 1024}) {
     CAPTURE(rows);
     sim::ClothParameters p = longSheet(rows);
@@ -163,7 +163,7 @@ TEST_CASE("rigid constraints hold however many rows hang on them") {
   }
 }
 
-TEST_CASE("rigid constraints hold in a swing, and over a bar without pins") {
+TEST_CASE("rigid constraints hold during a swing, and over a bar without pins") {
   constexpr int rows = 256;
   for (const bool swinging : {true, false}) {
     CAPTURE(swinging);
@@ -191,7 +191,7 @@ TEST_CASE("rigid constraints hold in a swing, and over a bar without pins") {
   }
 }
 
-TEST_CASE("rigid rows between pins too far apart, or taut, stay even and at rest") {
+TEST_CASE("rigid rows between pins that are too far apart, or taut, stay even and at rest") {
   for (const float scale : {1.0F, 1.2F}) {
     CAPTURE(scale);
     sim::ClothParameters p = freeSheet(65, 3);
@@ -234,7 +234,7 @@ TEST_CASE("a compliant line stretches by its weight: rho g H / 2k beyond its len
   CHECK(columnStretch(twin, rows) - 1 == doctest::Approx(sum / (0.02 * (rows - 1))).epsilon(0.01).scale(0));
 }
 
-TEST_CASE("energy decays and never grows with the wind off") {
+TEST_CASE("energy decays and never grows without wind") {
   sim::ClothParameters p;
   p.size = {17, 13};
   p.wind = glm::vec3(0);
@@ -254,7 +254,7 @@ TEST_CASE("energy decays and never grows with the wind off") {
   CHECK(before < first - 100);
 }
 
-TEST_CASE("a free sheet keeps its momentum, and gravity adds M g t") {
+TEST_CASE("a free sheet conserves momentum, and gravity adds M g t") {
   auto p = freeSheet(19, 11);
   p.jitter = 0.03F;
   ClothTwin twin = makeTwin(p);
@@ -286,7 +286,7 @@ TEST_CASE("a mirrored sheet moves as the mirror image") {
     }
 }
 
-TEST_CASE("no particle ends below the ground") {
+TEST_CASE("no particle is below the ground at the end") {
   sim::ClothParameters p;
   p.size = {13, 13};
   p.pins.clear();
@@ -310,7 +310,7 @@ TEST_CASE("no particle ends below the ground") {
   }
 }
 
-TEST_CASE("friction: cloth holds below the angle of friction and slides by Coulomb's law above") {
+TEST_CASE("friction: cloth sticks below the friction angle and slides by Coulomb's law above it") {
   for (const auto solver : {sim::ClothSolver::springs, sim::ClothSolver::constraints})
     for (const double degrees : {5.0, 10.0, 20.0, 40.0}) {
       CAPTURE(degrees);
@@ -339,7 +339,7 @@ TEST_CASE("friction: cloth holds below the angle of friction and slides by Coulo
     }
 }
 
-TEST_CASE("air drags a flat face with half rho Cd A v^2 and lifts nothing face-on") {
+TEST_CASE("air drag on a flat face is half rho Cd A v^2 without lift, and an inclined face has lift") {
   auto p = freeSheet(5, 5);
   p.hasAir = true;
   p.air.velocity = glm::vec3(0, 3, 0);

@@ -13,7 +13,7 @@
 
 using namespace simreel;
 
-TEST_CASE("the sheet starts flat, centred, last row pinned") {
+TEST_CASE("a sheet starts flat, centred and pinned at its last row") {
   const sim::ClothPlan plan(sim::ClothParameters{}, 1, 1.0 / 60, {});
   const auto positions = plan.firstPositions();
   REQUIRE(positions.size() == 32 * 32);
@@ -25,7 +25,7 @@ TEST_CASE("the sheet starts flat, centred, last row pinned") {
   for (std::size_t i = 0; i < 32; ++i) CHECK(positions[31 * 32 + i].w == 0.0F);
 }
 
-TEST_CASE("pins by row, column, corner and point") {
+TEST_CASE("pins are selected by row, column, corner and point") {
   sim::ClothParameters p;
   p.size = {5, 4};
   sim::PinGroup group;
@@ -41,7 +41,7 @@ TEST_CASE("pins by row, column, corner and point") {
   CHECK(p.pinnedBy(group) == std::vector<int>{4, 7, 15});
 }
 
-TEST_CASE("auto takes as many substeps as the springs need") {
+TEST_CASE("\"auto\" takes as many substeps as the springs need") {
   sim::ClothParameters p;
   p.substeps.reset();
   // w = sqrt(4 * 500 * 2.3 / 1) = 67.8 1/s; the limit 2/w is 29.5 ms, times 0.7 = 20.6 ms, so one substep
@@ -52,7 +52,7 @@ TEST_CASE("auto takes as many substeps as the springs need") {
   CHECK(p.substepsPerFrame(1.0 / 60) == 9);
 }
 
-TEST_CASE("auto of a fabric in gusts counts what its lines carry of each other, as 1 / L^1.5 at last") {
+TEST_CASE("\"auto\" for a fabric in gusts scales with 1 / L^1.5 for long lines") {
   // flag.json at several resolutions, as in bench_studies resolution.
   const auto substeps = [](int columns, bool gusts) {
     sim::ClothParameters p;
@@ -90,7 +90,7 @@ TEST_CASE("damping does not depend on the number of substeps") {
   }
 }
 
-TEST_CASE("fabric: what a scene says of it, and mistakes are named") {
+TEST_CASE("fabric: scene parameters of fabric are read, and errors are named") {
   const auto mistakes = [](const std::string& parameters) -> std::string {
     const std::string text = R"({"version": 1, "objects": {"sheet": {"cloth": )" + parameters + "}}}";
     try {
@@ -121,7 +121,7 @@ TEST_CASE("fabric: what a scene says of it, and mistakes are named") {
       test::has(mistakes(R"({"fabric": {}, "pins": [{"columns": [3], "clamp": true}]})"), "first or last"));
 }
 
-TEST_CASE("contact keeps the fabric's thickness, as far as a cloth's neighbours leave room for it") {
+TEST_CASE("contact thickness is the fabric's, clamped to 1/8 to 0.35 of the vertex spacing") {
   sim::ClothParameters p;
   p.hasFabric = true;
   p.fabric.thickness = 0.004;

@@ -34,7 +34,7 @@ const std::vector<glm::vec4> still(9, glm::vec4(0));
 
 }  // namespace
 
-TEST_CASE("a cloth at rest") {
+TEST_CASE("a cloth at rest has the expected quantities") {
   const auto q = sim::measureCloth(parameters(), sheet(1), still, 0);
   CHECK(named(parameters(), q, "population") == 9);
   CHECK(named(parameters(), q, "mass") == 18);
@@ -46,7 +46,7 @@ TEST_CASE("a cloth at rest") {
   CHECK(named(parameters(), q, "potentialEnergy") == doctest::Approx(18 * 9.8 * 0.5).epsilon(1e-6));
 }
 
-TEST_CASE("elastic energy of a stretched cloth") {
+TEST_CASE("a stretched cloth has the expected elastic energy") {
   // x scaled by 3/2: 6 springs along x are 0.25 m longer, 8 diagonals have sqrt(0.75^2 + 0.5^2) instead of
   // sqrt(0.5), 3 springs of length two are 0.5 m longer; springs along y keep their length.
   const auto q = sim::measureCloth(parameters(), sheet(1.5F), still, 0);
@@ -57,7 +57,7 @@ TEST_CASE("elastic energy of a stretched cloth") {
   CHECK(named(parameters(), q, "energy") == doctest::Approx(expected + 18 * 9.8 * 0.5).epsilon(1e-6));
 }
 
-TEST_CASE("constraints store energy by their compliance, rigid ones none") {
+TEST_CASE("compliant constraints store elastic energy, rigid ones none") {
   auto p = parameters();
   p.solver = sim::ClothSolver::constraints;
   p.compliance = 0;
@@ -71,7 +71,7 @@ TEST_CASE("constraints store energy by their compliance, rigid ones none") {
         doctest::Approx(6 * 0.5 * 8 * 0.0625).epsilon(1e-12));
 }
 
-TEST_CASE("kinetic energy and speed of a moving cloth") {
+TEST_CASE("a moving cloth has the expected kinetic energy and speed") {
   auto velocities = still;
   velocities[4] = glm::vec4(3, 0, -4, 7);  // w is the pin group and must be ignored
   const auto q = sim::measureCloth(parameters(), sheet(1), velocities, 0);
@@ -79,7 +79,7 @@ TEST_CASE("kinetic energy and speed of a moving cloth") {
   CHECK(named(parameters(), q, "speed") == 5);
 }
 
-TEST_CASE("potential energy goes with the gravity of the time") {
+TEST_CASE("potential energy follows the animated gravity") {
   auto p = parameters();
   p.gravity =
       scene::Animated<glm::vec3>({{0.0, glm::vec3(0)}, {2.0, glm::vec3(-4, 0, 0)}}, scene::Ease::linear);
@@ -87,7 +87,7 @@ TEST_CASE("potential energy goes with the gravity of the time") {
   CHECK(named(p, sim::measureCloth(p, sheet(1), still, 1), "potentialEnergy") == 18 * 2 * 0.5);
 }
 
-TEST_CASE("a NaN shows in every quantity it touches") {
+TEST_CASE("a NaN makes every quantity NaN that depends on it") {
   auto positions = sheet(1);
   positions[0].y = std::numeric_limits<float>::quiet_NaN();
   const auto q = sim::measureCloth(parameters(), positions, still, 0);

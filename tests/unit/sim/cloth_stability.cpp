@@ -112,7 +112,7 @@ std::string refusal(const sim::ClothParameters& p, double frameSeconds) {
 
 }  // namespace
 
-TEST_CASE("cloth is stable up to its declared limit and blows up soon beyond it") {
+TEST_CASE("cloth is stable up to its declared limit and unstable soon beyond it") {
   const sim::ClothParameters sheets[] = {
       springs({9, 7}, 500, 1, 0.3F, 1), springs({8, 13}, 40000, 0, 0, 0.02F),
       springs({11, 6}, 3000, 0.2F, 2, 0.5F), springs({7, 7}, 800, 4, 0.1F, 3)};
@@ -129,7 +129,7 @@ TEST_CASE("cloth is stable up to its declared limit and blows up soon beyond it"
   }
 }
 
-TEST_CASE("what auto takes is stable for a sheet that its weight stretches many times over") {
+TEST_CASE("the substeps of \"auto\" are stable for a sheet stretched many times by its weight") {
   auto p = springs({9, 33}, 100, 1, 0.3F, 1);
   p.pins.emplace_back().rows = {0};
   p.gravity = glm::vec3(0, -9.8F, 0);
@@ -159,7 +159,7 @@ TEST_CASE("springs and drag together are stable up to the declared limit only") 
     }
 }
 
-TEST_CASE("the air counts at its fastest in the whole run, gusts included") {
+TEST_CASE("stability uses the max air speed of the whole run, including gusts") {
   auto p = springs({8, 8}, 10, 1, 0.3F, 0.001F);
   p.hasAir = true;
   p.air.gusts = 0;
@@ -183,7 +183,7 @@ TEST_CASE("the air counts at its fastest in the whole run, gusts included") {
   CHECK(limit(glm::vec3(0, 10, 0)) == doctest::Approx(gusty).epsilon(1e-6));
 }
 
-TEST_CASE("too few substeps are told with a way that helps") {
+TEST_CASE("too few substeps are reported with advice") {
   auto p = springs({8, 8}, 50000, 1, 0.3F, 0.01F);
   p.substeps = 4;
   const std::string few = p.instability(1 / 60.0);
@@ -209,7 +209,7 @@ TEST_CASE("too few substeps are told with a way that helps") {
   CHECK(has(p.instability(1 / 60.0), "4 substeps are fewer than the 7 that its hanging rows need"));
 }
 
-TEST_CASE("auto refuses what more substeps than there may be would take") {
+TEST_CASE("\"auto\" is refused if it would need more than the max number of substeps") {
   auto p = springs({8, 8}, 1e7F, 1, 0.3F, 0.01F);
   p.substeps.reset();
   // w = sqrt(4 * 1e7 * 2.3 / 0.01) = 95917 1/s, so a stable substep is 0.7 * 2 / w = 14.6 us, and 1/60 s
@@ -235,7 +235,7 @@ TEST_CASE("auto refuses what more substeps than there may be would take") {
   }
 }
 
-TEST_CASE("a damped sheet that hangs by two corners comes to rest, with a speed of 0") {
+TEST_CASE("a damped sheet hanging by two corners comes to rest with speed 0") {
   // The lines alone would need 8 substeps, but 8 never come to rest, because half of the sheet hangs from
   // each corner.
   sim::ClothParameters p;

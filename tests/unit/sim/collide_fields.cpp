@@ -40,7 +40,8 @@ std::string firstProblem(const std::string& objects) {
 
 }  // namespace
 
-TEST_CASE("collide: the field of a ball and of a torus is the closed form's, within what cells leave") {
+TEST_CASE(
+    "collide: the field of a ball and of a torus equals the closed form within the cells' resolution") {
   // Error of chords: a mesh lies inside its circle by R (1 - cos(pi / n)); error of cells: h^2 / 8 times
   // the curvature.
   test::Draws draws;
@@ -68,7 +69,7 @@ TEST_CASE("collide: the field of a ball and of a torus is the closed form's, wit
   CHECK(worstSlope < 0.06);
 }
 
-TEST_CASE("collide: distances and sides of a burr are those of float64") {
+TEST_CASE("collide: distances and sides of a burr equal double precision") {
   const sim::Mesh mesh = burr();
   const sim::DistancePlan plan("burr", mesh, 0.7F, 0, 0.05);
   const test::BruteForce brute(mesh, 0.7F);
@@ -96,7 +97,7 @@ TEST_CASE("collide: distances and sides of a burr are those of float64") {
   CHECK(distanceTo(round, glm::vec3(2)) > 0);
 }
 
-TEST_CASE("collide: a box is known to a rounding at its nodes, and beside faces, edges and corners") {
+TEST_CASE("collide: a box's field is exact to rounding at its nodes and beside faces, edges and corners") {
   const test::TemporaryFile file("box.obj", test::boxObj({0.5, 0.25, 0.3}));
   const DistanceTwin twin =
       fieldOf(fmt::format(R"("shape": "file", "file": "{}", "scale": 2)", file.path().string()), 0.2);
@@ -118,7 +119,7 @@ TEST_CASE("collide: a box is known to a rounding at its nodes, and beside faces,
   CHECK(distanceTwinAt(twin, glm::vec3(3, 0, 0)).w == 1e9F);
 }
 
-TEST_CASE("collide: cells follow the size of a mesh, and how thin it is") {
+TEST_CASE("collide: the cell size follows a mesh's size and thinness") {
   const auto cellOf = [](const glm::dvec3& half, const std::string& more) {
     const test::TemporaryFile file("plate.obj", test::boxObj(half));
     const auto scene = test::parsedScene(
@@ -132,7 +133,7 @@ TEST_CASE("collide: cells follow the size of a mesh, and how thin it is") {
   CHECK(cellOf({1, 1, 1}, R"(, "distanceCells": 20)") == doctest::Approx(0.1));
 }
 
-TEST_CASE("collide: a mesh that cannot collide is told why, once") {
+TEST_CASE("collide: a mesh that cannot collide is reported once with the reason") {
   const auto problemOf = [](const std::string& obj, const std::string& more = "") {
     const test::TemporaryFile file("bad.obj", obj);
     return firstProblem(

@@ -63,7 +63,7 @@ double overTorus(const glm::vec4& p) {
 
 }  // namespace
 
-TEST_CASE("collide: balls bounce off a mesh box as off a box by hand, and keep their energy") {
+TEST_CASE("collide: balls bounce off a mesh box like off an analytic box and conserve energy") {
   const test::TemporaryFile file("hand.obj", test::boxObj({0.4, 0.3, 0.5}));
   const glm::dvec3 half(0.4, 0.3, 0.5);
   const double margin = 0.05;
@@ -96,7 +96,7 @@ TEST_CASE("collide: balls bounce off a mesh box as off a box by hand, and keep t
   CHECK(energy == doctest::Approx(before).epsilon(1e-5));
 }
 
-TEST_CASE("collide: nothing gets into a mesh, however fast it comes") {
+TEST_CASE("collide: no particle enters a mesh at any speed") {
   const test::TemporaryFile file("thin.obj", test::boxObj({0.5, 0.02, 0.5}));
   std::vector<Grain> grains;
   test::Draws draws;
@@ -114,7 +114,7 @@ TEST_CASE("collide: nothing gets into a mesh, however fast it comes") {
   CHECK(swept.velocities[0].y == doctest::Approx(40).epsilon(0.01));
 }
 
-TEST_CASE("collide: a mesh that turns carries what lies on it, and Coulomb's law holds it there") {
+TEST_CASE("collide: a rotating mesh carries objects on it, held by Coulomb friction") {
   const test::TemporaryFile file("turn.obj", test::boxObj({0.5, 0.1, 0.5}));
   const GrainSetting weight{.bounce = 0, .margin = 0.01F, .acceleration = {0, -9.81F, 0}, .substeps = 8};
   // At 0.4 m, a rotation of 0.9 rad/s gives a speed of 0.36 m/s and an acceleration of 0.324 m/s^2 inwards.
@@ -150,7 +150,7 @@ TEST_CASE("collide: a mesh that turns carries what lies on it, and Coulomb's law
   }
 }
 
-TEST_CASE("collide: cloth over a mesh torus does not sink, whatever it is made of") {
+TEST_CASE("collide: cloth of any material does not sink into a mesh torus") {
   const auto scene = test::parsedScene(test::meshObject(torusUnderCloth));
   const auto settle = [&](auto twin, double margin) {
     twin.meshes.emplace(sim::MeshColliderPlan(scene, margin));

@@ -41,7 +41,7 @@ sim::ColliderShape smoothShape(sim::ColliderShape::Kind kind, float radius) {
 
 }  // namespace
 
-TEST_CASE("collide: a particle leaves a capsule by the law of reflection, and loses energy by its bounce") {
+TEST_CASE("collide: a particle reflects off a capsule and loses energy by its bounce factor") {
   auto rod = smoothShape(sim::ColliderShape::Kind::capsule, 0.3F);
   rod.length = 2;
   rod.rotation = glm::vec3(0, 0, 90);  // rotates the rod's axis to x
@@ -60,7 +60,7 @@ TEST_CASE("collide: a particle leaves a capsule by the law of reflection, and lo
   }
 }
 
-TEST_CASE("collide: friction of an impact takes mu (1 + e) of the speed into the surface") {
+TEST_CASE("collide: impact friction takes mu (1 + e) of the normal speed") {
   for (const float bounce : {0.0F, 0.5F, 1.0F}) {
     CAPTURE(bounce);
     auto ground = smoothShape(sim::ColliderShape::Kind::plane, 0);
@@ -72,7 +72,7 @@ TEST_CASE("collide: friction of an impact takes mu (1 + e) of the speed into the
   }
 }
 
-TEST_CASE("collide: on a slope Coulomb's law holds a particle below its angle, and slides it above") {
+TEST_CASE("collide: a particle on a slope sticks below the friction angle and slides above it") {
   for (const double degrees : {20.0, 35.0}) {
     CAPTURE(degrees);
     auto slope = smoothShape(sim::ColliderShape::Kind::plane, 0);
@@ -91,8 +91,7 @@ TEST_CASE("collide: on a slope Coulomb's law holds a particle below its angle, a
   }
 }
 
-TEST_CASE(
-    "collide: a ball that moves carries a particle along, and one that does not collide feels nothing") {
+TEST_CASE("collide: a moving ball carries a particle, and a non-colliding ball has no effect") {
   auto ball = smoothShape(sim::ColliderShape::Kind::sphere, 0.5F);
   ball.position =
       scene::Animated<glm::vec3>({{0.0, glm::vec3(0)}, {1.0, glm::vec3(0, 2, 0)}}, scene::Ease::linear);

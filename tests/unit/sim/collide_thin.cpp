@@ -164,7 +164,7 @@ Passage flyInto(ThinCloth kind, const sim::ColliderShape& rod, int frames) {
 
 }  // namespace
 
-TEST_CASE("collide: a rod of 2 cm at 10 m/s does not pass a sheet of 5 cm spacing") {
+TEST_CASE("collide: a 2 cm rod at 10 m/s does not pass through a sheet of 5 cm spacing") {
   for (const ThinCloth kind : {ThinCloth::springs, ThinCloth::constraints, ThinCloth::mesh}) {
     CAPTURE(static_cast<int>(kind));
     // Midway between two rows; slanted; and a short rod whose ends are within the sheet.
@@ -182,7 +182,7 @@ TEST_CASE("collide: a rod of 2 cm at 10 m/s does not pass a sheet of 5 cm spacin
   }
 }
 
-TEST_CASE("collide: a ball that fits between the vertices does not pass, fast or slow") {
+TEST_CASE("collide: a ball smaller than the mesh spacing does not pass, at any speed") {
   for (const ThinCloth kind : {ThinCloth::springs, ThinCloth::constraints, ThinCloth::mesh}) {
     CAPTURE(static_cast<int>(kind));
     for (const float speed : {1.0F, 10.0F}) {
@@ -197,7 +197,7 @@ TEST_CASE("collide: a ball that fits between the vertices does not pass, fast or
   }
 }
 
-TEST_CASE("collide: only what is thin beside the spacing is taken by edges and faces") {
+TEST_CASE("collide: only colliders thinner than the spacing use edge and face tests") {
   sim::ClothParameters p = hangingSheet(ThinCloth::springs);
   const auto thinAmong = [&](const std::vector<sim::ColliderShape>& shapes) {
     return sim::ClothPlan(p, 5, thinFrame, shapes).thinCount();

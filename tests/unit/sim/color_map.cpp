@@ -23,7 +23,7 @@ double encoded(double x) {
 
 }  // namespace
 
-TEST_CASE("colour maps are within 2/255 of the published ones at their quarters") {
+TEST_CASE("colour maps are within 2/255 of the published values at their quarters") {
   using Five = std::array<std::array<double, 3>, 5>;
   const std::map<std::string, Five> published = {
       {"viridis",
@@ -80,7 +80,7 @@ TEST_CASE("colour maps are within 2/255 of the published ones at their quarters"
   }
 }
 
-TEST_CASE("viridis and grey only get lighter; an unknown map has no stops") {
+TEST_CASE("viridis, grey, magma, inferno and plasma only get lighter; an unknown map has no stops") {
   for (const char* name : {"viridis", "grey", "magma", "inferno", "plasma"}) {
     CAPTURE(name);
     double before = -1;
@@ -95,7 +95,7 @@ TEST_CASE("viridis and grey only get lighter; an unknown map has no stops") {
   CHECK(sim::colorMapStops("").empty());
 }
 
-TEST_CASE("polar is dark in the middle and evenly lighter, as OKLab has it, to both sides") {
+TEST_CASE("polar is dark in the middle and symmetric in OKLab lightness") {
   const auto stops = sim::colorMapStops("polar");
   REQUIRE(stops.size() == 33);
   for (std::size_t i = 0; i < stops.size(); ++i) {
@@ -109,7 +109,7 @@ TEST_CASE("polar is dark in the middle and evenly lighter, as OKLab has it, to b
   }
 }
 
-TEST_CASE("colours of maps have these bits on every machine") {
+TEST_CASE("colour maps have the same bits on every machine") {
   std::vector<glm::vec3> all;
   for (const std::string& name : sim::colorMapNames())
     for (const glm::vec3& stop : sim::colorMapStops(name)) all.push_back(stop);

@@ -58,7 +58,7 @@ double segmentToSegment(const glm::dvec3& a, const glm::dvec3& b, const glm::dve
 
 }  // namespace
 
-TEST_CASE("closest points of a vertex and a face, and of two edges, against float64") {
+TEST_CASE("closest points of vertex and face, and of two edges, equal double precision") {
   ContactStep none{};
   ContactModel model{none};
   std::mt19937 random(7);
@@ -120,7 +120,7 @@ TEST_CASE("no edge goes through a face when cloths fall on a ball and on each ot
   CHECK(stopped > 0);
 }
 
-TEST_CASE("contact between cloths keeps momentum") {
+TEST_CASE("contact between cloths conserves momentum") {
   auto lower = silk({9, 7}, 0.05F, {0, 0, 0}, {0, 0, 0});
   auto upper = silk({7, 11}, 0.04F, {0.01F, 0.05F, 0.01F}, {10, 30, 0});
   for (auto* p : {&lower, &upper}) {
@@ -141,7 +141,7 @@ TEST_CASE("contact between cloths keeps momentum") {
         8e-3 * glm::length(before));  // limiting the corrections loses some momentum
 }
 
-TEST_CASE("a stack of cloths comes to rest, a thickness apart") {
+TEST_CASE("a stack of cloths comes to rest, one thickness apart") {
   std::vector<sim::ClothParameters> sheets;
   for (int i = 0; i < 4; ++i) {
     sheets.push_back(silk({9, 8}, 0.05F, {0.003F * i, 0.012F + 0.006F * i, 0}, {0, 20.0F * i, 0}));
@@ -163,7 +163,7 @@ TEST_CASE("a stack of cloths comes to rest, a thickness apart") {
   }
 }
 
-TEST_CASE("cloth on a slope of cloth holds below atan(mu), and slides as fast as it should above") {
+TEST_CASE("cloth on a slope of cloth sticks below atan(mu) and slides at the expected speed above") {
   for (const double degrees : {12.0, 35.0}) {
     const double mu = 0.4;
     auto slope = silk({21, 9}, 0.05F, {0, 0, 0}, {0, 0, static_cast<float>(-degrees)});
@@ -193,7 +193,7 @@ TEST_CASE("cloth on a slope of cloth holds below atan(mu), and slides as fast as
   }
 }
 
-TEST_CASE("what goes through each other at the start is counted as trying every pair counts it") {
+TEST_CASE("initial intersections are counted as by testing every pair") {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> unit(-1, 1);
   for (const float size :
@@ -234,7 +234,8 @@ sim::ParticleParameters oneBall(float mass, float radius, glm::vec3 position, gl
 
 }  // namespace
 
-TEST_CASE("a ball bounces off a sheet that is held by its share, and friction takes mu times that") {
+TEST_CASE(
+    "a ball bounces off a fixed sheet with its restitution, and friction takes mu times that impulse") {
   auto sheet = silk({9, 7}, 0.05F, {0, 0, 0}, {0, 0, 0});
   sheet.gravity = glm::vec3(0);
   auto& pins = sheet.pins.emplace_back();
@@ -249,7 +250,7 @@ TEST_CASE("a ball bounces off a sheet that is held by its share, and friction ta
   CHECK(std::abs(v.z) < 0.01);
 }
 
-TEST_CASE("a ball that flies into a loose sheet keeps momentum with it, and does not pass") {
+TEST_CASE("a ball hitting a loose sheet conserves momentum and does not pass through") {
   auto sheet = silk({9, 7}, 0.05F, {0, 0, 0}, {0, 0, 0});
   sheet.damping = 0;
   sheet.gravity = glm::vec3(0);
@@ -276,7 +277,7 @@ TEST_CASE("a ball that flies into a loose sheet keeps momentum with it, and does
   }
 }
 
-TEST_CASE("a ball hangs in a strip: what it weighs is carried by the tension on both sides") {
+TEST_CASE("a ball hangs in a strip: the tension on both sides carries its weight") {
   const double half = 0.3, width = 0.03, stiffness = 500, mass = 0.03, density = 0.3;
   auto strip = silk({21, 2}, 0.03F, {0, 0, 0}, {0, 0, 0});
   strip.pins.emplace_back().columns = {0, -1};

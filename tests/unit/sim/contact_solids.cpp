@@ -84,7 +84,7 @@ TEST_CASE("a box at 10 m/s pushes a hanging sheet and does not pass through") {
   CHECK(far > 0.2);  // the box passed through the place where the sheet was hanging
 }
 
-TEST_CASE("a rod of 2 cm at 10 m/s takes a loose sheet along") {
+TEST_CASE("a 2 cm rod at 10 m/s carries a loose sheet along") {
   auto sheet = silk({13, 15}, 0.03F, {0, 0, 0}, {90, 20, 0});
   sheet.gravity = glm::vec3(0);
   Pile pile({sheet}, {}, 0.006F, 0.3F,
@@ -97,7 +97,7 @@ TEST_CASE("a rod of 2 cm at 10 m/s takes a loose sheet along") {
   CHECK(meanOf(pile.cloths[0]->velocities).z > 5);
 }
 
-TEST_CASE("a turning bar winds a sheet up, and goes through none of it") {
+TEST_CASE("a rotating bar winds up a sheet without crossing it") {
   auto sheet = silk({15, 13}, 0.03F, {0, 0.03F, 0}, {0, 0, 0});
   PileSolid bar = solidBox({0.2F, 0.01F, 0.02F}, [](double) { return glm::dvec3(0); });
   bar.at = [rest = bar.at(0)](double time) {
@@ -113,7 +113,7 @@ TEST_CASE("a turning bar winds a sheet up, and goes through none of it") {
   }
 }
 
-TEST_CASE("a cloth lies on a box of twelve faces at a thickness") {
+TEST_CASE("a cloth rests on a box of twelve faces at its thickness") {
   auto sheet = silk({9, 8}, 0.05F, {0, 0.006F, 0}, {0, 20, 0});
   sheet.damping = 1;
   Pile pile({sheet}, {}, 0.005F, 0.3F,
@@ -124,7 +124,7 @@ TEST_CASE("a cloth lies on a box of twelve faces at a thickness") {
   CHECK(crossings(pile.points(), pile.faces, pile.firstSolid) == 0);
 }
 
-TEST_CASE("a cloth hangs over a ball of faces, off it by a thickness") {
+TEST_CASE("a cloth hangs over a ball of faces at a distance of its thickness") {
   auto sheet = silk({15, 15}, 0.03F, {0, 0.165F, 0}, {0, 10, 0});
   sheet.damping = 3;
   Pile pile({sheet}, {}, 0.006F, 0.6F, {solidBall(0.15F, {33, 17}, glm::vec3(0))});
@@ -142,7 +142,7 @@ TEST_CASE("a cloth hangs over a ball of faces, off it by a thickness") {
   CHECK(low < -0.02);
 }
 
-TEST_CASE("a moving floor of faces takes a cloth along by friction, at mu g until it is as fast") {
+TEST_CASE("a moving floor of faces accelerates a cloth by friction at mu g up to the floor's speed") {
   const double mu = 0.3, speed = 1;
   for (const float own : {-1.0F, 0.1F}) {  // friction of the solid; with -1 the cloth's 0.3 applies,
                                            // otherwise the mean of both
@@ -163,7 +163,7 @@ TEST_CASE("a moving floor of faces takes a cloth along by friction, at mu g unti
   }
 }
 
-TEST_CASE("solids that go through each other at the start are no matter, a cloth that does is") {
+TEST_CASE("initial intersections between solids are not counted, those with a cloth are") {
   std::vector<sim::ContactPart> parts;
   sim::ContactPart sheet;
   for (const glm::vec3& p : {glm::vec3(2, -1, -1), glm::vec3(2, 1, -1), glm::vec3(2, 0, 1)})
@@ -185,7 +185,7 @@ TEST_CASE("solids that go through each other at the start are no matter, a cloth
   CHECK(count() > 0);
 }
 
-TEST_CASE("faces need a cloth that feels them, and say what they cannot have") {
+TEST_CASE("colliding faces need a cloth with contact, and unsupported options are reported") {
   const auto mistake = [](const std::string& objects) -> std::string {
     try {
       const std::string text = R"({"version": 1, "objects": {)" + objects + "}}";
@@ -214,7 +214,7 @@ TEST_CASE("faces need a cloth that feels them, and say what they cannot have") {
 }
 
 TEST_CASE(
-    "particles name a cloth in contact that is there, and none falls through another without a word") {
+    "particles must name an existing cloth in contact, and a cloth that they pass through is reported") {
   const auto sceneOf = [](const std::string& objects) {
     return scene::parseScene(R"({"version": 1, "objects": {)" + objects + "}}", "s.json", {}, sim::kinds());
   };

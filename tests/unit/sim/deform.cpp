@@ -53,7 +53,7 @@ std::string deformFailure(const std::string& mesh) {
 
 }  // namespace
 
-TEST_CASE("the ripple's heights and normals are those of its formula, also after a year") {
+TEST_CASE("a ripple's heights and normals equal its formula, also after a year") {
   auto p = planeOf(8, {201, 161});
   p.deform.list[0].ripple.on = true;
   for (const double time : {0.0, 0.7, 31'557'600.25}) {
@@ -77,7 +77,7 @@ TEST_CASE("the ripple's heights and normals are those of its formula, also after
   }
 }
 
-TEST_CASE("Gerstner waves on deep water: w^2 = g k, crests as high as the amplitude") {
+TEST_CASE("Gerstner waves on deep water: w^2 = g k holds, and crests are as high as the amplitude") {
   auto p = planeOf(10, {401, 3});
   p.deform.list[0].waves.resize(1);
   p.deform.list[0].waves[0].length = 2.5F;
@@ -95,7 +95,7 @@ TEST_CASE("Gerstner waves on deep water: w^2 = g k, crests as high as the amplit
   CHECK(apart < 1e-5);
 }
 
-TEST_CASE("sway keeps the roots, leans the tips, nearly keeps the length") {
+TEST_CASE("sway fixes the roots, bends the tips and nearly keeps the length") {
   sim::MeshParameters p;
   p.shape = sim::MeshShape::grass;
   p.blades = 301;
@@ -114,7 +114,7 @@ TEST_CASE("sway keeps the roots, leans the tips, nearly keeps the length") {
   CHECK(leaned / 301 > 0.02);
 }
 
-TEST_CASE("a sphere leaves a print as deep as it reaches, with a rim, and nothing elsewhere") {
+TEST_CASE("a sphere leaves a footprint of its depth with a rim, and nothing elsewhere") {
   auto p = planeOf(4, {161, 141});
   p.deform.list[0].footprints.on = true;
   p.deform.list[0].footprints.depth = 1;
@@ -150,8 +150,7 @@ TEST_CASE("push leaves no vertex inside a sphere") {
   CHECK(moved > 100);
 }
 
-TEST_CASE(
-    "copies of a vertex at a seam share their normal; degenerate and missing faces keep the one at rest") {
+TEST_CASE("duplicate vertices at a seam share a normal; without usable faces the rest normal is kept") {
   sim::MeshParameters p;
   p.shape = sim::MeshShape::torus;
   p.resolution = {31, 17};
@@ -179,7 +178,7 @@ TEST_CASE(
   CHECK(cpu.normals()[6] == glm::vec4(0, 1, 0, 0));
 }
 
-TEST_CASE("a deformation that cannot be says so") {
+TEST_CASE("an invalid deformation is reported") {
   CHECK(test::has(deformFailure(R"("deform": [{}])"), "entry 0 names 0 displacements"));
   CHECK(test::has(deformFailure(R"("deform": [{"ripple": {}, "push": {}}])"),
                   "entry 0 names 2 displacements"));

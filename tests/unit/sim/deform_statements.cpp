@@ -81,7 +81,7 @@ shader::Presser presserOf(glm::vec3 a, glm::vec3 b, float radius) {
 
 }  // namespace
 
-TEST_CASE("deform: a ripple dies away from its centre as e^(-decay r), and does not without decay") {
+TEST_CASE("deform: a ripple decays with the radius as e^(-decay r), and does not without decay") {
   for (const float decay : {0.0F, 0.8F}) {
     shader::DeformStep step = stepOf({shader::rippleKind});
     step.displacements[0].ripple = {{0.3F, 0.2F, -0.4F, 0}, 0.3F, decay, 5.0F, 2.2F};
@@ -92,7 +92,7 @@ TEST_CASE("deform: a ripple dies away from its centre as e^(-decay r), and does 
   }
 }
 
-TEST_CASE("deform: each displacement starts from rest, and they add up in their order") {
+TEST_CASE("deform: each displacement is computed from the rest shape, and displacements add up") {
   shader::DeformStep step = stepOf({shader::waveKind, shader::rippleKind, shader::waveKind});
   const dvec2 heading(0.6, -0.8);
   step.displacements[0].wave = {heading, 0.12F, 0.09F, 3.0F, 0.7F};
@@ -108,7 +108,7 @@ TEST_CASE("deform: each displacement starts from rest, and they add up in their 
         }) < 5e-6);
 }
 
-TEST_CASE("deform: what sways leans by its height squared and sinks; what is below its base stands still") {
+TEST_CASE("deform: sway grows with height squared and lowers the tip; parts below its base do not move") {
   shader::DeformStep step = stepOf({shader::swayKind});
   const dvec2 heading(0.8, 0.6);
   step.displacements[0].sway = {heading, 0.3F, -0.2F, 1 / 1.5F, 0.4F, 0.6F, 2.0F, {0.3F, 1.1F, 2.9F, 0}};
@@ -131,7 +131,8 @@ TEST_CASE("deform: what sways leans by its height squared and sinks; what is bel
 }
 
 TEST_CASE(
-    "deform: push moves from r to R + r s / (R + s), above the base more, and keeps what is on the axis") {
+    "deform: push moves vertices from r to R + r s / (R + s), increases above the base and does not move "
+    "the axis") {
   for (const float perHeight : {0.0F, 0.9F}) {
     shader::DeformStep step = stepOf({shader::pushKind});
     step.displacements[0].push.softness = 0.3F;
@@ -161,7 +162,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "deform: a print lowers by its depth, between cells evenly, and beside the trail as at its border") {
+    "deform: a footprint lowers the surface by its depth, interpolated between cells and clamped at the "
+    "trail's border") {
   shader::DeformStep step = stepOf({shader::footprintsKind});
   const glm::ivec2 cells(7, 5);
   step.trail.cells = cells;
@@ -191,7 +193,7 @@ TEST_CASE(
   CHECK((raised > 20 && raised < 380));
 }
 
-TEST_CASE("deform: prints are as deep as what presses, their rims fall off beside them, and both stay") {
+TEST_CASE("deform: footprints are as deep as the presser, have decaying rims and persist") {
   shader::DeformStep step = stepOf({});
   const glm::ivec2 cells(41, 33);
   step.trail.cells = cells;

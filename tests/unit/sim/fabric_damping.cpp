@@ -116,7 +116,7 @@ std::vector<double> massesOf(const std::vector<glm::vec4>& positions) {
 
 }  // namespace
 
-TEST_CASE("fabric: a stretched strip's vibration decays at stretchDamping w^2 / 2, of grids and meshes") {
+TEST_CASE("fabric: vibrations of a stretched strip decay at stretchDamping w^2 / 2, for grids and meshes") {
   const double gridStep = 2e-4;
   const ClothTwin grid(sim::ClothPlan(dampedStrip(false, 16), 1, gridStep, {}));
   CHECK(decayOf(grid, gridStep, 16) == doctest::Approx(1).epsilon(0.03));
@@ -126,7 +126,7 @@ TEST_CASE("fabric: a stretched strip's vibration decays at stretchDamping w^2 / 
   CHECK(decayOf(mesh, meshStep, 4) == doctest::Approx(1).epsilon(0.03));
 }
 
-TEST_CASE("fabric: damping of stretch leaves what turns and travels alone") {
+TEST_CASE("fabric: stretch damping does not affect rotation and translation") {
   for (const double damping : {0.0, 0.05}) {
     CAPTURE(damping);
     sim::ClothParameters p = dampedStrip(false, 8);

@@ -13,7 +13,7 @@
 
 using namespace simreel;
 
-TEST_CASE("every kind that has a field says so") {
+TEST_CASE("every kind that publishes a field declares it") {
   std::set<std::string> fields;
   for (const scene::Kind& kind : sim::kinds().list) {
     scene::Object object;

@@ -62,7 +62,7 @@ double lineOf(glm::dvec2 p, double phase, const Velocity& velocity) {
 
 }  // namespace
 
-TEST_CASE("lines of flow are the noise's weighted means along them, in double precision") {
+TEST_CASE("flow lines are weighted means of the noise along the flow, in double precision") {
   // Rotation about a point beside the middle: linear, so interpolation is exact.
   const auto turning = [](double x, double y) {
     return glm::vec2(static_cast<float>(-3 * (y - 10.7)), static_cast<float>(3 * (x - 13.2)));
@@ -91,7 +91,7 @@ TEST_CASE("lines of flow are the noise's weighted means along them, in double pr
   CHECK(most > 0.9);
 }
 
-TEST_CASE("lines of an even flow are alike along it and not across") {
+TEST_CASE("lines of a uniform flow are correlated along it and not across it") {
   const auto even = [](double, double) { return glm::vec2(5, 0); };
   const std::vector<float> lines = movedBy(even).lines(0);
   constexpr int side = lineCells * lineFine;
@@ -107,7 +107,7 @@ TEST_CASE("lines of an even flow are alike along it and not across") {
   CHECK(across > 2 * along);  // the lines vary faster across the flow than along it, unlike pure noise
 }
 
-TEST_CASE("a soft brush leaves all within and fades to nothing on its rim, as 3 s^2 - 2 s^3 of squares") {
+TEST_CASE("a soft brush is 1 inside and fades to 0 at its rim by smoothstep of squared distance") {
   sim::FluidParameters p;
   p.size = {40, 40};
   sim::FluidStroke stroke;

@@ -78,7 +78,7 @@ double cavityError(int n, double reynolds, double turns) {
 
 }  // namespace
 
-TEST_CASE("fluid: Taylor-Green vortices decay as they should, with an error of second order") {
+TEST_CASE("fluid: Taylor-Green vortices decay at the analytic rate with second-order error") {
   const Vortices coarse = taylorGreen(32);
   const Vortices fine = taylorGreen(64);
   MESSAGE("decay off by ", coarse.decay, " and ", fine.decay, ", errors ", coarse.error, " and ",
@@ -88,20 +88,20 @@ TEST_CASE("fluid: Taylor-Green vortices decay as they should, with an error of s
   CHECK(std::log2(coarse.error / fine.error) >= 1.8);
 }
 
-TEST_CASE("fluid: a lid-driven cavity at Re 100 is Ghia's") {
+TEST_CASE("fluid: a lid-driven cavity at Re 100 equals Ghia's tables") {
   const double error = cavityError(32, 100, 14);
   MESSAGE("error ", error);
   CHECK(error < 0.01);
 }
 
-TEST_CASE("fluid: Taylor-Green vortices over 32 to 128 cells" * doctest::skip()) {
+TEST_CASE("fluid: Taylor-Green vortices converge over 32 to 128 cells" * doctest::skip()) {
   const Vortices coarse = taylorGreen(32), middle = taylorGreen(64), fine = taylorGreen(128);
   MESSAGE("errors ", coarse.error, ", ", middle.error, ", ", fine.error);
   CHECK(std::log2(middle.error / fine.error) >= 1.8);
   CHECK(fine.decay < 0.01);
 }
 
-TEST_CASE("fluid: what goes many cells in a step does not grow by itself") {
+TEST_CASE("fluid: flow that crosses many cells per step does not grow") {
   sim::FluidParameters p;
   p.size = {47, 35};
   p.substeps = 1;
@@ -124,7 +124,7 @@ TEST_CASE("fluid: what goes many cells in a step does not grow by itself") {
   }
 }
 
-TEST_CASE("fluid: the sum of dye stays, and no cell has less than none or more than there was") {
+TEST_CASE("fluid: the sum of dye stays constant, and no cell leaves the initial range") {
   auto p = calmFluid(37, 23);
   p.speed = 100;
   sim::FluidStroke push;

@@ -123,7 +123,9 @@ Walled walled(const FluidTwin& twin, const std::vector<glm::vec4>& flow, double 
 
 }  // namespace
 
-TEST_CASE("fluid: advection, friction, pressure, lift and confinement are their equations in double") {
+TEST_CASE(
+    "fluid: advection, friction, pressure, lift and confinement equal their equations in double "
+    "precision") {
   auto p = walledBath(27, 21);
   p.viscosity = 1.3F;
   p.confinement = 6.0F;
@@ -228,9 +230,7 @@ TEST_CASE("fluid: advection, friction, pressure, lift and confinement are their 
   CHECK(worstV < 3e-4);
 }
 
-TEST_CASE(
-    "fluid: the projection is a dense solution of Poisson's equation, around obstacles and to an open "
-    "side") {
+TEST_CASE("fluid: the projection equals a dense Poisson solution, around obstacles and with an open side") {
   auto p = walledBath(19, 14);
   p.right.kind = sim::FluidSide::Kind::open;
   p.obstacles.resize(1);
@@ -287,7 +287,7 @@ TEST_CASE(
   CHECK(twin.divergence() < sim::maxFluidDivergence);
 }
 
-TEST_CASE("fluid: a pass of dye is van Leer's scheme in double") {
+TEST_CASE("fluid: dye transport equals van Leer's scheme in double precision") {
   auto p = walledBath(23, 17);
   FluidTwin twin(sim::FluidPlan(p, "bath", 1, 0.002));
   for (int i = 0; i < 30; ++i) twin.step(i * 0.002);

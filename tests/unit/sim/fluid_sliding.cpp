@@ -37,7 +37,7 @@ FluidTwin bathTwin(const sim::FluidParameters& p) {
 
 }  // namespace
 
-TEST_CASE("fluid: a circle that starts to move pushes a dipole, slipping or not") {
+TEST_CASE("fluid: a circle that starts to move creates a dipole flow, with slip and no-slip") {
   // Potential flow: u = U R^2 (x^2 - y^2) / r^4, v = 2 U R^2 x y / r^4; other effects are negligible after
   // one short frame.
   auto p = quietBath({97, 91}, true);
@@ -64,7 +64,7 @@ TEST_CASE("fluid: a circle that starts to move pushes a dipole, slipping or not"
   CHECK(worst < 0.06 * 30);
 }
 
-TEST_CASE("fluid: a plate that slides along itself drags what sticks to it, and nothing that slips") {
+TEST_CASE("fluid: a plate moving along itself drags the fluid with no-slip and does not with slip") {
   double along[2] = {0, 0};
   for (const bool slip : {false, true}) {
     auto p = quietBath({61, 31}, slip);

@@ -58,7 +58,7 @@ std::vector<double> ringPicture(int side, double inner, double outer) {
 
 }  // namespace
 
-TEST_CASE("fluid obstacles: cut faces close, and a pressure that rises evenly finds the area within") {
+TEST_CASE("fluid obstacles: cut faces of an obstacle close, and a linear pressure integrates to its area") {
   for (const bool turned : {false, true}) {
     auto p = emptyTank(61, 47);
     p.obstacles = {ballAt(30.3F, 22.8F, 9.4F)};
@@ -86,7 +86,7 @@ TEST_CASE("fluid obstacles: cut faces close, and a pressure that rises evenly fi
   }
 }
 
-TEST_CASE("fluid obstacles: a picture's grey edges are found to a fraction of a pixel") {
+TEST_CASE("fluid obstacles: grey edges of an obstacle picture give subpixel positions") {
   const sim::PictureDistances ring({40, 40}, ringPicture(40, 9.3, 15.6), 0.5);
   double worst = 0;
   for (int j = -20; j < 180; ++j)
@@ -101,7 +101,7 @@ TEST_CASE("fluid obstacles: a picture's grey edges are found to a fraction of a 
   CHECK(ring.at({-6, 20}) == doctest::Approx(26 - 15.6).epsilon(0.06));
 }
 
-TEST_CASE("fluid obstacles: a piston squeezes one pocket as it widens the other, evenly") {
+TEST_CASE("fluid obstacles: a piston shrinks one pocket and widens the other uniformly") {
   auto p = emptyTank(60, 9);
   p.top.kind = p.bottom.kind = sim::FluidSide::Kind::slip;
   p.obstaclesSlip = true;
@@ -130,7 +130,8 @@ TEST_CASE("fluid obstacles: a piston squeezes one pocket as it widens the other,
 }
 
 TEST_CASE(
-    "fluid obstacles: what a turning ring cuts off turns with it in the end, in a pocket of its own") {
+    "fluid obstacles: the fluid enclosed by a rotating ring finally rotates with it, as a separate "
+    "pocket") {
   auto p = emptyTank(37, 35);
   p.speed = 12;
   p.viscosity = 9.0F;
@@ -160,7 +161,7 @@ TEST_CASE(
   CHECK(pressure < 2 * radius * radius);  // checks that the mean pressure does not drift
 }
 
-TEST_CASE("fluid tiles: each is in one list, and those in the open see whole faces only") {
+TEST_CASE("fluid tiles: each tile is in exactly one list, and open tiles have only whole faces") {
   for (const bool wraps : {false, true}) {
     auto p = emptyTank(101, 83);
     if (wraps) p.left.kind = p.right.kind = sim::FluidSide::Kind::periodic;

@@ -33,7 +33,7 @@ std::string refusedStroke(const std::string& stroke) {
 
 }  // namespace
 
-TEST_CASE("keyed strokes: a brush is where its path is, and goes between steps in a straight line") {
+TEST_CASE("keyed strokes: a keyframed brush follows its path, linearly within a step") {
   sim::StrokeParameters brush;
   brush.at = 1;
   brush.until = 3;
@@ -52,8 +52,7 @@ TEST_CASE("keyed strokes: a brush is where its path is, and goes between steps i
   CHECK(strokes.into(3.5, 0.25, 14).empty());
 }
 
-TEST_CASE(
-    "keyed strokes: what a fluid's brush sets follows its keys, twice as much where its strength is") {
+TEST_CASE("keyed strokes: values set by a brush follow their keys, scaled by its strength") {
   sim::FluidParameters p;
   p.size = {40, 30};
   p.substeps = 2;
@@ -78,13 +77,13 @@ TEST_CASE(
   CHECK(plan.brushesAt(2.5, 2).brushes.at(0).reach.z == 0.375F);
 }
 
-TEST_CASE("keyed strokes: what goes with no path is said") {
+TEST_CASE("keyed strokes: options that do not work with a path are reported") {
   const std::string path = R"("path": {"keys": [[0, [5, 5, 0]], [2, [25, 5, 0]]]})";
   test::checkHas(refusedStroke(R"({"from": [1, 1, 0], )" + path + "}"), "leave out \"from\"");
   test::checkHas(refusedStroke(R"({"shape": "line", )" + path + "}"), "only a circle has a path");
 }
 
-TEST_CASE("a fluid's chart: of forces without obstacles, and upside down, is said") {
+TEST_CASE("a fluid's chart: a force chart without obstacles, or with an inverted range, is reported") {
   test::checkHas(refusedFluid(R"("chart": {})"), "lift and drag are of \"obstacles\"");
   CHECK(refusedFluid(R"("chart": {}, "obstacles": [{"radius": 9}])") == "none");
   CHECK(refusedFluid(R"("chart": {"curves": [{"of": "speed"}]})") == "none");

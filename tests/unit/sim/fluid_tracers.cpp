@@ -9,7 +9,7 @@ using namespace simreel;
 
 // Solid-body rotation u = w x r, which bilinear sampling reproduces exactly: a tracer moves in a circle.
 // The midpoint rule leads by w^3 dt^3 / 6 per step and moves outward by w^4 dt^4 / 8 of the radius.
-TEST_CASE("tracers: in a turning flow they go round in circles") {
+TEST_CASE("tracers: tracers in a rotating flow move in circles") {
   const glm::ivec2 size(64, 64);
   const double w = 2;
   WindTwin wind{sim::fluidWindGrid({}, size)};
@@ -44,7 +44,7 @@ TEST_CASE("tracers: in a turning flow they go round in circles") {
 }
 
 // The drawn streak is as long as the path: 4096 units per cell, minus truncation to integers.
-TEST_CASE("tracers: a streak has the units of its length") {
+TEST_CASE("tracers: a streak's light is proportional to its length") {
   const glm::ivec2 size(90, 40);
   WindTwin wind{sim::fluidWindGrid({}, size)};
   for (int i = 0; i < 92 * 42; ++i) wind.flow.emplace_back(30, 12, 0, 0);
@@ -63,7 +63,7 @@ TEST_CASE("tracers: a streak has the units of its length") {
   CHECK(std::abs(sum - 4096 * length) < 0.01 * 4096 * length);
 }
 
-TEST_CASE("tracers: none begins in an obstacle, and one that enters an obstacle begins anew") {
+TEST_CASE("tracers: no tracer starts in an obstacle, and one that enters an obstacle restarts") {
   const glm::ivec2 size(40, 20);
   WindTwin wind{sim::fluidWindGrid({}, size)};
   for (int i = 0; i < 42 * 22; ++i) wind.flow.emplace_back(20, 0, 0, 0);

@@ -51,7 +51,7 @@ ParticlesTwin seedsIn(const WindTwin& wind, const std::vector<glm::vec3>& places
 
 // A particle from rest: v' = d (w - v) - c v, so v = w d / r (1 - e^(-r t)), x = w d / r (t - (1 - e^(-r
 // t)) / r), r = c + d.
-TEST_CASE("fluid wind: a particle in an even flow takes its speed as the closed form does") {
+TEST_CASE("fluid wind: a particle in a uniform flow approaches its speed as the closed form does") {
   sim::FluidPlane plane;
   plane.position = {1, 2, -3};
   plane.cell = 0.25F;
@@ -75,7 +75,7 @@ TEST_CASE("fluid wind: a particle in an even flow takes its speed as the closed 
 }
 
 // Bilinear interpolation reproduces a flow that is linear in x and y, rotated with its plane.
-TEST_CASE("fluid wind: a linear flow is sampled as it is, on a plane that lies askew") {
+TEST_CASE("fluid wind: a linear flow is sampled exactly on a skewed plane") {
   sim::FluidPlane plane;
   plane.position = {0.3F, -0.2F, 0.5F};
   plane.rotation = {-90, 0, 0};  // seen from above: right is x, down is z
@@ -106,7 +106,7 @@ TEST_CASE("fluid wind: a linear flow is sampled as it is, on a plane that lies a
 
 // A free sheet facing a uniform wind w: m v' = rho Cd A (w - v)^2 / 2, so w - v = w / (1 + k w t), k = rho
 // Cd A / 2m.
-TEST_CASE("fluid wind: a free sheet is carried along as the closed form has it") {
+TEST_CASE("fluid wind: a free sheet is carried along as in the closed form") {
   sim::FluidPlane plane;
   plane.cell = 1;
   sim::ClothParameters p;
@@ -134,7 +134,7 @@ TEST_CASE("fluid wind: a free sheet is carried along as the closed form has it")
   CHECK(std::abs(mean.x) + std::abs(mean.y) < 0.02);
 }
 
-TEST_CASE("fluid wind: names that are no fluid are said in one line") {
+TEST_CASE("fluid wind: names that are not fluids are reported in one line") {
   const auto mistake = [](const std::string& objects) {
     try {
       static_cast<void>(scene::parseScene(R"({"version": 1, "objects": {)" + objects + "}}", "test.json",
@@ -160,7 +160,7 @@ TEST_CASE("fluid wind: names that are no fluid are said in one line") {
 
 // A uniform flow at the fluid's "speed" equals a wind of that strength and direction, except for rounding
 // of the chances.
-TEST_CASE("fluid wind: a wildfire in an even flow burns as in a wind that is given") {
+TEST_CASE("fluid wind: a wildfire in a uniform flow burns as with an equal constant wind") {
   sim::WildfireParameters given;
   given.size = {90, 90};
   given.patchiness = 0;

@@ -32,7 +32,7 @@ std::filesystem::path walkerFile() {
 
 }  // namespace
 
-TEST_CASE("framed: a mesh where it is at rest, at all keys of its position") {
+TEST_CASE("framed: framing contains a resting mesh at all keys of its position") {
   sim::MeshParameters mesh;  // the default mesh is a plane of 4 m by 4 m
   mesh.scale = 0.5F;
   mesh.position = scene::Animated<glm::vec3>({{0.0, glm::vec3(0, 1, 0)}, {1.0, glm::vec3(3, 2, 0)}},
@@ -44,7 +44,7 @@ TEST_CASE("framed: a mesh where it is at rest, at all keys of its position") {
   CHECK_FALSE(mesh.framed());
 }
 
-TEST_CASE("framed: what turns or grows, all of its way, and where it is before it jumps") {
+TEST_CASE("framed: framing contains rotating and scaling objects over their path, also before a jump") {
   sim::MeshParameters mesh;  // the default mesh is a plane of 4 m by 4 m
   mesh.scale = scene::Animated<float>({{0.0, 0.5F}, {2.0, 1.5F}}, scene::Ease::linear);
   checkFramed(mesh, {-3, 0, -3}, {3, 0, 3});
@@ -67,7 +67,7 @@ TEST_CASE("framed: what turns or grows, all of its way, and where it is before i
   checkFramed(ball, {-1, -1, -1}, {6, 4, 1});
 }
 
-TEST_CASE("framed: balls and capsules, but no planes") {
+TEST_CASE("framed: framing contains balls and capsules but not planes") {
   sim::ShapeParameters capsule(sim::ColliderShape::Kind::capsule);
   capsule.shape.radius = 0.25F;
   capsule.shape.rotation = glm::vec3(0, 0, 90);
@@ -76,7 +76,7 @@ TEST_CASE("framed: balls and capsules, but no planes") {
   CHECK_FALSE(sim::ShapeParameters(sim::ColliderShape::Kind::plane).framed());
 }
 
-TEST_CASE("framed: a body's skin, and where its motion takes it") {
+TEST_CASE("framed: framing contains a body's skin over its motion") {
   sim::BodyParameters body;
   body.file = walkerFile();
   const auto stands = body.framed();
@@ -97,7 +97,7 @@ TEST_CASE("framed: a body's skin, and where its motion takes it") {
   CHECK(std::abs(moved->min.x - 10 - 2 * walks->min.x) < 1e-3F);
 }
 
-TEST_CASE("framed: files that cannot be read leave the camera alone") {
+TEST_CASE("framed: unreadable files do not change the camera") {
   sim::BodyParameters body;
   body.file = "/no/such.gltf";
   CHECK_FALSE(body.framed());
@@ -110,7 +110,7 @@ TEST_CASE("framed: files that cannot be read leave the camera alone") {
   CHECK_FALSE(mesh.framed());
 }
 
-TEST_CASE("framed: cloth of a mesh at rest, and where it falls or hangs") {
+TEST_CASE("framed: framing contains mesh cloth at rest and where it falls or hangs") {
   sim::ClothParameters cloth;
   cloth.hasMesh = true;
   cloth.mesh.size = glm::vec3(3, 0, 1);
@@ -121,7 +121,7 @@ TEST_CASE("framed: cloth of a mesh at rest, and where it falls or hangs") {
   checkFramed(cloth, {-1.5F, -1, -0.5F}, {1.5F, 2, 0.5F});
 }
 
-TEST_CASE("framed: particles where they start, and as far as sources throw them") {
+TEST_CASE("framed: framing contains particles at their start and as far as emitters throw them") {
   sim::ParticleParameters cloud;
   cloud.size = 0;
   CHECK_FALSE(cloud.framed());
@@ -150,7 +150,7 @@ TEST_CASE("framed: particles where they start, and as far as sources throw them"
   CHECK_FALSE(cloud.framed()->round);
 }
 
-TEST_CASE("framed: of meshes of files and of bodies, also the points that lie farthest out") {
+TEST_CASE("framed: framing of file meshes and bodies includes their extreme points") {
   const auto checkOutline = [](const scene::Parameters& parameters, const std::vector<glm::vec3>& outline) {
     const auto box = parameters.framed();
     REQUIRE(box.has_value());

@@ -53,7 +53,7 @@ double dropOf(bool corner, int substeps, std::size_t& attachments) {
 
 }  // namespace
 
-TEST_CASE("garment: ways to a pinned border and to a corner are those of a plane, on any mesh") {
+TEST_CASE("garment: distances to a pinned border and corner equal those on a plane, for any mesh") {
   for (const auto kind : {test::Kind::right, test::Kind::equilateral, test::Kind::random}) {
     CAPTURE(static_cast<int>(kind));
     const sim::ClothTriangles cloth("a", test::rectangle(kind, {40, 30}, 0.02), 1, 0);
@@ -89,7 +89,7 @@ TEST_CASE("garment: attachments hold no more than the fabric: a sheet hangs as l
   }
 }
 
-TEST_CASE("garment: 256 rows swing from their border, and stretch by less than 1%") {
+TEST_CASE("garment: 256 rows swing from their border and stretch by less than 1%") {
   for (const bool damped : {false, true}) {
     CAPTURE(damped);
     sim::ClothParameters p = test::freeCloth();
@@ -120,7 +120,7 @@ TEST_CASE("garment: 256 rows swing from their border, and stretch by less than 1
   }
 }
 
-TEST_CASE("garment: attachments are slack in whatever is not stretched, and free cloth has none") {
+TEST_CASE("garment: attachments are slack without stretch, and free cloth has none") {
   sim::ClothParameters p = test::freeCloth();
   p.mesh.resolution = {33, 33};
   CHECK(sim::GarmentPlan("a", p, 1, 1.0 / 60, {}).arrays().attachments.empty());

@@ -52,7 +52,7 @@ int bordersOf(const sim::ClothTriangles& cloth) {
 
 }  // namespace
 
-TEST_CASE("garment: a mesh that is no cloth is refused with the place") {
+TEST_CASE("garment: a mesh that is not usable as cloth is refused with the place") {
   CHECK(clothRefusal(clothSquare()).empty());
   sim::Mesh fold = clothSquare();
   fold.positions.emplace_back(0.5F, 1.0F, 0.5F);
@@ -80,7 +80,7 @@ TEST_CASE("garment: a mesh that is no cloth is refused with the place") {
   test::checkHas(clothRefusal(loose), "vertex 4 belongs to no face, at (7, 8, 9)");
 }
 
-TEST_CASE("garment: vertices at one place are one, and within the distance to weld") {
+TEST_CASE("garment: vertices at equal positions, or within the weld distance, are merged") {
   sim::Mesh mesh = clothSquare();  // the second face has its own vertices
   mesh.positions.insert(mesh.positions.end(), {{1, 0, 0}, {0, 0, 1}});
   mesh.normals.assign(6, glm::vec3(0, 1, 0));
@@ -100,7 +100,7 @@ TEST_CASE("garment: vertices at one place are one, and within the distance to we
   CHECK(sim::ClothTriangles("a", mesh, 2, 0.011).points.size() == 6);
 }
 
-TEST_CASE("garment: faces of a colour share no vertex, and colours are few") {
+TEST_CASE("garment: faces of one colour share no vertex, and few colours are used") {
   for (const auto kind : {test::Kind::right, test::Kind::equilateral, test::Kind::random}) {
     const sim::ClothTriangles cloth("a", test::rectangle(kind, {37, 29}, 0.01), 1, 0);
     const std::vector<int> colours = sim::colourFaces(cloth);
@@ -120,7 +120,7 @@ TEST_CASE("garment: faces of a colour share no vertex, and colours are few") {
   }
 }
 
-TEST_CASE("garment: generated shapes close, face outwards and have their area") {
+TEST_CASE("garment: generated shapes are closed, face outwards and have the right area") {
   constexpr double pi = std::numbers::pi;
   sim::ClothMesh source;
   source.radius = 0.5F;

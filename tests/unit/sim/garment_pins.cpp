@@ -51,7 +51,7 @@ std::string refusedPins(const sim::ClothParameters& p) {
 
 }  // namespace
 
-TEST_CASE("garment: pins by vertex, by a box in the world and by a picture over uv") {
+TEST_CASE("garment: pins are selected by vertex, by a box in world space and by a picture over uv") {
   sim::ClothParameters p = unitPlane();
   p.pins.emplace_back().vertices = {3, 120, 3};
   CHECK(pinnedVertices(p) == std::set<std::size_t>{3, 120});
@@ -70,7 +70,7 @@ TEST_CASE("garment: pins by vertex, by a box in the world and by a picture over 
   CHECK(pinnedVertices(p) == expected);
 }
 
-TEST_CASE("garment: pins and seams that name no vertex are refused") {
+TEST_CASE("garment: pins and seams without vertices are refused") {
   sim::ClothParameters p = unitPlane();
   p.pins.emplace_back().vertices = {121};
   test::checkHas(refusedPins(p),
@@ -95,7 +95,7 @@ TEST_CASE("garment: pins and seams that name no vertex are refused") {
   CHECK(refusedPins(p).empty());  // pins of a mesh with a single face are accepted
 }
 
-TEST_CASE("garment: a seam pulls two pieces shut, in its time, without moving what they weigh") {
+TEST_CASE("garment: a seam closes two pieces in its time without moving their centre of mass") {
   // Two rectangles of 6 x 4 cells, 0.1 m apart.
   sim::Mesh mesh = test::rectangle(test::Kind::random, {6, 4}, 0.05);
   sim::Mesh other = test::rectangle(test::Kind::equilateral, {6, 4}, 0.05);
@@ -146,7 +146,7 @@ TEST_CASE("garment: a seam pulls two pieces shut, in its time, without moving wh
   CHECK(glm::distance(centre(), before) < 1e-6);
 }
 
-TEST_CASE("garment: what a scene says of it, and mistakes are named") {
+TEST_CASE("garment: scene parameters of garments are read, and errors are named") {
   const auto mistakes = [](const std::string& parameters) -> std::string {
     const std::string text = R"({"version": 1, "objects": {"sheet": {"cloth": )" + parameters + "}}}";
     try {

@@ -33,7 +33,8 @@ std::vector<glm::dvec3> bentCloth(const sim::ClothTriangles& cloth, const PlateS
 
 }  // namespace
 
-TEST_CASE("garment: the energy within of z = (a x^2 + 2 b x y + c y^2) / 2 is a plate's, on any mesh") {
+TEST_CASE(
+    "garment: the bending energy of z = (a x^2 + 2 b x y + c y^2) / 2 inside is a plate's, on any mesh") {
   for (const auto kind : meshKinds)
     for (const PlateShape& q : plateShapes) {
       const sim::ClothTriangles cloth("a", test::rectangle(kind, {30, 22}, 0.01), 1, 0);
@@ -56,7 +57,7 @@ TEST_CASE("garment: the energy within of z = (a x^2 + 2 b x y + c y^2) / 2 is a 
     }
 }
 
-TEST_CASE("garment: an even moment pulls at no vertex within, and flat cloth nowhere") {
+TEST_CASE("garment: constant curvature exerts no force on inner vertices, and flat cloth none at all") {
   for (const auto kind : meshKinds)
     for (const PlateShape& q : plateShapes) {
       const sim::ClothTriangles cloth("a", test::rectangle(kind, {16, 13}, 0.02), 1, 0);
@@ -120,7 +121,7 @@ TEST_CASE("garment: a clamped strip of any mesh bends by q L^4 / 8 D") {
     }
 }
 
-TEST_CASE("garment: slivers are softened until bending is stable at the given step") {
+TEST_CASE("garment: sliver triangles are softened until bending is stable at the given step") {
   sim::Mesh mesh = test::rectangle(test::Kind::right, {12, 12}, 0.01);
   mesh.positions[6 * 13 + 6].x += 0.00995F;  // moves a vertex so that some faces are very thin
   const sim::ClothTriangles cloth("a", mesh, 1, 0);
@@ -144,7 +145,7 @@ TEST_CASE("garment: slivers are softened until bending is stable at the given st
   }
 }
 
-TEST_CASE("garment: a clamped border bends by q L^4 / 8 D and turns with its pins") {
+TEST_CASE("garment: a clamped border bends by q L^4 / 8 D and rotates with its pins") {
   constexpr double length = 0.2;
   constexpr double q = 0.115 * 0.098;  // weight per area, N/m^2
   constexpr double bending = 7.5e-4;

@@ -49,7 +49,7 @@ sim::Seam seamOf(const sim::Mesh& mesh, double border) {
 
 }  // namespace
 
-TEST_CASE("garment: a strip sewn of two pieces bends by q L^4 / 8 D as one in one piece does") {
+TEST_CASE("garment: a strip sewn from two pieces bends by q L^4 / 8 D like one piece") {
   constexpr double length = 0.2;
   constexpr double q = 0.115 * 0.098;  // weight per area, N/m^2
   constexpr double bending = 7.5e-4;
@@ -85,7 +85,7 @@ TEST_CASE("garment: a strip sewn of two pieces bends by q L^4 / 8 D as one in on
   }
 }
 
-TEST_CASE("garment: cloth grown together is that of one mesh, to the last weight") {
+TEST_CASE("garment: sewn cloth equals cloth of one mesh, to the last weight") {
   const double cell = 0.1;
   const sim::Mesh pieces = twoPieces(test::Kind::right, cell);
   sim::ClothTriangles sewn("pieces", pieces, 1, 0);

@@ -46,7 +46,7 @@ struct RandomCloth {
 
 }  // namespace
 
-TEST_CASE("garment: an even strain stores A / 2 (weft e^2 + warp f^2 + shear g^2) on a random mesh") {
+TEST_CASE("garment: a uniform strain stores A / 2 (weft e^2 + warp f^2 + shear g^2) on a random mesh") {
   const RandomCloth cloth;
   const sim::GarmentPlan plan("a", cloth.p, 1, 1.0 / 60, {});
   const auto energyOf = [&](const auto& moved) {
@@ -76,7 +76,7 @@ TEST_CASE("garment: an even strain stores A / 2 (weft e^2 + warp f^2 + shear g^2
         0.5 * area * (300 * 0.02 * 0.02 + 500 * 0.03 * 0.03));
 }
 
-TEST_CASE("garment: a strip that swings from its end never gains energy, and hardly stretches") {
+TEST_CASE("garment: a strip swinging from its end never gains energy and hardly stretches") {
   for (const bool damped : {false, true}) {
     CAPTURE(damped);
     sim::ClothParameters p = test::freeCloth();
@@ -104,7 +104,7 @@ TEST_CASE("garment: a strip that swings from its end never gains energy, and har
   }
 }
 
-TEST_CASE("garment: stretched at its ends, a random mesh comes to rest evenly stretched") {
+TEST_CASE("garment: a random mesh stretched at its ends comes to rest evenly stretched") {
   RandomCloth cloth;
   cloth.p.damping = 20;
   cloth.p.fabric.weft = 3;  // soft, so that the compliance dominates at this substep length
@@ -155,7 +155,7 @@ TEST_CASE("garment: hanging rows, 16 to 256, stretch by rho g H / 2 k within 0.1
       }
 }
 
-TEST_CASE("garment: \"auto\" takes more substeps the finer what no pin holds is") {
+TEST_CASE("garment: \"auto\" takes more substeps the finer the unpinned mesh is") {
   sim::ClothParameters p = test::freeCloth();
   p.gravity = glm::vec3(0, -9.8F, 0);
   p.mesh.size = glm::vec3(1, 0, 1);
@@ -178,7 +178,7 @@ TEST_CASE("garment: \"auto\" takes more substeps the finer what no pin holds is"
         doctest::Approx(2).epsilon(0.001));  // no diagonal edge shortens this path
 }
 
-TEST_CASE("garment: what hangs is measured piece by piece, over seams, too") {
+TEST_CASE("garment: the hanging length is measured for each connected piece, also across seams") {
   // Strips of one column of cells, 1 m long, side by side; the first is pinned at its end.
   sim::Mesh mesh = test::rectangle(test::Kind::right, {10, 1}, 0.1);
   const std::size_t count = mesh.positions.size();
@@ -202,7 +202,7 @@ TEST_CASE("garment: what hangs is measured piece by piece, over seams, too") {
         doctest::Approx(2.5 + 0.15 * (std::sqrt(2.0) - 1)).epsilon(0.05));
 }
 
-TEST_CASE("garment: air drags a flat sheet across it by rho Cd A v^2 / 2") {
+TEST_CASE("garment: air drag on a flat sheet across the flow is rho Cd A v^2 / 2") {
   RandomCloth cloth;
   cloth.p.hasAir = true;
   cloth.p.air.velocity = glm::vec3(0, 3, 0);
@@ -219,7 +219,7 @@ TEST_CASE("garment: air drags a flat sheet across it by rho Cd A v^2 / 2") {
   CHECK(std::abs(momentum.x) < 1e-7);
 }
 
-TEST_CASE("garment: free in the air it keeps momentum and energy never rises") {
+TEST_CASE("garment: free in the air, cloth conserves momentum and its energy never rises") {
   for (const bool damped : {false, true}) {
     CAPTURE(damped);
     RandomCloth cloth;

@@ -37,14 +37,14 @@ double of(const std::vector<double>& measured, const char* name) {
 
 }  // namespace
 
-TEST_CASE("grayScott: u = 1, v = 0 stays, to the bit") {
+TEST_CASE("grayScott: the state u = 1, v = 0 is unchanged to the bit") {
   auto twin = twinOf({13, 9}, sim::GrayScottPreset::stripes, 0);
   twin.advance(twin.plan().ratesAt(0), 500);
   CHECK(std::all_of(twin.u.begin(), twin.u.end(), [](float u) { return u == 1.0F; }));
   CHECK(std::all_of(twin.v.begin(), twin.v.end(), [](float v) { return v == 0.0F; }));
 }
 
-TEST_CASE("grayScott: the stable even state of the equations is where even fields end") {
+TEST_CASE("grayScott: uniform fields end at the stable uniform solution of the equations") {
   // u v = F + k and F (1 - u) = (F + k) v: v = (1 + sqrt(1 - 4 (F + k)^2 / F)) F / (2 (F + k)).
   auto twin = twinOf({9, 7}, sim::GrayScottPreset::chaos, 0);
   auto rates = twin.plan().ratesAt(0);
@@ -61,7 +61,7 @@ TEST_CASE("grayScott: the stable even state of the equations is where even field
   for (const float x : twin.v) CHECK(x == doctest::Approx(v).epsilon(1e-5));
 }
 
-TEST_CASE("grayScott: mass changes in a step as the equations say") {
+TEST_CASE("grayScott: mass changes per step as the equations say") {
   // Sums over the torus: diffusion conserves them.
   auto twin = twinOf({61, 47}, sim::GrayScottPreset::stripes, 4);
   const auto rates = twin.plan().ratesAt(0);
@@ -83,7 +83,7 @@ TEST_CASE("grayScott: mass changes in a step as the equations say") {
   }
 }
 
-TEST_CASE("grayScott: the Laplacian is of second order") {
+TEST_CASE("grayScott: the Laplacian converges at second order") {
   // For cos(q x + p y) the stencil must give -0.3 (q^2 + p^2) cos(...): 0.3 is half its second moment.
   double before = 0;
   for (const int side : {16, 32, 64}) {
@@ -101,7 +101,7 @@ TEST_CASE("grayScott: the Laplacian is of second order") {
   }
 }
 
-TEST_CASE("grayScott: diffusion alone is stable up to the bound and not beyond") {
+TEST_CASE("grayScott: diffusion alone is stable up to the bound and unstable beyond") {
   const auto spread = [](double diffusion) {
     auto twin = twinOf({12, 10}, sim::GrayScottPreset::stripes, 0);
     auto rates = twin.plan().ratesAt(0);
@@ -122,7 +122,7 @@ TEST_CASE("grayScott: diffusion alone is stable up to the bound and not beyond")
   CHECK(spread(1.1 * sim::maxGrayScottDiffusion) > 0.02F);
 }
 
-TEST_CASE("grayScott: wavelength and patches of patterns that are known") {
+TEST_CASE("grayScott: wavelength and patch size of known patterns are found") {
   const glm::ivec2 size(120, 90);
   std::vector<float> waves;
   std::vector<char> dots;
@@ -138,7 +138,7 @@ TEST_CASE("grayScott: wavelength and patches of patterns that are known") {
   CHECK(patches.largest == 12);
 }
 
-TEST_CASE("grayScott: statistics tell spots from stripes") {
+TEST_CASE("grayScott: statistics distinguish spots from stripes") {
   const auto spots = grown(sim::GrayScottPreset::leopard);
   const auto stripes = grown(sim::GrayScottPreset::stripes);
   CHECK(of(spots, "spots") > 40);
@@ -149,7 +149,7 @@ TEST_CASE("grayScott: statistics tell spots from stripes") {
   CHECK(of(spots, "wavelength") < 20);
 }
 
-TEST_CASE("grayScott: the rates of \"spots\" let every pattern die out") {
+TEST_CASE("grayScott: with the rates of \"spots\" every pattern dies out") {
   const auto left = grown(sim::GrayScottPreset::spots);
   CHECK(of(left, "mostV") < 1e-3);
   CHECK(of(left, "spots") == 0);

@@ -28,7 +28,7 @@ std::string mistakes(const std::string& parameters) {
 
 }  // namespace
 
-TEST_CASE("grayScott: mistakes of a scene are named") {
+TEST_CASE("grayScott: errors in a scene are named") {
   CHECK(mistakes("{}").empty());
   CHECK(has(mistakes(R"({"preset": "stripe"})"), "stripes"));
   CHECK(has(mistakes(R"({"dt": 4, "diffuseU": 0.5})"),
@@ -43,7 +43,7 @@ TEST_CASE("grayScott: mistakes of a scene are named") {
   CHECK(has(mistakes(R"({"image": "no such picture.png"})"), "no such picture.png"));
 }
 
-TEST_CASE("grayScott: a picture that is none is refused") {
+TEST_CASE("grayScott: an invalid picture is refused") {
   sim::GrayScottParameters p;
   p.image = sourceFolder() + "/README.md";
   const sim::GrayScottPlan plan(p, "dish", 1, 1.0 / 30);
@@ -56,7 +56,7 @@ TEST_CASE("grayScott: a picture that is none is refused") {
   }
 }
 
-TEST_CASE("grayScott: the first state holds seeds on a torus, an odd row's spare half is cell 0") {
+TEST_CASE("grayScott: the first state has seeds on a torus, and the padding of an odd row repeats cell 0") {
   sim::GrayScottParameters p;
   p.size = {37, 21};
   p.seedCount = 1;
@@ -74,7 +74,7 @@ TEST_CASE("grayScott: the first state holds seeds on a torus, an odd row's spare
   CHECK(seeded == 49);  // number of grid points in a disc of radius 4
 }
 
-TEST_CASE("grayScott: rates by preset, keys, health, ramp and picture") {
+TEST_CASE("grayScott: rates come from preset, keys, health, ramp and picture") {
   sim::GrayScottParameters p;
   p.dt = 0.5;
   p.preset = sim::GrayScottPreset::maze;

@@ -68,7 +68,7 @@ std::string meshFailure(const std::string& more) {
 
 }  // namespace
 
-TEST_CASE("heights: without grip a slope is slid down with g sin(angle)") {
+TEST_CASE("heights: without grip an object slides down a slope with g sin(angle)") {
   // Slopes along both x and z: y falls by 0.3 per metre along x and rises by 0.4 along z, so the downhill
   // direction is (0.3, -0.4) / 0.5 and tan(angle) = 0.5.
   const auto height = [](float x, float z) { return 5.0F - 0.3F * (x - 10) + 0.4F * (z + 3); };
@@ -82,7 +82,8 @@ TEST_CASE("heights: without grip a slope is slid down with g sin(angle)") {
   CHECK(p.y == doctest::Approx(height(p.x, p.z) + 0.1).epsilon(1e-5));
 }
 
-TEST_CASE("heights: a bounce gives back its fraction of the speed, grip takes the rest along the surface") {
+TEST_CASE(
+    "heights: a bounce keeps its fraction of the normal speed, and grip reduces the tangential speed") {
   const auto flat = [](float, float) { return 3.0F; };
   auto twin = onSurface({10, 4.1F, -3}, {1, 0, 0}, 0, 0.6F, flat);
   double highest = 0;
@@ -101,7 +102,7 @@ TEST_CASE("heights: a bounce gives back its fraction of the speed, grip takes th
   CHECK(sliding.positions[0].y == doctest::Approx(3.1));
 }
 
-TEST_CASE("heights: a surface that rises carries along, half way at half of the frame") {
+TEST_CASE("heights: a rising surface carries objects, halfway at half of the frame") {
   auto twin = onSurface({10, 3.1F, -3}, {0, 0, 0}, 5, 0, [](float, float) { return 3.0F; });
   for (glm::vec4& h : twin.heights) h.y = 3.6F;
   twin.step(0);
@@ -111,7 +112,7 @@ TEST_CASE("heights: a surface that rises carries along, half way at half of the 
   CHECK(half.progress == 0.5F);
 }
 
-TEST_CASE("heights: beside the mesh there is nothing, on its edge there is") {
+TEST_CASE("heights: there is no collision beside the mesh, and there is on its edge") {
   const auto flat = [](float, float) { return 3.0F; };
   for (const glm::vec2 edge : {glm::vec2(6, -6), glm::vec2(14, 0), glm::vec2(14, -6), glm::vec2(9.5F, 0)}) {
     const glm::vec2 outwards = glm::sign(edge - glm::vec2(10, -3)) * 1e-3F;
@@ -124,7 +125,7 @@ TEST_CASE("heights: beside the mesh there is nothing, on its edge there is") {
   }
 }
 
-TEST_CASE("heights: what cannot collide is told where it stands") {
+TEST_CASE("heights: a mesh that cannot collide is reported at its place") {
   const std::string deform = R"(, "deform": [{"ripple": {}}])";
   CHECK(meshFailure(deform) == "no failure");
   test::checkHas(meshFailure(deform + R"(, "shape": "sphere")"), "mesh that collides is a \"plane\"");
@@ -144,7 +145,7 @@ TEST_CASE("heights: what cannot collide is told where it stands") {
   test::checkHas(message, "test.json:3:");
 }
 
-TEST_CASE("heights: a scene has one mesh to fall onto, and particles that collide need it") {
+TEST_CASE("heights: a scene may have only one mesh to fall onto, and colliding particles need one") {
   const std::string mesh = R"({"mesh": {"deform": [{"ripple": {}}], "collides": true}})";
   const std::string grains = R"({"particles": {"groups": [{}], "collides": true}})";
   CHECK(heightsFailure("\"a\": " + mesh + ", \"p\": " + grains) == "no failure");

@@ -49,7 +49,7 @@ void check(const std::string& before, const std::vector<Pair>& pairs, const std:
 
 }  // namespace
 
-TEST_CASE("idle: keys of the picture, of light and of the camera that others rule out") {
+TEST_CASE("idle: picture, light and camera parameters without effect are reported") {
   check(R"("render": {)",
         {{"", R"("quality": "high")", R"("raySamples": 8)"},
          {R"("quality": "standard")", R"("quality": "high")", R"("raySamples": 8)"},
@@ -80,7 +80,7 @@ TEST_CASE("idle: keys of the picture, of light and of the camera that others rul
         {{R"("amount": 0)", R"("amount": 0, "sway": 0.1)", R"("rate": 9)"}}, "}}}");
 }
 
-TEST_CASE("idle: rays need no maps of shadows") {
+TEST_CASE("idle: shadow map parameters are reported as without effect in ray tracing") {
   const char* const sun = R"("sun": {"shadowSize": 64}, "lights": {"a": {"shadowSoftness": 2}, "b": {}})";
   const std::string high = R"("render": {"quality": "high"}, )";
   CHECK(remarksOn(sun).empty());
@@ -88,7 +88,7 @@ TEST_CASE("idle: rays need no maps of shadows") {
   CHECK(remarksOn(R"("render": {"quality": "high", "rasterizer": "driver"}, )" + std::string(sun)).empty());
 }
 
-TEST_CASE("idle: keys of materials that others rule out") {
+TEST_CASE("idle: material parameters without effect are reported") {
   const char* const field = R"("objects": {"f": {"life": {}}, "s": {"sphere": {}, "material": {)";
   const char* const skin = R"("skin": {"field": "f"})";
   check(field,
@@ -115,7 +115,7 @@ TEST_CASE("idle: keys of materials that others rule out") {
   }
 }
 
-TEST_CASE("idle: keys of objects that others rule out") {
+TEST_CASE("idle: object parameters without effect are reported") {
   const auto object = [](const char* kind, const std::vector<Pair>& pairs, const char* before = "",
                          const char* after = "") {
     check(fmt::format(R"("objects": {{"o": {{"{}": {{{})", kind, before), pairs,
@@ -177,7 +177,7 @@ TEST_CASE("idle: keys of objects that others rule out") {
          R"("strokes": [{"at": 0, "from": [9, 9, 0], "radius": 4, "value": 1}], "wind": {)", "}");
 }
 
-TEST_CASE("idle: nothing is said where it is only what rules that comes from the command line") {
+TEST_CASE("idle: parameters that only the command line makes ineffective are not reported") {
   const char* const scene =
       R"("render": {"quality": "high", "raySamples": 8, "bloom": {"strength": 1, "radius": 0.2}})";
   CHECK(remarksOn(scene).empty());
@@ -189,7 +189,7 @@ TEST_CASE("idle: nothing is said where it is only what rules that comes from the
   CHECK(remarksOn(R"("sun": {"shadowSize": 64})", {{"render.quality", "high"}}).empty());
 }
 
-TEST_CASE("idle: no shipped scene has one") {
+TEST_CASE("idle: no shipped scene has parameters without effect") {
   for (const char* folder : {"assets/scenes", "tests/cli/scenes/stage"})
     for (const auto& entry : std::filesystem::directory_iterator(sourceFolder() + "/" + folder))
       if (entry.path().extension() == ".json" &&
@@ -199,7 +199,7 @@ TEST_CASE("idle: no shipped scene has one") {
       }
 }
 
-TEST_CASE("idle: values that are hardly what was meant") {
+TEST_CASE("idle: values that are probably not intended are reported") {
   const auto said = [](const char* members) {
     const auto remarks = remarksOn(members);
     REQUIRE(remarks.size() == 1);

@@ -18,7 +18,7 @@ double ramp(double speed, double damping, double time) {
 
 }  // namespace
 
-TEST_CASE("lag: what moves steadily is followed as the equation says, at any frame rate") {
+TEST_CASE("lag: damped following of steady motion equals the equation at any frame rate") {
   for (const double fps : {10.0, 60.0, 1000.0})
     for (const double damping : {0.1, 0.5, 3.0}) {
       CAPTURE(fps);
@@ -37,7 +37,7 @@ TEST_CASE("lag: what moves steadily is followed as the equation says, at any fra
     }
 }
 
-TEST_CASE("lag: a step is followed as 1 - (1 + w t) e^-wt") {
+TEST_CASE("lag: the response to a step is 1 - (1 + w t) e^-wt") {
   constexpr double damping = 0.4, fps = 2000;
   sim::Lag lag(damping, 1 / fps);
   lag.follow(glm::dvec3(0));
@@ -51,7 +51,7 @@ TEST_CASE("lag: a step is followed as 1 - (1 + w t) e^-wt") {
   CHECK(lag.place()->x < 1);  // the camera does not overshoot
 }
 
-TEST_CASE("lag: what is lost is met again at rest, and a carried one goes on as it would have") {
+TEST_CASE("lag: a lost target is reacquired at rest, and a carried-over state continues unchanged") {
   class Words final : public sim::CarryOver {
    public:
     void array(const char* /*name*/, gl::Buffer& /*buffer*/) override { FAIL("no buffers"); }

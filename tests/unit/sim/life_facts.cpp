@@ -45,7 +45,7 @@ std::string mistake(const LifeParameters& p) {
 
 }  // namespace
 
-TEST_CASE("the bit-sliced twin equals a plain loop for random rules, both borders, odd sizes") {
+TEST_CASE("the bit-sliced twin equals a plain loop for random rules, both borders and odd sizes") {
   std::mt19937 random(5);
   for (const glm::ivec2 size : {glm::ivec2(33, 7),
                                 {257, 13},
@@ -90,7 +90,7 @@ TEST_CASE("the fast byte loop of the benchmark equals the plain one") {
     REQUIRE(padded[(i / 45 + 1) * pitch + i % 45 + 1] == cells[i]);
 }
 
-TEST_CASE("a glider moves one cell to the lower right in four generations") {
+TEST_CASE("a glider moves one cell diagonally down in four generations") {
   auto twin = twinOf(grid(41, 37, "glider", {3, 5}));
   const auto expected = twinOf(grid(41, 37, "glider", {4 + 30, 6 + 30}));
   for (int i = 0; i < 4 * 31; ++i) {
@@ -128,7 +128,7 @@ TEST_CASE("the R-pentomino settles at generation 1,103 with 116 cells") {
   }
 }
 
-TEST_CASE("at a dead border a glider becomes a block") {
+TEST_CASE("a glider becomes a block at a dead border") {
   auto p = grid(23, 19, "glider", {4, 2});
   p.border = LifeBorder::dead;
   auto twin = twinOf(p);
@@ -136,7 +136,7 @@ TEST_CASE("at a dead border a glider becomes a block") {
   CHECK(population(twin) == 4);
 }
 
-TEST_CASE("seven living cells may be turned and flipped") {
+TEST_CASE("the acorn pattern of seven cells can be rotated and flipped") {
   auto p = grid(20, 20, "acorn", {2, 3});
   p.rule = "B/S012345678";  // a rule in which every cell survives
   const auto cells = [&](int rotate, LifePattern::Flip flip) {
@@ -197,14 +197,14 @@ TEST_CASE("seven living cells may be turned and flipped") {
         "o......");
 }
 
-TEST_CASE("a pattern over the edge of a torus goes on at the other side") {
+TEST_CASE("a pattern across the edge of a torus continues on the other side") {
   const auto here = twinOf(grid(37, 29, "glider", {36, 28}));
   const auto there = twinOf(grid(37, 29, "glider", {-1, -1}));
   CHECK(here.words == there.words);
   CHECK(population(here) == 5);
 }
 
-TEST_CASE("generations are due at floor(time * rate), whatever the frame rate") {
+TEST_CASE("generations are due at floor(time * rate) for any frame rate") {
   for (const double fps : {60.0, 24.0, 25.0, 30.0, 7.0, 144.0}) {
     auto p = grid(9, 9);
     for (const double rate : {10.0, 3.0, 60.0, 1000.0, 0.5}) {
@@ -223,7 +223,7 @@ TEST_CASE("generations are due at floor(time * rate), whatever the frame rate") 
   }
 }
 
-TEST_CASE("the random start is alive at the share asked for, and another for another seed") {
+TEST_CASE("the random start has the requested fraction of living cells and depends on the seed") {
   auto p = grid(1003, 997);
   for (const float fraction : {0.0F, 0.1F, 0.3F, 0.9F, 1.0F}) {
     p.fill = fraction;

@@ -92,7 +92,7 @@ TEST_CASE("whole files of the corpus are read: 16-bit glTF indices, relative OBJ
             .empty());
 }
 
-TEST_CASE("what a mesh file promises or names wrongly is refused in one line") {
+TEST_CASE("wrong counts and names in a mesh file are refused in one line") {
   const Folder folder;
   const fs::path inner = folder.path / "inner";
   const auto says = [](const std::string& message, const std::string& part) {
@@ -119,7 +119,7 @@ TEST_CASE("what a mesh file promises or names wrongly is refused in one line") {
   CHECK(!read(inner / "h.gltf", triangleGltf("missing.bin")).empty());
 }
 
-TEST_CASE("truncated and damaged mesh files give a sound mesh or one clear line") {
+TEST_CASE("truncated and damaged mesh files give a valid mesh or a one-line error") {
   const Folder folder;
   struct Whole {
     const char* extension;

@@ -57,7 +57,7 @@ const char* const asciiSquare =
 
 }  // namespace
 
-TEST_CASE("OBJ, PLY and glTF give the same square, with normals computed") {
+TEST_CASE("OBJ, PLY and glTF files of one square give equal meshes with computed normals") {
   const TemporaryFile obj("square.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
   checkSquare(sim::loadMesh(obj.path()));
   CHECK(sim::loadMesh(obj.path()).uvs.empty());
@@ -79,7 +79,7 @@ TEST_CASE("OBJ, PLY and glTF give the same square, with normals computed") {
   for (const glm::vec3& n : mirrored.normals) CHECK(n.z == doctest::Approx(1));
 }
 
-TEST_CASE("normals and texture coordinates of the file are kept") {
+TEST_CASE("normals and texture coordinates in a file are kept") {
   const TemporaryFile obj(
       "lit.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 0.5 0\nvt 0 0.25\nvn 0 3 4\nf 1/1/1 2/2/1 3/3/1\n");
   const sim::Mesh mesh = sim::loadMesh(obj.path());
@@ -92,7 +92,7 @@ TEST_CASE("normals and texture coordinates of the file are kept") {
   }
 }
 
-TEST_CASE("mesh: a PLY header has the lines of one") {
+TEST_CASE("mesh: each invalid line of a PLY header is reported") {
   const auto with = [](const std::string& old, const std::string& text) {
     std::string changed = asciiSquare;
     const auto at = changed.find(old);
@@ -121,7 +121,7 @@ TEST_CASE("mesh: a PLY header has the lines of one") {
   checkSquare(sim::loadMesh(file.path()));
 }
 
-TEST_CASE("a mesh that cannot be used says why in one line") {
+TEST_CASE("an unusable mesh is reported in one line") {
   CHECK(failure("/nowhere/ball.obj", ExitCode::usage) != "no failure");
   CHECK(failure("/nowhere/ball.fbx", ExitCode::usage).find(".obj, .ply, .gltf and .glb") !=
         std::string::npos);

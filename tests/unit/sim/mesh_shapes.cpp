@@ -48,7 +48,7 @@ TEST_CASE("a plane of 401x401 vertices has 32-bit indices and faces up") {
   CHECK(plane.indices.back() == 160'800);
 }
 
-TEST_CASE("spheres, capsules and tori face outwards and have their areas") {
+TEST_CASE("spheres, capsules and tori face outwards and have the right area") {
   const double pi = std::numbers::pi;
   CHECK(checkedArea(sim::sphereMesh(1.5F, {97, 66})) == doctest::Approx(4 * pi * 2.25).epsilon(0.005));
   CHECK(checkedArea(sim::capsuleMesh(0.5F, 2)) == doctest::Approx(pi + 2 * pi).epsilon(0.005));
@@ -57,7 +57,7 @@ TEST_CASE("spheres, capsules and tori face outwards and have their areas") {
   CHECK(sim::sphereMesh(1, {4, 3}).positions.size() == 12);
 }
 
-TEST_CASE("round meshes have these bits on every machine") {
+TEST_CASE("round meshes have the same bits on every machine") {
   const auto bitsOf = [](const sim::Mesh& mesh) {
     return hashHex(std::as_bytes(std::span(mesh.positions))) +
            hashHex(std::as_bytes(std::span(mesh.normals)));

@@ -44,7 +44,7 @@ struct GravityTree {
 
 }  // namespace
 
-TEST_CASE("epidemic: meeting eight of everybody infects with 1 - (1 - beta share)^8") {
+TEST_CASE("epidemic: meeting eight random people infects with probability 1 - (1 - beta fraction)^8") {
   constexpr double people = 1e6;
   for (const double beta : {0.02, 0.3, 0.9})
     for (const unsigned infected : {0U, 1U, 4095U, 4096U, 300000U, 999999U}) {
@@ -59,7 +59,7 @@ TEST_CASE("epidemic: meeting eight of everybody infects with 1 - (1 - beta share
     }
 }
 
-TEST_CASE("wildfire: a gale is the wind in 2048ths, at most 15.99, and blows along as its exponential") {
+TEST_CASE("wildfire: wind is stored in units of 1/2048, up to 15.99, and acts by its exponential") {
   models::Gale model;
   CHECK(model.galeOf(0, 0, 1) == model.stillAir);
   CHECK(model.stillAir == 0);  // 0 for maps without wind
@@ -83,7 +83,7 @@ TEST_CASE("wildfire: a gale is the wind in 2048ths, at most 15.99, and blows alo
     }
 }
 
-TEST_CASE("gravity tree: which bodies take part, by place and mass to the last bit") {
+TEST_CASE("gravity tree: bodies take part by position and mass, exactly at the limits") {
   const auto takesPart = [](float x, float y, float z, float mass) {
     return models::GravityTree().takesPart({x, y, z, mass});
   };

@@ -115,7 +115,7 @@ dvec3 pull(dvec3 from, dvec3 here, double mass, double softening) {
 
 }  // namespace
 
-TEST_CASE("emitted particles keep to the closed form of a damped fall at any rate of steps") {
+TEST_CASE("emitted particles follow the closed form of a damped fall at any step rate") {
   const dvec3 v0(3, 6, 0);
   const dvec3 a(0.4, -9.8, 0);
   for (const double damping : {0.0, 0.35, 4.85, 40.0})
@@ -145,9 +145,7 @@ TEST_CASE("emitted particles keep to the closed form of a damped fall at any rat
       }
 }
 
-TEST_CASE(
-    "an emitter that moves and turns leaves from where it is at each birth, with the weight of that "
-    "moment") {
+TEST_CASE("a moving, rotating emitter emits from its place at each birth, with the gravity of that time") {
   const dvec3 from(-1, 0, 2);
   const dvec3 speed(2, 0.5, -1);
   const dvec3 v0(3, 6, 0);
@@ -181,7 +179,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("newborns near a moving attractor are as exact as leapfrog is") {
+TEST_CASE("new particles near a moving attractor are as accurate as leapfrog") {
   auto p = jet(17.3);
   p.gravity = 1;
   p.hasAttractor = true;
@@ -192,7 +190,7 @@ TEST_CASE("newborns near a moving attractor are as exact as leapfrog is") {
   checkSecondOrder(p, 5e-3, [](dvec3 x, double t) { return pull({3 * t, 2, t}, x, 12, 0.5); });
 }
 
-TEST_CASE("newborns in turbulence are as exact as leapfrog is") {
+TEST_CASE("new particles in turbulence are as accurate as leapfrog") {
   auto p = jet(17.3);
   p.turbulence.strength = 6;
   p.turbulence.size = 2;
@@ -203,7 +201,7 @@ TEST_CASE("newborns in turbulence are as exact as leapfrog is") {
   });
 }
 
-TEST_CASE("newborns near a heavy particle are as exact as leapfrog is") {
+TEST_CASE("new particles near a heavy particle are as accurate as leapfrog") {
   auto p = jet(17.3);
   p.method = sim::GravityMethod::allPairs;
   p.gravity = 1;
@@ -221,7 +219,7 @@ TEST_CASE("newborns near a heavy particle are as exact as leapfrog is") {
       });
 }
 
-TEST_CASE("a jet without spread is an even line") {
+TEST_CASE("a jet without spread is an evenly spaced line") {
   auto p = jet(1000);
   p.acceleration = glm::vec3(0, -9.8F, 0);
   p.damping = 0.35F;
@@ -241,7 +239,7 @@ TEST_CASE("a jet without spread is an even line") {
   CHECK(worst < 0.02);
 }
 
-TEST_CASE("particles that live shorter than a step die between steps and none are owed later") {
+TEST_CASE("particles that live shorter than a step die within it, and no births are owed later") {
   auto p = jet(1000);
   p.emitters[0].lifetime = 4e-3F;  // the lifetime is a quarter of a frame
   p.emitters[0].until = 0.5F;

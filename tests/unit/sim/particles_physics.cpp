@@ -142,7 +142,7 @@ TEST_CASE("the phase error of leapfrog falls four times when the step is halved"
   CHECK(middle / fine == doctest::Approx(4).epsilon(0.1));
 }
 
-TEST_CASE("three bodies return on the figure eight") {
+TEST_CASE("three bodies return to their start on the figure-eight orbit") {
   // A. Chenciner and R. Montgomery, Annals of Mathematics 152 (2000), with C. Simo's numbers: G = m = 1.
   const glm::vec3 x(0.97000436, -0.24308753, 0);
   const glm::vec3 v(-0.93240737, -0.86473146, 0);
@@ -185,7 +185,7 @@ TEST_CASE("a Plummer sphere is in equilibrium and keeps its energy") {
   CHECK(virial == doctest::Approx(1).epsilon(0.06));
 }
 
-TEST_CASE("momentum and angular momentum stay") {
+TEST_CASE("momentum and angular momentum are conserved") {
   auto twin = sphere(301, 0.02);
   for (auto& v : twin.velocities) v += glm::vec4(0.1F, -0.05F, 0.2F, 0);
   for (auto& p : twin.positions) p += glm::vec4(0.3F, 0, -0.2F, 0);
@@ -216,7 +216,7 @@ TEST_CASE("permuted bodies give the permuted result") {
   CHECK(max < 2e-5F);
 }
 
-TEST_CASE("with velocities reversed the particles go back to where they were") {
+TEST_CASE("with reversed velocities the particles return to their start") {
   auto twin = sphere(129, 0.01, 0.3F);
   const auto first = twin.positions;
   for (int i = 0; i < 100; ++i) twin.step(i * 0.01);
@@ -232,7 +232,7 @@ TEST_CASE("with velocities reversed the particles go back to where they were") {
   }
 }
 
-TEST_CASE("damping is a rate whatever the substeps, and weight falls g t^2 / 2") {
+TEST_CASE("damping is a rate independent of substeps, and weight falls g t^2 / 2") {
   for (const int substeps : {1, 7}) {
     sim::ParticleParameters p;
     p.method = sim::GravityMethod::none;
@@ -267,7 +267,7 @@ TEST_CASE("a particle circles the attractor with Kepler's period") {
   CHECK(glm::length(glm::vec3(twin.positions[0]) - glm::vec3(2, 0, 0)) < 2e-4F);
 }
 
-TEST_CASE("turbulence has no divergence, mean zero and unit strength") {
+TEST_CASE("turbulence is divergence-free with mean zero and unit strength") {
   double square = 0;
   glm::dvec3 mean(0);
   double divergence = 0;
@@ -301,7 +301,7 @@ TEST_CASE("turbulence has no divergence, mean zero and unit strength") {
   CHECK(std::sqrt(square / count) == doctest::Approx(1).epsilon(0.1));
 }
 
-TEST_CASE("all threads give the bits of one") {
+TEST_CASE("any number of threads gives the same bits") {
   auto one = sphere(333, 0.02);
   auto all = sphere(333, 0.02);
   for (int i = 0; i < 5; ++i) {

@@ -70,7 +70,7 @@ std::string sceneProblem(const std::string& object) {
 
 }  // namespace
 
-TEST_CASE("particle CSV files are read by the names of their columns") {
+TEST_CASE("particle CSV files are read by column name") {
   const TemporaryFile file(
       "good.csv", "# made by hand\nmass, z, y,x,name,vy\r\n2,3,2,1,alpha,-1\r\n\n4,6,5,+4,b,1e-1\n");
   const auto cloud = sim::readParticles(file.path(), 1, 10);
@@ -80,7 +80,7 @@ TEST_CASE("particle CSV files are read by the names of their columns") {
   CHECK(cloud.velocities[1] == glm::vec4(0, 0.1F, 0, 0));
 }
 
-TEST_CASE("particles of a file without masses share the group's") {
+TEST_CASE("particles of a file without masses share the group's mass") {
   // As spreadsheets write it: a byte-order mark, capitals, quotes, commas inside quotes.
   const TemporaryFile sheet(
       "sheet.csv", "\xEF\xBB\xBF\"X\",\"Y\", \"Z\",\"Name, first\",Mass\r\n1,2,\"3\",\"a, b\",4\r\n");
@@ -122,7 +122,7 @@ TEST_CASE("particle PLY files are read, ascii and binary") {
   }
 }
 
-TEST_CASE("particle files may have semicolons or tabs between their values") {
+TEST_CASE("particle files may be separated by semicolons or tabs") {
   for (const char separator : {',', ';', '\t'}) {
     std::string text = "x,y,z,mass\n1,2,3,7\n";
     for (char& c : text)
@@ -133,7 +133,7 @@ TEST_CASE("particle files may have semicolons or tabs between their values") {
   CHECK(problemOf("x;y;z\n1,5;2;3\n") == "line 2: \"1,5\" is not a number");
 }
 
-TEST_CASE("particle files that cannot be used say in one line why") {
+TEST_CASE("unusable particle files are refused in one line") {
   CHECK(problemOf("") == "no particles in it");
   CHECK(problemOf("x,y,z\n") == "no particles in it");
   CHECK(problemOf("x,z\n1,2\n").find("no column \"y\"") == 0);
@@ -160,7 +160,7 @@ TEST_CASE("particle files that cannot be used say in one line why") {
   CHECK(problemOf("ply\nformat ascii 1.0\nelement face 0\nend_header\n") == "has no vertices");
 }
 
-TEST_CASE("emitters give birth at their rate and never overtake themselves") {
+TEST_CASE("emitters emit at their rate and never overwrite living particles") {
   const auto p = fountain();
   ParticlesTwin twin(sim::ParticlePlan(p, 1, 1.0 / 60));
   std::vector<float> before(twin.velocities.size(), -1.0F);
@@ -181,7 +181,7 @@ TEST_CASE("emitters give birth at their rate and never overtake themselves") {
   CHECK(early == 0);
 }
 
-TEST_CASE("emitters start and stop when told, pre-roll included") {
+TEST_CASE("emitters start and stop at their times, including the pre-roll") {
   auto p = fountain();
   sim::ParticlePlan plan(p, 1, 1.0 / 60);
   int born = 0;
@@ -197,7 +197,7 @@ TEST_CASE("emitters start and stop when told, pre-roll included") {
   CHECK(born == 2 * 777);
 }
 
-TEST_CASE("newborns lie in the cone and ball they are told") {
+TEST_CASE("newborn particles lie in the given cone and ball") {
   auto p = fountain();
   p.emitters[0].velocity = glm::vec3(0, 0, -4);
   p.emitters[0].spread = 30;
@@ -224,7 +224,7 @@ TEST_CASE("newborns lie in the cone and ball they are told") {
   CHECK(farthest > 0.35F);
 }
 
-TEST_CASE("groups have the shape, mass and motion they are told") {
+TEST_CASE("groups have the given shape, mass and motion") {
   sim::ParticleParameters p;
   auto& g = p.groups.emplace_back();
   g.count = 5001;
@@ -281,7 +281,7 @@ TEST_CASE("groups have the shape, mass and motion they are told") {
   CHECK(spin > 0);
 }
 
-TEST_CASE("a disk turns steadily: its size stays over two rotations") {
+TEST_CASE("a disk turns steadily: its size is constant over two rotations") {
   sim::ParticleParameters p;
   auto& g = p.groups.emplace_back();
   g.shape = sim::ParticleGroup::Shape::disk;
@@ -303,7 +303,7 @@ TEST_CASE("a disk turns steadily: its size stays over two rotations") {
   }
 }
 
-TEST_CASE("more slots than fit are refused in one line") {
+TEST_CASE("too many particle slots are refused in one line") {
   auto p = fountain();
   p.emitters[0].rate = 1e8F;
   p.emitters[0].lifetime = 1e5F;
@@ -315,7 +315,7 @@ TEST_CASE("more slots than fit are refused in one line") {
   }
 }
 
-TEST_CASE("particle scenes are read and their mistakes shown") {
+TEST_CASE("particle scenes are read and their errors reported") {
   const auto scene = parsed(R"({
     "groups": [{"shape": "plummer", "count": 300, "totalMass": 5}],
     "emitters": [{"rate": 10, "velocity": {"keys": [[0, [0, 1, 0]], [1, [1, 1, 0]]]}}],
@@ -348,7 +348,7 @@ TEST_CASE("particle scenes are read and their mistakes shown") {
         std::string::npos);
 }
 
-TEST_CASE("particles attract each other unless asked otherwise, but streams from emitters alone do not") {
+TEST_CASE("particles attract each other by default, except for streams from emitters alone") {
   const auto methodOf = [](const std::string& object) {
     return dynamic_cast<const sim::ParticleParameters&>(*parsed(object).objects[0].parameters).method;
   };

@@ -6,7 +6,7 @@
 
 using namespace simreel;
 
-TEST_CASE("what stands by a path is to the right of the way, at its height") {
+TEST_CASE("an object beside a path is to the right of its direction, at its height") {
   const std::vector<glm::vec3> path = {{0, 0, 0}, {4, 0, 0}, {4, 0, 4}};
   scene::PathPlace place;
   place.height = 2;

@@ -91,7 +91,7 @@ Png filtered(const frame::Image& image, int channels) {
 
 }  // namespace
 
-TEST_CASE("plain png: all filters, RGB and RGBA, any number of chunks") {
+TEST_CASE("plain png: all filters, RGB and RGBA, and any number of chunks are read") {
   for (const int channels : {3, 4}) {
     frame::Image image = frame::test::picture(31, 17);
     for (std::size_t i = 3; i < image.bytes.size(); i += 4)
@@ -108,7 +108,7 @@ TEST_CASE("plain png: all filters, RGB and RGBA, any number of chunks") {
   }
 }
 
-TEST_CASE("plain png: what is not plain, or has anything wrong, is left to the other decoder") {
+TEST_CASE("plain png: files that are not plain or are damaged are left to the general decoder") {
   const Png good = filtered(frame::test::picture(5, 6), 3);
   CHECK(decode(good.file()));
   const auto changed = [&](const auto& change) {

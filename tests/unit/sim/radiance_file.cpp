@@ -30,7 +30,7 @@ sim::LightFile readBack(const std::string& pixels) {
 
 }  // namespace
 
-TEST_CASE("Radiance: a mantissa is the middle of what was cut off to it") {
+TEST_CASE("Radiance: a mantissa is decoded to the middle of its quantization interval") {
   const sim::LightFile ones = readBack(stored(1, 1, 1) + stored(0.25, 0, 0.125));
   CHECK(ones.values[0] == 128.5F / 128);  // byte 128 stands for 1.004, as in Radiance
   CHECK(ones.values[4] == 0.25F * 128.5F / 128);
@@ -50,8 +50,7 @@ TEST_CASE("Radiance: a mantissa is the middle of what was cut off to it") {
   CHECK(read == doctest::Approx(light).epsilon(2e-4).scale(0));
 }
 
-TEST_CASE(
-    "Radiance: run lengths of before 1991 repeat pixels, one run behind the other by 256 times as many") {
+TEST_CASE("Radiance: old run lengths (before 1991) repeat pixels, consecutive runs with factors of 256") {
   const auto picture = [](const std::string& size, const std::string& pixels) {
     return sim::decodeRadiance("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n" + size + "\n" + pixels, "a.hdr",
                                "");
@@ -70,7 +69,7 @@ TEST_CASE(
                          doctest::Contains("a run leaves its row"), UserError);
 }
 
-TEST_CASE("Radiance: a header may end its lines as Windows does, and other primaries are told") {
+TEST_CASE("Radiance: headers may have Windows line ends, and other primaries are reported") {
   const auto picture = [](const std::string& more) {
     return sim::decodeRadiance("#?RADIANCE\r\n" + more + "FORMAT=32-bit_rle_rgbe\r\n\r\n-Y 1 +X 1\r\n" +
                                    std::string("\x80\x80\x80\x81", 4),

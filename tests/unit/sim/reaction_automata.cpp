@@ -74,7 +74,7 @@ std::vector<int> wholeNumbers(const std::vector<float>& cells) {
 
 }  // namespace
 
-TEST_CASE("automata in a volume: Bays' rules and Generations equal a plain loop over the 26 cells around") {
+TEST_CASE("automata in a volume: Bays' rules and Generations equal a plain loop over the 26 neighbours") {
   for (const Bays& rule : {Bays{4, 5, 5, 5}, Bays{5, 7, 6, 6}, Bays{4, 5, 5, 6, 5}, Bays{2, 9, 3, 5, 3}})
     for (const bool torus : {true, false}) {
       CAPTURE(rule.surviveHigh);
@@ -100,7 +100,7 @@ TEST_CASE("automata in a volume: Bays' rules and Generations equal a plain loop 
     }
 }
 
-TEST_CASE("automata on a mesh: neighbours are those that share an edge") {
+TEST_CASE("automata on a mesh: neighbours are cells that share an edge") {
   auto p = automaton(R"X("mesh": {"shape": "torus", "resolution": [17, 12]},
     "species": {"u": {"start": "if(random(1) > 0.2, 1, 0)", "next": "if(u == 1, 2 <= n and n <= 3, n == 2)"}},
     "lets": {"n": "around(u)"})X");
@@ -125,7 +125,7 @@ TEST_CASE("automata on a mesh: neighbours are those that share an edge") {
   }
 }
 
-TEST_CASE("automata in a plane: Life by a sentence") {
+TEST_CASE("automata in a plane: Life written as an expression equals Life") {
   auto p = automaton(
       R"X("species": {"u": {"start": "if(random(1) > 0.2, 1, 0)", "next": "n == 3 or u == 1 and n == 2"}},
     "lets": {"n": "around(u)"})X");
@@ -141,7 +141,7 @@ TEST_CASE("automata in a plane: Life by a sentence") {
   CHECK(field.stage[0] == std::vector<float>{0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0});
 }
 
-TEST_CASE("automata: what is wrong is said in a line") {
+TEST_CASE("automata: errors are reported in one line") {
   const auto refusal = [](const std::string& members) -> std::string {
     try {
       static_cast<void>(automaton(members));

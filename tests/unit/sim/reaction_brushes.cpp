@@ -54,7 +54,7 @@ double distanceToWay(glm::dvec3 p, glm::dvec3 a, glm::dvec3 b) {
 
 }  // namespace
 
-TEST_CASE("a stroke in a volume paints the cells around its way, over the sides of a torus") {
+TEST_CASE("a stroke in a volume paints the cells around its path, across the borders of a torus") {
   const glm::ivec3 size(13, 11, 9);
   const std::string stroke =
       R"("size": [13, 11], "depth": 9, "strokes": [{"species": "v", "until": 1, "from": [1.3, 9.2, 7.9], "to": [9.1, 12.4, 10.2], "radius": 2.21, "value": 3}], )";
@@ -84,7 +84,7 @@ TEST_CASE("a stroke in a volume paints the cells around its way, over the sides 
   }
 }
 
-TEST_CASE("a stroke on a mesh paints the vertices around it where the mesh is then") {
+TEST_CASE("a stroke on a mesh paints the vertices near it at the mesh's current position") {
   const sim::ReactionPlan plan(
       brushed(
           R"("mesh": {"shape": "torus", "radius": 1, "tube": 0.4, "resolution": [30, 18], "rotation": [20, 40, 70], "scale": 1.7,
@@ -105,7 +105,7 @@ TEST_CASE("a stroke on a mesh paints the vertices around it where the mesh is th
   CHECK(reached < got.size() / 2);
 }
 
-TEST_CASE("strokes in space: what is wrong is said in a line") {
+TEST_CASE("strokes in space: errors are reported in one line") {
   const std::string deep = R"("size": [8, 8], "depth": 8, )";
   test::checkHas(brushRefusal(deep + R"("strokes": [{"shape": "image", "image": "textures/boat.png"}])"),
                  "is painted on flat grids alone");

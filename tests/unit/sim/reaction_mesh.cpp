@@ -80,7 +80,9 @@ std::string harmonicStart(int l) {
 
 }  // namespace
 
-TEST_CASE("reaction on a sphere: harmonics are the Laplacian's, with the eigenvalues l (l + 1)") {
+TEST_CASE(
+    "reaction on a sphere: spherical harmonics are eigenfunctions of the Laplacian with eigenvalues l (l + "
+    "1)") {
   for (int l = 1; l <= 4; ++l) {
     CAPTURE(l);
     const OnMesh made(
@@ -99,7 +101,7 @@ TEST_CASE("reaction on a sphere: harmonics are the Laplacian's, with the eigenva
   }
 }
 
-TEST_CASE("reaction on a sphere: heat decays as its harmonics do, and keeps its sum") {
+TEST_CASE("reaction on a sphere: heat decays like its harmonics and its sum is conserved") {
   for (const int l : {1, 2, 3}) {
     CAPTURE(l);
     const std::string rule =
@@ -118,7 +120,7 @@ TEST_CASE("reaction on a sphere: heat decays as its harmonics do, and keeps its 
   }
 }
 
-TEST_CASE("reaction on a grid of right triangles is the five-point one") {
+TEST_CASE("reaction on a grid of right triangles uses the five-point stencil") {
   const OnMesh made(
       R"X("mesh": {"shape": "plane", "size": [8, 0, 6], "resolution": [17, 13]}, "spacing": 1, "dt": 1,
     "species": {"u": {"start": "sin(0.8*x)*cos(0.6*z) + 0.1*x"}, "w": {"rate": "laplacian(u)"}})X",
@@ -145,7 +147,8 @@ TEST_CASE("reaction on a grid of right triangles is the five-point one") {
     }
 }
 
-TEST_CASE("reaction on meshes keeps what spreads, on open ones too, and even states even") {
+TEST_CASE(
+    "reaction on meshes conserves diffusing substances, also on open meshes, and keeps uniform states") {
   for (const char* mesh :
        {R"X({"shape": "torus", "radius": 1, "tube": 0.4, "resolution": [41, 21]})X",
         R"X({"shape": "plane", "size": [3, 0, 2], "resolution": [23, 17], "refine": 1})X",
@@ -164,7 +167,7 @@ TEST_CASE("reaction on meshes keeps what spreads, on open ones too, and even sta
   }
 }
 
-TEST_CASE("reaction on meshes: presets as they are, are as stable as on a grid, poles or not") {
+TEST_CASE("reaction on meshes: presets are as stable as on a grid, with or without poles") {
   for (const char* mesh : {R"X({"shape": "sphere", "resolution": [17, 9]})X",
                            R"X({"shape": "torus", "resolution": [33, 13]})X",
                            R"X({"shape": "plane", "size": [4, 0, 1], "resolution": [21, 17]})X"})
@@ -179,7 +182,7 @@ TEST_CASE("reaction on meshes: presets as they are, are as stable as on a grid, 
     }
 }
 
-TEST_CASE("reaction on a sphere: cells are nearly alike") {
+TEST_CASE("reaction on a sphere: cells have nearly equal area") {
   const OnMesh made(R"X("preset": "heat", "mesh": {"shape": "sphere", "resolution": [30, 20]})X", 0);
   const std::vector<double>& areas = made.plan.cells().areas;
   CHECK(areas.size() == 642);
@@ -189,7 +192,7 @@ TEST_CASE("reaction on a sphere: cells are nearly alike") {
     CHECK(glm::length(place) == doctest::Approx(1).epsilon(1e-6));
 }
 
-TEST_CASE("mesh cells: seams are none, Loop's subdivision makes four of each face and keeps borders") {
+TEST_CASE("mesh cells: seams are merged, and Loop subdivision makes four faces of each and keeps borders") {
   const sim::Mesh ball = sim::sphereMesh(1, {33, 17});
   CHECK(sim::cellsOf(ball, "it").count() == 32 * 15 + 2);
   const sim::Mesh finer = sim::refined(ball);
@@ -210,7 +213,9 @@ TEST_CASE("mesh cells: seams are none, Loop's subdivision makes four of each fac
   for (const glm::vec3& normal : sheet.normals) CHECK(normal.y == 1);
 }
 
-TEST_CASE("pictures lie on meshes by texture coordinates, by longitude and latitude, or over their box") {
+TEST_CASE(
+    "pictures are mapped to meshes by texture coordinates, by longitude and latitude, or over the bounding "
+    "box") {
   const std::string gingham = "\"" + sourceFolder() + "/assets/textures/gingham.png\"";
   const sim::Picture picture =
       sim::loadPicture(sourceFolder() + "/assets/textures/gingham.png", "test picture", 4096);
@@ -262,7 +267,7 @@ TEST_CASE("pictures lie on meshes by texture coordinates, by longitude and latit
             .find("no texture coordinates, for \"refine\" closes its seams") != std::string::npos);
 }
 
-TEST_CASE("reaction on a mesh: what is wrong is said in a line") {
+TEST_CASE("reaction on a mesh: errors are reported in one line") {
   const auto says = [](const std::string& refused, const char* what) {
     const bool right = refused.find(what) != std::string::npos;
     if (!right) MESSAGE(refused);

@@ -158,7 +158,7 @@ double amplitude(const std::vector<float>& cells, double mean, glm::ivec2 size, 
 
 }  // namespace
 
-TEST_CASE("reaction: a small wave on each preset's homogeneous state grows as the equations say") {
+TEST_CASE("reaction: a small wave on each preset's uniform state grows at the analytic rate") {
   REQUIRE(homogeneousStates().size() == sim::reactionPresets().size());
   for (const Homogeneous& at : homogeneousStates())
     for (const glm::ivec2 waves : {glm::ivec2(2, 1), glm::ivec2(5, 3), glm::ivec2(0, 7)}) {
@@ -198,7 +198,7 @@ TEST_CASE("reaction: a small wave on each preset's homogeneous state grows as th
     }
 }
 
-TEST_CASE("reaction: Euler, Heun and Runge-Kutta are of order 1, 2 and 4 in time") {
+TEST_CASE("reaction: Euler, Heun and Runge-Kutta converge with order 1, 2 and 4 in time") {
   // The complex Ginzburg-Landau equation has the solution A = e^(-i beta t).
   for (const auto& one : {std::pair(std::string("euler"), 1), std::pair(std::string("heun"), 2),
                           std::pair(std::string("rk4"), 4)}) {
@@ -222,7 +222,7 @@ TEST_CASE("reaction: Euler, Heun and Runge-Kutta are of order 1, 2 and 4 in time
   }
 }
 
-TEST_CASE("reaction: time, keys and moving rates come at the right moment") {
+TEST_CASE("reaction: time, keys and animated rates are evaluated at the right moment") {
   // du/dt = t^3: order 4 is exact except for rounding; Euler's sum of 8 steps of 1/8 is (28/64)^2... of
   // integers.
   auto p = equations(R"X("species": {"u": {"rate": "t^3"}}, "method": "rk4")X");
@@ -233,8 +233,7 @@ TEST_CASE("reaction: time, keys and moving rates come at the right moment") {
   CHECK(after(p, 8).stage[0][5] == doctest::Approx(28.0 * 28 / 4096).epsilon(1e-6));
 }
 
-TEST_CASE(
-    "reaction: what spreads is conserved: heat, Cahn-Hilliard's concentration, heat in a varying plate") {
+TEST_CASE("reaction: diffusion conserves heat, Cahn-Hilliard concentration, and heat in a varying plate") {
   const std::string varying = R"X("parameters": {"d": {"value": 0.2, "across": 1}}, "dt": 0.1,
     "species": {"u": {"start": "if(x > 9 and y < 12, 1, 0)", "rate": "diffuse(d, u)"}})X";
   for (const std::string& members :
@@ -253,7 +252,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("reaction: derivatives of a wave are those of the continuous operators to second order") {
+TEST_CASE("reaction: derivatives of a wave converge to the continuous operators at second order") {
   for (const char* expression :
        {"laplacian(u)", "ddx(u)", "ddy(u)", "laplacian(laplacian(u))", "diffuse(1 + 0*u, u)"}) {
     CAPTURE(std::string(expression));
@@ -287,7 +286,7 @@ TEST_CASE("reaction: derivatives of a wave are those of the continuous operators
   }
 }
 
-TEST_CASE("reaction: fixed edges hold a gradient between them, closed ones none") {
+TEST_CASE("reaction: fixed borders hold a gradient, closed borders do not") {
   auto p = equations(
       R"X("boundary": "fixed", "dt": 0.3, "species": {"u": {"diffusion": 1, "edge": 2, "start": "0"}})X");
   p.size = {9, 7};

@@ -46,7 +46,7 @@ bool shows(const std::string& refused, const std::string& message, const std::st
 
 }  // namespace
 
-TEST_CASE("reaction: what is wrong in a rate is marked inside its text") {
+TEST_CASE("reaction: an error in a rate is marked inside its text") {
   CHECK(shows(rate("1 - v"), "unknown name \"v\"", "v"));
   CHECK(shows(rate("u - feeed*u", R"X("parameters": {"feed": 1}, )X"), "did you mean \"feed\"?", "feeed"));
   CHECK(shows(rate("u +* 2"), "expected a number", "*"));
@@ -66,11 +66,11 @@ TEST_CASE("reaction: what is wrong in a rate is marked inside its text") {
   CHECK(rate("u").find("none") == 0);
 }
 
-TEST_CASE("reaction: a place in a text is found behind escapes, too") {
+TEST_CASE("reaction: a position in a text is found behind escape sequences, too") {
   CHECK(shows(rate(R"X(u\t\u002b w)X"), "unknown name \"w\"", "w"));
 }
 
-TEST_CASE("reaction: whole powers of negative numbers have their sign, whatever the exponent") {
+TEST_CASE("reaction: integer powers of negative numbers have the right sign for any exponent") {
   const auto scene = scene::parseScene(
       R"X({"version": 1, "objects": {"r": {"reaction": {"size": [4, 4], "species": {"u": {"start": "(x - 2)^21"},
          "v": {"start": "(x - 2)^-18"}, "w": {"start": "(-2)^20"}}}}}})X",
@@ -83,7 +83,7 @@ TEST_CASE("reaction: whole powers of negative numbers have their sign, whatever 
   CHECK(first[2][0] == 1048576);
 }
 
-TEST_CASE("reaction: what is wrong with a rule as a whole") {
+TEST_CASE("reaction: errors of a rule as a whole are reported") {
   CHECK(refusal("").find("there are no equations: give a \"preset\" or \"species\"") != std::string::npos);
   CHECK(refusal(R"X("species": {"2u": {}})X").find("\"2u\" cannot be a name in expressions") !=
         std::string::npos);
@@ -106,7 +106,9 @@ TEST_CASE("reaction: what is wrong with a rule as a whole") {
   CHECK(rate("l30", "\"lets\": {" + lets + "}, ") == "none");
 }
 
-TEST_CASE("reaction: fields of others are there, alone, and not before the first frame") {
+TEST_CASE(
+    "reaction: fields of other objects must exist, be used alone, and are not read before the first "
+    "frame") {
   const auto with = [](const std::string& parameter, const std::string& more = "") {
     return R"X("a": {"reaction": {"size": [8, 8], )X" + more + R"X("parameters": {"f": )X" + parameter +
            R"X(}, "species": {"u": {"rate": "f"}}}}, "smoke": {"fluid": {"size": [16, 8]}}, "ball": {"sphere": {}})X";
@@ -178,7 +180,7 @@ TEST_CASE("reaction: fields of others are there, alone, and not before the first
               "no other object has a field yet when \"start\" is made", "f"));
 }
 
-TEST_CASE("reaction: a preset is what its page shows, and a scene changes parts of it") {
+TEST_CASE("reaction: a preset is what its page shows, and a scene can change parts of it") {
   const auto read = [](const std::string& members) {
     const auto scene =
         scene::parseScene("{\"version\": 1, \"objects\": {\"r\": {\"reaction\": {" + members + "}}}}",

@@ -50,7 +50,7 @@ double volumeMean(const std::vector<float>& cells) {
 
 }  // namespace
 
-TEST_CASE("reaction in a volume: a small wave grows as the symbol of the 19 points says") {
+TEST_CASE("reaction in a volume: a small wave grows by the symbol of the 19-point stencil") {
   struct State {
     const char* preset;
     double u;
@@ -87,7 +87,7 @@ TEST_CASE("reaction in a volume: a small wave grows as the symbol of the 19 poin
     }
 }
 
-TEST_CASE("reaction in a volume: what spreads is conserved") {
+TEST_CASE("reaction in a volume: diffusion conserves the sum") {
   const std::string varying = R"X("parameters": {"d": {"value": 0.2, "across": 1}}, "dt": 0.1,
     "species": {"u": {"start": "if(x > 4 and y < 9 and z > 2, 1, 0)", "rate": "diffuse(d + 0.02*z, u)"}})X";
   for (const std::string& members :
@@ -106,7 +106,7 @@ TEST_CASE("reaction in a volume: what spreads is conserved") {
     }
 }
 
-TEST_CASE("reaction in a volume: derivatives are those of the continuous operators to second order") {
+TEST_CASE("reaction in a volume: derivatives converge to the continuous operators at second order") {
   for (const char* expression : {"laplacian(u)", "ddx(u)", "ddy(u)", "ddz(u)", "diffuse(1 + 0*u, u)"}) {
     CAPTURE(std::string(expression));
     double errors[2];
@@ -138,7 +138,7 @@ TEST_CASE("reaction in a volume: derivatives are those of the continuous operato
   }
 }
 
-TEST_CASE("reaction in a volume: layers that are alike stay so and step as a plane does") {
+TEST_CASE("reaction in a volume: equal layers stay equal and step like a plane") {
   const std::string equations = R"X("dt": 0.1, "species": {
     "u": {"diffusion": 0.7, "start": "0.5 + 0.3*sin(x)*cos(0.7*y)", "rate": "u - u^3 - 0.2*v"},
     "v": {"diffusion": 0.2, "start": "0.2*cos(x + y)", "rate": "0.1*laplacian(u) + 0.1*ddx(v) - 0.1*v"}})X";
@@ -156,7 +156,7 @@ TEST_CASE("reaction in a volume: layers that are alike stay so and step as a pla
   }
 }
 
-TEST_CASE("reaction in a volume: what is wrong is said in a line") {
+TEST_CASE("reaction in a volume: errors are reported in one line") {
   const std::string heat = "\"preset\": \"heat\", ";
   const auto says = [](const std::string& refused, const char* what) {
     const bool right = refused.find(what) != std::string::npos;

@@ -19,7 +19,7 @@ std::string mistake(std::string_view text) {
 
 }  // namespace
 
-TEST_CASE("life rules are read in both spellings") {
+TEST_CASE("life rules are read in both notations") {
   CHECK(written("B3/S23") == "B3/S23");
   CHECK(written("b36/s23") == "B36/S23");
   CHECK(written("B2/S") == "B2/S");
@@ -40,7 +40,7 @@ TEST_CASE("life rules are read in both spellings") {
   CHECK(rule.counts == LifeRule{1 << 3 | 1 << 6, 1 << 2 | 1 << 3});
 }
 
-TEST_CASE("rules that make no sense are refused at their place") {
+TEST_CASE("invalid rules are refused at their position") {
   checkHas(written(""), "0: the rule is empty");
   checkHas(written("B3"), "2: an S is missing");
   checkHas(written("S23/"), "4: a B is missing");
@@ -53,14 +53,14 @@ TEST_CASE("rules that make no sense are refused at their place") {
   checkHas(written("B3/S2\n"), "5: '?' is not");
 }
 
-TEST_CASE("rules of other kinds are named") {
+TEST_CASE("rules of other kinds are named in the error") {
   checkHas(written("B45/S34L"), "triangles");
   checkHas(written("W111"), "1: 111 is odd");
   checkHas(written("M0,8,4,3,2,5,9,7,1,6,10,11,12,13,14,15"), "Margolus");
   checkHas(written("LifeHistory"), "0: this names a rule that is not known");
 }
 
-TEST_CASE("bounded grids of an RLE file") {
+TEST_CASE("bounded grids of an RLE file are read") {
   const auto shaped = [](const char* suffix) {
     const CellPattern p = parseRle(std::string("x = 1, y = 1, rule = B3/S23") + suffix + "\no!", "p");
     REQUIRE(p.shape);
@@ -83,7 +83,7 @@ TEST_CASE("bounded grids of an RLE file") {
   refused(":S30,20", "a sphere is made of a square");
 }
 
-TEST_CASE("RLE with comments, a rule, runs over lines and blanks") {
+TEST_CASE("RLE with comments, a rule, runs across lines and blanks is read") {
   const CellPattern p = parseRle(
       "#N name\r\n#C 3o!\n\n  x = 5 ,y=4, rule = b36/s23:T257,130\r\nb\to\n#C between\n2\n$ "
       "3\no2o$$!\nrest 3q",
@@ -104,7 +104,8 @@ TEST_CASE("RLE with comments, a rule, runs over lines and blanks") {
   CHECK(parseRle("x = 0, y = 0\n!", "p").runs.empty());
 }
 
-TEST_CASE("RLE as other programs write it: no header, no final mark, dots and capitals") {
+TEST_CASE(
+    "RLE as other programs write it: files are read with no header, no final mark, dots and capitals") {
   for (const char* text :
        {"bo$2bo$3o!", "bo$2bo$3o", "#C a glider\n.A$..A$3A!", "x = 3, y = 3\nbo$2bo$3o\n"}) {
     CAPTURE(text);
@@ -145,7 +146,7 @@ TEST_CASE("malformed RLE is refused with line and column") {
   checkHas(mistake(std::string_view("x = 3, y = 3\nb\0o!", 17)), "p.rle:2:2: a byte 0x00");
 }
 
-TEST_CASE("what is written is read back, cell for cell, in lines of at most 70 characters") {
+TEST_CASE("a written RLE is read back cell for cell, with lines of at most 70 characters") {
   for (const glm::ivec2 size : {glm::ivec2(257, 130), {31, 5}, {1, 1}, {128, 3}, {300, 7}}) {
     for (const float fraction : {0.0F, 0.02F, 0.5F, 1.0F}) {
       LifeParameters parameters;
@@ -175,7 +176,7 @@ TEST_CASE("what is written is read back, cell for cell, in lines of at most 70 c
   }
 }
 
-TEST_CASE("an RLE file is written as others write it") {
+TEST_CASE("an RLE file equals what other programs write") {
   const auto words = wordsOf({0, 1, 0, 0, 0, 1, 1, 1, 1, 0, 0, 0}, {3, 4});
   CHECK(writeRle({{3, 4}, words}, LifeRule{}, "", "") == "x = 3, y = 4, rule = B3/S23\nbo$2bo$3o!\n");
   CHECK(writeRle({{3, 4}, words}, LifeRule{}, ":P3,4", "c") ==

@@ -49,7 +49,7 @@ std::string pinMistake(const std::string& pins) {
 
 }  // namespace
 
-TEST_CASE("skin points: on a body that does not bend they turn and travel with it") {
+TEST_CASE("skin points: points on a body that does not bend rotate and move with it") {
   const auto motion = walkerMotion(false);
   const std::vector<glm::dvec3> points = {
       {0.3, 1.9, 0.2}, {-0.4, 1.2, -0.1}, {0, 0.05, 0.3}, {0.9, 0.9, 0.9}};
@@ -65,7 +65,8 @@ TEST_CASE("skin points: on a body that does not bend they turn and travel with i
   }
 }
 
-TEST_CASE("skin points: on the skin of a figure that walks they stay on it, off it as far off") {
+TEST_CASE(
+    "skin points: points on the skin of a walking figure stay on it, points off it keep their distance") {
   const auto motion = walkerMotion(true);
   const sim::Figure& figure = motion->figure();
   // The skin's own vertices, transformed by the nodes' matrices in double precision.
@@ -104,7 +105,7 @@ TEST_CASE("skin points: on the skin of a figure that walks they stay on it, off 
   CHECK(moved > 0.3);
 }
 
-TEST_CASE("skin points: what pins say of them, and mistakes are named") {
+TEST_CASE("skin points: pins on skin are read, and errors are named") {
   test::checkHas(pinMistake(R"({"rows": [0], "at": "nearest"})"), "need \"to\"");
   test::checkHas(pinMistake(R"({"rows": [0], "to": "a", "at": "nearest", "bone": "b"})"), "follow no bone");
   test::checkHas(pinMistake(R"({"rows": [0], "to": "a", "at": "nearest", "move": [1, 0, 0]})"),

@@ -85,7 +85,7 @@ TEST_CASE("solids: boxes, cylinders and cones are closed, and a disc is not") {
   CHECK_FALSE(isWatertight(sim::discMesh(1)));
 }
 
-TEST_CASE("solids: each kind has parameters of its own and bounds around the origin") {
+TEST_CASE("solids: each kind has its own parameters and bounds around the origin") {
   for (const char* name : {"box", "cylinder", "cone", "torus", "disc"}) {
     CAPTURE(name);
     const auto parameters = sim::simulationNamed(name).kind.makeParameters();

@@ -67,7 +67,7 @@ double distance(glm::ivec2 cell, glm::dvec2 a, glm::dvec2 b) {
 
 }  // namespace
 
-TEST_CASE("a circle and a line paint the cells whose middle is within the radius") {
+TEST_CASE("a circle and a line paint the cells whose centre is within the radius") {
   struct {
     StrokeShape shape;
     glm::dvec2 from, to;
@@ -91,7 +91,7 @@ TEST_CASE("a circle and a line paint the cells whose middle is within the radius
 
 // Expects the cells within the radius of a segment on the unrolled torus, testing every image of every cell
 // in double precision.
-TEST_CASE("on a torus a stroke goes on at the opposite border") {
+TEST_CASE("a stroke on a torus continues at the opposite border") {
   struct {
     glm::ivec2 size;
     StrokeShape shape;
@@ -137,8 +137,7 @@ TEST_CASE("on a torus a stroke goes on at the opposite border") {
   }
 }
 
-TEST_CASE(
-    "on a torus a stamp goes on at the opposite border, and covers it more than once where it is larger") {
+TEST_CASE("a stamp on a torus continues at the opposite border, also if it is larger than the torus") {
   std::string text = "P5 9 7 255\n";
   for (int i = 0; i < 63; ++i) text += i * 5 % 7 < 3 || i == 62 ? '\xff' : '\0';
   const simreel::test::TemporaryFile file("stamp.pgm", text);
@@ -163,7 +162,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a stroke that goes round a torus too often is refused in one line") {
+TEST_CASE("a stroke that wraps around a torus too often is refused in one line") {
   auto p = stroke(StrokeShape::line, {0, 0, 0}, {1e6, 0, 0}, 1);
   try {
     const Strokes strokes({p}, 1, {{64, 64}, true, "field \"f\""});
@@ -176,7 +175,7 @@ TEST_CASE("a stroke that goes round a torus too often is refused in one line") {
   CHECK_FALSE(Strokes({p}, 1, {{64, 64}, true, "field"}).into(0, 1, 0).empty());
 }
 
-TEST_CASE("a stroke of no duration paints into exactly one state, the first that is not before it") {
+TEST_CASE("a stroke of zero duration paints into exactly one state, the first at or after it") {
   for (const double rate : {10.0, 7.0, 60.0, 29.97})
     for (const double at : {0.0, 0.1, 0.25, 0.7, 1.0, -0.3, 2.999}) {
       auto p = stroke(StrokeShape::circle, {5, 5, 0}, {5, 5, 0}, 2);
@@ -194,7 +193,7 @@ TEST_CASE("a stroke of no duration paints into exactly one state, the first that
     }
 }
 
-TEST_CASE("a long stroke paints into every state that it has reached and none after its end is shown") {
+TEST_CASE("a long stroke paints every state from its start to its end") {
   auto p = stroke(StrokeShape::line, {5, 5, 0}, {9, 5, 0}, 2);
   p.at = 0.35;
   p.until = 0.8;
@@ -223,7 +222,7 @@ TEST_CASE("a moving circle leaves no gap between steps") {
   }
 }
 
-TEST_CASE("a sparse stroke paints its fraction, others in each step and for each seed") {
+TEST_CASE("a sparse stroke paints its fraction of cells, different for each step and seed") {
   auto p = stroke(StrokeShape::circle, {30, 23, 0}, {30, 23, 0}, 100);
   const std::size_t all = paintedAtOnce(p).size();
   CHECK(all == static_cast<std::size_t>(strokeGrid.x * strokeGrid.y));
@@ -243,7 +242,7 @@ TEST_CASE("a sparse stroke paints its fraction, others in each step and for each
   CHECK(first != shareOf(2, 0));
 }
 
-TEST_CASE("an image stamps its light pixels at its place") {
+TEST_CASE("an image stroke stamps its light pixels at its position") {
   auto p = stroke(StrokeShape::image, {-3, 5, 0}, {-3, 5, 0}, 2);
   p.image = sourceFolder() + "/assets/textures/gingham.png";
   const auto here = paintedAtOnce(p);

@@ -88,7 +88,7 @@ std::string mistakeOf(const char* text) {
 
 }  // namespace
 
-TEST_CASE("text: places for frame, time and quantities take their values") {
+TEST_CASE("text: placeholders for frame, time and quantities are replaced") {
   const auto measured = [](const std::string& object, const std::string& quantity) {
     CHECK(object == "wild.fire");
     return quantity == "burnt" ? 1234567.0 : -0.0;
@@ -107,7 +107,7 @@ TEST_CASE("text: places for frame, time and quantities take their values") {
   CHECK(contains(mistakeOf("{.x}"), "none of"));
 }
 
-TEST_CASE("text: lengths are in heights of a capital, and lines lie where they are asked to") {
+TEST_CASE("text: sizes are in cap heights, and lines are aligned as requested") {
   Font font(shipped("OpenSans-Bold.ttf"));
   double top = 0;
   for (const auto& polygon : font.glyph(U'H').outlines)
@@ -139,7 +139,7 @@ TEST_CASE("text: lengths are in heights of a capital, and lines lie where they a
   CHECK(box({Across::right, Down::top}).second.x < 0);
 }
 
-TEST_CASE("text: trapezoids fill what outlines go round, once") {
+TEST_CASE("text: trapezoids fill the inside of outlines exactly once") {
   for (const char* name : {"OpenSans-Bold.ttf", "OpenSans-Regular.ttf"}) {
     Font font(shipped(name));
     for (const char32_t character : std::u32string(U"simreel 0123456789 %&@gQR8BäøÆ§Ω")) {
@@ -157,7 +157,7 @@ TEST_CASE("text: trapezoids fill what outlines go round, once") {
   CHECK(areaOf(trapezoids({{{0, 0}, {2, 2}, {2, 0}, {0, 2}}})) == doctest::Approx(2));
 }
 
-TEST_CASE("text: letters are closed solids of their area times their depth, seen from outside") {
+TEST_CASE("text: letters are closed solids with volume area times depth, facing outwards") {
   for (const char* name : {"OpenSans-Bold.ttf", "OpenSans-Regular.ttf"}) {
     Font font(shipped(name));
     for (const char* text : {"simreel", "gQ8&%@\n8BR$", "AV. Äö"}) {
@@ -182,7 +182,7 @@ TEST_CASE("text: letters are closed solids of their area times their depth, seen
   CHECK(solidText({}, 1, 1).indices.empty());
 }
 
-TEST_CASE("text: fonts that are none, and characters that a font has not, are refused") {
+TEST_CASE("text: invalid fonts and missing characters are refused") {
   CHECK(contains(errorOf([] { Font font(assetFolder() / "scenes" / "flag.json"); }).second,
                  "it is no TrueType or OpenType file"));
   const Font font(shipped("OpenSans-Bold.ttf"));

@@ -8,7 +8,7 @@
 
 using namespace simreel;
 
-TEST_CASE("turns by whole quarters are exact, and by nothing keep every bit") {
+TEST_CASE("rotations by quarter turns are exact, and by zero keep every bit") {
   for (int quarter = -9; quarter <= 9; ++quarter) {
     const glm::vec2 exact[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
     CHECK(sim::cosineAndSine(90.0F * static_cast<float>(quarter)) == exact[(quarter + 12) % 4]);

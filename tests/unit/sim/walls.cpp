@@ -149,7 +149,7 @@ std::string wallsFailure(const std::string& objects) {
 
 }  // namespace
 
-TEST_CASE("walls: a ball bounces off a straight wall like light off a mirror") {
+TEST_CASE("walls: a ball reflects off a straight wall") {
   // Rock for x > 0.13 m, at any z.
   const FieldValue slope = [](int x, int) { return 0.5F + 0.1F * (static_cast<float>(x) - 20.6F); };
   const float wall = 0.1F * (20.6F - 20.0F);
@@ -170,7 +170,7 @@ TEST_CASE("walls: a ball bounces off a straight wall like light off a mirror") {
     }
 }
 
-TEST_CASE("walls: what rubs against a wall loses its speed along it at the rate of grip") {
+TEST_CASE("walls: a particle along a wall loses tangential speed at the rate of grip") {
   const FieldValue slope = [](int x, int) { return 0.5F + 0.1F * (static_cast<float>(x) - 20.6F); };
   auto twin = ballsBeside(block({41, 41}, 0.1F), slope, {{{0.05F, 0.0F, 0}, {0, 0, 1}}}, 0.02F, 0, 10, 3);
   twin.positions[0].y = 0.02F;  // moves the sphere to the floor, away from the wall
@@ -180,7 +180,8 @@ TEST_CASE("walls: what rubs against a wall loses its speed along it at the rate 
   CHECK(twin.velocities[0].z == doctest::Approx(std::exp(-1.5)).epsilon(0.01).scale(0));
 }
 
-TEST_CASE("walls: in a round pit balls stay, within second order of the square, and keep their energy") {
+TEST_CASE(
+    "walls: balls in a round pit stay inside within second order of the cell size and conserve energy") {
   double error[2] = {};
   for (const int fine : {0, 1}) {
     const int count = fine == 0 ? 24 : 96;
@@ -220,7 +221,7 @@ TEST_CASE("walls: in a round pit balls stay, within second order of the square, 
   MESSAGE("off the circle by " << error[0] << " m and " << error[1] << " m");
 }
 
-TEST_CASE("walls: what falls on rock lands on its top, beside it on the floor") {
+TEST_CASE("walls: particles land on top of rock, and beside it on the floor") {
   const FieldValue table = [](int x, int y) { return x >= 8 && x < 16 && y >= 8 && y < 16 ? 1.0F : 0.0F; };
   auto twin = ballsBeside(block({24, 24}, 0.1F, 0), table,
                           {{{0.05F, 1.7F, 0}, {0, 0, 0}},
@@ -236,7 +237,7 @@ TEST_CASE("walls: what falls on rock lands on its top, beside it on the floor") 
   CHECK(twin.positions[3].y < -10);  // the sphere keeps falling, because there is no floor beside the block
 }
 
-TEST_CASE("walls: with a ceiling nothing leaves, and what lies on the roof stays there") {
+TEST_CASE("walls: with a ceiling nothing leaves, and objects on the roof stay there") {
   sim::SolidShape shape = block({24, 24}, 0.1F);
   shape.ceiling = true;
   shape.roof = 0.4F;
@@ -260,7 +261,7 @@ TEST_CASE("walls: with a ceiling nothing leaves, and what lies on the roof stays
   }
 }
 
-TEST_CASE("walls: nothing gets through rock of one cell at eight squares a step") {
+TEST_CASE("walls: no particle passes one-cell rock at eight cells per step") {
   const FieldValue wall = [](int x, int) { return x == 30 ? 1.0F : 0.0F; };
   std::vector<Ball> balls;
   for (int i = 0; i < 100; ++i)
@@ -271,7 +272,7 @@ TEST_CASE("walls: nothing gets through rock of one cell at eight squares a step"
     CHECK(twin.positions[i].x == doctest::Approx(-0.05).epsilon(0.01).scale(0));
 }
 
-TEST_CASE("walls: on random terraces nothing is ever in rock, as the drawn contours have it") {
+TEST_CASE("walls: on random terraces nothing is ever in rock, judged by the drawn contours") {
   for (const int seed : {1, 2, 3, 4}) {
     CAPTURE(seed);
     sim::SolidShape shape = block({17, 13}, 0.1F, seed % 2);
@@ -310,7 +311,7 @@ TEST_CASE("walls: on random terraces nothing is ever in rock, as the drawn conto
   }
 }
 
-TEST_CASE("walls: a cloth on a plateau rests on its top and hangs over the edge, no vertex in rock") {
+TEST_CASE("walls: a cloth on a plateau rests on its top and hangs over the edge with no vertex in rock") {
   sim::SolidShape shape = block({24, 24}, 0.1F, 0);
   const FieldValue table = [](int x, int y) {
     const float dx = static_cast<float>(x) - 11.5F, dy = static_cast<float>(y) - 11.5F;
@@ -352,7 +353,7 @@ TEST_CASE("walls: a cloth on a plateau rests on its top and hangs over the edge,
   }
 }
 
-TEST_CASE("walls: what rock closes around comes out, and a rising top lifts what lies on it") {
+TEST_CASE("walls: particles enclosed by growing rock come out, and a rising top lifts particles on it") {
   float edge = 0;
   const FieldValue wall = [&edge](int x, int) { return 0.5F + 0.1F * (static_cast<float>(x) - edge); };
   const sim::SolidShape shape = block({41, 41}, 0.1F, 0);
@@ -371,7 +372,7 @@ TEST_CASE("walls: what rock closes around comes out, and a rising top lifts what
   CHECK(twin.positions[0].y == doctest::Approx(0.02));
 }
 
-TEST_CASE("walls: what has none is told where it stands") {
+TEST_CASE("walls: an object without walls is reported at its place") {
   const std::string cave =
       R"("cave": {"cave": {}}, "hills": {"contour": {"field": "cave"}}, "ball": {"sphere": {}})";
   for (const std::string kind : {R"("particles": {"groups": [{}], )", R"("cloth": {)"}) {

@@ -116,7 +116,7 @@ double overlap(const WaterTwin& twin, std::size_t one, std::size_t other, const 
 
 }  // namespace
 
-TEST_CASE("water floats: what others touch of a box is its surface") {
+TEST_CASE("water floats: contact with a box uses its surface") {
   const sim::Hull hull(meetBox({0.6F, 0.4F, 1.5F}, {}), "box");
   const sim::FloatShape& shape = hull.touched;
   CHECK(shape.radius == 0);
@@ -142,7 +142,7 @@ TEST_CASE("water floats: what others touch of a box is its surface") {
   CHECK(sim::Hull(meetBall(0.3F, {}, {}), "ball").touched.radius == doctest::Approx(0.3));
 }
 
-TEST_CASE("water floats: two that meet in the air do not bounce, and keep their momentum") {
+TEST_CASE("water floats: two floats that collide in the air do not bounce and conserve momentum") {
   // Along the line of their centres: both continue at the mean speed.
   auto box = meetBox({0.8F, 0.8F, 0.8F}, {-0.6F, 30, 0});
   box.velocity = {1, 0, 0};
@@ -176,7 +176,7 @@ TEST_CASE("water floats: two that meet in the air do not bounce, and keep their 
   CHECK(std::abs(middle.x - askew.floats[0].x) < 2);
 }
 
-TEST_CASE("water floats: friction between two that slide is Coulomb's, and what can stick does") {
+TEST_CASE("water floats: sliding floats have Coulomb friction, and slower contacts stick") {
   // Equal spheres: mu times the normal impulse; or 2/7 of the tangential speed and no slip at the contact.
   for (const float friction : {0.1F, 5.0F}) {
     CAPTURE(friction);
@@ -197,7 +197,7 @@ TEST_CASE("water floats: friction between two that slide is Coulomb's, and what 
   }
 }
 
-TEST_CASE("water floats: boats that are driven together do not go through each other") {
+TEST_CASE("water floats: driven boats do not pass through each other") {
   const std::string file = __FILE__;
   const auto root = std::filesystem::path(file).parent_path().parent_path().parent_path().parent_path();
   sim::WaterFloat boat;

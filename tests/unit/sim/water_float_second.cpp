@@ -184,7 +184,7 @@ sim::WaterFloat driftBox(glm::vec3 size, float density) {
 
 }  // namespace
 
-TEST_CASE("water floats: a step is what its equations say in float64") {
+TEST_CASE("water floats: a step equals its equations in double precision") {
   auto p = driftTank(36, 0.2F, 2.5F);
   auto body = driftBox({0.6F, 0.4F, 1.3F}, 600);
   body.ballast = {0.03F, -0.05F, 0.1F};
@@ -288,7 +288,7 @@ TEST_CASE("water floats: a heeled box is righted by the wall-sided formula") {
     }
 }
 
-TEST_CASE("water floats: a body that tumbles by itself keeps its momentum and its energy") {
+TEST_CASE("water floats: a freely tumbling body conserves momentum and energy") {
   // In the air: Euler's equations conserve L and L.w / 2.
   auto p = driftTank(12, 0.5F, 1);
   auto body = driftBox({0.3F, 0.5F, 1.1F}, 300);
@@ -313,7 +313,7 @@ TEST_CASE("water floats: a body that tumbles by itself keeps its momentum and it
   CHECK(static_cast<double>(twin.floats[2].y) == doctest::Approx(-9.81 * 2).epsilon(1e-4));
 }
 
-TEST_CASE("water floats: what an engine and drag give a body in a closed tank the water gets") {
+TEST_CASE("water floats: in a closed tank, engine and drag forces on a body act oppositely on the water") {
   for (const bool walls : {true, false}) {
     auto p = driftTank(56, 0.4F, 1);
     if (!walls) p.sides.fill(sim::WaterBorder::periodic);
@@ -341,7 +341,7 @@ TEST_CASE("water floats: what an engine and drag give a body in a closed tank th
   }
 }
 
-TEST_CASE("water floats: what steering turns a body by turns the water the other way") {
+TEST_CASE("water floats: steering torque on a body acts oppositely on the water") {
   auto p = driftTank(64, 0.2F, 1);
   auto body = driftBox({0.8F, 0.4F, 1.6F}, 500);
   body.rotation = {0, 35, 0};

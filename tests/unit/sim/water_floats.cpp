@@ -60,7 +60,7 @@ double ballDraft(double radius, double under) {
 
 }  // namespace
 
-TEST_CASE("water floats: a hull has the volume, middle and inertia that its shape has") {
+TEST_CASE("water floats: a hull has the volume, centre and inertia of its shape") {
   const sim::Hull box(boxOf({0.6F, 0.3F, 1.5F}, 400), "box");
   CHECK(box.volume == doctest::Approx(0.27).epsilon(1e-6));
   CHECK(box.outline == doctest::Approx(0.9).epsilon(1e-3));
@@ -78,7 +78,7 @@ TEST_CASE("water floats: a hull has the volume, middle and inertia that its shap
   CHECK(round.points.size() > 300);
 }
 
-TEST_CASE("water floats: drafts at rest are Archimedes'") {
+TEST_CASE("water floats: drafts at rest satisfy Archimedes' principle") {
   for (const float density : {300.0F, 700.0F}) {
     auto body = boxOf({0.8F, 0.5F, 1}, density);
     body.position.y = 0.3F - 0.5F * density / 1000;  // starts 5 cm above its equilibrium
@@ -133,7 +133,7 @@ TEST_CASE("water floats: a box and the water in a closed basin only lose energy"
   }
 }
 
-TEST_CASE("water floats: a box heaves with the period of its draft") {
+TEST_CASE("water floats: a box heaves with the period given by its draft") {
   // T = 2 pi sqrt(M / (rho g A)) = 2 pi sqrt(draft / g) without added mass: the water's added mass comes
   // from flow below the body, which shallow water does not contain.
   auto body = boxOf({0.6F, 0.5F, 0.6F}, 400);
@@ -158,7 +158,7 @@ TEST_CASE("water floats: a box heaves with the period of its draft") {
   CHECK(period == doctest::Approx(2 * 3.14159265 * std::sqrt(0.2 / 9.81)).epsilon(0.1));
 }
 
-TEST_CASE("water floats: a wide box returns, a tall one capsizes") {
+TEST_CASE("water floats: a wide box returns upright, a tall box capsizes") {
   // Metacentric height GM = I / V - (distance from buoyancy to mass): (b^2 / 12 d) - (H - d) / 2 with draft
   // d and height H.
   for (const bool wide : {true, false}) {
@@ -175,7 +175,7 @@ TEST_CASE("water floats: a wide box returns, a tall one capsizes") {
   }
 }
 
-TEST_CASE("water floats: a ball that falls in and out keeps the water's volume and makes rings") {
+TEST_CASE("water floats: a ball that plunges in and out conserves the water's volume and makes rings") {
   sim::WaterFloat ball;
   ball.radius = 0.4F;
   ball.density = 200;
@@ -200,7 +200,7 @@ TEST_CASE("water floats: a ball that falls in and out keeps the water's volume a
   CHECK(highest > 0.005);  // height of the wave 1.6 m from the point of impact
 }
 
-TEST_CASE("water floats: what drag takes from a body goes to the water") {
+TEST_CASE("water floats: momentum lost to drag goes to the water") {
   auto body = boxOf({0.6F, 0.4F, 0.9F}, 500);
   body.velocity = {1.5F, 0, 0.5F};
   auto p = poolWith(body, 32, 0.25F);
@@ -219,7 +219,7 @@ TEST_CASE("water floats: what drag takes from a body goes to the water") {
   CHECK(momentum().y == doctest::Approx(before.y).epsilon(5e-3));
 }
 
-TEST_CASE("water floats: a body slides down a slope of the water as fast as the water does") {
+TEST_CASE("water floats: a body slides down sloping water as fast as the water") {
   // The pressure's gradient over its draft: dv/dt = -g w_x. Also a free fall.
   auto body = boxOf({0.8F, 0.5F, 1}, 500);
   body.drag = 0;
@@ -238,7 +238,7 @@ TEST_CASE("water floats: a body slides down a slope of the water as fast as the 
   CHECK(static_cast<double>(twin.floats[7].y) == doctest::Approx(-9.81 * 2 * floatFrame).epsilon(1e-4));
 }
 
-TEST_CASE("water floats: bodies lie on the ground, keep apart, and follow a tow") {
+TEST_CASE("water floats: bodies rest on the ground, keep apart and follow a tow") {
   // A sphere that lands on a dry beach.
   sim::WaterFloat ball;
   ball.radius = 0.3F;
@@ -277,8 +277,7 @@ TEST_CASE("water floats: bodies lie on the ground, keep apart, and follow a tow"
   CHECK(std::abs(towed.floats[1].y) == doctest::Approx(0.7071).epsilon(0.03));
 }
 
-TEST_CASE(
-    "water floats: a box that stands on an island's slope does not make jets of what is left below it") {
+TEST_CASE("water floats: a box standing on an island's slope makes no jets in shallow water below it") {
   auto box = boxOf({1, 0.4F, 2}, 500);
   box.position = {-0.4F, 0, 0};
   auto p = poolWith(box, 61, 0.07F);

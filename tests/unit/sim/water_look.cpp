@@ -29,7 +29,7 @@ WaterTwin beach(double slope) {
 
 }  // namespace
 
-TEST_CASE("a lake's shore is a straight line on a plane beach, within a third of a cell") {
+TEST_CASE("a lake's shore on a plane beach is a straight line within a third of a cell") {
   for (const double slope : {0.05, 0.2, 0.8}) {
     CAPTURE(slope);
     const WaterTwin twin = beach(slope);
@@ -57,7 +57,7 @@ TEST_CASE("a lake's shore is a straight line on a plane beach, within a third of
   }
 }
 
-TEST_CASE("the ground is darker where water wets it, and its colours are all in the palette") {
+TEST_CASE("wet ground is darker, and its colours are all in the palette") {
   sim::WaterParameters p;
   p.size = {65, 33};
   p.bed = 0.3F;

@@ -101,14 +101,14 @@ double waterOf(const WaterTwin& twin, const char* name) {
 
 }  // namespace
 
-TEST_CASE("water: dams break as Ritter and Stoker say, and better with more cells") {
+TEST_CASE("water: dam breaks follow Ritter and Stoker and converge with more cells") {
   CHECK(stoker(1e9, 1, 1, 0.2) == 0.2);
   CHECK(fittedOrder({100, 200, 400}, 1, 0, dryDam) > 0.9);
   CHECK(fittedOrder({100, 200, 400}, 1, 0.2F, wetDam) > 0.9);
 }
 
 // Skipped by default; runs with: test_unit -ns -tc='water: long*'
-TEST_CASE("water: long: dams of 100 to 3200 cells" * doctest::skip()) {
+TEST_CASE("water: long: dam breaks with 100 to 3200 cells converge" * doctest::skip()) {
   const std::vector<int> cells = {100, 200, 400, 800, 1600, 3200};
   const double dry = fittedOrder(cells, 1, 0, dryDam);
   const double wet = fittedOrder(cells, 1, 0.2F, wetDam);
@@ -117,7 +117,7 @@ TEST_CASE("water: long: dams of 100 to 3200 cells" * doctest::skip()) {
   CHECK(wet >= 0.9);
 }
 
-TEST_CASE("water: a lake with islands stays at rest, to the bit") {
+TEST_CASE("water: a lake with islands stays at rest to the bit") {
   sim::WaterParameters p;
   p.size = {23, 17};
   p.cell = 0.37F;
@@ -138,7 +138,7 @@ TEST_CASE("water: a lake with islands stays at rest, to the bit") {
   }
 }
 
-TEST_CASE("water: what sloshes over islands keeps its volume") {
+TEST_CASE("water: water sloshing over islands conserves its volume") {
   sim::WaterParameters p;
   p.size = {41, 33};
   p.cell = 0.25F;
@@ -160,7 +160,7 @@ TEST_CASE("water: what sloshes over islands keeps its volume") {
   CHECK(waterOf(twin, "fastest") > 1e-3);
 }
 
-TEST_CASE("water: rain, sources and drops bring what they say") {
+TEST_CASE("water: rain, sources and drops add the stated volume") {
   sim::WaterParameters p;
   p.size = {30, 20};
   p.cell = 0.5F;
@@ -195,7 +195,7 @@ TEST_CASE("water: rain, sources and drops bring what they say") {
   CHECK(waterOf(dropped, "volume") - before == doctest::Approx(3.14159265 / 3 * 0.1).epsilon(1e-3));
 }
 
-TEST_CASE("water: a drain takes what it says, and never more than there is") {
+TEST_CASE("water: a drain removes the stated volume, and never more than there is") {
   sim::WaterParameters p;
   p.size = {40, 44};
   p.cell = 0.25F;
@@ -215,7 +215,7 @@ TEST_CASE("water: a drain takes what it says, and never more than there is") {
   CHECK(waterOf(emptied, "volume") < 0.95 * before);
 }
 
-TEST_CASE("water: a stream slows down as Manning's law says") {
+TEST_CASE("water: a stream decelerates by Manning's law") {
   // dv/dt = -g n^2 v^2 / h^(4/3): at h = 1 the inverse of the speed grows by g n^2 per second.
   sim::WaterParameters p;
   p.size = {4, 4};
@@ -233,7 +233,7 @@ TEST_CASE("water: a stream slows down as Manning's law says") {
         doctest::Approx(0.5 + earth * 0.0025 * seconds).epsilon(2e-3));
 }
 
-TEST_CASE("water: waves come in as they are told, go on by c = sqrt(g h), and leave") {
+TEST_CASE("water: incoming waves have the given shape, travel at sqrt(g h) and leave") {
   sim::WaterParameters p;
   p.size = {240, 2};
   p.cell = 0.25F;

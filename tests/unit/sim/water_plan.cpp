@@ -27,7 +27,7 @@ std::string waterFailure(const std::string& members) {
 
 }  // namespace
 
-TEST_CASE("water: \"auto\" substeps keep to a quarter of a cell") {
+TEST_CASE("water: \"auto\" substeps limit motion to a quarter cell per step") {
   sim::WaterParameters p;
   p.size = {5, 4};
   p.cell = 0.1F;
@@ -43,7 +43,7 @@ TEST_CASE("water: \"auto\" substeps keep to a quarter of a cell") {
   CHECK_THROWS_AS(sim::WaterPlan(p, "w", 1, 1000.0), UserError);
 }
 
-TEST_CASE("water: each drop falls into one state, in whatever frame") {
+TEST_CASE("water: each drop falls into one state, in any frame") {
   sim::WaterParameters p;
   p.size = {60, 40};
   p.rain.emplace();
@@ -63,7 +63,7 @@ TEST_CASE("water: each drop falls into one state, in whatever frame") {
   CHECK(drops == 2 + 67);  // drops fall at 0.2 s and every 1/37 s from then on, up to 2 s
 }
 
-TEST_CASE("water: mistakes are told where they stand") {
+TEST_CASE("water: errors are reported at their place") {
   CHECK(waterFailure("") == "no failure");
   test::checkHas(waterFailure(R"("sides": {"west": "periodic"})"), "periodic together or not at all");
   test::checkHas(waterFailure(R"("terrain": {"low": 1})"), "give \"image\"");
@@ -79,7 +79,7 @@ TEST_CASE("water: mistakes are told where they stand") {
   test::checkHas(waterFailure(R"("floats": [{"scale": 3}])"), "give \"drawn\"");
 }
 
-TEST_CASE("water: a float that no window of cells holds is refused") {
+TEST_CASE("water: a float too large for a window of cells is refused") {
   sim::WaterParameters p;
   p.cell = 0.01F;
   p.floats.resize(1);

@@ -156,7 +156,7 @@ double swing(int i, int seed) {
 
 }  // namespace
 
-TEST_CASE("water: a step is what the papers' equations give in double arithmetic") {
+TEST_CASE("water: a step equals the papers' equations in double precision") {
   for (const bool torus : {false, true}) {
     sim::WaterParameters p;
     p.size = {19, 13};

@@ -9,7 +9,7 @@
 
 using namespace simreel;
 
-TEST_CASE("keyed strokes: a source of water follows its strength") {
+TEST_CASE("keyed strokes: a water source follows its keyframed strength") {
   const auto scene = scene::parseScene(R"({"version": 1, "objects": {"it": {"water": {"size": [40, 30],
       "substeps": 4, "strokes": [{"until": 9, "radius": 3, "value": 0.5,
         "path": {"keys": [[0, [5, 5, 0]], [2, [25, 5, 0]]]}, "strength": {"keys": [[0, 0], [2, 4]]}}]}}}})",
