@@ -10,7 +10,7 @@
 // after others were freed are up to a half slower.
 //
 // With --patterns, prints the result of each preset after 10,000 steps on 129x127, as in the table of
-// src/sim/README.md.
+// src/sim/gray_scott/README.md.
 #include "gl/context.hpp"
 #include "reference/gray_scott_twin.hpp"
 #include "sim/gray_scott/kernels.hpp"

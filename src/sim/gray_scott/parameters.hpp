@@ -12,7 +12,8 @@
 
 namespace simreel::sim {
 
-/// Named pairs of rates; src/sim/README.md says what each grows: "spots" dies out, "leopard" grows spots.
+/// Named pairs of rates. src/sim/gray_scott/README.md shows what each grows: "spots" dies out, "leopard"
+/// grows spots.
 enum class GrayScottPreset { spots, stripes, maze, solitons, unstable, leopard, chaos };
 
 /// Rates at which u is fed and v is removed, per unit of time.

@@ -58,7 +58,7 @@ struct Drift {
   double wet = 0;  ///< submerged volume, m^3
 };
 
-/// Performs the step as described in the README of src/sim.
+/// Performs the step as src/sim/water/README.md describes it.
 Drift stepped(const sim::WaterParameters& p, const sim::Hull& hull, const Stream& stream,
               const Drifting& now, double under, double dt, double share, double time) {
   constexpr double rho = 1000;
