@@ -3,7 +3,7 @@
 
 #include <array>
 
-/// Interfaces of the fluid's kernels, except those of the pressure solver.
+/// Interfaces of the fluid's kernels; solver_interfaces.hpp has the pressure solver's.
 namespace simreel::sim {
 
 struct FluidPush {

@@ -35,7 +35,7 @@ class FluidPlan {
   [[nodiscard]] int substeps() const { return substeps_; }
   /// Returns the number of dye advection passes per substep; 0 if no stroke sets dye.
   [[nodiscard]] int dyePasses() const { return dyePasses_; }
-  /// Returns the multigrid hierarchy; if obstacles move, its weights are those of the initial state.
+  /// Returns the multigrid hierarchy, with the face weights of the initial state.
   [[nodiscard]] const FluidLevels& levels() const { return stillSolids()->levels(); }
   /// Returns the obstacles after `step` substeps of the frame that starts at `time` (seconds); always the
   /// same object if no obstacle moves.

@@ -78,7 +78,7 @@ class FluidPressure {
   /// Returns true if open and other tiles of a level share a dispatch: on the storage path, where an extra
   /// dispatch costs more than the work of a small level.
   [[nodiscard]] bool joins(std::size_t level) const;
-  /// makeCoarse() sets up coarse_ if the device supports it; makeMiddle() sets up down_ and up_.
+  /// makeCoarse() sets up coarse_ if a level is small enough; makeMiddle() sets up down_ and up_.
   void makeCoarse(const FluidPlan& plan, const gl::Defines& defines);
   void makeMiddle(const gl::Defines& defines);
   [[nodiscard]] int otherGroups(const FluidSolids& solids, std::size_t level) const;
