@@ -231,8 +231,8 @@ void Contact::forParts(std::span<const Part> parts, const Run& run) const {
   }
 }
 
-/// Propagates the motion of moving solids through the cloth layers that they push, so that layers held back
-/// later start from there.
+/// Computes the positions to which vertices can be held back: their start, displaced by moving solids and,
+/// over carryRounds rounds, by the cloth that solids push.
 void Contact::carry(const ContactShared& shared) const {
   if (plan_.movable() == plan_.vertices()) return;
   for (int round = 0; round <= ContactPlan::carryRounds; ++round) {

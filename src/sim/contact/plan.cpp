@@ -117,7 +117,7 @@ Leaves bothHalves(std::span<const ContactPart> parts, const std::vector<int>& fi
 
 ContactPlan::ContactPlan(std::span<const ContactPart> parts, double substepSeconds)
     : substepSeconds_(substepSeconds) {
-  float lightest = 0;  // Maximum over parts of the minimum inverse mass of vertices that are not held.
+  float lightest = 0;  // Minimum inverse mass of all cloth vertices that are not held.
   float thickest = 0, heaviestBall = 0;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const ContactPart& part = parts[k];
@@ -148,9 +148,9 @@ ContactPlan::ContactPlan(std::span<const ContactPart> parts, double substepSecon
     }
     movable_ = balls_ = vertices();
   }
-  // The fixed-point unit is 2^-30 m for the heaviest vertex: three decimal digits below the float
-  // resolution near 1 m, with a range of 2 m. A particle counts with an eighth of its mass, because it
-  // seldom moves far in a substep.
+  // The fixed-point unit of impulses moves the heaviest vertex by 2^-30 m: three decimal digits below the
+  // float resolution near 1 m, with a range of 2 m. A particle counts with an eighth of its mass, because
+  // it seldom moves far in a substep.
   const float heaviest = std::max(lightest > 0 ? 1.0F / lightest : 0, 0.125F * heaviestBall);
   quanta_ = 1.0F;
   while (heaviest > 0 && quanta_ * heaviest < 0x1p30F) quanta_ *= 2;

@@ -28,9 +28,9 @@ struct ContactPart {
   /// True for a solid: it follows its own motion and cloths give way. The cloth's thickness applies, and
   /// solids do not touch each other.
   bool solid = false;
-  /// True for particles: no faces; w of `positions` is the mass in kg (0: dead). Particles keep a distance
-  /// to the middle surface of a cloth: their radius (`thickness`) plus half the cloth's thickness, where at
-  /// least half the thickest cloth's thickness is added to the radius.
+  /// True for particles: no faces; w of `positions` is the mass in kg (0: dead). Particles keep the
+  /// distance max(r, t / 2) + c / 2 from the middle surface of a cloth: r is their radius (`thickness`), t
+  /// the thickness of the thickest cloth, c the thickness of this cloth.
   bool balls = false;
   float heaviest =
       0;  ///< For particles: mass in kg of the heaviest particle, including particles emitted later.
@@ -54,9 +54,9 @@ class ContactPlan {
   /// second one repeated. w = 1 marks an empty leaf.
   [[nodiscard]] const std::vector<glm::uvec4>& faces() const { return faces_; }
   [[nodiscard]] const std::vector<glm::uvec4>& edges() const { return edges_; }
-  /// Returns per vertex: x half the thickness in metres (for solids, that of the thickest cloth; for
-  /// particles, the radius); y friction; z bounce; w the cloth's index, or for a particle the index of the
-  /// cloth that it collides with, -1 for any.
+  /// Returns per vertex: x half the thickness in metres (for solids, half the thickness of the thickest
+  /// cloth; for particles, the radius); y friction; z bounce; w the cloth's index, or for a particle the
+  /// index of the cloth that it collides with, -1 for any.
   [[nodiscard]] const std::vector<glm::vec4>& skins() const { return skins_; }
   /// Returns the index of each part's first vertex.
   [[nodiscard]] const std::vector<int>& firsts() const { return firsts_; }

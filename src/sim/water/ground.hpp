@@ -14,8 +14,8 @@ namespace simreel::sim {
 /// Returns indices into groundPalette as half floats, one per cell, padded to whole 32-bit words.
 [[nodiscard]] std::vector<std::uint16_t> groundColors(const WaterPlan& plan);
 
-/// Returns linear RGB shades of the ground's colour: lighter and darker patches, each in steps of darkening
-/// where the initial water wets the ground.
+/// Returns linear RGB shades of the ground's colour: lighter and darker patches, in several degrees of
+/// wetness (wetter is darker).
 [[nodiscard]] std::vector<glm::vec4> groundPalette(const WaterPlan& plan);
 
 }  // namespace simreel::sim
