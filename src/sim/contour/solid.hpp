@@ -57,8 +57,9 @@ class Solid {
   /// Returns the drawable without model matrix and material; its pointers are valid until the next make()
   /// or grow().
   [[nodiscard]] Surface surface() const;
-  /// Returns four words for each sixteen samples: the numbers of contour points, of uniform squares and of
-  /// triangles in all earlier samples, and an unspecified word. They change with the contours.
+  /// Returns four words for each group of sixteen samples: the numbers of contour points, of squares within
+  /// one class and of triangles in all earlier groups; the fourth word is unused. Their values change
+  /// whenever the contours change.
   [[nodiscard]] const gl::Buffer& tallies() const;
 
   /// Reads back the mesh; call after grow(). Waits for the GPU. Returns the vertices as the kernels write

@@ -46,7 +46,8 @@ struct PortInfo {
   /// Remark for an object that takes all providers, about another object that could provide the port but
   /// does not. {} twice: the names.
   const char* passedBy = nullptr;
-  /// Appends the parts that every object provides without declaring them; returns true if there are any.
+  /// Appends the parts that `provider` provides without declaring them; returns true if it provides the
+  /// port this way.
   bool (*implied)(const scene::Object& provider, std::vector<std::string>& parts) = nullptr;
   /// Exception for an offer that is not given: returns true if `wanter` can use the provider anyway.
   bool (*fits)(const ObjectParameters& provider, const ObjectParameters& wanter) = nullptr;

@@ -84,8 +84,8 @@ class FluidKernels {
   void paint(double time, int step, bool all);
   void project(unsigned number);
   [[nodiscard]] FluidProject projection(unsigned number) const;
-  /// Projects in place on the storage path, then runs a kernel that also finds the paths for the advection
-  /// of dye.
+  /// Projects in place on the storage path, then runs check_, which measures the result and finds the paths
+  /// for the advection of dye.
   void projectInPlace(unsigned number);
   void moveDye();
   /// Advects dye by one pass, or by two passes at once, into the spare array.

@@ -95,8 +95,8 @@ void checkLimits(const std::string& name, glm::ivec2 size, int columns) {
 }
 
 /// Returns the number of rows per band; 0: no bands. An H200 transfers 3.6e12 bytes/s while both arrays are
-/// within 256 MiB, but 2.1e12 bytes/s at 1 GiB, probably because of TLB misses. A band therefore takes a
-/// quarter of 1 GiB. Software drivers and smaller grids use no bands.
+/// within 256 MiB, but 2.1e12 bytes/s at 1 GiB, probably because of TLB misses. A band of both arrays
+/// therefore takes 256 MiB. Software drivers and smaller grids use no bands.
 int bandRowsFor(int columns, int rows) {
   constexpr std::int64_t reach = 512LL << 20;
   const std::int64_t rowBytes = std::int64_t{columns} * 32;

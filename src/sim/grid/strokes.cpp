@@ -25,8 +25,8 @@ glm::vec2 flat(const glm::vec3& p) {
   return {p.x, p.y};
 }
 
-/// Returns the range of fractions of a segment for which one coordinate is within [low, high]; the first
-/// fraction exceeds the second if there are none.
+/// Returns the start and end, as fractions of a segment, of the part whose coordinate on one axis is within
+/// [low, high]. If no part is, the start is greater than the end.
 glm::dvec2 fractionsWithin(double from, double to, double low, double high) {
   if (from == to) return from >= low && from <= high ? glm::dvec2(0, 1) : glm::dvec2(1, 0);
   const double a = (low - from) / (to - from);

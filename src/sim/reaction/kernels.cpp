@@ -15,7 +15,7 @@
 
 namespace simreel::sim {
 
-/// One pass of a rule. The generated shader text (reaction/text) reads only some of these members.
+/// One pass of a rule. The generated shader text (reaction/text) reads only some of the members.
 struct RuleKernel {
   static constexpr auto file = "reaction/rule";
   gl::Uniform<"size", glm::ivec2> size;

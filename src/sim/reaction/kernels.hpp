@@ -36,7 +36,7 @@ class ReactionKernels {
   /// Samples a field as the map of a parameter. `layers` > 1: the field is a volume of that many layers.
   /// Throws UserError(usage) if the field is too wide.
   void take(int parameter, const Field& field, int layers = 1);
-  /// Returns the parameters' maps; empty if there are none.
+  /// Returns the parameters' maps; the array is empty if no parameter has a map.
   [[nodiscard]] gl::Vec4Array& maps() { return weights_; }
   void paint(const ReactionPlan::Painted& painted);
   /// Computes the displayed value of the state at step `number`, if it is not a species.
@@ -97,7 +97,7 @@ class ReactionKernels {
   std::vector<Pass> passes_;
   gl::Kernel<StripKernel> strips_;
   gl::Kernel<LostKernel> lost_;
-  gl::Buffer lostCells_;  ///< For each of the last steps, the lowest index of a lost cell.
+  gl::Buffer lostCells_;  ///< For each of up to lostSteps steps, the lowest index of a lost cell.
   std::vector<float> values_;
 };
 

@@ -53,8 +53,9 @@ struct ReactionSurface {
   enum class Draw { isosurface, cubes };
   Draw draw = Draw::isosurface;
   std::optional<scene::Animated<float>>
-      level;              ///< Isosurface level; default: the middle of the display's range.
-  std::string color;      ///< Expression that the colour map colours; empty: the material's colour.
+      level;          ///< Isosurface level; default: the middle of the display's range.
+  std::string color;  ///< Expression whose value selects the surface's colour in the colour map; empty: the
+                      ///< material's colour.
   glm::vec3 position{0};  ///< Centre of the volume in metres.
   float width = 2;        ///< Width of the volume along x in metres.
   bool closed = true;

@@ -8,8 +8,8 @@
 
 namespace simreel::sim {
 
-/// Returns the values of WaterParameters::quantities() for a state, in that order. Sums in double with x
-/// fastest, so equal states give equal numbers. Formats: `cells` as WaterPlan::firstCells(), `floats` as
+/// Returns the values of WaterParameters::quantities() for a state, in that order. Sums are in double with
+/// x fastest, so equal states give equal numbers. Formats: `cells` as WaterPlan::firstCells(), `floats` as
 /// FloatPlan::first().
 [[nodiscard]] std::vector<double> measureWater(const WaterPlan& plan, std::span<const glm::vec4> cells,
                                                std::span<const glm::vec4> floats = {});
