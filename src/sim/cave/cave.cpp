@@ -25,7 +25,7 @@ std::vector<glm::vec4> cavePalette(const CaveParameters& p) {
   std::vector<glm::vec4> colors;
   for (const glm::vec3& color : of) colors.emplace_back(color, 1);
   if (p.ceiling) {
-    colors[5] = glm::vec4(p.rock, 1);  // The ceiling, and the ceiling beside a wall.
+    colors[5] = glm::vec4(p.rock, 1);  // Shades of the ceiling, and of the ceiling beside a wall.
     colors[6] = glm::vec4(p.rock * shade, 1);
   }
   return colors;
@@ -153,7 +153,7 @@ class Cave final : public Simulation {
   Solid solid_;
   Walls walls_;
   std::vector<float> heights_;
-  std::vector<glm::vec3> walk_;  ///< In metres.
+  std::vector<glm::vec3> walk_;  ///< Points of the smoothed path in metres.
   bool made_ = false;
 };
 

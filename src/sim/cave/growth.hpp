@@ -15,9 +15,10 @@ namespace simreel::sim {
 
 /// Path through a finished cave, in cells.
 struct CaveWay {
-  unsigned entrance = noCell, exit = noCell;  ///< Cell indices; noCell: no cell is open.
-  std::vector<glm::ivec2> path;               ///< Cells from the entrance to the exit.
-  std::vector<glm::dvec2> walk;               ///< Smoothed path.
+  unsigned entrance = noCell,
+           exit = noCell;        ///< Cell indices of the path's ends; noCell if no cell is open.
+  std::vector<glm::ivec2> path;  ///< Cells of the path from the entrance to the exit.
+  std::vector<glm::dvec2> walk;  ///< The path from entrance to exit, smoothed.
 };
 
 struct CaveSmooth;
@@ -58,7 +59,7 @@ class CaveGrowth {
   CaveGrid grid_;
   int stage_ = 0;
   gl::WordsArray cells_[2];
-  gl::WordsArray roomCells_;  ///< Cells before corridors are dug.
+  gl::WordsArray roomCells_;  ///< Copy of the cells before corridors are dug.
   gl::WordsArray distances_;
   gl::Kernel<CaveSmooth> smooth_;
   CaveRegions regions_;

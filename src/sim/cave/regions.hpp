@@ -11,7 +11,7 @@ namespace simreel::sim {
 
 /// Memory layout of a cave's cells (glsl/cave/cells.glsl).
 struct CaveGrid {
-  glm::ivec2 size{1, 1};  ///< Size in cells.
+  glm::ivec2 size{1, 1};  ///< Size of the grid in cells.
   /// Returns the number of 32-bit words per row, a multiple of four.
   [[nodiscard]] int rowWords() const { return (size.x + 127) / 128 * 4; }
   [[nodiscard]] int words() const { return rowWords() * size.y; }
@@ -60,7 +60,7 @@ class CaveRegions {
  public:
   struct Largest {
     unsigned cells = 0;       ///< Number of cells; 0: there is no region of this kind.
-    unsigned first = noCell;  ///< Lowest cell index of the region.
+    unsigned first = noCell;  ///< Lowest cell index in the region.
   };
 
   CaveRegions(const std::string& name, const CaveGrid& grid);

@@ -25,7 +25,7 @@ class Sets {
   std::vector<std::size_t> lower_;
 };
 
-/// Horizontal run of open cells.
+/// Horizontal run of consecutive open cells.
 struct Run {
   int y, begin, end;  ///< `end` is one past the last cell.
 };

@@ -46,7 +46,10 @@ glm::dvec2 openMiddle(const CaveGrid& grid, const std::vector<unsigned>& distanc
 std::vector<glm::ivec2> cavePath(const CaveGrid& grid, const std::vector<unsigned>& distances,
                                  unsigned end) {
   constexpr glm::ivec2 ways[] = {
-      {0, -1}, {-1, 0}, {1, 0}, {0, 1}};  // Ordered by the neighbour's cell index.
+      {0, -1},
+      {-1, 0},
+      {1, 0},
+      {0, 1}};  // Offsets to the four neighbours, ordered by the neighbour's cell index.
   std::vector<glm::ivec2> path = {grid.placeOf(end)};
   for (unsigned left = distanceAt(grid, distances, path.back()); left > 0; --left) {
     const glm::ivec2 here = path.back();

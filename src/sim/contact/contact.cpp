@@ -20,7 +20,7 @@ namespace {
 
 namespace at = shader::contact;
 
-constexpr int holdRounds = 4;  ///< Number of rounds in hold.comp.
+constexpr int holdRounds = 4;  ///< Number of rounds in which hold.comp is dispatched.
 constexpr std::size_t mostPairsWord = 5;
 
 /// Checks the device limits, before any array is allocated or filled.
@@ -172,7 +172,7 @@ void Contact::fit(const ContactShared& shared) const {
   struct Fitting {
     const Tree* tree;
     int dispatch;
-    int levels;  ///< Number of levels that remain to be fitted.
+    int levels;  ///< Number of tree levels that remain to be refitted.
   };
   Fitting fittings[] = {{&faces_, at::faceDispatch, faces_.levels},
                         {&edges_, at::edgeDispatch, edges_.levels}};

@@ -170,11 +170,13 @@ shader::ContactStep ContactPlan::step(bool first, int maxPairs) const {
   shader::ContactStep step{};
   step.perDt = static_cast<float>(1.0 / substepSeconds_);
   step.recovery = 0.2F;
-  step.mostRecovery = static_cast<float>(0.3 * substepSeconds_);  // At 0.3 m/s.
+  step.mostRecovery = static_cast<float>(
+      0.3 * substepSeconds_);  // Limits the speed at which overlaps are resolved to 0.3 m/s.
   step.horizon = 8.0F;
   step.quanta = quanta_;
   step.perQuanta = 1.0F / quanta_;
-  step.bounceFrom = static_cast<float>(0.1 * substepSeconds_);  // At 0.1 m/s.
+  step.bounceFrom =
+      static_cast<float>(0.1 * substepSeconds_);  // Impacts bounce from a speed of 0.1 m/s on.
   step.vertices = vertices();
   step.movable = movable_;
   step.balls = balls_;

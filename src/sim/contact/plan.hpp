@@ -35,7 +35,7 @@ struct ContactPart {
   float heaviest =
       0;  ///< For particles: mass in kg of the heaviest particle, including particles emitted later.
   float bounce = 0;        ///< For particles: fraction of the impact speed that is returned.
-  std::string name = {};   ///< Name of a cloth.
+  std::string name = {};   ///< Name of a cloth, which particles can refer to.
   std::string meets = {};  ///< For particles: name of the cloth that they collide with; empty: all cloths.
 };
 

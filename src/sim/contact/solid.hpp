@@ -49,7 +49,7 @@ class MovedVertices {
   void takeEnd(const gl::Vec4Array& positions) { take(positions, ends_); }
   /// Sets the local-to-world transforms at the frame's start and end.
   void place(const glm::mat4& begin, const glm::mat4& end);
-  /// Same functions as in ContactSolid.
+  /// Same meaning as the functions of ContactSolid.
   void moveTo(int substep, int substeps);
   [[nodiscard]] const gl::Vec4Array& now() const { return places_[0]; }
   [[nodiscard]] const gl::Vec4Array& next() const { return places_[1]; }
@@ -60,9 +60,9 @@ class MovedVertices {
 
   int count_;
   gl::Vec4Array begins_, ends_, places_[2];
-  int substep_ = -1;  ///< Substep that `places_` holds; -1: none.
+  int substep_ = -1;  ///< Index of the substep whose positions `places_` holds; -1: none.
   int substeps_ = 0;
-  glm::mat4 begin_{1}, end_{1};  ///< Transposed matrices.
+  glm::mat4 begin_{1}, end_{1};  ///< Transposed local-to-world matrices at the frame's start and end.
   gl::Kernel<MoveKernel> move_;
 };
 

@@ -12,9 +12,9 @@ struct SolidShape;
 /// Constant part of a solid, independent of its field: sides and bottom, and the roof if there is a
 /// ceiling. Its vertices follow the samples' vertices.
 struct SolidBorder {
-  std::vector<glm::vec4> positions;  ///< w is the colour index.
+  std::vector<glm::vec4> positions;  ///< Vertex positions in xyz, colour index in w.
   std::vector<glm::vec4> normals;
-  std::vector<unsigned> indices;  ///< The count is even.
+  std::vector<unsigned> indices;  ///< Triangle indices; their number is even.
 };
 /// Builds the border. `heights`: height of each class; `firstVertex`: index of the border's first vertex.
 [[nodiscard]] SolidBorder solidBorder(const SolidShape& shape, const std::vector<float>& heights,

@@ -17,7 +17,7 @@ struct ContourParameters final : ObjectParameters {
   std::string field;            ///< Name of the object whose field is shown.
   std::filesystem::path image;  ///< Picture used instead of a field; levels 0 to 255 map to 0 to 1.
   int levels = 8;
-  std::optional<double> low, high;       ///< Values of the first and the last level.
+  std::optional<double> low, high;       ///< Field values of the first and the last contour level.
   glm::vec3 position{0, -1.3F, 0};       ///< Centre of the lowest face in metres.
   float width = 4.8F;                    ///< Width of the field in metres.
   scene::Animated<float> height = 0.6F;  ///< Height of the highest face in metres.

@@ -15,12 +15,13 @@ namespace simreel::sim {
 /// Conversion of a field to a solid. The levels divide the values into classes: a value in class k reaches
 /// k levels.
 struct SolidShape {
-  glm::ivec2 size{1, 1};             ///< Size of the field in cells.
-  std::vector<float> levels{0.5F};   ///< Ascending, 1 to maxSolidLevels values.
+  glm::ivec2 size{1, 1};  ///< Size of the field in cells.
+  std::vector<float> levels{
+      0.5F};  ///< Values of the levels in ascending order, 1 to maxSolidLevels of them.
   std::vector<float> heights{0, 1};  ///< Height in metres of each class's face, ascending.
   float spacing = 1.0F;              ///< Distance between cells in metres; the field's centre is at (0, 0).
   float base = 1.0F;                 ///< Thickness in metres of the material below the lowest class.
-  int outside = 0;                   ///< Class outside the field.
+  int outside = 0;                   ///< Index of the class assumed outside the field.
   bool ceiling = false;  ///< True to add a ceiling over class 0 at the height of class 1; requires one
                          ///< level and `outside` 1.
   float roof = 0.5F;     ///< Thickness in metres of the material above a ceiling.

@@ -57,7 +57,9 @@ struct Solid::State {
   gl::Texture positionView, normalView;
   gl::Kernel<SolidCount> tally;
   gl::Kernel<SolidList> list;
-  gl::Kernel<SolidSheet> freshSheet, sheet;  ///< `sheet` is created on first use.
+  gl::Kernel<SolidSheet> freshSheet,
+      sheet;  ///< Kernels that build the horizontal faces: `freshSheet` for the first build, `sheet`
+              ///< (created on first use) for later builds.
   std::map<Field::Cells, FieldKernels> kernels;
   Field field;
   bool fresh = true;  ///< True if the normals of the samples have not been written yet.

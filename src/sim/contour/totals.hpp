@@ -34,9 +34,9 @@ class Totals {
     std::int64_t fixed = 0;  ///< Number of constant indices.
     unsigned perSheet = 0,
              perPoint = 0;  ///< Number of indices per sheet and per point; a triangle always has three.
-    std::int64_t points = 0, indices = 0;  ///< Capacity of the buffers.
+    std::int64_t points = 0, indices = 0;  ///< Capacity of the buffers in points and in indices.
   };
-  /// Dispatches the kernels; does not wait.
+  /// Dispatches the kernels without waiting for them.
   void run(const gl::WordsArray& tallies, const Room& room);
   /// Waits for the latest run; returns false if there was none. Throws UserError(device).
   [[nodiscard]] bool wait();

@@ -17,7 +17,7 @@ struct ColliderShape {
   scene::Animated<glm::vec3> position;  ///< Centre in metres; for a plane, a point on the plane.
   scene::Animated<glm::vec3>
       rotation;         ///< Rotation in degrees; a capsule's axis is local y, a plane's normal is local y.
-  float radius = 1.0F;  ///< Radius in metres.
+  float radius = 1.0F;  ///< Radius of a sphere or capsule, in metres.
   float length = 0.0F;  ///< Distance in metres between the centres of a capsule's two end caps.
   float grip = 25.3F;   ///< Decay rate (1/s) of the tangential velocity in contact.
   std::optional<double> friction;  ///< Coulomb friction coefficient; if set, it replaces `grip`.

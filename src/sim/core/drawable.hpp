@@ -33,8 +33,8 @@ struct Surface {
   const std::string* object = nullptr;  ///< Name of the object in the scene, or null if none was published.
   const gl::Texture* positions = nullptr;  ///< RGBA32F texel view, one texel per vertex: xyz in metres; w
                                            ///< is the palette index if there is a palette, else unused.
-  const gl::Texture* normals = nullptr;    ///< RGBA32F texel view, xyz; null for a grid.
-  const gl::Texture* uvs = nullptr;        ///< RG32F texel view; null for a grid.
+  const gl::Texture* normals = nullptr;    ///< Vertex normals: RGBA32F texel view, xyz; null for a grid.
+  const gl::Texture* uvs = nullptr;        ///< Texture coordinates: RG32F texel view; null for a grid.
   /// Width and height of a vertex grid (x fastest); zero for a mesh. A grid computes its normals from
   /// neighbouring vertices and its UVs as (x/(W-1), y/(H-1)).
   glm::ivec2 grid{0, 0};
@@ -42,7 +42,7 @@ struct Surface {
   int vertexRoom = 0;   ///< Maximum number of vertices, if larger than `vertexCount`.
   /// Set if `positions` holds grid texels with a height component instead of vertex positions.
   const GridHeights* heights = nullptr;
-  const gl::Buffer* indices = nullptr;  ///< 32-bit indices.
+  const gl::Buffer* indices = nullptr;  ///< Triangle indices of 32 bits each.
   /// Number of indices in one row of cells, if a grid stores indices for its first row only; 0: all rows
   /// are stored.
   int rowIndices = 0;
@@ -57,8 +57,9 @@ struct Surface {
   /// vertices using `trail`; positions and normals are those at rest, and w of `positions` is the distance
   /// between vertices.
   const gl::Buffer* deform = nullptr;
-  const gl::Texture* trail = nullptr;  ///< RGBA32F texel view of the deformation's trail.
-  glm::mat4 model{1.0F};               ///< Model matrix: rigid, or with uniform scale.
+  const gl::Texture* trail =
+      nullptr;  ///< Trail pressed into the surface, which the displacement reads: RGBA32F texel view.
+  glm::mat4 model{1.0F};  ///< Model matrix: rigid, or with uniform scale.
   bool doubleSided = false;
   /// Unique identifier of a mesh whose positions, normals and indices never change; 0 for a mesh that may
   /// change.
@@ -130,7 +131,7 @@ struct Field {
   Cells cells =
       Cells::floats;      ///< Cell format. bits and bytes (0 to 255) start at the lowest bits of a word;
                           ///< colors: four floats, linear RGB and the value that textured surfaces use.
-  glm::ivec2 size{0, 0};  ///< Size in cells.
+  glm::ivec2 size{0, 0};  ///< Size of the grid in cells.
   int rowWords = 0;       ///< Stride between rows, in 32-bit words.
   int firstWord = 0;      ///< Word offset of cell (0, 0).
   int cellWords = 1;      ///< Stride between cells in words, for float cells.
@@ -166,14 +167,14 @@ struct Writing {
   const std::vector<std::vector<glm::vec2>>* outlines = nullptr;
   glm::vec2 place{0};     ///< Position of the anchor, as fractions of the picture from its top left.
   float height = 0.03F;   ///< Cap height, as a fraction of the picture's height.
-  glm::vec3 color{1};     ///< Linear RGB.
-  float opacity = 1.0F;   ///< Opacity, 0 to 1.
+  glm::vec3 color{1};     ///< Text colour, linear RGB.
+  float opacity = 1.0F;   ///< Opacity of the text, 0 to 1.
   float backdrop = 0.0F;  ///< Opacity of a dark panel behind the text.
 };
 
 /// Path through a scene. Cameras can follow it, and scene objects can be placed along it.
 struct Path {
-  const std::string* name = nullptr;  ///< Name of the object.
+  const std::string* name = nullptr;  ///< Name of the object that publishes the path.
   const std::vector<glm::vec3>* points =
       nullptr;  ///< Points on the ground from start to end, in metres in scene space; at least one.
 };
@@ -181,7 +182,7 @@ struct Path {
 /// Centre of an object, published for a camera that looks at the object.
 struct Place {
   const std::string* object = nullptr;  ///< Name of the object in the scene.
-  glm::vec3 middle{0};                  ///< Centre in metres.
+  glm::vec3 middle{0};                  ///< Position of the centre in metres.
   /// Time (seconds) of the object's last jump along its keyframes.
   double jumped = -std::numeric_limits<double>::infinity();
 };

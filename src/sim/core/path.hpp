@@ -17,7 +17,7 @@ namespace simreel::sim {
 /// Position of an object beside a path, and the direction of the path at that position.
 struct Standing {
   glm::vec3 position{0};
-  glm::vec3 ahead{0, 0, -1};  ///< Horizontal unit vector.
+  glm::vec3 ahead{0, 0, -1};  ///< Direction of the path: a horizontal unit vector.
 };
 /// Returns the position of an object beside a path at `seconds`. The direction is taken from half a metre
 /// before to half a metre behind, so that it turns smoothly; cross(ahead, y) points to its right.

@@ -33,7 +33,7 @@ struct PortInfo {
   const char*
       lacks;  ///< Continuation of the message `object "a" is a sphere`, such as ", which does not blow".
   const char* none;              ///< Message after an unknown name, such as "the scene has no fluid".
-  When when = When::beforeStep;  ///< Default moment for Ports::want.
+  When when = When::beforeStep;  ///< Moment of use if Ports::want() does not give one.
   /// Word for the parts that a provider names with a dot, as in "smoke.u". Null: providers have no parts.
   const char* part = nullptr;
   bool partNeeded = false;  ///< True if a name must include a part; an object's name alone is invalid.
@@ -69,7 +69,7 @@ class Ports {
   };
   struct Want {
     const PortInfo* port;
-    std::string name;               ///< OBJECT or OBJECT.PART; empty if `all`.
+    std::string name;               ///< Name of the provider, OBJECT or OBJECT.PART; empty if `all`.
     std::vector<std::string> path;  ///< JSON path of the name, relative to the object's parameters.
     When when;
     bool all = false;     ///< True to take from every object that provides the port.
@@ -126,7 +126,7 @@ class StepGroup {
   virtual void step(double time, const Watch& watch) = 0;
 };
 
-/// State of a step group (Ports::join).
+/// Leadership and step count of a step group (Ports::join).
 struct Together {
   bool led = false;  ///< True if an object of the scene leads the group.
   int steps = 0;     ///< Steps per frame: the maximum of all members; 0: each member takes its own number.

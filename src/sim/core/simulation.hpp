@@ -35,12 +35,12 @@ struct Setting {
   /// Progress callback for the steps before the first frame; may throw to stop them. May be empty.
   std::function<void(long done, long total)> presteps = {};
 
-  /// Returns Links::get; null without links.
+  /// Returns the result of Links::get; null if the setting has no links.
   template <class T>
   [[nodiscard]] T* find(std::string_view object = {}) const {
     return links == nullptr ? nullptr : links->get<T>(object);
   }
-  /// Returns Links::of; null if `object` is empty.
+  /// Returns the result of Links::of; null if `object` is empty.
   template <class T>
   [[nodiscard]] T* wanted(std::string_view object) const {
     return object.empty() ? nullptr : &links->of<T>(object);
@@ -64,7 +64,7 @@ struct CountTable {
 /// State exported as a table for other programs: one row per point, read back from the GPU.
 struct PointTable {
   std::vector<const char*> columns;  ///< Column names as in point files: "x", "y", "z", "vx", ...
-  std::vector<float> values;         ///< Values in row-major order.
+  std::vector<float> values;         ///< Table values in row-major order.
 };
 
 /// Surface mesh exported for other programs, read back from the GPU if it is there. Positions are in metres
@@ -74,7 +74,7 @@ struct MeshTable {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;
   std::vector<glm::vec2> uvs;
-  std::vector<unsigned> indices;  ///< Three indices per triangle.
+  std::vector<unsigned> indices;  ///< Triangle indices, three per triangle.
   bool doubleSided = false;       ///< True if back faces are visible.
 };
 
@@ -83,7 +83,7 @@ struct Room {
   glm::dvec2 centre{
       0};  ///< Mean position of the room's cells, in the cell coordinates of ContourLines; may lie in rock.
   long cells = 0;
-  double area = 0;  ///< Area in m^2.
+  double area = 0;  ///< Floor area of the room in m^2.
 };
 
 /// Closed contour lines that separate cells below a level of a field from the rest. In cell coordinates,
@@ -92,7 +92,7 @@ struct Room {
 struct ContourLines {
   std::vector<glm::vec2> points;
   std::vector<unsigned> next;
-  std::vector<int> levels;      ///< Level of each point, starting at 1.
+  std::vector<int> levels;      ///< Level index of each point, starting at 1.
   glm::ivec2 size{0, 0};        ///< Size of the field in cells.
   std::vector<glm::vec2> path;  ///< Path through the field, if one was found.
   std::vector<Room> rooms;      ///< Rooms, ordered by their lowest cell index.

@@ -51,7 +51,7 @@ void StageClock::end() {
 }
 
 void StageClock::collect() {
-  for (std::size_t i = 1; i <= frames_.size(); ++i) {  // Oldest frame first.
+  for (std::size_t i = 1; i <= frames_.size(); ++i) {  // Iterates from the oldest frame to the newest.
     Frame& frame = frames_[(current_ + i) % frames_.size()];
     if (!frame.pending) continue;
     GLint done = GL_FALSE;

@@ -48,7 +48,8 @@ class StateHash {
 
  private:
   gl::Kernel<StateHashKernel> kernel_;
-  mutable gl::Kernel<StateHashKernel> ofPlanes_;  ///< Created for the first array stored in planes.
+  mutable gl::Kernel<StateHashKernel>
+      ofPlanes_;  ///< Kernel variant for arrays stored in planes; created on first use.
 };
 
 }  // namespace simreel::sim

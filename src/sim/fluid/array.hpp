@@ -21,7 +21,8 @@ class FluidArray {
 
  private:
   gl::BufferPart part_;
-  gl::Texture words_, texels_;  ///< `texels_` exists only on the texel path.
+  gl::Texture words_,
+      texels_;  ///< Views of the array: as 32-bit words, and as RGBA32F texels (on the texel path only).
 };
 
 }  // namespace simreel::sim

@@ -66,7 +66,8 @@ class FluidArrays {
   FluidArray arrays_[4],
       free_[2];  ///< Free memory for shown(): `free_[0]` is before the dye, `free_[1]` after it.
   int flow_ = 0, dye_ = 1, scratch_ = 2, spare_ = 3;
-  gl::Kernel<FluidGather> gather_, scatter_;  ///< Created on first use.
+  gl::Kernel<FluidGather> gather_,
+      scatter_;  ///< Convert between planes and consecutive elements; created on first use.
 };
 
 }  // namespace simreel::sim

@@ -78,7 +78,7 @@ void FluidChart::add(std::span<const double> measured) {
   for (std::size_t i = 0; i < p.curves.size(); ++i) {
     const double shown = measured[placeOf(p.curves[i].of)] / p.curves[i].per;
     const double height = (shown - p.low) / (p.high - p.low);
-    // NaN fails this comparison and gives 0.
+    // If the value is NaN, the comparison is false and the count is 0.
     row[static_cast<int>(i)] =
         height > 0 ? static_cast<unsigned>(std::floor(std::min(height, 1.0) * whole + 0.5)) : 0;
   }

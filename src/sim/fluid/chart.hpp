@@ -19,7 +19,7 @@ struct FluidChartParameters {
   struct Curve {
     Quantity of = Quantity::lift;
     double per = 1;                  ///< Amount of the quantity that is 1 in the chart.
-    std::optional<glm::vec3> color;  ///< Linear RGB.
+    std::optional<glm::vec3> color;  ///< Colour of the curve, linear RGB.
   };
   std::vector<Curve> curves;
   double low = -1, high = 1;  ///< Values at the bottom and the top of the chart.

@@ -198,7 +198,7 @@ class Fluid : public Simulation {
   std::vector<std::string> channelNames_;
   gl::Buffer counts_;  ///< Table row filled by count().
   long steps_ = 0;
-  double time_ = 0;  ///< Seconds.
+  double time_ = 0;  ///< Time of the current state in seconds.
 };
 
 }  // namespace

@@ -146,7 +146,7 @@ void FluidKernels::place(double time, int step) {
 /// Dispatches a kernel over the tiles that are not fully open, then over the ring around the grid.
 template <class Interface>
 void FluidKernels::runOthers(const gl::Kernel<Interface>& kernel, Interface given) const {
-  // Work sizes of glsl/fluid/cells.glsl.
+  // Numbers of cells and tiles per workgroup, as in glsl/fluid/cells.glsl.
   const bool four = gl::memoryPath() == gl::MemoryPath::texel;
   const int each = four ? 4 * 64 : 64, tiles = four ? FluidLevel::groupTiles : 1;
   const int list = plan_.levels().levels().front().listElements();
@@ -253,14 +253,15 @@ void FluidKernels::projectInPlace(unsigned number) {
                                            .pool = arrays_.scratch().resource(),
                                            .kept = kept_});
   }
-  check_.dispatch({plan_.size().x + 2, (plan_.size().y + 5) / 4},  // Each invocation processes four rows.
-                  {.part = given.part,
-                   .number = number,
-                   .lostSpeed = given.lostSpeed,
-                   .flow = arrays_.flow().resource(),
-                   .ways = arrays_.scratch().resource(),
-                   .control = pressure_.control(),
-                   .status = status_});
+  check_.dispatch(
+      {plan_.size().x + 2, (plan_.size().y + 5) / 4},  // An invocation of check_ processes four rows.
+      {.part = given.part,
+       .number = number,
+       .lostSpeed = given.lostSpeed,
+       .flow = arrays_.flow().resource(),
+       .ways = arrays_.scratch().resource(),
+       .control = pressure_.control(),
+       .status = status_});
 }
 
 void FluidKernels::moveDye() {
@@ -290,13 +291,14 @@ void FluidKernels::moveDye(int passes) const {
   // Aims at about 9500 workgroups: with fewer, all wait for long strips with much dye; with more, shorter
   // strips compute more overlapping rows twice.
   const int rows = std::clamp(static_cast<int>(std::int64_t{size.x} * size.y / 524288), 4, 1024);
-  dyeStrips_[passes - 1].dispatch({((size.x - 1) / columns + 1) * lanes, (size.y - 1) / rows + 1},
-                                  {.part = part(),
-                                   .rows = rows,
-                                   .flow = arrays_.flow().resource(),
-                                   .ways = arrays_.scratch().resource(),  // Written by check_.
-                                   .dye = arrays_.dye().resource(),
-                                   .next = arrays_.spare().resource()});
+  dyeStrips_[passes - 1].dispatch(
+      {((size.x - 1) / columns + 1) * lanes, (size.y - 1) / rows + 1},
+      {.part = part(),
+       .rows = rows,
+       .flow = arrays_.flow().resource(),
+       .ways = arrays_.scratch().resource(),  // The advection paths that check_ has written.
+       .dye = arrays_.dye().resource(),
+       .next = arrays_.spare().resource()});
 }
 
 void FluidKernels::start(double time) {

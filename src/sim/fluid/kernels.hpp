@@ -94,12 +94,12 @@ class FluidKernels {
 
   const FluidPlan& plan_;
   std::shared_ptr<const FluidSolids> solids_;
-  gl::Vec4Array lines_;  ///< Used only if flow lines are shown.
+  gl::Vec4Array lines_;  ///< Output buffer of the flow line display; empty if flow lines are not shown.
   gl::Texture lineWords_;
   gl::WordsArray stamps_;
   gl::Vec4Array stops_;
   gl::Buffer status_, brushes_;
-  gl::Buffer kept_;  ///< Buffer of glsl/fluid/kept.glsl.
+  gl::Buffer kept_;  ///< Buffer for the fraction of pressure kept between steps (glsl/fluid/kept.glsl).
   StepBlocks<shader::FluidStep> steps_;
   std::size_t step_ = 0;  ///< Index in `steps_` of the uniform block that kernels get.
   gl::Kernel<FluidPush> push_;
@@ -110,7 +110,7 @@ class FluidKernels {
   gl::Kernel<FluidPaintBack> paintBack_;
   gl::Kernel<FluidShow> show_;
   gl::Kernel<FluidLines> showLines_;
-  Tiled<FluidProject> project_;  ///< On the storage path only `others` is created.
+  Tiled<FluidProject> project_;  ///< Projection kernels; on the storage path only `others` is created.
   Tiled<FluidDyePass> moveDye_;
   // Kernels for the storage path. dyeStrips_[0] makes one pass of dye, dyeStrips_[1] two at once.
   gl::Kernel<FluidProjectOpen> projectOpen_;

@@ -18,7 +18,7 @@ constexpr double throughWalls = 0.15;
 
 struct FluidLevels::Grid {
   glm::ivec2 cells;
-  std::vector<double> widths, heights;  ///< Sizes of columns and rows in fine cells.
+  std::vector<double> widths, heights;  ///< Widths of columns and heights of rows, in units of fine cells.
   std::vector<double> left, top;        ///< Open lengths of left faces, (cells.x + 1) x cells.y, and of top
                                         ///< faces, cells.x x (cells.y + 1).
   glm::bvec2 wraps;

@@ -33,14 +33,15 @@ struct FluidSide {
 struct FluidObstacle {
   enum class Shape { circle, box, image };
   Shape shape = Shape::circle;
-  scene::Animated<glm::vec3> center = glm::vec3(0);  ///< Centre in cells (third component unused).
-  float radius = 8;                                  ///< Radius of a circle in cells.
-  glm::vec3 extent{16, 16, 0};                       ///< Width and height of a box in cells, at least 1.
-  scene::Animated<float> turn = 0.0F;                ///< Clockwise rotation about the centre, in degrees.
-  std::filesystem::path image;                       ///< Image whose light pixels are solid.
-  float threshold = 0.5F;                            ///< Brightness threshold for solid, 0 to 1.
-  float scale = 1;                                   ///< Size of an image pixel in cells.
-  bool measured = true;  ///< True if the measured drag and lift include this obstacle.
+  scene::Animated<glm::vec3> center =
+      glm::vec3(0);                    ///< Centre of the obstacle in cells (third component unused).
+  float radius = 8;                    ///< Radius of a circle in cells.
+  glm::vec3 extent{16, 16, 0};         ///< Width and height of a box in cells, at least 1.
+  scene::Animated<float> turn = 0.0F;  ///< Clockwise rotation about the centre, in degrees.
+  std::filesystem::path image;         ///< Image whose light pixels are solid.
+  float threshold = 0.5F;              ///< Brightness threshold for solid, 0 to 1.
+  float scale = 1;                     ///< Size of an image pixel in cells.
+  bool measured = true;                ///< True if the measured drag and lift include this obstacle.
 
   [[nodiscard]] bool moves() const { return center.moves() || turn.moves(); }
 };
@@ -49,10 +50,10 @@ struct FluidObstacle {
 /// towards the set values by the fraction `value`.
 struct FluidStroke : StrokeParameters {
   bool setsVelocity = false, setsTemperature = false, setsDye = false;
-  scene::Animated<glm::vec3> velocity = glm::vec3(0);  ///< Velocity in cells/s.
+  scene::Animated<glm::vec3> velocity = glm::vec3(0);  ///< Velocity set by the stroke, in cells/s.
   scene::Animated<float> temperature = 0.0F;
-  scene::Animated<glm::vec3> dye = glm::vec3(0);    ///< RGB.
-  scene::Animated<glm::vec3> force = glm::vec3(0);  ///< Acceleration in cells/s^2.
+  scene::Animated<glm::vec3> dye = glm::vec3(0);    ///< Dye colour set by the stroke, RGB.
+  scene::Animated<glm::vec3> force = glm::vec3(0);  ///< Acceleration applied by the stroke, in cells/s^2.
   float soft = 0.5F;  ///< Fraction of the radius over which the stroke fades towards its rim.
 };
 
@@ -73,22 +74,22 @@ struct FluidParameters : ObjectParameters {
   float courant = 2.5F;         ///< Cells that the maximum speed travels in a substep.
   Advection advection = Advection::macCormack;
   scene::Animated<float> viscosity = 0.0F;    ///< Kinematic viscosity in cells^2/s.
-  scene::Animated<float> confinement = 0.0F;  ///< Vorticity confinement in 1/s.
+  scene::Animated<float> confinement = 0.0F;  ///< Strength of vorticity confinement in 1/s.
   scene::Animated<float> lift = 0.0F;         ///< Upward acceleration at temperature 1, in cells/s^2.
-  float cooling = 0;                          ///< Cooling rate in 1/s.
+  float cooling = 0;                          ///< Rate at which temperature decays, in 1/s.
   scene::Animated<float> dyeWeight = 0.0F;    ///< Downward acceleration of dye (1, 1, 1), in cells/s^2.
   glm::vec3 flow{0};                          ///< Initial uniform velocity in cells/s.
   int cycles = 16;                            ///< Maximum number of multigrid cycles per projection.
   std::vector<FluidObstacle> obstacles;
   bool obstaclesSlip = false;
-  glm::vec3 obstacleColor{0.03F, 0.03F, 0.035F};  ///< Linear RGB.
+  glm::vec3 obstacleColor{0.03F, 0.03F, 0.035F};  ///< Obstacle colour, linear RGB.
   std::vector<FluidStroke> strokes;
   Show show = Show::dye;
   Look look = Look::light;
   FluidPlane plane;
   std::optional<TracerParameters> tracers;
   float brightness = 1.1F;
-  glm::vec3 paper{0.003F, 0.004F, 0.009F};  ///< Background where there is no dye, linear RGB.
+  glm::vec3 paper{0.003F, 0.004F, 0.009F};  ///< Background colour where there is no dye, linear RGB.
   int lineDetail = 4;                       ///< Pixels per cell, along each axis, of the flow line picture.
   double lineRate = 0.8;                    ///< Ripple frequency at a fixed point of a flow line, in 1/s.
   FieldDisplay display;

@@ -58,7 +58,7 @@ class FluidPlan {
   std::string object_;
   double frameSeconds_;
   int substeps_ = 1, dyePasses_ = 1;
-  std::vector<PictureDistances> pictures_;  ///< One entry per obstacle.
+  std::vector<PictureDistances> pictures_;  ///< Distances to the obstacles' images; one entry per obstacle.
   Strokes strokes_;
   /// Returns the obstacles at 0 s. Created on first use, so that a plan made only for validation needs no
   /// memory per cell.

@@ -75,7 +75,7 @@ FluidPressure::FluidPressure(const std::string& name, const FluidPlan& plan, con
 }
 
 void FluidPressure::makeCoarse(const FluidPlan& plan, const gl::Defines& defines) {
-  constexpr int most = 64;  // Maximum number of cells per side.
+  constexpr int most = 64;  // Maximum number of cells per side of a level that coarse_ processes.
   const std::vector<FluidLevel>& levels = levels_.levels();
   const FluidParameters& p = plan.parameters();
   const auto fits = [&](const FluidLevel& level) {
@@ -157,7 +157,7 @@ std::vector<std::uint32_t> FluidPressure::groupsOf(const FluidSolids& solids) co
   }
   groups.insert(groups.end(), {1U, 1U, 1U});
   for (const std::size_t first : {firstDown_, firstUp_}) {
-    constexpr int tile = 32;  // Tile size of down.comp and up.comp.
+    constexpr int tile = 32;  // Tile width in cells of down.comp and up.comp.
     const glm::uvec2 tiles((levels_.levels()[first].cells - 1) / tile + 1);
     groups.insert(groups.end(), {tiles.x, tiles.y, 1U});
   }

@@ -40,7 +40,7 @@ class FluidPressure {
   /// `defines`: preprocessor definitions shared by all kernels of the fluid.
   FluidPressure(const std::string& name, const FluidPlan& plan, const gl::Defines& defines);
 
-  /// Sets the current obstacles.
+  /// Uploads the current obstacles.
   void setSolids(const FluidSolids& solids);
   /// Returns the interface part that all kernels share: the step's block (`step`) and the obstacles.
   [[nodiscard]] FluidPart part(const gl::Resource& step) const;
@@ -59,7 +59,7 @@ class FluidPressure {
 
   [[nodiscard]] const gl::Buffer& control() const { return control_; }
   [[nodiscard]] gl::Buffer& control() { return control_; }
-  /// Waits for the GPU.
+  /// Reads back the statistics; waits for the GPU.
   [[nodiscard]] Report report() const;
 
  private:
@@ -101,9 +101,9 @@ class FluidPressure {
   const FluidLevels& levels_;  ///< Used for the grid sizes only, not for the weights.
   int cycles_;
   bool tileAGroup_;         ///< True if a workgroup processes one tile that is not open, instead of four.
-  gl::WordsArray weights_;  ///< FluidSolids::words.
+  gl::WordsArray weights_;  ///< Face weights of all levels and data of the obstacles (FluidSolids::words).
   gl::Buffer solids_, control_;
-  StepBlocks<shader::FluidLevelPlace> places_;  ///< One per level.
+  StepBlocks<shader::FluidLevelPlace> places_;  ///< Uniform blocks, one per multigrid level.
   Pair<FluidDescend> descend_;
   Pair<FluidAscend> ascend_;
   Pair<FluidResidual> residual_;

@@ -35,7 +35,7 @@ class PlacedObstacle {
                  : std::sqrt(corner.x * corner.x + corner.y * corner.y);
   }
 
-  /// Returns the signed distance in cells.
+  /// Returns the signed distance from a point to the obstacle, in cells.
   [[nodiscard]] double distance(glm::dvec2 p) const {
     const glm::dvec2 d = p - center_;
     if (what_.shape == FluidObstacle::Shape::circle) return std::sqrt(d.x * d.x + d.y * d.y) - what_.radius;
@@ -336,7 +336,8 @@ void FluidSolids::balance(const FluidParameters& p, const shader::FluidStep& sid
       const auto i = static_cast<std::size_t>(pocket);
       out[i] += acrossX(x + 1, y) - acrossX(x, y) + acrossY(x, y + 1) - acrossY(x, y);
       area[i] +=
-          std::clamp(0.5 + distanceAt(x, y), 0.0, 1.0);  // Same as openPart of glsl/fluid/projected.glsl.
+          std::clamp(0.5 + distanceAt(x, y), 0.0,
+                     1.0);  // Open fraction of the cell, computed as openPart of glsl/fluid/projected.glsl.
       const bool lets = (x == 0 && !wraps.x && face(0, y).x > 0) ||
                         (x + 1 == size_.x && !wraps.x && face(size_.x, y).x > 0) ||
                         (y == 0 && !wraps.y && face(x, 0).y > 0) ||

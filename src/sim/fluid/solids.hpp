@@ -18,7 +18,7 @@ class PictureDistances {
   PictureDistances() = default;
   /// Areas brighter than `threshold` (0 to 1) are solid. Throws UserError if the picture cannot be read.
   PictureDistances(const std::filesystem::path& file, double threshold);
-  /// `levels`: brightness 0 to 1, x fastest.
+  /// Computes the distances from brightness values. `levels`: brightness 0 to 1, x fastest.
   PictureDistances(glm::ivec2 size, const std::vector<double>& levels, double threshold);
 
   /// Returns the distance at a point in pixels; (0, 0) is the top left corner of the picture.

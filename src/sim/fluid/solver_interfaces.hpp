@@ -12,7 +12,8 @@ struct FluidLevelPart {
   gl::In<"weights"> weights;
 };
 struct FluidTiles {
-  gl::Choice<"IN_THE_OPEN", 0, 1, 2> open;  // 0: other tiles, 1: open tiles, 2: both.
+  gl::Choice<"IN_THE_OPEN", 0, 1, 2>
+      open;  // Tiles that the kernel processes: 0: tiles that are not open, 1: open tiles, 2: both.
 };
 struct FluidTileGroups {
   gl::Choice<"IN_THE_OPEN", 0, 1, 2> open;
@@ -73,7 +74,7 @@ struct FluidDecide {
 
 struct FluidCoarse {
   static constexpr auto file = "fluid/solver/coarse.comp";
-  static constexpr std::size_t most = 4;  // Maximum number of levels.
+  static constexpr std::size_t most = 4;  // Maximum number of multigrid levels that coarse.comp processes.
   struct Variant {
     gl::Flag<"SUBGROUPS"> subgroups;
   };
@@ -88,7 +89,7 @@ struct FluidCoarse {
 
 struct FluidDown {
   static constexpr auto file = "fluid/solver/down.comp";
-  static constexpr std::size_t most = 3;  // Maximum number of levels.
+  static constexpr std::size_t most = 3;  // Maximum number of multigrid levels that down.comp processes.
   struct Variant {
     gl::Range<"LEVELS", 1, most> levels;
   };
@@ -103,7 +104,7 @@ struct FluidDown {
 
 struct FluidUp {
   static constexpr auto file = "fluid/solver/up.comp";
-  static constexpr std::size_t most = 4;  // Maximum number of levels.
+  static constexpr std::size_t most = 4;  // Maximum number of multigrid levels that up.comp processes.
   struct Variant {
     gl::Range<"LEVELS", 1, most> levels;
   };

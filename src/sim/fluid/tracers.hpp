@@ -24,7 +24,7 @@ struct TracerParameters {
   int count = 2000;
   float seconds = 4;     ///< Mean lifetime in seconds; a tracer then restarts at another place.
   float streak = 0.35F;  ///< Time in seconds in which the drawn trail fades to 1/e.
-  glm::vec3 color{0.9F, 0.95F, 1.0F};  ///< Linear RGB.
+  glm::vec3 color{0.9F, 0.95F, 1.0F};  ///< Colour of the tracers, linear RGB.
   float brightness = 1;
   void describe(scene::Fields& fields);
 };

@@ -20,8 +20,8 @@ namespace simreel::sim {
 /// Position and orientation of a fluid's rectangle in the world. Without rotation it stands upright like a
 /// picture viewed along -z: the fluid's x points right, its y down.
 struct FluidPlane {
-  glm::vec3 position{0};  ///< Centre in metres.
-  glm::vec3 rotation{0};  ///< Rotation in degrees about x, then y, then z.
+  glm::vec3 position{0};  ///< Centre of the rectangle in metres.
+  glm::vec3 rotation{0};  ///< Rotation of the rectangle in degrees about x, then y, then z.
   float cell = 0.05F;     ///< Cell width in metres.
 };
 

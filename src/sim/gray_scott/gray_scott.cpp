@@ -66,7 +66,7 @@ class GrayScott : public Simulation, public Retunable {
     field.cells = Field::Cells::floats;
     field.size = p.size;
     field.rowWords = 4 * plan_.columns();
-    field.firstWord = 1;  // The second value of (u, v).
+    field.firstWord = 1;  // Offset of v in a cell's pair (u, v).
     field.cellWords = 2;
     field.range = {static_cast<float>(p.display.low), static_cast<float>(p.display.high)};
     field.colors = &colors_;

@@ -32,8 +32,9 @@ struct GrayScottHealth {
 struct GrayScottParameters : ObjectParameters {
   glm::ivec2 size{256, 256};  ///< Grid size in cells.
   GrayScottPreset preset = GrayScottPreset::leopard;
-  std::optional<scene::Animated<float>> feed, kill;  ///< Rates that replace the preset's.
-  std::optional<GrayScottHealth> health;             ///< Blended rates that replace preset, feed and kill.
+  std::optional<scene::Animated<float>> feed,
+      kill;                               ///< Feed and kill rates that replace the preset's rates.
+  std::optional<GrayScottHealth> health;  ///< Blended rates that replace preset, feed and kill.
   std::optional<double> feedAcross,
       killDown;       ///< Feed rate at the right edge and kill rate at the bottom edge.
   bool axes = false;  ///< True to draw axes if the rates vary along them.
@@ -42,13 +43,13 @@ struct GrayScottParameters : ObjectParameters {
   double feedWhite = 0.06, killWhite = 0.065;
   double diffuseU = 0.21, diffuseV = 0.105;  ///< Diffusion coefficients in cells^2 per unit of time.
   double dt = 1;
-  int steps = 16;    ///< Steps per frame.
-  int presteps = 0;  ///< Steps before the first frame.
+  int steps = 16;    ///< Number of steps per frame.
+  int presteps = 0;  ///< Number of steps before the first frame.
   int seedCount = 24;
   double seedRadius = 5;        ///< Radius of a seed in cells.
-  double seedValue = 0.5;       ///< Value of v in a seed; u is 1 - v.
+  double seedValue = 0.5;       ///< Initial value of v in a seed; u is 1 - v.
   double seedNoise = 0.1;       ///< Amplitude of random variation of v within seeds, as a fraction.
-  std::filesystem::path image;  ///< Image whose light pixels start like seeds.
+  std::filesystem::path image;  ///< Image whose light pixels are initialized like seeds.
   std::vector<StrokeParameters> strokes;
   FieldDisplay display;
 

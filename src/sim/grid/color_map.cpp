@@ -54,7 +54,7 @@ constexpr Table polar = {
     0x4a0002, 0x5d0901, 0x6e1901, 0x7e2802, 0x8f3602, 0x9e4604, 0xae5504, 0xbd6507, 0xcd7606,
     0xd78926, 0xdb9f50, 0xdeb475, 0xe1c89a, 0xe6dac0, 0xf5ebce,
 };
-/// Even steps in sRGB.
+/// Grey scale in even steps of sRGB.
 constexpr Table grey = [] {
   Table table{};
   for (std::uint32_t i = 0; i < table.size(); ++i) table[i] = 0x010101U * ((255U * i + 16U) / 32U);

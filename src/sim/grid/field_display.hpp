@@ -26,7 +26,7 @@ struct FieldDisplay {
   scene::Animated<float> opacity = 1.0F;
   bool smooth = true;  ///< True to interpolate linearly between cells; false to draw each cell as a square.
   bool tiled = false;  ///< True to repeat the field beyond its border; false to show `border` there.
-  glm::vec3 border{0.01F};  ///< Linear RGB.
+  glm::vec3 border{0.01F};  ///< Colour outside the field, linear RGB.
   float relief = 0.0F;  ///< Strength of relief shading: a value of 1 counts as a height of 7 cells times
                         ///< `relief`; 0: no shading.
   std::string map = "viridis";   ///< Name of a colour map.
@@ -38,7 +38,7 @@ struct FieldDisplay {
     std::string name;  ///< Symbol, and after a comma its meaning: "F, feed rate".
     scene::Animated<float> first = 0.0F, last = 1.0F;
   };
-  std::optional<Axis> across, down;  ///< Set by simulations, not by scenes.
+  std::optional<Axis> across, down;  ///< Axes of a parameter map; set by simulations, not by scenes.
 
   /// Declares the members of "display". Simulations set their own defaults first.
   void describe(scene::Fields& fields);

@@ -24,7 +24,7 @@ bool bmpIsWhole(std::string_view bytes, glm::ivec2 size) {
       value = value << 8U | (at + k < bytes.size() ? static_cast<unsigned char>(bytes[at + k]) : 0U);
     return value;
   };
-  const bool old = number(14, 4) == 12;  // True for the OS/2 header.
+  const bool old = number(14, 4) == 12;  // True for a BMP file with the OS/2 header.
   const std::size_t bits = number(old ? 24 : 28, 2);
   const std::size_t row = (static_cast<std::size_t>(size.x) * bits + 31) / 32 * 4;
   return number(10, 4) + row * static_cast<std::size_t>(size.y) <= bytes.size();
@@ -84,7 +84,7 @@ void checkPalette(std::string_view bytes, glm::ivec2 size, const std::string& na
   if (depth > 8 || colours >= std::size_t{1} << static_cast<unsigned>(depth)) return;
   grey[colourAt] = 0;
   const auto numbers = stbDecode<std::uint8_t>(grey, size, 1);
-  if (!numbers) return;  // Decoding the picture itself reports the error.
+  if (!numbers) return;  // If this decoding fails, decoding the picture itself reports the error.
   const int scale = 255 / ((1 << depth) - 1);
   const auto width = static_cast<std::size_t>(size.x);
   for (std::size_t at = 0; at < numbers->size(); ++at)
@@ -185,9 +185,9 @@ Levels loadLevels(const std::filesystem::path& file, const char* what, int maxSi
     levels.white = std::numeric_limits<typename std::decay_t<decltype(rgba)>::value_type>::max();
     levels.values.reserve(rgba.size() / 4);
     for (std::size_t at = 0; at < rgba.size(); at += 4)
-      levels.values.push_back(
-          static_cast<std::uint16_t>((54U * rgba[at] + 183U * rgba[at + 1] + 19U * rgba[at + 2]) >>
-                                     8U));  // Same weights as Picture::level().
+      levels.values.push_back(static_cast<std::uint16_t>(
+          (54U * rgba[at] + 183U * rgba[at + 1] + 19U * rgba[at + 2]) >>
+          8U));  // Weights of the colour channels are the same as in Picture::level().
   };
   if (const auto header = pngHeaderOf(bytes); header && header->depth == 16)
     take(decodedChannels<std::uint16_t>(bytes, name, what, levels.size));

@@ -66,14 +66,15 @@ std::optional<PlainFile> readChunks(std::string_view bytes, int maxSide) {
 /// Inflates the chunks; returns true if the result has exactly the size of `rows`.
 bool inflate(const std::vector<std::string_view>& chunks, std::vector<Byte>& rows) {
   if (rows.size() > std::numeric_limits<std::uint32_t>::max()) return false;
-  const auto kept = std::make_unique<inflate_state>();  // Too large for the stack.
+  const auto kept = std::make_unique<inflate_state>();  // Allocated on the heap, because the state is too
+                                                        // large for the stack.
   inflate_state& state = *kept;
   isal_inflate_init(&state);
   state.crc_flag = ISAL_ZLIB;
   state.next_out = rows.data();
   state.avail_out = static_cast<std::uint32_t>(rows.size());
   for (const std::string_view chunk : chunks) {
-    // ISA-L does not write through next_in.
+    // The const_cast is safe, because ISA-L does not write through next_in.
     state.next_in = const_cast<Byte*>(reinterpret_cast<const Byte*>(chunk.data()));
     state.avail_in = static_cast<std::uint32_t>(chunk.size());
     if (isal_inflate(&state) != ISAL_DECOMP_OK || state.avail_in != 0) return false;

@@ -146,7 +146,7 @@ Strokes::Strokes(std::vector<StrokeParameters> strokes, int seed, StrokeGrid gri
         bits_[static_cast<std::size_t>(stamp.firstWord) + i / 32] |= 1U << (i % 32);
     }
   }
-  bits_.resize((bits_.size() + 4) / 4 * 4);  // Pads to whole elements, at least one.
+  bits_.resize((bits_.size() + 4) / 4 * 4);  // Pads the array to whole elements, at least one.
   for (std::size_t i = 0; i < strokes_.size(); ++i) check(i);
 }
 

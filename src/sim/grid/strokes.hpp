@@ -41,7 +41,7 @@ struct StrokeParameters {
 
 /// Grid on which strokes are painted.
 struct StrokeGrid {
-  glm::ivec2 size{1, 1};  ///< Size in cells.
+  glm::ivec2 size{1, 1};  ///< Size of the grid in cells.
   bool torus =
       false;  ///< True if strokes wrap around to the opposite border; false if they end at the border.
   std::string object;  ///< Owner's name in messages, such as: life "guns".
@@ -84,7 +84,7 @@ class Strokes {
   void addImages(std::vector<shader::Stroke>& all, const shader::Stroke& stroke) const;
 
   std::vector<StrokeParameters> strokes_;
-  std::vector<Stamp> stamps_;  ///< One per stroke.
+  std::vector<Stamp> stamps_;  ///< Location of each stroke's image in `bits_`; one entry per stroke.
   std::vector<std::uint32_t> bits_;
   int seed_ = 0;
   StrokeGrid grid_;

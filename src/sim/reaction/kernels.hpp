@@ -81,7 +81,7 @@ class ReactionKernels {
   std::string name_;
   bool mayStrip_ = false;
   gl::Defines stripDefines_;
-  double cellSteps_ = 0;    ///< Number of cell steps so far.
+  double cellSteps_ = 0;    ///< Number of cells times steps computed so far.
   gl::Vec4Array cells_[2];  ///< Current state, and the output of the next step.
   gl::Texture words_[2];
   gl::Vec4Array stages_[2];  ///< Intermediate states between the stages of a step.
@@ -90,7 +90,7 @@ class ReactionKernels {
   gl::WordsArray stamps_, links_, places_;
   gl::Buffer status_;
   gl::Kernel<ReactionPaint> paint_;
-  gl::Kernel<BrushKernel> brush_;  ///< For volumes and meshes.
+  gl::Kernel<BrushKernel> brush_;  ///< Brush kernel for volumes and meshes.
   std::map<std::pair<Field::Cells, bool>, gl::Kernel<SampleKernel>>
       samplers_;  ///< Samplers of other objects' fields, by cell format and by whether the field is a
                   ///< volume.

@@ -25,14 +25,15 @@ struct ReactionSpecies {
   std::string rate = "0";   ///< Expression for the rest of du/dt.
   std::string start = "0";  ///< Expression for the initial state.
   std::string next;         ///< Expression for the value after a step, instead of a rate.
-  double edge = 0;          ///< Value beyond fixed edges.
+  double edge = 0;          ///< Value of the species beyond fixed edges.
 };
 
 struct ReactionParameter {
   std::string name;
   scene::Animated<float> value = 0.0F;
-  std::optional<double> across, down;  ///< Value at the right or at the bottom edge.
-  std::filesystem::path image;         ///< Picture whose brightness interpolates from `value` to `white`.
+  std::optional<double> across,
+      down;  ///< Value of the parameter at the right edge (`across`) or at the bottom edge (`down`).
+  std::filesystem::path image;  ///< Picture whose brightness interpolates from `value` to `white`.
   double white = 1;
   std::string field;       ///< Another object's field that supplies the values.
   bool isPresets = false;  ///< True if a preset defines it; expressions then need not use it.
@@ -74,8 +75,8 @@ struct ReactionMesh {
   int refine = 0;                  ///< Number of subdivisions; each one splits a face into four.
   std::optional<Maps> maps;  ///< Mapping of pictures and fields; default: texture coordinates if the mesh
                              ///< has any, else from the front.
-  scene::Animated<glm::vec3> position = glm::vec3(0);  ///< Position in metres.
-  scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< Rotation in degrees.
+  scene::Animated<glm::vec3> position = glm::vec3(0);  ///< Position of the mesh in metres.
+  scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< Rotation of the mesh in degrees.
   scene::Animated<float> scale = 1.0F;
   void describe(scene::Fields& fields);
   /// Loads or generates the mesh. Throws the errors of loadMesh.
@@ -94,8 +95,8 @@ struct ReactionParameters : ObjectParameters, OwnCells {
   double spacing = 1;       ///< Distance between cells in units of length.
   bool hasSpacing = false;  ///< True if the scene sets `spacing`.
   double dt = 0.1;          ///< Time step in units of time.
-  int steps = 8;            ///< Steps per frame.
-  int presteps = 0;         ///< Steps before the first frame.
+  int steps = 8;            ///< Number of steps per frame.
+  int presteps = 0;         ///< Number of steps before the first frame.
   RuleMethod method = RuleMethod::euler;
   RuleBoundary boundary = RuleBoundary::torus;
   std::vector<ReactionSpecies> species;

@@ -164,7 +164,7 @@ std::vector<float> ReactionPlan::weightsOf(const ReactionParameter& parameter) c
     const Picture picture = loadPicture(parameter.image, "map of a parameter", maxRuleMapSide);
     for (const std::uint8_t level : levelsOnGrid(picture, size))
       weights.push_back(static_cast<float>(level) / 255.0F);
-    // All layers get the same map.
+    // Copies the map to all layers.
     const std::vector<float> layer = weights;
     for (int z = 1; z < parameters_.depth; ++z) weights.insert(weights.end(), layer.begin(), layer.end());
     return weights;

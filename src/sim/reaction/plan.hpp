@@ -33,7 +33,7 @@ class ReactionPlan {
   [[nodiscard]] const RuleLinks* links() const { return onMesh_ ? &links_ : nullptr; }
   /// Returns the positions of a mesh's cells on other objects' fields; empty on grids.
   [[nodiscard]] const std::vector<glm::ivec2>& places() const { return places_; }
-  /// The mesh and its cells.
+  /// mesh() returns the mesh, cells() its cells.
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
   [[nodiscard]] const MeshCells& cells() const { return cells_; }
   [[nodiscard]] unsigned noiseSeed() const { return static_cast<unsigned>(seed_) * 2246822519U; }

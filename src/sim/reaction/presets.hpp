@@ -9,7 +9,7 @@ namespace simreel::sim {
 /// Named set of equations.
 struct ReactionPreset {
   const char* name;
-  const char* source;  ///< Publication that the equations are from.
+  const char* source;  ///< Publication that defines the equations.
   struct Species {
     const char* name;
     float diffusion;

@@ -188,7 +188,7 @@ class Reaction : public Simulation, public FrameStarter, public Retunable {
 
  private:
   [[nodiscard]] bool isVolume() const { return plan_.parameters().space() == RuleSpace::volume; }
-  /// Returns the number of rows in all layers.
+  /// Returns the total number of rows of cells in all layers.
   [[nodiscard]] int rows() const { return plan_.parameters().size.y * plan_.parameters().depth; }
   [[nodiscard]] std::string placeName(long x, long row) const {
     const long height = plan_.parameters().size.y;
@@ -311,8 +311,8 @@ class Reaction : public Simulation, public FrameStarter, public Retunable {
   std::vector<glm::vec3> colors_;
   Tally tally_;
   gl::Kernel<ReactionSums> sums_;
-  std::optional<Isosurface> isosurface_;  ///< For a volume.
-  std::optional<PaintedMesh> painted_;    ///< For a mesh.
+  std::optional<Isosurface> isosurface_;  ///< Isosurface of a volume; empty for planes and meshes.
+  std::optional<PaintedMesh> painted_;    ///< Coloured mesh, if the cells are the vertices of a mesh.
   std::vector<std::string> countNames_;
   long first_, now_;  ///< Step numbers of the initial and of the current state.
   double shownTime_;  ///< Time in seconds of the displayed state.

@@ -7,9 +7,10 @@ namespace simreel::sim {
 
 /// Growth of the fastest-growing small wave.
 struct StepGrowth {
-  double step = 1;       ///< Growth factor per step.
-  double equations = 1;  ///< Growth factor of the exact equations over the same time.
-  double dt = 0;         ///< Step size, in units of time, that follows the equations.
+  double step = 1;  ///< Factor by which one step multiplies the wave's height.
+  double equations =
+      1;          ///< Factor by which the exact equations multiply the wave's height over the same time.
+  double dt = 0;  ///< Step size, in units of time, that follows the equations.
 };
 
 /// Tests whether steps amplify small waves that the equations do not amplify. Samples three cells of the

@@ -31,7 +31,7 @@ class FloatKernels {
   /// Runs step `index` (from 0) of the frame, after the water's step: moves the bodies and applies their
   /// effect on the water.
   void step(int index, const gl::Vec4Array& cells, const gl::Buffer& status);
-  /// Computes the drawn vertices.
+  /// Computes the drawn vertices of the bodies.
   void show() const;
   void publish(Drawables& drawables) const;
   void carryOver(CarryOver& carry);
@@ -44,7 +44,8 @@ class FloatKernels {
     Drawn(const std::string& name, const Hull& hull);
     MeshTopology topology;
     gl::Vec4Array rest, restNormals, positions, normals;
-    std::shared_ptr<const MovingLooks> looks;  ///< Shared by bodies that use the same file.
+    std::shared_ptr<const MovingLooks>
+        looks;  ///< Material textures; shared by bodies that use the same file.
     int count;
     bool doubleSided = false;
   };

@@ -20,7 +20,7 @@ constexpr double waterDensity = 1000;       ///< Density of water in kg/m^3.
 constexpr double flowFineness = 268435456;  ///< Number of fixed-point units in the maximum discharge; large
                                             ///< because single points contribute little.
 constexpr double fineness = 4194304;        ///< Number of fixed-point units in the maximum depth.
-constexpr int largestReach = 1024;          ///< Maximum window size in cells.
+constexpr int largestReach = 1024;  ///< Maximum width, in cells, of the window of cells under a body.
 
 /// Returns the largest power of two that is at most `x`.
 double powerBelow(double x) {
@@ -179,11 +179,11 @@ void FloatPlan::addBody(const WaterParameters& water, const std::string& name, s
                 hull.mass / (hull.outline * waterDensity));
   t.reach = four(reach, std::min(0.25, followed), body.friction, 0);
   told_.push_back(t);
-  // Initial state.
+  // Computes the body's initial state.
   const glm::mat4 turned = rotationMatrix(body.rotation);
   const glm::vec3 middle = glm::vec3(turned * glm::vec4(glm::vec3(hull.middle), 0));
   const glm::dvec3 spin = glm::dvec3(body.spin) * 0.017453292519943295;
-  glm::dvec3 own(0);  // In the body's local space.
+  glm::dvec3 own(0);  // Angular velocity in the body's local space, then angular momentum.
   for (int axis = 0; axis < 3; ++axis)
     for (int row = 0; row < 3; ++row) own[axis] += static_cast<double>(turned[axis][row]) * spin[row];
   own = times(hull.inertia, own);

@@ -10,7 +10,7 @@ namespace simreel::sim {
 namespace {
 
 constexpr int longestNodes = 32;   ///< Number of lattice steps along the longest side.
-constexpr int margin = 2;          ///< Lattice steps added around the body.
+constexpr int margin = 2;          ///< Number of lattice steps added on each side of the body.
 constexpr int longestProbes = 20;  ///< Number of probe spacings along the longest side.
 
 double dot(const glm::dvec3& a, const glm::dvec3& b) {

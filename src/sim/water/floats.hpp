@@ -29,17 +29,17 @@ struct WaterFloat {
   std::filesystem::path file;   ///< File of a closed mesh.
   float scale = 1;              ///< Factor on the coordinates of mesh files.
   std::filesystem::path drawn;  ///< Mesh drawn instead of the shape; it may be open.
-  float density = 500;          ///< Density in kg/m^3.
-  std::optional<double> mass;   ///< Mass in kg; if set, replaces `density`.
+  float density = 500;          ///< Density of the body in kg/m^3.
+  std::optional<double> mass;   ///< Mass of the body in kg; if set, replaces `density`.
   glm::vec3 ballast{0};         ///< Offset in metres from the centre of volume to the centre of mass.
   glm::vec3 position{0};  ///< Position of the shape's origin in metres, relative to the grid's centre; y is
                           ///< relative to level 0.
-  glm::vec3 rotation{0};  ///< Rotation in degrees.
-  glm::vec3 velocity{0};  ///< Velocity in m/s.
-  glm::vec3 spin{0};      ///< Angular velocity about x, y, z in degrees/s.
+  glm::vec3 rotation{0};  ///< Initial rotation in degrees.
+  glm::vec3 velocity{0};  ///< Initial velocity in m/s.
+  glm::vec3 spin{0};      ///< Initial angular velocity about x, y, z in degrees/s.
   float drag = 0.2F;      ///< Linear drag in 1/s, for a body with the density of water.
   float resistance = 0.5F;  ///< Coefficient of the quadratic drag.
-  float keel = 1;           ///< Factor on both drags sideways (along local x).
+  float keel = 1;           ///< Factor on linear and quadratic drag sideways (along local x).
   float air = 0;            ///< Rate in 1/s at which the body loses speed in air.
   float friction = 0.4F;    ///< Coulomb friction coefficient on the ground and against other bodies.
   std::optional<double>

@@ -69,7 +69,7 @@ std::vector<std::uint16_t> groundColors(const WaterPlan& plan) {
                       static_cast<int>(std::lround(shade * (shades - 1)));
     colors.push_back(glm::packHalf1x16(static_cast<float>(color)));
   }
-  colors.resize((colors.size() + 1) / 2 * 2);  // Pads to whole 32-bit words.
+  colors.resize((colors.size() + 1) / 2 * 2);  // Pads the array to whole 32-bit words.
   return colors;
 }
 

@@ -78,7 +78,8 @@ struct Rays {
 
   [[nodiscard]] double x(int i) const {
     return low.x + (i + 0.50003) * step.x;
-  }  // The odd offset avoids hitting mesh edges exactly.
+  }  // Rays are offset from the centres by a small odd fraction, so that they do not hit mesh edges
+     // exactly.
   [[nodiscard]] double z(int j) const { return low.z + (j + 0.49996) * step.z; }
 };
 

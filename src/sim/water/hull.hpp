@@ -23,17 +23,17 @@ struct Hull {
   std::vector<glm::vec3> corners;  ///< Vertices of the shape in metres.
   std::vector<glm::vec4> points;   ///< One per cuboid: centre of its part inside the body (metres, relative
                                    ///< to the centre of mass) and volume of that part (m^3).
-  glm::dvec3 grain{0};             ///< Cuboid size in metres.
+  glm::dvec3 grain{0};             ///< Size of a cuboid in metres.
   glm::dvec3 middle{0};            ///< Centre of mass in metres, relative to the shape's origin.
-  double volume = 0;               ///< Volume in m^3.
+  double volume = 0;               ///< Volume of the body in m^3.
   double area = 0;                 ///< Surface area in m^2.
   double outline = 0;              ///< Area of the outline seen from above, in m^2.
-  double mass = 0;                 ///< Mass in kg.
+  double mass = 0;                 ///< Mass of the body in kg.
   double height = 0;               ///< Height of the bounding box in metres.
   double reach = 0;                ///< Distance in metres from the centre of mass to the farthest vertex.
   double aside2 =
       0;  ///< Mean squared distance (m^2) of the volume from the y axis through the centre of mass.
-  FloatShape touched;  ///< Contact shape for other bodies.
+  FloatShape touched;  ///< Shape for contact with other bodies.
   /// Inertia tensor about the centre of mass in kg m^2: xx, yy, zz, xy, xz, yz.
   std::array<double, 6> inertia{};
   /// Returns the inverse inertia tensor in 1/(kg m^2), in the same order as `inertia`.

@@ -55,7 +55,7 @@ class WaterKernels {
   int rowsEach_;
   gl::Vec4Array cells_[2];  ///< Current state, and the output of the next step; between steps the second
                             ///< array holds the displayed values.
-  gl::Texture words_[2];    ///< Word views of both arrays.
+  gl::Texture words_[2];    ///< Views of both arrays as 32-bit words.
   gl::WordsArray stamps_;
   gl::Buffer status_;
   StepBlocks<shader::WaterStep> steps_;

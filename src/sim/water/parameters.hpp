@@ -23,46 +23,46 @@ enum class WaterBorder { wall, open, periodic, sea };
 struct WaterHill {
   glm::vec3 center{0};       ///< Centre in metres relative to the grid's centre (y unused).
   glm::vec3 radii{1, 0, 1};  ///< Radii in metres along x and z (y unused).
-  float height = 1;          ///< Height in metres.
+  float height = 1;          ///< Height of the hill in metres; negative: a hollow.
 };
 
 /// Rectangle of the grid with its own initial water level.
 struct WaterPool {
   glm::vec3 from{0}, to{0};  ///< Two opposite corners in metres relative to the grid's centre (y unused).
-  float level = 1;           ///< Level in metres.
+  float level = 1;           ///< Initial water level in the rectangle, in metres.
 };
 
 /// Drop of water that falls into the grid at one moment.
 struct WaterDropParameters {
-  double at = 0;        ///< Time in seconds.
+  double at = 0;        ///< Time in seconds at which the drop falls.
   glm::vec3 center{0};  ///< Position in metres relative to the grid's centre (y unused).
-  float radius = 0.2F;  ///< Radius in metres.
+  float radius = 0.2F;  ///< Radius of the drop in metres.
   float height = 0.1F;  ///< Rise of the level at the drop's centre in metres; negative: a dent.
 };
 
 /// Drain that removes water.
 struct WaterDrain {
   glm::vec3 center{0};                  ///< Position in metres relative to the grid's centre (y unused).
-  float radius = 0.5F;                  ///< Radius in metres.
+  float radius = 0.5F;                  ///< Radius of the drain in metres.
   scene::Animated<float> speed = 0.5F;  ///< Rate in m/s at which the level falls at the drain's centre.
-  double from = 0, until = 1e9;         ///< Active time range in seconds.
+  double from = 0, until = 1e9;         ///< Start and end of the draining in seconds.
 };
 
-/// Drops at random positions.
+/// Rain: drops at random positions.
 struct WaterRain {
   double rate = 10;      ///< Drops per second on the whole grid.
   float radius = 0.22F;  ///< Drop radius in metres.
   float height = 0.1F;   ///< Rise of the level at a drop's centre in metres.
-  double from = 0;       ///< Start in seconds.
-  double until = 1e9;    ///< End in seconds.
+  double from = 0;       ///< Start of the rain in seconds.
+  double until = 1e9;    ///< End of the rain in seconds.
 };
 
 /// Swell: waves that enter at a side of kind sea.
 struct WaterSwell {
-  int side = 3;                          ///< Index of the side: west, east, north, south.
+  int side = 3;  ///< Index of the side where the waves enter: west, east, north, south.
   scene::Animated<float> height = 0.3F;  ///< Wave height in metres, from trough to crest.
-  double period = 4;                     ///< Period in seconds.
-  double phase = 0;                      ///< Phase as a fraction of a period.
+  double period = 4;                     ///< Wave period in seconds.
+  double phase = 0;                      ///< Initial phase as a fraction of a period.
 };
 
 /// Scene parameters of shallow water over a terrain.
@@ -78,15 +78,16 @@ struct WaterParameters : ObjectParameters {
         terrainHigh = 0.5F;  ///< Heights of black and white in the terrain image, in metres.
   int terrainSmooth = 2;
   std::vector<WaterHill> hills;
-  std::array<WaterBorder, 4> sides{};  ///< Sides in the order west, east, north, south.
+  std::array<WaterBorder, 4>
+      sides{};  ///< Boundary conditions of the sides, in the order west, east, north, south.
   std::vector<WaterSwell> swell;
   float gravity = 9.81F;
-  scene::Animated<float> drag = 0.0F;      ///< Linear drag in 1/s.
+  scene::Animated<float> drag = 0.0F;      ///< Linear drag coefficient of the flow in 1/s.
   float manning = 0;                       ///< Manning's roughness coefficient in s/m^(1/3).
   scene::Animated<float> rainfall = 0.0F;  ///< Uniform rainfall in mm/h.
   std::optional<int> substeps;  ///< Substeps per frame; if empty, chosen from the maximum depth and speed.
-  std::optional<double> greatestDepth;  ///< Maximum depth in metres.
-  std::optional<double> greatestSpeed;  ///< Maximum speed in m/s.
+  std::optional<double> greatestDepth;  ///< Expected maximum depth in metres.
+  std::optional<double> greatestSpeed;  ///< Expected maximum speed in m/s.
   std::vector<WaterDropParameters> drops;
   std::vector<WaterDrain> drains;
   std::optional<WaterRain> rain;
@@ -96,15 +97,15 @@ struct WaterParameters : ObjectParameters {
   bool collides = false;
   float grip = 2;  ///< Rate in 1/s at which colliding objects lose tangential velocity.
   bool visible = true;
-  glm::vec3 deep{0.003F, 0.022F, 0.024F};  ///< Linear RGB.
+  glm::vec3 deep{0.003F, 0.022F, 0.024F};  ///< Colour of deep water, linear RGB.
   float roughness = 0.04F;
-  glm::vec3 shallow{0.1F, 0.105F, 0.05F};  ///< Linear RGB.
+  glm::vec3 shallow{0.1F, 0.105F, 0.05F};  ///< Colour of shallow water, linear RGB.
   float clarity = 0.15F;                   ///< Depth in metres over which light fades to 1/e.
   float foam = 0;
-  glm::vec3 ground{0.35F, 0.3F, 0.22F};  ///< Linear RGB.
+  glm::vec3 ground{0.35F, 0.3F, 0.22F};  ///< Colour of the ground, linear RGB.
   float groundRoughness = 0.9F;
   std::filesystem::path groundTexture;
-  float groundRepeat = 1;  ///< Number of repetitions of the texture along x.
+  float groundRepeat = 1;  ///< Number of repetitions of the ground texture along x.
   FieldDisplay display;
 
   WaterParameters();

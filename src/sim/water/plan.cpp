@@ -19,7 +19,8 @@ constexpr int maxImageSide = 32768;
 constexpr double aimed =
     0.25;  ///< Courant number of automatic substeps; small enough that no outflow is limited.
 constexpr double allowed = 0.5;  ///< Courant number beyond which two-dimensional steps are unstable.
-constexpr double thinShare = 1e-4, dryShare = 1e-5;  ///< As fractions of the maximum depth.
+constexpr double thinShare = 1e-4, dryShare = 1e-5;  ///< Depths below which water counts as thin or dry, as
+                                                     ///< fractions of the maximum depth.
 constexpr int maxSubsteps = 100'000;
 
 /// Scales strokes to steps: the value of a stroke with a duration is a rate per second, so it is multiplied
@@ -207,7 +208,9 @@ shader::WaterStep WaterPlan::stepAt(double time, int step) const {
 }
 
 shader::WaterDrop WaterPlan::dropOf(glm::dvec2 center, double radius, float height) const {
-  const double cells = std::max(radius / parameters_.cell, 0.75);  // A drop affects at least one cell.
+  const double cells =
+      std::max(radius / parameters_.cell,
+               0.75);  // The radius is at least 0.75 cells, so that a drop affects at least one cell.
   return {glm::vec2(center), static_cast<float>(1 / (cells * cells)), height, look().shallow};
 }
 

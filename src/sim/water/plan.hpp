@@ -14,7 +14,7 @@ namespace simreel::shader {
 #define FUNCTION inline
 #define precise
 #include "glsl/water/types.glsl"
-// Included after the types.
+// The headers below use the types of types.glsl.
 #include "glsl/water/look_types.glsl"
 #include "glsl/water/model.glsl"
 static_assert(sizeof(WaterStep) == 80 && sizeof(WaterLook) == 48);
@@ -24,7 +24,7 @@ static_assert(sizeof(WaterStep) == 80 && sizeof(WaterLook) == 48);
 
 namespace simreel::sim {
 
-/// Water added or removed at the end of one step.
+/// Strokes and drops applied to the water at the end of one step.
 struct WaterFalls {
   std::vector<shader::Stroke> strokes;
   std::vector<shader::WaterDrop> drops;
@@ -85,7 +85,7 @@ class WaterPlan {
   int seed_;
   double frameSeconds_;
   int substeps_ = 1;
-  double depth_ = 1;  ///< Maximum depth in metres.
+  double depth_ = 1;  ///< Maximum depth of the water in metres.
   std::vector<glm::vec4> first_;
   Strokes strokes_;
   FloatPlan floats_;

@@ -77,7 +77,7 @@ struct CellDefines {
   gl::Range<"STATES", 2, 256> states;
   gl::Flag<"BITS"> bits;
 };
-/// Defines of glsl/automata/wide.glsl.
+/// Preprocessor definitions for glsl/automata/wide.glsl.
 struct WideDefines {
   CellDefines cells;
   gl::Switch<"MIDDLE"> middle;
@@ -97,7 +97,8 @@ struct NineKernel {
   struct Variant {
     CellDefines cells;
     gl::Flag<"MAP"> map;
-    gl::Range<"NEIGHBOURS", 4, 8> neighbours;  // Number of neighbours of a decision tree rule.
+    gl::Range<"NEIGHBOURS", 4, 8>
+        neighbours;  // Number of neighbours in a rule given as a decision diagram.
   };
   CellRulePart rule;
   gl::Uniforms<"map", glm::ivec4, 4> map;

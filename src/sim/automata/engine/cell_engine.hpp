@@ -72,8 +72,8 @@ class CellEngine {
   gl::Buffer tree_;
   gl::Kernel<PadKernel> pad_;
   gl::Kernel<RowSumsKernel> rowSum_;
-  gl::Kernel<ColumnsKernel> columns_;       ///< Sums 2 range + 1 rows of cells.
-  gl::Kernel<WindowSumsKernel> windowSum_;  ///< Sums 2 range + 1 rows of prefix sums.
+  gl::Kernel<ColumnsKernel> columns_;       ///< Kernel that sums 2 range + 1 rows of cells.
+  gl::Kernel<WindowSumsKernel> windowSum_;  ///< Kernel that sums 2 range + 1 rows of prefix sums.
   std::function<void(const CellRulePart&, glm::ivec2 items)> rule_;
   shader::GridJoin join_;
 };
