@@ -169,8 +169,8 @@ class Simulation {
   /// milliseconds of the latest measured frame. Empty unless Setting::timing is on. Measures CPU stages by
   /// the clock and GPU stages by timer queries. Never waits for the device.
   [[nodiscard]] virtual std::vector<std::pair<const char*, double>> stageTimes() const { return {}; }
-  /// Returns a one-line remark to print once if the third word of status() is not 0. `frame`: the frame in
-  /// which this was detected.
+  /// Returns a one-line remark to print once if the third word of status() is not 0. `frame`: index of the
+  /// frame in which the word was first seen.
   [[nodiscard]] virtual std::string remark(int /*frame*/) const { return {}; }
   /// Returns one line for the user: where and why the state was lost, and what to change.
   [[nodiscard]] virtual std::string explainLoss(unsigned step, unsigned element) const {

@@ -10,8 +10,9 @@ namespace simreel::sim {
 
 namespace {
 
-/// Remaining opening of a coarse face beside a wall that lies within a coarse cell. It is not 0 because
-/// regions that are disconnected only on the coarse grid would have no solution there.
+/// Remaining opening of a coarse face beside a wall that lies within a coarse cell. It is not 0, because
+/// otherwise regions that are disconnected only on the coarse grid would have no solution on the coarse
+/// grid.
 constexpr double throughWalls = 0.15;
 
 }  // namespace

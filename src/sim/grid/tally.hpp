@@ -24,8 +24,8 @@ class Tally {
   /// Returns the array into which kernels that include glsl/grid/tally.glsl write the sums of their `lanes`
   /// invocations.
   [[nodiscard]] const gl::Vec4Array& laneSums() const { return laneSums_; }
-  /// Combines the lane sums after such a kernel ran. `sumFactor`, `mostFactor`: factors on the resulting
-  /// sums and maxima.
+  /// Combines laneSums() into the totals; call after a kernel has written them. `sumFactor`, `mostFactor`:
+  /// factors on the resulting sums and maxima.
   void join(const glm::vec4& sumFactor, const glm::vec4& mostFactor) const;
   /// Returns the table: the sums, then the maxima, with these column names, at most eight.
   [[nodiscard]] CountTable table(std::vector<const char*> columns) const;

@@ -15,8 +15,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Returns the number of subdivisions per side that gives a geodesic sphere at least this number of
-/// vertices.
+/// Returns the number of subdivisions per side that gives a geodesic sphere at least `vertices` vertices.
 int geodesicParts(double vertices) {
   return static_cast<int>(std::ceil(std::sqrt(std::max(vertices - 2, 10.0) / 10)));
 }

@@ -67,7 +67,7 @@ std::vector<Hull> FloatPlan::hullsOf(const WaterParameters& water, const std::st
 }
 
 // A body resting on the ground sinks in by g dt^2 / (0.25 s), where s is the fraction of its points in
-// contact, about 3%. The step is chosen so that this depth is at most 1/20 of its height or a quarter of a
+// contact, about 3%. The step limits the sinking depth to 1/20 of the body's height or to a quarter of a
 // cell, whichever is larger.
 double FloatPlan::longestStep(const WaterParameters& water, const std::vector<Hull>& hulls) {
   double seconds = 1e9;
