@@ -8,7 +8,7 @@
 
 namespace simreel::sim {
 
-/// Members of glsl/cave/ways.glsl.
+/// Interface part for the members of glsl/cave/ways.glsl.
 struct CaveTreesPart {
   CavePart cave;
   gl::In<"LabelBlock"> labels;
@@ -68,7 +68,8 @@ struct CaveMerge {
 
 namespace {
 
-// A software driver ends a shader's loops after 65,535 iterations: so many cells are dug by one dispatch.
+// Number of cells dug by one dispatch; limited because a software driver ends a shader's loops after 65,535
+// iterations.
 constexpr int cellsDug = 32768;
 
 gl::Buffer words(const std::string& label, std::int64_t count) {
@@ -118,7 +119,7 @@ bool CaveCorridors::joinTrees(const CaveTreesPart& part) {
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   flags_.write(0, std::as_bytes(std::span(none)));
   link_.dispatch(grid_.words(), {part});
-  // Chains of trees are halved each time.
+  // Each iteration halves the chains of merged trees (pointer jumping).
   for (std::int64_t longest = 1; longest < grid_.numbers(); longest *= 2)
     follow_.dispatch(grid_.words(), {part});
   merge_.dispatch(grid_.words(), {part});

@@ -14,20 +14,21 @@ struct CaveLink;
 struct CaveFollow;
 struct CaveMerge;
 
-/// Joins the rooms of a cave by corridors along a minimum spanning tree: the distance between two rooms is
-/// that of their nearest cells (L1); of equal ones the lowest goes first (Boruvka 1926). On the GPU, exact.
+/// Connects the rooms of a cave by corridors along a minimum spanning tree. The distance between two rooms
+/// is the L1 distance of their nearest cells; ties are broken by the lowest index (Boruvka 1926). Runs on
+/// the GPU and is exact.
 class CaveCorridors {
  public:
   CaveCorridors(const std::string& name, const CaveGrid& grid);
 
-  /// `regions` has just labelled the open cells, of which there is at least one; what it counted is lost.
-  /// Corridors are `width` cells across. Waits for the GPU.
+  /// Digs corridors of `width` cells. `regions` must have just labelled the open cells, at least one of
+  /// which must exist; its counts are overwritten. Waits for the GPU.
   void dig(gl::Buffer& cells, const CaveRegions& regions, int width);
 
  private:
   void findNearest(const gl::Buffer& cells);
   void digChosen(const CaveTreesPart& part, int width) const;
-  /// The trees that the rooms now form; false when there is but one.
+  /// Merges the trees of rooms along the chosen edges; returns false if only one tree remains.
   bool joinTrees(const CaveTreesPart& part);
 
   std::string name_;

@@ -75,7 +75,7 @@ void CaveGrowth::clean() {
   regions_.remove(cells, static_cast<unsigned>(parameters_.smallestRoom), room.first);
   regions_.label(cells, CaveKind::rock);
   regions_.remove(cells, static_cast<unsigned>(parameters_.smallestRock),
-                  0);  // the border begins at cell 0
+                  0);  // The border's rock region starts at cell 0 and is kept.
 }
 
 void CaveGrowth::connect() {
@@ -89,7 +89,8 @@ void CaveGrowth::connect() {
   corridors_->dig(cells_[0].buffer(), regions_, parameters_.corridor);
 }
 
-/// The two ends of the longest way, by two sweeps: the farthest cell from any, and the farthest from that.
+/// Finds the two ends of the longest path by two sweeps: the cell farthest from an arbitrary cell, then the
+/// cell farthest from it.
 void CaveGrowth::findWay() {
   way_ = {};
   if (!done()) return;

@@ -13,34 +13,37 @@
 
 namespace simreel::sim {
 
-/// What there is to find in a finished cave, in cells.
+/// Path through a finished cave, in cells.
 struct CaveWay {
-  unsigned entrance = noCell, exit = noCell;  ///< numbers of cells; noCell: nothing is open
-  std::vector<glm::ivec2> path;               ///< from the entrance to the exit
-  std::vector<glm::dvec2> walk;               ///< the same, smooth
+  unsigned entrance = noCell,
+           exit = noCell;        ///< Cell indices of the path's ends; noCell if no cell is open.
+  std::vector<glm::ivec2> path;  ///< Cells of the path from the entrance to the exit.
+  std::vector<glm::dvec2> walk;  ///< The path from entrance to exit, smoothed.
 };
 
 struct CaveSmooth;
 
-/// The automaton on the GPU: its cells, stage by stage, and what is found in them in the end.
+/// Runs the cellular automaton on the GPU: the cells of the current stage, and the path in the finished
+/// cave.
 class CaveGrowth {
  public:
   CaveGrowth(const std::string& name, const CaveParameters& parameters, int seed);
 
-  /// Goes on to a stage, which is none before the present one.
+  /// Advances to a stage, which must not precede the current one.
   void advance(int stage);
-  /// After cells and stage were put back.
+  /// Call after cells and stage were restored from a checkpoint.
   void restored() { findWay(); }
 
   [[nodiscard]] int stage() const { return stage_; }
   [[nodiscard]] bool done() const { return stage_ == parameters_.lastStage(); }
   [[nodiscard]] const CaveGrid& grid() const { return grid_; }
-  /// A bit a cell, 1 rock (glsl/cave/cells.glsl).
+  /// Returns the cells, one bit each, 1 for rock (glsl/cave/cells.glsl).
   [[nodiscard]] const gl::WordsArray& cells() const { return cells_[0]; }
-  /// 32-bit floats, one for each number of a cell: steps from the entrance, -1 where nobody gets.
+  /// Returns 32-bit floats, one per cell index: number of steps from the entrance, -1 if unreachable.
   [[nodiscard]] const gl::WordsArray& distances() const { return distances_; }
   [[nodiscard]] const CaveWay& way() const { return way_; }
-  /// Those that corridors join, or before that those there are. Reads back; waits for the GPU.
+  /// Returns the rooms that corridors connect, or in an unfinished cave the current rooms. Reads back;
+  /// waits for the GPU.
   [[nodiscard]] std::vector<Room> rooms() const;
   void carryOver(CarryOver& carry);
 
@@ -56,7 +59,7 @@ class CaveGrowth {
   CaveGrid grid_;
   int stage_ = 0;
   gl::WordsArray cells_[2];
-  gl::WordsArray roomCells_;  ///< before corridors
+  gl::WordsArray roomCells_;  ///< Copy of the cells before corridors are dug.
   gl::WordsArray distances_;
   gl::Kernel<CaveSmooth> smooth_;
   CaveRegions regions_;

@@ -13,7 +13,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Times are multiples of a frame but for rounding.
+/// Tolerance, because times are multiples of a frame only up to rounding.
 constexpr double hair = 1e-6;
 constexpr double maxCells = 1 << 28;
 

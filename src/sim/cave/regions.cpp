@@ -24,8 +24,8 @@ struct CaveRemove {
 
 namespace {
 
-// Each round at least halves the ways to the lowest cell that are left, and lowers every region that is not
-// done.
+// Number of rounds between two checks for completion. Each round at least halves the remaining paths to the
+// lowest cell and lowers the label of every unfinished region.
 constexpr int roundsTogether = 4;
 constexpr int maxRounds = 100'000;
 

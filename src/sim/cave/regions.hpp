@@ -9,13 +9,13 @@
 
 namespace simreel::sim {
 
-/// How a cave's cells lie in memory (glsl/cave/cells.glsl).
+/// Memory layout of a cave's cells (glsl/cave/cells.glsl).
 struct CaveGrid {
-  glm::ivec2 size{1, 1};  ///< cells
-  /// 32-bit words of a row, whole groups of four.
+  glm::ivec2 size{1, 1};  ///< Size of the grid in cells.
+  /// Returns the number of 32-bit words per row, a multiple of four.
   [[nodiscard]] int rowWords() const { return (size.x + 127) / 128 * 4; }
   [[nodiscard]] int words() const { return rowWords() * size.y; }
-  /// Numbers of cells, those of the words' spare bits included.
+  /// Returns the number of cell indices, including unused bits at the end of rows.
   [[nodiscard]] std::int64_t numbers() const { return std::int64_t{32} * words(); }
   [[nodiscard]] glm::ivec2 placeOf(unsigned cell) const {
     const auto pitch = 32U * static_cast<unsigned>(rowWords());
@@ -23,7 +23,7 @@ struct CaveGrid {
   }
 };
 
-/// Members of glsl/cave/cells.glsl, a part of the kernels' interfaces.
+/// Kernel interface part for the members of glsl/cave/cells.glsl.
 struct CavePart {
   gl::Uniform<"size", glm::ivec2> size;
   gl::Uniform<"rowWords", int> rowWords;
@@ -33,7 +33,7 @@ struct CavePart {
   return {.size = grid.size, .rowWords = grid.rowWords(), .cells = cells};
 }
 
-/// Members of glsl/cave/runs.glsl.
+/// Kernel interface part for the members of glsl/cave/runs.glsl.
 struct CaveRunsPart {
   CavePart cave;
   gl::InOut<"LabelBlock"> labels;
@@ -51,29 +51,30 @@ struct CaveRunsKernel {
 struct CaveLargest;
 struct CaveRemove;
 
-/// One kind of region: of rock, joined over corners too, or of open cells, joined over edges.
+/// Kind of region: rock, connected over edges and corners, or open cells, connected over edges only.
 enum class CaveKind { open, rock };
 inline constexpr unsigned noCell = 0xffffffffU;
 
-/// Regions of a cave's cells by connected components on the GPU: exact, the same on every device.
+/// Connected components of a cave's cells, computed on the GPU: exact, and the same on every device.
 class CaveRegions {
  public:
   struct Largest {
-    unsigned cells = 0;       ///< 0: there is no region of that kind
-    unsigned first = noCell;  ///< its lowest cell
+    unsigned cells = 0;       ///< Number of cells; 0: there is no region of this kind.
+    unsigned first = noCell;  ///< Lowest cell index in the region.
   };
 
   CaveRegions(const std::string& name, const CaveGrid& grid);
 
-  /// Names every region of that kind by its lowest cell, and counts its cells. Waits for the GPU.
+  /// Labels every region of this kind with its lowest cell index, and counts its cells. Waits for the GPU.
   void label(const gl::Buffer& cells, CaveKind kind);
-  /// Of those labelled last, the one with the most cells; of several, the one with the lowest cell.
+  /// Returns the region with the most cells among the regions labelled last; in a tie, the region with the
+  /// lowest cell.
   [[nodiscard]] Largest largest(const gl::Buffer& cells);
-  /// Turns those labelled last that have fewer cells than `fewest` into the other kind, but not the one
-  /// whose lowest cell is `kept`. Labels are out of date then.
+  /// Converts the regions labelled last that have fewer than `fewest` cells to the other kind, except the
+  /// region whose lowest cell is `kept`. Afterwards the labels are out of date.
   void remove(const gl::Buffer& cells, unsigned fewest, unsigned kept);
 
-  /// Of runs: 32-bit words, one for each number of a cell (glsl/cave/runs.glsl).
+  /// Returns the labels of runs: one 32-bit word per cell index (glsl/cave/runs.glsl).
   [[nodiscard]] const gl::Buffer& labels() const { return labels_; }
   [[nodiscard]] const gl::Buffer& tally() const { return tally_; }
 

@@ -7,7 +7,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Sets of numbers, each known by its lowest.
+/// Union-find; each set is represented by its lowest number.
 class Sets {
  public:
   void add() { lower_.push_back(lower_.size()); }
@@ -25,9 +25,9 @@ class Sets {
   std::vector<std::size_t> lower_;
 };
 
-/// Open cells of a row that lie side by side.
+/// Horizontal run of consecutive open cells.
 struct Run {
-  int y, begin, end;  ///< end: one after the last
+  int y, begin, end;  ///< `end` is one past the last cell.
 };
 
 std::vector<Run> runsOf(const CaveGrid& grid, const std::vector<unsigned>& cells) {
@@ -52,7 +52,7 @@ std::vector<Run> runsOf(const CaveGrid& grid, const std::vector<unsigned>& cells
 std::vector<Room> caveRooms(const CaveGrid& grid, const std::vector<unsigned>& cells, float side) {
   const std::vector<Run> runs = runsOf(grid, cells);
   Sets sets;
-  std::size_t above = 0;  // the first run that may touch the present one from above
+  std::size_t above = 0;  // First run of the previous row that may touch the current run.
   for (std::size_t i = 0; i < runs.size(); ++i) {
     sets.add();
     const auto isBefore = [&](const Run& run) {
@@ -62,7 +62,7 @@ std::vector<Room> caveRooms(const CaveGrid& grid, const std::vector<unsigned>& c
     for (std::size_t k = above; k < i && runs[k].y < runs[i].y && runs[k].begin < runs[i].end; ++k)
       sets.join(k, i);
   }
-  std::map<std::size_t, Room> rooms;  // by their lowest run, which has the lowest cell
+  std::map<std::size_t, Room> rooms;  // Keyed by the room's lowest run, which contains its lowest cell.
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const auto [y, begin, end] = runs[i];
     Room& room = rooms[sets.lowestOf(i)];

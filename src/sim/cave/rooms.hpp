@@ -6,8 +6,9 @@
 
 namespace simreel::sim {
 
-/// Regions of open cells, joined over edges, by their lowest cell. `cells`: a bit each, 1 rock, as the
-/// GPU has them (glsl/cave/cells.glsl); `side` of a cell, m. For files: on the CPU, in one sweep.
+/// Returns the connected regions of open cells (connected over edges), ordered by their lowest cell.
+/// `cells`: one bit each, 1 for rock, in the GPU's layout (glsl/cave/cells.glsl); `side`: cell width in
+/// metres. Runs on the CPU in one sweep, for exported files.
 [[nodiscard]] std::vector<Room> caveRooms(const CaveGrid& grid, const std::vector<unsigned>& cells,
                                           float side);
 

@@ -15,7 +15,7 @@ unsigned distanceAt(const CaveGrid& grid, const std::vector<unsigned>& distances
                    static_cast<std::size_t>(at.x)];
 }
 
-/// Whether all cells are open whose middles lie less than one cell away along each axis.
+/// Returns true if all cells are open whose centres are less than one cell away along each axis.
 bool isClear(const CaveGrid& grid, const std::vector<unsigned>& distances, glm::dvec2 at) {
   const glm::ivec2 low(static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y)));
   const glm::ivec2 high(static_cast<int>(std::ceil(at.x)), static_cast<int>(std::ceil(at.y)));
@@ -25,7 +25,8 @@ bool isClear(const CaveGrid& grid, const std::vector<unsigned>& distances, glm::
   return true;
 }
 
-/// The mean place of the open cells around one, as far as someone in a cave looks to keep off its walls.
+/// Returns the mean position of the open cells within a small window around a point. Moving towards it
+/// keeps a path away from walls.
 glm::dvec2 openMiddle(const CaveGrid& grid, const std::vector<unsigned>& distances, glm::dvec2 at) {
   constexpr int reach = 3;
   const glm::ivec2 cell(static_cast<int>(std::floor(at.x + 0.5)), static_cast<int>(std::floor(at.y + 0.5)));
@@ -44,7 +45,11 @@ glm::dvec2 openMiddle(const CaveGrid& grid, const std::vector<unsigned>& distanc
 
 std::vector<glm::ivec2> cavePath(const CaveGrid& grid, const std::vector<unsigned>& distances,
                                  unsigned end) {
-  constexpr glm::ivec2 ways[] = {{0, -1}, {-1, 0}, {1, 0}, {0, 1}};  // by the number of the cell there
+  constexpr glm::ivec2 ways[] = {
+      {0, -1},
+      {-1, 0},
+      {1, 0},
+      {0, 1}};  // Offsets to the four neighbours, ordered by the neighbour's cell index.
   std::vector<glm::ivec2> path = {grid.placeOf(end)};
   for (unsigned left = distanceAt(grid, distances, path.back()); left > 0; --left) {
     const glm::ivec2 here = path.back();

@@ -7,14 +7,16 @@
 
 namespace simreel::sim {
 
-/// Cells from the start of the waves to `end`, both included: of the cells that lie one step nearer the one
-/// with the lowest number. `distances` as CaveWaves has them; `end` was reached.
+/// Returns the shortest path from the start of the waves to `end`, both included. Going back from `end`,
+/// the next cell is the neighbour one step nearer to the start; in a tie, the one with the lowest index.
+/// `distances`: in the format of CaveWaves; `end` must be reachable.
 [[nodiscard]] std::vector<glm::ivec2> cavePath(const CaveGrid& grid, const std::vector<unsigned>& distances,
                                                unsigned end);
 
-/// The path as a way to walk, in cells: each point drawn to the middle of its neighbours, as an elastic
-/// band is, as long as all cells within one cell of it are open. Ends stay. Additions and halves only, so
-/// that every machine finds the same way.
+/// Returns a smoothed path in cells. Each round moves each point towards the midpoint of its neighbours,
+/// like an elastic band, and slightly towards the centre of the open space, if all cells within one cell of
+/// the new position are open. The end points stay. Uses only basic double arithmetic, so every machine gets
+/// the same path.
 [[nodiscard]] std::vector<glm::dvec2> smoothPath(const CaveGrid& grid,
                                                  const std::vector<unsigned>& distances,
                                                  const std::vector<glm::ivec2>& path, int rounds);

@@ -6,7 +6,7 @@
 
 namespace simreel::sim {
 
-/// glsl/cave/wave.glsl.
+/// Kernel interface part for the members of glsl/cave/wave.glsl.
 struct CaveWavePart {
   CavePart cave;
   gl::InOut<"DistanceBlock"> distances;
@@ -34,7 +34,7 @@ struct CaveShow {
 namespace {
 
 constexpr int wavesTogether = 128;
-/// WaveBlock of wave.glsl.
+/// Layout of WaveBlock in glsl/cave/wave.glsl.
 struct WaveState {
   unsigned begin, end, steps, farthest, tail, over;
 };

@@ -11,22 +11,23 @@ struct CaveWave;
 struct CaveShow;
 struct CaveWavePart;
 
-/// Distances over the open cells of a cave, in steps over edges, by breadth-first waves on the GPU.
+/// Computes distances over a cave's open cells, in steps over edges, by breadth-first search on the GPU.
 class CaveWaves {
  public:
   struct Farthest {
-    unsigned cell = noCell;  ///< the lowest of those that lie farthest from the start
+    unsigned cell = noCell;  ///< Lowest index among the cells farthest from the start.
     unsigned steps = 0;
   };
 
   CaveWaves(const std::string& name, const CaveGrid& grid);
 
-  /// Of every cell that can be reached from an open one. Waits for the GPU.
+  /// Computes the distances of all cells reachable from the open cell `start`; returns the farthest one.
+  /// Waits for the GPU.
   Farthest run(const gl::Buffer& cells, unsigned start);
-  /// The distances of the last run as 32-bit floats, -1 where it did not come, into `field`: one for each
-  /// number of a cell.
+  /// Writes the distances of the last run to `field` as 32-bit floats, one per cell index, -1 for
+  /// unreachable cells.
   void show(const gl::Buffer& cells, const gl::Buffer& field) const;
-  /// Of the last run, one for each number of a cell, noCell where it did not come.
+  /// Returns the distances of the last run, one per cell index, noCell for unreachable cells.
   [[nodiscard]] std::vector<unsigned> distances() const { return distances_.readAll<unsigned>(); }
 
  private:

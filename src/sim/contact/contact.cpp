@@ -20,10 +20,10 @@ namespace {
 
 namespace at = shader::contact;
 
-constexpr int holdRounds = 4;  ///< hold.comp
+constexpr int holdRounds = 4;  ///< Number of rounds in which hold.comp is dispatched.
 constexpr std::size_t mostPairsWord = 5;
 
-/// Before anything is filled.
+/// Checks the device limits, before any array is allocated or filled.
 void checkLimits(std::size_t vertices) {
   const std::size_t bytes = vertices * at::pointSections * 16;
   const auto max = static_cast<std::size_t>(gl::limits().storageBlockBytes);
@@ -53,7 +53,8 @@ Contact::Contact(ContactPlan plan, int substeps, bool fast) : plan_(std::move(pl
   control_ = gl::Buffer("contact control",
                         4 * at::countWords + std::size_t{16} * (at::levelDispatch + at::maxLevels));
   steps_ = StepBlocks<shader::ContactStep>("contact steps", substeps);
-  allocate(std::max(2 * plan_.vertices(), 1 << 15));  // which grows with what is there
+  allocate(
+      std::max(2 * plan_.vertices(), 1 << 15));  // Initial capacity; it grows with the number of pairs.
   makeKernels(fast);
 }
 
@@ -139,7 +140,8 @@ bool Contact::endFrame() {
         "cloths in contact: a search for what is near took too long, so much is crumpled in one place; use "
         "more substeps or slower motion");
   const bool enough = most <= static_cast<unsigned>(maxPairs_);
-  // Twice what was needed, before it is: a frame seldom needs twice what the one before did.
+  // Enlarges the list to twice the needed size before it is full, because a frame seldom needs twice as
+  // many pairs as the previous one.
   int wanted = maxPairs_;
   while (most > static_cast<unsigned>(wanted / 2)) wanted *= 2;
   if (wanted > maxPairs_) {
@@ -170,7 +172,7 @@ void Contact::fit(const ContactShared& shared) const {
   struct Fitting {
     const Tree* tree;
     int dispatch;
-    int levels;  ///< that are left to fit
+    int levels;  ///< Number of tree levels that remain to be refitted.
   };
   Fitting fittings[] = {{&faces_, at::faceDispatch, faces_.levels},
                         {&edges_, at::edgeDispatch, edges_.levels}};
@@ -229,7 +231,8 @@ void Contact::forParts(std::span<const Part> parts, const Run& run) const {
   }
 }
 
-/// From where cloth may be held back, where solids move.
+/// Computes the positions to which vertices can be held back: their start, displaced by moving solids and,
+/// over carryRounds rounds, by the cloth that solids push.
 void Contact::carry(const ContactShared& shared) const {
   if (plan_.movable() == plan_.vertices()) return;
   for (int round = 0; round <= ContactPlan::carryRounds; ++round) {

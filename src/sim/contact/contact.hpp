@@ -10,37 +10,39 @@
 
 namespace simreel::sim {
 
-/// Contact of cloths with themselves and each other on the GPU (glsl/contact), between the substep that
-/// each makes by itself and the next. Faces and edges keep the thickness between them; where forces are too
-/// strong for that, they are held back, so that none ever passes through another that it was apart from at
-/// the start. What is held by pins goes where the pins take it, and solids where they go: cloths give way.
-///
-/// Impulses are summed up as integers and ways are shortened by minima, so the order in which pairs are
-/// found does not matter, and the bits are the same everywhere.
+/// Contact of cloths with themselves, each other, and solids on the GPU (glsl/contact), between the cloths'
+/// own substeps. Impulses keep faces and edges apart by the cloths' thickness; where forces are too strong
+/// for that, motion is shortened, so that features that are apart at the start never pass through each
+/// other. Pinned vertices and solids follow their own motion, and cloths give way. Impulses are integer
+/// sums and motions are shortened by minima, so the order in which pairs are found does not affect the
+/// result and its bits are the same on every machine.
 class Contact {
  public:
-  /// A simulation's own arrays, in the order of the parts of the plan. Of a solid only its positions count,
-  /// and nothing is written: the rest may be null.
+  /// Arrays of one simulation, in the order of the plan's parts. For a solid only the positions are read
+  /// and nothing is written; its other pointers may be null.
   struct Part {
-    const gl::Vec4Array* now;               ///< at the substep's start: xyz m, w inverse mass in 1/kg
-    const gl::Vec4Array* next;              ///< where it would lead; becomes where it leads
-    const gl::Vec4Array* velocities;        ///< xyz m/s, made to agree
-    const gl::Vec4Array* trends = nullptr;  ///< goes back with them in restore(); null: none
+    const gl::Vec4Array* now;  ///< Positions at the substep's start: xyz in metres, w inverse mass in 1/kg.
+    const gl::Vec4Array*
+        next;  ///< Predicted positions at the substep's end; contact corrects them in place.
+    const gl::Vec4Array* velocities;  ///< Velocities in m/s, updated to match `next`.
+    const gl::Vec4Array* trends =
+        nullptr;  ///< Additional state that restore() resets as well; may be null.
   };
 
   Contact(ContactPlan plan, int substeps, bool fast);
 
   void beginFrame(std::span<const Part> parts);
-  /// Waits for the device. False: more came near each other than there was memory for, which there is now;
-  /// after restore() the frame's substeps are to be done again. Throws UserError(device) where the device
-  /// has no such memory.
+  /// Waits for the device. Returns false if there were more near pairs than memory for them; the memory is
+  /// then enlarged, and the frame's substeps must be repeated after restore(). Throws UserError(device) if
+  /// the device cannot provide that memory.
   bool endFrame();
-  /// Puts `now`, `velocities` and `trends` back as they were at beginFrame().
+  /// Resets `now`, `velocities` and `trends` to their contents at beginFrame().
   void restore(std::span<const Part> parts) const { copySaved(parts, false); }
-  /// Behind the dispatches that made `next`: changes it by the contacts' impulses. `index` of the frame's
-  /// substeps.
+  /// Applies contact impulses to `next`; call after the dispatches that predicted `next`. `index`:
+  /// zero-based substep of the frame.
   void push(int index, std::span<const Part> parts);
-  /// After push(), where colliders may have moved `next` again: holds back what would pass through.
+  /// Shortens motions that would pass through other features; call after push() and after colliders moved
+  /// `next` again.
   void hold(int index, std::span<const Part> parts);
 
  private:
@@ -54,12 +56,12 @@ class Contact {
     gl::Vec4Array boxes;
   };
   void search(const ContactShared& shared) const;
-  /// Boxes of both trees.
+  /// Refits the bounding boxes of both trees.
   void fit(const ContactShared& shared) const;
   void carry(const ContactShared& shared) const;
   [[nodiscard]] ContactShared shared(int index) const;
   [[nodiscard]] ContactNearList nearList() const;
-  /// Calls `run` with each part, its range, and how many vertices it has.
+  /// Calls `run` with each part, its range, and its number of vertices.
   template <class Run>
   void forParts(std::span<const Part> parts, const Run& run) const;
   [[nodiscard]] std::span<const Part> cloths(std::span<const Part> parts) const;
@@ -67,15 +69,15 @@ class Contact {
   void dispatchIndirect(const gl::Kernel<Interface>& kernel, int number, const Interface& given) const;
 
   ContactPlan plan_;
-  int stepCount_;  ///< of a frame
+  int stepCount_;  ///< Number of substeps per frame.
   int maxPairs_ = 0;
   Tree faces_, edges_;
   gl::Vec4Array points_, nears_;
   gl::WordsArray candidates_, pairs_, corners_, tallies_;
   gl::Buffer control_;
-  std::vector<gl::Buffer> saved_;  ///< of each part `now`, `velocities` and `trends`
+  std::vector<gl::Buffer> saved_;  ///< For each part: `now`, `velocities` and `trends`.
   StepBlocks<shader::ContactStep> steps_;
-  gl::Kernel<ContactRefit> refit_[3];  ///< of one, two, three levels at once
+  gl::Kernel<ContactRefit> refit_[3];  ///< Kernels that refit one, two and three levels at once.
   gl::Kernel<ContactGather> gather_;
   gl::Kernel<ContactPlain<"contact/begin.comp">> begin_;
   gl::Kernel<ContactPlain<"contact/reach.comp">> reach_;

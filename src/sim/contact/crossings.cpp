@@ -30,12 +30,13 @@ struct Box {
   }
 };
 
-/// Six times the volume of a tetrahedron: its sign says on which side of a, b, c the last one is.
+/// Returns six times the signed volume of a tetrahedron; its sign tells on which side of the plane through
+/// a, b, c the point d lies.
 double volume(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
   return glm::dot(glm::cross(b - a, c - a), d - a);
 }
 
-/// Faces under their tree of boxes, which is that of glsl/contact/search.glsl.
+/// Bounding volume tree over faces, with the layout of glsl/contact/search.glsl.
 class FaceTree {
  public:
   FaceTree(const ContactPlan& plan, std::span<const glm::vec4> positions)

@@ -7,8 +7,9 @@
 
 namespace simreel::sim {
 
-/// Edges that go through faces of which they have no corner, counted once for each such face, in float64;
-/// solids with solids do not count. `positions` of all parts of the plan, one part after the other.
+/// Returns the number of intersections of an edge with a face that does not contain a corner of the edge,
+/// computed in float64; intersections between solids are not counted. `positions`: all parts of the plan,
+/// one after the other.
 [[nodiscard]] long crossingsOf(const ContactPlan& plan, std::span<const glm::vec4> positions);
 
 }  // namespace simreel::sim

@@ -2,40 +2,40 @@
 #include "gl/kernel/kernel.hpp"
 #include "sim/contact/plan.hpp"
 
-/// Interfaces of contact's kernels (glsl/contact).
+/// Interfaces of the contact kernels (glsl/contact).
 namespace simreel::sim {
 
-/// Members of glsl/contact/kernel.glsl.
+/// Interface part for the members of glsl/contact/kernel.glsl.
 struct ContactShared {
   gl::Block<"StepBlock", shader::ContactStep> step;
   gl::InOut<"points"> points;
   gl::InOut<"ControlBlock"> control;
 };
-/// Members of glsl/contact/near_list.glsl.
+/// Interface part for the members of glsl/contact/near_list.glsl.
 struct ContactNearList {
   gl::In<"corners"> corners;
   gl::InOut<"nears"> nears;
   gl::InOut<"TallyBlock"> tallies;
-  gl::In<"told"> told;  // the tallies as texels
+  gl::In<"told"> told;  // Texel view of the tallies.
 };
-/// Vertices of a part among all.
+/// Range of a part's vertices among all vertices.
 struct ContactRange {
   gl::Uniform<"first", int> first;
   gl::Uniform<"count", int> count;
 };
-/// The kind of pairs: edges with edges, or vertices with faces.
+/// Kind of pairs: edges with edges, or vertices with faces.
 struct ContactPairs {
   gl::Flag<"EDGES"> edges;
 };
 
-/// A kernel that reads and writes the shared memory alone.
+/// Kernel that accesses only the shared memory of ContactShared.
 template <gl::Name path>
 struct ContactPlain {
   static constexpr auto file = path.text;
   ContactShared shared;
 };
 
-/// A kernel with an invocation for each near pair.
+/// Kernel with one invocation per near pair.
 template <gl::Name path>
 struct ContactNears {
   static constexpr auto file = path.text;

@@ -10,40 +10,43 @@
 
 namespace simreel::sim {
 
-/// A simulation whose substeps go in step with those of others that it touches, Simulation::stepsPerFrame()
-/// of them a frame.
+/// Simulation whose substeps run in lock step with the simulations that it touches,
+/// Simulation::stepsPerFrame() substeps per frame.
 class LockStep {
  public:
   static const PortInfo port;
 
   virtual ~LockStep() = default;
-  /// As it is at the start.
+  /// Returns the contact surface in the initial state.
   [[nodiscard]] virtual ContactPart contactPart() const = 0;
   virtual void beginFrame(double time) = 0;
-  /// Up to where its particles would go if nothing held them up.
+  /// Computes the positions that the particles would reach without contact.
   virtual void predict(int substep) = 0;
-  /// After predict(); what contact has pushed since is to keep out of colliders again.
+  /// Called after predict() and contact; moves particles that contact has pushed out of colliders again.
   virtual void settle(int substep) = 0;
-  /// Between predict() and finish().
+  /// Returns the arrays for contact; valid between predict() and finish().
   [[nodiscard]] virtual Contact::Part arrays() const = 0;
   virtual void finish() = 0;
   virtual void endFrame(double time) = 0;
-  /// The positions and velocities of arrays() are again as they were at beginFrame().
+  /// Called after the positions and velocities of arrays() were reset to their contents at beginFrame().
   virtual void restored() {}
 };
 
-/// Port of cloths that particles may meet by name. It has no outlet: both join LockStep.
+/// Port of cloths that particles can collide with by name. It has no outlet; the cloth and the particles
+/// both join LockStep.
 struct ContactCloth {
   static const PortInfo port;
 };
 
-/// Simulations in step, and their contact with each other and with solids.
+/// Group of simulations in lock step, with their contact with each other and with solids.
 class ContactGroup final : public StepGroup {
  public:
-  /// `members` and `solids` outlive it; `members`, balls last, take `substeps` a frame of `frameSeconds`.
+  /// `members` and `solids` must outlive the group. `members` (particles last) take `substeps` per frame; a
+  /// frame lasts `frameSeconds`.
   ContactGroup(std::vector<LockStep*> members, std::vector<ContactSolid*> solids, int substeps,
                double frameSeconds, bool fast);
-  /// Advances all members by the frame that starts at `time`, which the solids have stepped.
+  /// Advances all members by the frame that starts at `time`. The solids must have stepped this frame
+  /// already.
   void step(double time, const Watch& watch) override;
 
  private:

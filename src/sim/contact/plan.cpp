@@ -16,7 +16,7 @@ namespace {
 
 constexpr int maxLevels = 24;
 
-/// Every third bit of the result is one of the ten lowest of `x`.
+/// Spreads the ten lowest bits of `x` to every third bit of the result.
 std::uint32_t spread(std::uint32_t x) {
   x = (x | (x << 16U)) & 0x030000ffU;
   x = (x | (x << 8U)) & 0x0300f00fU;
@@ -26,7 +26,7 @@ std::uint32_t spread(std::uint32_t x) {
 
 using Leaves = std::vector<glm::uvec4>;
 
-/// Faces or edges of a part along Morton's curve through the box of their middles.
+/// Sorts the faces or edges of a part along the Morton curve through the bounding box of their centres.
 Leaves mortonOrder(const Leaves& leaves, const std::vector<glm::vec4>& positions) {
   std::vector<glm::vec3> middles;
   for (const glm::uvec4& leaf : leaves)
@@ -72,8 +72,8 @@ Leaves edgesOf(const ContactPart& part) {
 
 constexpr glm::uvec4 none(0, 0, 0, 1);
 
-/// The leaves of a tree of all cloths, or of all solids: largest subtrees first, so that each begins at a
-/// multiple of its size.
+/// Returns the leaves of a tree over all cloths or over all solids, with the largest subtrees first, so
+/// that each subtree starts at a multiple of its size.
 Leaves leavesOf(std::span<const ContactPart> parts, const std::vector<int>& firsts, bool solid,
                 Leaves (*featuresOf)(const ContactPart&)) {
   std::vector<Leaves> subtrees;
@@ -95,7 +95,8 @@ Leaves leavesOf(std::span<const ContactPart> parts, const std::vector<int>& firs
   return all;
 }
 
-/// Of cloths, and of solids if there are any as many again.
+/// Returns the leaves of the cloths, followed by an equal number of leaves for the solids, if there are
+/// any.
 Leaves bothHalves(std::span<const ContactPart> parts, const std::vector<int>& firsts,
                   Leaves (*featuresOf)(const ContactPart&)) {
   Leaves all = leavesOf(parts, firsts, false, featuresOf);
@@ -116,7 +117,7 @@ Leaves bothHalves(std::span<const ContactPart> parts, const std::vector<int>& fi
 
 ContactPlan::ContactPlan(std::span<const ContactPart> parts, double substepSeconds)
     : substepSeconds_(substepSeconds) {
-  float lightest = 0;  // greatest inverse mass, least of those that are not held
+  float lightest = 0;  // Minimum inverse mass of all cloth vertices that are not held.
   float thickest = 0, heaviestBall = 0;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const ContactPart& part = parts[k];
@@ -147,8 +148,9 @@ ContactPlan::ContactPlan(std::span<const ContactPart> parts, double substepSecon
     }
     movable_ = balls_ = vertices();
   }
-  // 2^-30 m of the heaviest: three decimal digits below what floats near 1 m resolve, and room for 2 m. Of
-  // a ball an eighth counts, which has seldom far to go in a substep.
+  // The fixed-point unit of impulses moves the heaviest vertex by 2^-30 m: three decimal digits below the
+  // float resolution near 1 m, with a range of 2 m. A particle counts with an eighth of its mass, because
+  // it seldom moves far in a substep.
   const float heaviest = std::max(lightest > 0 ? 1.0F / lightest : 0, 0.125F * heaviestBall);
   quanta_ = 1.0F;
   while (heaviest > 0 && quanta_ * heaviest < 0x1p30F) quanta_ *= 2;
@@ -168,11 +170,13 @@ shader::ContactStep ContactPlan::step(bool first, int maxPairs) const {
   shader::ContactStep step{};
   step.perDt = static_cast<float>(1.0 / substepSeconds_);
   step.recovery = 0.2F;
-  step.mostRecovery = static_cast<float>(0.3 * substepSeconds_);  // at 0.3 m/s
+  step.mostRecovery = static_cast<float>(
+      0.3 * substepSeconds_);  // Limits the speed at which overlaps are resolved to 0.3 m/s.
   step.horizon = 8.0F;
   step.quanta = quanta_;
   step.perQuanta = 1.0F / quanta_;
-  step.bounceFrom = static_cast<float>(0.1 * substepSeconds_);  // 0.1 m/s
+  step.bounceFrom =
+      static_cast<float>(0.1 * substepSeconds_);  // Impacts bounce from a speed of 0.1 m/s on.
   step.vertices = vertices();
   step.movable = movable_;
   step.balls = balls_;

@@ -31,7 +31,7 @@ constinit const PortInfo ContactSolid::port = {
 
 namespace {
 
-/// Of a face, squared and times four, in m^4.
+/// Returns four times the squared area of a face, in m^4.
 double areaSquared(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   const glm::dvec3 u = b - a, v = c - a;
   const glm::dvec3 n(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x);

@@ -13,42 +13,43 @@
 
 namespace simreel::sim {
 
-/// A surface that cloths in contact feel by its faces, and that none of them moves. World steps its
-/// simulation before them.
+/// Solid surface that cloths in contact collide with; contact does not move it. World steps its simulation
+/// before the cloths.
 class ContactSolid {
  public:
   static const PortInfo port;
 
   virtual ~ContactSolid() = default;
-  /// As it is at the start; waits for the device.
+  /// Returns the contact surface in the initial state; waits for the device.
   [[nodiscard]] virtual ContactPart contactPart() const = 0;
-  /// Makes now() and next() what they are at the beginning and the end of a substep of the frame that it
-  /// has stepped, in any order.
+  /// Sets now() and next() to the positions at the start and the end of a substep of the frame that the
+  /// solid has already stepped. Substeps may be requested in any order.
   virtual void moveTo(int substep, int substeps) = 0;
-  /// xyz m, in the order of contactPart().
+  /// Return positions in metres, in the order of contactPart().
   [[nodiscard]] virtual const gl::Vec4Array& now() const = 0;
   [[nodiscard]] virtual const gl::Vec4Array& next() const = 0;
 };
 
-/// What contact is told of a solid: vertices in m, three indices a face. Faces without area count for
-/// nothing. Without `friction` that of who touches it holds.
+/// Builds the contact part of a solid from vertices in metres and three indices per face. Degenerate faces
+/// are ignored. Without `friction`, the coefficient of the touching surface applies.
 [[nodiscard]] ContactPart solidPart(std::span<const glm::vec3> positions, std::span<const unsigned> indices,
                                     const std::optional<double>& friction);
 
 struct MoveKernel;
 
-/// Vertices of a mesh that is moved, deformed or both: over a frame each goes in a straight line.
+/// Vertices of a mesh that is moved, deformed, or both. Over a frame each vertex moves in a straight line.
 class MovedVertices {
  public:
-  /// `positions`: xyz m, in the mesh's own space.
+  /// `positions`: xyz in metres in the mesh's local space.
   MovedVertices(const std::string& name, std::span<const glm::vec4> positions, bool fast);
 
-  /// Where they are in their own space when a frame begins or ends; at first as they were made.
+  /// Copies the local-space positions at the frame's start or end; initially both are the positions of the
+  /// constructor.
   void takeBegin(const gl::Vec4Array& positions) { take(positions, begins_); }
   void takeEnd(const gl::Vec4Array& positions) { take(positions, ends_); }
-  /// From that space to the world, then.
+  /// Sets the local-to-world transforms at the frame's start and end.
   void place(const glm::mat4& begin, const glm::mat4& end);
-  /// As ContactSolid has them.
+  /// Same meaning as the functions of ContactSolid.
   void moveTo(int substep, int substeps);
   [[nodiscard]] const gl::Vec4Array& now() const { return places_[0]; }
   [[nodiscard]] const gl::Vec4Array& next() const { return places_[1]; }
@@ -59,9 +60,9 @@ class MovedVertices {
 
   int count_;
   gl::Vec4Array begins_, ends_, places_[2];
-  int substep_ = -1;  ///< that places_ are of; -1: none
+  int substep_ = -1;  ///< Index of the substep whose positions `places_` holds; -1: none.
   int substeps_ = 0;
-  glm::mat4 begin_{1}, end_{1};  ///< transposed
+  glm::mat4 begin_{1}, end_{1};  ///< Transposed local-to-world matrices at the frame's start and end.
   gl::Kernel<MoveKernel> move_;
 };
 

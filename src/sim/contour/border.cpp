@@ -8,13 +8,14 @@ namespace simreel::sim {
 
 namespace {
 
-// vertices.glsl: the colours of a class.
+// Colour indices of a class, as in glsl/contour/vertices.glsl.
 constexpr int classColors = 5;
 constexpr int faceColor = 0;
 constexpr int wallFootColor = 3;
 constexpr int wallTopColor = 4;
 
-/// The samples around the field from above against the clock, from (0, 0): down the left side first.
+/// Returns the border samples in counterclockwise order seen from above, starting at (0, 0) and first going
+/// down the left side.
 std::vector<glm::ivec2> ringOf(glm::ivec2 samples) {
   const glm::ivec2 end = samples - 1;
   std::vector<glm::ivec2> ring;
@@ -31,7 +32,7 @@ class Builder {
   Builder(const SolidShape& shape, unsigned firstVertex)
       : shape_(shape), first_(firstVertex), ring_(ringOf(shape.size + 2)) {}
 
-  /// Vertical strips along the four sides, sharp at the corners.
+  /// Adds vertical strips along the four sides, with hard edges at the corners.
   void sides(float bottom, float top) {
     const int color = classColors * shape_.outside;
     const glm::vec3 normals[] = {{-1, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 0, -1}};
@@ -50,7 +51,7 @@ class Builder {
     }
   }
 
-  /// A flat face over everything, around its middle.
+  /// Adds a horizontal face over the whole area, as a fan around its centre.
   void lid(float height, bool up) {
     const int color = classColors * shape_.outside + faceColor;
     const glm::vec3 normal(0, up ? 1 : -1, 0);

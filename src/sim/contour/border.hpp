@@ -9,18 +9,18 @@ namespace simreel::sim {
 
 struct SolidShape;
 
-/// What of a solid stays the same whatever its field: the sides and the bottom, of one with a ceiling the
-/// roof too. Its vertices come after those of the samples.
+/// Constant part of a solid, independent of its field: sides and bottom, and the roof if there is a
+/// ceiling. Its vertices follow the samples' vertices.
 struct SolidBorder {
-  std::vector<glm::vec4> positions;  ///< w: number of the colour
+  std::vector<glm::vec4> positions;  ///< Vertex positions in xyz, colour index in w.
   std::vector<glm::vec4> normals;
-  std::vector<unsigned> indices;  ///< an even number
+  std::vector<unsigned> indices;  ///< Triangle indices; their number is even.
 };
-/// `heights`: of the classes; `firstVertex`: number of its first vertex.
+/// Builds the border. `heights`: height of each class; `firstVertex`: index of the border's first vertex.
 [[nodiscard]] SolidBorder solidBorder(const SolidShape& shape, const std::vector<float>& heights,
                                       unsigned firstVertex);
 
-/// x and z (m) of sample (0, 0), which lies one before the field's first cell.
+/// Returns x and z (metres) of sample (0, 0), one sample before the field's first cell.
 [[nodiscard]] glm::vec2 solidCorner(const SolidShape& shape);
 
 }  // namespace simreel::sim

@@ -18,7 +18,8 @@ namespace {
 
 constexpr int maxImageSide = 16384;
 
-/// A face beside a wall that rises lies in its shade.
+/// Returns the palette: five shades per class. A face beside a rising wall is darkened, because it lies in
+/// the wall's shadow.
 std::vector<glm::vec4> contourPalette(const std::vector<glm::vec3>& classes) {
   std::vector<glm::vec4> colors;
   for (const glm::vec3& color : classes)
@@ -26,7 +27,7 @@ std::vector<glm::vec4> contourPalette(const std::vector<glm::vec3>& classes) {
   return colors;
 }
 
-/// A picture's levels as a field of floats, 0 to 1.
+/// Picture presented as a field of floats, 0 to 1.
 class ImageField {
  public:
   ImageField(const std::string& name, const std::filesystem::path& file) {
@@ -118,7 +119,7 @@ class Contour final : public Simulation {
   std::optional<ImageField> image_;
   std::optional<Solid> solid_;
   std::optional<Walls> walls_;
-  bool met_ = false;  ///< somebody collides with it
+  bool met_ = false;  ///< True if another object collides with the solid.
 };
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 namespace simreel::sim {
 
-/// Any field, or a picture, as a solid with terraces, in every frame.
+/// Returns the kind "contour": a field or a picture as a terraced solid, rebuilt every frame.
 [[nodiscard]] SimulationKind contourKind();
 
 }  // namespace simreel::sim

@@ -12,30 +12,32 @@
 
 namespace simreel::sim {
 
-/// Contours of a field as a solid with terraces, as a scene says it.
+/// Scene parameters of a contour: a field shown as a terraced solid.
 struct ContourParameters final : ObjectParameters {
-  std::string field;            ///< name of the object it is made of
-  std::filesystem::path image;  ///< instead: levels 0 to 255 count as 0 to 1
+  std::string field;            ///< Name of the object whose field is shown.
+  std::filesystem::path image;  ///< Picture used instead of a field; levels 0 to 255 map to 0 to 1.
   int levels = 8;
-  std::optional<double> low, high;       ///< the first and the last level
-  glm::vec3 position{0, -1.3F, 0};       ///< m: middle of the lowest face
-  float width = 4.8F;                    ///< m: of the field
-  scene::Animated<float> height = 0.6F;  ///< m: of the highest face
-  float base = 0.12F;                    ///< m of material below the lowest
+  std::optional<double> low, high;       ///< Field values of the first and the last contour level.
+  glm::vec3 position{0, -1.3F, 0};       ///< Centre of the lowest face in metres.
+  float width = 4.8F;                    ///< Width of the field in metres.
+  scene::Animated<float> height = 0.6F;  ///< Height of the highest face in metres.
+  float base = 0.12F;                    ///< Thickness in metres of the material below the lowest face.
   std::string map = "viridis";
-  float grip = 25.3F;  ///< 1/s at which what touches it loses tangential velocity
+  float grip = 25.3F;  ///< Decay rate (1/s) of the tangential velocity of touching objects.
   bool visible = true;
 
   void describe(scene::Fields& fields) override;
   void ports(Ports& ports) const override;
-  /// How deep it is follows from its field: as if that were as deep as wide.
+  /// Returns the box for the default camera. The depth depends on the field and is assumed to equal the
+  /// width.
   [[nodiscard]] std::optional<scene::Box> framed() const override;
 
-  /// Of that field, with the heights of `time` (s). Throws UserError(usage) where the range of its values,
-  /// which stands for a level that is left out, makes levels that do not ascend.
+  /// Returns the solid's shape for a field, with the heights at `time` (seconds). Levels that are not given
+  /// are derived from the field's range of values. Throws UserError(usage) if the resulting levels are not
+  /// ascending.
   [[nodiscard]] SolidShape shape(const Field& field, double time) const;
   [[nodiscard]] std::vector<float> heightsAt(double time) const;
-  /// Linear RGB of each class, lowest first.
+  /// Returns the linear RGB colour of each class, lowest first.
   [[nodiscard]] std::vector<glm::vec3> colors() const;
 };
 

@@ -12,7 +12,7 @@
 
 namespace simreel::sim {
 
-/// Members of glsl/contour/vertices.glsl.
+/// Interface part for the members of glsl/contour/vertices.glsl.
 struct SolidVertices {
   gl::Uniform<"corner", glm::vec2> corner;
   gl::Uniform<"spacing", float> spacing;
@@ -115,7 +115,7 @@ Solid::State::State(const std::string& label, const SolidShape& given)
   cornerVertices = shape.ceiling ? 2 * corners : corners;
   heights = shape.heights;
   border = solidBorder(shape, heights, static_cast<unsigned>(cornerVertices));
-  // A cave has a point for every fourth cell at most; what needs more gets it.
+  // A cave has at most one contour point per four cells; a field with more points enlarges the buffers.
   const std::int64_t points = std::max<std::int64_t>(64, corners / 8);
   getRoom(points,
           static_cast<std::int64_t>(border.indices.size()) + sheetIndices() * corners + 12 * points);
@@ -130,7 +130,8 @@ void Solid::State::checkLimits() const {
   checkRoom("groups of samples", elements, 16);
 }
 
-/// Vertices of so many points, and so many indices, with what never changes in its place.
+/// Allocates buffers for this number of contour points and indices, and writes the constant vertices and
+/// indices.
 void Solid::State::getRoom(std::int64_t points, std::int64_t indexCount) {
   const std::int64_t vertices = firstPoint() + 4 * points;
   SIMREEL_CHECK(vertices < maxVertices);
@@ -174,7 +175,7 @@ SolidVertices Solid::State::vertices() const {
           .positions = positions};
 }
 
-/// Classes of the samples, tallies, and the sums of those before each.
+/// Computes the samples' classes, their tallies, and the prefix sums of the tallies.
 void Solid::State::count(const FieldKernels& made) {
   const auto all = static_cast<int>(elements);
   gl::barrier();
@@ -266,7 +267,8 @@ Surface Solid::surface() const {
   Surface surface;
   surface.positions = &s.positionView;
   surface.normals = &s.normalView;
-  surface.vertexCount = static_cast<int>(s.firstPoint());  // the border has the others within it
+  surface.vertexCount =
+      static_cast<int>(s.firstPoint());  // The bounding box of these vertices encloses all others.
   surface.vertexRoom = static_cast<int>(s.positions.bytes() / sizeof(glm::vec4));
   surface.indices = &s.indices;
   surface.indexCount = static_cast<int>(s.indexRoom);

@@ -12,25 +12,28 @@
 
 namespace simreel::sim {
 
-/// How a field becomes a solid. Values are cut by levels into classes: class k reaches k of them.
+/// Conversion of a field to a solid. The levels divide the values into classes: a value in class k reaches
+/// k levels.
 struct SolidShape {
-  glm::ivec2 size{1, 1};             ///< cells of the field
-  std::vector<float> levels{0.5F};   ///< ascending, 1 to maxSolidLevels
-  std::vector<float> heights{0, 1};  ///< m, one a class, of its face; ascending
-  float spacing = 1.0F;              ///< m between cells; the field's middle is at (0, 0)
-  float base = 1.0F;                 ///< m of material below the lowest class
-  int outside = 0;                   ///< class of what is around the field
-  bool ceiling = false;              ///< over class 0, at the height of class 1; one level, outside 1
-  float roof = 0.5F;                 ///< m of material above a ceiling
+  glm::ivec2 size{1, 1};  ///< Size of the field in cells.
+  std::vector<float> levels{
+      0.5F};  ///< Values of the levels in ascending order, 1 to maxSolidLevels of them.
+  std::vector<float> heights{0, 1};  ///< Height in metres of each class's face, ascending.
+  float spacing = 1.0F;              ///< Distance between cells in metres; the field's centre is at (0, 0).
+  float base = 1.0F;                 ///< Thickness in metres of the material below the lowest class.
+  int outside = 0;                   ///< Index of the class assumed outside the field.
+  bool ceiling = false;  ///< True to add a ceiling over class 0 at the height of class 1; requires one
+                         ///< level and `outside` 1.
+  float roof = 0.5F;     ///< Thickness in metres of the material above a ceiling.
 };
 inline constexpr int maxSolidLevels = 16;
 
-/// A field as a solid: faces of its classes and the walls between them, by marching squares on the GPU
-/// (glsl/contour), drawn without a readback. Memory keeps the size that a frame needed: one that needs more
-/// draws nothing, which grow() notices.
+/// Solid built from a field by marching squares on the GPU (glsl/contour): faces of its classes and walls
+/// between them, drawn without readback. Buffers keep the size of earlier frames. If a frame needs larger
+/// buffers, nothing is drawn and grow() reports it.
 class Solid {
  public:
-  /// Throws UserError(device) naming the limit that a field of this size is beyond.
+  /// Throws UserError(device), naming the limit, if a field of this size exceeds a limit of the device.
   Solid(const std::string& name, const SolidShape& shape);
   ~Solid();
   Solid(const Solid&) = delete;
@@ -38,29 +41,32 @@ class Solid {
   Solid(Solid&&) noexcept;
   Solid& operator=(Solid&&) noexcept;
 
-  /// The solid of the field as it is now, with these heights of the classes. Waits for nothing.
+  /// Builds the solid of the field's current state with these class heights. Does not wait.
   void make(const Field& field, const std::vector<float>& heights);
-  /// Waits until the latest make() has counted. Where its memory was too small, gets more, makes it again
-  /// and returns true. Throws UserError(device) where the device has no buffer that large.
+  /// Waits for the counts of the latest make(). If the buffers were too small, enlarges them, rebuilds the
+  /// solid and returns true. Throws UserError(device) if the device does not support buffers of that size.
   bool grow();
 
-  /// What the latest make() was told, and the class of each sample (glsl/contour/samples.glsl), which are
-  /// right even where the solid lacked memory.
+  /// Arguments of the latest make(), and the class of each sample (glsl/contour/samples.glsl); valid even
+  /// if the buffers were too small.
   [[nodiscard]] const SolidShape& shape() const;
   [[nodiscard]] const std::vector<float>& heights() const;
   [[nodiscard]] const Field& field() const;
   [[nodiscard]] const gl::WordsArray& classes() const;
   [[nodiscard]] int rowElements() const;
 
-  /// Everything but model and material; the pointers live until make() or grow().
+  /// Returns the drawable without model matrix and material; its pointers are valid until the next make()
+  /// or grow().
   [[nodiscard]] Surface surface() const;
-  /// Four words that change with the contours: how many points, squares of one class and triangles there
-  /// are before each sixteen samples.
+  /// Returns four words for each group of sixteen samples: the numbers of contour points, of squares within
+  /// one class and of triangles in all earlier groups; the fourth word is unused. Their values change
+  /// whenever the contours change.
   [[nodiscard]] const gl::Buffer& tallies() const;
 
-  /// Read back; after grow(). Waits for the GPU. Vertices as the kernels leave them, without uvs.
+  /// Reads back the mesh; call after grow(). Waits for the GPU. Returns the vertices as the kernels write
+  /// them, without UVs.
   [[nodiscard]] MeshTable mesh() const;
-  /// The same with uvs (sim/contour/unwrap.hpp).
+  /// Returns the mesh with UVs (sim/contour/unwrap.hpp).
   [[nodiscard]] MeshTable unwrapped() const;
   [[nodiscard]] ContourLines lines() const;
 

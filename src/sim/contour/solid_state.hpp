@@ -15,7 +15,7 @@ struct SolidVariant {
   gl::Range<"LEVELS", 1, maxSolidLevels> levels;
   SolidCeiling ceiling;
 };
-/// Members of glsl/contour/samples.glsl.
+/// Interface part for the members of glsl/contour/samples.glsl.
 struct SolidSamples {
   gl::Uniform<"samples", glm::ivec2> samples;
   gl::Uniform<"rowElements", int> rowElements;
@@ -28,7 +28,7 @@ struct SolidList;
 struct SolidRaise;
 struct SolidVertices;
 
-/// Kernels that read the field, made for the kind of its cells.
+/// Kernels that read the field, compiled for its cell format.
 struct FieldKernels {
   gl::Kernel<SolidClassify> classify;
   gl::Kernel<SolidRaise> raise;
@@ -51,16 +51,18 @@ struct Solid::State {
   SolidBorder border;
   std::int64_t pointRoom = 0, indexRoom = 0;
   gl::WordsArray classes, tallies;
-  gl::WordsArray squares;  ///< of each point, the square that its contour goes on in
+  gl::WordsArray squares;  ///< For each contour point, the square in which its contour continues.
   Totals totals;
   gl::Buffer positions, normals, indices, next;
   gl::Texture positionView, normalView;
   gl::Kernel<SolidCount> tally;
   gl::Kernel<SolidList> list;
-  gl::Kernel<SolidSheet> freshSheet, sheet;  ///< the second when it is first needed
+  gl::Kernel<SolidSheet> freshSheet,
+      sheet;  ///< Kernels that build the horizontal faces: `freshSheet` for the first build, `sheet`
+              ///< (created on first use) for later builds.
   std::map<Field::Cells, FieldKernels> kernels;
   Field field;
-  bool fresh = true;  ///< normals of the samples are not there yet
+  bool fresh = true;  ///< True if the normals of the samples have not been written yet.
 
   [[nodiscard]] std::int64_t sheetIndices() const { return shape.ceiling ? 12 : 6; }
   [[nodiscard]] std::int64_t firstPoint() const {

@@ -1,4 +1,4 @@
-// Solids read back: meshes and contours as tables.
+// Reads solids back: meshes and contours as tables.
 #include "sim/contour/solid_state.hpp"
 #include "sim/contour/unwrap.hpp"
 
@@ -43,7 +43,7 @@ ContourLines Solid::lines() const {
   const glm::vec2 corner = solidCorner(s.shape);
   for (std::size_t i = 0; i < count; ++i) {
     const glm::vec4& wall = vertices[4 * i + 1];
-    // Sample (0, 0) lies one before the field's first cell.
+    // Sample (0, 0) is one cell before the field's first cell.
     lines.points.push_back((glm::vec2(wall.x, wall.z) - corner) / s.shape.spacing - 1.0F);
     lines.levels.push_back(static_cast<int>(wall.w) / 5);
   }

@@ -38,7 +38,8 @@ struct TallySpread {
 
 namespace {
 
-// What one invocation sums up; a software driver ends a shader's loops after 65,535 iterations.
+// Number of tallies summed by one invocation; limited because a software driver ends a shader's loops after
+// 65,535 iterations.
 constexpr int tallyTile = 64;
 
 }  // namespace

@@ -17,13 +17,12 @@ struct TallySums;
 struct TallyTotal;
 struct TallySpread;
 
-/// Of what a field asks for, known to the GPU alone: tallies become the sums of those before each, by three
-/// kernels of glsl/contour, and their total the arguments of an indirect draw. For solids of squares and
-/// surfaces of cubes.
+/// Counts the geometry of a field on the GPU: three kernels of glsl/contour turn tallies into prefix sums,
+/// and the totals into the arguments of an indirect draw. Used for solids of squares and surfaces of cubes.
 class Totals {
  public:
   Totals() = default;
-  /// `count` tallies: x points, y sheets, z triangles, w anything.
+  /// `count`: number of tallies; x: points, y: sheets, z: triangles, w: unused.
   Totals(const std::string& name, int count);
   Totals(const Totals&) = delete;
   Totals& operator=(const Totals&) = delete;
@@ -32,15 +31,16 @@ class Totals {
   ~Totals() { glDeleteSync(fence_); }
 
   struct Room {
-    std::int64_t fixed = 0;                ///< indices that are there anyway
-    unsigned perSheet = 0, perPoint = 0;   ///< indices; a triangle has three
-    std::int64_t points = 0, indices = 0;  ///< that there is memory for
+    std::int64_t fixed = 0;  ///< Number of constant indices.
+    unsigned perSheet = 0,
+             perPoint = 0;  ///< Number of indices per sheet and per point; a triangle always has three.
+    std::int64_t points = 0, indices = 0;  ///< Capacity of the buffers in points and in indices.
   };
-  /// Waits for nothing.
+  /// Dispatches the kernels without waiting for them.
   void run(const gl::WordsArray& tallies, const Room& room);
-  /// Waits for the latest run; false: there was none. Throws UserError(device).
+  /// Waits for the latest run; returns false if there was none. Throws UserError(device).
   [[nodiscard]] bool wait();
-  /// After wait().
+  /// Returns the counts; valid after wait().
   [[nodiscard]] const shader::ContourDraw& found() const {
     return *static_cast<const shader::ContourDraw*>(counted_.memory());
   }
@@ -57,12 +57,12 @@ class Totals {
   GLsync fence_ = nullptr;
 };
 
-/// Room for `now` that a field took: a quarter more than that if the device has buffers of `limit`, since
-/// what grows would need more in each of the next frames.
+/// Returns the new capacity for `now` elements: `room` if it suffices, else a quarter more than `now`,
+/// limited to `limit`, because a growing field would need more in each of the next frames.
 [[nodiscard]] std::int64_t grownRoom(std::int64_t now, std::int64_t room, std::int64_t limit);
 
-/// Throws UserError(device) where a buffer of `count` elements of that size is beyond a limit; `whose`:
-/// "the solid of", `smaller`: what to do.
+/// Throws UserError(device) if a buffer of `count` elements of `bytes` bytes exceeds a device limit.
+/// `whose`: beginning of the message, such as "the solid of"; `smaller`: advice for the user.
 void checkBufferRoom(const char* whose, const std::string& name, const char* what, std::int64_t count,
                      int bytes, const char* smaller);
 

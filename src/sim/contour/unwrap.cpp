@@ -8,16 +8,18 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr unsigned perPoint = 4, wallBottom = 1, wallTop = 2;  // vertices.glsl
+constexpr unsigned perPoint = 4, wallBottom = 1,
+                   wallTop = 2;  // Vertex order of a contour point, as in glsl/contour/vertices.glsl.
 constexpr std::size_t wallIndices = 6;
 
-/// As if every vertex belonged to a face that lies along an axis: right for all but walls.
+/// Sets UVs by axis-aligned projection, which is correct for all vertices except wall vertices.
 void unwrapFlat(MeshTable& mesh, double metre) {
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const glm::dvec3 p(mesh.positions[i]);
     const glm::dvec3 n(mesh.normals[i]);
     const bool level = std::abs(n.y) > 0.5;
-    // Seen from outside with y up, cross(y, n) leads to the right; below, the picture of above is mirrored.
+    // Seen from outside with y up, cross(y, n) points to the right. Downward faces mirror the mapping of
+    // upward faces.
     const glm::dvec2 at = level ? glm::dvec2(n.y * p.x, p.z) : glm::dvec2(n.z * p.x - n.x * p.z, -p.y);
     mesh.uvs.emplace_back(at / metre);
   }
@@ -49,7 +51,7 @@ class WallSheets {
     return glm::distance(glm::dvec3(mesh_.positions[vertexOf(point) + wallBottom]),
                          glm::dvec3(mesh_.positions[vertexOf(next_[point]) + wallBottom]));
   }
-  /// A contour goes to the left as its wall is seen.
+  /// Seen from outside the wall, the contour runs to the left.
   void place(unsigned vertex, double along) {
     mesh_.uvs[vertex] = glm::dvec2(-along, -static_cast<double>(mesh_.positions[vertex].y)) / metre_;
   }
@@ -64,13 +66,13 @@ class WallSheets {
       place(static_cast<unsigned>(mesh_.positions.size()) - 1, along);
     }
   }
-  /// Whether it is a wall's vertex, of a point that contours have.
+  /// Returns true if the vertex is a wall vertex of a contour point.
   [[nodiscard]] bool isWall(unsigned vertex) const {
     const unsigned part = (vertex - firstPoint_) % perPoint;
     return vertex >= firstPoint_ && vertex < vertexOf(static_cast<unsigned>(next_.size())) &&
            (part == wallBottom || part == wallTop);
   }
-  /// A triangle of the wall from a contour's last point to its first ends at the seam.
+  /// Moves the wall triangle between a contour's last and first point to the seam's duplicated vertices.
   void moveToSeam(unsigned* triangle) const {
     for (int i = 0; i < 3; ++i)
       if (!isWall(triangle[i])) return;
@@ -88,7 +90,8 @@ class WallSheets {
   const std::vector<unsigned>& next_;
   unsigned firstPoint_;
   double metre_;
-  std::vector<unsigned> seams_;  ///< of a contour's first point its vertex at the end, else 0
+  std::vector<unsigned>
+      seams_;  ///< For a contour's first point, the duplicated vertex at the seam; 0 for other points.
 };
 
 }  // namespace

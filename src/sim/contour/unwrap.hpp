@@ -5,13 +5,13 @@
 
 namespace simreel::sim {
 
-/// Gives a solid uvs that stretch nowhere: every triangle is as large in uv as it is in space, `metre` a
-/// unit, and is seen the same way around. Faces have uv = (x, z) / metre, the outer sides are laid flat,
-/// v downwards, and walls are unrolled along their contour, u by its length. A closed contour needs a seam:
-/// its first point gets two more vertices, at the end of the mesh. On the CPU, for files: what is drawn
-/// takes textures from three sides (glsl/draw/surface/texture.glsl).
-/// `next`: of each point of the contours (ContourLines); `firstPoint`: number of the first point's first
-/// vertex, of four (glsl/contour/vertices.glsl).
+/// Adds UVs without distortion: each triangle has the same size in UV space as in world space, with `metre`
+/// metres per unit, and the same orientation. Horizontal faces have uv = (x, z) / metre, the outer sides
+/// are laid out flat with v downwards, and walls are unrolled along their contour with u as arc length. A
+/// closed contour needs a seam: two duplicated vertices of its first point are appended to the mesh. Runs
+/// on the CPU for exported files; drawing uses triplanar texturing instead
+/// (glsl/draw/surface/texture.glsl). `next`: successor of each contour point (ContourLines); `firstPoint`:
+/// index of the first of four vertices of the first point (glsl/contour/vertices.glsl).
 void unwrap(MeshTable& mesh, const std::vector<unsigned>& next, unsigned firstPoint, float metre);
 
 }  // namespace simreel::sim

@@ -12,21 +12,23 @@ namespace simreel::shader {
 
 namespace simreel::sim {
 
-/// Who collides with a solid, and how.
+/// Collision parameters of an object that collides with a solid.
 struct WallContact {
-  float margin = 0;    ///< m, kept from it
-  float bounce = 0;    ///< fraction of the speed of impact that is given back
-  double seconds = 1;  ///< of a substep
+  float margin = 0;    ///< Minimum distance to the solid in metres.
+  float bounce = 0;    ///< Fraction of the impact speed that is returned.
+  double seconds = 1;  ///< Duration of a substep in seconds.
 };
 
-/// Squares of a solid that a margin reaches over at most. Three rounds through the squares around, for each
-/// of 17 prisms, are 35,000 loops then; a software driver ends a shader's loops after 65,535.
+/// Maximum collision margin in squares of the solid. At this margin, three rounds over the surrounding
+/// squares with 17 prisms each take about 35,000 loop iterations; a software driver ends a shader's loops
+/// after 65,535.
 inline constexpr int maxWallSquares = 12;
 
-/// What those that collide with a solid are told of it (glsl/contour/wall_model.glsl); shared with the CPU
-/// twins. `heights` (m): of the classes; `position` (m): middle of the lowest face; `grip` (1/s): rate at
-/// which tangential velocity is lost in contact. A thousandth of a square is kept in any case, so that
-/// rounding puts nothing into a wall. Stops where the margin is wider than maxWallSquares.
+/// Returns the collision data of a solid for objects that collide with it (glsl/contour/wall_model.glsl);
+/// shared with the CPU twins. `heights`: of the classes, in metres; `position`: centre of the lowest face,
+/// in metres; `grip`: decay rate (1/s) of tangential velocity in contact. The margin is at least a
+/// thousandth of a square, so that rounding does not move objects into a wall. Aborts if the margin exceeds
+/// maxWallSquares.
 [[nodiscard]] shader::WallGrid wallGrid(const SolidShape& shape, const std::vector<float>& heights,
                                         const glm::vec3& position, float grip, const WallContact& contact);
 

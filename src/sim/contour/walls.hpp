@@ -10,7 +10,7 @@
 
 namespace simreel::sim {
 
-/// Members of glsl/contour/wall_array.glsl where WALLS is 1, a part of a kernel's interface.
+/// Kernel interface part for the members of glsl/contour/wall_array.glsl, used if WALLS is 1.
 struct WallPart {
   gl::Uniform<"wallGrid.corner", glm::vec2> corner;
   gl::Uniform<"wallGrid.spacing", float> spacing;
@@ -36,17 +36,17 @@ struct WallVariant {
   FieldCells cells;
 };
 
-/// A solid as others collide with it, in the state in which its latest make() left it.
+/// Collision view of a solid, in the state of its latest make().
 class Walls {
  public:
   static const PortInfo port;
 
-  /// Of a solid that stays where it is; `position` and `grip` as wallGrid() has them.
+  /// Collision view of a solid at a fixed position; `position` and `grip` as for wallGrid().
   Walls(std::string name, const Solid& solid, const glm::vec3& position, float grip);
 
-  /// Throws UserError(usage) where that margin (m) reaches over more squares than kernels go through.
+  /// Throws UserError(usage) if the margin (metres) covers more squares than the kernels support.
   void checkReach(const std::string& who, float margin) const;
-  /// What the solid is like now.
+  /// Returns the interface part for the solid's current state.
   [[nodiscard]] WallPart part(const WallContact& contact) const;
   [[nodiscard]] WallVariant variant() const;
 

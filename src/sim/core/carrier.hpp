@@ -9,16 +9,18 @@
 
 namespace simreel::sim {
 
-/// Where something that carries others is: its own space to the world's at a time (s). Plain arithmetic of
-/// doubles: the same bits on every machine. Within a frame what it carries goes from the frame's beginning
-/// to its end in a straight line, as skinned vertices do.
+/// Returns the transform from a carrier's local space to world space at `time` (seconds). Uses only plain
+/// double arithmetic, so the result has the same bits on every machine. Within a frame, carried objects
+/// move in a straight line from their pose at the frame's start to their pose at its end, like skinned
+/// vertices.
 using Carrier = std::function<glm::dmat4(double time)>;
 
-/// Where points that are attached to a skin are at a time (s): m, world, in their order; as Carrier.
+/// Returns the world positions (metres) at `time` (seconds) of points attached to a skin, in the order in
+/// which they were attached. Same bits on every machine.
 using SkinHolder = std::function<std::vector<glm::dvec3>(double time)>;
-/// Attaches points (m, world) to the nearest places of the skin of a body, each as far off as it is at
-/// `time`. Throws UserError(usage) for a body that is not there, or has no faces, and what its file's
-/// reader throws.
+/// Attaches points (world space, metres) to the nearest places on a body's skin; each point keeps the
+/// offset from the skin that it has at `time` (seconds). Throws UserError(usage) if the body does not exist
+/// or has no faces, and rethrows errors of the mesh file reader.
 using HeldBySkin =
     std::function<SkinHolder(const std::string& body, std::span<const glm::dvec3> points, double time)>;
 

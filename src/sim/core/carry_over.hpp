@@ -7,13 +7,13 @@
 
 namespace simreel::sim {
 
-/// What a simulation carries from a frame to the next beyond what scene and time give it. Each simulation
-/// names it once, always in the same order; whoever asks reads it or puts it back
-/// (frame/file/checkpoint.hpp).
+/// Visitor over the simulation data that the next frame depends on and that scene and time do not
+/// determine. A simulation visits its data in the same order every time; a derived class reads each item or
+/// restores it (frame/file/checkpoint.hpp).
 class CarryOver {
  public:
   virtual ~CarryOver() = default;
-  /// The whole of a buffer.
+  /// Visits the whole contents of a buffer.
   virtual void array(const char* name, gl::Buffer& buffer) = 0;
   template <std::integral Integer>
   void number(const char* name, Integer& value) {

@@ -10,31 +10,32 @@
 
 namespace simreel::sim {
 
-/// Something solid that may move along keyframes.
+/// Solid collision shape, optionally animated by keyframes.
 struct ColliderShape {
   enum class Kind { sphere, capsule, plane };
   Kind kind = Kind::sphere;
-  scene::Animated<glm::vec3> position;  ///< centre, m; a point of the plane
-  scene::Animated<glm::vec3> rotation;  ///< degrees; a capsule lies along local y, a plane faces local y
-  float radius = 1.0F;                  ///< m
-  float length = 0.0F;                  ///< m between the centres of a capsule's ends
-  float grip = 25.3F;                   ///< 1/s at which tangential velocity is lost in contact
-  std::optional<double> friction;       ///< Coulomb's coefficient, instead of `grip`
-  /// Of a capsule that a bone carries: in its space lie `ends`, and position, rotation and length are
-  /// unused; the radius is scaled, too.
+  scene::Animated<glm::vec3> position;  ///< Centre in metres; for a plane, a point on the plane.
+  scene::Animated<glm::vec3>
+      rotation;         ///< Rotation in degrees; a capsule's axis is local y, a plane's normal is local y.
+  float radius = 1.0F;  ///< Radius of a sphere or capsule, in metres.
+  float length = 0.0F;  ///< Distance in metres between the centres of a capsule's two end caps.
+  float grip = 25.3F;   ///< Decay rate (1/s) of the tangential velocity in contact.
+  std::optional<double> friction;  ///< Coulomb friction coefficient; if set, it replaces `grip`.
+  /// Bone that carries a capsule; empty for other shapes. With a carrier, `ends` are in the bone's local
+  /// space, `position`, `rotation` and `length` are unused, and the bone's scale also scales `radius`.
   Carrier carrier = {};
-  std::array<glm::vec3, 2> ends = {};  ///< m
+  std::array<glm::vec3, 2> ends = {};  ///< Centres of the two end caps, in metres.
 };
 
-/// The ends of a capsule that a bone carries, and its radius there.
+/// World-space end cap centres and radius (metres) of a capsule carried by a bone.
 struct CarriedCapsule {
   std::array<glm::dvec3, 2> ends;
   double radius;
 };
 [[nodiscard]] CarriedCapsule carriedAt(const ColliderShape& shape, double time);
 
-/// Rotation by degrees about x, then y, then z (R = Rz Ry Rx), through the exact sine: same bits
-/// everywhere.
+/// Returns the rotation by Euler angles in degrees about x, then y, then z (R = Rz Ry Rx). Uses the exact
+/// sine, so the result has the same bits on every machine.
 [[nodiscard]] glm::mat4 rotationMatrix(const glm::vec3& degrees);
 
 }  // namespace simreel::sim

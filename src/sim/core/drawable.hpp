@@ -14,88 +14,95 @@
 
 namespace simreel::sim {
 
-/// Vertices of a grid that lie evenly over a plane: a component of a surface's positions is their height.
+/// Regular grid of vertices over a horizontal plane, where one component of the surface's `positions` is
+/// the height.
 struct GridHeights {
-  glm::vec2 corner{0};                  ///< m: x and z of the first one
-  float cell = 1;                       ///< m between them
-  float base = 0;                       ///< m: where height 0 is
-  int component = 1;                    ///< of positions: 1 or 3
-  int walls = 0;                        ///< bits of the sides west, east, north, south at which the
-  float rim = 0;                        ///< height (m) is at least this
-  const gl::Texture* colors = nullptr;  ///< R16F texel view: number in the palette; null: positions' w
+  glm::vec2 corner{0};  ///< Corner of the grid: x and z of the first vertex, in metres.
+  float cell = 1;       ///< Distance in metres between neighbouring vertices.
+  float base = 0;       ///< World height (metres) of height value 0.
+  int component = 1;    ///< Index of the height component in `positions`: 1 or 3.
+  int walls = 0;  ///< Bit mask of the sides (west, east, north, south) with a minimum height of `rim`.
+  float rim = 0;  ///< Minimum height in metres at the sides in `walls`.
+  const gl::Texture* colors =
+      nullptr;  ///< R16F texel view of palette indices; null: the w component of `positions` is the index.
 };
 
-/// Indexed triangles pulled from buffers by gl_VertexID; nothing is copied. All pointers stay owned by
-/// the simulation and live until its next step.
+/// Indexed triangles that the vertex shader pulls from buffers by gl_VertexID; nothing is copied. The
+/// simulation owns everything pointed to and keeps it valid until its next step.
 struct Surface {
-  const std::string* object = nullptr;  ///< its name in the scene, where the world published it
-  const gl::Texture* positions =
-      nullptr;  ///< RGBA32F texel view, one texel a vertex: xyz in m, w unused but for a palette
-  const gl::Texture* normals = nullptr;  ///< RGBA32F texel view, xyz; null for a grid
-  const gl::Texture* uvs = nullptr;      ///< RG32F texel view; null for a grid
-  /// Width and height of a grid of vertices (x fastest) whose normals come from neighbours and whose
-  /// uv = (x/(W-1), y/(H-1)); zero for a mesh.
+  const std::string* object = nullptr;  ///< Name of the object in the scene, or null if none was published.
+  const gl::Texture* positions = nullptr;  ///< RGBA32F texel view, one texel per vertex: xyz in metres; w
+                                           ///< is the palette index if there is a palette, else unused.
+  const gl::Texture* normals = nullptr;    ///< Vertex normals: RGBA32F texel view, xyz; null for a grid.
+  const gl::Texture* uvs = nullptr;        ///< Texture coordinates: RG32F texel view; null for a grid.
+  /// Width and height of a vertex grid (x fastest); zero for a mesh. A grid computes its normals from
+  /// neighbouring vertices and its UVs as (x/(W-1), y/(H-1)).
   glm::ivec2 grid{0, 0};
-  int vertexCount = 0;  ///< vertices that bound the surface: all, but where others lie within their box
-  int vertexRoom = 0;   ///< vertices that there may be, where these are more
-  /// Set where positions are not such: texels of a grid of which one component is a height.
+  int vertexCount = 0;  ///< Number of leading vertices whose bounding box encloses all vertices.
+  int vertexRoom = 0;   ///< Maximum number of vertices, if larger than `vertexCount`.
+  /// Set if `positions` holds grid texels with a height component instead of vertex positions.
   const GridHeights* heights = nullptr;
-  const gl::Buffer* indices = nullptr;  ///< 32-bit
-  /// Those that there are of a grid, where the other rows of cells are like the first one; 0: all.
+  const gl::Buffer* indices = nullptr;  ///< Triangle indices of 32 bits each.
+  /// Number of indices in one row of cells, if a grid stores indices for its first row only; 0: all rows
+  /// are stored.
   int rowIndices = 0;
   int indexCount = 0;
-  /// Arguments of an indirect draw that the GPU has written (five words); null: indexCount indices.
+  /// Indirect draw arguments written by the GPU (five words); null: draw `indexCount` indices.
   const gl::Buffer* arguments = nullptr;
-  /// RGBA32F texel view, linear RGB by the number that positions have in w: instead of the material's
-  /// colour.
+  /// RGBA32F texel view of linear RGB colours, indexed by w of `positions`. Replaces the material's colour.
   const gl::Texture* palette = nullptr;
-  /// RGBA32F texel view, one texel a vertex: linear RGB that the material's colour is multiplied with.
+  /// RGBA32F texel view, one texel per vertex: linear RGB factor on the material's colour.
   const gl::Texture* colors = nullptr;
-  /// Set when the vertex shader displaces: uniform DeformStep of glsl/mesh/types.glsl, and the trail;
-  /// positions and normals are those at rest, positions' w the distance between vertices.
+  /// Uniform buffer with DeformStep of glsl/mesh/types.glsl. If set, the vertex shader displaces the
+  /// vertices using `trail`; positions and normals are those at rest, and w of `positions` is the distance
+  /// between vertices.
   const gl::Buffer* deform = nullptr;
-  const gl::Texture* trail = nullptr;  ///< RGBA32F texel view
-  glm::mat4 model{1.0F};               ///< rigid, or uniformly scaled
+  const gl::Texture* trail =
+      nullptr;  ///< Trail pressed into the surface, which the displacement reads: RGBA32F texel view.
+  glm::mat4 model{1.0F};  ///< Model matrix: rigid, or with uniform scale.
   bool doubleSided = false;
-  /// A number that no other mesh has, if positions, normals and indices are never written again; else 0.
+  /// Unique identifier of a mesh whose positions, normals and indices never change; 0 for a mesh that may
+  /// change.
   unsigned still = 0;
-  /// s: when its object last jumped along its keyframes (Simulation::jumpedBy).
+  /// Time (seconds) of the object's last jump along its keyframes (Simulation::jumpedBy).
   double jumped = -std::numeric_limits<double>::infinity();
   const scene::Material* material = nullptr;
 };
 
-/// Many copies of one small mesh, or camera-facing sprites, one for each living particle. Nothing about
-/// them is known to the CPU but their greatest number: a kernel drops the dead and those out of sight and
-/// fills the arguments of the indirect draw.
+/// Instances of a small mesh, or camera-facing sprites, one per live particle. The CPU holds only the
+/// maximum count: a kernel culls dead and invisible instances and writes the arguments of the indirect
+/// draw.
 struct Instances {
   enum class Shape { sprite, sphere, mesh };
   enum class ColorBy { material, speed, mass, age };
-  const std::string* object = nullptr;     ///< its name in the scene, where the world published it
-  const gl::Texture* positions = nullptr;  ///< RGBA32F texel view: xyz in m, w mass in kg
+  const std::string* object = nullptr;  ///< Name of the object in the scene, or null if none was published.
+  const gl::Texture* positions = nullptr;  ///< RGBA32F texel view: xyz position in metres, w mass in kg.
   const gl::Texture* velocities =
-      nullptr;  ///< RGBA32F texel view: xyz in m/s, w age 0 to 1, exactly 0: ages not; negative: not alive
-  int capacity = 0;             ///< elements of both
-  Shape shape = Shape::sprite;  ///< sprites are lit as balls, or glow when additive
-  std::filesystem::path mesh;   ///< OBJ, PLY or glTF file of Shape::mesh
-  bool alongVelocity = false;   ///< turns the mesh's z axis along the velocity
-  float size = 0.1F;            ///< m: diameter; of a mesh, factor on its coordinates
-  float massExponent = 0.0F;    ///< size is multiplied with (mass / massReference)^exponent
-  float massReference = 1.0F;   ///< kg
+      nullptr;  ///< RGBA32F texel view: xyz velocity in m/s; w is the age as a fraction of life (0 to 1),
+                ///< exactly 0 if the particle does not age, negative if it is dead.
+  int capacity = 0;             ///< Number of elements in `positions` and in `velocities`.
+  Shape shape = Shape::sprite;  ///< Opaque sprites are shaded as spheres, additive sprites glow.
+  std::filesystem::path mesh;   ///< OBJ, PLY or glTF file for Shape::mesh.
+  bool alongVelocity = false;   ///< True if the mesh's z axis is turned along the velocity.
+  float size = 0.1F;            ///< Diameter in metres; for a mesh, a factor on its coordinates.
+  float massExponent = 0.0F;    ///< Exponent e: the size is multiplied by (mass / massReference)^e.
+  float massReference = 1.0F;   ///< Reference mass in kg.
   ColorBy colorBy = ColorBy::material;
-  glm::vec2 colorRange{0, 1};                      ///< of speed (m/s), mass (kg) or age, mapped to 0..1
-  const std::vector<glm::vec3>* colors = nullptr;  ///< linear RGB stops of the colour map, evenly spaced
-  bool additive = false;    ///< light that adds up (HDR), no shadow; else opaque, with shadow
-  float brightness = 1.0F;  ///< factor on the colours of additive ones
-  float fade = 0.0F;        ///< fraction of life over which additive ones fade in and out
-  /// Additive sprites are discs that face the eye however small they are: towards the borders of a wide
-  /// picture ellipses. Else small ones are round, as a driver's points are. (The driver's rasterizer has
-  /// discs where the middle is beyond a border or they are large.)
+  glm::vec2 colorRange{0, 1};  ///< Range of speed (m/s), mass (kg) or age that the colour map spans.
+  const std::vector<glm::vec3>* colors = nullptr;  ///< Evenly spaced linear RGB stops of the colour map.
+  bool additive = false;    ///< True: blended additively (HDR), without shadow. False: opaque, with shadow.
+  float brightness = 1.0F;  ///< Factor on the colours of additive instances.
+  float fade = 0.0F;        ///< Fraction of the life over which additive instances fade in and out.
+  /// True if additive sprites of every size are discs facing the eye, and so ellipses towards the borders
+  /// of a wide picture. False: small sprites are round in screen space, like driver point sprites. (The
+  /// driver path draws discs for sprites that are large or have their centre outside the picture.)
   bool discs = false;
-  glm::vec3 boundsMin{0}, boundsMax{0};  ///< m; a box for the shadow map's fit; empty: measured on the GPU
+  glm::vec3 boundsMin{0},
+      boundsMax{0};  ///< Bounding box in metres for fitting the shadow map; if empty, the GPU measures it.
   const scene::Material* material = nullptr;
 };
 
-/// Whether what is drawn is drawn into shadow maps, too.
+/// Returns true if the drawable is also drawn into shadow maps.
 [[nodiscard]] inline bool castsShadow(const Surface& surface) {
   return surface.material->castsShadow;
 }
@@ -103,7 +110,7 @@ struct Instances {
   return !instances.additive && instances.material->castsShadow;
 }
 
-/// Empty where nobody gave it one.
+/// Returns the name of the drawable's object, or an empty string if none was set.
 [[nodiscard]] inline std::string objectName(const Surface& surface) {
   return surface.object != nullptr ? *surface.object : std::string();
 }
@@ -111,71 +118,77 @@ struct Instances {
   return instances.object != nullptr ? *instances.object : std::string();
 }
 
-/// Where and how a field is laid over the picture (field_display.hpp).
+/// Settings for drawing a field over the picture (field_display.hpp).
 struct FieldDisplay;
 
-/// A 2-D grid of cells, read straight from the simulation's memory. Cell (0, 0) is the top left one of the
-/// picture and the one at uv (0, 0) of a skin.
+/// 2-D grid of cells that the renderer reads directly from the simulation's memory. Cell (0, 0) is at the
+/// picture's top left and at uv (0, 0) when the field textures a surface.
 struct Field {
   enum class Cells { bits, bytes, floats, colors };
-  const std::string* name = nullptr;   ///< of the object; skins ask for it
-  const gl::Texture* words = nullptr;  ///< RGBA32UI texel view of the state, of floats too
-  Cells cells = Cells::floats;  ///< lowest bit or byte of a word first; bytes are 0 to 255; colors: linear
-                                ///< RGB and the value that skins take, four floats
-  glm::ivec2 size{0, 0};        ///< cells
-  int rowWords = 0;             ///< 32-bit words from one row to the next
-  int firstWord = 0;            ///< of cell (0, 0)
-  int cellWords = 1;            ///< of floats: words from a cell to the next
-  bool categories = false;      ///< a value is the number of its colour; else a place in `range`
-  glm::vec2 range{0, 1};        ///< values of the first and the last colour
+  const std::string* name =
+      nullptr;  ///< Name of the object, which surfaces use to look up a field as their texture.
+  const gl::Texture* words = nullptr;  ///< RGBA32UI texel view of the state, also for float cells.
+  Cells cells =
+      Cells::floats;      ///< Cell format. bits and bytes (0 to 255) start at the lowest bits of a word;
+                          ///< colors: four floats, linear RGB and the value that textured surfaces use.
+  glm::ivec2 size{0, 0};  ///< Size of the grid in cells.
+  int rowWords = 0;       ///< Stride between rows, in 32-bit words.
+  int firstWord = 0;      ///< Word offset of cell (0, 0).
+  int cellWords = 1;      ///< Stride between cells in words, for float cells.
+  bool categories =
+      false;  ///< True if a value is a palette index; false if it is mapped from `range` to the colour map.
+  glm::vec2 range{0, 1};  ///< Values mapped to the first and the last colour.
   const std::vector<glm::vec3>* colors =
-      nullptr;                            ///< linear RGB: stops, evenly spaced, or one per category
-  const FieldDisplay* display = nullptr;  ///< null: not laid over the picture
+      nullptr;  ///< Linear RGB: evenly spaced stops, or one colour per category.
+  const FieldDisplay* display =
+      nullptr;  ///< Overlay settings; null: the field is not drawn over the picture.
 };
 
-/// Curves over the picture: what a simulation counted in each step so far.
+/// Line chart drawn over the picture: counts of a simulation for each step so far.
 struct Chart {
-  const gl::Texture* counts = nullptr;  ///< RGBA32UI texel view, one texel a step: up to four counts
-  int steps = 0;                        ///< counted so far
-  int width = 1;                        ///< steps along the whole x axis, at least `steps`
-  unsigned max = 1;                     ///< count at the top of the y axis
-  float zero = 0;                       ///< part of that height towards which curves are filled
-  std::string range = {};               ///< said of the y axis; empty: "max" and its count
-  std::string length = {};              ///< said of the x axis; empty: its steps
-  std::vector<std::string> names;       ///< of the first counts, at most four
-  std::vector<glm::vec3> colors;        ///< linear RGB, one each
-  glm::vec2 corner{0.025F, 0.6F};       ///< top left of its panel, as fractions of the picture
-  glm::vec2 extent{0.36F, 0.36F};       ///< width and height of its panel, as fractions of the picture
+  const gl::Texture* counts = nullptr;  ///< RGBA32UI texel view, one texel per step with up to four counts.
+  int steps = 0;                        ///< Number of steps counted so far.
+  int width = 1;                        ///< Number of steps that the full x axis spans, at least `steps`.
+  unsigned max = 1;                     ///< Count at the top of the y axis.
+  float zero =
+      0;  ///< Height of the baseline that curves are filled down or up to, as a fraction of the y axis.
+  std::string range = {};          ///< Label of the y axis; empty: "max" and the maximum count.
+  std::string length = {};         ///< Label of the x axis; empty: the number of steps.
+  std::vector<std::string> names;  ///< Names of the curves, at most four.
+  std::vector<glm::vec3> colors;   ///< Linear RGB colour of each curve.
+  glm::vec2 corner{0.025F, 0.6F};  ///< Top left corner of the panel, as fractions of the picture.
+  glm::vec2 extent{0.36F, 0.36F};  ///< Width and height of the panel, as fractions of the picture.
 };
 
-/// Text over the finished picture.
+/// Text drawn over the finished picture.
 struct Writing {
-  const std::string* object = nullptr;  ///< its name in the scene, where the world published it
-  /// Closed polygons, y up, in heights of a capital from the anchor; filled is what they go round.
+  const std::string* object = nullptr;  ///< Name of the object in the scene, or null if none was published.
+  /// Closed, filled polygons relative to the anchor, in units of the cap height; y points up.
   const std::vector<std::vector<glm::vec2>>* outlines = nullptr;
-  glm::vec2 place{0};     ///< of the anchor, as fractions of the picture from its top left
-  float height = 0.03F;   ///< of a capital, as a fraction of the picture's height
-  glm::vec3 color{1};     ///< linear RGB
-  float opacity = 1.0F;   ///< 0 to 1
-  float backdrop = 0.0F;  ///< opacity of a dark panel behind it
+  glm::vec2 place{0};     ///< Position of the anchor, as fractions of the picture from its top left.
+  float height = 0.03F;   ///< Cap height, as a fraction of the picture's height.
+  glm::vec3 color{1};     ///< Text colour, linear RGB.
+  float opacity = 1.0F;   ///< Opacity of the text, 0 to 1.
+  float backdrop = 0.0F;  ///< Opacity of a dark panel behind the text.
 };
 
-/// A way through a scene, from its beginning to its end: cameras go along it, and what a scene places by it
-/// stands on it.
+/// Path through a scene. Cameras can follow it, and scene objects can be placed along it.
 struct Path {
-  const std::string* name = nullptr;               ///< of the object
-  const std::vector<glm::vec3>* points = nullptr;  ///< m, in the scene's space, on the ground; one at least
+  const std::string* name = nullptr;  ///< Name of the object that publishes the path.
+  const std::vector<glm::vec3>* points =
+      nullptr;  ///< Points on the ground from start to end, in metres in scene space; at least one.
 };
 
-/// Where the middle of an object is that a camera looks at.
+/// Centre of an object, published for a camera that looks at the object.
 struct Place {
-  const std::string* object = nullptr;  ///< its name in the scene
-  glm::vec3 middle{0};                  ///< m
-  /// s: when it last jumped along keyframes.
+  const std::string* object = nullptr;  ///< Name of the object in the scene.
+  glm::vec3 middle{0};                  ///< Position of the centre in metres.
+  /// Time (seconds) of the object's last jump along its keyframes.
   double jumped = -std::numeric_limits<double>::infinity();
 };
 
-/// What a simulation publishes for drawing: a list per kind, one pass each.
+/// Everything that simulations publish for drawing: one list per kind of drawable, each drawn by its own
+/// pass.
 struct Drawables {
   std::vector<Surface> surfaces = {};
   std::vector<Instances> instances = {};
@@ -183,9 +196,9 @@ struct Drawables {
   std::vector<Chart> charts = {};
   std::vector<Path> paths = {};
   std::vector<Writing> writings = {};
-  std::vector<Place> places = {};  ///< of the object that the scene's camera looks at, if there is one
-  /// m: what the scene's camera looks at where that lags behind what the scene says
-  /// (scene::Camera::damping, scene::Follow::damping), and where it stands if that does, too.
+  std::vector<Place> places = {};  ///< Centre of the object that the scene's camera looks at, if any.
+  /// Damped camera state in metres: the target, if it lags behind the scene's target
+  /// (scene::Camera::damping, scene::Follow::damping), then the eye, if the eye lags too.
   std::vector<glm::vec3> lagging = {};
 };
 

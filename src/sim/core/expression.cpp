@@ -19,7 +19,8 @@ double single(float (*function)(float), double x) {
   return static_cast<double>(function(static_cast<float>(x)));
 }
 
-/// Powers by whole numbers up to 64 are products; others are those of positive numbers.
+/// Returns base^exponent. Integer exponents up to 64 in magnitude are computed by multiplication; other
+/// exponents treat a negative base as 0.
 double power(double base, double exponent) {
   const double whole = std::floor(exponent);
   if (whole == exponent && std::abs(whole) <= 64) {

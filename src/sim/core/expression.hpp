@@ -10,20 +10,22 @@
 
 namespace simreel::sim {
 
-/// An expression of a scene as numbers are put in, without neighbours. Sums, products, quotients and roots
-/// are in double; exp, log, sin, cos, tanh and powers that are no small whole number are the
-/// single-precision functions of glsl/common/exact.glsl. So the result has the same bits on every machine.
+/// Scene expression evaluated on numbers, without neighbour access. Sums, products, quotients and square
+/// roots use double; exp, log, sin, cos, tanh, and powers other than small integer ones use the
+/// single-precision functions of glsl/common/exact.glsl. The result therefore has the same bits on every
+/// machine.
 class Expression {
  public:
-  /// Returns the place among the values of a name; -1 where it is unknown.
+  /// Maps a name to its index among the values; -1 if the name is unknown.
   using Place = std::function<int(const std::string& name)>;
 
-  /// Throws scene::ExpressionMistake. `lookups` as parseExpression(); `names`: lists what may be used, for
-  /// the message at an unknown name.
+  /// Parses `text`; throws scene::ExpressionMistake. `names` lists the allowed names for the error message
+  /// about an unknown name; `lookups` is passed to parseExpression().
   Expression(std::string_view text, const Place& place, const std::vector<std::string>& names,
              std::span<const char* const> lookups = {});
 
-  /// Returns the value for `values`, by place. `element` and `seed` choose what random(k) gives.
+  /// Evaluates the expression; `values` are indexed as by Place. `element` and `seed` determine the result
+  /// of random(k).
   [[nodiscard]] double at(std::span<const double> values, std::uint32_t element = 0,
                           std::uint32_t seed = 0) const;
 

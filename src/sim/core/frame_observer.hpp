@@ -2,21 +2,21 @@
 
 namespace simreel::sim {
 
-/// Object that observes others in every frame, drawn or not. It observes the objects that it wants
+/// Object that observes other objects after every frame, drawn or not. It declares them with
 /// When::afterFrame.
 class FrameObserver {
  public:
   virtual ~FrameObserver() = default;
-  /// Called once those objects are as the frame at `time` (s) shows them.
+  /// Called when the observed objects have reached their state of the frame at `time` (seconds).
   virtual void observe(double time) = 0;
 };
 
-/// Object that reads the state of others at the start of a frame. It reads the objects that it wants
-/// When::frameStart, and they may read it, too.
+/// Object that reads the state of other objects at the start of a frame. It declares them with
+/// When::frameStart; two such objects may read each other.
 class FrameStarter {
  public:
   virtual ~FrameStarter() = default;
-  /// Called before any object of a frame steps, and once when all are made.
+  /// Called before any object steps in a frame, and once after all objects are created.
   virtual void frameStarts() = 0;
 };
 

@@ -11,9 +11,9 @@
 
 namespace simreel::sim {
 
-/// At which to look (s, ascending) to have seen all of the way of what goes along keyframes: where a key
-/// is, just before jumps, and of rotations (degrees) often enough in between that no corner goes more than
-/// 1% of its radius beyond what was seen.
+/// Collects sample times (seconds, ascending) that cover the whole motion of a keyframed object: each
+/// keyframe, the moment just before each jump, and enough times between rotation keys (degrees) that no
+/// corner moves more than 1% of its radius beyond the sampled positions.
 class Moments {
  public:
   template <class T>
@@ -31,7 +31,8 @@ class Moments {
     for (std::size_t i = 1; i < keys.size(); ++i) {
       const glm::vec3 turn = keys[i].value - keys[i - 1].value;
       const float most = std::max({std::abs(turn.x), std::abs(turn.y), std::abs(turn.z)});
-      // A prime, so that full turns are seen from everywhere.
+      // The maximum number of samples is prime, so that several full turns are not sampled at the same few
+      // angles only.
       constexpr float degrees = 16, looks = 23;
       const int parts = static_cast<int>(std::clamp(std::ceil(most / degrees), 1.0F, looks));
       for (int k = 1; k < parts; ++k)
@@ -49,7 +50,7 @@ class Moments {
   std::vector<double> seconds_;
 };
 
-/// Of a place, a rotation and, where there is one, a factor on the size.
+/// Returns the sample times of a position, a rotation and an optional scale.
 inline std::vector<double> momentsOf(const scene::Animated<glm::vec3>& position,
                                      const scene::Animated<glm::vec3>& rotation,
                                      const scene::Animated<float>& scale = 1.0F) {
@@ -60,7 +61,7 @@ inline std::vector<double> momentsOf(const scene::Animated<glm::vec3>& position,
   return moments.all();
 }
 
-/// When (s) the last of these jumped, at `seconds` or before.
+/// Returns the time (seconds) of the last jump of any of `values`, at or before `seconds`.
 template <class... T>
 double lastJump(double seconds, const scene::Animated<T>&... values) {
   return std::max({values.jumpedBy(seconds)...});

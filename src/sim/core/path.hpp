@@ -9,31 +9,31 @@
 
 namespace simreel::sim {
 
-/// Length of a path, m.
+/// Returns the length of a path in metres.
 [[nodiscard]] double lengthOf(const std::vector<glm::vec3>& path);
-/// So far along a path (m); straight on beyond its end.
+/// Returns the point at distance `along` (metres) on a path; beyond the end, the path continues straight.
 [[nodiscard]] glm::vec3 pointOn(const std::vector<glm::vec3>& path, double along);
 
-/// Where something stands by a path, and where the way goes there.
+/// Position of an object beside a path, and the direction of the path at that position.
 struct Standing {
   glm::vec3 position{0};
-  glm::vec3 ahead{0, 0, -1};  ///< level, of length 1
+  glm::vec3 ahead{0, 0, -1};  ///< Direction of the path: a horizontal unit vector.
 };
-/// At that time (s). The way's direction is that from half a metre before to half a metre behind, so that
-/// it turns steadily; to its right is cross(ahead, y).
+/// Returns the position of an object beside a path at `seconds`. The direction is taken from half a metre
+/// before to half a metre behind, so that it turns smoothly; cross(ahead, y) points to its right.
 [[nodiscard]] Standing standingBy(const std::vector<glm::vec3>& path, const scene::PathPlace& place,
                                   double seconds);
 
-/// Where a camera is that goes along a path, and what it looks at.
+/// Eye and target of a camera that follows a path.
 struct Stand {
   glm::vec3 eye{0}, target{0};
 };
-/// At that time (s), undamped. What it looks at is the mean of the way ahead, so it turns before
-/// a corner; beyond the end the path goes straight on.
+/// Returns the undamped camera position at `seconds`. The target is the mean of the path ahead, so the
+/// camera turns before a corner; beyond the end, the path continues straight.
 [[nodiscard]] Stand standOn(const std::vector<glm::vec3>& path, const scene::Follow& follow,
                             double seconds);
 
-/// The path of the object of that name, or null.
+/// Returns the path of the named object, or null.
 [[nodiscard]] const Path* pathOf(const Drawables& drawables, const std::string& object);
 
 }  // namespace simreel::sim

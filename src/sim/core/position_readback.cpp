@@ -49,7 +49,7 @@ void PositionReadback::start(const gl::Buffer& source) {
   glCopyNamedBufferSubData(source.name(), slot.buffer.name(), 0, 0,
                            static_cast<GLsizeiptr>(source.bytes()));
   slot.done = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-  glFlush();  // or the fence would wait for commands that were never sent
+  glFlush();  // Without a flush, the fence would wait for commands that were never submitted.
   ++count_;
 }
 

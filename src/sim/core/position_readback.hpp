@@ -10,8 +10,7 @@
 
 namespace simreel::sim {
 
-/// Copies an array of vec4 to the CPU behind the GPU's back: up to three copies are under way, and nothing
-/// waits unless it is asked to.
+/// Copies an array of vec4 to the CPU asynchronously. Up to three copies are in flight; only wait() blocks.
 class PositionReadback {
  public:
   PositionReadback(const std::string& label, std::size_t elements);
@@ -19,13 +18,14 @@ class PositionReadback {
   PositionReadback(const PositionReadback&) = delete;
   PositionReadback& operator=(const PositionReadback&) = delete;
 
-  /// Takes what has arrived, then starts a copy; does without it when all three are still under way.
+  /// Collects finished copies, then starts a new copy; skips the new copy if all three slots are still in
+  /// flight.
   void start(const gl::Buffer& source);
-  /// The newest copy that has arrived; empty before the first.
+  /// Returns the newest finished copy; empty before the first one.
   [[nodiscard]] const std::vector<glm::vec4>& newest();
-  /// Whether the latest start() began a copy.
+  /// Returns true if the latest start() began a copy.
   [[nodiscard]] bool current() const { return current_; }
-  /// Waits for the copies under way, then as newest().
+  /// Waits for all copies in flight and returns the newest.
   [[nodiscard]] const std::vector<glm::vec4>& wait();
 
  private:
@@ -41,8 +41,8 @@ class PositionReadback {
   std::vector<glm::vec4> newest_;
 };
 
-/// Deletes a fence that was reached and makes it null; without `waiting` it only looks. Whether it was
-/// reached.
+/// If the fence is signalled, deletes it, sets it to null and returns true. `waiting`: blocks until it is
+/// signalled; otherwise only polls.
 bool takeFence(GLsync& fence, bool waiting);
 
 }  // namespace simreel::sim

@@ -3,13 +3,13 @@
 
 namespace simreel::sim {
 
-/// A simulation that can be given other values on its way.
+/// Simulation whose parameters can change during a run.
 class Retunable {
  public:
   virtual ~Retunable() = default;
-  /// Takes over from `now`, of its own kind, what each frame asks for anew, where nothing else differs and
-  /// no array or kernel comes of it. It goes on from its present state, which came out of the values
-  /// before. False, and nothing has happened: it has to be made anew.
+  /// Adopts the parameters `now` (of the same kind) if they differ only in values that are read anew each
+  /// frame and that determine no array or kernel. The simulation continues from its current state.
+  /// Otherwise returns false without any change; the simulation must then be recreated.
   [[nodiscard]] virtual bool retune(const scene::Parameters& now) = 0;
 };
 

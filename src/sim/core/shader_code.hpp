@@ -1,5 +1,5 @@
 #pragma once
-// The shared shader files of glsl/common as C++, in simreel::shader.
+// Compiles the shared shader files of glsl/common as C++ in namespace simreel::shader.
 #include "glsl/common/cpp.hpp"
 
 #define FUNCTION inline

@@ -20,26 +20,27 @@
 
 namespace simreel::sim {
 
-/// What a simulation may know of the scene around it.
+/// Information about the scene that a simulation is given.
 struct Setting {
-  bool fast = false;  ///< numerics: built-ins and contraction allowed
+  bool fast = false;  ///< Fast numerics: GLSL built-ins and contraction (fused multiply-add) are allowed.
   int seed = 1;
   double frameSeconds = 1.0 / 60.0;
   const std::vector<ColliderShape>* colliders = nullptr;
-  bool timing = false;  ///< whether simulations measure their stages
-  /// Outlets of the objects that are made before this one, and later of all; null: it stands alone.
+  bool timing = false;  ///< True if simulations measure the times of their stages.
+  /// Access to the outlets of the objects created before this one, and later of all objects. Null for a
+  /// simulation without a scene.
   const Links* links = nullptr;
-  double startTime = 0;  ///< s of scene time of the first state: minus what is simulated before frame 0
-  /// Hears how many of its steps before the first frame an object has done; may throw to end them. Empty:
-  /// nobody listens.
+  double startTime =
+      0;  ///< Scene time of the initial state in seconds: minus the duration simulated before frame 0.
+  /// Progress callback for the steps before the first frame; may throw to stop them. May be empty.
   std::function<void(long done, long total)> presteps = {};
 
-  /// As Links::get; null without links.
+  /// Returns the result of Links::get; null if the setting has no links.
   template <class T>
   [[nodiscard]] T* find(std::string_view object = {}) const {
     return links == nullptr ? nullptr : links->get<T>(object);
   }
-  /// As Links::of; null where `object` is empty.
+  /// Returns the result of Links::of; null if `object` is empty.
   template <class T>
   [[nodiscard]] T* wanted(std::string_view object) const {
     return object.empty() ? nullptr : &links->of<T>(object);
@@ -50,134 +51,138 @@ struct Setting {
   }
 };
 
-/// What a simulation counts in each step: for a table beside the frames.
+/// Counts per step of a simulation, for the table written beside the frames.
 struct CountTable {
-  std::vector<const char*> columns;  ///< at most four for each element
-  const gl::Buffer* steps =
-      nullptr;   ///< `elements` uvec4 a row: of a step, or the frame; room for all rows of a frame
-  int rows = 0;  ///< of them in use; before the first step one: the counts of the start
+  std::vector<const char*> columns;   ///< Column names, at most four per element.
+  const gl::Buffer* steps = nullptr;  ///< `elements` uvec4 values per row, one row per step or per frame;
+                                      ///< the capacity is all rows of a frame.
+  int rows = 0;  ///< Number of rows in use; before the first step one row, the initial counts.
   int elements = 1;
-  bool measured = false;  ///< floats, not counts
+  bool measured = false;  ///< True if the values are floats instead of counts.
 };
 
-/// The state as a table for other programs: a row for each point, read back from the GPU.
+/// State exported as a table for other programs: one row per point, read back from the GPU.
 struct PointTable {
-  std::vector<const char*> columns;  ///< "x", "y", "z", "vx", ... as point files call them
-  std::vector<float> values;         ///< row by row
+  std::vector<const char*> columns;  ///< Column names as in point files: "x", "y", "z", "vx", ...
+  std::vector<float> values;         ///< Table values in row-major order.
 };
 
-/// A surface as a table for other programs, read back from the GPU where it is there: metres, the object's
-/// own position, rotation and scale applied; uvs are empty where the mesh has none, and v
-/// counts from a picture's first row.
+/// Surface mesh exported for other programs, read back from the GPU if it is there. Positions are in metres
+/// with the object's position, rotation and scale applied; `uvs` is empty if the mesh has none, and v = 0
+/// is the top row of a picture.
 struct MeshTable {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;
   std::vector<glm::vec2> uvs;
-  std::vector<unsigned> indices;  ///< three a triangle
-  bool doubleSided = false;       ///< whether its backs are to be seen
+  std::vector<unsigned> indices;  ///< Triangle indices, three per triangle.
+  bool doubleSided = false;       ///< True if back faces are visible.
 };
 
-/// A room of a cave: open cells that are joined over edges, before corridors join it to others.
+/// Room of a cave: open cells connected over their edges, before corridors connect it to other rooms.
 struct Room {
-  glm::dvec2 centre{0};  ///< mean place of its cells, in cells as contours have them; may lie in rock
+  glm::dvec2 centre{
+      0};  ///< Mean position of the room's cells, in the cell coordinates of ContourLines; may lie in rock.
   long cells = 0;
-  double area = 0;  ///< m^2
+  double area = 0;  ///< Floor area of the room in m^2.
 };
 
-/// Closed lines between what is below a level of a field and what is not, in cells: cell (x, y) of the
-/// field is at (x, y). Point i is followed by `next[i]`; y grows down the picture, and high ground lies to
-/// the left of the way as the picture shows it.
+/// Closed contour lines that separate cells below a level of a field from the rest. In cell coordinates,
+/// cell (x, y) is at (x, y) and y points down. Point i is followed by point `next[i]`; as the picture shows
+/// it, high ground lies to the left of the line's direction.
 struct ContourLines {
   std::vector<glm::vec2> points;
   std::vector<unsigned> next;
-  std::vector<int> levels;      ///< of each point, from 1
-  glm::ivec2 size{0, 0};        ///< of the field, cells
-  std::vector<glm::vec2> path;  ///< a way through, where one was found
-  std::vector<Room> rooms;      ///< by their lowest cell
+  std::vector<int> levels;      ///< Level index of each point, starting at 1.
+  glm::ivec2 size{0, 0};        ///< Size of the field in cells.
+  std::vector<glm::vec2> path;  ///< Path through the field, if one was found.
+  std::vector<Room> rooms;      ///< Rooms, ordered by their lowest cell index.
 };
 
-/// The state as a file that programs for its kind of simulation exchange.
+/// State exported in a file format specific to this kind of simulation.
 struct StateFile {
-  const char* suffix = nullptr;  ///< "rle"; null: there is none
-  /// Reads the state back and writes the file's text; `comment`: lines for it where the format has room.
+  const char* suffix = nullptr;  ///< File name suffix, such as "rle"; null if there is no such format.
+  /// Reads back the state and returns the file's text. `comment`: lines to include if the format supports
+  /// comments.
   std::function<std::string(const std::string& comment)> text = {};
 };
 
-/// Called after each step of a frame, counted from 1, while state() holds what that step left. Empty:
-/// nobody watches.
+/// Callback after each step of a frame, counted from 1, while state() holds the result of that step. May be
+/// empty.
 using StepWatch = std::function<void(int step)>;
 
-/// Owns its state on the GPU and publishes drawables. It never draws.
+/// Base class of simulations: owns its state on the GPU and publishes drawables, but does not draw.
 class Simulation {
  public:
   virtual ~Simulation() = default;
-  /// Provides the outlets of what its parameters offer (ObjectParameters::ports).
+  /// Provides the outlets offered by the object's parameters (ObjectParameters::ports).
   virtual void connect(Outlets& /*outlets*/) {}
-  /// Advances by one frame: from `time` to `time + frameSeconds` (s of scene time).
+  /// Advances by one frame: from `time` to `time + frameSeconds` (seconds of scene time).
   virtual void step(double time, const StepWatch& watch) = 0;
-  /// The same for a frame at which nobody looks: only what later frames depend on (carryOver) has to be
-  /// right afterwards, until resumed() or a step makes the rest.
+  /// Advances by one frame that is not shown. Afterwards only the data that later frames depend on
+  /// (carryOver) is valid; resumed() or the next step makes the rest valid.
   virtual void pass(double time) { step(time, {}); }
-  /// Names what the next frame depends on beyond scene and time, to be read or put back.
+  /// Visits the data that the next frame depends on beyond scene and time, for saving or restoring.
   virtual void carryOver(CarryOver& /*carry*/) {}
-  /// After it was put back, or frames were passed: makes what else belongs to the state at `time`.
+  /// Rebuilds the derived state at `time` after carryOver() restored data or after pass().
   virtual void resumed(double /*time*/) {}
-  /// Steps that a frame takes: the calls of a watch.
+  /// Returns the number of steps per frame, and so of StepWatch calls.
   [[nodiscard]] virtual int stepsPerFrame() const { return 1; }
-  /// What a user would call an element of a state array.
+  /// Returns the name of an element of a state array in messages to the user.
   [[nodiscard]] virtual std::string elementName(long element) const {
     return "element " + std::to_string(element);
   }
-  /// The middle of it at `time`: here that of its points, or of its surface's vertices, which are read
-  /// back, in double and in their order. Nothing for things that have none.
+  /// Returns the object's centre at `time`, or nothing if it has none. The default is the mean of its
+  /// points or of its surface's vertices, read back and summed in double in a fixed order.
   [[nodiscard]] virtual std::optional<glm::vec3> middle(double time) const;
-  /// When (s) it last jumped along its keyframes, at `time` or before (scene::Animated::jumpedBy): what is
-  /// between two frames there does not go from one place to the other.
+  /// Returns the time (seconds) of the last jump along the keyframes, at or before `time`
+  /// (scene::Animated::jumpedBy). Motion must not be interpolated across a jump.
   [[nodiscard]] virtual double jumpedBy(double /*time*/) const {
     return -std::numeric_limits<double>::infinity();
   }
-  /// Appends what is to be drawn of the state at `time`.
+  /// Appends the drawables of the state at `time`.
   virtual void publish(double time, Drawables& drawables) const = 0;
-  /// After what was published was drawn, before the next step: whether that lacked memory, which is there
-  /// now, so that it is to be published and drawn again. May wait for the GPU to have counted what there
-  /// is.
+  /// Called after the published drawables are drawn, before the next step. Returns true if they ran out of
+  /// memory; the memory is then enlarged, and the drawables must be published and drawn again. May wait for
+  /// GPU counters.
   virtual bool grow() { return false; }
-  /// State arrays in a fixed order; empty for things without state.
+  /// Returns the state arrays in a fixed order; empty for objects without state.
   [[nodiscard]] virtual std::vector<StateArray> state() const { return {}; }
-  /// What `simreel bake` writes; empty for things that are no points.
+  /// Returns the points that `simreel bake` writes; empty for objects without points.
   [[nodiscard]] virtual PointTable points() const { return {}; }
-  /// What `simreel bake` writes of things that have a format of their own.
+  /// Returns the file that `simreel bake` writes for objects with a format of their own.
   [[nodiscard]] virtual StateFile stateFile() const { return {}; }
-  /// What it counts per step; no columns for things that count nothing.
+  /// Returns the counts per step; no columns if the object counts nothing.
   [[nodiscard]] virtual CountTable counts() const { return {}; }
-  /// What `simreel bake` writes of things that are a surface; nothing for others. Where they are points,
-  /// too, these are its vertices, one by one.
+  /// Returns the mesh that `simreel bake` writes, or nothing if the object is no surface. If the object
+  /// also has points(), they are the mesh's vertices in the same order.
   [[nodiscard]] virtual std::optional<MeshTable> mesh() const { return std::nullopt; }
-  /// Contours that `simreel bake` writes; empty for objects without contours. Call after grow().
+  /// Returns the contours that `simreel bake` writes; empty for objects without contours. Call after
+  /// grow().
   [[nodiscard]] virtual std::optional<ContourLines> lines() const { return std::nullopt; }
-  /// Four words as glsl/common/status.glsl writes them, or null.
+  /// Returns the buffer with the four status words written by glsl/common/status.glsl, or null.
   [[nodiscard]] virtual const gl::Buffer* status() const { return nullptr; }
-  /// The quantities of its parameters, in that order, of the present state, which is read back: summed up
-  /// on the CPU in double and in a fixed order, so equal states give equal numbers. Waits for the GPU.
+  /// Returns the values of the parameters' quantities() for the current state, in that order. Reads back
+  /// the state and sums on the CPU in double in a fixed order, so equal states give equal numbers. Waits
+  /// for the GPU.
   [[nodiscard]] virtual std::vector<double> measure() const { return {}; }
-  /// How `step` splits, for `simreel bench`: names (the same in every frame) and ms, of the latest frame
-  /// that is known, when Setting::timing is on. CPU stages by the clock, those of the GPU by timer queries.
-  /// Never waits for the device.
+  /// Returns the stage times of `step` for `simreel bench`: names (the same in every frame) and
+  /// milliseconds of the latest measured frame. Empty unless Setting::timing is on. Measures CPU stages by
+  /// the clock and GPU stages by timer queries. Never waits for the device.
   [[nodiscard]] virtual std::vector<std::pair<const char*, double>> stageTimes() const { return {}; }
-  /// One line for a user, said once, where the third word of status() is not 0; `frame`: when that was
-  /// seen.
+  /// Returns a one-line remark to print once if the third word of status() is not 0. `frame`: index of the
+  /// frame in which the word was first seen.
   [[nodiscard]] virtual std::string remark(int /*frame*/) const { return {}; }
-  /// One line for a user: where and why the state was lost, and what to change.
+  /// Returns one line for the user: where and why the state was lost, and what to change.
   [[nodiscard]] virtual std::string explainLoss(unsigned step, unsigned element) const {
     return "step " + std::to_string(step) + ", element " + std::to_string(element);
   }
 };
 
-/// One entry of the list of simulations.
+/// Entry of the list of simulation kinds.
 struct SimulationKind {
   scene::Kind kind;
-  /// Reads the files of the object and throws the UserError that `make` would throw on any device; empty
-  /// where there is none. Needs no context; the links of the setting have the scene's own outlets only.
+  /// Reads the object's files and throws the UserError that `make` would throw on any device; may be empty.
+  /// Needs no OpenGL context. The setting's links provide only the outlets of the scene itself.
   std::function<void(const scene::Object&, const Setting&)> check;
   std::function<std::unique_ptr<Simulation>(const scene::Object&, const Setting&)> make;
 };

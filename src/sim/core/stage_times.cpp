@@ -21,7 +21,9 @@ void StageClock::begin() {
   collect();
   current_ = (current_ + 1) % frames_.size();
   Frame& frame = frames_[current_];
-  measuring_ = !frame.pending;  // a frame is left out when the GPU is that far behind
+  measuring_ =
+      !frame
+           .pending;  // Skips measuring this frame if the results of its slot are still pending on the GPU.
   frame.laps = measuring_ ? 0 : frame.laps;
   if (measuring_) glQueryCounter(frame.stamps[0].get(), GL_TIMESTAMP);
 }
@@ -49,7 +51,7 @@ void StageClock::end() {
 }
 
 void StageClock::collect() {
-  for (std::size_t i = 1; i <= frames_.size(); ++i) {  // oldest first
+  for (std::size_t i = 1; i <= frames_.size(); ++i) {  // Iterates from the oldest frame to the newest.
     Frame& frame = frames_[(current_ + i) % frames_.size()];
     if (!frame.pending) continue;
     GLint done = GL_FALSE;

@@ -8,25 +8,25 @@
 
 namespace simreel::sim {
 
-/// Milliseconds that the stages of a deformed mesh took.
+/// Stage times of a deformed mesh in milliseconds.
 struct StageTimes {
   double deform = 0;
   double normals = 0;
   double transfer = 0;
 };
 
-/// Measures them frame by frame, on the CPU by its clock or on the GPU by timestamps that are read when
-/// they are there, never waited for. Switched off it costs nothing.
+/// Measures stage times per frame: on the CPU by its clock, or on the GPU by timestamp queries that are
+/// read when available, without waiting. Costs nothing when off.
 class StageClock {
  public:
   enum class Of { nothing, cpu, gpu };
   explicit StageClock(Of what);
 
   void begin();
-  /// What passed since begin() or the last lap() counts for `stage`.
+  /// Attributes the time since begin() or the previous lap() to `stage`.
   void lap(double StageTimes::*stage);
   void end();
-  /// Of the newest frame whose times are known; empty when there is none.
+  /// Returns the times of the newest measured frame; empty before the first measurement.
   [[nodiscard]] std::vector<std::pair<const char*, double>> times() const;
 
  private:

@@ -9,26 +9,26 @@
 
 namespace simreel::sim {
 
-/// A part of a buffer that holds elements by their words: the first ones of all, then all second ones and
-/// so on. As cards like it where neighbouring invocations look at one word of neighbouring elements.
+/// Part of a buffer in structure-of-arrays layout: the first word of all elements, then the second word of
+/// all elements, and so on. Neighbouring invocations then access consecutive words.
 struct Planes {
   gl::BufferPart part{};
-  int count = 0;      ///< of them, at most four; further words of an element are 0
-  long elements = 0;  ///< in each
+  int count = 0;      ///< Number of planes, at most four; the remaining words of an element read as 0.
+  long elements = 0;  ///< Number of elements in each plane.
 };
 
-/// State that is hashed, compared and can be read back: whole elements of four words, floats unless said.
-/// The same on every device, though not where it lies.
+/// State array that is hashed, compared and read back: elements of four words, floats unless `integers`.
+/// Its contents are the same on every device; its memory layout may differ.
 struct StateArray {
   const char* name;
-  const gl::Buffer* buffer;  ///< element by element, unless it is in planes
-  bool integers = false;     ///< bits or counts: no word of them is a NaN
+  const gl::Buffer* buffer;  ///< Elements stored consecutively, unless `planes` is used.
+  bool integers = false;     ///< True if the words are bits or counts, which are not checked for NaN.
   Planes planes{};
 
   [[nodiscard]] long elements() const {
     return planes.count > 0 ? planes.elements : static_cast<long>(buffer->bytes() / 16);
   }
-  /// Waits for the GPU and copies out, element by element.
+  /// Waits for the GPU and returns a copy with each element's words consecutive.
   template <class T>
   [[nodiscard]] std::vector<T> readAll() const {
     static_assert(std::is_trivially_copyable_v<T>);

@@ -24,8 +24,8 @@ struct StateHashKernel {
 
 namespace {
 
-constexpr int texelsPerInvocation = 64;  // of the texel path
-constexpr int groupSize = 256;           // of the storage path
+constexpr int texelsPerInvocation = 64;  // Number of texels that one invocation hashes on the texel path.
+constexpr int groupSize = 256;           // Workgroup size on the storage path.
 constexpr int maxGroups = 1024;
 
 bool grouped() {

@@ -11,7 +11,7 @@
 
 namespace simreel::sim {
 
-/// Members of glsl/common/state_words.glsl, a part of a kernel's interface.
+/// Kernel interface part for the members of glsl/common/state_words.glsl.
 struct StateWordsPart {
   gl::Uniform<"texels", int> texels;
   gl::Uniform<"planes", int> planes;
@@ -21,8 +21,8 @@ struct StateWordsPart {
 
 struct StateHashKernel;
 
-/// A state array as kernels of glsl/common/state_words.glsl read it, for as long as it lives; PLANES is
-/// defined for arrays that are in planes.
+/// Binds a state array for kernels that use glsl/common/state_words.glsl, and keeps the binding's texture
+/// view alive. Such kernels define PLANES for arrays stored in planes.
 class StateWords {
  public:
   explicit StateWords(const StateArray& array);
@@ -33,22 +33,23 @@ class StateWords {
   gl::Texture view_;
 };
 
-/// 128-bit hashes of state arrays, made on the GPU: sums of integers, so no order of work groups changes
-/// them.
+/// Computes 128-bit hashes of state arrays on the GPU. Hashes are integer sums, so the order of workgroups
+/// does not affect them.
 class StateHash {
  public:
   StateHash();
-  /// Adds the array's hash to uvec4 number `place` of `sums`. `number` is the array's place among all that
-  /// are hashed, from 0: it tells arrays of equal content apart. Writes of earlier dispatches must be
-  /// visible (gl::barrier).
+  /// Adds the array's hash to the uvec4 at index `place` of `sums`. `number` is the zero-based index of the
+  /// array among all hashed arrays, so that arrays of equal content hash differently. Writes of earlier
+  /// dispatches must be visible (gl::barrier).
   void add(const gl::Buffer& array, std::size_t number, const gl::Buffer& sums, std::size_t place) const;
   void add(const StateArray& array, std::size_t number, const gl::Buffer& sums, std::size_t place) const;
-  /// 32 hexadecimal digits.
+  /// Formats a hash as 32 hexadecimal digits.
   [[nodiscard]] static std::string text(const glm::uvec4& hash);
 
  private:
   gl::Kernel<StateHashKernel> kernel_;
-  mutable gl::Kernel<StateHashKernel> ofPlanes_;  ///< made for the first array that is in planes
+  mutable gl::Kernel<StateHashKernel>
+      ofPlanes_;  ///< Kernel variant for arrays stored in planes; created on first use.
 };
 
 }  // namespace simreel::sim

@@ -12,19 +12,19 @@
 
 namespace simreel::sim {
 
-/// What each step of a frame is told, a uniform block each, in one buffer that is written once a frame.
+/// Uniform blocks for all steps of a frame, one per step, in one buffer that is written once per frame.
 template <class Block>
 class StepBlocks {
  public:
   StepBlocks() = default;
-  /// Room for `count` steps.
+  /// Allocates space for `count` steps.
   StepBlocks(const std::string& label, int count) {
     const auto alignment = static_cast<std::size_t>(gl::limits().uniformAlignment);
     stride_ = (sizeof(Block) + alignment - 1) / alignment * alignment;
     buffer_ = gl::Buffer(label, stride_ * static_cast<std::size_t>(count));
   }
-  /// `blockOf` a step is its block: the member that holds it, where steps know more than the device is
-  /// told.
+  /// Uploads the blocks of all steps. `blockOf` maps a step to its block, for step types that hold more
+  /// than the uniform block.
   template <class Step, class BlockOf = std::identity>
   void upload(const std::vector<Step>& steps, BlockOf blockOf = {}) {
     if (steps.empty()) return;
@@ -35,7 +35,7 @@ class StepBlocks {
     }
     buffer_.write(0, bytes);
   }
-  /// A step's block, for a gl::Kernel.
+  /// Returns the uniform block of a step as a gl::Kernel resource.
   [[nodiscard]] gl::Resource at(std::size_t step) const { return {buffer_, stride_ * step, sizeof(Block)}; }
   void bind(std::size_t step, GLuint binding = shader::stepBinding) const {
     buffer_.bindUniform(binding, stride_ * step, sizeof(Block));

@@ -3,7 +3,8 @@
 
 namespace simreel::sim {
 
-/// Cosine and sine of an angle in degrees, the same bits on every machine; exact at multiples of 90.
+/// Returns cosine and sine of an angle in degrees, with the same bits on every machine; exact at multiples
+/// of 90 degrees.
 [[nodiscard]] glm::vec2 cosineAndSine(float degrees);
 
 }  // namespace simreel::sim

@@ -7,21 +7,22 @@
 
 namespace simreel::sim {
 
-/// An array of a fluid's cells as its kernels get it: INPUT_ARRAY and STATE_ARRAY of
+/// Array of a fluid's cells, with the views that kernels need: INPUT_ARRAY and STATE_ARRAY of
 /// glsl/common/memory.glsl, or the planes of glsl/fluid/grid.glsl.
 class FluidArray {
  public:
   FluidArray() = default;
   FluidArray(const std::string& label, const gl::BufferPart& part);
-  /// For a gl::Kernel.
+  /// Returns the array as a resource of a gl::Kernel.
   [[nodiscard]] gl::Resource resource() const { return {part_, texels_}; }
-  /// As words, for Field.
+  /// Returns a 32-bit word view, for Field.
   [[nodiscard]] const gl::Texture& words() const { return words_; }
   [[nodiscard]] const gl::BufferPart& part() const { return part_; }
 
  private:
   gl::BufferPart part_;
-  gl::Texture words_, texels_;  ///< texels where there is no other way to read
+  gl::Texture words_,
+      texels_;  ///< Views of the array: as 32-bit words, and as RGBA32F texels (on the texel path only).
 };
 
 }  // namespace simreel::sim

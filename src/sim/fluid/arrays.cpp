@@ -26,7 +26,7 @@ std::size_t bytesOf(int floats) {
   return static_cast<std::size_t>(floats) * 4;
 }
 
-/// All first floats, then all second ones and so on.
+/// Converts vec4 elements to planes: all x components, then all y, z and w.
 std::vector<float> planesOf(std::span<const glm::vec4> elements) {
   std::vector<float> planes;
   planes.reserve(4 * elements.size());

@@ -15,11 +15,12 @@ namespace simreel::sim {
 
 struct FluidGather;
 
-/// The memory of a fluid's state and of what its steps are at. Of texels four arrays of four floats a cell,
-/// of which any can be any. On the storage path a float of neighbouring cells lies together, and each array
-/// has what it holds and no more: the flow u, v, temperature and pressure; the dye its three colours; what
-/// carries it along another three; the solver, which wants most, a few bytes more than three. These three
-/// share a buffer, dye at one end of it or the other, so that what is free is in one piece.
+/// GPU memory of a fluid's state and of the working arrays of its steps. On the texel path there are four
+/// interchangeable arrays of four floats per cell. On the storage path, the state is in planes (structure
+/// of arrays) and each array has only the size it needs: flow has four planes (u, v, temperature,
+/// pressure), dye three (its colours), the spare array for dye advection three, and the scratch array of
+/// the pressure solver slightly more than three. Dye, scratch and spare share one buffer with scratch in
+/// the middle; dye and spare swap the two ends, so that the free memory is always contiguous.
 class FluidArrays {
  public:
   FluidArrays(const std::string& name, const FluidPlan& plan, std::span<const glm::vec4> flow);
@@ -31,26 +32,28 @@ class FluidArrays {
 
   [[nodiscard]] const FluidArray& flow() const { return arrays_[flow_]; }
   [[nodiscard]] const FluidArray& dye() const { return arrays_[dye_]; }
-  /// Free between the stages of a step: three floats a cell at least, and all that the solver's `pool` has.
+  /// Returns the array that is free between the stages of a step: at least three floats per cell, and large
+  /// enough for the pressure solver's `pool`.
   [[nodiscard]] const FluidArray& scratch() const { return arrays_[scratch_]; }
-  /// Free, too: three floats a cell, and the solver's `raised`.
+  /// Returns the second free array: three floats per cell, and large enough for the solver's `raised`.
   [[nodiscard]] const FluidArray& spare() const { return arrays_[spare_]; }
-  /// What is shown, four floats a cell, in what is free.
+  /// Returns the array for the displayed values, four floats per cell, located in free memory.
   [[nodiscard]] const FluidArray& shown() const;
 
-  /// Whether all arrays are alike, so that flow and dye may be in any.
+  /// Returns true if all arrays have the same layout and size, so that flow and dye can be in any of them.
   [[nodiscard]] bool alike() const { return texels_; }
-  void turnFlow(bool withScratch);  ///< where they are: flow and scratch change places, or flow and spare
+  void turnFlow(bool withScratch);  ///< Swaps flow with scratch if `withScratch`, else with spare.
   void turnDye() { std::swap(dye_, spare_); }
-  /// Of the scratch, floats: from where on there is a plane of a float a cell besides the solver's sums.
+  /// Returns the offset in floats, within scratch, of a plane with one float per cell that does not overlap
+  /// the solver's sums.
   [[nodiscard]] int planeBesideSums() const { return planeBesideSums_; }
 
   [[nodiscard]] StateArray flowState() const { return stateOf(flow_, "flow", 4); }
   [[nodiscard]] StateArray dyeState() const { return stateOf(dye_, "dye", 3); }
-  /// For Field: words from cell to cell, and from one of its floats to the next.
+  /// Strides for Field in words: from a cell to the next, and between the floats of a cell.
   [[nodiscard]] int cellWords() const { return texels_ ? 4 : 1; }
   [[nodiscard]] int floatWords() const { return texels_ ? 1 : elements_; }
-  /// Flow and dye, element by element on every path.
+  /// Visits flow and dye, in files always with consecutive elements, on every memory path.
   void carryOver(CarryOver& carry);
 
  private:
@@ -60,9 +63,11 @@ class FluidArrays {
   bool texels_;
   int elements_, planeBesideSums_ = 0;
   gl::Buffer buffers_[4];
-  FluidArray arrays_[4], free_[2];  ///< free: before the dye, after it
+  FluidArray arrays_[4],
+      free_[2];  ///< Free memory for shown(): `free_[0]` is before the dye, `free_[1]` after it.
   int flow_ = 0, dye_ = 1, scratch_ = 2, spare_ = 3;
-  gl::Kernel<FluidGather> gather_, scatter_;  ///< made when they are wanted
+  gl::Kernel<FluidGather> gather_,
+      scatter_;  ///< Convert between planes and consecutive elements; created on first use.
 };
 
 }  // namespace simreel::sim

@@ -6,8 +6,9 @@ namespace simreel::sim {
 
 namespace {
 
-/// Cells that a brush's box may change, columns and rows of the ring among them: faces beyond it, too, and
-/// on a torus whatever lies on the other side. First column and row, how many of each.
+/// Returns the cells that a brush may change (first column and row, number of columns and rows), ring cells
+/// included. Includes the faces just beyond the brush's box and, if the grid is periodic, the cells on the
+/// opposite side.
 glm::ivec4 changedBy(const shader::FluidBrush& brush, const FluidParameters& p) {
   glm::ivec4 changed;
   for (int i = 0; i < 2; ++i) {

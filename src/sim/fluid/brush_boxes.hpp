@@ -10,13 +10,14 @@
 
 namespace simreel::sim {
 
-/// A part of a fluid's cells, the ring around them included, that brushes may change.
+/// Rectangle of cells, possibly in the ring around the grid, that brushes may change.
 struct BrushBox {
-  glm::ivec4 cells;        ///< first column and row, how many of each
-  std::size_t first, end;  ///< of the brushes: others reach none of these cells
+  glm::ivec4 cells;        ///< First column and row, number of columns and rows.
+  std::size_t first, end;  ///< Range of brushes; brushes outside the range do not reach these cells.
 };
 
-/// A box for each brush, which may overlap; or one of all cells, if `all` or if that is less to paint.
+/// Returns one box per brush (boxes may overlap), or a single box of all cells if `all` is set or if the
+/// boxes cover more than half the cells; `all` is then set.
 [[nodiscard]] std::vector<BrushBox> brushBoxes(std::span<const shader::FluidBrush> brushes,
                                                const FluidParameters& p, bool& all);
 

@@ -12,7 +12,7 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr unsigned whole = 1U << 24U;  ///< what floats count to, one by one
+constexpr unsigned whole = 1U << 24U;  ///< Largest count up to which floats represent every integer.
 constexpr int firstRoom = 1024;
 const std::vector<const char*> names = {"lift",      "drag",        "kineticEnergy",
                                         "enstrophy", "temperature", "speed"};
@@ -23,7 +23,7 @@ const char* nameOf(FluidChartParameters::Quantity quantity) {
   return names[static_cast<std::size_t>(quantity)];
 }
 
-/// The place of a quantity in FluidParameters::quantities().
+/// Returns the index of a quantity in FluidParameters::quantities().
 std::size_t placeOf(FluidChartParameters::Quantity quantity) {
   const auto list = FluidParameters().quantities();
   const auto is = [&](const scene::Quantity& q) { return std::string_view(q.name) == nameOf(quantity); };
@@ -78,7 +78,7 @@ void FluidChart::add(std::span<const double> measured) {
   for (std::size_t i = 0; i < p.curves.size(); ++i) {
     const double shown = measured[placeOf(p.curves[i].of)] / p.curves[i].per;
     const double height = (shown - p.low) / (p.high - p.low);
-    // Not a number is not above 0.
+    // If the value is NaN, the comparison is false and the count is 0.
     row[static_cast<int>(i)] =
         height > 0 ? static_cast<unsigned>(std::floor(std::min(height, 1.0) * whole + 0.5)) : 0;
   }

@@ -13,30 +13,30 @@
 
 namespace simreel::sim {
 
-/// Curves over the picture of quantities of a fluid, as a scene says them.
+/// Scene parameters of a chart of a fluid's quantities, drawn over the picture.
 struct FluidChartParameters {
   enum class Quantity { lift, drag, kineticEnergy, enstrophy, temperature, speed };
   struct Curve {
     Quantity of = Quantity::lift;
-    double per = 1;                  ///< of the quantity: 1 in the chart
-    std::optional<glm::vec3> color;  ///< linear RGB
+    double per = 1;                  ///< Amount of the quantity that is 1 in the chart.
+    std::optional<glm::vec3> color;  ///< Colour of the curve, linear RGB.
   };
   std::vector<Curve> curves;
-  double low = -1, high = 1;  ///< at the chart's foot and top
-  double seconds = 0;         ///< along its time axis, which grows when they are over
+  double low = -1, high = 1;  ///< Values at the bottom and the top of the chart.
+  double seconds = 0;  ///< Length of the time axis in seconds; the axis grows when the run is longer.
 
   FluidChartParameters() : curves(1) {}
   void describe(scene::Fields& fields);
-  /// Whether a curve is of what pushes obstacles.
+  /// Returns true if a curve shows a force on obstacles (lift or drag).
   [[nodiscard]] bool showsForces() const;
 };
 
-/// One value a frame of each curve, as counts of a drawable: 0 at `low`, 2^24 at `high`.
+/// Records one value per frame and curve as counts of a Chart drawable: 0 at `low`, 2^24 at `high`.
 class FluidChart {
  public:
   FluidChart() = default;
   FluidChart(const std::string& name, const FluidChartParameters& parameters, double frameSeconds);
-  /// `measured`: FluidParameters::quantities(), in that order.
+  /// Adds a frame. `measured`: values in the order of FluidParameters::quantities().
   void add(std::span<const double> measured);
   void carryOver(CarryOver& carry);
   void publish(Drawables& drawables) const;

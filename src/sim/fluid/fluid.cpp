@@ -80,7 +80,7 @@ class Fluid : public Simulation {
     }
     drawables.fields.push_back(field);
     if (p.chart) chart_.publish(drawables);
-    // For files only.
+    // Fields for files, not drawn over the picture.
     field.cells = Field::Cells::floats;
     field.display = nullptr;
     field.size = p.size;
@@ -156,11 +156,11 @@ class Fluid : public Simulation {
     if (plan_.parameters().tracers) tracers_.show(kernels_.arrays().shown());
     count();
   }
-  /// True where the force on an obstacle is measured.
+  /// Returns true if the force on any obstacle is measured.
   [[nodiscard]] bool isPushed() const {
     return std::ranges::any_of(plan_.parameters().obstacles, &FluidObstacle::measured);
   }
-  /// Quantities of the table beside the frames: those that the device sums, then the force on obstacles.
+  /// Fills the counts table: the quantities summed on the device, then the force on obstacles.
   void count() {
     kernels_.measure();
     if (!isPushed()) return;
@@ -196,9 +196,9 @@ class Fluid : public Simulation {
   FluidChart chart_;
   std::vector<glm::vec3> colors_;
   std::vector<std::string> channelNames_;
-  gl::Buffer counts_;  ///< count()
+  gl::Buffer counts_;  ///< Table row filled by count().
   long steps_ = 0;
-  double time_ = 0;  ///< s
+  double time_ = 0;  ///< Time of the current state in seconds.
 };
 
 }  // namespace

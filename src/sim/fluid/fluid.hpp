@@ -3,7 +3,8 @@
 
 namespace simreel::sim {
 
-/// "fluid": incompressible flow with dye and heat on a grid, published as a field; fluid/plan.hpp.
+/// Returns the kind "fluid": incompressible flow with dye and heat on a grid, published as a field
+/// (fluid/plan.hpp).
 [[nodiscard]] SimulationKind fluidKind();
 
 }  // namespace simreel::sim

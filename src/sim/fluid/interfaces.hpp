@@ -3,7 +3,7 @@
 
 #include <array>
 
-/// Interfaces of the fluid's kernels beside those of its solver.
+/// Interfaces of the fluid's kernels; solver_interfaces.hpp has the pressure solver's.
 namespace simreel::sim {
 
 struct FluidPush {
@@ -143,7 +143,7 @@ struct FluidPaintBack {
   gl::Out<"nextDye"> nextDye;
 };
 
-/// Computes what is shown of the state.
+/// Common interface part of the kernels that compute the displayed values from the state.
 struct FluidShowPart {
   FluidPart part;
   gl::Uniform<"stopCount", int> stopCount;

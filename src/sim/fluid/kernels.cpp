@@ -18,7 +18,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Before anything is filled.
+/// Checks the device limits, before any array is allocated or filled.
 void checkLimits(const std::string& name, glm::ivec2 size) {
   const std::int64_t elements = (std::int64_t{size.x} + 2) * (size.y + 2);
   const auto refuse = [&](std::int64_t need, const char* what, std::int64_t max, const char* limit) {
@@ -60,13 +60,14 @@ std::vector<glm::vec4> stopElements(const std::vector<glm::vec3>& colors) {
   return elements;
 }
 
-/// Invocations of so many groups of tiles.
+/// Returns the number of invocations for `groups` workgroups that each process tiles.
 glm::ivec2 tileItems(int groups) {
   constexpr int side = 8, row = FluidLevel::groupRow;
   return {std::min(groups, row) * side, (groups + row - 1) / row * side};
 }
 
-/// As `name` is checked before the arrays are made.
+/// Checks the limits and returns `name`, so that the check precedes the allocation of arrays in an
+/// initializer list.
 const std::string& checked(const std::string& name, const FluidPlan& plan) {
   checkLimits(name, plan.size());
   return name;
@@ -142,10 +143,10 @@ void FluidKernels::place(double time, int step) {
   perCells_ = {per(cells.open), per(cells.corners), 1, per(cells.open)};
 }
 
-/// Over tiles that do not lie in the open, and the ring around the grid.
+/// Dispatches a kernel over the tiles that are not fully open, then over the ring around the grid.
 template <class Interface>
 void FluidKernels::runOthers(const gl::Kernel<Interface>& kernel, Interface given) const {
-  // glsl/fluid/cells.glsl
+  // Numbers of cells and tiles per workgroup, as in glsl/fluid/cells.glsl.
   const bool four = gl::memoryPath() == gl::MemoryPath::texel;
   const int each = four ? 4 * 64 : 64, tiles = four ? FluidLevel::groupTiles : 1;
   const int list = plan_.levels().levels().front().listElements();
@@ -162,15 +163,16 @@ void FluidKernels::runOpen(const gl::Kernel<Interface>& kernel, Interface given)
   kernel.dispatch(tileItems(solids_->tileGroups().front().x), given);
 }
 
-/// Where brushes reach a small part of the cells only that is painted. It is taken back to the rest, unless
-/// it is all there is, and may stay where it is.
+/// Paints the brushes into scratch memory and copies the result back, for the cells in the brushes' boxes
+/// only. If all cells were painted and the arrays are interchangeable, swaps the arrays instead of copying.
 void FluidKernels::paint(double time, int step, bool all) {
   const std::vector<shader::FluidBrush> brushes = plan_.brushesAt(time, step).brushes;
   if (brushes.empty()) return;
   brushes_.write(0, std::as_bytes(std::span(brushes)));
   const std::vector<BrushBox> boxes = brushBoxes(brushes, plan_.parameters(), all);
   {
-    const gl::AccessTogether together;  // a cell in two boxes is the same each time
+    const gl::AccessTogether
+        together;  // No barrier is needed: a cell in two boxes gets the same value from both dispatches.
     for (const BrushBox& box : boxes)
       paint_.dispatch({box.cells.z, box.cells.w}, {.part = part(),
                                                    .firstBrush = static_cast<int>(box.first),
@@ -220,7 +222,8 @@ void FluidKernels::project(unsigned number) {
     projectInPlace(number);
   } else {
     const FluidProject given = projection(number);
-    // The long programs for few cells come first: what is in the open fills the device up while they run.
+    // The long-running kernel for few cells starts first; the kernel for open tiles fills the device
+    // meanwhile.
     const gl::AccessTogether together;
     runOthers(project_.others, given);
     runOpen(project_.open, given);
@@ -229,8 +232,9 @@ void FluidKernels::project(unsigned number) {
   pressure_.judge(status_);
 }
 
-/// Cells at walls read what is around them, so what they become waits until all of them have; cells in the
-/// open look at corrections only.
+/// Projects the flow in place. Cells near walls read their neighbours, so their results go to a second
+/// array until all of them are computed; cells in open tiles read only pressure corrections and write
+/// directly.
 void FluidKernels::projectInPlace(unsigned number) {
   const FluidProject given = projection(number);
   {
@@ -249,14 +253,15 @@ void FluidKernels::projectInPlace(unsigned number) {
                                            .pool = arrays_.scratch().resource(),
                                            .kept = kept_});
   }
-  check_.dispatch({plan_.size().x + 2, (plan_.size().y + 5) / 4},  // four rows an invocation
-                  {.part = given.part,
-                   .number = number,
-                   .lostSpeed = given.lostSpeed,
-                   .flow = arrays_.flow().resource(),
-                   .ways = arrays_.scratch().resource(),
-                   .control = pressure_.control(),
-                   .status = status_});
+  check_.dispatch(
+      {plan_.size().x + 2, (plan_.size().y + 5) / 4},  // An invocation of check_ processes four rows.
+      {.part = given.part,
+       .number = number,
+       .lostSpeed = given.lostSpeed,
+       .flow = arrays_.flow().resource(),
+       .ways = arrays_.scratch().resource(),
+       .control = pressure_.control(),
+       .status = status_});
 }
 
 void FluidKernels::moveDye() {
@@ -283,16 +288,17 @@ void FluidKernels::moveDye(int passes) const {
   const glm::ivec2 size = plan_.size();
   constexpr int lanes = 32;
   const int columns = 2 * lanes - 4 * passes;
-  // About 9500 groups: long strips of much dye are what the others wait for, short ones take more rows
-  // twice.
+  // Aims at about 9500 workgroups: with fewer, all wait for long strips with much dye; with more, shorter
+  // strips compute more overlapping rows twice.
   const int rows = std::clamp(static_cast<int>(std::int64_t{size.x} * size.y / 524288), 4, 1024);
-  dyeStrips_[passes - 1].dispatch({((size.x - 1) / columns + 1) * lanes, (size.y - 1) / rows + 1},
-                                  {.part = part(),
-                                   .rows = rows,
-                                   .flow = arrays_.flow().resource(),
-                                   .ways = arrays_.scratch().resource(),  // of check_
-                                   .dye = arrays_.dye().resource(),
-                                   .next = arrays_.spare().resource()});
+  dyeStrips_[passes - 1].dispatch(
+      {((size.x - 1) / columns + 1) * lanes, (size.y - 1) / rows + 1},
+      {.part = part(),
+       .rows = rows,
+       .flow = arrays_.flow().resource(),
+       .ways = arrays_.scratch().resource(),  // The advection paths that check_ has written.
+       .dye = arrays_.dye().resource(),
+       .next = arrays_.spare().resource()});
 }
 
 void FluidKernels::start(double time) {

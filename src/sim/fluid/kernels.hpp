@@ -30,76 +30,78 @@ struct FluidCheck;
 struct FluidDyeStrips;
 struct FluidSums;
 
-/// A fluid's cells on the GPU and the kernels that step them.
+/// Owns a fluid's cells on the GPU and the kernels that step them.
 class FluidKernels {
  public:
-  /// Throws UserError(device) when the grid is beyond a limit of the device.
+  /// Throws UserError(device) if the grid exceeds a limit of the device.
   FluidKernels(const std::string& name, const FluidPlan& plan, bool fast, double startTime = 0);
 
-  /// What the following steps are told, those of the frame that starts at `time` (s).
+  /// Uploads the parameters of all substeps of the frame that starts at `time` (seconds).
   void beginFrame(double time);
-  /// Obstacles as they are after `step` substeps of the frame that starts at `time` (s).
+  /// Places the obstacles as they are after `step` substeps of the frame that starts at `time` (seconds).
   void place(double time, int step);
-  /// Substep `step` of that frame, from 1.
+  /// Runs substep `step` (counted from 1) of the frame that starts at `time`.
   void advance(double time, int step, unsigned number);
-  /// The first state: what is painted at `time`, without divergence.
+  /// Computes the initial state: painted at `time`, then projected to zero divergence.
   void start(double time);
-  /// After a state was loaded for the frame that starts at `time` (s): the obstacles, and what steps know
-  /// from those before.
+  /// Call after a state was loaded for the frame that starts at `time` (seconds): restores the obstacles
+  /// and the control values that steps take from earlier steps.
   void resume(double time);
-  /// Makes shownWords() of the present state, that of `time` (s).
+  /// Computes shownWords() from the current state at `time` (seconds).
   void show(double time);
 
-  /// Measures the present state for counts().
+  /// Measures the current state for counts().
   void measure();
   [[nodiscard]] CountTable counts() const;
 
   [[nodiscard]] FluidArrays& arrays() { return arrays_; }
   [[nodiscard]] const FluidArrays& arrays() const { return arrays_; }
-  /// Colour in rgb, what is shown in a, with a ring; of lines, with lineDetail places a cell and no ring.
+  /// Displayed values: colour in rgb, shown quantity in a, with a ring of cells. For flow lines: lineDetail
+  /// x lineDetail elements per cell and no ring.
   [[nodiscard]] const gl::Texture& shownWords() const {
     return lineWords_ ? lineWords_ : arrays_.shown().words();
   }
   [[nodiscard]] const gl::Buffer& status() const { return status_; }
-  /// The obstacles of the present state.
+  /// Returns the obstacles of the current state.
   [[nodiscard]] const FluidSolids& solids() const { return *solids_; }
   [[nodiscard]] FluidPressure& pressure() { return pressure_; }
   [[nodiscard]] const FluidPressure& pressure() const { return pressure_; }
 
  private:
-  /// Kernels for tiles in the open, and for the others and the ring.
+  /// Kernel variants for open tiles and for the remaining tiles and the ring.
   template <class Interface>
   struct Tiled {
     gl::Kernel<Interface> open, others;
   };
-  /// Over the grid and the ring around it.
+  /// Returns the dispatch size for the grid and the ring around it.
   [[nodiscard]] glm::ivec2 everywhere() const { return plan_.size() + 2; }
   [[nodiscard]] FluidPart part() const { return pressure_.part(steps_.at(step_)); }
   template <class Interface>
   void runOthers(const gl::Kernel<Interface>& kernel, Interface given) const;
   template <class Interface>
   void runOpen(const gl::Kernel<Interface>& kernel, Interface given) const;
-  /// `all`: the ring around the grid, too, wherever brushes are.
+  /// `all`: paints all cells including the whole ring, not only the brushes' boxes.
   void paint(double time, int step, bool all);
   void project(unsigned number);
   [[nodiscard]] FluidProject projection(unsigned number) const;
-  /// Of storage blocks: in place, and what is told of it by a kernel that finds ways for dye, too.
+  /// Projects in place on the storage path, then runs check_, which measures the result and finds the paths
+  /// for the advection of dye.
   void projectInPlace(unsigned number);
   void moveDye();
-  /// One pass or two, from where dye is to where it is free.
+  /// Advects dye by one pass, or by two passes at once, into the spare array.
   void moveDye(int passes) const;
   void makeShowing(const std::string& name, const gl::Defines& defines);
 
   const FluidPlan& plan_;
   std::shared_ptr<const FluidSolids> solids_;
-  gl::Vec4Array lines_;  ///< where lines are shown
+  gl::Vec4Array lines_;  ///< Output buffer of the flow line display; empty if flow lines are not shown.
   gl::Texture lineWords_;
   gl::WordsArray stamps_;
   gl::Vec4Array stops_;
   gl::Buffer status_, brushes_;
-  gl::Buffer kept_;  ///< glsl/fluid/kept.glsl
+  gl::Buffer kept_;  ///< Buffer for the fraction of pressure kept between steps (glsl/fluid/kept.glsl).
   StepBlocks<shader::FluidStep> steps_;
-  std::size_t step_ = 0;  ///< of steps_, the one that kernels are told
+  std::size_t step_ = 0;  ///< Index in `steps_` of the uniform block that kernels get.
   gl::Kernel<FluidPush> push_;
   gl::Kernel<FluidCarry> carry_;
   gl::Kernel<FluidCorrect> correct_;
@@ -108,9 +110,9 @@ class FluidKernels {
   gl::Kernel<FluidPaintBack> paintBack_;
   gl::Kernel<FluidShow> show_;
   gl::Kernel<FluidLines> showLines_;
-  Tiled<FluidProject> project_;  ///< of storage blocks only others
+  Tiled<FluidProject> project_;  ///< Projection kernels; on the storage path only `others` is created.
   Tiled<FluidDyePass> moveDye_;
-  // These read storage blocks; one pass of dye, and two at once.
+  // Kernels for the storage path. dyeStrips_[0] makes one pass of dye, dyeStrips_[1] two at once.
   gl::Kernel<FluidProjectOpen> projectOpen_;
   gl::Kernel<FluidSettle> settle_;
   gl::Kernel<FluidCheck> check_;
@@ -119,7 +121,7 @@ class FluidKernels {
   FluidArrays arrays_;
   Tally tally_;
   gl::Kernel<FluidSums> sums_;
-  glm::vec4 perCells_{1};  ///< of the sums: means over open cells, and over corners in the open
+  glm::vec4 perCells_{1};  ///< Factors that turn sums into means over open cells and over open corners.
 };
 
 }  // namespace simreel::sim

@@ -10,16 +10,18 @@ namespace simreel::sim {
 
 namespace {
 
-/// What is left of a coarse opening beside a wall within a coarse cell. Not none: parts that are cut off on
-/// a coarse grid alone would have no solution there.
+/// Remaining opening of a coarse face beside a wall that lies within a coarse cell. It is not 0, because
+/// otherwise regions that are disconnected only on the coarse grid would have no solution on the coarse
+/// grid.
 constexpr double throughWalls = 0.15;
 
 }  // namespace
 
 struct FluidLevels::Grid {
   glm::ivec2 cells;
-  std::vector<double> widths, heights;  ///< fine cells
-  std::vector<double> left, top;  ///< open lengths: (cells.x + 1) x cells.y and cells.x x (cells.y + 1)
+  std::vector<double> widths, heights;  ///< Widths of columns and heights of rows, in units of fine cells.
+  std::vector<double> left, top;        ///< Open lengths of left faces, (cells.x + 1) x cells.y, and of top
+                                        ///< faces, cells.x x (cells.y + 1).
   glm::bvec2 wraps;
 
   [[nodiscard]] double& leftAt(int x, int y) { return left[index(x, y, cells.x + 1)]; }
@@ -28,7 +30,7 @@ struct FluidLevels::Grid {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
   }
 
-  /// 1 / distance of the middles on both sides of face i.
+  /// Returns 1 / distance between the centres of the two cells at a face.
   [[nodiscard]] static double perDistance(const std::vector<double>& sizes, int face, bool wraps) {
     const auto count = static_cast<int>(sizes.size());
     const double first = sizes.front(), last = sizes.back();
@@ -62,8 +64,8 @@ struct FluidLevels::Grid {
     return c;
   }
 
-  /// Whether a face is closed between two cells that are both open elsewhere: a wall within a coarse cell,
-  /// through which it must not join what it keeps apart.
+  /// Returns true if a face is closed between two cells that each have another open face: a wall that would
+  /// lie within a coarse cell. The coarse cell must not connect the two sides.
   [[nodiscard]] bool isWalledX(int x, int y) {
     if (wraps.x) x = (x + cells.x) % cells.x;
     if (x <= 0 || x >= cells.x) return false;
@@ -107,9 +109,10 @@ std::vector<std::uint8_t> FluidLevels::openBlocks(const FluidLevel& level) const
   constexpr int reach = 2;
   std::vector<std::uint8_t> open(static_cast<std::size_t>(level.elements()));
   const glm::ivec2 inside = level.cells / 2;
-  std::vector<int> columns(static_cast<std::size_t>(inside.x));  // whole ones up to this row
+  std::vector<int> columns(static_cast<std::size_t>(
+      inside.x));  // Number of consecutive fully open blocks in each column, up to the current row.
   for (int y = 0; y < inside.y; ++y) {
-    int along = 0;  // columns that have enough of them
+    int along = 0;  // Number of consecutive columns with enough fully open blocks.
     for (int x = 0; x < inside.x; ++x) {
       const int number = y * level.blocks().x + x, among = level.start + number;
       int& column = columns[static_cast<std::size_t>(x)];

@@ -1,5 +1,5 @@
 #pragma once
-// What glsl/fluid shares with C++, in simreel::shader.
+// Compiles the files that glsl/fluid shares with C++, in namespace simreel::shader.
 #include "sim/core/shader_code.hpp"
 
 namespace simreel::shader {

@@ -4,7 +4,7 @@
 
 namespace simreel::sim {
 
-/// Members of glsl/fluid/grid.glsl besides the cells, a part of the kernels' interfaces.
+/// Kernel interface part for the members of glsl/fluid/grid.glsl, except the cells.
 struct FluidPart {
   gl::Block<"FluidBlock", shader::FluidStep> step;
   gl::Uniform<"size", glm::ivec2> size;

@@ -1,5 +1,5 @@
-// Distances to the white of a picture: where its level crosses the threshold, then outwards by sweeps (Zhao
-// 2005, "A fast sweeping method for Eikonal equations").
+// Computes distances to the white area of a picture: exact near the threshold crossing, then propagated
+// outwards by sweeps (Zhao 2005, "A fast sweeping method for Eikonal equations").
 #include "base/error.hpp"
 #include "sim/fluid/solids.hpp"
 #include "sim/grid/picture_file.hpp"
@@ -23,7 +23,7 @@ std::vector<double> levelsOf(const Picture& picture) {
   return levels;
 }
 
-/// |grad d| = 1 given the smaller neighbours along x and y.
+/// Solves |grad d| = 1 for d, given the smaller neighbour values along x and y.
 double eikonal(double a, double b) {
   const double low = std::min(a, b), high = std::max(a, b);
   if (high - low >= 1) return low + 1;
@@ -50,7 +50,8 @@ PictureDistances::PictureDistances(glm::ivec2 size, const std::vector<double>& l
   measure(std::move(field));
 }
 
-// `field` is negative within, at the middles of pixels, and crosses 0 linearly between them.
+// Computes signed distances. `field` is given at pixel centres, is negative inside, and crosses 0 linearly
+// between pixels.
 void PictureDistances::measure(std::vector<double> field) {
   const int w = size_.x, h = size_.y;
   const auto index = [w](int x, int y) {

@@ -11,7 +11,8 @@ namespace simreel::sim {
 
 namespace {
 
-/// dt nu / h^2 up to which a step is stable: 1/4 in the open, less where mirrored cells lie along walls.
+/// Maximum of dt nu / h^2 for a stable step: 1/4 in open cells, less beside walls, where mirrored cells are
+/// used.
 constexpr double maxDiffusion = 0.2;
 
 double greatest(const scene::Animated<float>& value) {
@@ -42,7 +43,7 @@ bool inflowMoves(const FluidParameters& p) {
          p.bottom.velocity.moves();
 }
 
-/// (along x, along y): a wall moves along itself only, `alongX` or along y.
+/// Returns the velocity (x, y) of a side. A wall moves only along itself: in x if `alongX`, else in y.
 glm::vec2 velocityOf(const FluidSide& side, bool alongX, double time) {
   const glm::vec3 v = side.velocity.at(time);
   if (side.kind == FluidSide::Kind::inflow) return {v.x, v.y};
@@ -99,8 +100,8 @@ std::shared_ptr<const FluidSolids> FluidPlan::solidsAt(double time, int step) co
   return std::make_shared<FluidSolids>(p, pictures_, time + step * dt, dt, stepAt(time, step));
 }
 
-// Faces that let nothing through have the velocity of their side, or none. What lies around the grid is the
-// first projection's.
+// Closed faces have the velocity of their side, or 0. The cells outside the grid are set by the first
+// projection.
 std::vector<glm::vec4> FluidPlan::firstFlow(double time) const {
   const glm::ivec2 size = parameters_.size;
   const glm::vec3 flow = parameters_.flow;
@@ -172,7 +173,9 @@ FluidPlan::Brushes FluidPlan::brushesAt(double time, int step) const {
     shader::FluidBrush brush{};
     brush.segment = {stroke.from.x, stroke.from.y, stroke.to.x, stroke.to.y};
     const float hard = 1 - what.soft;
-    const float rim = stroke.radius2 * (1 - hard * hard);  // of squares, from where it fades to the rim
+    const float rim =
+        stroke.radius2 *
+        (1 - hard * hard);  // Difference of squared radii from the start of the fade to the rim.
     brush.reach = {stroke.radius2, stroke.perLength2, std::min(stroke.value, 1.0F),
                    rim > 1e-6F && stroke.imageSize.x == 0 ? 1 / rim : 0};
     brush.stamp = {stroke.seed, stroke.picked, stroke.imageWord,

@@ -18,17 +18,19 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr std::size_t lastSpeedWord = 7,
-                      controlWords = 9;  // before the groups: glsl/fluid/solver/solve_control.glsl
+constexpr std::size_t
+    lastSpeedWord = 7,
+    controlWords =
+        9;  // Control words that precede the dispatch sizes (glsl/fluid/solver/solve_control.glsl).
 
-/// Cycles that most projections want; those beyond them, if any, are left out together.
+/// Number of cycles that most projections need; the remaining cycles are skipped together by one condition.
 constexpr int usualCycles = 4;
 
 GLintptr groupsAt(std::size_t dispatch) {
   return static_cast<GLintptr>((controlWords + 3 * dispatch) * 4);
 }
 
-/// Whether on a torus all levels but the coarsest are an even number of cells around.
+/// Returns true if on periodic axes all levels except the coarsest have an even number of cells.
 bool isEven(const FluidPlan& plan) {
   const std::vector<FluidLevel>& levels = plan.levels().levels();
   return std::all_of(levels.begin(), levels.end() - 1, [&](const FluidLevel& level) {
@@ -39,8 +41,8 @@ bool isEven(const FluidPlan& plan) {
 
 }  // namespace
 
-// Dispatches for each level's tiles, those in the open and the others, for a single group, and for down_
-// and up_.
+// Indirect dispatch sizes: two per level (open tiles, other tiles), one for a single workgroup, one each
+// for down_ and up_.
 FluidPressure::FluidPressure(const std::string& name, const FluidPlan& plan, const gl::Defines& defines)
     : levels_(plan.levels()),
       cycles_(plan.parameters().cycles),
@@ -73,7 +75,7 @@ FluidPressure::FluidPressure(const std::string& name, const FluidPlan& plan, con
 }
 
 void FluidPressure::makeCoarse(const FluidPlan& plan, const gl::Defines& defines) {
-  constexpr int most = 64;  // cells of a side
+  constexpr int most = 64;  // Maximum number of cells per side of a level that coarse_ processes.
   const std::vector<FluidLevel>& levels = levels_.levels();
   const FluidParameters& p = plan.parameters();
   const auto fits = [&](const FluidLevel& level) {
@@ -103,7 +105,7 @@ std::vector<glm::ivec4> FluidPressure::placesFrom(std::size_t first, std::size_t
   return places;
 }
 
-// On the way down windows grow by each level, so fewer share a dispatch.
+// On the way down the windows grow with each level, so down_ can merge fewer levels than up_.
 void FluidPressure::makeMiddle(const gl::Defines& defines) {
   const auto make = [&](auto& kernel, std::size_t most, std::size_t& from,
                         std::vector<glm::ivec4>& places) {
@@ -121,7 +123,8 @@ bool FluidPressure::joins(std::size_t level) const {
   return gl::memoryPath() == gl::MemoryPath::storage && levels_.levels()[level].hasOpenTiles();
 }
 
-// The kernel for both is made only where a level joins its tiles: drivers take seconds for each.
+// Creates the `both` variant only if some level joins its tiles, because drivers take seconds to compile
+// each variant.
 template <class Interface>
 void FluidPressure::makePair(Pair<Interface>& pair, const gl::Defines& defines) const {
   bool any = false;
@@ -129,7 +132,7 @@ void FluidPressure::makePair(Pair<Interface>& pair, const gl::Defines& defines) 
   const auto of = [&](int open, bool tileAGroup) {
     return gl::Kernel<Interface>(defines, {.open = open, .tileAGroup = tileAGroup});
   };
-  // Without any all tiles are others there.
+  // Without this variant, all tiles are in the list of others.
   if (gl::memoryPath() != gl::MemoryPath::storage) pair.open = of(1, false);
   pair.others = of(0, tileAGroup_);
   if (any) pair.both = of(2, tileAGroup_);
@@ -146,7 +149,7 @@ std::vector<std::uint32_t> FluidPressure::groupsOf(const FluidSolids& solids) co
       rows += (count + row - 1) / row;
       groups.insert(groups.end(), {std::min(count, row), (count + row - 1) / row, 1U});
     }
-    // Whole rows of groups: what is left over finds no tile.
+    // Rounds up to whole rows of workgroups; surplus workgroups find no tile.
     if (joins(level)) {
       groups[groups.size() - 6] = row;
       groups[groups.size() - 5] = rows;
@@ -154,7 +157,7 @@ std::vector<std::uint32_t> FluidPressure::groupsOf(const FluidSolids& solids) co
   }
   groups.insert(groups.end(), {1U, 1U, 1U});
   for (const std::size_t first : {firstDown_, firstUp_}) {
-    constexpr int tile = 32;  // down.comp, up.comp
+    constexpr int tile = 32;  // Tile width in cells of down.comp and up.comp.
     const glm::uvec2 tiles((levels_.levels()[first].cells - 1) / tile + 1);
     groups.insert(groups.end(), {tiles.x, tiles.y, 1U});
   }

@@ -25,42 +25,45 @@ struct FluidCoarse;
 struct FluidDown;
 struct FluidUp;
 
-/// Solves for the pressure that makes a flow free of divergence: V-cycles of multigrid until what is
-/// missing in the worst cell is small beside the greatest speed. All cycles there may be are dispatched,
-/// indirectly; once that is reached the rest of them are empty, and the CPU waits for nothing.
+/// Solves for the pressure that makes a flow divergence-free, by multigrid V-cycles, until the worst cell's
+/// residual is small relative to the maximum speed. The maximum number of cycles is dispatched indirectly;
+/// after convergence the remaining dispatches are empty, so the CPU never waits.
 class FluidPressure {
  public:
-  /// What the kernels tell of their work.
+  /// Statistics from the solver kernels: divergence relative to speed, and speed, for the worst and the
+  /// last projection.
   struct Report {
     float worstShare = 0, worstSpeed = 0, lastShare = 0, lastSpeed = 0;
-    double cycles = 0;  ///< of a projection, on the average
+    double cycles = 0;  ///< Mean number of cycles per projection.
   };
 
-  /// `defines`: of all kernels of the fluid.
+  /// `defines`: preprocessor definitions shared by all kernels of the fluid.
   FluidPressure(const std::string& name, const FluidPlan& plan, const gl::Defines& defines);
 
-  /// Where obstacles are from now on.
+  /// Uploads the current obstacles.
   void setSolids(const FluidSolids& solids);
-  /// Returns what all kernels read of a step (`step`) and of obstacles.
+  /// Returns the interface part that all kernels share: the step's block (`step`) and the obstacles.
   [[nodiscard]] FluidPart part(const gl::Resource& step) const;
 
-  /// Of `flow`; the sum of corrections is left in the front of `pool`. `raised` is overwritten, too.
+  /// Solves for the pressure of `flow`; the sum of corrections is left at the front of `pool`. Overwrites
+  /// `raised`.
   void solve(const FluidPart& part, const FluidArray& flow, const FluidArray& pool,
              const FluidArray& raised, const gl::Buffer& status) const;
-  /// Once the projected flow has been noted in control(): whether it is good enough, and not too fast.
+  /// Checks, after the projected flow was recorded in control(), whether its divergence is small enough and
+  /// its speed is not too high; writes `status`.
   void judge(const gl::Buffer& status) const;
 
-  /// After a state was loaded: what goes by the obstacles of now, and no speed, before fluid/fastest.comp
-  /// finds it out anew.
+  /// Call after a state was loaded: uploads the dispatch sizes of the current obstacles and clears the
+  /// speed, which fluid/fastest.comp then recomputes.
   void resume();
 
   [[nodiscard]] const gl::Buffer& control() const { return control_; }
   [[nodiscard]] gl::Buffer& control() { return control_; }
-  /// Waits for the GPU.
+  /// Reads back the statistics; waits for the GPU.
   [[nodiscard]] Report report() const;
 
  private:
-  /// Kernels for tiles in the open and for the others.
+  /// Kernel variants for open tiles, for the other tiles, and for both in one dispatch.
   template <class Interface>
   struct Pair {
     gl::Kernel<Interface> open, others, both;
@@ -72,14 +75,14 @@ class FluidPressure {
   };
   template <class Interface>
   void makePair(Pair<Interface>& pair, const gl::Defines& defines) const;
-  /// Whether a level's tiles in the open and its others share a dispatch: on a graphics card, where those
-  /// cost more than the work of small levels.
+  /// Returns true if open and other tiles of a level share a dispatch: on the storage path, where an extra
+  /// dispatch costs more than the work of a small level.
   [[nodiscard]] bool joins(std::size_t level) const;
-  /// Sets coarse_ up, if there is such a kernel, and down_ and up_.
+  /// makeCoarse() sets up coarse_ if a level is small enough; makeMiddle() sets up down_ and up_.
   void makeCoarse(const FluidPlan& plan, const gl::Defines& defines);
   void makeMiddle(const gl::Defines& defines);
   [[nodiscard]] int otherGroups(const FluidSolids& solids, std::size_t level) const;
-  /// Three words for each dispatch that a cycle may have.
+  /// Returns the indirect dispatch sizes: three words for each dispatch of a cycle.
   [[nodiscard]] std::vector<std::uint32_t> groupsOf(const FluidSolids& solids) const;
   [[nodiscard]] std::vector<shader::FluidLevelPlace> places(const FluidSolids& solids) const;
   template <class Interface>
@@ -88,32 +91,33 @@ class FluidPressure {
   void onLevel(const Pair<Interface>& pair, std::size_t level, const Interface& given) const;
   [[nodiscard]] FluidLevelPart levelPart(std::size_t level, const Memory& memory) const;
   [[nodiscard]] FluidDecide decision(const gl::Buffer& status, bool first, float tolerance) const;
-  /// Cells and places of `count` levels from `first` on, then zeros.
+  /// Returns cell counts and start indices of `count` levels from `first` on, padded with zeros to
+  /// `elements`.
   [[nodiscard]] std::vector<glm::ivec4> placesFrom(std::size_t first, std::size_t count,
                                                    std::size_t elements) const;
   void bottom(const Memory& memory) const;
   void cycle(const Memory& memory) const;
 
-  const FluidLevels& levels_;  ///< but for their weights
+  const FluidLevels& levels_;  ///< Used for the grid sizes only, not for the weights.
   int cycles_;
-  bool tileAGroup_;         ///< whether a group takes one of the tiles that are not in the open, not four
-  gl::WordsArray weights_;  ///< FluidSolids::words
+  bool tileAGroup_;         ///< True if a workgroup processes one tile that is not open, instead of four.
+  gl::WordsArray weights_;  ///< Face weights of all levels and data of the obstacles (FluidSolids::words).
   gl::Buffer solids_, control_;
-  StepBlocks<shader::FluidLevelPlace> places_;  ///< a level each
+  StepBlocks<shader::FluidLevelPlace> places_;  ///< Uniform blocks, one per multigrid level.
   Pair<FluidDescend> descend_;
   Pair<FluidAscend> ascend_;
   Pair<FluidResidual> residual_;
   gl::Kernel<FluidDivergence> divergence_;
   gl::Kernel<FluidBottom> bottom_;
   gl::Kernel<FluidDecide> decide_, judge_;
-  gl::Kernel<FluidCoarse> coarse_;  ///< of storage blocks: levels from firstCoarse_ on
-  std::size_t firstCoarse_;         ///< the coarsest, unless coarse_ takes more
-  gl::Kernel<FluidDown> down_;      ///< several levels before firstCoarse_ at once
+  gl::Kernel<FluidCoarse> coarse_;  ///< Storage path only: solves all levels from firstCoarse_ on.
+  std::size_t firstCoarse_;         ///< The coarsest level, unless coarse_ processes more levels.
+  gl::Kernel<FluidDown> down_;      ///< Processes several levels before firstCoarse_ at once.
   gl::Kernel<FluidUp> up_;
   std::vector<glm::ivec4> coarseLevels_, downLevels_, upLevels_;
   float mostSpeed_;
   std::size_t firstDown_, firstUp_;
-  std::optional<gl::Condition> condition_;  ///< of cycles that are seldom wanted
+  std::optional<gl::Condition> condition_;  ///< Condition for the cycles that are rarely needed.
   int tilesStart_;
   std::vector<std::uint32_t> groups_;
 };

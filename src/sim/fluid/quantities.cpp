@@ -7,7 +7,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Bilinear, of cells with their ring; p in cells.
+/// Returns the bilinearly interpolated velocity at p (in cells); `flow` includes the ring of cells.
 glm::dvec2 velocityAt(glm::ivec2 size, std::span<const glm::vec4> flow, glm::dvec2 p) {
   const auto part = [&](int which) {
     const glm::dvec2 node = p - (which == 0 ? glm::dvec2(0, 0.5) : glm::dvec2(0.5, 0));
@@ -42,8 +42,10 @@ FluidForce forceOn(const FluidParameters& p, const FluidSolids& solids, double v
           static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
       if (solids.solid()[cell] != 0 || !p.obstacles[solids.wordAt(x, y) >> 16U & 255U].measured) continue;
       const glm::dvec4 closed = solids.closedAt(x, y);
-      const glm::dvec2 wall(closed.y - closed.x,
-                            closed.w - closed.z);  // into the obstacle, as long as it is here
+      const glm::dvec2 wall(
+          closed.y - closed.x,
+          closed.w -
+              closed.z);  // Points into the obstacle; its length is the length of the wall in this cell.
       const double length = std::sqrt(wall.x * wall.x + wall.y * wall.y);
       if (length == 0) continue;
       const double pressure = flow[static_cast<std::size_t>(y + 1) * static_cast<std::size_t>(size.x + 2) +

@@ -10,27 +10,27 @@
 
 namespace simreel::sim {
 
-/// Force (cells^3/s^2, y down) of a fluid on obstacles: over its density, a cell deep.
+/// Force (cells^3/s^2, y down) of a fluid on obstacles, divided by the density, for a depth of one cell.
 struct FluidForce {
   glm::dvec2 pressure{0}, friction{0};
   [[nodiscard]] glm::dvec2 all() const { return pressure + friction; }
 };
 
-/// On the obstacles that are measured: in each cell at a wall its pressure on the wall's part of it, as the
-/// faces' openings have it, and the friction of what a parabola through the wall and two points off it
-/// says. `flow`: cells with their ring.
+/// Returns the force on the measured obstacles. In each cell at a wall, adds the pressure times the wall's
+/// part of the cell, from the faces' openings, and the friction from a parabola through the wall's velocity
+/// and two points away from the wall. `flow`: cells with their ring.
 [[nodiscard]] FluidForce forceOn(const FluidParameters& p, const FluidSolids& solids, double viscosity,
                                  std::span<const glm::vec4> flow);
 
-/// FluidParameters::quantities() of a state, in that order. `flow` and `dye`: cells with their ring, as the
-/// kernels hold them.
+/// Returns the values of FluidParameters::quantities() for a state, in that order. `flow` and `dye`: cells
+/// with their ring, in the kernels' element order.
 [[nodiscard]] std::vector<double> measureFluid(const FluidPlan& plan, const FluidSolids& solids,
                                                std::span<const glm::vec4> flow,
                                                std::span<const glm::vec4> dye,
                                                const FluidPressure::Report& report, double time);
 
-/// Cells that are no obstacle, and corners between four such cells: what means are taken over. `solid`: a
-/// byte a cell, as FluidSolids has them.
+/// Numbers of cells that are not solid, and of corners between four such cells: the divisors of means.
+/// `solid`: one byte per cell (FluidSolids::solid).
 struct FluidCells {
   long open = 0, corners = 0;
 };

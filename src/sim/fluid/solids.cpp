@@ -13,10 +13,11 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr double far = 8;                  ///< cells: distances beyond are not asked for
-constexpr double leastOpening = 1 / 16.0;  ///< of a face; less is closed
+constexpr double far = 8;  ///< Distances are clamped to this number of cells.
+constexpr double leastOpening =
+    1 / 16.0;  ///< Minimum open fraction of a face; a smaller opening is closed.
 
-/// An obstacle where it is at one moment.
+/// Obstacle at its position at one moment.
 class PlacedObstacle {
  public:
   PlacedObstacle(const FluidObstacle& what, const PictureDistances& picture, double time)
@@ -34,7 +35,7 @@ class PlacedObstacle {
                  : std::sqrt(corner.x * corner.x + corner.y * corner.y);
   }
 
-  /// Signed, in cells.
+  /// Returns the signed distance from a point to the obstacle, in cells.
   [[nodiscard]] double distance(glm::dvec2 p) const {
     const glm::dvec2 d = p - center_;
     if (what_.shape == FluidObstacle::Shape::circle) return std::sqrt(d.x * d.x + d.y * d.y) - what_.radius;
@@ -57,7 +58,7 @@ class PlacedObstacle {
   double cos_, sin_, reach_;
 };
 
-/// How much of the way between two corners lies off obstacles.
+/// Returns the fraction of an edge outside obstacles, from the signed distances at its two ends.
 double openShare(double a, double b) {
   if (a > 0 && b > 0) return 1;
   if (a <= 0 && b <= 0) return 0;
@@ -67,7 +68,7 @@ double openShare(double a, double b) {
 
 }  // namespace
 
-/// Distances at corners and middles of cells, and which obstacle is nearest.
+/// Signed distances at cell corners and centres, and the index of the nearest obstacle.
 struct FluidSolids::Nearest {
   glm::ivec2 size;
   std::vector<double> corners, middles;
@@ -100,15 +101,15 @@ struct FluidSolids::Nearest {
         which[cell] = number;
       }
   }
-  /// As the kernels have a middle's distance.
+  /// Returns a cell centre's distance in the fixed-point units of the kernels.
   [[nodiscard]] int units(int x, int y) const {
     const int i = (x + size.x) % size.x, j = (y + size.y) % size.y;
     const double distance = middles[static_cast<std::size_t>(j) * static_cast<std::size_t>(size.x) +
                                     static_cast<std::size_t>(i)];
     return static_cast<int>(std::lround(std::clamp(distance, -far, far) * 2048));
   }
-  /// Closes what only faces open that a wall holds (heldU of glsl/fluid/walls.glsl): no pressure would act
-  /// on the flow there, and so it would never come to rest.
+  /// Closes the faces of cells that have only faces held by a wall (heldU of glsl/fluid/walls.glsl). No
+  /// pressure would act on the flow there, so the flow would never come to rest.
   void closeSlivers(glm::bvec2 wraps, std::vector<double>& left, std::vector<double>& top) const {
     const auto leftAt = [&](int x, int y) -> double& {
       return left[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x + 1) +
@@ -139,7 +140,7 @@ struct FluidSolids::Nearest {
         if (wraps.y && y + 1 == size.y) topAt(x, 0) = 0;
       }
   }
-  /// On a torus the first corners are the last.
+  /// On a periodic axis the first and last corners are the same.
   void join(glm::bvec2 wraps) {
     for (int y = 0; wraps.x && y <= size.y; ++y)
       corner(0, y) = corner(size.x, y) = std::min(corner(0, y), corner(size.x, y));
@@ -255,7 +256,8 @@ void FluidSolids::findSolid() {
     }
 }
 
-// Rows of open cells, joined to those above: union-find over cells, each part named by its first one.
+// Finds connected regions by union-find over open cells, each joined to its left and upper neighbours; the
+// root of a region is its first cell.
 void FluidSolids::findPockets(glm::bvec2 wraps) {
   pocketOf_.resize(solid_.size());
   for (std::size_t i = 0; i < pocketOf_.size(); ++i) pocketOf_[i] = static_cast<int>(i);
@@ -283,14 +285,14 @@ void FluidSolids::findPockets(glm::bvec2 wraps) {
     else if (pocketOf_[i] == static_cast<int>(i))
       pocketOf_[i] = pockets_++;
     else
-      pocketOf_[i] =
-          pocketOf_[static_cast<std::size_t>(pocketOf_[i])];  // which is named already, being before it
+      pocketOf_[i] = pocketOf_[static_cast<std::size_t>(
+          pocketOf_[i])];  // The root precedes this cell, so its pocket number is already assigned.
   }
 }
 
-// What obstacles and sides push into a pocket without an open side has to stay there: each of its cells
-// takes an equal part. The sum over its cells of what goes through closed parts of faces; between its cells
-// all else cancels.
+// Balances the volume that obstacles and sides push into each pocket without an open side: each of its
+// cells absorbs an equal part. The volume is the sum of the flux through closed parts of the cells' faces;
+// the flux between cells of the pocket cancels.
 void FluidSolids::balance(const FluidParameters& p, const shader::FluidStep& sides) {
   const glm::bvec2 wraps(p.wrapsX(), p.wrapsY());
   const auto solidAt = [&](int x, int y) {
@@ -333,7 +335,9 @@ void FluidSolids::balance(const FluidParameters& p, const shader::FluidStep& sid
       if (pocket < 0) continue;
       const auto i = static_cast<std::size_t>(pocket);
       out[i] += acrossX(x + 1, y) - acrossX(x, y) + acrossY(x, y + 1) - acrossY(x, y);
-      area[i] += std::clamp(0.5 + distanceAt(x, y), 0.0, 1.0);  // openPart of glsl/fluid/projected.glsl
+      area[i] +=
+          std::clamp(0.5 + distanceAt(x, y), 0.0,
+                     1.0);  // Open fraction of the cell, computed as openPart of glsl/fluid/projected.glsl.
       const bool lets = (x == 0 && !wraps.x && face(0, y).x > 0) ||
                         (x + 1 == size_.x && !wraps.x && face(size_.x, y).x > 0) ||
                         (y == 0 && !wraps.y && face(x, 0).y > 0) ||

@@ -1,10 +1,10 @@
 #pragma once
 #include "sim/fluid/part.hpp"
 
-/// Interfaces of the kernels that solve for a fluid's pressure.
+/// Interfaces of the kernels of the pressure solver.
 namespace simreel::sim {
 
-/// glsl/fluid/solver/levels.glsl.
+/// Interface part for glsl/fluid/solver/levels.glsl.
 struct FluidLevelPart {
   gl::Block<"LevelBlock", shader::FluidLevelPlace> level;
   gl::In<"pool"> pool;
@@ -12,7 +12,8 @@ struct FluidLevelPart {
   gl::In<"weights"> weights;
 };
 struct FluidTiles {
-  gl::Choice<"IN_THE_OPEN", 0, 1, 2> open;  // 2: both kinds
+  gl::Choice<"IN_THE_OPEN", 0, 1, 2>
+      open;  // Tiles that the kernel processes: 0: tiles that are not open, 1: open tiles, 2: both.
 };
 struct FluidTileGroups {
   gl::Choice<"IN_THE_OPEN", 0, 1, 2> open;
@@ -73,7 +74,7 @@ struct FluidDecide {
 
 struct FluidCoarse {
   static constexpr auto file = "fluid/solver/coarse.comp";
-  static constexpr std::size_t most = 4;  // levels
+  static constexpr std::size_t most = 4;  // Maximum number of multigrid levels that coarse.comp processes.
   struct Variant {
     gl::Flag<"SUBGROUPS"> subgroups;
   };
@@ -88,7 +89,7 @@ struct FluidCoarse {
 
 struct FluidDown {
   static constexpr auto file = "fluid/solver/down.comp";
-  static constexpr std::size_t most = 3;  // levels
+  static constexpr std::size_t most = 3;  // Maximum number of multigrid levels that down.comp processes.
   struct Variant {
     gl::Range<"LEVELS", 1, most> levels;
   };
@@ -103,7 +104,7 @@ struct FluidDown {
 
 struct FluidUp {
   static constexpr auto file = "fluid/solver/up.comp";
-  static constexpr std::size_t most = 4;  // levels
+  static constexpr std::size_t most = 4;  // Maximum number of multigrid levels that up.comp processes.
   struct Variant {
     gl::Range<"LEVELS", 1, most> levels;
   };

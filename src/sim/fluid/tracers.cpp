@@ -69,7 +69,7 @@ float trailKept(const TracerParameters& parameters, double frameSeconds) {
 
 namespace {
 
-/// A bit a cell, in whole elements.
+/// Packs one bit per cell into uvec4 elements.
 std::vector<glm::uvec4> solidBits(const std::vector<std::uint8_t>& solid) {
   std::vector<glm::uvec4> bits(solid.size() / 128 + 1, glm::uvec4(0));
   for (std::size_t i = 0; i < solid.size(); ++i)

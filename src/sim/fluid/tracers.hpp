@@ -19,42 +19,44 @@ namespace simreel::shader {
 
 namespace simreel::sim {
 
-/// Specks that show a fluid's velocity.
+/// Scene parameters of tracers: particles that make a fluid's velocity visible.
 struct TracerParameters {
   int count = 2000;
-  float seconds = 4;                   ///< mean life, after which one begins anew elsewhere
-  float streak = 0.35F;                ///< s, in which what they drew fades to 1/e
-  glm::vec3 color{0.9F, 0.95F, 1.0F};  ///< linear RGB
+  float seconds = 4;     ///< Mean lifetime in seconds; a tracer then restarts at another place.
+  float streak = 0.35F;  ///< Time in seconds in which the drawn trail fades to 1/e.
+  glm::vec3 color{0.9F, 0.95F, 1.0F};  ///< Colour of the tracers, linear RGB.
   float brightness = 1;
   void describe(scene::Fields& fields);
 };
 
-/// What substeps of `dt` (s) tell tracers of a fluid; shared with the twin.
+/// Returns the tracers' parameters for substeps of `dt` (seconds); shared with the CPU twin.
 [[nodiscard]] shader::TracerStep tracerStep(const TracerParameters& parameters, double dt, int seed,
                                             bool wrapsX, bool wrapsY);
-/// Of what they drew, that is left after a frame.
+/// Returns the fraction of the trail's brightness that remains after a frame.
 [[nodiscard]] float trailKept(const TracerParameters& parameters, double frameSeconds);
 
 struct TraceKernel;
 struct TrailFade;
 struct TrailShow;
 
-/// Specks without mass that a fluid carries along, each substep by the velocities at its end, and the
-/// streaks that they draw into its picture. Sums of integers: the same bits in any order.
+/// Massless particles that a fluid carries along (each substep uses the velocities at its end), and the
+/// trails that they draw over its picture. Trails are integer sums, so the result does not depend on the
+/// order of invocations.
 class Tracers {
  public:
   Tracers() = default;
-  /// `solid`: a byte a cell. Throws UserError(device) for more than the device holds.
+  /// `solid`: one byte per cell. Throws UserError(device) if the device has not enough memory for the
+  /// tracers.
   Tracers(const std::string& name, const TracerParameters& parameters, const FluidWind& wind,
           const std::vector<std::uint8_t>& solid, const shader::TracerStep& step, double frameSeconds,
           bool fast);
 
-  /// Obstacles that have moved; a byte a cell.
+  /// Updates the obstacles after they moved; one byte per cell.
   void setSolid(const std::vector<std::uint8_t>& solid);
   void beginFrame() const;
-  /// A substep, once the fluid has made it.
+  /// Advances by one substep, after the fluid's substep.
   void advance() const;
-  /// Over what is shown: the fluid's cells and their ring.
+  /// Draws the trails over the displayed values: the fluid's cells and their ring.
   void show(const FluidArray& shown) const;
   void carryOver(CarryOver& carry);
   [[nodiscard]] std::vector<StateArray> state() const;
@@ -68,7 +70,7 @@ class Tracers {
   gl::Vec4Array tracers_;
   gl::WordsArray solid_, trail_;
   shader::TracerStep step_{};
-  float kept_ = 1;  ///< of a frame's trail
+  float kept_ = 1;  ///< Fraction of the trail that remains after a frame.
   gl::Kernel<TraceKernel> trace_;
   gl::Kernel<TrailFade> fade_;
   gl::Kernel<TrailShow> show_;

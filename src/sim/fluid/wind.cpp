@@ -13,7 +13,8 @@
 
 namespace simreel::sim {
 
-// x = (p - c) . ex / h + W / 2 and y = H / 2 - (p - c) . ey / h.
+// Grid coordinates of point p: x = (p - c) . ex / h + W / 2 and y = H / 2 - (p - c) . ey / h, for centre c,
+// cell width h and a grid of W x H cells.
 shader::WindGrid fluidWindGrid(const FluidPlane& plane, glm::ivec2 size) {
   const glm::dmat4 turned(rotationMatrix(plane.rotation));
   const glm::dvec3 right(turned[0]), up(turned[1]), middle(plane.position);

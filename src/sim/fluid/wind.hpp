@@ -17,19 +17,19 @@ namespace simreel::shader {
 
 namespace simreel::sim {
 
-/// Where a fluid's rectangle lies in the world. Unturned it stands upright, as a picture that is looked at
-/// along -z: the fluid's x to the right, its y down.
+/// Position and orientation of a fluid's rectangle in the world. Without rotation it stands upright like a
+/// picture viewed along -z: the fluid's x points right, its y down.
 struct FluidPlane {
-  glm::vec3 position{0};  ///< m, of its middle
-  glm::vec3 rotation{0};  ///< degrees, about x, then y, then z
-  float cell = 0.05F;     ///< m, width of a cell
+  glm::vec3 position{0};  ///< Centre of the rectangle in metres.
+  glm::vec3 rotation{0};  ///< Rotation of the rectangle in degrees about x, then y, then z.
+  float cell = 0.05F;     ///< Cell width in metres.
 };
 
-/// What those that take a fluid of `size` cells as their wind are told of it (glsl/fluid/wind_model.glsl);
-/// shared with the CPU twins.
+/// Returns the data that lets other simulations sample a fluid of `size` cells as their wind
+/// (glsl/fluid/wind_model.glsl); shared with the CPU twins.
 [[nodiscard]] shader::WindGrid fluidWindGrid(const FluidPlane& plane, glm::ivec2 size);
 
-/// Members of glsl/fluid/wind_array.glsl where WIND is defined, a part of a kernel's interface.
+/// Kernel interface part for the members of glsl/fluid/wind_array.glsl, used if WIND is defined.
 struct FluidWindPart {
   gl::Uniform<"windGrid.across", glm::vec4> across;
   gl::Uniform<"windGrid.down", glm::vec4> down;
@@ -39,17 +39,17 @@ struct FluidWindPart {
   gl::In<"windCells"> cells;
 };
 
-/// A fluid as the wind of others, in the state in which its latest step left it. Outside of its rectangle
-/// there is none; before and behind its plane there is what the plane has.
+/// Wind that other simulations take from a fluid, in the state after the fluid's latest step. There is no
+/// wind outside the fluid's rectangle; perpendicular to its plane the wind is constant.
 class FluidWind {
  public:
   static const PortInfo port;
 
-  /// `flow`: the array that holds it at the moment of the call.
-  /// `speed` (cells/s): the greatest that is expected.
+  /// `flow`: returns the array that holds the flow at the moment of the call. `speed`: expected maximum
+  /// speed in cells/s.
   FluidWind(const FluidPlane& plane, glm::ivec2 size, float speed, std::function<const FluidArray&()> flow);
-  /// A wind that does not change. `cells`: x and y are the flow (cells/s) at the left and the top face of
-  /// each cell, row by row, with a ring of one cell around them: (size.x + 2) (size.y + 2) in all.
+  /// Creates a constant wind. `cells`: x and y are the flow (cells/s) at the left and top faces of each
+  /// cell, row by row, including a ring of one cell: (size.x + 2) (size.y + 2) elements.
   FluidWind(const std::string& name, const FluidPlane& plane, glm::ivec2 size,
             std::span<const glm::vec4> cells);
   ~FluidWind() = default;
@@ -66,7 +66,7 @@ class FluidWind {
   shader::WindGrid grid_;
   float speed_;
   std::function<const FluidArray&()> flow_;
-  gl::Buffer still_;  ///< of a wind that does not change
+  gl::Buffer still_;  ///< Cells of a constant wind.
   FluidArray stillFlow_;
 };
 

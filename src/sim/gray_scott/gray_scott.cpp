@@ -32,7 +32,8 @@ class GrayScott : public Simulation, public Retunable {
   void step(double time, const StepWatch& watch) override {
     const int steps = plan_.parameters().steps;
     kernels_.setRates(plan_.ratesAt(time));
-    int together = 0;  // steps that nobody looks between
+    int together = 0;  // Number of steps that can run without stopping, because nothing observes the states
+                       // between them.
     for (int i = 1; i <= steps; ++i) {
       ++together;
       const auto strokes = plan_.strokesAt(time, i);
@@ -65,13 +66,13 @@ class GrayScott : public Simulation, public Retunable {
     field.cells = Field::Cells::floats;
     field.size = p.size;
     field.rowWords = 4 * plan_.columns();
-    field.firstWord = 1;  // v of (u, v)
+    field.firstWord = 1;  // Offset of v in a cell's pair (u, v).
     field.cellWords = 2;
     field.range = {static_cast<float>(p.display.low), static_cast<float>(p.display.high)};
     field.colors = &colors_;
     field.display = &p.display;
     drawables.fields.push_back(field);
-    // For files only.
+    // Field for files, not drawn over the picture.
     field.name = &uName_;
     field.firstWord = 0;
     field.display = nullptr;
@@ -96,7 +97,7 @@ class GrayScott : public Simulation, public Retunable {
   }
 
  private:
-  /// In pieces that take a moment each, so that they can be watched and ended.
+  /// Runs the presteps in short batches, so that progress can be reported and the run can be interrupted.
   void prestep(const Setting& setting) {
     const int total = plan_.parameters().presteps;
     if (!setting.presteps) return kernels_.advance(total);

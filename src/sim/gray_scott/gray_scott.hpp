@@ -3,8 +3,8 @@
 
 namespace simreel::sim {
 
-/// Gray-Scott reaction-diffusion on the GPU: a torus of cells, 16 bytes each. Publishes v as a
-/// field, and u, called NAME.u, for files.
+/// Returns the kind "grayScott": Gray-Scott reaction-diffusion on the GPU on a periodic grid. Publishes v
+/// as a field, and u as a field NAME.u for files.
 [[nodiscard]] SimulationKind grayScottKind();
 
 }  // namespace simreel::sim

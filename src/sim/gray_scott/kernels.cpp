@@ -68,18 +68,19 @@ struct GrayScottPaint {
 
 namespace {
 
-/// Invocations side by side across a strip (strips.comp).
+/// Returns the number of adjacent invocations across a strip (strips.comp).
 int stripGroup() {
   return gl::memoryPath() == gl::MemoryPath::texel ? 1 : 32;
 }
 
-/// How many strips a pass of several steps takes; each repeats `steps` cells around its part.
+/// Returns the number of strips in a pass of several steps. Each strip also recomputes `steps` cells around
+/// its part.
 int stripCount(glm::ivec2 size, int steps, int elements, int rows) {
   const int width = stripGroup() * elements - (steps + 1) / 2 * 2;
   return (((size.x + 1) / 2 - 1) / width + 1) * ((size.y - 1) / rows + 1);
 }
 
-/// Before anything is filled: a grid far beyond the limit would first take gigabytes.
+/// Checks the device limits before the arrays are filled, because an oversized grid would take gigabytes.
 void checkLimits(const std::string& name, glm::ivec2 size, int columns) {
   const std::int64_t elements = std::int64_t{columns} * size.y;
   const auto refuse = [&](std::int64_t need, const char* what, std::int64_t max, const char* limit) {
@@ -93,8 +94,9 @@ void checkLimits(const std::string& name, glm::ivec2 size, int columns) {
   refuse(elements, "texels", gl::limits().texelBufferTexels, "GL_MAX_TEXTURE_BUFFER_SIZE");
 }
 
-/// An H200 reads and writes 3.6e12 bytes/s while both arrays are within 256 MiB, 2.1e12 when they are 1 GiB
-/// (its cache of addresses, it seems): bands of a quarter. None for software drivers and smaller grids.
+/// Returns the number of rows per band; 0: no bands. An H200 transfers 3.6e12 bytes/s while both arrays are
+/// within 256 MiB, but 2.1e12 bytes/s at 1 GiB, probably because of TLB misses. A band of both arrays
+/// therefore takes 256 MiB. Software drivers and smaller grids use no bands.
 int bandRowsFor(int columns, int rows) {
   constexpr std::int64_t reach = 512LL << 20;
   const std::int64_t rowBytes = std::int64_t{columns} * 32;
@@ -104,12 +106,13 @@ int bandRowsFor(int columns, int rows) {
 
 }  // namespace
 
-// Long, wide strips repeat least; an H200 wants some 4,000 of them (9 of the widest are at work on each of
-// its 132 multiprocessors at a time). Measured from 512x512 to 8192x8192, tools/bench/README.md.
+// Longer and wider strips recompute fewer cells, but an H200 needs about 4,000 strips (each of its 132
+// multiprocessors runs 9 of the widest at a time). Measured from 512x512 to 8192x8192
+// (tools/bench/README.md).
 GrayScottKernels::Cut GrayScottKernels::bestCut(glm::ivec2 size) {
   constexpr int steps = 4;
   if (gl::memoryPath() == gl::MemoryPath::texel) {
-    constexpr int elements = 12, lanes = 64;  // enough strips for four threads, eight side by side
+    constexpr int elements = 12, lanes = 64;  // Enough strips for four threads with eight lanes each.
     int rows = 64;
     while (rows > 8 && stripCount(size, steps, elements, rows) < lanes) rows /= 2;
     return {1, 4, 32, 4, -1, steps, elements, rows};
@@ -124,7 +127,7 @@ GrayScottKernels::Cut GrayScottKernels::bestCut(glm::ivec2 size) {
 GrayScottKernels::GrayScottKernels(const std::string& name, const GrayScottPlan& plan, bool fast,
                                    const Cut& cut)
     : size_(plan.parameters().size), columns_(plan.columns()), cut_(cut), mapped_(plan.mapped()) {
-  if (mapped_) cut_.stepsPerPass = 1;  // its kernel knows no map of rates
+  if (mapped_) cut_.stepsPerPass = 1;  // The strip kernel does not support mapped rates.
   if (cut_.bandRows < 0) cut_.bandRows = bandRowsFor(columns_, size_.y);
   cut_.bandRows = std::min(cut_.bandRows, size_.y / 2);
   checkLimits(name, size_, columns_);
@@ -204,11 +207,11 @@ void GrayScottKernels::swapCells() {
   std::swap(words_[0], words_[1]);
 }
 
-// Sweeping a grid larger than the device's caches of memory and addresses misses them in every pass. Bands
-// of rows that fit take several passes of a step in turn: pass s computes the rows of a band that are s or
-// more from its edges, from values that are there; then what is missing around each edge, s rows to both
-// sides. A row keeps the values of its last two passes, and those are what its neighbours still ask for:
-// two arrays are enough.
+// Runs several steps band by band. A sweep over a grid larger than the device's memory caches and TLB would
+// miss in every pass. A band of rows that fits takes all steps in turn: step s computes the band's rows at
+// a distance of at least s from its edges, which need only existing values. Then the missing rows are
+// computed around each edge, s rows on both sides. Each row keeps the values of its last two steps, exactly
+// the ones that its neighbours still need, so two arrays suffice.
 void GrayScottKernels::bands(int steps) {
   const int number = (size_.y - 1) / cut_.bandRows + 1;
   const auto edge = [&](int band) { return static_cast<int>(std::int64_t{size_.y} * band / number); };

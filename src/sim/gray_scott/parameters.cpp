@@ -11,7 +11,7 @@ namespace {
 const std::vector<const char*> presetNames = {"spots",    "stripes", "maze", "solitons",
                                               "unstable", "leopard", "chaos"};
 
-/// A number that has a preset's value, and may move, unless the scene gives it.
+/// Declares a rate whose default is the preset's value; it may be animated.
 void rate(scene::Fields& f, const char* name, std::optional<scene::Animated<float>>& value, float standard,
           const char* doc) {
   scene::Animated<float> read = value ? *value : scene::Animated<float>(standard);

@@ -16,37 +16,41 @@ namespace simreel::sim {
 /// grows spots.
 enum class GrayScottPreset { spots, stripes, maze, solitons, unstable, leopard, chaos };
 
-/// Rates at which u is fed and v is removed, per unit of time.
+/// Feed rate of u and removal rate of v, per unit of time.
 struct FeedKill {
   float feed, kill;
 };
 [[nodiscard]] FeedKill ratesOf(GrayScottPreset preset);
 
-/// Mixture of the rates of two presets.
+/// Blend of the rates of two presets.
 struct GrayScottHealth {
-  scene::Animated<float> level = 1.0F;  ///< 1: rates of `well`, 0: of `ill`, in between a mixture
+  scene::Animated<float> level =
+      1.0F;  ///< Blend factor: 1 gives the rates of `well`, 0 the rates of `ill`.
   GrayScottPreset well = GrayScottPreset::leopard, ill = GrayScottPreset::chaos;
 };
 
-/// Gray-Scott reaction-diffusion as a scene says it.
+/// Scene parameters of Gray-Scott reaction-diffusion.
 struct GrayScottParameters : ObjectParameters {
-  glm::ivec2 size{256, 256};  ///< cells
+  glm::ivec2 size{256, 256};  ///< Grid size in cells.
   GrayScottPreset preset = GrayScottPreset::leopard;
-  std::optional<scene::Animated<float>> feed, kill;  ///< instead of the preset's
-  std::optional<GrayScottHealth> health;             ///< instead of preset, feed and kill
-  std::optional<double> feedAcross, killDown;        ///< rates at the right and at the bottom edge
-  bool axes = false;                                 ///< drawn where they vary so
-  std::filesystem::path feedImage, killImage;        ///< fractions of the way to feedWhite, killWhite
+  std::optional<scene::Animated<float>> feed,
+      kill;                               ///< Feed and kill rates that replace the preset's rates.
+  std::optional<GrayScottHealth> health;  ///< Blended rates that replace preset, feed and kill.
+  std::optional<double> feedAcross,
+      killDown;       ///< Feed rate at the right edge and kill rate at the bottom edge.
+  bool axes = false;  ///< True to draw axes if the rates vary along them.
+  std::filesystem::path feedImage,
+      killImage;  ///< Images whose brightness interpolates the rates towards feedWhite and killWhite.
   double feedWhite = 0.06, killWhite = 0.065;
-  double diffuseU = 0.21, diffuseV = 0.105;  ///< cells^2 per unit of time
+  double diffuseU = 0.21, diffuseV = 0.105;  ///< Diffusion coefficients in cells^2 per unit of time.
   double dt = 1;
-  int steps = 16;    ///< per frame
-  int presteps = 0;  ///< before everything
+  int steps = 16;    ///< Number of steps per frame.
+  int presteps = 0;  ///< Number of steps before the first frame.
   int seedCount = 24;
-  double seedRadius = 5;        ///< cells
-  double seedValue = 0.5;       ///< of v; u is the rest of 1
-  double seedNoise = 0.1;       ///< fraction by which v differs at random within the seeds
-  std::filesystem::path image;  ///< light pixels start as seeds do
+  double seedRadius = 5;        ///< Radius of a seed in cells.
+  double seedValue = 0.5;       ///< Initial value of v in a seed; u is 1 - v.
+  double seedNoise = 0.1;       ///< Amplitude of random variation of v within seeds, as a fraction.
+  std::filesystem::path image;  ///< Image whose light pixels are initialized like seeds.
   std::vector<StrokeParameters> strokes;
   FieldDisplay display;
 
@@ -57,12 +61,12 @@ struct GrayScottParameters : ObjectParameters {
   [[nodiscard]] std::int64_t leastBlockBytes() const override { return std::int64_t{8} * size.x * size.y; }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 
-  /// Rates at `time` (s), before they vary in space.
+  /// Returns the rates at `time` (seconds), without spatial variation.
   [[nodiscard]] FeedKill ratesAt(double time) const;
 };
 
-/// Greatest stable dt D: the stencil's fastest mode, the checkerboard of rows, has the eigenvalue -1.6 and
-/// an explicit step needs dt D 1.6 <= 2.
+/// Maximum stable dt D. The stencil's fastest mode, alternating rows, has the eigenvalue -1.6, and an
+/// explicit step requires dt D 1.6 <= 2.
 inline constexpr double maxGrayScottDiffusion = 1.25;
 
 }  // namespace simreel::sim

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int maxImageSide = 32768;
 
-/// Packs a pair of numbers for each cell, (x, y) to two floats, as the kernels hold them.
+/// Packs a pair of numbers per cell in the kernels' layout: two cells per element.
 std::vector<glm::vec4> inPairs(glm::ivec2 size, const std::function<glm::vec2(int, int)>& cell) {
   std::vector<glm::vec4> elements;
   elements.reserve(static_cast<std::size_t>((size.x + 1) / 2) * static_cast<std::size_t>(size.y));

@@ -19,27 +19,30 @@ static_assert(sizeof(GrayScottRates) == 32);
 
 namespace simreel::sim {
 
-/// Everything of a Gray-Scott field that is decided on the CPU: the first state, the map of rates, and what
-/// each frame is told. Shared by the GPU simulation and its CPU twin.
+/// CPU-side setup of a Gray-Scott field: the initial state, the map of rates, and the parameters of each
+/// frame. Shared by the GPU simulation and its CPU twin.
 class GrayScottPlan {
  public:
-  /// Reads the images. Throws UserError for one that cannot be read.
+  /// Reads the images. Throws UserError if an image cannot be read.
   GrayScottPlan(GrayScottParameters parameters, const std::string& object, int seed, double frameSeconds);
-  /// Reads the pictures that the parameters name. Throws UserError: what loadPicture says.
+  /// Reads the pictures that the parameters name, to detect errors. Throws the errors of loadPicture.
   void checkPictures() const;
 
-  /// Two cells (u, v, u, v) an element, rows of columns() elements; the spare half of an odd row is cell 0.
+  /// Returns the initial state: two cells (u, v, u, v) per element, rows of columns() elements. In a row of
+  /// odd width, the unused half element repeats cell 0.
   [[nodiscard]] std::vector<glm::vec4> firstCells() const;
-  /// Whether the rates vary over the grid.
+  /// Returns true if the rates vary over the grid.
   [[nodiscard]] bool mapped() const;
-  /// Weights of the rates, (feed, kill, feed, kill) an element as firstCells(); empty unless mapped().
+  /// Returns the weights of the rates, (feed, kill, feed, kill) per element in the layout of firstCells();
+  /// empty unless mapped().
   [[nodiscard]] std::vector<glm::vec4> weights() const;
-  /// Of the frame that starts at `time` (s).
+  /// Returns the rates for the frame that starts at `time` (seconds).
   [[nodiscard]] shader::GrayScottRates ratesAt(double time) const;
-  /// Strokes that paint into the state after `step` steps of the frame that starts at `time` (s).
+  /// Returns the strokes that paint into the state after `step` steps of the frame that starts at `time`
+  /// (seconds).
   [[nodiscard]] std::vector<shader::Stroke> strokesAt(double time, int step) const;
 
-  /// Takes over the rates that do not vary in space.
+  /// Adopts new values of the rates that do not vary in space.
   void retune(const GrayScottParameters& now);
 
   [[nodiscard]] const GrayScottParameters& parameters() const { return parameters_; }
@@ -47,7 +50,7 @@ class GrayScottPlan {
   [[nodiscard]] int columns() const { return (parameters_.size.x + 1) / 2; }
 
  private:
-  /// v of a cell of the first state. 0 to 1.
+  /// Returns v of each cell of the initial state, 0 to 1.
   [[nodiscard]] std::vector<float> firstV() const;
 
   GrayScottParameters parameters_;

@@ -16,10 +16,10 @@ using Complex = std::complex<double>;
 
 constexpr int maxSide = 384;
 
-/// v whose greatest value is below this has no pattern: what the seeds left behind.
+/// Minimum peak of v that counts as a pattern; smaller values are remains of the seeds.
 constexpr float minPattern = 0.05F;
 
-/// e^(-2 pi i k / count) for k from 0.
+/// Returns e^(-2 pi i k / count) for k = 0 to count - 1.
 std::vector<Complex> roots(int count) {
   std::vector<Complex> r;
   r.reserve(static_cast<std::size_t>(count));
@@ -27,7 +27,8 @@ std::vector<Complex> roots(int count) {
   return r;
 }
 
-/// Means of blocks of factor x factor cells less the mean of all; what is left over at the far edges goes.
+/// Returns the means of blocks of factor x factor cells, minus the overall mean. Incomplete blocks at the
+/// far edges are dropped.
 std::vector<double> averaged(std::span<const float> values, glm::ivec2 size, int factor) {
   const int width = size.x / factor;
   const int height = size.y / factor;
@@ -47,11 +48,12 @@ std::vector<double> averaged(std::span<const float> values, glm::ivec2 size, int
 
 struct Ring {
   double power = 0;
-  double moment = 0;  ///< power times cycles a cell
+  double moment = 0;  ///< Power times spatial frequency (cycles per cell).
 };
 
-/// Rings of wave numbers, by a plain discrete Fourier transform along rows, then along columns.
-/// Ring i is at i / side cycles a (small) cell, side the longer one.
+/// Returns the power spectrum summed over rings of wave numbers, by a plain discrete Fourier transform
+/// along rows, then along columns. Ring i is at i / side cycles per (averaged) cell, where side is the
+/// longer side.
 std::vector<Ring> ringPower(const std::vector<double>& field, glm::ivec2 size) {
   const std::vector<Complex> rootX = roots(size.x);
   const std::vector<Complex> rootY = roots(size.y);

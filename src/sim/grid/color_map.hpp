@@ -7,17 +7,17 @@
 
 namespace simreel::sim {
 
-/// Names of the colour maps, in the order to list them.
+/// Returns the names of the colour maps in display order.
 [[nodiscard]] const std::vector<std::string>& colorMapNames();
 
-/// Evenly spaced stops of a colour map, linear RGB; empty for an unknown name. Interpolated linearly they
-/// stay within 5/255 (sRGB) of the published map.
-/// viridis, magma, inferno, plasma: N. J. Smith, S. van der Walt, E. Firing (CC0). turbo: A. Mikhailov,
-/// Google (Apache 2.0). polar: of this program, for what has a sign: dark in the middle, even in lightness
-/// to both sides.
+/// Returns the evenly spaced linear RGB stops of a colour map; empty for an unknown name. Linear
+/// interpolation stays within 5/255 (sRGB) of the published map. viridis, magma, inferno, plasma: N. J.
+/// Smith, S. van der Walt, E. Firing (CC0). turbo: A. Mikhailov, Google (Apache 2.0). polar: this program's
+/// own map for signed values, dark in the middle with lightness rising evenly to both sides.
 [[nodiscard]] std::vector<glm::vec3> colorMapStops(const std::string& name);
 
-/// So many colours from the first of evenly spaced stops to the last, for the palette of a surface.
+/// Returns `count` colours interpolated from evenly spaced stops, from the first to the last, for a
+/// surface's palette.
 [[nodiscard]] std::vector<glm::vec4> paletteOf(const std::vector<glm::vec3>& stops, int count);
 
 }  // namespace simreel::sim

@@ -30,7 +30,7 @@ void FieldDisplay::describe(scene::Fields& fields) {
   std::vector<const char*> maps;
   maps.reserve(names.size());
   for (const std::string& name : names) maps.push_back(name.c_str());
-  // The colours of a simulation's own go before a map, unless a scene names one.
+  // Default colours of a simulation take precedence over a map, unless the scene names a map.
   int index =
       stops.empty() ? static_cast<int>(std::find(names.begin(), names.end(), map) - names.begin()) : -1;
   fields.oneOf("map", index, maps, "Colour map.");
@@ -47,7 +47,7 @@ void FieldDisplay::describe(scene::Fields& fields) {
     stops.clear();
     for (const Stop& stop : given) stops.push_back(stop.color);
   } else if (fields.given("map")) {
-    stops.clear();  // a scene's map goes before a simulation's own colours
+    stops.clear();  // A map in the scene replaces the simulation's default colours.
   }
   fields.idleUnless(layer != Layer::none, "layer",
                     {"fit", "corner", "extent", "center", "zoom", "opacity", "tiled", "border", "relief"},

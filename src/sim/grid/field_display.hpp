@@ -9,37 +9,40 @@
 
 namespace simreel::sim {
 
-/// How a field is laid over the picture, for every simulation that is a field: the group "display".
+/// Settings for drawing a field over the picture, shared by all simulations that publish a field: the
+/// scene's group "display".
 struct FieldDisplay {
-  /// over: on the finished picture, colours as they are given. behind: behind everything drawn, in the
-  /// scene's light and tone map. none: not shown (skins may still use it).
+  /// over: on the finished picture, with unmodified colours. behind: behind all drawn objects, subject to
+  /// the scene's lighting and tone mapping. none: not drawn (surfaces may still use it as a texture).
   enum class Layer { over, behind, none };
   enum class Fit { contain, cover, stretch };
   Layer layer = Layer::over;
   Fit fit = Fit::cover;
-  glm::vec3 corner{0, 0, 0};  ///< top left, as fractions of the picture
-  glm::vec3 extent{1, 1, 0};  ///< width and height, as fractions of the picture
+  glm::vec3 corner{0, 0, 0};  ///< Top left corner, as fractions of the picture.
+  glm::vec3 extent{1, 1, 0};  ///< Width and height, as fractions of the picture.
   scene::Animated<glm::vec3> center =
-      glm::vec3(0.5F);  ///< point of the field in the middle, as fractions of it
+      glm::vec3(0.5F);  ///< Point of the field at the centre of the panel, as fractions of the field.
   scene::Animated<float> zoom = 1.0F;
   scene::Animated<float> opacity = 1.0F;
-  bool smooth = true;            ///< linear between cells; else each cell is a square
-  bool tiled = false;            ///< repeated beyond its border; else `border` is shown there
-  glm::vec3 border{0.01F};       ///< linear RGB
-  float relief = 0.0F;           ///< shaded as a height of 7 cells times this; 0: not
-  std::string map = "viridis";   ///< name of a colour map
-  std::vector<glm::vec3> stops;  ///< linear RGB, given instead of a map
-  double low = 0, high = 1;      ///< values of the first and the last colour
-  /// What changes evenly over the field, from its first cell to its last: drawn as a scale at its edge.
+  bool smooth = true;  ///< True to interpolate linearly between cells; false to draw each cell as a square.
+  bool tiled = false;  ///< True to repeat the field beyond its border; false to show `border` there.
+  glm::vec3 border{0.01F};  ///< Colour outside the field, linear RGB.
+  float relief = 0.0F;  ///< Strength of relief shading: a value of 1 counts as a height of 7 cells times
+                        ///< `relief`; 0: no shading.
+  std::string map = "viridis";   ///< Name of a colour map.
+  std::vector<glm::vec3> stops;  ///< Linear RGB stops that replace the map.
+  double low = 0, high = 1;      ///< Values of the first and the last colour.
+  /// Quantity that changes linearly over the field, from its first to its last cell. Drawn as a scale at
+  /// the field's edge.
   struct Axis {
-    std::string name;  ///< the symbol, and after a comma its meaning: "F, feed rate"
+    std::string name;  ///< Symbol, and after a comma its meaning: "F, feed rate".
     scene::Animated<float> first = 0.0F, last = 1.0F;
   };
-  std::optional<Axis> across, down;  ///< set by simulations, not by scenes
+  std::optional<Axis> across, down;  ///< Axes of a parameter map; set by simulations, not by scenes.
 
-  /// The members of "display". Simulations set their own defaults first.
+  /// Declares the members of "display". Simulations set their own defaults first.
   void describe(scene::Fields& fields);
-  /// The stops, or those of the map.
+  /// Returns the stops, or the stops of the named map.
   [[nodiscard]] std::vector<glm::vec3> colors() const;
 };
 

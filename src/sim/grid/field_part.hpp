@@ -4,7 +4,7 @@
 
 namespace simreel::sim {
 
-/// Members of glsl/grid/field.glsl, a part of a kernel's interface.
+/// Kernel interface part for the members of glsl/grid/field.glsl.
 struct FieldPart {
   gl::Uniform<"fieldSize", glm::ivec2> size;
   gl::Uniform<"rowWords", int> rowWords;
@@ -12,7 +12,7 @@ struct FieldPart {
   gl::Uniform<"cellWords", int> cellWords;
   gl::In<"fieldWords"> words;
 };
-/// CELLS of the same file, by Field::Cells.
+/// Define CELLS of glsl/grid/field.glsl, indexed by Field::Cells.
 using FieldCells = gl::Choice<"CELLS", 0, 1, 2, 3>;
 
 [[nodiscard]] inline FieldPart partOf(const Field& field) {

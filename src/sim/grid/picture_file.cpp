@@ -13,9 +13,10 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr int mostTexels = 1 << 27;  ///< texels that a buffer of a common device has
+constexpr int mostTexels = 1 << 27;  ///< Maximum number of texels in a buffer on common devices.
 
-/// Whether a BMP has all bytes of its rows: stb_image takes those that are missing for zeros.
+/// Returns true if a BMP file contains all bytes of its rows; stb_image would fill missing bytes with
+/// zeros.
 bool bmpIsWhole(std::string_view bytes, glm::ivec2 size) {
   const auto number = [&](std::size_t at, std::size_t length) {
     std::size_t value = 0;
@@ -23,26 +24,28 @@ bool bmpIsWhole(std::string_view bytes, glm::ivec2 size) {
       value = value << 8U | (at + k < bytes.size() ? static_cast<unsigned char>(bytes[at + k]) : 0U);
     return value;
   };
-  const bool old = number(14, 4) == 12;  // OS/2's header
+  const bool old = number(14, 4) == 12;  // True for a BMP file with the OS/2 header.
   const std::size_t bits = number(old ? 24 : 28, 2);
   const std::size_t row = (static_cast<std::size_t>(size.x) * bits + 31) / 32 * 4;
   return number(10, 4) + row * static_cast<std::size_t>(size.y) <= bytes.size();
 }
 
-/// Most pixels that so many bytes of a file can hold.
+/// Returns the maximum number of pixels that a file of this size can encode.
 double pixelsIn(std::string_view bytes) {
   const auto size = static_cast<double>(bytes.size());
   if (bytes.starts_with('P')) return size;
-  if (bytes.starts_with("BM")) return size * 8;       // a bit a pixel; compressed ones are not read
-  if (!bytes.starts_with('\x89')) return size * 512;  // JPEG: a block of 8 x 8 pixels takes at least a bit
+  if (bytes.starts_with("BM"))
+    return size * 8;  // At least one bit per pixel; compressed BMP files are not read.
+  if (!bytes.starts_with('\x89'))
+    return size * 512;  // JPEG: a block of 8 x 8 pixels takes at least one bit.
   const auto header = pngHeaderOf(bytes);
-  constexpr int channels[] = {1, 0, 3, 1, 2, 0, 4};  // by colour type
+  constexpr int channels[] = {1, 0, 3, 1, 2, 0, 4};  // Number of channels, indexed by PNG colour type.
   const int bits = header && header->colour < 7 ? header->depth * channels[header->colour] : 0;
-  return bits == 0 ? 0 : size * 1032 * 8 / bits;  // deflate makes at most 1032 bytes of one
+  return bits == 0 ? 0 : size * 1032 * 8 / bits;  // Deflate expands one byte to at most 1032 bytes.
 }
 
-/// Whether width, height and most value of a PNM picture (P5, P6) have at most nine digits: stb_image
-/// overflows on more. White space and comments stand between them.
+/// Returns true if width, height and maximum value of a PNM picture (P5, P6) have at most nine digits each;
+/// stb_image overflows on longer numbers. The numbers are separated by white space and comments.
 bool pnmNumbersFit(std::string_view bytes) {
   std::size_t at = 2;
   const auto is = [&](std::string_view any) {
@@ -60,11 +63,11 @@ bool pnmNumbersFit(std::string_view bytes) {
 
 [[noreturn]] void refusePicture(const char* what, const std::string& name, const std::string& why) {
   fail(ExitCode::inputOutput, "the {} {} is not a picture this program reads ({}); use PNG or JPEG", what,
-       name, oneLine(why));  // stb quotes the file
+       name, oneLine(why));  // stb_image's message may quote the file's contents.
 }
 
-/// Refuses a PNG of which pixels name colours that its palette lacks: stb_image shows them as whatever lies
-/// in memory there. The numbers are what the same file has as grey.
+/// Refuses a PNG whose pixels use colour indices beyond its palette; stb_image would read uninitialized
+/// memory for them. The indices are obtained by decoding the same file as a grey image.
 void checkPalette(std::string_view bytes, glm::ivec2 size, const std::string& name, const char* what) {
   const auto header = pngHeaderOf(bytes);
   if (!header || header->colour != 3) return;
@@ -81,7 +84,7 @@ void checkPalette(std::string_view bytes, glm::ivec2 size, const std::string& na
   if (depth > 8 || colours >= std::size_t{1} << static_cast<unsigned>(depth)) return;
   grey[colourAt] = 0;
   const auto numbers = stbDecode<std::uint8_t>(grey, size, 1);
-  if (!numbers) return;  // which decoding it says
+  if (!numbers) return;  // If this decoding fails, decoding the picture itself reports the error.
   const int scale = 255 / ((1 << depth) - 1);
   const auto width = static_cast<std::size_t>(size.x);
   for (std::size_t at = 0; at < numbers->size(); ++at)
@@ -91,16 +94,17 @@ void checkPalette(std::string_view bytes, glm::ivec2 size, const std::string& na
                                 at % width, at / width, number, colours));
 }
 
-/// Checks what a picture's header promises and gives its size.
+/// Checks the picture's header against the file size and the limits, and returns the picture's size.
 glm::ivec2 checkedSize(std::string_view bytes, const std::string& name, const char* what, int maxSide) {
   const auto refuse = [&](const std::string& why) { refusePicture(what, name, why); };
   if (bytes.size() > std::size_t{1} << 30) refuse("larger than 1 GiB");
   if (bytes.starts_with('P') && !pnmNumbersFit(bytes)) refuse("a number of more than nine digits");
-  // The header first: a small file may promise a picture that takes all memory.
+  // Reads only the header first, because a small file may declare a picture that takes all memory.
   const auto size = stbSize(bytes);
   if (!size) refuse(stbReason());
   auto [width, height] = std::pair(size->x, size->y);
-  if (bytes.starts_with("BM") && height < 0 && height >= -maxSide) height = -height;  // rows from the top
+  if (bytes.starts_with("BM") && height < 0 && height >= -maxSide)
+    height = -height;  // A negative height means that rows start at the top.
   if (width < 1 || height < 1) refuse("no width or no height");
   if (std::max(width, height) > maxSide)
     fail(ExitCode::device, "the {} {} is {}x{}, above the limit of {}x{} here", what, name, width, height,
@@ -111,7 +115,7 @@ glm::ivec2 checkedSize(std::string_view bytes, const std::string& name, const ch
     fail(ExitCode::device, "the {} {} of {}x{} pixels is above the limit of {} pixels; make it smaller",
          what, name, width, height, mostTexels);
   if (bytes.starts_with("BM") && !bmpIsWhole(bytes, {width, height})) refuse("it is cut off");
-  // stb_image 2.27 reads beyond such a picture's end.
+  // stb_image 2.27 reads past the end of such a file.
   if (bytes.starts_with('P') && stbIsDeep(bytes))
     fail(ExitCode::inputOutput,
          "the {} {} is a PNM picture of 16 bits, which this program does not read; use PNG", what, name);
@@ -119,7 +123,7 @@ glm::ivec2 checkedSize(std::string_view bytes, const std::string& name, const ch
   return {width, height};
 }
 
-/// RGBA, of so many bits a channel as `Value` has.
+/// Decodes to RGBA with the channel type `Value`.
 template <class Value>
 std::vector<Value> decodedChannels(std::string_view bytes, const std::string& name, const char* what,
                                    glm::ivec2 size) {
@@ -132,7 +136,7 @@ std::vector<Value> decodedChannels(std::string_view bytes, const std::string& na
   return std::move(*values);
 }
 
-/// Refuses pixels that are not opaque.
+/// Refuses pictures with pixels that are not opaque.
 template <class Value>
 void checkOpaque(const std::vector<Value>& rgba, const std::string& name, const char* what) {
   std::size_t seenThrough = 0;
@@ -148,7 +152,8 @@ void checkOpaque(const std::vector<Value>& rgba, const std::string& name, const 
              : "");
 }
 
-/// A cell's nearest pixel: (2 cell + 1) / (2 cells) of the picture's width, in integers.
+/// Returns the pixel nearest to a cell's centre, at (2 cell + 1) / (2 cells) of the picture's width, in
+/// integer arithmetic.
 int nearestPixel(int cell, int cells, int pixels) {
   return static_cast<int>((2LL * cell + 1) * pixels / (2LL * cells));
 }
@@ -181,7 +186,8 @@ Levels loadLevels(const std::filesystem::path& file, const char* what, int maxSi
     levels.values.reserve(rgba.size() / 4);
     for (std::size_t at = 0; at < rgba.size(); at += 4)
       levels.values.push_back(static_cast<std::uint16_t>(
-          (54U * rgba[at] + 183U * rgba[at + 1] + 19U * rgba[at + 2]) >> 8U));  // as Picture::level()
+          (54U * rgba[at] + 183U * rgba[at + 1] + 19U * rgba[at + 2]) >>
+          8U));  // Weights of the colour channels are the same as in Picture::level().
   };
   if (const auto header = pngHeaderOf(bytes); header && header->depth == 16)
     take(decodedChannels<std::uint16_t>(bytes, name, what, levels.size));

@@ -9,13 +9,14 @@
 
 namespace simreel::sim {
 
-/// Rows from the top, RGBA, 8 bits each, as the file has them (sRGB): rgba.size() == 4 * width * height.
+/// Decoded picture: rows from the top, RGBA, 8 bits per channel, sRGB as in the file; rgba.size() == 4 *
+/// width * height.
 struct Picture {
   glm::ivec2 size{0, 0};
   std::vector<std::uint8_t> rgba;
 
-  /// Luma of a pixel, 0 to 255: (54 r + 183 g + 19 b) / 256, in integers, so every machine reads the same
-  /// map.
+  /// Returns the luma of a pixel, 0 to 255: (54 r + 183 g + 19 b) / 256, in integers, so that every machine
+  /// gets the same value.
   [[nodiscard]] int level(int x, int y) const {
     const std::uint8_t* p = &rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
                                        static_cast<std::size_t>(x))];
@@ -23,20 +24,20 @@ struct Picture {
   }
 };
 
-/// Whether bytes begin as a format that is read: PNG, JPEG, PNM or BMP.
+/// Returns true if the bytes start with the signature of a supported format: PNG, JPEG, PNM or BMP.
 [[nodiscard]] bool beginsAsPicture(std::string_view bytes);
 
-/// Reads PNG, JPEG, BMP and PNM of 8 bits. `what` names its use in messages ("texture", "fuel map"). Throws
-/// UserError: what readFile says for a file that cannot be read, inputOutput for one that is no picture or
-/// promises more pixels than its bytes can hold, device for one wider or higher than `maxSide` or of more
-/// than 2^27 pixels, usage for one with a pixel that is not opaque.
+/// Reads a PNG or JPEG picture, or a BMP or PNM picture of 8 bits per channel. `what`: use of the picture
+/// in messages ("texture", "fuel map"). Throws UserError: the errors of readFile; inputOutput if the file
+/// is not a picture or declares more pixels than its bytes can encode; device if a side exceeds `maxSide`
+/// or the picture has more than 2^27 pixels; usage if a pixel is not opaque.
 [[nodiscard]] Picture loadPicture(const std::filesystem::path& file, const char* what, int maxSide);
-/// The same from the file's bytes, opaque or not; `name` is what messages call it.
+/// Decodes a picture from a file's bytes; pixels need not be opaque. `name`: name of the file in messages.
 [[nodiscard]] Picture decodePicture(std::string_view bytes, const std::string& name, const char* what,
                                     int maxSide);
 
-/// How light each pixel of a picture is: 0 to `white`, rows from the top. Of 16 bits a channel where the
-/// file is a PNG that has them, else of 8.
+/// Brightness of each pixel of a picture, 0 to `white`, rows from the top. Uses 16 bits per channel if the
+/// file is a 16-bit PNG, else 8.
 struct Levels {
   glm::ivec2 size{0, 0};
   std::vector<std::uint16_t> values;
@@ -48,14 +49,14 @@ struct Levels {
   }
 };
 
-/// Reads a picture whose pixels are numbers. Throws as loadPicture() does.
+/// Reads a picture whose pixels are interpreted as numbers. Throws the errors of loadPicture().
 [[nodiscard]] Levels loadLevels(const std::filesystem::path& file, const char* what, int maxSide);
 
-/// Fractions of white of a picture drawn onto a grid, as levelsOnGrid().
+/// Resamples a picture to a grid as levelsOnGrid() does; returns fractions of white.
 [[nodiscard]] std::vector<double> sharesOnGrid(const Levels& levels, glm::ivec2 grid);
 
-/// Levels (0 to 255) of a picture drawn onto a grid: nearest pixel to the middle of each cell, x fastest. A
-/// picture of the grid's size is taken pixel for pixel.
+/// Resamples a picture to a grid: returns the level (0 to 255) of the pixel nearest to each cell's centre,
+/// x fastest. A picture of the grid's size is copied pixel by pixel.
 [[nodiscard]] std::vector<std::uint8_t> levelsOnGrid(const Picture& picture, glm::ivec2 grid);
 
 }  // namespace simreel::sim

@@ -1,4 +1,4 @@
-// PNG specification (ISO/IEC 15948): 5 chunks, 9 filtering, 10 compression.
+// Follows the PNG specification (ISO/IEC 15948): section 5 chunks, 9 filtering, 10 compression.
 #include "sim/grid/plain_png.hpp"
 
 #include "base/png.hpp"
@@ -35,10 +35,11 @@ std::optional<Header> plainHeader(std::string_view data, int maxSide) {
 
 struct PlainFile {
   Header header;
-  std::vector<std::string_view> pixels;  ///< what the IDAT chunks hold
+  std::vector<std::string_view> pixels;  ///< Contents of the IDAT chunks.
 };
 
-/// Nothing where the file holds something that matters and is not known here. Checksums are not looked at.
+/// Reads the chunks; returns nothing if the file contains a critical chunk that is not supported here.
+/// Checksums are not verified.
 std::optional<PlainFile> readChunks(std::string_view bytes, int maxSide) {
   auto rest = pngChunks(bytes);
   if (!rest) return std::nullopt;
@@ -62,17 +63,18 @@ std::optional<PlainFile> readChunks(std::string_view bytes, int maxSide) {
   return std::nullopt;
 }
 
-/// Whether the chunks inflate to exactly so many bytes as `rows` has room for.
+/// Inflates the chunks; returns true if the result has exactly the size of `rows`.
 bool inflate(const std::vector<std::string_view>& chunks, std::vector<Byte>& rows) {
   if (rows.size() > std::numeric_limits<std::uint32_t>::max()) return false;
-  const auto kept = std::make_unique<inflate_state>();  // too large for a stack
+  const auto kept = std::make_unique<inflate_state>();  // Allocated on the heap, because the state is too
+                                                        // large for the stack.
   inflate_state& state = *kept;
   isal_inflate_init(&state);
   state.crc_flag = ISAL_ZLIB;
   state.next_out = rows.data();
   state.avail_out = static_cast<std::uint32_t>(rows.size());
   for (const std::string_view chunk : chunks) {
-    // ISA-L does not write through next_in.
+    // The const_cast is safe, because ISA-L does not write through next_in.
     state.next_in = const_cast<Byte*>(reinterpret_cast<const Byte*>(chunk.data()));
     state.avail_in = static_cast<std::uint32_t>(chunk.size());
     if (isal_inflate(&state) != ISAL_DECOMP_OK || state.avail_in != 0) return false;
@@ -87,8 +89,8 @@ Byte paeth(int left, int above, int corner) {
   return static_cast<Byte>(toLeft <= std::min(toAbove, toCorner) ? left : other);
 }
 
-/// Adds to each byte what `predicted(left, above, corner)` makes of those of its neighbours; they are 0
-/// before the first pixel.
+/// Adds to each byte `predicted(left, above, corner)` of its neighbours' bytes; `left` and `corner` are 0
+/// for the first pixel.
 template <std::size_t channels, class Predicted>
 void addTo(Byte* row, const Byte* above, std::size_t size, const Predicted& predicted) {
   Byte left[channels] = {}, corner[channels] = {};
@@ -123,7 +125,8 @@ bool unfilter(int filter, Byte* row, const Byte* above, std::size_t size) {
   }
 }
 
-/// Whether every row says a filter that exists. `rows`: of each row its filter, then the bytes.
+/// Reverses the row filters and writes RGBA pixels; returns false for an unknown filter. `rows`: for each
+/// row its filter byte, then its data.
 template <std::size_t channels>
 bool makePixels(const Header& header, std::vector<Byte>& rows, std::vector<Byte>& rgba) {
   const std::size_t size = header.width * channels;
@@ -152,7 +155,8 @@ std::optional<Picture> decodePlainPng(std::string_view bytes, int maxSide) {
   if (!file) return std::nullopt;
   const Header& header = file->header;
   const std::size_t size = header.height * (header.width * header.channels + 1);
-  // Deflate makes at most 1032 bytes of one: a small file does not take all memory.
+  // Deflate expands one byte to at most 1032 bytes. This check keeps a small file from allocating excessive
+  // memory.
   if (size > bytes.size() * 1032) return std::nullopt;
   std::vector<Byte> rows(size);
   if (!inflate(file->pixels, rows)) return std::nullopt;

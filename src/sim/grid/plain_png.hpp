@@ -6,10 +6,10 @@
 
 namespace simreel::sim {
 
-/// Decodes the kind of PNG that nearly all files are - RGB or RGBA of 8 bits, not interlaced, no
-/// transparent colour - in a third of stb_image's time (ISA-L inflates). Nothing for any other file, and
-/// for one with anything wrong or with a side above `maxSide`: it is left to the decoder that says what is
-/// wrong.
+/// Fast decoder for the most common kind of PNG: RGB or RGBA, 8 bits per channel, not interlaced, without a
+/// transparent colour. Uses ISA-L and takes a third of stb_image's time. Returns nothing for all other
+/// files, for invalid files, and if a side exceeds `maxSide`; the general decoder then handles the file and
+/// reports errors.
 [[nodiscard]] std::optional<Picture> decodePlainPng(std::string_view file, int maxSide);
 
 }  // namespace simreel::sim

@@ -8,7 +8,8 @@
 
 namespace {
 
-/// Most bytes that the decoder may ask for at once, and whether it asked for more.
+/// Maximum size of a single allocation of the decoder, and a flag that is set if the decoder requested
+/// more.
 thread_local std::size_t maxBytes = 0;
 thread_local bool askedForMore = false;
 
@@ -65,7 +66,8 @@ bool stbIsDeep(std::string_view bytes) {
 
 template <class Value>
 std::optional<std::vector<Value>> stbDecode(std::string_view bytes, glm::ivec2 size, int channels) {
-  // Four channels of 16 bits a pixel, rounded up to whole blocks, or twice the file's bytes.
+  // Four channels of 16 bits per pixel, with the size rounded up to whole blocks, or twice the file size if
+  // that is larger.
   const std::size_t blocks =
       (static_cast<std::size_t>(size.x) + 64) * (static_cast<std::size_t>(size.y) + 64);
   maxBytes = std::max(8 * blocks, 2 * bytes.size()) + forHeaders;

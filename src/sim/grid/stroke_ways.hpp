@@ -7,25 +7,26 @@
 
 namespace simreel::sim {
 
-/// Where a circle is at `time` (s), all three numbers.
+/// Returns the position of a circle stroke at `time` (seconds), with all three components.
 [[nodiscard]] glm::vec3 strokePlace(const StrokeParameters& stroke, double time);
 
-/// Whether it paints no more than once.
+/// Returns true if the stroke has no duration and paints only once.
 [[nodiscard]] inline bool paintsOnce(const StrokeParameters& stroke) {
   return !(stroke.until > stroke.at);
 }
 
-/// Whether it paints into the state of `time` (s), to which the step before took `seconds`: what is due
-/// after time - seconds and no later.
+/// Returns true if the stroke paints into the state at `time` (seconds) after a step of `seconds`: it is
+/// active in the interval (time - seconds, time].
 [[nodiscard]] bool isDue(const StrokeParameters& stroke, double time, double seconds);
 
-/// Where a stroke begins and ends; of a circle that moves, where it goes within that step.
+/// Start and end of a stroke; for a moving circle, its path within the step.
 struct StrokeWay {
   glm::vec3 from{0}, to{0};
 };
 [[nodiscard]] StrokeWay strokeWay(const StrokeParameters& stroke, double time, double seconds);
 
-/// Value, seed and share of stroke number `index` of a scene in the state of `time` (s) and number `step`.
+/// Returns the kernel parameters value, seed and fraction of the scene's stroke number `index`, for the
+/// state at `time` (seconds) with step number `step`.
 [[nodiscard]] shader::Stroke strokePaint(const StrokeParameters& stroke, int seed, std::size_t index,
                                          double time, long step);
 

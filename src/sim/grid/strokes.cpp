@@ -17,15 +17,16 @@ namespace simreel::sim {
 namespace {
 
 constexpr int maxStampSide = 8192;
-constexpr double maxRounds = 1000;       ///< of a torus by a stroke's path
-constexpr double maxStampImages = 4096;  ///< of a stamp on a torus
+constexpr double maxRounds =
+    1000;  ///< Maximum number of times that a stroke's path may wrap around a periodic grid.
+constexpr double maxStampImages = 4096;  ///< Maximum number of periodic images of a stamp.
 
 glm::vec2 flat(const glm::vec3& p) {
   return {p.x, p.y};
 }
 
-/// What a segment has within [low, high] along one axis: fractions of it, the first above the second for
-/// nothing.
+/// Returns the start and end, as fractions of a segment, of the part whose coordinate on one axis is within
+/// [low, high]. If no part is, the start is greater than the end.
 glm::dvec2 fractionsWithin(double from, double to, double low, double high) {
   if (from == to) return from >= low && from <= high ? glm::dvec2(0, 1) : glm::dvec2(1, 0);
   const double a = (low - from) / (to - from);
@@ -41,7 +42,7 @@ double distanceToSegment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
   return std::hypot(q.x, q.y);
 }
 
-/// From a segment to the rectangle of the middles of a grid's cells.
+/// Returns the distance from a segment to the rectangle spanned by the centres of the grid's cells.
 double distanceToCells(glm::dvec2 a, glm::dvec2 b, glm::ivec2 size) {
   const glm::dvec2 low(0.5);
   const glm::dvec2 high = glm::dvec2(size) - 0.5;
@@ -105,7 +106,8 @@ glm::vec3 strokePlace(const StrokeParameters& p, double time) {
   return place;
 }
 
-// Times are multiples of the step but for rounding: a state owns (before, time] shifted by a hair.
+// Times are multiples of the step up to rounding. A state covers the interval (before, time], shifted by a
+// small tolerance.
 bool isDue(const StrokeParameters& p, double time, double seconds) {
   const double hair = 1e-6 * seconds;
   return p.at <= time + hair && (paintsOnce(p) ? p.at : p.until) > time - seconds + hair;
@@ -144,7 +146,7 @@ Strokes::Strokes(std::vector<StrokeParameters> strokes, int seed, StrokeGrid gri
         bits_[static_cast<std::size_t>(stamp.firstWord) + i / 32] |= 1U << (i % 32);
     }
   }
-  bits_.resize((bits_.size() + 4) / 4 * 4);  // whole elements, at least one
+  bits_.resize((bits_.size() + 4) / 4 * 4);  // Pads the array to whole elements, at least one.
   for (std::size_t i = 0; i < strokes_.size(); ++i) check(i);
 }
 
@@ -156,7 +158,7 @@ void Strokes::check(std::size_t index) const {
   const bool stays = p.shape == StrokeParameters::Shape::circle && !(p.until > p.at);
   const glm::dvec2 to = stays ? from : glm::dvec2(flat(p.to));
   const glm::dvec2 stamp(stamps_[index].size);
-  // The ways between keys: straight, from one to the next.
+  // Path segments between consecutive keyframes.
   std::vector<std::pair<glm::dvec2, glm::dvec2>> legs = {{from, to}};
   if (p.path) {
     legs.clear();
@@ -212,9 +214,9 @@ std::vector<shader::Stroke> Strokes::into(double time, double seconds, long step
   return active;
 }
 
-// A cell of a torus is painted if one of its images is: the nearest one is at most half the grid from the
-// point of the segment that it is nearest to. So the images wanted are those whose cells, as far as that or
-// the radius around, meet the segment.
+// Adds the periodic images of a stroke. On a periodic grid a cell is painted if any image covers it. The
+// nearest image is at most half a grid away from the segment's point nearest to the cell, so only images
+// whose cells, extended by the radius or half a grid, intersect the segment are added.
 void Strokes::addImages(std::vector<shader::Stroke>& all, const shader::Stroke& stroke) const {
   if (!grid_.torus) {
     all.push_back(stroke);

@@ -15,57 +15,63 @@
 
 namespace simreel::sim {
 
-/// A timed stroke of a brush on a field: an entry of a scene's list "strokes".
+/// Timed brush stroke on a field: an entry of a scene's list "strokes".
 struct StrokeParameters {
   enum class Shape { circle, line, image };
   Shape shape = Shape::circle;
-  double at = 0;     ///< s of scene time when it begins; the first state at or after it shows it
-  double until = 0;  ///< s when it ends; not after `at`: it paints once
-  glm::vec3 from{
-      0};  ///< cells (third unused): middle of the circle, start of the line, top left of the image
-  glm::vec3 to{0};   ///< cells: where a circle moves to by `until`, end of the line; not given: `from`
-  float radius = 3;  ///< cells; of a line half its width
-  std::filesystem::path image;                     ///< light pixels (level above 127) are painted
-  double value = 1;                                ///< what is painted; each simulation says what it means
-  float fraction = 1;                              ///< of the cells within reach, picked by hash
-  std::optional<scene::Animated<glm::vec3>> path;  ///< cells: where a circle is, instead of `from` and `to`
-  scene::Animated<float> strength = 1.0F;          ///< factor on `value`, of fields where that is an amount
-  /// `most`: greatest value that may be painted; `valueDoc`: what it means.
+  double at =
+      0;  ///< Start in seconds of scene time; the first state at or after this time shows the stroke.
+  double until = 0;   ///< End in seconds; if not after `at`, the stroke paints once.
+  glm::vec3 from{0};  ///< In cells (third component unused): centre of a circle, start of a line, or top
+                      ///< left corner of an image.
+  glm::vec3 to{0};    ///< In cells: position of a circle at `until`, or end of a line; default: `from`.
+  float radius = 3;   ///< Radius in cells; for a line, half its width.
+  std::filesystem::path image;  ///< Image whose light pixels (level above 127) are painted.
+  double value = 1;             ///< Painted value; its meaning depends on the simulation.
+  float fraction = 1;           ///< Fraction of the covered cells that are painted, chosen by hash.
+  std::optional<scene::Animated<glm::vec3>>
+      path;  ///< Animated position of a circle in cells; replaces `from` and `to`.
+  scene::Animated<float> strength =
+      1.0F;  ///< Factor on `value`, for fields in which the value is an amount.
+  /// `max`: maximum value that may be painted; `valueDoc`: help text for the value.
   void describe(scene::Fields& fields, double max, const char* valueDoc);
-  /// Where a circle is at `time` (s), cells.
+  /// Returns the position of a circle at `time` (seconds), in cells.
   [[nodiscard]] glm::vec2 placeAt(double time) const;
 };
 
-/// The grid that strokes are painted on.
+/// Grid on which strokes are painted.
 struct StrokeGrid {
-  glm::ivec2 size{1, 1};  ///< cells
-  bool torus = false;     ///< strokes go on at the opposite border; else they end at it
-  std::string object;     ///< whose it is, as messages call it: life "guns"
+  glm::ivec2 size{1, 1};  ///< Size of the grid in cells.
+  bool torus =
+      false;  ///< True if strokes wrap around to the opposite border; false if they end at the border.
+  std::string object;  ///< Owner's name in messages, such as: life "guns".
 };
 
-/// The strokes of a scene as the kernels want them. Common to every field; the CPU twins use it too.
+/// Prepares a scene's strokes for the kernels. Shared by all kinds of fields and by the CPU twins.
 class Strokes {
  public:
   Strokes() = default;
-  /// Loads the images of stamps; warns of strokes that paint nothing because they lie wholly outside.
-  /// Throws UserError for an image that cannot be read (what loadPicture says) and usage for a stroke that
-  /// goes round a torus more often than is sensible.
+  /// Loads the stamps' images. Warns of strokes that lie entirely outside the grid. Throws UserError: the
+  /// errors of loadPicture, and usage for a stroke that wraps around a periodic grid too often.
   Strokes(std::vector<StrokeParameters> strokes, int seed, StrokeGrid grid);
 
-  /// Those that paint into the state of `time` (s), number `step`, to which the step before took `seconds`:
-  /// what is due after time - seconds and no later than `time`, with where the brush went in between. The
-  /// first state of a run is painted as well, so a stroke at 0 is in frame 0. On a torus a stroke stands
-  /// here once for each of its images that may reach the grid.
-  /// `numbers`, where given, gets for each of them which stroke of the scene it is.
+  /// Returns the strokes that paint into the state at `time` (seconds) with step number `step`: active
+  /// after time - seconds and no later than `time`, each with the brush's path in that interval. The
+  /// initial state is painted as well, so a stroke at 0 s appears in frame 0. On a periodic grid, a stroke
+  /// is returned once for each periodic image that may reach the grid. `numbers`: if given, receives the
+  /// scene's stroke index of each returned stroke.
   [[nodiscard]] std::vector<shader::Stroke> into(double time, double seconds, long step,
                                                  std::vector<int>* numbers = nullptr) const;
-  /// Bits of the stamps, one per pixel in words, rows packed without gaps (shader::Stroke::image).
+  /// Returns the stamps as bits, one per pixel, packed in words; rows follow each other without padding
+  /// (shader::Stroke::image).
   [[nodiscard]] const std::vector<std::uint32_t>& imageBits() const { return bits_; }
-  /// The same, four words an element: what kernels read as "stamps".
+  /// Returns the stamps' bits with four words per element, which kernels read as "stamps".
   [[nodiscard]] std::vector<glm::uvec4> imageElements() const;
-  /// Whether a stroke paints this cell: reach or stamp, and share. What the kernels do, for twins.
+  /// Returns true if a stroke paints this cell, considering shape or stamp, and fraction. Same as the
+  /// kernels; used by the CPU twins.
   [[nodiscard]] bool paints(const shader::Stroke& stroke, glm::ivec2 cell) const;
-  /// Cells that it may paint on a grid: first column and row, and how many of each; none: 0, 0.
+  /// Returns the cells that a stroke may paint on a grid: first column and row, number of columns and rows;
+  /// 0, 0 if none.
   [[nodiscard]] static glm::ivec4 box(const shader::Stroke& stroke, glm::ivec2 grid);
   [[nodiscard]] bool empty() const { return strokes_.empty(); }
 
@@ -78,7 +84,7 @@ class Strokes {
   void addImages(std::vector<shader::Stroke>& all, const shader::Stroke& stroke) const;
 
   std::vector<StrokeParameters> strokes_;
-  std::vector<Stamp> stamps_;  ///< one per stroke
+  std::vector<Stamp> stamps_;  ///< Location of each stroke's image in `bits_`; one entry per stroke.
   std::vector<std::uint32_t> bits_;
   int seed_ = 0;
   StrokeGrid grid_;
@@ -99,7 +105,7 @@ struct StrokeMembers {
 };
 [[nodiscard]] StrokeMembers uniformsOf(const shader::Stroke& stroke);
 
-/// Uniforms of glsl/grid/stroke_paint.glsl, a part of the interfaces of kernels that paint.
+/// Kernel interface part for the uniforms of glsl/grid/stroke_paint.glsl.
 struct StrokeUniforms {
   StrokeMembers stroke;
   gl::Uniform<"strokeBox", glm::ivec4> box;

@@ -12,8 +12,8 @@ namespace simreel::sim {
 
 struct TallyJoin;
 
-/// Four sums over the cells of a field and four greatest values, once a frame, on the GPU in an order that
-/// is the same on every machine: for the table beside the frames.
+/// Computes four sums and four maxima over the cells of a field once per frame, on the GPU in an order that
+/// is the same on every machine. Used for the table beside the frames.
 class Tally {
  public:
   static const int lanes;
@@ -21,11 +21,13 @@ class Tally {
   Tally() = default;
   Tally(const std::string& name, const gl::Defines& defines);
 
-  /// Returns where kernels that include glsl/grid/tally.glsl leave the sums of their `lanes` invocations.
+  /// Returns the array into which kernels that include glsl/grid/tally.glsl write the sums of their `lanes`
+  /// invocations.
   [[nodiscard]] const gl::Vec4Array& laneSums() const { return laneSums_; }
-  /// Once it has. `sumFactor`, `mostFactor`: of the results.
+  /// Combines laneSums() into the totals; call after a kernel has written them. `sumFactor`, `mostFactor`:
+  /// factors on the resulting sums and maxima.
   void join(const glm::vec4& sumFactor, const glm::vec4& mostFactor) const;
-  /// The sums, then the greatest values, under these names: at most eight.
+  /// Returns the table: the sums, then the maxima, with these column names, at most eight.
   [[nodiscard]] CountTable table(std::vector<const char*> columns) const;
 
  private:

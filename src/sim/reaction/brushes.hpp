@@ -18,18 +18,19 @@ namespace simreel::sim {
 
 using shader::Brush;
 
-/// A ball that goes along a way, in whichever unit both have.
+/// Returns the brush of a ball that moves along a path; both in the same, arbitrary unit.
 [[nodiscard]] Brush brushAlong(const StrokeWay& way, double radius);
 
-/// On a volume of `size` cells that is a torus: the brush once for each of its images that may reach it.
-/// Needs a way that goes round no more than maxBrushRounds times.
+/// Returns, for a periodic volume of `size` cells, one brush for each periodic image that may reach the
+/// volume. Requires a path that wraps around at most maxBrushRounds times.
 [[nodiscard]] std::vector<Brush> brushImages(const Brush& brush, glm::ivec3 size);
 inline constexpr double maxBrushRounds = 8;
 
-/// Rows or layers that a brush may reach among `count` along an axis: the first, and how many.
+/// Returns the first index and the number of rows or layers, out of `count` along an axis, that a brush may
+/// reach.
 [[nodiscard]] glm::ivec2 brushRange(const Brush& brush, int axis, int count);
 
-/// The ways that a stroke goes, from each key to the next.
+/// Returns a stroke's path as segments, one between each two consecutive keyframes.
 [[nodiscard]] std::vector<StrokeWay> strokeLegs(const StrokeParameters& stroke);
 
 }  // namespace simreel::sim

@@ -15,7 +15,7 @@
 
 namespace simreel::sim {
 
-/// A pass of a rule, whose text reads some of it (reaction/text).
+/// One pass of a rule. The generated shader text (reaction/text) reads only some of the members.
 struct RuleKernel {
   static constexpr auto file = "reaction/rule";
   gl::Uniform<"size", glm::ivec2> size;
@@ -58,7 +58,7 @@ struct LostKernel {
 
 namespace {
 
-/// Before anything is filled.
+/// Checks the device limits, before any array is allocated or filled.
 void checkRuleLimits(const std::string& name, const ReactionParameters& p, std::int64_t planes) {
   const std::int64_t elements = std::int64_t{(p.size.x + 3) / 4} * p.size.y * p.depth * planes;
   const auto refuse = [&](std::int64_t need, const char* what, std::int64_t max, const char* limit) {
@@ -72,16 +72,17 @@ void checkRuleLimits(const std::string& name, const ReactionParameters& p, std::
   refuse(elements, "texels", gl::limits().texelBufferTexels, "GL_MAX_TEXTURE_BUFFER_SIZE");
 }
 
-/// Steps whose lost cells are noted apart: more than a frame usually has.
+/// Maximum number of steps for which lost cells are recorded separately; more than a frame usually has.
 constexpr int lostSteps = 1024;
 
-/// Elements across a strip that are stored.
+/// Returns the number of elements across a strip that are stored.
 int stripWidth(const RuleCut& cut) {
   const int lanes = gl::memoryPath() == gl::MemoryPath::texel ? 1 : 32;
   return lanes * cut.stripElements - (cut.stepsPerPass + 3) / 4 * 2;
 }
 
-/// Long strips repeat least; a software driver wants some for each of its lanes, a GPU thousands.
+/// Returns the number of rows per strip. Longer strips compute fewer rows twice, but the number of strips
+/// must suffice for the device: some per CPU thread on a software driver, thousands on a GPU.
 int stripRowsFor(const RuleCut& cut, int columns, int rows) {
   const bool texel = gl::memoryPath() == gl::MemoryPath::texel;
   const int wanted = texel ? 64 : 4000, least = texel ? 8 : 16;
@@ -91,7 +92,7 @@ int stripRowsFor(const RuleCut& cut, int columns, int rows) {
   return down;
 }
 
-/// As glsl/reaction/bindings.glsl has them.
+/// Packs the links in the format of glsl/reaction/bindings.glsl.
 std::vector<glm::uvec4> linkWords(const RuleLinks& links) {
   std::vector<glm::uvec4> words;
   for (const glm::ivec2& range : links.ranges) words.emplace_back(range.x, range.y, 0, 0);
@@ -104,7 +105,7 @@ std::vector<glm::uvec4> linkWords(const RuleLinks& links) {
   return words;
 }
 
-/// Of what the diffusion does not tell (ReactionPlan).
+/// Warns of unstable steps, unless the plan has already warned of the diffusion.
 void warnOfGrowth(const std::string& object, const ReactionPlan& plan, const RulePlanes& first) {
   if (plan.diffusesTooFast()) return;
   if (const std::optional<StepGrowth> growth = unstableSteps(plan, first))
@@ -121,14 +122,16 @@ RuleCut ReactionKernels::bestCut() {
   RuleCut cut;
   const bool texel = gl::memoryPath() == gl::MemoryPath::texel;
   cut.rows = texel ? 2 : 1;
-  // The row above and the one below, each of three layers, are loaded once for all of them.
+  // Several rows share the loads of the row above and the row below, each in three layers.
   cut.volumeRows = texel ? 16 : 1;
   cut.stepsPerPass = texel ? 4 : 2;
   cut.stripElements = texel ? 6 : 1;
-  // More have the same bits. A software driver takes 7 s of a processor to compile strips of 3 species and
-  // 50 s of 8; a card has no registers for 8.
+  // Maximum number of species for strips. The result has the same bits with and without strips. A software
+  // driver takes 7 s to compile strips of 3 species and 50 s for 8; a graphics card runs out of registers
+  // at 8.
   cut.stripSpecies = texel ? 4 : 6;
-  // Strips take a software driver seconds to compile, and save it some 3 ns a cell and step.
+  // Number of cell steps after which strips are compiled: a software driver needs seconds to compile them
+  // and saves about 3 ns per cell and step.
   cut.stripsAfter = texel ? 5e8 : 0;
   return cut;
 }
@@ -224,7 +227,8 @@ void ReactionKernels::setValues(const std::vector<float>& values) {
     if (!plan_.program().passes[i].usesTime) tell(static_cast<int>(i));
 }
 
-// What is told, then a grain each for what is stored and flushed, then values beyond fixed edges.
+// Uploads a pass's uniform values: the pass's own values, then the rounding grains of stored and of flushed
+// numbers, then the values beyond fixed edges.
 void ReactionKernels::tell(int pass) {
   Pass& to = passes_[static_cast<std::size_t>(pass)];
   std::vector<float> told =

@@ -19,35 +19,36 @@ struct ReactionPaint;
 struct BrushKernel;
 struct SampleKernel;
 
-/// The planes of a rule on the GPU and the kernels that step them.
+/// Owns the planes of a rule on the GPU and the kernels that step them.
 class ReactionKernels {
  public:
-  /// What is fastest on this device's memory path (tools/bench/README.md).
+  /// Returns the fastest settings for this device's memory path (tools/bench/README.md).
   [[nodiscard]] static RuleCut bestCut();
-  /// Throws UserError(device) when the grid is beyond a limit of the device.
+  /// Throws UserError(device) if the grid exceeds a limit of the device.
   ReactionKernels(const std::string& name, const ReactionPlan& plan, bool fast,
                   const RuleCut& cut = bestCut());
 
-  /// What the following steps use, from ReactionPlan::valuesAt.
+  /// Sets the values for the following steps, from ReactionPlan::valuesAt.
   void setValues(const std::vector<float>& values);
-  /// Steps from that number on; `first`: that of the first state, where the model's time is 0.
+  /// Runs `steps` steps, starting with step `number`. `first`: step number of the initial state, at which
+  /// the model's time is 0.
   void advance(long number, int steps, long first);
-  /// Takes a field as the map of a parameter; one of more than one layer is a volume's. Throws
-  /// UserError(usage) where it is too wide.
+  /// Samples a field as the map of a parameter. `layers` > 1: the field is a volume of that many layers.
+  /// Throws UserError(usage) if the field is too wide.
   void take(int parameter, const Field& field, int layers = 1);
-  /// Maps of parameters; empty without any.
+  /// Returns the parameters' maps; the array is empty if no parameter has a map.
   [[nodiscard]] gl::Vec4Array& maps() { return weights_; }
   void paint(const ReactionPlan::Painted& painted);
-  /// Computes what is shown of the state at a step, where that is no species.
+  /// Computes the displayed value of the state at step `number`, if it is not a species.
   void show(long number, long first);
 
   [[nodiscard]] const gl::Buffer& status() const { return status_; }
-  /// Planes of species.
+  /// Returns the planes of the species.
   [[nodiscard]] const gl::Vec4Array& cells() const { return cells_[0]; }
   [[nodiscard]] gl::Vec4Array& cells() { return cells_[0]; }
-  /// The same as words, for Field.
+  /// Returns the species' planes as a word view, for Field.
   [[nodiscard]] const gl::Texture& words() const { return words_[0]; }
-  /// Of what is shown or tints it: the words that have its plane.
+  /// Returns the word view that contains a displayed or tinting plane.
   [[nodiscard]] const gl::Texture& wordsOf(const RulePlane& shown) const {
     return shown.array == RuleArray::stage ? words_[0] : letWords_;
   }
@@ -63,7 +64,7 @@ class ReactionKernels {
   void makeInputs(const std::string& name, const gl::Defines& defines);
   void paintInSpace(const ReactionPlan::Painted& painted);
   void step(long number, long first);
-  /// Several steps, in strips.
+  /// Runs several steps at once, in strips.
   void strips(long number, long lostFirst);
   const gl::Kernel<SampleKernel>& samplerOf(Field::Cells cells, bool layers);
   void makeStrips();
@@ -80,22 +81,23 @@ class ReactionKernels {
   std::string name_;
   bool mayStrip_ = false;
   gl::Defines stripDefines_;
-  double cellSteps_ = 0;    ///< so far
-  gl::Vec4Array cells_[2];  ///< now, and where the next step writes
+  double cellSteps_ = 0;    ///< Number of cells times steps computed so far.
+  gl::Vec4Array cells_[2];  ///< Current state, and the output of the next step.
   gl::Texture words_[2];
-  gl::Vec4Array stages_[2];  ///< between the stages of a step
+  gl::Vec4Array stages_[2];  ///< Intermediate states between the stages of a step.
   gl::Vec4Array sums_, lets_, weights_;
   gl::Texture letWords_;
   gl::WordsArray stamps_, links_, places_;
   gl::Buffer status_;
   gl::Kernel<ReactionPaint> paint_;
-  gl::Kernel<BrushKernel> brush_;  ///< in space
+  gl::Kernel<BrushKernel> brush_;  ///< Brush kernel for volumes and meshes.
   std::map<std::pair<Field::Cells, bool>, gl::Kernel<SampleKernel>>
-      samplers_;  ///< of other objects' fields; of volumes
+      samplers_;  ///< Samplers of other objects' fields, by cell format and by whether the field is a
+                  ///< volume.
   std::vector<Pass> passes_;
   gl::Kernel<StripKernel> strips_;
   gl::Kernel<LostKernel> lost_;
-  gl::Buffer lostCells_;  ///< the lowest that is lost in each of some steps
+  gl::Buffer lostCells_;  ///< For each of up to lostSteps steps, the lowest index of a lost cell.
   std::vector<float> values_;
 };
 

@@ -14,18 +14,18 @@ namespace {
 
 using MapsOf = ReactionMesh::Maps;
 
-/// Beyond 0 and 1 a picture is there again.
+/// Wraps coordinates outside 0 to 1, so that a picture repeats.
 double repeated(double at) {
   return at < 0 || at > 1 ? at - std::floor(at) : at;
 }
 
 int partsOf(double share) {
   constexpr int parts = shader::reaction::mapParts;
-  if (!std::isfinite(share)) return 0;  // files may say so
+  if (!std::isfinite(share)) return 0;  // Mesh files may contain non-finite texture coordinates.
   return static_cast<int>(std::clamp(std::floor(share * parts), 0.0, double(parts - 1)));
 }
 
-/// As spheres have them that are meshes of longitudes and latitudes.
+/// Returns the texture coordinates of a longitude-latitude sphere for a point on a sphere.
 glm::dvec2 longitudeAndLatitude(const glm::dvec3& at) {
   const double around = ieee::atan2(at.x, at.z) / (2 * std::numbers::pi);
   const double polar = ieee::atan2(std::sqrt(at.x * at.x + at.z * at.z), at.y) / std::numbers::pi;

@@ -9,10 +9,11 @@
 
 namespace simreel::sim {
 
-/// Where the cells of a mesh lie on pictures and on other objects' fields: from the left and from the top,
-/// in mapParts (glsl/reaction/sampling.glsl) of their width and height. A cell on a seam of texture
-/// coordinates has those of the vertex that a face comes to first. Throws UserError(usage) where `mesh`
-/// asks for coordinates that it does not have; `whose`: "reaction \"x\"".
+/// Returns each mesh cell's position on pictures and on other objects' fields: distances from the left and
+/// from the top, in units of 1/mapParts (glsl/reaction/sampling.glsl) of the width and height. A cell on a
+/// texture seam uses the coordinates of the first vertex in face order. Throws UserError(usage) if the
+/// scene requires texture coordinates and `mesh` has none. `whose`: name for messages, such as "reaction
+/// \"x\"".
 [[nodiscard]] std::vector<glm::ivec2> mapPlaces(const ReactionMesh& parameters, const Mesh& mesh,
                                                 const MeshCells& cells, const std::string& whose);
 

@@ -15,7 +15,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Parts of a geodesic ball's sides that make so many vertices or more.
+/// Returns the number of subdivisions per side that gives a geodesic sphere at least `vertices` vertices.
 int geodesicParts(double vertices) {
   return static_cast<int>(std::ceil(std::sqrt(std::max(vertices - 2, 10.0) / 10)));
 }
@@ -56,7 +56,8 @@ void ReactionMesh::describe(scene::Fields& f) {
     f.error("tube", fmt::format("a tube of {} m closes the hole of a torus of {} m", tube, radius));
 }
 
-// A ball has no poles, as longitudes and latitudes have: cells there let only short steps be stable.
+// Generates a sphere as a geodesic mesh. It has no poles, unlike a longitude-latitude mesh, whose small
+// cells at the poles would allow only short stable steps.
 Mesh ReactionMesh::make() const {
   constexpr std::int64_t maxFaces = 8'000'000;
   const auto check = [&](std::int64_t faces) {
@@ -110,7 +111,7 @@ std::optional<scene::Box> ReactionMesh::framed() const {
       for (const glm::vec3& at : mesh.positions) include(box, glm::vec3(placed * glm::vec4(at, 1)));
     }
   } catch (const UserError&) {
-    return std::nullopt;  // whoever makes it says why
+    return std::nullopt;  // The error is reported when the object is created.
   }
   return box;
 }

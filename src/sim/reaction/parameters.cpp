@@ -13,7 +13,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Groups under names of which some are there already: a scene changes those that it names and adds others.
+/// Reads named groups on top of existing ones: the scene changes the groups that it names and adds others.
 template <class Item, class Describe>
 void completed(scene::Fields& f, const char* name, const char* doc, const char* one, std::size_t max,
                std::vector<Item>& items, Describe describe) {

@@ -20,21 +20,23 @@ namespace simreel::sim {
 
 struct ReactionSpecies {
   std::string name;
-  scene::Animated<float> diffusion = 0.0F;  ///< D of D lap(u), lengths^2 per unit of time
-  std::string rate = "0";                   ///< the rest of du/dt
-  std::string start = "0";                  ///< in the first state
-  std::string next;                         ///< what it becomes in a step, instead of a rate
-  double edge = 0;                          ///< beyond edges that are fixed
+  scene::Animated<float> diffusion =
+      0.0F;                 ///< Coefficient D of the term D lap(u), in lengths^2 per unit of time.
+  std::string rate = "0";   ///< Expression for the rest of du/dt.
+  std::string start = "0";  ///< Expression for the initial state.
+  std::string next;         ///< Expression for the value after a step, instead of a rate.
+  double edge = 0;          ///< Value of the species beyond fixed edges.
 };
 
 struct ReactionParameter {
   std::string name;
   scene::Animated<float> value = 0.0F;
-  std::optional<double> across, down;  ///< value at the right, or at the bottom edge
-  std::filesystem::path image;         ///< share of the way to `white`
+  std::optional<double> across,
+      down;  ///< Value of the parameter at the right edge (`across`) or at the bottom edge (`down`).
+  std::filesystem::path image;  ///< Picture whose brightness interpolates from `value` to `white`.
   double white = 1;
-  std::string field;       ///< another object's, whose values it has
-  bool isPresets = false;  ///< so that expressions may do without it
+  std::string field;       ///< Another object's field that supplies the values.
+  bool isPresets = false;  ///< True if a preset defines it; expressions then need not use it.
 
   [[nodiscard]] bool isMapped() const { return across || down || !image.empty(); }
 };
@@ -44,60 +46,63 @@ struct ReactionLet {
 };
 
 struct ReactionStroke : StrokeParameters {
-  std::string species;  ///< empty: the first
+  std::string species;  ///< Species to paint; empty: the first one.
 };
 
-/// How a volume is drawn: where what is shown passes a level, or its cells from that level on.
+/// Drawing style of a volume: the isosurface at a level, or the cells at or above the level.
 struct ReactionSurface {
   enum class Draw { isosurface, cubes };
   Draw draw = Draw::isosurface;
-  std::optional<scene::Animated<float>> level;  ///< else it is the middle of the display's range
-  std::string color;                            ///< an expression; empty: the material's colour
-  glm::vec3 position{0};                        ///< m: middle of the volume
-  float width = 2;                              ///< m: of the volume, along x
+  std::optional<scene::Animated<float>>
+      level;          ///< Isosurface level; default: the middle of the display's range.
+  std::string color;  ///< Expression whose value selects the surface's colour in the colour map; empty: the
+                      ///< material's colour.
+  glm::vec3 position{0};  ///< Centre of the volume in metres.
+  float width = 2;        ///< Width of the volume along x in metres.
   bool closed = true;
   void describe(scene::Fields& fields);
 };
 
-/// A mesh whose vertices are the cells.
+/// Mesh whose vertices are the cells.
 struct ReactionMesh {
   enum class Shape { file, plane, sphere, torus };
   enum class Maps { texture, front, top };
   Shape shape = Shape::file;
   std::filesystem::path file;
-  glm::vec3 size{4, 0, 4};         ///< m, of a plane
-  float radius = 1, tube = 0.35F;  ///< m
-  glm::ivec2 resolution{129, 65};  ///< vertices along u and v
-  int refine = 0;                  ///< times that each face becomes four
-  std::optional<Maps> maps;        ///< else by texture coordinates if it has them, or from the front
-  scene::Animated<glm::vec3> position = glm::vec3(0);  ///< m
-  scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< degrees
+  glm::vec3 size{4, 0, 4};         ///< Size of a plane in metres.
+  float radius = 1, tube = 0.35F;  ///< Radii of a sphere or torus in metres.
+  glm::ivec2 resolution{129, 65};  ///< Number of vertices along u and v.
+  int refine = 0;                  ///< Number of subdivisions; each one splits a face into four.
+  std::optional<Maps> maps;  ///< Mapping of pictures and fields; default: texture coordinates if the mesh
+                             ///< has any, else from the front.
+  scene::Animated<glm::vec3> position = glm::vec3(0);  ///< Position of the mesh in metres.
+  scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< Rotation of the mesh in degrees.
   scene::Animated<float> scale = 1.0F;
   void describe(scene::Fields& fields);
-  /// Throws what loadMesh throws.
+  /// Loads or generates the mesh. Throws the errors of loadMesh.
   [[nodiscard]] Mesh make() const;
-  /// Whether make() gives the same as another's, wherever both stand.
+  /// Returns true if make() gives the same mesh as `other`, regardless of position, rotation and scale.
   [[nodiscard]] bool isMadeAs(const ReactionMesh& other) const;
   [[nodiscard]] glm::mat4 model(double time) const;
   [[nodiscard]] std::optional<scene::Box> framed() const;
 };
 
-/// Equations of one's own as a scene says them: du/dt = D lap(u) + rate for each species.
+/// Scene parameters of user-defined equations: du/dt = D lap(u) + rate for each species.
 struct ReactionParameters : ObjectParameters, OwnCells {
-  glm::ivec2 size{256, 256};  ///< cells
-  int depth = 1;              ///< layers of them; more than one: a volume
+  glm::ivec2 size{256, 256};  ///< Grid size in cells.
+  int depth = 1;              ///< Number of layers; more than one makes a volume.
   int preset = -1;
-  double spacing = 1;       ///< of cells, units of length
-  bool hasSpacing = false;  ///< whether the scene says so
-  double dt = 0.1;          ///< units of time
-  int steps = 8;            ///< per frame
-  int presteps = 0;         ///< before everything
+  double spacing = 1;       ///< Distance between cells in units of length.
+  bool hasSpacing = false;  ///< True if the scene sets `spacing`.
+  double dt = 0.1;          ///< Time step in units of time.
+  int steps = 8;            ///< Number of steps per frame.
+  int presteps = 0;         ///< Number of steps before the first frame.
   RuleMethod method = RuleMethod::euler;
   RuleBoundary boundary = RuleBoundary::torus;
   std::vector<ReactionSpecies> species;
   std::vector<ReactionParameter> parameters;
   std::vector<ReactionLet> lets;
-  std::string show;  ///< an expression; empty: the first species
+  std::string show;  ///< Expression to display; empty: the first species.
   std::vector<ReactionStroke> strokes;
   FieldDisplay display;
   ReactionSurface surface;
@@ -112,9 +117,10 @@ struct ReactionParameters : ObjectParameters, OwnCells {
   [[nodiscard]] std::int64_t leastBlockBytes() const override {
     return space() == RuleSpace::mesh ? 0 : std::int64_t{4} * size.x * size.y * depth;
   }
-  /// True where parameters take values of other objects' fields.
+  /// Returns true if some parameter takes its values from another object's field.
   [[nodiscard]] bool readsFields() const;
-  /// True for cells of the same mesh, and for a volume of the same proportions.
+  /// Returns true if fields of `other` can be read directly: cells of the same mesh, or a volume of the
+  /// same proportions.
   [[nodiscard]] bool readsCellsOf(const OwnCells& other) const override;
   [[nodiscard]] std::optional<scene::Box> framed() const override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
@@ -122,13 +128,13 @@ struct ReactionParameters : ObjectParameters, OwnCells {
   [[nodiscard]] RuleSpace space() const {
     return mesh ? RuleSpace::mesh : depth > 1 ? RuleSpace::volume : RuleSpace::plane;
   }
-  /// "256x256" or "64x64x64".
+  /// Returns the size as text: "256x256" or "64x64x64".
   [[nodiscard]] std::string cellsText() const;
-  /// m between the cells of a volume.
+  /// Returns the distance between a volume's cells in metres.
   [[nodiscard]] float cellWidth() const { return surface.width / static_cast<float>(size.x); }
   [[nodiscard]] float levelAt(double time) const;
   [[nodiscard]] RuleText ruleText() const;
-  /// The species that a stroke paints; -1: there is none of that name.
+  /// Returns the index of the species that a stroke paints; -1 if no species has this name.
   [[nodiscard]] int painted(const ReactionStroke& stroke) const;
 
  private:

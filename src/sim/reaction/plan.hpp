@@ -8,52 +8,55 @@
 
 namespace simreel::sim {
 
-/// Everything of a rule that is decided on the CPU: its program, the first state, maps, and what steps are
-/// told. Shared by the GPU simulation and its CPU twin.
+/// CPU-side setup of a rule: its program, the initial state, maps, and step parameters. Shared by the GPU
+/// simulation and its CPU twin.
 class ReactionPlan {
  public:
-  /// Warns of steps that are too long for the diffusion. On a mesh, `size` becomes one row of its cells.
-  /// Throws UserError for a mesh that cannot be read.
+  /// Warns of steps that are too long for the diffusion. On a mesh, sets `size` to one row of its cells.
+  /// Throws UserError if the mesh cannot be read.
   ReactionPlan(ReactionParameters parameters, const std::string& object, int seed, double frameSeconds);
-  /// Whether it warned of that.
+  /// Returns true if the constructor warned that steps are too long for the diffusion.
   [[nodiscard]] bool diffusesTooFast() const { return tooFast_; }
-  /// Reads the pictures that the parameters name. Throws UserError: what loadPicture says.
+  /// Reads the pictures that the parameters name, to detect errors. Throws the errors of loadPicture.
   void checkPictures() const;
 
-  /// Takes over the values of parameters. False: they are not the same ones, or vary in space otherwise.
+  /// Adopts new parameter values. Returns false if the set of parameters differs, or if a parameter's
+  /// spatial variation differs.
   [[nodiscard]] bool retune(const ReactionParameters& now);
 
   [[nodiscard]] const ReactionParameters& parameters() const { return parameters_; }
   [[nodiscard]] const Rule& rule() const { return rule_; }
   [[nodiscard]] const RuleProgram& program() const { return program_; }
-  /// Of a plane.
+  /// Returns the strokes of a plane.
   [[nodiscard]] const Strokes& strokes() const { return strokes_; }
-  /// Of a mesh; null: there is none.
+  /// Returns the links between a mesh's cells; null on grids.
   [[nodiscard]] const RuleLinks* links() const { return onMesh_ ? &links_ : nullptr; }
-  /// Of the cells of a mesh on other objects' fields; empty on grids.
+  /// Returns the positions of a mesh's cells on other objects' fields; empty on grids.
   [[nodiscard]] const std::vector<glm::ivec2>& places() const { return places_; }
-  /// The mesh, and its cells.
+  /// mesh() returns the mesh, cells() its cells.
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
   [[nodiscard]] const MeshCells& cells() const { return cells_; }
   [[nodiscard]] unsigned noiseSeed() const { return static_cast<unsigned>(seed_) * 2246822519U; }
-  /// Of each species beyond fixed edges.
+  /// Returns each species' value beyond fixed edges.
   [[nodiscard]] std::vector<float> edges() const;
 
-  /// A field with the first state in `stage`, room in all others, and the maps.
+  /// Returns a field with the initial state in `stage`, space in all other arrays, and the maps.
   [[nodiscard]] RuleField firstField() const;
-  /// What ToldPlaces names, in the frame that starts at `time` (s); the model's own time is 0.
+  /// Returns the values listed in ToldPlaces for the frame that starts at `time` (seconds); the model's own
+  /// time is 0.
   [[nodiscard]] std::vector<float> valuesAt(double time) const;
-  /// Steps of time up to `time` (s) of the scene, from its second 0.
+  /// Returns the number of steps from scene time 0 to `time` (seconds).
   [[nodiscard]] long stepAt(double time) const;
-  /// The model's time (units of time) at a step and `later`, a share of one; `first`: the number of the
-  /// first state, before the presteps.
+  /// Returns the model's time, in units of time, `later` (a fraction of a step) after step `step`. `first`:
+  /// step number of the initial state, before the presteps.
   [[nodiscard]] float modelTime(long step, long first, double later) const;
   struct Painted {
     shader::Stroke stroke;
     int species;
-    Brush brush;  ///< of a volume, in cells, or a mesh, as ReactionPlan::firstField has its cells' places
+    Brush brush;  ///< Brush in a volume (in cells) or on a mesh (in the cell coordinates of firstField()).
   };
-  /// Strokes that paint into the state after `step` steps of the frame that starts at `time` (s).
+  /// Returns the strokes that paint into the state after `step` steps of the frame that starts at `time`
+  /// (seconds).
   [[nodiscard]] std::vector<Painted> strokesAt(double time, int step) const;
 
  private:
@@ -72,7 +75,7 @@ class ReactionPlan {
   MeshCells cells_;
   RuleLinks links_;
   std::vector<glm::ivec2> places_;
-  double perMetre_ = 1;  ///< units of length, on a mesh
+  double perMetre_ = 1;  ///< Units of length per metre, on a mesh.
   int seed_;
   double frameSeconds_;
   Rule rule_;
@@ -80,13 +83,13 @@ class ReactionPlan {
   Strokes strokes_;
 };
 
-/// A step of the CPU twin: `number` of the step, `first`: that of the first state; `values` from
-/// ReactionPlan::valuesAt.
+/// Computes a step of the CPU twin. `number`: the step's number; `first`: step number of the initial state;
+/// `values`: from ReactionPlan::valuesAt.
 void evaluateStep(const ReactionPlan& plan, std::vector<float> values, long number, long first,
                   RuleField& field);
-/// A stroke in a volume or on a mesh.
+/// Applies a stroke in a volume or on a mesh.
 void evaluateBrush(const ReactionPlan::Painted& painted, RuleField& field);
-/// What is shown of the state in field.stage, which step `number` begins with.
+/// Returns the displayed values of the state in field.stage, the state before step `number`.
 [[nodiscard]] std::vector<float> evaluateShown(const ReactionPlan& plan, std::vector<float> values,
                                                long number, long first, RuleField& field);
 

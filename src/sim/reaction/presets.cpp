@@ -6,7 +6,8 @@ namespace simreel::sim {
 
 namespace {
 
-/// Excited in a quarter, beside what still rests: fronts whose ends curl up.
+/// Initial state with one excited quarter beside a resting region: its fronts curl up at their ends into
+/// spirals.
 constexpr const char* crossedU = "if(x > 0.5*width, if(y < 0.5*height, 1, 0), 0)";
 
 }  // namespace

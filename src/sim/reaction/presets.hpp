@@ -6,10 +6,10 @@
 
 namespace simreel::sim {
 
-/// Equations by name.
+/// Named set of equations.
 struct ReactionPreset {
   const char* name;
-  const char* source;  ///< where they are from
+  const char* source;  ///< Publication that defines the equations.
   struct Species {
     const char* name;
     float diffusion;
@@ -23,17 +23,17 @@ struct ReactionPreset {
   double dt;
   int steps;
   RuleMethod method = RuleMethod::euler;
-  const char* show = "";  ///< empty: the first species
+  const char* show = "";  ///< Expression to display; empty: the first species.
   const char* map;
-  double low, high;  ///< of the colours
+  double low, high;  ///< Values at the ends of the colour map.
 
-  /// Puts them in.
+  /// Sets the parameters to this preset.
   void apply(ReactionParameters& parameters) const;
 };
 
 [[nodiscard]] std::span<const ReactionPreset> reactionPresets();
 
-/// All of them as simreel list shows them: equations as C would have them, parameters, source.
+/// Returns the text of `simreel list` for all presets: equations in C syntax, parameters, source.
 [[nodiscard]] std::string reactionPresetsText();
 
 }  // namespace simreel::sim

@@ -114,7 +114,7 @@ class Reaction : public Simulation, public FrameStarter, public Retunable {
     field.colors = &colors_;
     field.display = p.space() == RuleSpace::plane ? &p.display : nullptr;
     drawables.fields.push_back(field);
-    // For files only.
+    // Fields for files, not drawn over the picture.
     field.words = &kernels_.words();
     field.display = nullptr;
     for (std::size_t i = 0; i < speciesNames_.size(); ++i) {
@@ -139,7 +139,7 @@ class Reaction : public Simulation, public FrameStarter, public Retunable {
 
   void carryOver(CarryOver& carry) override {
     carry.array("cells", kernels_.cells().buffer());
-    // What is shown may tell of them.
+    // The displayed value may depend on the fields read from other objects.
     if (plan_.parameters().readsFields()) carry.array("fields", kernels_.maps().buffer());
   }
   [[nodiscard]] std::vector<StateArray> state() const override {
@@ -176,7 +176,7 @@ class Reaction : public Simulation, public FrameStarter, public Retunable {
     }
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
     const double mostOf = *most, leastOf = *least;
-    if (isVolume()) {  // its wavelength in the layer in the middle
+    if (isVolume()) {  // The wavelength is measured in the middle layer.
       const glm::ivec2 size = plan_.parameters().size;
       const auto layer = static_cast<std::ptrdiff_t>(size.x) * size.y;
       values.erase(values.begin(), values.begin() + layer * (plan_.parameters().depth / 2));
@@ -188,7 +188,7 @@ class Reaction : public Simulation, public FrameStarter, public Retunable {
 
  private:
   [[nodiscard]] bool isVolume() const { return plan_.parameters().space() == RuleSpace::volume; }
-  /// Of a plane: of all layers.
+  /// Returns the total number of rows of cells in all layers.
   [[nodiscard]] int rows() const { return plan_.parameters().size.y * plan_.parameters().depth; }
   [[nodiscard]] std::string placeName(long x, long row) const {
     const long height = plan_.parameters().size.y;
@@ -205,7 +205,7 @@ class Reaction : public Simulation, public FrameStarter, public Retunable {
     return {&kernels_.wordsOf(plane), row, row * rows() * plane.plane};
   }
 
-  /// Species in the table beside the frames.
+  /// Returns the number of species in the table beside the frames.
   [[nodiscard]] int counted() const {
     return std::min(static_cast<int>(plan_.parameters().species.size()), 4);
   }
@@ -221,7 +221,7 @@ class Reaction : public Simulation, public FrameStarter, public Retunable {
     for (int i = 0; i < species; ++i)
       countNames_.push_back("most_" + p.species[static_cast<std::size_t>(i)].name);
   }
-  /// What is drawn and counted of the present state, which is that of a time (s).
+  /// Computes the displayed and counted values of the current state, which belongs to `time` (seconds).
   void look(double time) {
     kernels_.show(now_, first_);
     const ReactionParameters& p = plan_.parameters();
@@ -252,7 +252,8 @@ class Reaction : public Simulation, public FrameStarter, public Retunable {
     now_ = plan_.stepAt(time);
     kernels_.setValues(plan_.valuesAt(time));
     const long begin = now_;
-    int together = 0;  // steps that nobody looks between
+    int together = 0;  // Number of steps that can run without stopping, because nothing observes the states
+                       // between them.
     const auto go = [&] {
       kernels_.advance(now_, together, first_);
       now_ += std::exchange(together, 0);
@@ -272,7 +273,7 @@ class Reaction : public Simulation, public FrameStarter, public Retunable {
     gl::barrier();
   }
 
-  /// In pieces that take a moment each, so that they can be watched and ended.
+  /// Runs the presteps in short batches, so that progress can be reported and the run can be interrupted.
   void prestep(const Setting& setting) {
     const int total = plan_.parameters().presteps;
     constexpr int piece = 32;
@@ -286,7 +287,8 @@ class Reaction : public Simulation, public FrameStarter, public Retunable {
     }
   }
 
-  /// Layers of the object whose field it is; first called while the scene's objects are made.
+  /// Returns the number of layers of the object that owns a field. The first call happens while the scene's
+  /// objects are created.
   int layersOf(const std::string& field) {
     const std::string object = PartName(field).object;
     const auto [layers, isNew] = layersOf_.try_emplace(object, 1);
@@ -301,19 +303,19 @@ class Reaction : public Simulation, public FrameStarter, public Retunable {
   scene::Material material_;
   double frameSeconds_;
   const Links* links_;
-  bool hasRead_ = false;                 ///< fields of others, ever
-  std::map<std::string, int> layersOf_;  ///< of objects that it reads
+  bool hasRead_ = false;                 ///< True once fields of other objects have been read.
+  std::map<std::string, int> layersOf_;  ///< Layer counts of the objects whose fields are read.
   std::vector<std::string> speciesNames_;
   ReactionPlan plan_;
   ReactionKernels kernels_;
   std::vector<glm::vec3> colors_;
   Tally tally_;
   gl::Kernel<ReactionSums> sums_;
-  std::optional<Isosurface> isosurface_;  ///< of a volume
-  std::optional<PaintedMesh> painted_;    ///< of a mesh
+  std::optional<Isosurface> isosurface_;  ///< Isosurface of a volume; empty for planes and meshes.
+  std::optional<PaintedMesh> painted_;    ///< Coloured mesh, if the cells are the vertices of a mesh.
   std::vector<std::string> countNames_;
-  long first_, now_;  ///< numbers of steps: of the first state, and of the present
-  double shownTime_;  ///< s, of what is drawn
+  long first_, now_;  ///< Step numbers of the initial and of the current state.
+  double shownTime_;  ///< Time in seconds of the displayed state.
 };
 
 }  // namespace

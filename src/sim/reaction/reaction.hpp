@@ -3,8 +3,8 @@
 
 namespace simreel::sim {
 
-/// Equations of one's own on a grid: a plane of cells for each species. Publishes what is shown as a field,
-/// and each species, called NAME.species, for files.
+/// Returns the kind "reaction": user-defined equations with one plane of cells per species. Publishes the
+/// displayed value as a field, and each species as a field NAME.species for files.
 [[nodiscard]] SimulationKind reactionKind();
 
 }  // namespace simreel::sim

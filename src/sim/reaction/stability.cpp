@@ -11,15 +11,16 @@ namespace simreel::sim {
 namespace {
 
 constexpr int probeSide = 4;
-/// Steps after which the fastest wave stands out, and those over which it is measured.
+/// Number of iterations until the fastest-growing wave dominates, and number of iterations over which its
+/// growth is measured.
 constexpr int probeTurns = 24, probeMeasured = 24;
-/// Height of the waves, of the state.
+/// Height of the waves relative to the state.
 constexpr double probeHeight = 1e-4;
-/// Logarithm of a growth that is let pass: what turns in circles grows a little by Euler's method, until
-/// the equations bend.
+/// Tolerated logarithm of the growth. Oscillations grow slightly under Euler's method until nonlinear terms
+/// limit them.
 constexpr double probeAllowed = 0.08;
 
-/// Steps near a state that is the same in all cells.
+/// Computes steps of small perturbations around a state that is equal in all cells.
 class StepProbe {
  public:
   StepProbe(const ReactionPlan& plan, const RulePlanes& first, std::size_t cell)
@@ -41,7 +42,7 @@ class StepProbe {
     height_ = probeHeight * (greatest > 0 ? greatest : 1);
   }
 
-  /// Logarithm of the growth of the fastest wave in a step, by power iteration.
+  /// Returns the logarithm of the fastest wave's growth per step, by power iteration.
   [[nodiscard]] double growth(double dt) const {
     const RulePlanes end = stepped(field_.stage, dt);
     RulePlanes wave = field_.stage;
@@ -93,7 +94,8 @@ class StepProbe {
   double height_ = probeHeight;
 };
 
-/// Steps are halved three times, and until they change little: what grows then does so by the equations.
+/// Halves the step at least three times, and further until the growth per step is small. The growth at the
+/// smallest step is attributed to the equations themselves.
 std::optional<StepGrowth> unstableNear(const StepProbe& probe, double dt) {
   constexpr double little = 0.3;
   std::vector<double> growths = {probe.growth(dt)};

@@ -5,16 +5,17 @@
 
 namespace simreel::sim {
 
-/// How the fastest of all small waves grows.
+/// Growth of the fastest-growing small wave.
 struct StepGrowth {
-  double step = 1;       ///< times a step
-  double equations = 1;  ///< and in the same time by the equations alone
-  double dt = 0;         ///< units of time: a step that is found to follow them
+  double step = 1;  ///< Factor by which one step multiplies the wave's height.
+  double equations =
+      1;          ///< Factor by which the exact equations multiply the wave's height over the same time.
+  double dt = 0;  ///< Step size, in units of time, that follows the equations.
 };
 
-/// Whether steps make small waves grow that the equations do not, as far as three of the first state's
-/// cells tell, each of them everywhere on a torus of 4 cells each way; nothing where they do not, and of
-/// meshes and automata.
+/// Tests whether steps amplify small waves that the equations do not amplify. Samples three cells of the
+/// initial state; each cell's values fill a small periodic grid of 4 cells per axis. Returns nothing if the
+/// steps are stable, and always for meshes and automata.
 [[nodiscard]] std::optional<StepGrowth> unstableSteps(const ReactionPlan& plan, const RulePlanes& first);
 
 }  // namespace simreel::sim

@@ -18,19 +18,20 @@ struct FloatMove;
 struct FloatPress;
 struct FloatShow;
 
-/// Bodies that float, on the GPU.
+/// Floating bodies on the GPU and the kernels that move them.
 class FloatKernels {
  public:
-  /// `plan` outlives this; there is one body at least.
+  /// `plan` must outlive this object and must have at least one body.
   FloatKernels(const std::string& name, const WaterPlan& plan, bool fast);
 
-  /// What the first state's bodies displace, from which later steps go on.
+  /// Computes the water that the bodies displace in the initial state; later steps continue from it.
   void begin(const gl::Vec4Array& cells, const gl::Buffer& status) { step(-1, cells, status); }
-  /// What the frame that starts at `time` (s) is told.
+  /// Uploads the bodies' parameters for the frame that starts at `time` (seconds).
   void startFrame(double time);
-  /// Step `index` of the frame, from 0, after that of the water: moves bodies and water.
+  /// Runs step `index` (from 0) of the frame, after the water's step: moves the bodies and applies their
+  /// effect on the water.
   void step(int index, const gl::Vec4Array& cells, const gl::Buffer& status);
-  /// Makes what is drawn.
+  /// Computes the drawn vertices of the bodies.
   void show() const;
   void publish(Drawables& drawables) const;
   void carryOver(CarryOver& carry);
@@ -38,21 +39,23 @@ class FloatKernels {
   [[nodiscard]] const gl::Buffer& state() const { return bodies_[0].buffer(); }
 
  private:
-  /// What is drawn of a body.
+  /// Drawing data of one body.
   struct Drawn {
     Drawn(const std::string& name, const Hull& hull);
     MeshTopology topology;
     gl::Vec4Array rest, restNormals, positions, normals;
-    std::shared_ptr<const MovingLooks> looks;  ///< bodies of one file share them
+    std::shared_ptr<const MovingLooks>
+        looks;  ///< Material textures; shared by bodies that use the same file.
     int count;
     bool doubleSided = false;
   };
 
   const WaterPlan* plan_;
   std::vector<Drawn> drawn_;
-  gl::Vec4Array bodies_[2];  ///< now, and where the next step writes
+  gl::Vec4Array bodies_[2];  ///< Current state, and the output of the next step.
   gl::Vec4Array points_, told_;
-  /// Four numbers a cell: units of depth and discharge that come, and the depth that is displaced.
+  /// Four integers per cell: increments of depth and of discharge along x and z in fixed-point units, and
+  /// the displaced depth.
   gl::Buffer sums_;
   StepBlocks<shader::FloatStep> steps_;
   gl::Kernel<FloatMove> move_;

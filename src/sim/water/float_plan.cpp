@@ -16,12 +16,13 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr double waterDensity = 1000;       ///< kg/m^3, of water
-constexpr double flowFineness = 268435456;  ///< of discharge: what single points add is small
-constexpr double fineness = 4194304;        ///< units of depth and discharge in the greatest there is
-constexpr int largestReach = 1024;          ///< cells
+constexpr double waterDensity = 1000;       ///< Density of water in kg/m^3.
+constexpr double flowFineness = 268435456;  ///< Number of fixed-point units in the maximum discharge; large
+                                            ///< because single points contribute little.
+constexpr double fineness = 4194304;        ///< Number of fixed-point units in the maximum depth.
+constexpr int largestReach = 1024;  ///< Maximum width, in cells, of the window of cells under a body.
 
-/// The power of two that is at most `x`.
+/// Returns the largest power of two that is at most `x`.
 double powerBelow(double x) {
   double unit = 1;
   while (unit > x) unit *= 0.5;
@@ -29,7 +30,7 @@ double powerBelow(double x) {
   return unit;
 }
 
-/// The quaternion of a rotation matrix.
+/// Returns the quaternion (x, y, z, w) of a rotation matrix.
 glm::vec4 quaternionOf(const glm::mat4& m) {
   const double trace = static_cast<double>(m[0][0]) + m[1][1] + m[2][2];
   glm::dvec4 q;
@@ -65,8 +66,9 @@ std::vector<Hull> FloatPlan::hullsOf(const WaterParameters& water, const std::st
   return hulls;
 }
 
-// What lies on the ground sinks in by g dt^2 / (0.25 s) where a share s of it touches, some 3 %; that is to
-// be a twentieth of its height or a quarter of a cell.
+// A body resting on the ground sinks in by g dt^2 / (0.25 s), where s is the fraction of its points in
+// contact, about 3%. The step limits the sinking depth to 1/20 of the body's height or to a quarter of a
+// cell, whichever is larger.
 double FloatPlan::longestStep(const WaterParameters& water, const std::vector<Hull>& hulls) {
   double seconds = 1e9;
   for (const Hull& hull : hulls) {
@@ -76,7 +78,8 @@ double FloatPlan::longestStep(const WaterParameters& water, const std::vector<Hu
   return seconds;
 }
 
-// The slowest wave between walls takes two lengths of the grid, omega = pi c / length; omega T = 2.
+// The slowest standing wave between walls has a wavelength of twice the grid's length, so omega = pi c /
+// length. T satisfies omega T = 2.
 double FloatPlan::followSeconds(const WaterParameters& water, double depth) {
   const double length = std::max(water.size.x, water.size.y) * static_cast<double>(water.cell);
   return 2 * length / (std::numbers::pi * std::sqrt(water.gravity * depth));
@@ -121,7 +124,7 @@ void FloatPlan::describeStep(const WaterParameters& water, double dt, double dep
   s.count = static_cast<int>(floats_.size());
 }
 
-/// Between two walls, where it starts.
+/// Warns if the body, in its initial rotation, is wider than the distance between two opposite walls.
 void FloatPlan::warnIfWider(const WaterParameters& water, const std::string& name,
                             std::size_t index) const {
   const glm::mat4 turned = rotationMatrix(floats_[index].rotation);
@@ -154,7 +157,7 @@ void FloatPlan::addBody(const WaterParameters& water, const std::string& name, s
   warnIfWider(water, name, index);
   const auto inverse = hull.inverseInertia();
   const double lighter = waterDensity * hull.volume / hull.mass;
-  // By Cauchy a body's mean shadow is a quarter of its surface.
+  // By Cauchy's formula, the mean projected area of a convex body is a quarter of its surface area.
   const double perLength = 0.25 * hull.area / hull.volume;
   const double followed = step_.dt / followSeconds(water, depth);
   shader::FloatTold t{};
@@ -176,11 +179,11 @@ void FloatPlan::addBody(const WaterParameters& water, const std::string& name, s
                 hull.mass / (hull.outline * waterDensity));
   t.reach = four(reach, std::min(0.25, followed), body.friction, 0);
   told_.push_back(t);
-  // The state at the start.
+  // Computes the body's initial state.
   const glm::mat4 turned = rotationMatrix(body.rotation);
   const glm::vec3 middle = glm::vec3(turned * glm::vec4(glm::vec3(hull.middle), 0));
   const glm::dvec3 spin = glm::dvec3(body.spin) * 0.017453292519943295;
-  glm::dvec3 own(0);  // in the body's space
+  glm::dvec3 own(0);  // Angular velocity in the body's local space, then angular momentum.
   for (int axis = 0; axis < 3; ++axis)
     for (int row = 0; row < 3; ++row) own[axis] += static_cast<double>(turned[axis][row]) * spin[row];
   own = times(hull.inertia, own);

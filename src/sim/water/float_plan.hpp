@@ -15,31 +15,33 @@ static_assert(sizeof(FloatStep) == 96 && sizeof(FloatTold) == 16 * floatToldTexe
 
 namespace simreel::sim {
 
-/// What bodies that float are told; shared by the GPU simulation and its CPU twin.
+/// CPU-side setup of floating bodies; shared by the GPU simulation and its CPU twin.
 class FloatPlan {
  public:
   FloatPlan() = default;
-  /// The bodies of a water, whose name is of messages. Throws what Hull throws.
+  /// Builds the hulls of a water's floating bodies. `object`: name for messages. Throws the errors of Hull.
   [[nodiscard]] static std::vector<Hull> hullsOf(const WaterParameters& water, const std::string& object);
-  /// In which these (s) lie on the ground as they should.
+  /// Returns the maximum step in seconds for which bodies rest on the ground without sinking in too far.
   [[nodiscard]] static double longestStep(const WaterParameters& water, const std::vector<Hull>& hulls);
-  /// Seconds in which each stage of a reference level follows the one before (glsl/water/float_model.glsl).
+  /// Returns the time constant in seconds of each stage of the reference level's low-pass filter
+  /// (glsl/water/float_model.glsl).
   [[nodiscard]] static double followSeconds(const WaterParameters& water, double depth);
-  /// `cells`: WaterPlan::firstCells(), or none, where first() is no matter; `depth`: the water's greatest
-  /// (m). Throws usage for a body that reaches over too many cells.
+  /// `cells`: WaterPlan::firstCells(), or empty if first() is not needed. `depth`: maximum water depth in
+  /// metres. Throws UserError(usage) for a body that covers too many cells.
   FloatPlan(const WaterParameters& water, const std::string& object, std::vector<Hull> hulls,
             double frameSeconds, int substeps, double depth, const std::vector<glm::vec4>& cells);
 
   [[nodiscard]] bool empty() const { return hulls_.empty(); }
   [[nodiscard]] const std::vector<Hull>& hulls() const { return hulls_; }
-  /// Of each body in turn: Hull::points, and the probes and nodes of Hull::touched.
+  /// Returns, for each body in turn: Hull::points, then the probes and nodes of Hull::touched.
   [[nodiscard]] const std::vector<glm::vec4>& points() const { return points_; }
-  /// floatTexels a body.
+  /// Returns the initial state: floatTexels elements per body.
   [[nodiscard]] const std::vector<glm::vec4>& first() const { return first_; }
   [[nodiscard]] shader::FloatStep step() const { return step_; }
-  /// What the frame that starts at `time` (s) is told: floatToldTexels a body.
+  /// Returns the bodies' parameters for the frame that starts at `time` (seconds): floatToldTexels elements
+  /// per body.
   [[nodiscard]] std::vector<glm::vec4> toldAt(double time) const;
-  /// Cells along a side of the largest window.
+  /// Returns the width in cells of the largest body's window.
   [[nodiscard]] int side() const { return side_; }
 
  private:

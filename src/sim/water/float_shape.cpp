@@ -9,9 +9,9 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr int longestNodes = 32;   ///< steps along the longest side
-constexpr int margin = 2;          ///< steps around it
-constexpr int longestProbes = 20;  ///< distances of probes along the longest side
+constexpr int longestNodes = 32;   ///< Number of lattice steps along the longest side.
+constexpr int margin = 2;          ///< Number of lattice steps added on each side of the body.
+constexpr int longestProbes = 20;  ///< Number of probe spacings along the longest side.
 
 double dot(const glm::dvec3& a, const glm::dvec3& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
@@ -25,20 +25,21 @@ std::size_t placeIn(const glm::ivec3& counts, int x, int y, int z) {
          static_cast<std::size_t>(x);
 }
 
-/// The nearest face of each node of a lattice.
+/// Nearest mesh face of each lattice node.
 class NearestFaces {
  public:
   NearestFaces(const ClosedMesh& mesh, const glm::dvec3& low, double step, const glm::ivec3& counts)
       : mesh_(mesh), low_(low), step_(step), counts_(counts), found_(placeIn(counts, 0, 0, counts.z)) {
     for (std::size_t i = 0; i < mesh.faces.size(); ++i) note(i);
-    // Faces go from node to node, both ways along each axis, until all nodes have the nearest one.
+    // Propagates faces from node to node, in both directions along each axis, until each node has its
+    // nearest face.
     for (int round = 0; round < 2; ++round) {
       spread(1);
       spread(-1);
     }
   }
   [[nodiscard]] glm::dvec3 at(int x, int y, int z) const { return low_ + step_ * glm::dvec3(x, y, z); }
-  /// Normal and signed distance.
+  /// Returns the normal in xyz and the signed distance in w.
   [[nodiscard]] glm::vec4 distance(int x, int y, int z) const {
     const glm::dvec3 p = at(x, y, z);
     const NearestOnFace nearest = nearestOnFace(mesh_.faces[found_[placeIn(counts_, x, y, z)].face], p);
@@ -97,7 +98,7 @@ class NearestFaces {
   std::vector<Found> found_;
 };
 
-/// Places of the surface, corners first, one to each cube of a lattice.
+/// Samples points of the surface, corners first, at most one per cube of a lattice.
 std::vector<glm::vec4> probesOf(const ClosedMesh& mesh, const glm::dvec3& middle, double apart) {
   const glm::ivec3 cubes = glm::ivec3(glm::floor((mesh.high - mesh.low) / apart)) + 1;
   std::vector<bool> taken(placeIn(cubes, 0, 0, cubes.z));
@@ -143,7 +144,7 @@ FloatShape::FloatShape(const ClosedMesh& mesh, const glm::dvec3& middle) {
   probes = probesOf(mesh, middle, longest / longestProbes);
 }
 
-// Ericson, "Real-Time Collision Detection" 5.1.5.
+// Ericson, "Real-Time Collision Detection", section 5.1.5.
 NearestOnFace nearestOnFace(const ClosedMesh::Face& face, const glm::dvec3& p) {
   const glm::dvec3 a(face.corners[0]), b(face.corners[1]), c(face.corners[2]);
   const auto normal = [&](int i) { return glm::dvec3(face.normals[static_cast<std::size_t>(i)]); };

@@ -8,27 +8,28 @@
 
 namespace simreel::sim {
 
-/// What other floats touch of a float, in its own space, from its middle of mass: a sphere, or signed
-/// distances to its surface on a lattice, and probes spread over that. Made in double arithmetic without
-/// libm.
+/// Contact shape of a floating body in its local space, relative to the centre of mass: either a sphere, or
+/// a lattice of signed distances to its surface with probe points on the surface. Computed in double
+/// arithmetic without libm.
 struct FloatShape {
   FloatShape() = default;
-  /// A sphere (m).
+  /// Sphere of the given radius in metres.
   explicit FloatShape(double radius);
-  /// A closed mesh; `middle`: of the mass, in its coordinates.
+  /// Closed mesh. `middle`: centre of mass in mesh coordinates.
   FloatShape(const ClosedMesh& mesh, const glm::dvec3& middle);
 
-  double radius = 0;              ///< m, of a sphere; 0: a mesh
-  std::vector<glm::vec4> probes;  ///< place (m), radius (m)
-  /// x fastest: the unit normal of the nearest place of the surface, distance (m), negative within.
+  double radius = 0;              ///< Radius in metres of a sphere; 0 for a mesh.
+  std::vector<glm::vec4> probes;  ///< Position (metres) in xyz, radius (metres) in w.
+  /// Lattice nodes, x fastest: xyz is the unit normal at the nearest point of the surface, w the signed
+  /// distance (metres), negative inside.
   std::vector<glm::vec4> nodes;
-  glm::dvec3 low{0};  ///< m: of the first node
-  double step = 1;    ///< m between nodes
+  glm::dvec3 low{0};  ///< Position of the first node in metres.
+  double step = 1;    ///< Distance between nodes in metres.
   glm::ivec3 counts{0};
 };
 
-/// The place of a face that is nearest to `p`, and the pseudonormal there (Baerentzen and Aanaes 2005): the
-/// side of it that p is on is the side of the mesh.
+/// Point of a face nearest to `p`, and the pseudonormal at that point (Baerentzen and Aanaes 2005): the
+/// sign of its dot product with the offset to `p` tells whether `p` is outside the mesh.
 struct NearestOnFace {
   glm::dvec3 place{0}, normal{0};
 };

@@ -13,45 +13,48 @@ namespace simreel::sim {
 
 enum class WaterFloatShape { ball, box, file };
 
-/// A line that pulls a float along.
+/// Tow line that pulls a floating body along a path.
 struct FloatTow {
-  scene::Animated<glm::vec3> position = glm::vec3(0);  ///< m from the grid's middle (y unused)
-  bool turns = true;                                   ///< the float's z along its way
-  float pull = 2;                                      ///< 1/s
+  scene::Animated<glm::vec3> position =
+      glm::vec3(0);   ///< Position in metres relative to the grid's centre (y unused).
+  bool turns = true;  ///< True if the body's z axis is turned along the path.
+  float pull = 2;     ///< Rate in 1/s at which the body approaches the tow position.
 };
 
-/// A body that floats on the water and pushes it, as a scene says it.
+/// Scene parameters of a body that floats on the water and pushes it.
 struct WaterFloat {
   WaterFloatShape shape = WaterFloatShape::ball;
-  float radius = 0.3F;          ///< m, of a ball
-  glm::vec3 size{1, 0.4F, 2};   ///< m, of a box
-  std::filesystem::path file;   ///< of a closed mesh
-  float scale = 1;              ///< factor on the coordinates of files
-  std::filesystem::path drawn;  ///< mesh that is drawn in place of the shape; may be open
-  float density = 500;          ///< kg/m^3
-  std::optional<double> mass;   ///< kg, instead
-  glm::vec3 ballast{0};         ///< m from the volume's middle to that of the mass
-  glm::vec3 position{0};        ///< m from the grid's middle, y over level 0: of the shape's origin
-  glm::vec3 rotation{0};        ///< degrees
-  glm::vec3 velocity{0};        ///< m/s
-  glm::vec3 spin{0};            ///< degrees/s about x, y, z
-  float drag = 0.2F;            ///< 1/s of a body as dense as the water
-  float resistance = 0.5F;      ///< coefficient of the quadratic drag
-  float keel = 1;               ///< factor on both sideways
-  float air = 0;                ///< 1/s at which it loses speed in the air
-  float friction = 0.4F;        ///< Coulomb's coefficient on the ground and on others
-  std::optional<double> apart;  ///< m: radius of the sphere that others touch in its place
-  scene::Animated<float> thrust = 0.0F;    ///< N along its z
-  scene::Animated<float> steering = 0.0F;  ///< N m about its y
+  float radius = 0.3F;          ///< Radius of a ball in metres.
+  glm::vec3 size{1, 0.4F, 2};   ///< Size of a box in metres.
+  std::filesystem::path file;   ///< File of a closed mesh.
+  float scale = 1;              ///< Factor on the coordinates of mesh files.
+  std::filesystem::path drawn;  ///< Mesh drawn instead of the shape; it may be open.
+  float density = 500;          ///< Density of the body in kg/m^3.
+  std::optional<double> mass;   ///< Mass of the body in kg; if set, replaces `density`.
+  glm::vec3 ballast{0};         ///< Offset in metres from the centre of volume to the centre of mass.
+  glm::vec3 position{0};  ///< Position of the shape's origin in metres, relative to the grid's centre; y is
+                          ///< relative to level 0.
+  glm::vec3 rotation{0};  ///< Initial rotation in degrees.
+  glm::vec3 velocity{0};  ///< Initial velocity in m/s.
+  glm::vec3 spin{0};      ///< Initial angular velocity about x, y, z in degrees/s.
+  float drag = 0.2F;      ///< Linear drag in 1/s, for a body with the density of water.
+  float resistance = 0.5F;  ///< Coefficient of the quadratic drag.
+  float keel = 1;           ///< Factor on linear and quadratic drag sideways (along local x).
+  float air = 0;            ///< Rate in 1/s at which the body loses speed in air.
+  float friction = 0.4F;    ///< Coulomb friction coefficient on the ground and against other bodies.
+  std::optional<double>
+      apart;  ///< Radius in metres of a sphere that replaces the shape in contact with other bodies.
+  scene::Animated<float> thrust = 0.0F;    ///< Thrust in N along local z.
+  scene::Animated<float> steering = 0.0F;  ///< Torque in N m about local y.
   std::optional<FloatTow> tow;
-  scene::Material material;                         ///< colour, roughness, metal and texture of it
-  std::set<std::string, std::less<>> materialKeys;  ///< keys of the material that the scene gives
+  scene::Material material;  ///< Colour, roughness, metalness and texture of the body.
+  std::set<std::string, std::less<>> materialKeys;  ///< Material keys that the scene sets explicitly.
 
   WaterFloat();
   void describe(scene::Fields& fields);
-  /// Of the mesh that is drawn; empty: it is made.
+  /// Returns the mesh file to draw; empty if the mesh is generated.
   [[nodiscard]] const std::filesystem::path& drawnFile() const { return drawn.empty() ? file : drawn; }
-  /// As an object of its own, for what it looks like.
+  /// Returns the body as a separate scene object, used to determine its appearance.
   [[nodiscard]] scene::Object shownAs(const std::string& name) const;
 };
 

@@ -8,14 +8,14 @@
 
 namespace simreel::sim {
 
-/// The height (m) up to which walls at sides stand at least, a little beyond the water.
+/// Returns the minimum height (metres) of the drawn walls at the grid's sides, slightly above the water.
 [[nodiscard]] float groundRim(const WaterPlan& plan);
 
-/// Numbers of groundPalette as half floats, a cell each, filled up to whole words.
+/// Returns indices into groundPalette as half floats, one per cell, padded to whole 32-bit words.
 [[nodiscard]] std::vector<std::uint16_t> groundColors(const WaterPlan& plan);
 
-/// Linear RGB: the ground's colour, lighter and darker in patches, and darker where the first state's water
-/// wets it.
+/// Returns linear RGB shades of the ground's colour: lighter and darker patches, in several degrees of
+/// wetness (wetter is darker).
 [[nodiscard]] std::vector<glm::vec4> groundPalette(const WaterPlan& plan);
 
 }  // namespace simreel::sim

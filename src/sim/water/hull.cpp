@@ -14,11 +14,12 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr int raysAcross = 4;         ///< of a cuboid, along x and along z
-constexpr int longestCuboids = 48;    ///< along the longest side
-constexpr double fewestPoints = 600;  ///< of the box around, where its longest side allows
+constexpr int raysAcross = 4;       ///< Number of rays per cuboid along x and along z.
+constexpr int longestCuboids = 48;  ///< Maximum number of cuboids along the longest side.
+constexpr double fewestPoints =
+    600;  ///< Minimum number of cuboids in the bounding box, unless limited by longestCuboids.
 
-/// Heights at which a line along y goes in and out, ascending.
+/// Returns, in ascending order, the heights at which a vertical line enters and leaves the body.
 using Crossings = std::function<std::vector<double>(std::size_t column)>;
 
 Mesh boxMesh(const glm::vec3& size) {
@@ -40,7 +41,7 @@ Mesh boxMesh(const glm::vec3& size) {
         mesh.normals.push_back(normal);
         mesh.uvs.emplace_back(0.5F + 0.5F * a, 0.5F - 0.5F * b);
       }
-      const unsigned turn = side > 0 ? 0 : 2;  // corners 1 and 3 change places
+      const unsigned turn = side > 0 ? 0 : 2;  // Swaps corners 1 and 3, which reverses the winding.
       for (const unsigned i : {0U, 1U + turn, 2U, 0U, 2U, 3U - turn}) mesh.indices.push_back(first + i);
     }
   return mesh;
@@ -70,16 +71,19 @@ ClosedMesh closedOf(const Mesh& mesh, const std::string& name) {
   }
 }
 
-/// Lines along y, raysAcross^2 to each column of cuboids.
+/// Vertical lines, raysAcross^2 per column of cuboids.
 struct Rays {
   glm::dvec3 low, step;
   int across, down;
 
-  [[nodiscard]] double x(int i) const { return low.x + (i + 0.50003) * step.x; }  // beside any edge
+  [[nodiscard]] double x(int i) const {
+    return low.x + (i + 0.50003) * step.x;
+  }  // Rays are offset from the centres by a small odd fraction, so that they do not hit mesh edges
+     // exactly.
   [[nodiscard]] double z(int j) const { return low.z + (j + 0.49996) * step.z; }
 };
 
-/// Where the lines meet the faces.
+/// Returns the sorted heights at which each line crosses the mesh's faces.
 std::vector<std::vector<double>> crossed(const Rays& rays, const ClosedMesh& mesh) {
   std::vector<std::vector<double>> heights(static_cast<std::size_t>(rays.across) *
                                            static_cast<std::size_t>(rays.down));
@@ -121,7 +125,8 @@ std::vector<std::vector<double>> crossedBall(const Rays& rays, double radius) {
   return heights;
 }
 
-/// Cuboids along each side of a box: the longest has as few as make it fewestPoints in all.
+/// Returns the number of cuboids along each side of a box: the smallest numbers that give at least
+/// fewestPoints cuboids in all.
 glm::ivec3 cuboidsOf(const glm::dvec3& extent) {
   const double longest = std::max({extent.x, extent.y, extent.z});
   glm::ivec3 counts(1);
@@ -190,7 +195,7 @@ Hull::Hull(const WaterFloat& body, const std::string& name) : mesh(meshOf(body))
     const double own = part.volume * perVolume;
     points.emplace_back(glm::vec3(at), static_cast<float>(own));
     aside2 += own / volume * (at.x * at.x + at.z * at.z);
-    // As if ballast were spread like the volume, about the middle of mass.
+    // Computes the inertia about the centre of mass as if ballast were distributed like the volume.
     const double kg = mass * own / volume;
     const glm::dvec3 r = at + glm::dvec3(body.ballast);
     const glm::dvec3 squared = r * r + grain * grain / 12.0;

@@ -12,30 +12,31 @@
 
 namespace simreel::sim {
 
-/// A body that floats: what is drawn, and the cuboids that stand for its volume. All of it made in double
+/// Geometry of a floating body: the drawn mesh, and cuboids that represent its volume. Computed in double
 /// arithmetic in a fixed order, without libm.
 struct Hull {
-  /// Reads a file. `name` is of messages. Throws UserError: what loadMesh throws, and usage for a mesh that
-  /// is not closed.
+  /// Builds the hull, reading the body's file if any. `name`: used in messages. Throws UserError: the
+  /// errors of loadMesh, and usage for a mesh that is not closed.
   Hull(const WaterFloat& body, const std::string& name);
 
-  Mesh mesh;                       ///< m, what is drawn, its origin the middle of mass
-  std::vector<glm::vec3> corners;  ///< m, vertices of the shape
-  std::vector<glm::vec4>
-      points;            ///< middle of a cuboid's part within (m from the middle of mass), m^3 of it
-  glm::dvec3 grain{0};   ///< m: sides of a cuboid
-  glm::dvec3 middle{0};  ///< m: of the mass, from the shape's origin
-  double volume = 0;     ///< m^3
-  double area = 0;       ///< m^2, of its surface
-  double outline = 0;    ///< m^2, seen from above
-  double mass = 0;       ///< kg
-  double height = 0;     ///< m, of the box around it
-  double reach = 0;      ///< m: farthest vertex from the middle of mass
-  double aside2 = 0;     ///< m^2: mean square of its volume's way off the y axis through that
-  FloatShape touched;    ///< what others touch of it
-  /// kg m^2: xx, yy, zz, xy, xz, yz of the inertia tensor about the middle of mass.
+  Mesh mesh;                       ///< Drawn mesh in metres; its origin is the centre of mass.
+  std::vector<glm::vec3> corners;  ///< Vertices of the shape in metres.
+  std::vector<glm::vec4> points;   ///< One per cuboid: centre of its part inside the body (metres, relative
+                                   ///< to the centre of mass) and volume of that part (m^3).
+  glm::dvec3 grain{0};             ///< Size of a cuboid in metres.
+  glm::dvec3 middle{0};            ///< Centre of mass in metres, relative to the shape's origin.
+  double volume = 0;               ///< Volume of the body in m^3.
+  double area = 0;                 ///< Surface area in m^2.
+  double outline = 0;              ///< Area of the outline seen from above, in m^2.
+  double mass = 0;                 ///< Mass of the body in kg.
+  double height = 0;               ///< Height of the bounding box in metres.
+  double reach = 0;                ///< Distance in metres from the centre of mass to the farthest vertex.
+  double aside2 =
+      0;  ///< Mean squared distance (m^2) of the volume from the y axis through the centre of mass.
+  FloatShape touched;  ///< Shape for contact with other bodies.
+  /// Inertia tensor about the centre of mass in kg m^2: xx, yy, zz, xy, xz, yz.
   std::array<double, 6> inertia{};
-  /// 1/(kg m^2): its inverse, in the same order.
+  /// Returns the inverse inertia tensor in 1/(kg m^2), in the same order as `inertia`.
   [[nodiscard]] std::array<double, 6> inverseInertia() const;
 };
 

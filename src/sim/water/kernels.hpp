@@ -16,25 +16,25 @@ struct WaterPaint;
 struct WaterShow;
 struct WaterSums;
 
-/// The water's cells on the GPU and what is dispatched over them.
+/// Owns the water's cells on the GPU and the kernels that process them.
 class WaterKernels {
  public:
-  /// Throws UserError(device) where a grid of `size` cells is beyond the device's limits; before anything
-  /// is filled, for a grid far beyond them would first take gigabytes.
+  /// Throws UserError(device) if a grid of `size` cells exceeds the device's limits. Call before filling
+  /// arrays, because the arrays of an oversized grid would take gigabytes.
   static void checkLimits(const std::string& name, glm::ivec2 size);
 
-  /// `plan` outlives this.
+  /// `plan` must outlive this object.
   WaterKernels(const std::string& name, const WaterPlan& plan, bool fast);
 
-  /// Uploads the parameters of the steps of the frame that starts at `time` (s).
+  /// Uploads the parameters of the steps of the frame that starts at `time` (seconds).
   void startFrame(double time);
-  /// Step `number` of the frame, from 1.
+  /// Runs step `number` (counted from 1) of the frame.
   void step(int number);
-  /// Rain, drops and strokes into the state after step `number`.
+  /// Applies rain, drops, drains and strokes to the state after step `number`.
   void fall(double time, int number) const;
-  /// Makes what is drawn and shown.
+  /// Computes the displayed values and the drawn vertices.
   void look() const;
-  /// Measures the present state, for the table beside the frames.
+  /// Measures the current state for the table beside the frames.
   void tally(double time);
 
   [[nodiscard]] gl::Vec4Array& cells() { return cells_[0]; }
@@ -48,13 +48,14 @@ class WaterKernels {
  private:
   const WaterPlan* plan_;
   glm::ivec2 size_;
-  /// By strips (step_strips.comp), or by columns, one an invocation.
+  /// True to step by strips (step_strips.comp); false to step by columns, one per invocation.
   bool strips_ = gl::memoryPath() == gl::MemoryPath::storage;
-  /// Rows of a strip or column: the more, the less is computed twice; fewer where there is little to share
-  /// out.
+  /// Number of rows per strip or column. A larger number computes fewer rows twice; a small grid uses fewer
+  /// rows, so that there are enough workgroups.
   int rowsEach_;
-  gl::Vec4Array cells_[2];  ///< now, and where the next step writes: until then what is drawn and shown
-  gl::Texture words_[2];    ///< of both
+  gl::Vec4Array cells_[2];  ///< Current state, and the output of the next step; between steps the second
+                            ///< array holds the displayed values.
+  gl::Texture words_[2];    ///< Views of both arrays as 32-bit words.
   gl::WordsArray stamps_;
   gl::Buffer status_;
   StepBlocks<shader::WaterStep> steps_;

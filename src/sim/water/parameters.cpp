@@ -70,7 +70,7 @@ void WaterParameters::rainOnPond(scene::Fields& f) {
   pondTerrain(extent, smaller);
 }
 
-/// A hollow among hills, with two stones.
+/// Default terrain of the pond: a hollow among hills, with two stones.
 void WaterParameters::pondTerrain(glm::vec2 extent, float smaller) {
   struct Hill {
     float x, z, across, along, height;
@@ -231,7 +231,8 @@ void WaterParameters::describeLook(scene::Fields& f) {
 
 std::optional<scene::Box> WaterParameters::framed() const {
   if (!visible) return std::nullopt;
-  // As tall as makes an unplaced camera look along the water; of the pond its middle.
+  // The box is high enough that the default camera looks along the water; for the pond, it covers only the
+  // middle.
   const glm::vec3 extent = cell * glm::vec3(size.x, 0, size.y);
   glm::vec3 reach = (isPond ? 0.15F : 0.5F) * extent;
   reach.y = 0.51F * std::max(reach.x, reach.z);

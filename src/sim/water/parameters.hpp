@@ -15,94 +15,97 @@
 
 namespace simreel::sim {
 
-/// What lies beyond a side of the grid; in the order of glsl/water/types.glsl.
+/// Boundary condition at a side of the grid, in the order of glsl/water/types.glsl.
 enum class WaterBorder { wall, open, periodic, sea };
 
-/// A round rise of the bed, `height` (1 - r^2 / radius^2)^2; a hollow where the height is negative.
+/// Hill of the bed with elliptical outline: height (1 - r^2)^2, where r is the distance from the centre
+/// relative to `radii`. A negative height makes a hollow.
 struct WaterHill {
-  glm::vec3 center{0};       ///< m from the grid's middle along x and z (y unused)
-  glm::vec3 radii{1, 0, 1};  ///< m along x and z (y unused)
-  float height = 1;          ///< m
+  glm::vec3 center{0};       ///< Centre in metres relative to the grid's centre (y unused).
+  glm::vec3 radii{1, 0, 1};  ///< Radii in metres along x and z (y unused).
+  float height = 1;          ///< Height of the hill in metres; negative: a hollow.
 };
 
-/// A part of the grid with a level of its own at the start.
+/// Rectangle of the grid with its own initial water level.
 struct WaterPool {
-  glm::vec3 from{0}, to{0};  ///< m from the grid's middle: two corners (y unused)
-  float level = 1;           ///< m
+  glm::vec3 from{0}, to{0};  ///< Two opposite corners in metres relative to the grid's centre (y unused).
+  float level = 1;           ///< Initial water level in the rectangle, in metres.
 };
 
-/// Water that falls into the grid at a moment.
+/// Drop of water that falls into the grid at one moment.
 struct WaterDropParameters {
-  double at = 0;        ///< s
-  glm::vec3 center{0};  ///< m from the grid's middle (y unused)
-  float radius = 0.2F;  ///< m
-  float height = 0.1F;  ///< m, that the level rises by in its middle; negative: a dent
+  double at = 0;        ///< Time in seconds at which the drop falls.
+  glm::vec3 center{0};  ///< Position in metres relative to the grid's centre (y unused).
+  float radius = 0.2F;  ///< Radius of the drop in metres.
+  float height = 0.1F;  ///< Rise of the level at the drop's centre in metres; negative: a dent.
 };
 
-/// Where water leaves.
+/// Drain that removes water.
 struct WaterDrain {
-  glm::vec3 center{0};                  ///< m from the grid's middle (y unused)
-  float radius = 0.5F;                  ///< m
-  scene::Animated<float> speed = 0.5F;  ///< m/s at which the level falls in its middle
-  double from = 0, until = 1e9;         ///< s
+  glm::vec3 center{0};                  ///< Position in metres relative to the grid's centre (y unused).
+  float radius = 0.5F;                  ///< Radius of the drain in metres.
+  scene::Animated<float> speed = 0.5F;  ///< Rate in m/s at which the level falls at the drain's centre.
+  double from = 0, until = 1e9;         ///< Start and end of the draining in seconds.
 };
 
-/// Drops at random places.
+/// Rain: drops at random positions.
 struct WaterRain {
-  double rate = 10;      ///< 1/s, on the whole grid
-  float radius = 0.22F;  ///< m
-  float height = 0.1F;   ///< m
-  double from = 0;       ///< s
-  double until = 1e9;    ///< s
+  double rate = 10;      ///< Drops per second on the whole grid.
+  float radius = 0.22F;  ///< Drop radius in metres.
+  float height = 0.1F;   ///< Rise of the level at a drop's centre in metres.
+  double from = 0;       ///< Start of the rain in seconds.
+  double until = 1e9;    ///< End of the rain in seconds.
 };
 
-/// Waves that come in from the sea.
+/// Swell: waves that enter at a side of kind sea.
 struct WaterSwell {
-  int side = 3;                          ///< west, east, north, south
-  scene::Animated<float> height = 0.3F;  ///< m, from trough to crest
-  double period = 4;                     ///< s
-  double phase = 0;                      ///< of a period
+  int side = 3;  ///< Index of the side where the waves enter: west, east, north, south.
+  scene::Animated<float> height = 0.3F;  ///< Wave height in metres, from trough to crest.
+  double period = 4;                     ///< Wave period in seconds.
+  double phase = 0;                      ///< Initial phase as a fraction of a period.
 };
 
-/// Shallow water over a terrain as a scene says it.
+/// Scene parameters of shallow water over a terrain.
 struct WaterParameters : ObjectParameters {
-  glm::ivec2 size{193, 193};  ///< cells along x and z
-  float cell = 0.035F;        ///< m
-  glm::vec3 position{0};      ///< m, the grid's middle at level 0
-  float level = 0;            ///< m
+  glm::ivec2 size{193, 193};  ///< Grid size in cells along x and z.
+  float cell = 0.035F;        ///< Cell width in metres.
+  glm::vec3 position{0};      ///< Position of the grid's centre at level 0, in metres.
+  float level = 0;            ///< Initial water level in metres.
   std::vector<WaterPool> pools;
-  float bed = -1;  ///< m
+  float bed = -1;  ///< Height of the flat bed in metres.
   std::filesystem::path terrain;
-  float terrainLow = -1, terrainHigh = 0.5F;  ///< m
+  float terrainLow = -1,
+        terrainHigh = 0.5F;  ///< Heights of black and white in the terrain image, in metres.
   int terrainSmooth = 2;
   std::vector<WaterHill> hills;
-  std::array<WaterBorder, 4> sides{};  ///< west, east, north, south
+  std::array<WaterBorder, 4>
+      sides{};  ///< Boundary conditions of the sides, in the order west, east, north, south.
   std::vector<WaterSwell> swell;
   float gravity = 9.81F;
-  scene::Animated<float> drag = 0.0F;      ///< 1/s
-  float manning = 0;                       ///< s/m^(1/3)
-  scene::Animated<float> rainfall = 0.0F;  ///< mm/h
-  std::optional<int> substeps;             ///< empty: as the greatest depth and speed ask
-  std::optional<double> greatestDepth;     ///< m
-  std::optional<double> greatestSpeed;     ///< m/s
+  scene::Animated<float> drag = 0.0F;      ///< Linear drag coefficient of the flow in 1/s.
+  float manning = 0;                       ///< Manning's roughness coefficient in s/m^(1/3).
+  scene::Animated<float> rainfall = 0.0F;  ///< Uniform rainfall in mm/h.
+  std::optional<int> substeps;  ///< Substeps per frame; if empty, chosen from the maximum depth and speed.
+  std::optional<double> greatestDepth;  ///< Expected maximum depth in metres.
+  std::optional<double> greatestSpeed;  ///< Expected maximum speed in m/s.
   std::vector<WaterDropParameters> drops;
   std::vector<WaterDrain> drains;
   std::optional<WaterRain> rain;
-  bool isPond = false;  ///< nothing was said of the water
+  bool isPond = false;  ///< True if the scene gives no parameters of the water; the default pond is used.
   std::vector<StrokeParameters> strokes;
   std::vector<WaterFloat> floats;
   bool collides = false;
-  float grip = 2;  ///< 1/s
+  float grip = 2;  ///< Rate in 1/s at which colliding objects lose tangential velocity.
   bool visible = true;
-  glm::vec3 deep{0.003F, 0.022F, 0.024F};  ///< linear RGB
+  glm::vec3 deep{0.003F, 0.022F, 0.024F};  ///< Colour of deep water, linear RGB.
   float roughness = 0.04F;
-  glm::vec3 shallow{0.1F, 0.105F, 0.05F};  ///< linear RGB
-  float clarity = 0.15F;                   ///< m
+  glm::vec3 shallow{0.1F, 0.105F, 0.05F};  ///< Colour of shallow water, linear RGB.
+  float clarity = 0.15F;                   ///< Depth in metres over which light fades to 1/e.
   float foam = 0;
-  glm::vec3 ground{0.35F, 0.3F, 0.22F};  ///< linear RGB
+  glm::vec3 ground{0.35F, 0.3F, 0.22F};  ///< Colour of the ground, linear RGB.
   float groundRoughness = 0.9F;
   std::filesystem::path groundTexture;
-  float groundRepeat = 1;  ///< of the texture along x
+  float groundRepeat = 1;  ///< Number of repetitions of the ground texture along x.
   FieldDisplay display;
 
   WaterParameters();
@@ -115,7 +118,7 @@ struct WaterParameters : ObjectParameters {
   [[nodiscard]] bool isTorus() const;
 
  private:
-  /// What a scene that says nothing of the water gets.
+  /// Sets the defaults of a scene that gives no parameters of the water.
   void rainOnPond(scene::Fields& fields);
   void pondTerrain(glm::vec2 extent, float smaller);
   void describeStart(scene::Fields& fields);

@@ -16,19 +16,22 @@ namespace simreel::sim {
 namespace {
 
 constexpr int maxImageSide = 32768;
-constexpr double aimed = 0.25;                       ///< Courant number of "auto": what no outflow limits
-constexpr double allowed = 0.5;                      ///< beyond it steps are not stable in two dimensions
-constexpr double thinShare = 1e-4, dryShare = 1e-5;  ///< of the greatest depth
+constexpr double aimed =
+    0.25;  ///< Courant number of automatic substeps; small enough that no outflow is limited.
+constexpr double allowed = 0.5;  ///< Courant number beyond which two-dimensional steps are unstable.
+constexpr double thinShare = 1e-4, dryShare = 1e-5;  ///< Depths below which water counts as thin or dry, as
+                                                     ///< fractions of the maximum depth.
 constexpr int maxSubsteps = 100'000;
 
-/// A stroke that lasts adds its value each second: in each step that much times its seconds.
+/// Scales strokes to steps: the value of a stroke with a duration is a rate per second, so it is multiplied
+/// by the step's duration.
 std::vector<StrokeParameters> perStep(std::vector<StrokeParameters> strokes, double seconds) {
   for (StrokeParameters& stroke : strokes)
     if (stroke.until > stroke.at) stroke.value *= seconds;
   return strokes;
 }
 
-/// Means of nine cells; beyond the border its own cells again.
+/// Returns 3x3 box means; beyond the border, the border cells are repeated.
 std::vector<float> smoothed(const std::vector<float>& heights, glm::ivec2 size) {
   std::vector<float> result;
   result.reserve(heights.size());
@@ -132,7 +135,8 @@ void WaterPlan::makeFirst() {
   depth_ = p.greatestDepth.value_or(deepest > 0 ? deepest : p.cell);
 }
 
-/// An upper bound for the depth of all cells (m). Reads the picture of the ground only to find its errors.
+/// Returns an upper bound of the depth of all cells in metres. Reads the terrain image only to detect
+/// errors.
 double WaterPlan::deepestPossible() const {
   const WaterParameters& p = parameters_;
   double top = p.level, bottom = p.bed;
@@ -145,7 +149,7 @@ double WaterPlan::deepestPossible() const {
   return top > bottom ? top - bottom : static_cast<double>(p.cell);
 }
 
-// Courant number (u + c) dt / side.
+// Chooses or checks the number of substeps by the Courant number (u + c) dt / cell.
 void WaterPlan::chooseSubsteps(const std::string& object, double longest) {
   const WaterParameters& p = parameters_;
   const double wave = std::sqrt(p.gravity * depth_);
@@ -204,7 +208,9 @@ shader::WaterStep WaterPlan::stepAt(double time, int step) const {
 }
 
 shader::WaterDrop WaterPlan::dropOf(glm::dvec2 center, double radius, float height) const {
-  const double cells = std::max(radius / parameters_.cell, 0.75);  // one cell at least feels it
+  const double cells =
+      std::max(radius / parameters_.cell,
+               0.75);  // The radius is at least 0.75 cells, so that a drop affects at least one cell.
   return {glm::vec2(center), static_cast<float>(1 / (cells * cells)), height, look().shallow};
 }
 
@@ -213,7 +219,7 @@ WaterFalls WaterPlan::fallsAt(double time, int step) const {
   const double dt = stepSeconds();
   const double now = time + step * dt;
   WaterFalls falls;
-  // Of whole steps, so that each moment belongs to one of them.
+  // Rounds moments up to whole steps, so that each moment belongs to exactly one step.
   const long state = std::lround(now / dt);
   const auto due = [&](double at) { return std::lround(std::ceil(at / dt - 1e-6)) == state; };
   if (!strokes_.empty()) falls.strokes = strokes_.into(now, dt, state);
@@ -275,8 +281,8 @@ shader::WaterLook WaterPlan::look() const {
   return l;
 }
 
-// Beer's law: e^(-d / clarity) of what is seen is the ground, the rest the water's own colour; of red less
-// gets through.
+// Returns the colours by depth and foam. By Beer's law the fraction e^(-d / clarity) of the visible colour
+// is the shallow colour, the rest the deep colour; red is absorbed more strongly.
 std::vector<glm::vec4> WaterPlan::palette() const {
   const glm::vec3 deep = parameters_.deep;
   constexpr glm::vec3 absorbed(1.7F, 0.95F, 1.1F);

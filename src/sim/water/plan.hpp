@@ -14,7 +14,7 @@ namespace simreel::shader {
 #define FUNCTION inline
 #define precise
 #include "glsl/water/types.glsl"
-// After the types.
+// The headers below use the types of types.glsl.
 #include "glsl/water/look_types.glsl"
 #include "glsl/water/model.glsl"
 static_assert(sizeof(WaterStep) == 80 && sizeof(WaterLook) == 48);
@@ -24,38 +24,41 @@ static_assert(sizeof(WaterStep) == 80 && sizeof(WaterLook) == 48);
 
 namespace simreel::sim {
 
-/// What falls in as one step ends.
+/// Strokes and drops applied to the water at the end of one step.
 struct WaterFalls {
   std::vector<shader::Stroke> strokes;
   std::vector<shader::WaterDrop> drops;
 };
 
-/// Everything of the water that is decided on the CPU; shared by the GPU simulation and its CPU twin.
+/// CPU-side setup of the water; shared by the GPU simulation and its CPU twin.
 class WaterPlan {
  public:
-  /// Reads the images. Throws UserError for one that cannot be read and usage where no number of substeps
-  /// is enough. Warns where `substeps` are too few for the greatest depth and speed.
+  /// Reads the images. Throws UserError if an image cannot be read, and UserError(usage) if no allowed
+  /// number of substeps suffices. Warns if `substeps` is too small for the maximum depth and speed.
   WaterPlan(WaterParameters parameters, const std::string& object, int seed, double frameSeconds)
       : WaterPlan(std::move(parameters), object, seed, frameSeconds, true) {}
-  /// The same without firstCells(), for looking for mistakes: of a grid that takes gigabytes, whose
-  /// substeps then are no matter.
+  /// Creates a plan without firstCells(), for validating grids whose arrays would take gigabytes. Its
+  /// number of substeps is not meaningful.
   [[nodiscard]] static WaterPlan withoutCells(WaterParameters parameters, const std::string& object,
                                               int seed, double frameSeconds) {
     return {std::move(parameters), object, seed, frameSeconds, false};
   }
 
-  /// A cell an element, x fastest: level (m), discharges along x and z (m^2/s, zero), bed (m).
+  /// Returns the initial state, one element per cell, x fastest: level (m), discharges along x and z
+  /// (m^2/s, zero), bed (m).
   [[nodiscard]] const std::vector<glm::vec4>& firstCells() const { return first_; }
   [[nodiscard]] int substeps() const { return substeps_; }
   [[nodiscard]] double stepSeconds() const { return frameSeconds_ / substeps_; }
-  /// What the steps of the frame that starts at `time` (s) are told; `step` counts from 0, and matters
-  /// where waves come in alone.
+  /// Returns the step parameters of the frame that starts at `time` (seconds). `step` counts from 0 and
+  /// matters only if there is swell.
   [[nodiscard]] shader::WaterStep stepAt(double time, int step = 0) const;
-  /// How many of them differ: one, or each.
+  /// Returns the number of distinct step parameter blocks per frame: one, or one per substep if there is
+  /// swell.
   [[nodiscard]] int toldSteps() const { return parameters_.swell.empty() ? 1 : substeps_; }
-  /// What falls into the state after `step` steps of the frame that starts at `time` (s).
+  /// Returns the drops and strokes applied to the state after `step` steps of the frame that starts at
+  /// `time` (seconds).
   [[nodiscard]] WaterFalls fallsAt(double time, int step) const;
-  /// Cells that a drop may reach: as Strokes::box.
+  /// Returns the cells that a drop may affect, in the format of Strokes::box.
   [[nodiscard]] glm::ivec4 box(const shader::WaterDrop& drop) const;
   [[nodiscard]] bool anythingFalls() const;
   [[nodiscard]] const FloatPlan& floats() const { return floats_; }
@@ -63,9 +66,9 @@ class WaterPlan {
   [[nodiscard]] const WaterParameters& parameters() const { return parameters_; }
   [[nodiscard]] const Strokes& strokes() const { return strokes_; }
   [[nodiscard]] shader::WaterLook look() const;
-  /// Linear RGB by the number that a vertex has in w.
+  /// Returns linear RGB colours, indexed by w of a vertex.
   [[nodiscard]] std::vector<glm::vec4> palette() const;
-  /// Metres from the grid's middle to cells.
+  /// Converts metres relative to the grid's centre to cell coordinates.
   [[nodiscard]] glm::dvec2 cellsAt(const glm::vec3& metres) const;
 
  private:
@@ -74,7 +77,7 @@ class WaterPlan {
   [[nodiscard]] std::vector<float> bedHeights() const;
   void makeFirst();
   [[nodiscard]] double deepestPossible() const;
-  /// `longest` (s) that a step may be for floats.
+  /// `longest`: maximum step in seconds that the floating bodies allow.
   void chooseSubsteps(const std::string& object, double longest);
   [[nodiscard]] shader::WaterDrop dropOf(glm::dvec2 center, double radius, float height) const;
 
@@ -82,7 +85,7 @@ class WaterPlan {
   int seed_;
   double frameSeconds_;
   int substeps_ = 1;
-  double depth_ = 1;  ///< m, the greatest
+  double depth_ = 1;  ///< Maximum depth of the water in metres.
   std::vector<glm::vec4> first_;
   Strokes strokes_;
   FloatPlan floats_;

@@ -27,7 +27,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// The vertices as a plane of a mesh that others fall onto.
+/// Returns the water's vertices as a height field that other objects collide with.
 HeightPlan heightsOf(const WaterParameters& p, double frameSeconds) {
   MeshParameters plane;
   const glm::vec2 cells(p.size - 1);
@@ -78,7 +78,7 @@ class Water : public Simulation {
     tallyNow(time);
     if (heights_) heights_->take(kernels_.cells(), 0);
   }
-  /// Others fall between two frames' heights.
+  /// Objects that fall onto the water need the heights of two consecutive frames, so the full step runs.
   void pass(double time) override {
     if (heights_) return step(time, {});
     advance(time, {});
@@ -135,7 +135,7 @@ class Water : public Simulation {
     field.colors = &colors_;
     field.display = &p.display;
     drawables.fields.push_back(field);
-    // For files only.
+    // Fields for files, not drawn over the picture.
     field.display = nullptr;
     field.name = &levelName_;
     field.words = &kernels_.cellWords();
@@ -198,7 +198,7 @@ class Water : public Simulation {
   }
 
  private:
-  /// What is drawn beside the cells: two bytes a cell, and the indices of a row.
+  /// Creates the drawing data besides the cells: two bytes per cell, and the indices of one row.
   void makeSurfaces() {
     const WaterParameters& p = plan_.parameters();
     const shader::WaterLook look = plan_.look();
@@ -231,16 +231,17 @@ class Water : public Simulation {
     gl::barrier();
   }
 
-  /// What is measured of the present state, for the table beside the frames.
+  /// Measures the current state for the table beside the frames.
   void tallyNow(double time) {
     kernels_.tally(time);
     if (!floats_) return;
-    // A row has the seven sums that the device makes, then the quantities of floats.
+    // A row has the seven sums computed by the device, followed by the quantities of floating bodies.
     constexpr std::size_t sums = 7;
     std::array<float, 4 * countElements> row{};
     kernels_.tally().table({}).steps->read(0, std::as_writable_bytes(std::span(row).first(sums + 1)));
     const std::vector<double> ofFloats = measureFloats(plan_, floats_->state().readAll<glm::vec4>());
-    row[0] = static_cast<float>(double{row[0]} - ofFloats[0]);  // as the quantity of that name
+    row[0] = static_cast<float>(double{row[0]} -
+                                ofFloats[0]);  // The quantity "volume" excludes the displaced volume.
     for (std::size_t i = 0; i < ofFloats.size(); ++i) row.at(sums + i) = static_cast<float>(ofFloats[i]);
     counts_.write(0, std::as_bytes(std::span(row)));
   }
@@ -262,9 +263,9 @@ class Water : public Simulation {
   WaterKernels kernels_;
   std::optional<FloatKernels> floats_;
   static constexpr int countElements = 4;
-  gl::Buffer counts_;                   ///< with the quantities of floats
-  std::optional<HeightField> heights_;  ///< of water that collides: levels
-  bool hasHeights_ = false;             ///< whether they begin with the first frame
+  gl::Buffer counts_;                   ///< Table row that includes the quantities of floating bodies.
+  std::optional<HeightField> heights_;  ///< Set if the water collides: heights of the surface.
+  bool hasHeights_ = false;             ///< True once `heights_` has been filled for the first frame.
 };
 
 }  // namespace
@@ -274,7 +275,7 @@ SimulationKind waterKind() {
       "water", "Shallow water that flows over a terrain, wets and leaves it dry; rain, sources, dams.",
       [](const scene::Object& object, const Setting& setting) {
         const auto& parameters = parametersOf<WaterParameters>(object);
-        // Arrays of what no common device has room for are not made for a look at them.
+        // For arrays larger than common devices allow, validation does not create the cells.
         const bool large = parameters.leastBlockBytes() > ObjectParameters::commonBlockBytes;
         const WaterPlan plan =
             large ? WaterPlan::withoutCells(parameters, object.name, setting.seed, setting.frameSeconds)

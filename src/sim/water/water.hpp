@@ -3,7 +3,7 @@
 
 namespace simreel::sim {
 
-/// Shallow water over a terrain.
+/// Returns the kind "water": shallow water over a terrain.
 [[nodiscard]] SimulationKind waterKind();
 
 }  // namespace simreel::sim

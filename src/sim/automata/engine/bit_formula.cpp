@@ -14,7 +14,7 @@ namespace {
 
 using Order = std::array<unsigned, 9>;
 
-/// Words of the nine cells, row by row.
+/// GLSL names of the nine cells' words, row by row.
 constexpr const char* cellWords[] = {"above.west", "above.here", "above.east", "here.west", "alive",
                                      "here.east",  "below.west", "below.here", "below.east"};
 
@@ -42,7 +42,7 @@ class Diagram {
  private:
   struct Node {
     unsigned cell;
-    int dead, alive;  ///< nodes; 0 and 1 are constants, 2 is nodes_[0]
+    int dead, alive;  ///< Node indices: 0 and 1 are constants, 2 is nodes_[0].
   };
 
   int node(unsigned depth, const std::vector<bool>& table) {

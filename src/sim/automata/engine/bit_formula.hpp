@@ -5,9 +5,10 @@
 
 namespace simreel::sim {
 
-/// The body of nextCells in glsl/life/formula_model.glsl for a rule on bits: statements that end in a
-/// return. A reduced ordered decision diagram (Bryant 1986) over the nine cells, each node a choice between
-/// two words; of several orders the one with the fewest nodes, the same on every machine.
+/// Returns the GLSL body of nextCells (glsl/life/formula_model.glsl) for a rule on bits: statements that
+/// end in a return. Builds a reduced ordered binary decision diagram (Bryant 1986) over the nine cells;
+/// each node selects between two words. Of several variable orders, uses the one with the fewest nodes; the
+/// result is the same on every machine.
 [[nodiscard]] std::string bitFormula(const CellRule& rule);
 
 }  // namespace simreel::sim

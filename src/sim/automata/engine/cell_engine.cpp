@@ -65,7 +65,7 @@ struct WindowSumsKernel {
   gl::Out<"sums"> sums;
 };
 
-/// Members that all kernels of rules have.
+/// Interface part common to all rule kernels.
 struct CellRulePart {
   gl::Uniform<"size", glm::ivec2> size;
   gl::Uniform<"rowItems", int> rowItems;
@@ -77,14 +77,14 @@ struct CellDefines {
   gl::Range<"STATES", 2, 256> states;
   gl::Flag<"BITS"> bits;
 };
-/// glsl/automata/wide.glsl.
+/// Preprocessor definitions for glsl/automata/wide.glsl.
 struct WideDefines {
   CellDefines cells;
   gl::Switch<"MIDDLE"> middle;
   gl::Code<"SURVIVES", "(count>=2&&count<=3)"> survives;
   gl::Code<"BORN", "(count>=3&&count<=3)"> born;
 };
-/// Rows around a cell: where each begins and ends.
+/// Column offsets of the first and the last cell of each row in the neighbourhood.
 struct SpanDefines {
   gl::Code<"LEFTS", "-1,-1,-1"> lefts;
   gl::Code<"RIGHTS", "1,1,1"> rights;
@@ -97,7 +97,8 @@ struct NineKernel {
   struct Variant {
     CellDefines cells;
     gl::Flag<"MAP"> map;
-    gl::Range<"NEIGHBOURS", 4, 8> neighbours;  // of trees
+    gl::Range<"NEIGHBOURS", 4, 8>
+        neighbours;  // Number of neighbours in a rule given as a decision diagram.
   };
   CellRulePart rule;
   gl::Uniforms<"map", glm::ivec4, 4> map;
@@ -171,17 +172,17 @@ struct PlacesKernel {
 
 constexpr int columnRows = 64;
 
-/// What a kernel may read beyond a row's last cell, elements.
+/// Number of elements that a kernel may read past the last cell of a row.
 constexpr int spareItems = 64;
 
-/// Up to it 2 range + 1 cells fit a byte.
+/// Maximum range for which the count of 2 range + 1 cells fits in a byte.
 constexpr int maxByteRange = 127;
 
-/// Beyond it an invocation of spans.comp may take more than 65,535 turns of its loops: a software driver
-/// ends them there, and says nothing.
+/// Maximum range of spans.comp. For larger ranges an invocation may exceed 65,535 loop iterations, at which
+/// a software driver silently ends the loop.
 constexpr int maxSpansRange = 90;
 
-/// What wide.glsl asks of `count`.
+/// Returns the GLSL condition on `count` for wide.glsl.
 std::string anyOf(const std::vector<CountRange>& counts) {
   std::string text;
   for (const CountRange& range : counts)
@@ -189,7 +190,7 @@ std::string anyOf(const std::vector<CountRange>& counts) {
   return text.empty() ? "false" : "(" + text + ")";
 }
 
-/// How spans.comp and far.comp take the rows around a cell, of which these are the first and the last.
+/// Returns the spans of the rows `top` to `bottom` around a cell, as defines of spans.comp and far.comp.
 SpanDefines spansOf(const WideRule& rule, int top, int bottom) {
   std::string lefts, rights;
   for (int dy = top; dy <= bottom; ++dy) {
@@ -200,7 +201,7 @@ SpanDefines spansOf(const WideRule& rule, int top, int bottom) {
   return {lefts, rights};
 }
 
-/// Whether sums of rows are whole words, from their beginnings on.
+/// Returns true if the rule uses prefix sums of rows, stored as whole words.
 bool isFar(const CellRule& rule) {
   if (rule.family != CellRule::Family::wide || rule.wide.shape == NeighbourShape::places) return false;
   return rule.range() > (rule.wide.shape == NeighbourShape::moore ? maxByteRange : maxSpansRange);
@@ -218,9 +219,9 @@ CellEngine::CellEngine(const CellRule& rule, const GridShape& shape, glm::ivec2 
       paddedItems_((size.x + 15) / 16 + 2 * marginX_ / 16),
       states_(rule.states),
       join_(shape.join(size)) {
-  // Four times as much where sums are whole words (makeFar).
+  // Prefix sums stored as words (makeFar) take four times the memory of bytes.
   const long items = long{paddedItems_} * (isFar(rule) ? 4 : 1) * (size.y + 2L * range_) + spareItems;
-  // Single bytes are texels, too.
+  // A texel of the byte view is a single byte.
   const long max = std::min<long>(gl::limits().storageBlockBytes / 16, gl::limits().texelBufferTexels / 16);
   if (items > max)
     fail(ExitCode::device,
@@ -305,7 +306,8 @@ void CellEngine::makeWide(const CellRule& rule) {
 }
 
 void CellEngine::makeRunning(const WideRule& rule, const WideDefines& wide) {
-  // Long enough that the first sum of a segment costs little beside those that run.
+  // Number of elements per invocation, large enough that the initial sum of a segment costs little compared
+  // to the running sums.
   items_ = bits_ ? std::max(1, range_ / 128) : std::max(4, range_ / 16);
   if (rule.shape == NeighbourShape::moore) {
     makeRule<RowsKernel>({.wide = wide, .range = range_, .items = items_},
@@ -329,7 +331,8 @@ void CellEngine::makeRunning(const WideRule& rule, const WideDefines& wide) {
 void CellEngine::makeFar(const WideRule& rule, const WideDefines& wide) {
   lanes_ = bits_ ? 8 : 1;
   const bool square = rule.shape == NeighbourShape::moore;
-  const int rows = square ? 0 : range_;  // above and below; a square's are in its sums
+  const int rows = square ? 0 : range_;  // Number of rows above and below the cell; for a square, sums_
+                                         // already includes all rows.
   makeRule<FarKernel>({.wide = wide, .spans = spansOf(rule, -rows, rows), .rows = 2 * rows + 1},
                       [this](const CellRulePart& part) {
                         return FarKernel{part, range_, paddedWords_, sumWords_};

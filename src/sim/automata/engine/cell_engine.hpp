@@ -22,13 +22,14 @@ struct WindowSumsKernel;
 struct CellRulePart;
 struct WideDefines;
 
-/// Advances a grid of cells by any rule with any border (glsl/automata): first the cells as bytes with a
-/// margin that the border fills, then the rule, which so meets no edge. For what LifeStepper cannot do.
+/// Advances a grid of cells by any rule with any border (glsl/automata). First copies the cells to bytes
+/// with a margin that is filled according to the border, then applies the rule without any border handling.
+/// Used for all rules that LifeStepper does not support.
 class CellEngine {
  public:
-  /// `bits`: cells of two states come and go as bits (rows of 128 cells), else as bytes (rows of 16).
-  /// Throws UserError(device) where the memory for it is beyond the device's limits; `object` is what the
-  /// message calls it.
+  /// `bits`: two-state cells are passed as bits (rows padded to 128 cells), else as bytes (rows padded to
+  /// 16 cells). Throws UserError(device) if the memory exceeds the device's limits. `object`: name for the
+  /// message.
   CellEngine(const CellRule& rule, const GridShape& shape, glm::ivec2 size, bool bits,
              const std::string& object);
 
@@ -41,7 +42,7 @@ class CellEngine {
   /// Computes one generation.
   void run(const gl::WordsArray& from, const gl::WordsArray& to);
 
-  /// Bytes of the padded cells, and of the sums of columns where there are any.
+  /// Returns the size in bytes of the padded cells and of the sums, if any.
   [[nodiscard]] std::size_t bytes() const {
     return padded_.buffer().bytes() + sums_.buffer().bytes() + rowSums_.buffer().bytes();
   }
@@ -53,25 +54,26 @@ class CellEngine {
   void makeRunning(const WideRule& rule, const WideDefines& wide);
   void makeFar(const WideRule& rule, const WideDefines& wide);
   void makePlaces(const WideRule& rule, const WideDefines& wide);
-  /// Makes the last pass, which writes the next cells, of a kernel and of what its dispatch is given.
+  /// Creates the last pass, which writes the next cells. `given` maps the common interface part to the
+  /// kernel's whole interface.
   template <class Kernel, class Given>
   void makeRule(const typename Kernel::Variant& variant, const Given& given);
-  /// What the last pass reads besides cells.
+  /// Uploads a list that the last pass reads besides the cells.
   void makeList(const char* name, const std::vector<std::uint32_t>& list);
 
   glm::ivec2 size_;
   bool bits_;
   int range_, marginX_, rowItems_, paddedItems_, items_ = 1;
   int states_;
-  int lanes_ = 1;        ///< invocations that write an element
-  bool turned_ = false;  ///< whether the last pass counts rows first
+  int lanes_ = 1;        ///< Number of invocations that write one element.
+  bool turned_ = false;  ///< True if the last pass dispatches rows along x.
   gl::WordsArray padded_, rowSums_, sums_;
   gl::Texture paddedWords_, paddedBytes_, sumWords_, treeItems_;
   gl::Buffer tree_;
   gl::Kernel<PadKernel> pad_;
   gl::Kernel<RowSumsKernel> rowSum_;
-  gl::Kernel<ColumnsKernel> columns_;       ///< adds up 2 range + 1 rows
-  gl::Kernel<WindowSumsKernel> windowSum_;  ///< the same of sums of rows
+  gl::Kernel<ColumnsKernel> columns_;       ///< Kernel that sums 2 range + 1 rows of cells.
+  gl::Kernel<WindowSumsKernel> windowSum_;  ///< Kernel that sums 2 range + 1 rows of prefix sums.
   std::function<void(const CellRulePart&, glm::ivec2 items)> rule_;
   shader::GridJoin join_;
 };

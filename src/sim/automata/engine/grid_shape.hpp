@@ -12,23 +12,24 @@ namespace simreel::shader {
 
 namespace simreel::sim {
 
-/// How the edges of a grid are joined, after Golly's bounded grids.
-/// dead: to nothing. torus: each to the opposite one. cylinder: left to right. klein: as a torus, top to
-/// bottom reversed. kleinSideways: left to right reversed. crossSurface: both reversed. sphere: top to
-/// left, right to bottom; square grids only.
+/// Connection of a grid's edges, following Golly's bounded grids. dead: not connected. torus: each edge to
+/// the opposite one. cylinder: left to right. klein: like torus, with top and bottom reversed.
+/// kleinSideways: with left and right reversed. crossSurface: both reversed. sphere: top to left, right to
+/// bottom; square grids only.
 enum class GridBorder { torus, dead, cylinder, klein, kleinSideways, crossSurface, sphere };
 
 struct GridShape {
   GridBorder border = GridBorder::torus;
-  /// Of a torus and a Klein bottle: cells by which what is met beyond the lower (x) or the right (y) edge
-  /// lies further along it; one of the two at most, of a Klein bottle 0 or 1.
+  /// Shift in cells along the lower (x) or the right (y) edge, at which the grid continues; for a torus or
+  /// a Klein bottle. At most one component is nonzero; for a Klein bottle it is 0 or 1.
   glm::ivec2 shift{0, 0};
   bool operator==(const GridShape&) const = default;
-  /// As a rule's suffix says it, for a grid of this size: ":T30+5,20"; empty where Golly has no such grid.
+  /// Returns the rule suffix for a grid of this size, such as ":T30+5,20"; empty if Golly does not support
+  /// the grid.
   [[nodiscard]] std::string suffix(glm::ivec2 size) const;
-  /// Why a grid of this size cannot have this border; empty: it can.
+  /// Returns the reason why a grid of this size cannot have this border; empty if it can.
   [[nodiscard]] std::string problem(glm::ivec2 size) const;
-  /// As kernels take it.
+  /// Returns the border as kernel parameters.
   [[nodiscard]] shader::GridJoin join(glm::ivec2 size) const;
 };
 
