@@ -5,8 +5,8 @@
 #include "kernels/packing.glsl"
 #include "kernels/sampling.glsl"
 
-// Defines overloads of F for vectors of length 2 to 4, with 1, 2 or 3 arguments. R is the prefix of the result
-// type, A and B are those of the argument types.
+// Defines overloads of F for vectors of length 2 to 4, with 1, 2 or 3 arguments. R, A and B are the prefixes of
+// the result type and of the argument types.
 #define EACH_1(F, R, A) \
   R##2 F(const A##2 a) { return R##2(F(a.x), F(a.y)); } \
   R##3 F(const A##3 a) { return R##3(F(a.x), F(a.y), F(a.z)); } \

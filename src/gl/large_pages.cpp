@@ -10,7 +10,7 @@ namespace simreel::gl {
 
 namespace {
 
-/// Returns Vulkan memory of the device of the current context; null if there is none, or if OpenGL cannot
+/// Returns Vulkan memory of the device of the current context; null if the device has none or OpenGL cannot
 /// import memory.
 const VulkanMemory* memoryOfDevice() {
   static const VulkanMemory* const memory = []() -> const VulkanMemory* {

@@ -31,8 +31,8 @@ class Program {
 
   /// Throws UserError(device) if a file is missing.
   static Program compute(const std::string& path, const Defines& defines = {});
-  /// Creates a program from a text instead of a file; it may include files below glsl/. For tests of these
-  /// files.
+  /// Creates a program from a text instead of a file; the text may include files below glsl/. Tests of such
+  /// files use it.
   static Program computeText(const std::string& name, const std::string& text, const Defines& defines = {});
   static Program graphics(const std::string& vertexPath, const std::string& fragmentPath,
                           const Defines& defines = {});

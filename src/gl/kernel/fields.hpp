@@ -101,7 +101,7 @@ using Uniforms = typename UniformsOf<label, T, std::make_index_sequence<most>>::
 
 enum class Access { read, write, both, together };
 
-/// A storage block (by its name or that of a member), a uniform block, a sampler, an image, or an array
+/// A storage block (named by itself or by a member), a uniform block, a sampler, an image, or an array
 /// declared with glsl/common/memory.glsl or words.glsl on either memory path.
 template <Name label, Access wanted>
 struct ResourceField : Resource {
