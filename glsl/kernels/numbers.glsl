@@ -46,8 +46,7 @@ vec4 xMul(const vec4 a, const vec4 b) {
 // follow IEEE 754; |b| below 1e-30 counts as zero.
 float xDiv(const float a, const float b) {
   int m = xMagnitude(b);
-  float scale = mix(1.0, 5.42101086e-20, m > 0x7149f2ca);  // 2^-64 for |b| above 1e30, because the reciprocal
-                                                           // would be subnormal
+  float scale = mix(1.0, 5.42101086e-20, m > 0x7149f2ca);  // 2^-64 if |b| > 1e30: 1 / b is subnormal
   precise float c = intBitsToFloat(m) * scale;
   precise float y = intBitsToFloat(0x7ef311c7 - floatBitsToInt(c));
   y = y * (2.0 - c * y);

@@ -2,8 +2,7 @@
 // different ones. One invocation per word.
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) buffer WordsBlock { uint words[]; };
-layout(std430, binding = 1) readonly buffer FloatBlock { uint floats[]; };  // for each word of an element: 1 if it is
-                                                                            // a float
+layout(std430, binding = 1) readonly buffer FloatBlock { uint floats[]; };  // 1: word is a float
 uniform int count;   // number of words
 uniform int start;   // word offset of the first element
 uniform int stride;  // words per element

@@ -11,8 +11,7 @@ uniform int stride;    // words per element
 uniform ivec4 places;  // word offsets of the four numbers within an element; -1: use `fill`
 uniform vec4 fill;
 uniform int number;    // type of the numbers: 0 float, 1 int, 2 uint
-uniform int alive;     // word offset of a number; only elements with a value above 0 are drawn; -1: all are
-                       // drawn
+uniform int alive;     // word offset of a number that is above 0 in drawn elements; -1: all are drawn
 uniform int aliveNumber;
 uniform bool encoded;  // true if the first three numbers are sRGB values to be converted to linear
 

@@ -50,7 +50,8 @@ const char* access(bool reads, bool writes) {
   return reads && writes ? "read and written" : writes ? "written" : reads ? "read" : "unused";
 }
 
-/// An HLSL buffer is stored as a single unsized array member: its element type is printed instead.
+/// Describes a buffer. For an HLSL buffer (a single unsized array) prints the element type instead of the
+/// member list.
 void describe(std::string& out, const kernels::Buffer& buffer) {
   const bool plain =
       buffer.members.size() == 1 && buffer.members[0].array.size() == 1 && buffer.members[0].array[0] == 0;

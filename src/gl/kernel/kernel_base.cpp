@@ -264,7 +264,7 @@ void KernelBase::dispatchGroups(GLuint x, GLuint y, GLuint z, const Given& given
 
 void KernelBase::dispatchIndirect(const Buffer& commands, std::size_t offset, const Given& given) {
   if (rehearsed(given)) return;
-  // As in Program::dispatchIndirect: a command without groups must not trigger a compilation.
+  // A command without groups must not trigger a compilation (like Program::dispatchIndirect).
   if (softwareDriver() && !linked_->dispatched()) {
     std::array<GLuint, 3> groups{};
     commands.read(offset, std::as_writable_bytes(std::span(groups)));

@@ -46,7 +46,7 @@ class Writing {
   /// Emits `a` if the scalar condition is true, else `b`. `result`: an existing id for the result; 0: a
   /// fresh one.
   Id select(Id condition, Id type, Id a, Id b, Id result = 0);
-  /// Bitcasts an integer to the given signedness.
+  /// Bitcasts an integer to unsigned (asUint) or signed (asInt).
   Id asUint(Id value) { return cast(value, module_.uintType()); }
   Id asInt(Id value) { return cast(value, module_.intType()); }
   Id load(Id type, Id pointer) { return emit(SpvOpLoad, type, {pointer}); }
