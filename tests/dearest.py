@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
-"""Runs the tests that ctest knows, as it would, and lists those that take most processor time: what a machine with few
-processors waits for. ctest itself knows the time by the clock only.
+"""Runs the tests of ctest in the same way as ctest and lists the tests with the most processor time, which dominate the
+test time on a machine with few processors. ctest itself reports wall-clock time only.
 
-    tests/dearest.py                       all tests of build/, on as many workers as there are processors
-    tests/dearest.py -L gpu -R cloth -j 1  those that ctest would choose so, one at a time
-    tests/dearest.py --most 50             so many of them
-    tests/dearest.py --table FILE          all of them into FILE: processor seconds, seconds, exit code, name
-    tests/dearest.py --selection ci --phases     seconds by phase and test, with an empty cache of shaders and again with what that
-                                           run has left; compiling is as long as the last build of each file was
+    tests/dearest.py                       all tests of build/, one worker per processor
+    tests/dearest.py -L gpu -R cloth -j 1  the tests that ctest selects with these options, one at a time
+    tests/dearest.py --most 50             lists the top 50
+    tests/dearest.py --table FILE          writes all tests to FILE: processor seconds, wall seconds, exit code, name
+    tests/dearest.py --selection ci --phases     seconds by phase and test: a run with an empty shader cache and a second run with the
+                                           filled cache; compile times are those of each file's last build
 
-An empty cache of shaders, as on a machine that has run nothing: MESA_SHADER_CACHE_DIR=$(mktemp -d)."""
+To start with an empty shader cache, as on a fresh machine: MESA_SHADER_CACHE_DIR=$(mktemp -d)."""
 import argparse
 import collections
 import concurrent.futures
@@ -30,14 +30,14 @@ def properties(test):
 
 
 def run(test):
-    """(processor seconds, seconds, exit code, name)"""
+    """Runs a test; returns (processor seconds, wall seconds, exit code, name)."""
     own = properties(test)
     environment = os.environ | dict(pair.split("=", 1) for pair in own.get("ENVIRONMENT", []))
     start = time.monotonic()
     with tempfile.TemporaryFile() as output:
         child = subprocess.Popen(test["command"], cwd=own.get("WORKING_DIRECTORY"), env=environment, stdout=output,
                                  stderr=output)
-        _, status, used = os.wait4(child.pid, 0)  # with the children that it waited for
+        _, status, used = os.wait4(child.pid, 0)  # includes its waited-for children
         child.returncode = os.waitstatus_to_exitcode(status)
         if child.returncode not in (0, own.get("SKIP_RETURN_CODE", 0)):
             output.seek(0)
@@ -46,7 +46,7 @@ def run(test):
 
 
 def compiled(build):
-    """Seconds that the program and the tests took, a job at a time, by what ninja notes."""
+    """Returns the compile seconds of the program and of the tests: sums over all jobs in ninja's log."""
     seconds = {}
     for line in (build / ".ninja_log").read_text().splitlines()[1:]:
         begin, end, _, output, _ = line.split("\t")
@@ -56,7 +56,7 @@ def compiled(build):
 
 
 def all_of(tests, jobs):
-    """Results by name, and the seconds by the clock."""
+    """Runs all tests; returns their results by name, and the wall-clock seconds."""
     start = time.monotonic()
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         results = {result[3]: result for result in pool.map(run, tests)}
@@ -64,7 +64,7 @@ def all_of(tests, jobs):
 
 
 def phases(options, tests):
-    """A table: shaders are what a run with an empty cache takes more, waiting is what the clock shows beyond processor time."""
+    """Prints the --phases tables. Shader time: cold minus warm processor time. Wait time: wall-clock minus processor time."""
     with tempfile.TemporaryDirectory(prefix="simreel-shaders-") as cache:
         os.environ["MESA_SHADER_CACHE_DIR"] = cache
         (cold, cold_wall), (warm, warm_wall) = all_of(tests, options.jobs), all_of(tests, options.jobs)
@@ -98,7 +98,7 @@ def main():
                              *(w for pair in chosen for w in pair)],
                             check=True, capture_output=True, text=True)
     tests = json.loads(listed.stdout)["tests"]
-    # Tests with DEPENDS go last, as in ctest.
+    # Tests with DEPENDS run last, as in ctest.
     tests.sort(key=lambda test: (bool(properties(test).get("DEPENDS")), -properties(test).get("COST", 0)))
     if options.phases:
         return phases(options, tests)

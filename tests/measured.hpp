@@ -6,7 +6,7 @@
 
 #include <doctest/doctest.h>
 
-/// What `measured`, in the order of the parameters' quantities, has under a name.
+/// Returns the value called `name` from `measured`, which has the order of the parameters' quantities.
 inline double named(const simreel::scene::Parameters& parameters, const std::vector<double>& measured,
                     const std::string& name) {
   const auto table = parameters.quantities();

@@ -1,5 +1,5 @@
 #pragma once
 #include <string>
 
-/// The root of the source tree, where tests find the shipped assets.
+/// Returns the root of the source tree, with the shipped assets.
 std::string sourceFolder();

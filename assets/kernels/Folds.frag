@@ -1,4 +1,4 @@
-// Folded waves of light.
+// Draws glowing curves by repeated folding and inversion of the plane.
 void mainImage(out vec4 fragColor, in vec2 fragCoord)
 {
     vec2 p = (2.0 * fragCoord - iResolution.xy) / iResolution.y;

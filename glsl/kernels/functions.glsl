@@ -1,8 +1,9 @@
-// Sines, powers and their inverses of users' kernels: the program's own (common/exact.glsl) where those hold, continued beyond.
+// Trigonometric and exponential functions of users' kernels, and their inverses. They use common/exact.glsl
+// within its range and extend the range beyond it.
 #include "kernels/numbers.glsl"
 #include "common/exact_acos.glsl"
 
-// 1 / (2 pi) in binary, 32 bits each, one word of zeros first.
+// Bits of 1 / (2 pi), 32 per word, after one word of zeros.
 const uint xTurn[8] =
     uint[8](0u, 0x28be60dbu, 0x9391054au, 0x7f09d5f4u, 0x7d4d3770u, 0x36d8a566u, 0x4f10e410u, 0x7f9458eau);
 
@@ -11,8 +12,9 @@ uint xTurnBits(const uint at) {
   return mix(xTurn[word], (xTurn[word] << shift) | (xTurn[word + 1u] >> ((32u - shift) & 31u)), shift != 0u);
 }
 
-// x less whole turns, from -pi to pi, for any |x| above 1: whole numbers times the bits of 1 / (2 pi) that matter (Payne and
-// Hanek 1983). x = m 2^e; the product's upper bits are turns, the next 32 a part of one.
+// Reduces x modulo 2 pi to -pi .. pi, for any |x| above 1: integer products with the relevant bits of 1 / (2
+// pi) (Payne and Hanek 1983). With x = m 2^e, the upper bits of the product are whole turns and the next 32
+// bits are the fraction of a turn.
 float xFarAngle(const float x) {
   int bits = xMagnitude(x);
   uint m = uint((bits & 0x007fffff) | 0x00800000);
@@ -31,7 +33,8 @@ float xSin(const float x) {
   float s = exactSin(near);
   return mix(xFlush(s), xNan(), xMagnitude(x) >= xInfinity);
 }
-// exactCos adds a quarter of a turn, which rounds large numbers: beyond 100 the angle comes first.
+// exactCos adds a quarter turn to its argument, and the sum loses precision for large values. Above 100 the
+// angle is therefore reduced first.
 float xCos(const float x) {
   float near = x;
   if (xMagnitude(x) > 0x42c80000) near = xFarAngle(x);
@@ -42,7 +45,7 @@ float xTan(const float x) {
   return xDiv(xSin(x), xCos(x));
 }
 
-// Above 69, where exactExp holds, the square of the half's.
+// exactExp is valid up to 69; above that, squares e^(x / 2).
 float xExp(const float x) {
   precise float half_ = 0.5 * x;
   float e = exactExp(mix(x, half_, x > 69.0));
@@ -51,7 +54,7 @@ float xExp(const float x) {
   e = mix(e, intBitsToFloat(xInfinity), x > 88.7228394);
   return mix(e, x, xIsNan(x));
 }
-// 2^x = 2^n e^(r ln 2), n whole: exact for whole numbers.
+// 2^x = 2^n e^(r ln 2) with integer n; exact for integer x.
 float xExp2(const float x) {
   float held = clamp(mix(x, 0.0, xIsNan(x)), -127.0, 129.0);
   precise float middle = held + 0.5;
@@ -74,7 +77,7 @@ float xLog(const float x) {
   float l = exactLog(intBitsToFloat(max(xMagnitude(x), xTiny)));
   return xLogEnds(xFlush(l), x);
 }
-// As exactLog, with the whole power of two added last: exact for powers of two.
+// Works like exactLog but adds the integer exponent last, so powers of two are exact.
 float xLog2(const float x) {
   int bits = max(xMagnitude(x), xTiny);
   int n = (bits - 0x3f3504f3) >> 23;
@@ -88,7 +91,7 @@ float xLog2(const float x) {
   part = part + float(n);
   return xLogEnds(xFlush(part), x);
 }
-// exactPow, continued above exp(69); 1 for y = 0, NaN for negative x.
+// exactPow with the range extended above e^69; 1 for y = 0, NaN for negative x.
 float xPow(const float x, const float y) {
   float l = exactLog(intBitsToFloat(max(xMagnitude(x), xTiny)));
   precise float power = y * l;
@@ -101,7 +104,7 @@ float xPow(const float x, const float y) {
   return mix(p, xNan(), m > xInfinity || xIsNan(y));
 }
 
-// Cephes' atanf: the range in three parts.
+// atanf of the Cephes library: argument reduction in three ranges.
 float xAtan(const float x) {
   float a = abs(x);
   bool far = a > 2.41421356, middle = a > 0.41421356;
@@ -114,7 +117,7 @@ float xAtan(const float x) {
   q = xFlush(q);
   return mix(mix(q, -q, floatBitsToInt(x) < 0), x, xIsNan(x));
 }
-// Zero for both zero.
+// Returns zero if both arguments are zero.
 float xAtan2(const float y, const float x) {
   float a = xAtan(xDiv(y, x));
   float half_ = mix(3.14159265, -3.14159265, floatBitsToInt(y) < 0);
@@ -132,7 +135,7 @@ float xAcos(const float x) {
   return mix(xFlush(a), xNan(), xMagnitude(x) > 0x3f800000);
 }
 
-// Near zero a series; elsewhere from e^x.
+// Uses a series near zero, and e^x elsewhere.
 float xSinh(const float x) {
   precise float s = x * x;
   precise float near = ((s * 1.9841270e-4 + 8.3333333e-3) * s + 0.16666667) * s;

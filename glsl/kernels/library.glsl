@@ -1,10 +1,12 @@
-// Functions in place of the operations of users' kernels. Vectors go component by component; sums go from left to right.
+// Library functions of users' kernels, with the same bits on every driver. Vector functions work component by
+// component; sums are evaluated from left to right.
 #include "kernels/numbers.glsl"
 #include "kernels/functions.glsl"
 #include "kernels/packing.glsl"
 #include "kernels/sampling.glsl"
 
-// A function of 1, 2 or 3 arguments for each length of vector; R is the result's kind, A and B the arguments'.
+// Defines overloads of F for vectors of length 2 to 4, with 1, 2 or 3 arguments. R, A and B are the prefixes of
+// the result type and of the argument types.
 #define EACH_1(F, R, A) \
   R##2 F(const A##2 a) { return R##2(F(a.x), F(a.y)); } \
   R##3 F(const A##3 a) { return R##3(F(a.x), F(a.y), F(a.z)); } \
@@ -63,7 +65,7 @@ float xDistance(const float a, const float b) {
 float xNormalize(const float v) {
   return xSign(v);
 }
-// A vector shorter than 1e-15 is normalized to less than 1, zero to zero.
+// Normalizing a zero vector gives zero; a vector shorter than 1e-15 gives a result shorter than 1.
 #define GEOMETRY(T) \
   float xLength(const T v) { return xSqrt(xDot(v, v)); } \
   float xDistance(const T a, const T b) { precise T d = a - b; return xLength(d); } \
@@ -86,7 +88,7 @@ GEOMETRY(vec2) GEOMETRY(vec3) GEOMETRY(vec4)
   T xFaceForward(const T n, const T i, const T reference) { return xDot(reference, i) < 0.0 ? n : -n; }
 REFLECTION(float) REFLECTION(vec2) REFLECTION(vec3) REFLECTION(vec4)
 
-// Matrices of C columns and R rows: columns first.
+// Matrices with C columns and R rows, stored by columns.
 #define MATRIX(M, R, C) \
   R xTimes(const M m, const vec##C v) { \
     precise R sum = xMul(m[0], R(v[0])) + xMul(m[1], R(v[1])); \
@@ -130,7 +132,7 @@ float xDeterminant(const mat2 m) {
 float xDeterminant(const mat3 m) {
   return xDot(m[0], xCross(m[1], m[2]));
 }
-// The minor without column c and row r.
+// Returns the determinant of m without column c and row r.
 float xMinor(const mat4 m, const int c, const int r) {
   mat3 rest;
   for (int i = 0; i < 3; ++i) {

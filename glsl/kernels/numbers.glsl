@@ -1,10 +1,11 @@
-// Products, quotients, roots and conversions of users' kernels, with the same bits on every driver. Each function stands for one
-// operation of SPIR-V (src/kernels/exact/calls.cpp). Parameters are const: glslang then passes them by value. `mix` with a bool
-// selects without a branch. NaN and infinities are told by their bits: compilers may assume that comparisons never meet NaN.
+// Arithmetic of users' kernels (products, quotients, roots, conversions) with the same bits on every driver.
+// Each function replaces one SPIR-V operation (src/kernels/exact/calls.cpp). Parameters are const, because
+// glslang then passes them by value. `mix` with a bool selects without a branch. NaN and infinities are
+// detected by their bits, because compilers may assume that comparisons never involve NaN.
 #include "common/exact.glsl"
 
-const int xTiny = 0x0da24260;      // the bits of 1e-30
-const int xInfinity = 0x7f800000;  // whatever is above is NaN
+const int xTiny = 0x0da24260;      // bits of 1e-30
+const int xInfinity = 0x7f800000;  // bits of infinity; greater magnitudes are NaN
 
 int xMagnitude(const float x) {
   return floatBitsToInt(x) & 0x7fffffff;
@@ -19,7 +20,7 @@ float xNan() {
   return intBitsToFloat(0x7fc00000);
 }
 
-// Magnitudes below 1e-30 become zero: drivers disagree on subnormal numbers.
+// Flushes magnitudes below 1e-30 to zero, because drivers disagree on subnormal numbers.
 float xFlush(const float x) {
   return mix(x, 0.0, xMagnitude(x) < xTiny);
 }
@@ -41,10 +42,11 @@ vec4 xMul(const vec4 a, const vec4 b) {
   return mix(p, vec4(0.0), lessThan(floatBitsToInt(p) & 0x7fffffff, ivec4(xTiny)));
 }
 
-// a / b, relative error below 3e-7: a times exactReciprocal(b). Zeros, infinities and NaN as IEEE 754 has them; |b| below 1e-30 is zero.
+// Returns a / b with a relative error below 3e-7, as a times exactReciprocal(b). Zeros, infinities and NaN
+// follow IEEE 754; |b| below 1e-30 counts as zero.
 float xDiv(const float a, const float b) {
   int m = xMagnitude(b);
-  float scale = mix(1.0, 5.42101086e-20, m > 0x7149f2ca);  // 2^-64 for |b| above 1e30, or the reciprocal would be subnormal
+  float scale = mix(1.0, 5.42101086e-20, m > 0x7149f2ca);  // 2^-64 if |b| > 1e30: 1 / b is subnormal
   precise float c = intBitsToFloat(m) * scale;
   precise float y = intBitsToFloat(0x7ef311c7 - floatBitsToInt(c));
   y = y * (2.0 - c * y);
@@ -58,7 +60,7 @@ float xDiv(const float a, const float b) {
   return xFlush(q);
 }
 
-// 1 / sqrt(x): infinite at zero, NaN below.
+// Returns 1 / sqrt(x): infinity for zero, NaN for negative x.
 float xInverseSqrt(const float x) {
   int m = xMagnitude(x);
   float y = exactInverseSqrt(intBitsToFloat(max(m, xTiny)));
@@ -75,8 +77,8 @@ float xSqrt(const float x) {
   return mix(root, xNan(), (floatBitsToInt(x) < 0 && m >= xTiny) || m > xInfinity);
 }
 
-// a - b floor(a / b), with the sign of b; a - b trunc(a / b), with the sign of a. A quotient that was rounded over a whole number
-// is mended, so that the result is smaller than b.
+// xMod: a - b floor(a / b), with the sign of b. xRem: a - b trunc(a / b), with the sign of a. If rounding moves
+// the quotient to another integer, the result is corrected so that its magnitude stays below |b|.
 float xMod(const float a, const float b) {
   float q = floor(xDiv(a, b));
   precise float r = a - xMul(b, q);
@@ -103,7 +105,7 @@ float xMix(const float a, const float b, const float t) {
   return sum;
 }
 
-// A number wins over NaN; -0 is below +0: the order of the bits.
+// Integer key for min and max: -0 sorts below +0. If one operand is NaN, min and max return the other one.
 int xOrder(const float x) {
   int bits = floatBitsToInt(x);
   return bits ^ ((bits >> 31) & 0x7fffffff);
@@ -148,7 +150,7 @@ float xLdexp(const float x, const int n) {
   return xFlush(r);
 }
 
-// NaN becomes 0; what is beyond the range, its nearest end.
+// Converts with saturation: NaN becomes 0, values out of range become the nearest limit.
 int xToInt(const float x) {
   int i = int(mix(x, 0.0, xMagnitude(x) >= 0x4f000000));
   int end = 0x7fffffff ^ (floatBitsToInt(x) >> 31);
@@ -159,7 +161,7 @@ uint xToUint(const float x) {
   return mix(i, 0xffffffffu, floatBitsToInt(x) >= 0x4f800000 && !xIsNan(x));
 }
 
-// Division by zero gives all bits set, as in Direct3D; the lowest number divided by -1 is itself.
+// Division by zero gives all bits set, as in Direct3D. The lowest integer divided by -1 gives itself.
 uint xUdiv(const uint a, const uint b) {
   return mix(a / mix(b, 1u, b == 0u), 0xffffffffu, b == 0u);
 }
@@ -170,7 +172,7 @@ int xSdiv(const int a, const int b) {
   uint q = uint(abs(a)) / mix(uint(abs(b)), 1u, b == 0);
   return mix(mix(int(q), -int(q), (a ^ b) < 0), -1, b == 0);
 }
-// With the sign of a; with the sign of b.
+// Remainders: xSrem has the sign of a, xSmod the sign of b.
 int xSrem(const int a, const int b) {
   uint r = uint(abs(a)) % mix(uint(abs(b)), 1u, b == 0);
   return mix(mix(int(r), -int(r), a < 0), -1, b == 0);

@@ -1,6 +1,6 @@
-// Textures of users' kernels read between texels, with the same bits on every driver: weights in full precision, the nearest
-// level of detail. A sampler's state: bit 0 linear; bits 2 to 3, 4 to 5, 6 to 7 what is beyond the ends in x, y, z:
-// 0 repeat, 1 the end's texel, 2 mirrored.
+// Filtered texture sampling of users' kernels, with the same bits on every driver: full-precision weights,
+// nearest mip level. Sampler state: bit 0 linear filter; bits 2-3, 4-5 and 6-7 wrap mode in x, y and z (0
+// repeat, 1 clamp, 2 mirror).
 #include "kernels/numbers.glsl"
 
 int xWrapped(const int i, const int n, const uint mode) {
@@ -11,7 +11,8 @@ int xWrapped(const int i, const int n, const uint mode) {
 int xLevel(const float lod, const int levels) {
   return clamp(xToInt(roundEven(xClamp(lod, 0.0, 32.0))), 0, max(levels - 1, 0));
 }
-// The texel at or before a place in texels, and how far it is beyond its middle.
+// Returns the interpolation weight of the next texel for a normalized coordinate `at`, and the index of the
+// lower texel in `texel`.
 float xPlace(const float at, const int n, const uint state, out int texel) {
   precise float place = xMul(at, float(n));
   precise float middle = place - 0.5;

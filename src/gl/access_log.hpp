@@ -5,13 +5,13 @@
 
 namespace simreel::gl {
 
-/// Accesses of buffers and textures by typed kernels (gl::Kernel) since the last barriers, in dispatches of
-/// the current context. A kernel asks for the barriers it needs before it reads or writes; explicit
-/// barriers count where they come by AccessLog::barrier, as gl::barrier() does. It knows nothing of what a
-/// gl::Program accesses: code around those makes its barriers itself.
+/// Records which buffers and textures the typed kernels (gl::Kernel) of the current context have accessed
+/// since the last barriers. Before a dispatch, a kernel issues the barriers that this log reports. Explicit
+/// barriers are recorded if they go through AccessLog::barrier, as gl::barrier() does. The log does not
+/// record accesses by a gl::Program: code around a gl::Program issues its own barriers.
 class AccessLog {
  public:
-  /// A buffer or a texture of its own memory, by the driver's name.
+  /// A buffer, or a texture with its own storage, identified by its OpenGL name.
   struct Memory {
     GLuint name = 0;
     bool texture = false;
@@ -20,12 +20,13 @@ class AccessLog {
   /// `together`: reads and writes that need no order among themselves (gl::Shared).
   enum class Way { read, write, together };
 
-  /// The barrier bits to be issued before `memory` is accessed the way that `kind` says (one bit of
-  /// glMemoryBarrier); 0 where none is due. Each way waits for all others, writes for writes, too.
+  /// Returns the barrier bits to issue before an access of `memory` through `kind` (one bit of
+  /// glMemoryBarrier); 0 if no barrier is due. An access waits for all accesses of the other two ways; a
+  /// write also waits for writes.
   [[nodiscard]] static GLbitfield needed(Memory memory, GLbitfield kind, Way way);
-  /// Notes an access of the dispatch that comes next.
+  /// Records an access by the next dispatch.
   static void note(Memory memory, Way way);
-  /// glMemoryBarrier.
+  /// Calls glMemoryBarrier and records the barrier.
   static void barrier(GLbitfield kinds);
 };
 

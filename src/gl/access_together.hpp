@@ -2,8 +2,9 @@
 
 namespace simreel::gl {
 
-/// While it lives, dispatches of typed kernels do not wait for each other (AccessLog): they share the
-/// device, and none reads what another one writes. They wait for what was before. One at a time.
+/// Scope in which dispatches of typed kernels do not wait for each other (AccessLog), so that they run on
+/// the device at the same time. No dispatch of the scope may read what another one writes. All still wait
+/// for accesses from before the scope. Only one object may exist at a time.
 class AccessTogether {
  public:
   AccessTogether();

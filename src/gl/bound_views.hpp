@@ -7,17 +7,17 @@
 
 namespace simreel::gl {
 
-/// Properties of a bound texture that a software driver's machine code depends on.
+/// Properties of a bound texture that affect the machine code of a software driver.
 struct TextureShape {
   GLenum format = GL_NONE;
   int width = 0;
   int height = 0;
-  int levels = 0;                                          ///< 0: a view of a buffer
-  std::size_t bufferBytes = 0, offset = 0, viewBytes = 0;  ///< of a view
-  GLint filters[2] = {}, wraps[2] = {};                    ///< min and mag; s and t
+  int levels = 0;                                          ///< 0: texel view of a buffer
+  std::size_t bufferBytes = 0, offset = 0, viewBytes = 0;  ///< only for texel views of a buffer
+  GLint filters[2] = {}, wraps[2] = {};                    ///< min, mag filter; wrap in s, t
 };
 
-/// Shapes of what is bound to the units of textures and of images.
+/// Shapes of the textures and images that are bound to texture units and image units.
 struct BoundViews {
   struct Image {
     TextureShape shape;
@@ -27,8 +27,8 @@ struct BoundViews {
   };
   std::map<GLuint, TextureShape> textures;
   std::map<GLuint, Image> images;
-  /// Views given to a gl::Kernel, by the name of the sampler or image (namesView). The units are
-  /// not known before the program is linked.
+  /// Views given to a gl::Kernel, by the name of the sampler or image (namesView). Their units are unknown
+  /// until the program is linked.
   std::map<std::string, Image> named;
 };
 

@@ -13,9 +13,10 @@ namespace simreel::gl {
 
 namespace {
 
-/// Up to which size a buffer is written directly, and how much a large one takes at a time.
+/// Maximum size of a buffer that the CPU writes directly, and size of one staged copy into a larger buffer.
 constexpr std::size_t directBytes = 4 << 20, stagedBytes = 64 << 20;
-/// From which on it matters how its addresses are looked up.
+/// Minimum size of a buffer for which large pages are requested, because address lookups (TLB misses)
+/// matter there.
 constexpr std::size_t largePagesBytes = 32 << 20;
 
 GLuint createBuffer() {
@@ -58,8 +59,8 @@ Buffer Buffer::unchecked(const std::string& label, std::size_t bytes, const void
 void Buffer::store(const std::string& label, const void* items) {
   const std::size_t bytes = bytes_;
   checkCalls();
-  // Zeros come as data, not through glClearNamedBufferData: with NVIDIA's driver 580 a clear overtakes a
-  // large glNamedBufferSubData issued after it.
+  // Zeros are uploaded as data, not with glClearNamedBufferData, because NVIDIA's driver 580 may run a
+  // clear before an earlier large glNamedBufferSubData.
   const bool zero = items == nullptr || bytes == 0;
   const bool cleared = zero && softwareDriver();
   const std::vector<std::byte> zeros(zero && !cleared ? std::clamp<std::size_t>(bytes, 1, stagedBytes) : 0);
@@ -83,10 +84,10 @@ void Buffer::store(const std::string& label, const void* items) {
   glObjectLabel(GL_BUFFER, name(), -1, label.c_str());
 }
 
-// NVIDIA's driver 580 keeps a second copy of a large buffer that the CPU may write, and kernels that step 1
-// GiB of such buffers ran at a third of their speed from time to time; never where the buffer is the GPU's
-// alone. What the CPU writes to a large buffer comes by way of another one. To a software driver it is all
-// one memory, and touching pages for the first time is much of what a short run takes.
+// Large buffers are written through a staging buffer. NVIDIA's driver 580 keeps a second copy of a large
+// buffer that the CPU may write, and kernels on 1 GiB of such buffers sometimes ran at a third of their
+// speed. This never happened with buffers that only the GPU accesses. With a software driver a staging
+// buffer gains nothing: all memory is the same, and the first touch of its pages takes much of a short run.
 bool Buffer::staged() const {
   return bytes_ > directBytes && memory_ == nullptr && !softwareDriver();
 }
@@ -134,8 +135,8 @@ void Buffer::read(std::size_t offset, std::span<std::byte> bytes) const {
   checkCalls();
 }
 
-// With NVIDIA's driver 580 a large glNamedBufferSubData overtakes kernels that were dispatched before it
-// and write to the same buffer, in spite of GL_BUFFER_UPDATE_BARRIER_BIT.
+// NVIDIA's driver 580 may run a large glNamedBufferSubData before earlier dispatches that write to the same
+// buffer, in spite of GL_BUFFER_UPDATE_BARRIER_BIT. Hence glFinish.
 void beforeWrites() {
   glFinish();
 }

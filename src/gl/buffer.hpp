@@ -9,12 +9,13 @@
 
 namespace simreel::gl {
 
-/// GPU memory of fixed size, which kernels get as a block. Allocation beyond the device's block limit
-/// throws UserError(device) naming the limit. An empty Buffer (default constructed) has size 0 and name 0.
+/// GPU memory of fixed size, passed to kernels as a storage or uniform block. Allocation beyond the
+/// device's block limit throws UserError(device) that names the limit. An empty Buffer (default
+/// constructed) has size 0 and name 0.
 class Buffer {
  public:
   Buffer() = default;
-  /// `label` shows in debug messages and limit errors. Contents are zero.
+  /// Creates a buffer filled with zeros. `label` appears in debug messages and limit errors.
   Buffer(const std::string& label, std::size_t bytes);
 
   template <class T>
@@ -23,26 +24,29 @@ class Buffer {
     return Buffer(label, items.size_bytes(), items.data());
   }
 
-  /// Memory that is only read through texel views: its limit is theirs, which Texture::view() checks.
+  /// Creates a buffer that shaders read only through texel views. The limit of texel views applies, which
+  /// Texture::view() checks, not the block limit.
   template <class T>
   static Buffer ofTexels(const std::string& label, std::span<const T> items) {
     static_assert(std::is_trivially_copyable_v<T>);
     return unchecked(label, items.size_bytes(), items.data());
   }
 
-  /// Of which kernels get parts (BufferPart), each within the device's block limit; zeros.
+  /// Creates a buffer of zeros that kernels access in parts (BufferPart). The buffer may exceed the
+  /// device's block limit; each part must be within it.
   static Buffer inParts(const std::string& label, std::size_t bytes);
 
-  /// Memory that stays mapped for the buffer's whole life, coherent, for writing by the CPU (`writing`) or
-  /// for reading; whoever uses it keeps away, by fences, from what the GPU is at. Contents are undefined.
+  /// Creates a buffer that stays persistently and coherently mapped for CPU writes (`writing`) or CPU
+  /// reads. The caller must use fences so that CPU and GPU never access the same bytes at the same time.
+  /// The initial contents are undefined.
   static Buffer mapped(const std::string& label, std::size_t bytes, bool writing);
-  /// Of a mapped buffer, else null.
+  /// CPU address of a mapped buffer; null for other buffers.
   [[nodiscard]] void* memory() const { return memory_; }
 
-  /// Copies into the buffer, ordered with the GL commands around it; after what kernels wrote there only by
-  /// beforeWrites().
+  /// Copies into the buffer, in order with other GL commands. To overwrite data that kernels wrote, call
+  /// beforeWrites() first.
   void write(std::size_t offset, std::span<const std::byte> bytes);
-  /// Waits for the GPU and copies out.
+  /// Waits for the GPU and copies bytes out of the buffer.
   void read(std::size_t offset, std::span<std::byte> bytes) const;
   template <class T>
   [[nodiscard]] std::vector<T> readAll() const {
@@ -60,7 +64,7 @@ class Buffer {
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
 
  private:
-  /// Whatever the size. Null: zeros.
+  /// Creates a buffer without checking the block limit. `items` null: zeros.
   static Buffer unchecked(const std::string& label, std::size_t bytes, const void* items);
   Buffer(const std::string& label, std::size_t bytes, const void* items);
   void store(const std::string& label, const void* items);
@@ -69,16 +73,17 @@ class Buffer {
 
   Handle<DeleteBuffer> handle_;
   std::size_t bytes_ = 0;
-  void* memory_ = nullptr;  ///< as long as the buffer
+  void* memory_ =
+      nullptr;  ///< CPU address of the mapping, valid for the buffer's lifetime; null if not mapped
 };
 
-/// A part of a buffer, which outlives it. Kernels get it as if it were one by itself.
+/// A part of a buffer. The buffer must outlive it. Kernels can use it like a whole buffer.
 struct BufferPart {
   const Buffer* buffer = nullptr;
   std::size_t offset = 0;  ///< bytes, a multiple of `alignment`
   std::size_t bytes = 0;
 
-  /// What every device is content with, of storage blocks and of texel views.
+  /// Offset alignment in bytes that all devices accept for storage blocks and texel views.
   static constexpr std::size_t alignment = 256;
   [[nodiscard]] static std::size_t aligned(std::size_t bytes) {
     return (bytes + alignment - 1) / alignment * alignment;
@@ -89,8 +94,7 @@ struct BufferPart {
   }
 };
 
-/// What kernels have written so far comes before what Buffer::write writes from now on: waits for the
-/// device.
+/// Waits for the device, so that a later Buffer::write cannot run before the writes of earlier kernels.
 void beforeWrites();
 
 }  // namespace simreel::gl

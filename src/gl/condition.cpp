@@ -15,7 +15,8 @@ Condition::Condition() : point_(Program::graphics("common/point.vert", "common/p
   vertices_ = Handle<DeleteVertexArray>(name);
 }
 
-// A command of a dispatch is one of a drawing, too: of as many points as it has groups.
+// Draws points with the indirect dispatch command as an indirect draw command: group counts x and y become
+// the vertex count and the instance count. The occlusion query passes if at least one point is drawn.
 void Condition::begin(GLuint commands, GLintptr offset) const {
   GLint before = 0, viewport[4] = {};
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &before);

@@ -4,15 +4,15 @@
 
 namespace simreel::gl {
 
-/// Leaves out dispatches by what the device itself has found, while the CPU waits for nothing: indirect
-/// dispatches without groups cost a card some two microseconds each, left out like this one.
+/// Skips dispatches depending on a GPU-side result, without a wait by the CPU. An indirect dispatch with
+/// zero groups costs a graphics card about two microseconds; a dispatch skipped this way costs about one.
 class Condition {
  public:
   Condition();
 
-  /// What is dispatched from here on to `end` is left out if the indirect command at byte `offset` of the
-  /// buffer `commands` has no groups now. Not to be nested. Whoever wrote the command has to have put
-  /// GL_COMMAND_BARRIER_BIT. Leaves another program and vertex array in use.
+  /// Skips all dispatches until `end` if the indirect command at byte `offset` of the buffer `commands` has
+  /// zero groups now. Not to be nested. The caller must have issued GL_COMMAND_BARRIER_BIT after the
+  /// command was written. Changes the current program and vertex array.
   void begin(GLuint commands, GLintptr offset) const;
   void end() const;
 

@@ -6,37 +6,40 @@
 
 namespace simreel::gl {
 
-/// How shaders read hot inputs. Software drivers load texels 10 to 30 times faster than storage
-/// blocks; GPUs prefer storage blocks and shared memory (DESIGN.md).
+/// The way in which shaders read performance-critical inputs. Software drivers load texels 10 to 30 times
+/// faster than storage blocks; GPUs are faster with storage blocks and shared memory (DESIGN.md).
 enum class MemoryPath { storage, texel };
 
-/// One EGL device as the system lists it.
+/// One EGL device of the system.
 struct DeviceInfo {
   int index = 0;
-  std::string name;  ///< GL_RENDERER when a context could be made, else what EGL says
+  std::string name;  ///< GL_RENDERER if a context could be created, else a name from EGL
   std::string vendor;
   std::string version;  ///< GL_VERSION
   bool software = false;
-  std::string problem;  ///< empty when the device can run the program
+  std::string problem;  ///< reason why the device cannot run the program; empty if it can
 };
 
-/// Every EGL device, each tried by making a context on it. Empty when EGL finds none.
+/// Returns all EGL devices and tests each by creating a context on it. Empty if EGL finds no device.
 [[nodiscard]] std::vector<DeviceInfo> listDevices();
 
 struct ContextOptions {
-  std::string device;  ///< index or part of a name, case ignored; empty: hardware before software
-  bool debug = false;  ///< debug context: high-severity messages become UserError(device) at the next check
-  std::string memoryPath;  ///< "storage", "texel" or empty: by driver
+  std::string device;  ///< index, or part of a name (case-insensitive); empty: a hardware device if
+                       ///< possible, else a software driver
+  bool debug = false;  ///< creates a debug context; high-severity messages become UserError(device) at the
+                       ///< next check
+  std::string memoryPath;  ///< "storage", "texel" or empty (chosen by driver)
 
-  /// Of several processes beside each other, `place` of which is counted from 0: each takes the next device
-  /// of a list, "0,1". A comma before a blank is part of a name.
+  /// Returns the options for worker process number `place` (zero-based) of several parallel processes. The
+  /// workers take the devices of a list such as "0,1" in turn. A comma before a space belongs to a device
+  /// name.
   [[nodiscard]] ContextOptions ofWorker(std::size_t place) const;
-  /// How many devices `device` lists, at least 1.
+  /// Number of devices that `device` lists, at least 1.
   [[nodiscard]] std::size_t deviceCount() const;
 };
 
-/// An OpenGL 4.5 core context without a surface, current on the thread that made it. Throws
-/// UserError(device) saying what was looked for, what was found and what to install.
+/// Owns an OpenGL 4.5 core context without a surface, current on the thread that created it. Throws
+/// UserError(device) that says what was required, what was found and what to install.
 class Context {
  public:
   explicit Context(const ContextOptions& options = {});
@@ -47,7 +50,7 @@ class Context {
   Context& operator=(const Context&) = delete;
 
   [[nodiscard]] const DeviceInfo& device() const;
-  [[nodiscard]] const std::string& reason() const;  ///< why this device was chosen, one clause
+  [[nodiscard]] const std::string& reason() const;  ///< reason for the choice of this device, one clause
   /// Throws UserError(device) with the first high-severity debug message since the last call, if any.
   void check() const;
 
@@ -56,11 +59,11 @@ class Context {
   std::unique_ptr<State> state_;
 };
 
-/// A further context beside the current Context, on its device and current on the thread that makes it. It
-/// shares no objects with the other one. End it before that.
+/// Owns a further context on the device of the current Context, current on the thread that creates it. It
+/// shares no objects with the Context and must be destroyed before it.
 class SideContext {
  public:
-  /// Null where the driver offers none, or there is no Context.
+  /// Returns null if the driver cannot create a further context, or if there is no Context.
   static std::unique_ptr<SideContext> make();
   ~SideContext();
   SideContext(SideContext&&) = delete;
@@ -74,9 +77,10 @@ class SideContext {
   void* context_;  ///< EGLContext
 };
 
-/// Of the current context.
+/// Memory path of the current context.
 [[nodiscard]] MemoryPath memoryPath();
-/// Whether the current context draws on the CPU, where some filters cost more than they show.
+/// True if the current context renders on the CPU. Some filters then cost too much for their visible
+/// effect.
 [[nodiscard]] bool softwareDriver();
 
 }  // namespace simreel::gl

@@ -3,11 +3,11 @@
 
 namespace simreel::gl {
 
-/// Variables of the environment that choose a driver or change what it offers, as they are set:
-/// "GALLIUM_DRIVER=softpipe and LIBGL_DRIVERS_PATH=/x"; empty: none is.
+/// Returns the set environment variables that choose a driver or change its features, for example
+/// "GALLIUM_DRIVER=softpipe and LIBGL_DRIVERS_PATH=/x"; empty if none of them is set.
 [[nodiscard]] std::string driverVariables();
 
-/// What to do where no device can run the program, for the end of a message.
+/// Returns advice for the end of an error message if no device can run the program.
 [[nodiscard]] std::string driverAdvice();
 
 }  // namespace simreel::gl

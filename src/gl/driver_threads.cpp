@@ -21,14 +21,14 @@ namespace {
 
 std::size_t sharers = 1;
 
-/// Whether so many threads can live at once besides those there are.
+/// True if the system can start `count` further threads that run at the same time.
 bool canStart(std::size_t count) {
   std::vector<std::thread> threads;
   std::latch end(1);
   try {
     threads.reserve(count);
     while (threads.size() < count) threads.emplace_back([&] { end.wait(); });
-  } catch (const std::system_error&) {  // NOLINT(bugprone-empty-catch): the count tells.
+  } catch (const std::system_error&) {  // NOLINT(bugprone-empty-catch): threads.size() shows the failure
   } catch (const std::bad_alloc&) {     // NOLINT(bugprone-empty-catch)
   }
   end.count_down();
@@ -58,18 +58,20 @@ std::size_t processorShare() {
 
 std::size_t driverThreads() {
   const char* text =
-      std::getenv("LP_NUM_THREADS");  // NOLINT(concurrency-mt-unsafe): nobody sets it meanwhile
+      std::getenv("LP_NUM_THREADS");  // NOLINT(concurrency-mt-unsafe): no other thread sets it
   return text == nullptr ? 0 : std::strtoul(text, nullptr, 10);
 }
 
 void chooseDriverThreads() {
-  // llvmpipe starts so many threads for pictures and so many for kernels, 32 at most; then come ours.
+  // llvmpipe starts this many threads for drawing and again this many for compute, at most 32 each. The
+  // program's own threads come on top.
   constexpr std::size_t most = 32;
   const std::size_t processors = std::clamp<std::size_t>(processorCount() / sharers, 1, most);
   const auto needed = [&](std::size_t threads) { return 2 * threads + processors + 4; };
-  // Measured: 1.4 GB on 4 processors with a thread each, most of it reserved for threads.
+  // The program reserves 1.4 GB of address space on 4 processors with one driver thread each, most of it
+  // for thread stacks.
   const bool little = addressSpaceBelow(rlim_t{3} << 30);
-  // Each further heap of the C library reserves 128 MB.
+  // Each further malloc arena of the C library reserves 128 MB.
   if (little) ::mallopt(M_ARENA_MAX, 1);
   if (little || !canStart(needed(processors))) {
     setThreads(0);
@@ -77,10 +79,11 @@ void chooseDriverThreads() {
            little ? "little address space (ulimit -v)" : "few threads are to be had");
     return;
   }
-  // It hands each thread one equal part of a kernel's work, and all wait for the slowest. With two parts a
-  // processor those done first take over; more parts gain little for kernels, and pictures lose.
-  // Processes that share them fill each other's gaps; a thread beside the one that waits for it costs one
-  // that has a single processor a tenth of its time.
+  // llvmpipe splits the work of a kernel into equal parts, one for each of its threads, and waits for the
+  // slowest. With two threads per processor, early finished processors take over work; more threads gain
+  // little for kernels and slow down drawing. With several processes (sharers > 1), the processes fill each
+  // other's gaps, so one thread per processor is enough. On a single processor a driver thread beside the
+  // waiting main thread costs a tenth of the time, so none is used.
   if (sharers > 1) return setThreads(processors == 1 ? 0 : processors);
   const std::size_t parts = std::min(2 * processors, most);
   const bool room = !addressSpaceBelow(rlim_t{16} << 30) && canStart(needed(parts));

@@ -3,21 +3,22 @@
 
 namespace simreel::gl {
 
-/// Says that so many processes like this one share the processors: each gets an equal part of them, a
-/// thread of the driver on each. Call before the first context.
+/// Sets the number of processes, this one included, that share the processors. Each process gets an equal
+/// share and one driver thread per processor of its share. Call before the first context is created.
 void shareProcessors(std::size_t processes);
 
-/// Processors that this process may use: all of them, or its part of them.
+/// Number of processors that this process may use: all, or its share of them.
 [[nodiscard]] std::size_t processorShare();
 
-/// Threads of a software driver, as $LP_NUM_THREADS says once chooseDriverThreads() has been called: 0 or 1
-/// also where the system grants no more, or the user wants a single one.
+/// Number of threads of a software driver, read from $LP_NUM_THREADS after chooseDriverThreads(). 0 or 1 if
+/// the driver works on a single thread, because of a limit of the system or a setting of the user.
 [[nodiscard]] std::size_t driverThreads();
 
-/// Call before the first context. How many threads a software driver shall use, as $LP_NUM_THREADS, which
-/// stays where it is set: two a processor, so that no processor waits for a slower one. Where the
-/// system grants few threads or little address space (prlimit --nproc, ulimit -v), one: it would wait for
-/// ever for threads that never started, or crash.
+/// Chooses the thread count of a software driver and sets $LP_NUM_THREADS, unless the user has set it. Call
+/// before the first context is created. Normally two threads per processor, so that no processor idles
+/// while a slower one finishes. If the system allows few threads or little address space (prlimit --nproc,
+/// ulimit -v), the driver gets no extra thread: it would wait forever for threads that could not start, or
+/// crash.
 void chooseDriverThreads();
 
 }  // namespace simreel::gl

@@ -13,29 +13,30 @@
 
 namespace simreel::gl {
 
-/// Simulation state of elements of 16 bytes, reachable both as a storage block and as texels; binds the way
-/// that glsl/common/memory.glsl (vec4) and words.glsl (uvec4) declare for the current memory path.
+/// Simulation state in elements of 16 bytes, accessible as a storage block and as texels. The bind
+/// functions match the declarations of glsl/common/memory.glsl (vec4) and words.glsl (uvec4) for the
+/// current memory path.
 template <class Element, GLenum format>
 class ElementArray {
  public:
   ElementArray() = default;
-  /// Zeros.
+  /// Creates `count` zero elements.
   ElementArray(const std::string& label, int count)
       : ElementArray(label, Buffer(label, static_cast<std::size_t>(count) * sizeof(Element))) {}
   ElementArray(const std::string& label, std::span<const Element> items)
       : ElementArray(label, Buffer::of(label, items)) {}
-  /// Over memory that is there, whole elements.
+  /// Wraps an existing buffer, whose size must be a multiple of the element size.
   ElementArray(const std::string& label, Buffer buffer)
       : buffer_(std::move(buffer)), view_(Texture::view(label, format, buffer_)) {}
 
-  /// For INPUT_ARRAY(unit, ...) and INPUT_WORDS.
+  /// Binds for INPUT_ARRAY(unit, ...) and INPUT_WORDS.
   void bindInput(GLuint unit) const {
     if (memoryPath() == MemoryPath::texel)
       view_.bind(unit);
     else
       buffer_.bindStorage(unit);
   }
-  /// For STATE_ARRAY(unit, ...) and STATE_WORDS.
+  /// Binds for STATE_ARRAY(unit, ...) and STATE_WORDS.
   void bindState(GLuint unit) const {
     if (memoryPath() == MemoryPath::texel) {
       view_.bindImage(unit, GL_READ_ONLY);
@@ -44,12 +45,12 @@ class ElementArray {
     buffer_.bindStorage(unit);
   }
 
-  /// All of another as large, ordered with the GL commands around it.
+  /// Copies all elements of an array of equal size, in order with other GL commands.
   void copyFrom(const ElementArray& other) {
     glCopyNamedBufferSubData(other.buffer_.name(), buffer_.name(), 0, 0,
                              static_cast<GLsizeiptr>(buffer_.bytes()));
   }
-  /// Copies to the front, ordered with the GL commands around it.
+  /// Copies `items` to the start of the array, in order with other GL commands.
   void write(std::span<const Element> items) { buffer_.write(0, std::as_bytes(items)); }
   [[nodiscard]] const Buffer& buffer() const { return buffer_; }
   [[nodiscard]] Buffer& buffer() { return buffer_; }
@@ -64,14 +65,15 @@ class ElementArray {
 using Vec4Array = ElementArray<glm::vec4, GL_RGBA32F>;
 using WordsArray = ElementArray<glm::uvec4, GL_RGBA32UI>;
 
-/// Makes writes of the last dispatch visible to the next one and to drawing, and to `more` (bits of
-/// glMemoryBarrier).
+/// Makes writes of earlier dispatches visible to later dispatches and draws, and to the accesses in `more`
+/// (bits of glMemoryBarrier).
 inline void barrier(GLbitfield more = 0) {
   AccessLog::barrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
                      GL_TEXTURE_FETCH_BARRIER_BIT | GL_UNIFORM_BARRIER_BIT | more);
 }
 
-/// Defines that select the memory path, and built-in arithmetic when `fast`.
+/// Returns the defines that select the memory path, and the one for built-in (not bit-reproducible)
+/// arithmetic if `fast`.
 inline Defines kernelDefines(bool fast) {
   Defines defines;
   if (memoryPath() == MemoryPath::texel) defines.emplace_back("TEXEL_PATH", "1");

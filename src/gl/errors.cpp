@@ -9,7 +9,7 @@ namespace simreel::gl {
 void checkCalls() {
   const GLenum error = glGetError();
   if (error == GL_NO_ERROR) return;
-  // One flag for each kind of error may be up.
+  // OpenGL keeps one error flag per error type; this clears all of them.
   while (glGetError() != GL_NO_ERROR) {
   }
   if (error == GL_OUT_OF_MEMORY)

@@ -2,8 +2,8 @@
 
 namespace simreel::gl {
 
-/// Throws UserError(device) where the driver has refused a call since the last check: what was computed or
-/// drawn since then is not to be trusted. Called wherever results leave the device.
+/// Throws UserError(device) if the driver has rejected a call since the last check: results since then are
+/// unreliable. Called wherever results leave the device.
 void checkCalls();
 
 }  // namespace simreel::gl

@@ -24,7 +24,7 @@ namespace simreel::gl {
 
 namespace {
 
-/// A kernel to be compiled; a copy of its text, as the LinkedProgram belongs to the other thread.
+/// A kernel to compile, with a copy of its text, because the LinkedProgram belongs to the main thread.
 struct Job {
   enum class State { waiting, running, done };
   const LinkedProgram* program = nullptr;
@@ -33,7 +33,8 @@ struct Job {
   State state = State::waiting;
 };
 
-/// Objects of the shapes that a use had, bound to their units while it lives. Their memory is not touched.
+/// Creates placeholder textures with the shapes of a recorded use and binds them to their units. Their
+/// memory is not touched.
 class Stand {
  public:
   Stand(const BoundViews& views, const ProgramInterface& interface) {
@@ -79,8 +80,8 @@ class Stand {
   std::vector<Handle<DeleteTexture>> textures_;
 };
 
-/// Compiles and links; the driver compiles machine code for each use when the kernel is dispatched, though
-/// without groups. Failures are for the thread that needs the kernel to report.
+/// Compiles and links a kernel, then dispatches it with zero groups for each recorded use, so that the
+/// driver compiles machine code. Failures are ignored: the thread that needs the kernel reports them.
 void compile(const Job& job) {
   const Handle<DeleteShader> shader(glCreateShader(GL_COMPUTE_SHADER));
   const char* text = job.text.c_str();
@@ -101,7 +102,8 @@ void compile(const Job& job) {
   glUseProgram(0);
 }
 
-/// Threads that take jobs from the end, while the thread that needs them goes through them from the start.
+/// Threads that take jobs from the end of the queue, while the main thread needs the kernels from its
+/// start.
 class Pool {
  public:
   Pool() = default;
@@ -140,7 +142,7 @@ class Pool {
     const std::size_t count = std::clamp<std::size_t>(processorShare() - 1, 1, 7);
     try {
       while (threads_.size() < count) threads_.emplace_back([this] { run(); });
-    } catch (const std::system_error&) {  // NOLINT(bugprone-empty-catch): fewer threads, or none
+    } catch (const std::system_error&) {  // NOLINT(bugprone-empty-catch): works with fewer threads, or none
     }
   }
 
@@ -159,16 +161,16 @@ class Pool {
         const auto start = Clock::now();
         try {
           compile(*job);
-        } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch): left to the other thread
+        } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch): the main thread compiles it
         }
         finish(*job);
         detail("shaders: {} compiled ahead in {:.0f} ms", job->label, 1000 * secondsSince(start));
       }
-    } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch): the other thread compiles all itself
+    } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch): the main thread compiles all kernels
     }
   }
 
-  /// The last job that waits, once there is one; null: the pool ends.
+  /// Waits for a job and returns the last waiting one; null if the pool ends.
   Job* next() {
     std::unique_lock lock(mutex_);
     while (!ended_) {
@@ -191,18 +193,18 @@ class Pool {
 
   std::mutex mutex_;
   std::condition_variable finished_, added_;
-  std::deque<Job> jobs_;  ///< threads hold pointers to them
+  std::deque<Job> jobs_;  ///< a deque, because threads hold pointers to its elements
   bool ended_ = false;
   std::vector<std::thread> threads_;
 };
 
-/// Never destroyed, as the programs are not (linked_program.cpp).
+/// The pool. The pointer object is never destroyed, like the programs (linked_program.cpp).
 std::unique_ptr<Pool>& pool() {
   static auto& one = *new std::unique_ptr<Pool>();
   return one;
 }
 
-/// True once a program of this context took too long to come from the driver's cache.
+/// True once linking a program of this context took too long for a hit in the driver's cache.
 bool cacheLacks = false;
 
 void lacks() {
@@ -237,13 +239,13 @@ void KernelCompiler::claim(const LinkedProgram& program) {
 
 void KernelCompiler::linked(double seconds) {
   constexpr double fromCache = 0.004;
-  static bool first = true;  // sets up the compiler of GLSL, too, which takes longer
+  static bool first = true;  // skips the first program: its time includes the start of the GLSL compiler
   if (!std::exchange(first, false) && seconds > fromCache) lacks();
 }
 
 void KernelCompiler::dispatched(double seconds) {
   constexpr double fromCache = 0.02;
-  static bool first = true;  // of a kernel that computes next to nothing
+  static bool first = true;  // tests the first dispatch only, of a kernel that computes almost nothing
   if (std::exchange(first, false) && seconds > fromCache) lacks();
 }
 

@@ -7,25 +7,26 @@ namespace simreel::gl {
 
 class LinkedProgram;
 
-/// Has a software driver compile kernels on other threads before they are needed. Machine code belongs to
-/// one context and reaches another one through the driver's cache on disk: there is nothing to gain without
-/// such a cache, or on a single processor. One for each context at most.
+/// Compiles kernels for a software driver on other threads before they are needed. Each thread has its own
+/// context, and its machine code reaches the main context through the driver's disk cache. Without a disk
+/// cache or on a single processor nothing is gained. At most one per context.
 class KernelCompiler {
  public:
-  /// True if compiling ahead can help: a software driver with a cache on disk, and an idle processor.
+  /// True if compiling ahead can help: a software driver with a disk cache, and more than one processor.
   [[nodiscard]] static bool helps();
-  /// True once a program of this context took too long to come from the driver's cache.
+  /// True once linking a program of this context took too long for a hit in the driver's cache.
   [[nodiscard]] static bool isCold();
-  /// Announces kernels in the order in which they will be needed. Threads start once linking any program
-  /// has shown that the driver's cache is not filled.
+  /// Adds kernels in the order in which they will be needed. Threads start only after the linking of some
+  /// program has shown that the driver's cache is cold.
   static void announce(std::vector<Rehearsal::Kernel> kernels);
-  /// Call before linking: waits where a thread is at it, and keeps the threads from it otherwise.
+  /// Takes a program out of the queue before it is linked. If a thread is compiling it, waits for that
+  /// thread.
   static void claim(const LinkedProgram& program);
-  /// Takes the seconds that linking a program took.
+  /// Reports the time in seconds that linking a program took.
   static void linked(double seconds);
-  /// Takes the seconds of a kernel's first dispatch.
+  /// Reports the time in seconds of a kernel's first dispatch.
   static void dispatched(double seconds);
-  /// Ends the threads, each after the kernel that it is at. The context calls it before it ends.
+  /// Ends the threads, each after its current kernel. The context calls this function before it ends.
   static void end();
 };
 

@@ -12,46 +12,47 @@
 
 namespace simreel::gl {
 
-/// A program of the driver, shared by all Programs of one context that have the same source. It is compiled
-/// and linked at its first use.
+/// A linked OpenGL program, shared by all Programs and Kernels of one context with the same source. It is
+/// compiled and linked at its first use.
 class LinkedProgram {
  public:
   struct Stage {
     GLenum type = GL_COMPUTE_SHADER;
-    std::string path;  ///< below glsl/, for messages
+    std::string path;  ///< path below glsl/, for messages
     ShaderSource source;
   };
 
   /// Returns the shared program with these stages. It lives until the context ends.
   static std::shared_ptr<LinkedProgram> of(std::string label, std::vector<Stage> stages);
-  /// Forgets all programs. The context calls it before it ends.
+  /// Drops all programs. The context calls this function before it ends.
   static void forgetAll();
 
   LinkedProgram(std::string label, std::vector<Stage> stages)
       : label_(std::move(label)), stages_(std::move(stages)) {}
 
-  /// Compiles and links unless that is done. Throws UserError(device) with file:line of the original files.
+  /// Compiles and links the program at the first call. Throws UserError(device) with file:line of the
+  /// original files.
   void link();
   [[nodiscard]] bool linked() const { return static_cast<bool>(handle_); }
   [[nodiscard]] GLuint name() const { return handle_.get(); }
   [[nodiscard]] const std::string& label() const { return label_; }
-  /// Invocations of a work group, by direction. Needs link().
+  /// Number of invocations of a workgroup in x, y and z. Requires link().
   [[nodiscard]] const GLint* groupSize() const { return groupSize_; }
-  /// The stages, until it is linked.
+  /// The stages; empty after link().
   [[nodiscard]] const std::vector<Stage>& stages() const { return stages_; }
 
-  /// The Program whose uniform values it has; null for none.
+  /// The Program or Kernel whose uniform values are currently set; null if none.
   [[nodiscard]] const void* user() const { return user_; }
-  /// Gives it the uniform values of `user`, which has set all that are active. Needs link().
+  /// Sets the uniform values of `user`, which must cover all active uniforms. Requires link().
   void giveTo(const void* user, std::vector<UniformSlot>& uniforms);
-  /// Needs link().
+  /// Interface as the driver reports it. Requires link().
   [[nodiscard]] const ProgramInterface& interface() const { return interface_; }
-  /// Forgets `user`, whose values it may have.
+  /// Clears `user` as the owner of the current uniform values, before it is destroyed.
   void leave(const void* user) {
     if (user_ == user) user_ = nullptr;
   }
 
-  /// Calls `run`, which dispatches it as the current program.
+  /// Calls `run`, which dispatches this program as the current one. Measures the first dispatch.
   template <class Run>
   void dispatch(const Run& run) {
     if (dispatched_) return run();
@@ -60,16 +61,16 @@ class LinkedProgram {
     dispatched_ = true;
     firstDispatchTook(secondsSince(start));
   }
-  /// True once it has been dispatched, so that the driver has machine code for it.
+  /// True once the program has been dispatched, so that the driver has machine code for it.
   [[nodiscard]] bool dispatched() const { return dispatched_; }
 
  private:
   void firstDispatchTook(double seconds) const;
-  /// Logs a slow compilation, and tells a terminal once they add up to a second.
+  /// Logs a slow compilation, and prints a note to a terminal once compilations add up to a second.
   void compiledFor(const char* what, double seconds) const;
 
   std::string label_;
-  std::vector<Stage> stages_;  ///< empty once it is linked
+  std::vector<Stage> stages_;  ///< empty after link()
   Handle<DeleteProgram> handle_;
   GLint groupSize_[3] = {1, 1, 1};
   const void* user_ = nullptr;

@@ -5,11 +5,11 @@ namespace simreel::gl {
 
 class Context;
 
-/// What a driver's pictures are the same on: where either differs, so may a few of their bits.
+/// Processor and driver. Images are bit-identical only if both are equal; otherwise a few bits may differ.
 struct Machine {
-  /// processorName, and what the environment makes Mesa's software drivers take it for.
+  /// processorName, plus environment variables that make Mesa's software drivers assume another processor.
   std::string processor;
-  /// Name and version, those of Mesa and LLVM where the driver says them.
+  /// Name and version, including Mesa and LLVM versions if the driver reports them.
   std::string driver;
 };
 [[nodiscard]] Machine machineOf(const Context& context);

@@ -31,7 +31,7 @@ void checkBlock(GLuint program, const char* block, std::size_t bytes) {
 
 }  // namespace
 
-/// Uniform values and checks of one Program, and the program that it shares.
+/// Uniform values and checks of one Program, and its shared LinkedProgram.
 struct Program::Own {
   explicit Own(std::shared_ptr<LinkedProgram> shared) : linked(std::move(shared)) {}
   ~Own() { linked->leave(this); }
@@ -48,8 +48,8 @@ struct Program::Own {
     return uniforms.back();
   }
 
-  /// Throws UserError(device) unless each uniform that the driver kept has been set: a misspelt name would
-  /// be 0.
+  /// Throws UserError(device) unless each active uniform has been set. Otherwise a misspelt name would
+  /// silently leave a uniform at 0.
   void checkUniforms() {
     if (checked) return;
     for (const auto& [whole, type] : linked->interface().numbers) {
@@ -65,7 +65,8 @@ struct Program::Own {
   std::shared_ptr<LinkedProgram> linked;
   bool checked = false;  ///< true once checkUniforms() has passed
   std::vector<UniformSlot> uniforms;
-  std::vector<std::pair<std::string, std::size_t>> blocks;  ///< names and bytes, to be checked once linked
+  std::vector<std::pair<std::string, std::size_t>>
+      blocks;  ///< names and sizes in bytes, checked after linking
 };
 
 Program::Program() = default;
@@ -136,7 +137,8 @@ void Program::dispatchGroups(GLuint x, GLuint y, GLuint z) const {
 
 void Program::dispatchIndirect(const Buffer& commands, std::size_t offset) const {
   if (Rehearsal::note(own_->linked)) return;
-  // Reading costs a software driver microseconds, and machine code for a kernel up to half a second.
+  // Reads the group counts back on software drivers: the readback takes microseconds, but machine code for
+  // a kernel up to half a second.
   if (softwareDriver() && !own_->linked->dispatched()) {
     std::array<GLuint, 3> groups{};
     commands.read(offset, std::as_writable_bytes(std::span(groups)));

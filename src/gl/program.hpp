@@ -17,9 +17,9 @@ namespace simreel::gl {
 class Buffer;
 class LinkedProgram;
 
-/// A program of the driver with uniform values of its own. Programs of one source share what the driver
-/// makes of it (LinkedProgram), which happens at the first use: compile and link errors throw
-/// UserError(device) there, with file:line of the original shader files.
+/// An OpenGL program with its own uniform values. Programs with the same source share one LinkedProgram,
+/// which is compiled and linked at the first use. Compile and link errors then throw UserError(device) with
+/// file:line of the original shader files.
 class Program {
  public:
   Program();
@@ -29,9 +29,10 @@ class Program {
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
-  /// Throws UserError(device) where a file is missing.
+  /// Throws UserError(device) if a file is missing.
   static Program compute(const std::string& path, const Defines& defines = {});
-  /// Of a text in place of a file below glsl/, which it may include: for tests of what those files define.
+  /// Creates a program from a text instead of a file; the text may include files below glsl/. Tests of such
+  /// files use it.
   static Program computeText(const std::string& name, const std::string& text, const Defines& defines = {});
   static Program graphics(const std::string& vertexPath, const std::string& fragmentPath,
                           const Defines& defines = {});
@@ -39,20 +40,21 @@ class Program {
   /// False for a default-constructed Program.
   explicit operator bool() const { return own_ != nullptr; }
 
-  /// Makes it the current program, with its uniform values. The first use throws UserError(device) where
+  /// Makes it the current program and sets its uniform values. The first use throws UserError(device) if
   /// the shader reads a uniform that has not been set.
   void use() const;
-  /// Runs at least `items` (or x by y) invocations; shaders guard the rest. At most
-  /// GL_MAX_COMPUTE_WORK_GROUP_COUNT groups in each direction: beyond it, UserError(device).
+  /// Runs at least `items` (or x by y) invocations; shaders must ignore the excess ones. Throws
+  /// UserError(device) if a direction needs more than GL_MAX_COMPUTE_WORK_GROUP_COUNT groups.
   void dispatch(int items) const { dispatch(items, 1); }
   void dispatch(int x, int y) const;
-  /// Runs x by y by z work groups.
+  /// Runs x by y by z workgroups.
   void dispatchGroups(GLuint x, GLuint y, GLuint z) const;
-  /// Runs as many work groups as the command at byte `offset` of `commands` says, which is behind a
-  /// GL_COMMAND_BARRIER_BIT. On software drivers a kernel is not compiled for a command without groups.
+  /// Runs the number of workgroups in the indirect command at byte `offset` of `commands`. The caller must
+  /// issue GL_COMMAND_BARRIER_BIT before. On software drivers a command without groups does not trigger a
+  /// compilation.
   void dispatchIndirect(const Buffer& commands, std::size_t offset) const;
 
-  /// Uniforms by name; a name the driver optimised away is ignored.
+  /// Sets a uniform by name; a name that the driver optimised away is ignored.
   void set(const char* uniform, int value) const;
   void set(const char* uniform, unsigned value) const;
   void set(const char* uniform, float value) const;
@@ -63,11 +65,11 @@ class Program {
   void set(const char* uniform, const glm::vec4& value) const;
   void set(const char* uniform, const glm::mat4& value) const;
 
-  /// Stops the program, at its first use, unless the uniform block has exactly `bytes` bytes, as the C++
-  /// struct has.
+  /// Throws at the first use unless the uniform block has exactly `bytes` bytes, the size of the C++
+  /// struct.
   void checkUniformBlock(const char* block, std::size_t bytes) const;
 
-  /// The driver's name of it, linked; 0 for a default-constructed Program.
+  /// OpenGL name of the linked program; 0 for a default-constructed Program.
   [[nodiscard]] GLuint name() const;
 
  private:
@@ -80,7 +82,7 @@ class Program {
   std::unique_ptr<Own> own_;
 };
 
-/// Throws UserError(device) where a dispatch of x by y work groups is beyond the limits.
+/// Throws UserError(device) if a dispatch of x by y workgroups exceeds the limits.
 void checkGroups(const std::string& label, int x, int y, const Limits& allowed);
 
 }  // namespace simreel::gl

@@ -8,9 +8,11 @@
 
 namespace simreel::gl {
 
-/// Interface of a linked program, as the driver reports it; without what the driver dropped.
+/// The interface of a linked program as the driver reports it, without names that the driver optimised
+/// away.
 struct ProgramInterface {
-  /// A uniform outside blocks: "a", "a.b"; of an array of numbers "a", whose elements follow each other.
+  /// A uniform outside blocks: "a", "a.b"; for an array of numbers "a", with elements at consecutive
+  /// locations.
   struct Number {
     std::string name;
     GLenum type = GL_NONE;
@@ -26,8 +28,8 @@ struct ProgramInterface {
     std::string name;
     GLuint binding = 0;
     bool storage = false;
-    std::size_t bytes = 0;             ///< as the shader declares it
-    std::vector<std::string> members;  ///< of storage blocks: "name" of "name[]" and of "name[].x"
+    std::size_t bytes = 0;             ///< size as declared in the shader
+    std::vector<std::string> members;  ///< only for storage blocks: "name" for "name[]" and for "name[].x"
   };
   std::vector<Number> numbers;
   std::vector<View> views;
@@ -36,8 +38,8 @@ struct ProgramInterface {
   [[nodiscard]] static ProgramInterface of(GLuint program);
 };
 
-/// True where the resource called `given` in C++ is the sampler or image `name`: an array of
-/// glsl/common/memory.glsl and words.glsl has up to one of each, nameTexels and nameImage.
+/// True if the C++ resource `given` refers to the sampler or image `name`. An array of
+/// glsl/common/memory.glsl or words.glsl has up to one of each: nameTexels and nameImage.
 [[nodiscard]] bool namesView(std::string_view given, std::string_view name);
 
 }  // namespace simreel::gl

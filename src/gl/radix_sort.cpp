@@ -13,12 +13,13 @@ namespace simreel::gl {
 
 namespace {
 
-// What one tile of records is: what an invocation counts by itself in bytes (texels), or what a work group
-// of 256 invocations ranks in shared memory, 8 each (sort_tile.glsl).
+// Number of records of a tile. On the texel path one invocation counts a tile with 8-bit counters. On the
+// storage path a workgroup of 256 invocations ranks a tile in shared memory, 8 records per invocation
+// (sort_tile.glsl).
 constexpr int texelTile = 64;
 constexpr int maxTexelTile = 255;
 constexpr int storageTile = 2048;
-// A software driver ends a shader's loops after 65,535 iterations; the scan loops over tiles.
+// A software driver ends a shader's loops after 65,535 iterations, and the scan loops over tiles.
 constexpr int maxTexelTiles = 65000;
 
 constexpr int tilesOf(int count, int tile) {
@@ -64,7 +65,7 @@ void RadixSort::pass(int count, int word, int shift) {
     program->set("word", word);
     program->set("shift", shift);
   }
-  // A tile is an invocation or a work group of 256.
+  // One tile is processed by one invocation (texels) or by a workgroup of 256 (storage).
   const int invocations = texels_ ? tiles : tiles * 256;
   records_.bindInput(shader::sort::recordsBinding);
   next_.bindState(shader::sort::nextRecordsBinding);

@@ -10,21 +10,22 @@
 
 namespace simreel::gl {
 
-/// Sorts records of four words {lower key, upper key, value, value} on the device, without readback: least
-/// significant digit first, four bits a pass of three dispatches. Stable, so the result is the same on
-/// every driver. A pass reads a record twice and writes it once, 48 bytes.
+/// Sorts records of four words {lower key, upper key, value, value} on the device without readback. Least
+/// significant digit first, four bits per pass, three dispatches per pass. The sort is stable, so all
+/// drivers give the same result. A pass reads each record twice and writes it once (48 bytes).
 class RadixSort {
  public:
-  /// For up to `capacity` records. Throws UserError(device) beyond the device's limits, which the message
-  /// names.
+  /// Creates a sorter for up to `capacity` records. Throws UserError(device) that names the device's limit
+  /// if it is exceeded.
   RadixSort(const std::string& label, int capacity);
 
-  /// Sorts records 0..count-1 by the lower `lowBits` (0, 4, .. 32) of their first word and the lower
-  /// `highBits` of their second, which counts for more. Waits for writes before it; what follows sees the
-  /// result.
+  /// Sorts records 0..count-1. The key consists of the lower `highBits` bits of the second word and, less
+  /// significant, the lower `lowBits` bits of the first word; both counts are multiples of 4 up to 32.
+  /// Issues the barriers before and after.
   void sort(int count, int lowBits, int highBits);
 
-  /// To be filled before sort(), in order after it. Bind it anew after a sort: the memory changes.
+  /// Records: input of sort(), and its output. Must be bound again after each sort, because the buffers are
+  /// swapped.
   [[nodiscard]] WordsArray& records() { return records_; }
   [[nodiscard]] const WordsArray& records() const { return records_; }
 
@@ -33,9 +34,9 @@ class RadixSort {
 
   int capacity_;
   bool texels_;
-  int tile_;  ///< records of a tile
+  int tile_;  ///< number of records of a tile
   WordsArray records_, next_;
-  WordsArray digits_;  ///< four elements a tile: how many of its records have each digit; then the totals
+  WordsArray digits_;  ///< four elements per tile: the tile's record count for each digit; then the totals
   Program count_, scan_, scatter_;
 };
 

@@ -11,11 +11,11 @@ namespace simreel::gl {
 namespace {
 
 std::string variable(const char* name) {
-  const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): nobody sets one meanwhile
+  const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): no other thread sets it
   return value == nullptr ? "" : value;
 }
 
-/// As Mesa reads a switch.
+/// Parses a boolean environment variable by Mesa's rules.
 bool isOn(std::string_view text) {
   return text == "1" || text == "true" || text == "y" || text == "yes" || text == "t" || text == "TRUE";
 }

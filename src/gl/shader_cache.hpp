@@ -2,8 +2,8 @@
 
 namespace simreel::gl {
 
-/// True if Mesa keeps compiled shaders on disk: the environment does not switch it off, and the folder can
-/// be written to.
+/// True if Mesa keeps compiled shaders on disk: the environment does not disable the cache, and the cache
+/// folder is writable.
 [[nodiscard]] bool shaderCacheKept();
 
 }  // namespace simreel::gl

@@ -34,8 +34,9 @@ std::string shaderText(const std::string& path, const std::string& asker) {
   fail(ExitCode::device, "{} asks for the shader file {}, which does not exist", asker, path);
 }
 
-/// Pastes files into one text. What a condition may leave out is pasted again where it is asked for once
-/// more, behind a guard: the first of them that is compiled is the one that counts.
+/// Pastes a shader and its includes into one text. An include inside an #if may be skipped by the compiler.
+/// Therefore later includes of the same file paste it again, inside an include guard, and the first
+/// compiled copy takes effect.
 class Paster {
  public:
   explicit Paster(ShaderSource& source) : source_(source) {}
@@ -88,9 +89,10 @@ class Paster {
   }
 
   ShaderSource& source_;
-  std::vector<bool> certain_;      ///< whether what was pasted of a file is compiled whatever is defined
+  std::vector<bool>
+      certain_;  ///< by file: true if a pasted copy is compiled in any case, outside all conditions
   std::vector<std::string> open_;  ///< files that are being pasted
-  int conditions_ = 0;             ///< open ones of the files
+  int conditions_ = 0;             ///< number of open #if
 };
 
 bool partOfName(char c) {
@@ -111,8 +113,8 @@ bool mentions(std::string_view text, std::string_view name) {
 
 namespace {
 
-/// A driver keeps what it compiled by the shader's text: names that the files do not mention are left out,
-/// or shaders that differ in nothing else would be compiled for each.
+/// Returns only the defines that the files mention. A driver's cache is keyed by the shader's text, so an
+/// unused define would cause needless compilations.
 Defines mentioned(const std::string& files, const Defines& defines) {
   Defines result;
   const auto asks = [](const std::string& name) {
@@ -125,12 +127,12 @@ Defines mentioned(const std::string& files, const Defines& defines) {
   return result;
 }
 
-/// With the lines that come before all others.
+/// Returns the source with the version line, extensions and defines at its start.
 ShaderSource headed(ShaderSource source, const Defines& defines) {
   std::string head = "#version 450 core\n";
   for (const auto& [name, value] : defines)
     if (name == extensionDefine) head += fmt::format("#extension {} : require\n", value);
-  // What the files that are C++, too, mark for it (glsl/common/cpp.hpp).
+  // Macros for files that are also compiled as C++ (glsl/common/cpp.hpp).
   head += "#define FUNCTION\n#define STD140\n#define DEFAULT(value)\n";
   for (const auto& [name, value] : mentioned(source.text, defines))
     head += fmt::format("#define {} {}\n", name, value);

@@ -7,38 +7,38 @@
 
 namespace simreel::gl {
 
-/// A shader file built into the program: path below glsl/ and text.
+/// A shader file embedded in the program: path below glsl/, and text.
 struct EmbeddedShader {
   const char* path;
   const char* text;
 };
 [[nodiscard]] std::span<const EmbeddedShader> embeddedShaders();
 
-/// Preprocessor names given to a program, for example {"GRID", "1"}.
+/// Preprocessor names and values for a program, for example {"GRID", "1"}.
 using Defines = std::vector<std::pair<std::string, std::string>>;
-/// In place of a name: the value is an extension that the program needs.
+/// Special name in Defines: its value is a GLSL extension that the shader requires.
 inline constexpr const char* extensionDefine = "#extension";
 
 /// One shader ready for the driver: version line, defines, and the file with its includes.
 struct ShaderSource {
   std::string text;
-  std::vector<std::string> files;  ///< by source-string number, as #line uses them
+  std::vector<std::string> files;  ///< indexed by source-string number, as in #line
 
   /// Replaces the source-string numbers in a driver's log ("1:20(5): error", "1(20) : error") by file
   /// names.
   [[nodiscard]] std::string explain(std::string_view log) const;
 };
 
-/// Reads `path` (below glsl/), defines what its files mention of `defines`, and pastes each `#include
-/// "path/below/glsl"` in: a file counts once, where it is compiled first. Files come from $SIMREEL_GLSL,
-/// else share/simreel/glsl beside the program's folder, else the copies built in. Throws UserError(device)
-/// naming the file, line and what is missing.
+/// Reads `path` (below glsl/), adds those `defines` that its files mention, and pastes each `#include
+/// "path/below/glsl"`. Only the first compiled copy of a file takes effect. Files come from $SIMREEL_GLSL,
+/// else from share/simreel/glsl beside the program's folder, else from the embedded copies. Throws
+/// UserError(device) that names the file, the line and the missing part.
 [[nodiscard]] ShaderSource loadShader(const std::string& path, const Defines& defines);
-/// The same of a text that is no file below glsl/, called `name`.
+/// Does the same for a text called `name` that is not a file below glsl/.
 [[nodiscard]] ShaderSource loadShaderText(const std::string& name, const std::string& text,
                                           const Defines& defines);
 
-/// True where `name` stands in `text` as a word, outside comments that end a line.
+/// True if `text` contains `name` as a whole word outside // comments.
 [[nodiscard]] bool mentions(std::string_view text, std::string_view name);
 
 }  // namespace simreel::gl

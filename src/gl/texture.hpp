@@ -8,60 +8,60 @@
 
 namespace simreel::gl {
 
-/// A 2-D texture, a multisampled one, one of layers or of three dimensions, or a texel view of a Buffer.
+/// A texture: 2-D, multisampled, layered or 3-D, or a texel view of a Buffer.
 class Texture {
  public:
   Texture() = default;
-  /// Immutable storage. levels 0: the whole mip chain.
+  /// Creates a 2-D texture with immutable storage. levels 0: the whole mip chain.
   static Texture image(const std::string& label, GLenum format, int width, int height, int levels = 1);
-  /// Immutable storage of one level: layers of 2-D pictures (`array`), or a 3-D texture.
+  /// Creates a 2-D array (`array`) or a 3-D texture with immutable storage of one level.
   static Texture layered(const std::string& label, GLenum format, int width, int height, int depth,
                          bool array);
   static Texture multisampled(const std::string& label, GLenum format, int width, int height, int samples);
-  /// The same memory seen through samplerBuffer / imageBuffer; `format` for example GL_RGBA32F. The
-  /// Buffer must outlive the view. Throws UserError(device) beyond GL_MAX_TEXTURE_BUFFER_SIZE.
+  /// Creates a texel view of a buffer for samplerBuffer / imageBuffer, with a format such as GL_RGBA32F.
+  /// The Buffer must outlive the view. Throws UserError(device) beyond GL_MAX_TEXTURE_BUFFER_SIZE.
   static Texture view(const std::string& label, GLenum format, const Buffer& buffer,
                       std::size_t texelBytes = 16);
 
-  /// Of a part of one.
+  /// Creates a texel view of a part of a buffer.
   static Texture view(const std::string& label, GLenum format, const BufferPart& part,
                       std::size_t texelBytes = 16);
 
-  /// From now on a view of another buffer, or of one that was made anew.
+  /// Redirects the view to another buffer, or to a reallocated one.
   void show(const Buffer& buffer, std::size_t texelBytes);
 
   void bind(GLuint unit) const {
     if (depth_ == 0) Rehearsal::bound(unit, *this);
     glBindTextureUnit(unit, name());
   }
-  /// What reads beyond the border find: GL_REPEAT or GL_CLAMP_TO_EDGE.
+  /// Sets the wrap mode for reads beyond the border: GL_REPEAT or GL_CLAMP_TO_EDGE.
   void wrap(GLint mode) const {
     glTextureParameteri(name(), GL_TEXTURE_WRAP_S, mode);
     glTextureParameteri(name(), GL_TEXTURE_WRAP_T, mode);
   }
-  /// For texels that are fetched: integers have no filters.
+  /// Switches filtering off, for textures read with texelFetch. Integer formats require it.
   void unfiltered() const {
     glTextureParameteri(name(), GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
     glTextureParameteri(name(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   }
   void bindImage(GLuint unit, GLenum access) const { bindImage(unit, 0, access, format_); }
 
-  /// Binds one level as an image, read or written as `format`.
+  /// Binds one level as an image with format `format`.
   void bindImage(GLuint unit, GLint level, GLenum access, GLenum format) const {
     if (depth_ == 0) Rehearsal::boundImage(unit, *this, level, access, format);
     glBindImageTexture(unit, name(), level, depth_ == 0 ? GL_FALSE : GL_TRUE, 0, access, format);
   }
 
-  /// Properties that a software driver's machine code depends on.
+  /// Properties that affect the machine code of a software driver.
   [[nodiscard]] TextureShape shape() const;
   [[nodiscard]] GLuint name() const { return handle_.get(); }
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
   [[nodiscard]] int depth() const { return depth_; }
   [[nodiscard]] GLenum format() const { return format_; }
-  /// OpenGL name of the buffer that a view shows; 0 for other textures.
+  /// OpenGL name of the buffer of a texel view; 0 for other textures.
   [[nodiscard]] GLuint buffer() const { return buffer_; }
-  /// Of a view: where in its buffer it begins, bytes.
+  /// Byte offset of a texel view in its buffer.
   [[nodiscard]] std::size_t offset() const { return offset_; }
   explicit operator bool() const { return static_cast<bool>(handle_); }
 
@@ -70,17 +70,17 @@ class Texture {
   GLenum format_ = GL_NONE;
   int width_ = 0;
   int height_ = 0;
-  int depth_ = 0;   ///< of layered(); 0: other textures
-  int levels_ = 0;  ///< 0: a view
+  int depth_ = 0;   ///< only for layered(); 0 for other textures
+  int levels_ = 0;  ///< 0 for a texel view
   std::size_t offset_ = 0;
   GLuint buffer_ = 0;
 };
 
-/// Colour and optional depth attachments.
+/// A framebuffer with optional colour and depth attachments.
 class Framebuffer {
  public:
   Framebuffer() = default;
-  /// Either may be null. Throws UserError(device) when the driver refuses the combination.
+  /// Either attachment may be null. Throws UserError(device) if the driver rejects the combination.
   Framebuffer(const std::string& label, const Texture* color, const Texture* depth);
   void bind() const;
   [[nodiscard]] GLuint name() const { return handle_.get(); }
@@ -91,13 +91,13 @@ class Framebuffer {
   int height_ = 0;
 };
 
-/// GPU time between begin and end, nanoseconds.
+/// Measures the GPU time between begin and end, in nanoseconds.
 class TimerQuery {
  public:
   TimerQuery();
   void begin() { glBeginQuery(GL_TIME_ELAPSED, handle_.get()); }
   void end() { glEndQuery(GL_TIME_ELAPSED); }
-  /// Waits for the result.
+  /// Waits for the result and returns it.
   [[nodiscard]] double nanoseconds() const;
 
  private:

@@ -3,13 +3,13 @@
 
 namespace simreel::gl {
 
-/// A moment on the device's clock: when everything issued before record() was done. Unlike TimerQuery these
-/// may lie between and inside each other.
+/// A point in time on the device's clock: the completion of all commands issued before record(). Unlike
+/// TimerQuery, intervals between timestamps may overlap and nest.
 class Timestamp {
  public:
   Timestamp() : handle_(create()) {}
   void record() { glQueryCounter(handle_.get(), GL_TIMESTAMP); }
-  /// Milliseconds since `earlier`. Waits for both.
+  /// Milliseconds since `earlier`. Waits for both timestamps.
   [[nodiscard]] double millisecondsSince(const Timestamp& earlier) const {
     return static_cast<double>(nanoseconds() - earlier.nanoseconds()) * 1e-6;
   }

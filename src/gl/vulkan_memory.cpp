@@ -1,6 +1,6 @@
 #include "gl/vulkan_memory.hpp"
 
-// What a program finds in a driver by itself, without the loader that others link.
+// Vulkan functions are loaded from the driver directly, without linking the Vulkan loader.
 #define VK_NO_PROTOTYPES
 #include <algorithm>
 #include <array>
@@ -12,7 +12,8 @@ namespace simreel::gl {
 
 namespace {
 
-// Of the library that EGL has loaded, with the interface that it offers Vulkan's loader.
+// Returns an entry point of the NVIDIA library that EGL has already loaded. The library offers the same
+// interface to Vulkan's loader.
 template <class F>
 F entryOf(const char* name) {
   void* driver = dlopen("libEGL_nvidia.so.0", RTLD_NOW | RTLD_NOLOAD);

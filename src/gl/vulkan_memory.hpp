@@ -6,13 +6,14 @@
 
 namespace simreel::gl {
 
-/// A GPU's memory by way of Vulkan, as far as that is needed to lend some to OpenGL. Asks the OpenGL driver
-/// that is loaded, which brings Vulkan with it, so there is nothing to install.
+/// Allocates GPU memory through Vulkan and exports it to OpenGL. It uses the already loaded OpenGL driver,
+/// which includes Vulkan, so nothing needs to be installed.
 class VulkanMemory {
  public:
   using Uuid = std::array<std::uint8_t, 16>;
 
-  /// Of the GPU with that number; null where the driver is not NVIDIA's, or its Vulkan has no such GPU.
+  /// Opens the GPU with this UUID. Returns null if the driver is not NVIDIA's, or its Vulkan has no such
+  /// GPU.
   static std::unique_ptr<VulkanMemory> of(const Uuid& device);
   ~VulkanMemory();
   VulkanMemory(VulkanMemory&&) = delete;
@@ -20,8 +21,8 @@ class VulkanMemory {
   VulkanMemory& operator=(VulkanMemory&&) = delete;
   VulkanMemory& operator=(const VulkanMemory&) = delete;
 
-  /// A file descriptor of so many bytes of the GPU's own memory, which is freed when nobody holds it any
-  /// more; below 0: there is no such memory left.
+  /// Returns a file descriptor of `bytes` bytes of GPU memory; negative if memory is short. The memory is
+  /// freed after its last user has released it.
   [[nodiscard]] int lend(std::size_t bytes) const;
 
  private:

@@ -30,7 +30,7 @@ std::string variable(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-/// Empty: there is no cache.
+/// Returns the cache folder; empty if there is no cache.
 fs::path folder() {
   if (!variable("SIMREEL_GLSL").empty()) return {};
   const std::string own = variable("XDG_CACHE_HOME"), home = variable("HOME");
@@ -38,7 +38,7 @@ fs::path folder() {
   return home.empty() ? fs::path() : fs::path(home) / ".cache/simreel";
 }
 
-/// Other builds of one version make other shaders: the program's file tells them apart.
+/// Identifies this build of the program, because builds of the same version may generate different GLSL.
 std::string program() {
   std::error_code error;
   const fs::path file = fs::canonical("/proc/self/exe", error);
@@ -92,7 +92,7 @@ std::optional<Shader> cachedShader(const Request& request) {
       if (hashOf(shader.files[i]) != hashes[i]) return std::nullopt;
     return shader;
   } catch (const std::exception&) {
-    return std::nullopt;  // none, or one that is damaged
+    return std::nullopt;  // no entry, or a damaged one
   }
 }
 

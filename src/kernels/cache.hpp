@@ -6,12 +6,12 @@
 
 namespace simreel::kernels {
 
-/// Returns what this program has made of the same request and files before, from the user's cache folder
-/// ($XDG_CACHE_HOME/simreel, else ~/.cache/simreel); nothing if there is no such entry, or $SIMREEL_GLSL is
-/// set.
+/// Returns the cached result of an equal request with unchanged files, from the user's cache folder
+/// ($XDG_CACHE_HOME/simreel, else ~/.cache/simreel). Returns nothing if there is no such entry or
+/// $SIMREEL_GLSL is set.
 [[nodiscard]] std::optional<Shader> cachedShader(const Request& request);
-/// Keeps it for the next run. A folder that cannot be written is no mistake. Of more than 64 MiB the oldest
-/// entries go.
+/// Stores a shader in the cache. A folder that is not writable is no error. If the cache exceeds 64 MiB,
+/// the oldest entries are deleted.
 void keepShader(const Request& request, const Shader& shader);
 
 }  // namespace simreel::kernels

@@ -31,7 +31,8 @@ namespace simreel::kernels {
 
 namespace {
 
-/// The module with loops that end and operations that are exact, and what SPIRV-Tools makes of it.
+/// Compiles a kernel, adds loop limits, replaces inexact operations, and optimizes the module with
+/// SPIRV-Tools.
 Module prepared(Files& files, const Unit& unit, const Request& request, Report* report) {
   const Module compiled(compile(files, unit));
   if (auto mistakes = refused(compiled, files, request.fast); !mistakes.empty()) files.fail(mistakes);
@@ -50,7 +51,8 @@ Module prepared(Files& files, const Unit& unit, const Request& request, Report* 
   return hlsl && request.maxIterations != 0 && keepsUnrolled(plain) ? made(true) : plain;
 }
 
-/// Resources of the runtime, beside the user's own buffers.
+/// Marks the buffers that the runtime provides (reports, previous states, shadows) and sets the guard
+/// counts.
 void describeGuards(Kernel& kernel, bool fast) {
   for (Buffer& buffer : kernel.buffers) {
     if (buffer.name == reportBlock) kernel.report = buffer.binding;
@@ -97,7 +99,7 @@ Kernel lowered(Files& files, const Unit& unit, const Request& request) {
   return kernel;
 }
 
-/// The announced kernels that are asked for, in the file's order.
+/// Returns the announced kernels that the request selects, in the file's order.
 std::vector<Announced> wanted(const Announcements& announced, const Request& request) {
   if (announced.kernels.empty())
     fail(ExitCode::usage,
@@ -134,7 +136,7 @@ std::vector<std::string> heldKeywords(const Announcements& announced, const Requ
 
 namespace {
 
-/// The one kernel of a ShaderToy pass.
+/// Loads the single kernel of a ShaderToy pass.
 Shader loadToy(Files& files, const Request& request) {
   if (!isToy(files.text(0)))
     fail(ExitCode::usage, "{} has no function mainImage(out vec4, in vec2)", request.file.string());

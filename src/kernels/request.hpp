@@ -5,28 +5,28 @@
 
 namespace simreel::kernels {
 
-/// A dispatch's races are found in two runs from the same state: one records in shadow buffers which
-/// invocation changed each word (Buffer::shadowOf), one compares each access with the shadows.
+/// Races of a dispatch are found in two runs from the same state: `record` stores in shadow buffers which
+/// invocation changed each word (Buffer::shadowOf), `check` compares each access with the shadows.
 enum class Race { none, record, check };
 
 struct Request {
   std::filesystem::path file;
-  std::vector<std::filesystem::path> folders;  ///< that #include may read, beside the file's own
-  std::vector<std::string> kernels;            ///< by name; none: all
-  std::vector<std::string> keywords;           ///< chosen ones of multi_compile
-  bool fast = false;                           ///< as written, without exactness
-  /// Name of the pass of a ShaderToy file, which has mainImage() in place of a kernel: it writes the image
-  /// PASS_Output and reads PASS_Channel0 to PASS_Channel3. Empty: none is expected.
+  std::vector<std::filesystem::path> folders;  ///< folders for #include, in addition to the file's own
+  std::vector<std::string> kernels;            ///< names of the selected kernels; empty: all
+  std::vector<std::string> keywords;           ///< selected keywords of multi_compile
+  bool fast = false;                           ///< compiles the shader as written, without exact operations
+  /// Name of the pass for a ShaderToy file, which has mainImage() instead of a kernel. The pass writes the
+  /// image PASS_Output and reads PASS_Channel0 to PASS_Channel3. Empty: not a ShaderToy file.
   std::string pass;
-  bool upsideDown = false;  ///< the first row of PASS_Output is the top one
-  /// Notes what an invocation must not do in the block Kernel::report: reads and writes out of bounds (not
-  /// when fast) and loops that reach the limit.
+  bool upsideDown = false;  ///< true if the first row of PASS_Output is the top one
+  /// Records faults in the block Kernel::report: out-of-bounds reads and writes (unless `fast`), and loops
+  /// that reach the limit.
   bool report = false;
-  unsigned maxIterations = 0;  ///< of a loop, which then ends; 0: no limit
-  /// Names of buffers. A kernel that reads and writes one of them reads it as it was before the dispatch,
-  /// from a buffer of its own (Buffer::previousOf); atomic operations on it are mistakes.
+  unsigned maxIterations = 0;  ///< max iterations of a loop; longer loops are ended; 0: no limit
+  /// Names of buffers. A kernel that reads and writes one of them reads its state from before the dispatch,
+  /// from a separate buffer (Buffer::previousOf). Atomic operations on it are errors.
   std::vector<std::string> previous;
-  /// `check` reports races alone, whatever `report` says.
+  /// `check` reports only races, whatever `report` is.
   Race race = Race::none;
 };
 

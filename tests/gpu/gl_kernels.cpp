@@ -57,7 +57,7 @@ struct Stage {
   }
 };
 
-/// copyText with a name of another, as a shader that was changed has it.
+/// Returns copyText with one name replaced, to simulate a changed shader.
 std::string renamed(const std::string& from, const std::string& to) {
   std::string text = copyText;
   for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
@@ -140,14 +140,14 @@ TEST_CASE("a kernel waits for what was written of what it reads, and makes no ot
     kernel.dispatchGroups({1, 1, 1}, given);
     return GlCalls::count;
   };
-  const long without = callsOf(stage.given(0, 1));  // writes what nothing has touched since
+  const long without = callsOf(stage.given(0, 1));  // writes resources that no dispatch has accessed since
   CopyKernel reading = stage.given(0, 1);
   const gl::Buffer apart("words", 8);
   reading.words = apart;
   CHECK(callsOf(reading) == without);
   reading.picture = words;
   CHECK(callsOf(reading) == without + 1);
-  CHECK(callsOf(stage.given(0, 1)) == without + 1);  // after what was read
+  CHECK(callsOf(stage.given(0, 1)) == without + 1);  // needs a barrier after the read
   gl::barrier();
   CHECK(callsOf(reading) == without);
 }
@@ -229,7 +229,8 @@ TEST_CASE("all that the program's kernels name is declared in their shaders") {
   for (const gl::KernelNames* names : gl::kernelInterfaces()) {
     const std::string file = names->file;
     CAPTURE(file);
-    // A text above, and the worked example, whose shaders are elsewhere (tests/example/heat.cpp).
+    // Skips the inline text "copy" and the worked example, whose shaders are in another folder
+    // (tests/example/heat.cpp).
     if (file == "copy" || file.starts_with("heat/")) continue;
     CHECK_NOTHROW(gl::checkDeclared(*names, gl::loadShader(file, {}).text));
   }

@@ -1,4 +1,4 @@
-// Kernels that users write, with the code that finds their mistakes.
+// Tests the checks that are compiled into users' kernels to detect mistakes.
 #include "gpu/kernel_guards.hpp"
 
 #include "gl/texture.hpp"
@@ -95,7 +95,7 @@ TEST_CASE("kernel guards: endless loops end at the limit, and loops around them 
   const Buffers made = ran(kernel, {{"_A", Numbers(8)}}, 1);
   CHECK(text(made.at("_A")) == "1000 1001 1007 2 1005 1008 1016 1003");
   CHECK(faults(kernel, made) == "loop :7 1 3 50 50");
-  // 27 takes 111 steps
+  // the Collatz sequence of 27 takes 111 steps
   std::string more = source;
   more.replace(more.find("i + 1"), 5, "i + 24");
   more.replace(more.find("i == 3"), 6, "false");
@@ -172,15 +172,15 @@ TEST_CASE(
         "");
   CHECK(races(kernel("  _A[i] += 3; _A[i] *= 2; _B[0] = 5;"), given, 4) == "");
   CHECK(races(kernel("  InterlockedAdd(_B[0], i); _A[i] = 4;"), given, 4) == "");
-  CHECK(races(kernel("  _A[i + 32] = i;"), given, 4) == "");  // dropped
+  CHECK(races(kernel("  _A[i + 32] = i;"), given, 4) == "");  // out-of-range writes are dropped
   CHECK(races(kernel("  if (i % 8 == 3)\n    _B[1] = i;"), given, 4) == "race-write _B:4 3 3 27 1");
-  // one of them stores what is there already
+  // one of the two invocations stores the value that is already there, so only the other one counts
   CHECK(races(kernel("  if (i % 16 == 3)\n    _B[1] = i - 3;"), given, 4) == "race-write _B:4 1 3 19 1");
 }
 
 namespace {
 
-/// Springs between neighbours of an 8 x 8 cloth, as tutorials write them.
+/// Source of spring forces between the neighbours of an 8 x 8 cloth, in the style of tutorials.
 std::string cloth(const std::string& in, const std::string& out) {
   return "struct Particle { float3 position; float invMass; float3 velocity; float padding; };\n"
          "RWStructuredBuffer<Particle> " +
@@ -281,8 +281,8 @@ TEST_CASE("kernel guards: words of GLSL's blocks have their own shadows, matrice
            "void main() { uint i = gl_GlobalInvocationID.x; \n" +
            code + "\n}\n";
   };
-  // total and padding, 12 words of a matrix, then 12 of each body: at, w, three rows of two numbers and
-  // gaps
+  // Layout in words: 4 for total and padding, 12 for a matrix, then 16 per body: at, w, and three rows of
+  // two numbers with padding.
   const Buffers given = {{"Values", counted(4 + 12 + 16 * 8)}};
   const auto told = [&](const std::string& code) { return races(kernel(code), given, 2, "guards.comp"); };
   CHECK(told("bodies[i].at = vec3(total) + bodies[(i + 1) % 8].w;") == "");

@@ -1,10 +1,11 @@
-// Gives each NaN in a user's buffer one sign and payload: operations give other ones on other machines.
+// Replaces each NaN in a user's buffer by one with a canonical sign and payload, because machines produce
+// different ones. One invocation per word.
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) buffer WordsBlock { uint words[]; };
-layout(std430, binding = 1) readonly buffer FloatBlock { uint floats[]; };  // of an element's words: 1 for floats
-uniform int count;   // words
-uniform int start;   // word of the first element
-uniform int stride;  // words of an element
+layout(std430, binding = 1) readonly buffer FloatBlock { uint floats[]; };  // 1: word is a float
+uniform int count;   // number of words
+uniform int start;   // word offset of the first element
+uniform int stride;  // words per element
 
 void main() {
   int i = int(gl_GlobalInvocationID.x);

@@ -1,25 +1,26 @@
-// Up to four numbers of each element of a user's buffer, as what draws them reads them.
+// Copies up to four numbers of each element of a user's buffer into a vec4 array for drawing. One invocation
+// per element.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer WordsBlock { uint words[]; };
 STATE_ARRAY(1, DrawnBlock, drawn)
-uniform int count;     // elements
-uniform int start;     // word of the first one
-uniform int stride;    // words from one to the next
-uniform ivec4 places;  // words of the numbers in an element; -1: `fill` in its place
+uniform int count;     // number of elements
+uniform int start;     // word offset of the first element
+uniform int stride;    // words per element
+uniform ivec4 places;  // word offsets of the four numbers within an element; -1: use `fill`
 uniform vec4 fill;
 uniform int number;    // type of the numbers: 0 float, 1 int, 2 uint
-uniform int alive;     // word that is above 0 in elements that are drawn; -1: all are
+uniform int alive;     // word offset of a number that is above 0 in drawn elements; -1: all are drawn
 uniform int aliveNumber;
-uniform bool encoded;  // the first three numbers are sRGB, and become linear
+uniform bool encoded;  // true if the first three numbers are sRGB values to be converted to linear
 
 float numberAt(int word, int type) {
   uint bits = words[word];
   return type == 0 ? uintBitsToFloat(bits) : type == 1 ? float(int(bits)) : float(bits);
 }
 
-// IEC 61966-2-1.
+// sRGB to linear (IEC 61966-2-1).
 float linearOf(float x) {
   precise float low = x * 0.0773993808;
   precise float base = (x + 0.055) * 0.947867299;

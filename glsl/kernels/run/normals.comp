@@ -1,11 +1,14 @@
-// Normals of a surface whose vertices a user's kernels move: the sum of the cross products of the edges of all faces around a
-// vertex, so large faces count more.
+// Computes vertex normals of a mesh whose vertices are moved by a user's kernels. One invocation per vertex.
+// The normal is the normalized sum of the edge cross products of the adjacent faces, so larger faces weigh
+// more.
+// `ranges` gives, per vertex, the begin and end of its entries in `faces`. An entry has the two other corners of an
+// adjacent face, in winding order.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 layout(local_size_x = 64) in;
 INPUT_ARRAY(0, PositionBlock, positions)
-layout(std430, binding = 1) readonly buffer RangeBlock { ivec2 ranges[]; };  // of each vertex: begin and end among faces
-layout(std430, binding = 2) readonly buffer FaceBlock { ivec2 faces[]; };    // the two other corners of a face, in its order
+layout(std430, binding = 1) readonly buffer RangeBlock { ivec2 ranges[]; };  // per vertex: range in faces
+layout(std430, binding = 2) readonly buffer FaceBlock { ivec2 faces[]; };    // two other corners, in order
 STATE_ARRAY(3, NormalBlock, normals)
 uniform int count;
 

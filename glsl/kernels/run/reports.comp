@@ -1,13 +1,14 @@
-// Looks through the reports of a user's kernel after a frame: its places have four words each, of which the first one counts. The
-// words of the frame in which one first counted are kept.
+// Collects the error reports of a user's kernel after a frame. A single invocation runs. Each report has four
+// words; the first word counts its occurrences. For the first frame with a non-zero count, the words are copied
+// to `caught`.
 #include "common/status.glsl"
 layout(local_size_x = 1) in;
 layout(std430, binding = 0) readonly buffer ReportBlock { uvec4 reports[]; };
 layout(std430, binding = 1) buffer CaughtBlock { uvec4 caught[]; };
-uniform int count;    // places of this kernel
-uniform int first;    // place of its first one among those of all kernels
+uniform int count;    // number of reports of this kernel
+uniform int first;    // index of the kernel's first report in `caught`
 uniform uint frame;
-uniform bool goesOn;  // the run does not end there
+uniform bool goesOn;  // true if a report does not end the run
 
 void main() {
   for (int i = 0; i < count; ++i) {

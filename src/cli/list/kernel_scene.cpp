@@ -19,7 +19,7 @@ std::string lowered(std::string name) {
   return name;
 }
 
-/// Memory of all kernels, by name.
+/// Buffers and textures of all kernels, without duplicate names.
 struct Memory {
   std::vector<const kernels::Buffer*> buffers;
   std::vector<const kernels::Texture*> textures;
@@ -47,14 +47,14 @@ std::size_t componentsOf(const std::string& type) {
   return matrix ? count * count : count;
 }
 
-/// True for Unity's constants, which have values by themselves.
+/// True for Unity's time constants, which the program sets itself.
 bool isStandard(const kernels::Member& member) {
   const bool time = member.name == "_Time" || member.name == "_SinTime" || member.name == "_CosTime" ||
                     member.name == "unity_DeltaTime";
   return time && componentsOf(member.type) == 4;
 }
 
-/// A value that a name suggests: of the time, of a size, else 1.
+/// Returns a default value guessed from the name: time, a size, a seed and so on, else 1.
 Json valueOf(const kernels::Member& member, const Memory& memory) {
   const std::string name = lowered(member.name);
   const auto has = [&](const char* word) { return name.find(word) != std::string::npos; };
@@ -78,11 +78,11 @@ Json valueOf(const kernels::Member& member, const Memory& memory) {
   else if (has("gravity") && count == 3)
     return {0, -9.81, 0};
   if (count == 16) return {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-  if (value != 1 || count == 1) return value;  // an expression stands for all components
+  if (value != 1 || count == 1) return value;  // one expression sets all components
   return std::vector<int>(count, 0);
 }
 
-/// The names of buffers that have a counter.
+/// Returns the names of buffers that have a counter.
 std::set<std::string> countedOf(const kernels::Shader& shader) {
   std::set<std::string> counted;
   for (const kernels::Kernel& kernel : shader.kernels)

@@ -1,4 +1,4 @@
-// simreel kernels: what a shader file has, and the GLSL that it becomes.
+// Command `simreel kernels`: prints the contents of a shader file or the GLSL generated from it.
 #include "kernels/kernels.hpp"
 
 #include "base/error.hpp"
@@ -27,7 +27,7 @@ struct KernelsOptions {
   kernels::Request request;
   bool glsl = false;
   bool scene = false;
-  std::string checked;  ///< scene whose dispatches are searched for races
+  std::string checked;  ///< scene file whose dispatches are checked for races
   gl::ContextOptions on;
   std::string format = "text";
   std::string race;
@@ -50,7 +50,8 @@ const char* access(bool reads, bool writes) {
   return reads && writes ? "read and written" : writes ? "written" : reads ? "read" : "unused";
 }
 
-/// The elements of a buffer of HLSL are its one array.
+/// Describes a buffer. For an HLSL buffer (a single unsized array) prints the element type instead of the
+/// member list.
 void describe(std::string& out, const kernels::Buffer& buffer) {
   const bool plain =
       buffer.members.size() == 1 && buffer.members[0].array.size() == 1 && buffer.members[0].array[0] == 0;
@@ -103,7 +104,7 @@ std::string listed(const kernels::Shader& shader, const KernelsOptions& o) {
   return out;
 }
 
-/// Prints the races of a scene's kernels.
+/// Runs a scene's kernels and prints their races. Fails if there are any.
 void checkRaces(const KernelsOptions& o) {
   const scene::Scene scene = scene::loadScene(o.checked, {}, sim::kinds());
   const gl::Context context(o.on);

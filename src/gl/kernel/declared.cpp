@@ -19,7 +19,7 @@ bool isMacro(std::string_view word) {
          });
 }
 
-/// Reads statements outside functions.
+/// Parses the statements of a shader outside functions.
 class Declarations {
  public:
   std::set<std::string, std::less<>> of(std::string_view text) {
@@ -41,7 +41,7 @@ class Declarations {
   }
 
  private:
-  /// Past lines that end in a backslash, too.
+  /// Returns the end of the line that contains `at`, including continuation lines after a backslash.
   static std::size_t lineEnd(std::string_view text, std::size_t at) {
     for (;; ++at) {
       at = text.find('\n', at);
@@ -75,8 +75,8 @@ class Declarations {
   }
 
   std::set<std::string, std::less<>> names_;
-  std::vector<std::string_view> words_;  ///< of the statement so far
-  int round_ = 0, depth_ = 0;            ///< brackets that are open
+  std::vector<std::string_view> words_;  ///< words of the current statement
+  int round_ = 0, depth_ = 0;            ///< number of open round brackets and braces
   bool block_ = false;                   ///< true inside the braces of an interface block
 };
 

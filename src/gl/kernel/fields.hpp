@@ -16,10 +16,11 @@
 #include <utility>
 #include <vector>
 
-/// Members of a kernel's interface (gl/kernel/kernel.hpp). Each carries its name in the shader in its type.
+/// Field types for the members of a kernel interface (gl/kernel/kernel.hpp). The type of each field
+/// contains its name in the shader.
 namespace simreel::gl {
 
-/// A name as a template's argument.
+/// A string as a template argument.
 template <std::size_t size>
 struct Name {
   // NOLINTNEXTLINE(google-explicit-constructor): gl::Uniform<"size", ...>
@@ -28,7 +29,7 @@ struct Name {
   char text[size] = {};
 };
 
-/// A uniform's value that a dispatch is given, where the interface has it; or nothing.
+/// A uniform value passed to a dispatch; `given` is false if the caller did not set it.
 struct GivenNumber {
   const void* value;
   bool given;
@@ -48,7 +49,7 @@ consteval GLenum uniformType() {
   return GL_FLOAT_MAT4;
 }
 
-/// A uniform outside blocks: "a", a member "a.b", an element "a[1]".
+/// A uniform outside blocks: a variable "a", a member "a.b" or an element "a[1]".
 template <Name label, class T>
 struct Uniform {
   using Field = void;
@@ -56,7 +57,7 @@ struct Uniform {
   static constexpr const char* name = label.text;
   static constexpr GLenum type = uniformType<T>();
   Uniform() = default;
-  // NOLINTNEXTLINE(google-explicit-constructor): a dispatch is given the value itself.
+  // NOLINTNEXTLINE(google-explicit-constructor): a dispatch takes the plain value.
   Uniform(const T& now) : value(now), given(true) {}
   Value value{};
   bool given = false;
@@ -75,13 +76,13 @@ consteval auto elementName() {
   return name;
 }
 
-/// The elements of a uniform array, up to a hundred, or the first of them.
+/// A uniform array of up to a hundred elements. A dispatch may set only the first ones.
 template <Name label, class T, std::size_t... indices>
 struct UniformElements {
   using Field = void;
   std::tuple<Uniform<elementName<label, indices>(), T>...> elements;
   UniformElements() = default;
-  // NOLINTNEXTLINE(google-explicit-constructor): a dispatch is given the values themselves.
+  // NOLINTNEXTLINE(google-explicit-constructor): a dispatch takes the plain values.
   UniformElements(std::span<const T> now) {
     SIMREEL_CHECK(now.size() <= sizeof...(indices));
     ((indices < now.size() ? void(std::get<indices>(elements) = now[indices]) : void()), ...);
@@ -100,8 +101,8 @@ using Uniforms = typename UniformsOf<label, T, std::make_index_sequence<most>>::
 
 enum class Access { read, write, both, together };
 
-/// A storage block (by its name or a member's), a uniform block, a sampler or an image; or an array that
-/// glsl/common/memory.glsl or words.glsl declare, whatever it is on the current memory path.
+/// A storage block (named by itself or by a member), a uniform block, a sampler, an image, or an array
+/// declared with glsl/common/memory.glsl or words.glsl on either memory path.
 template <Name label, Access wanted>
 struct ResourceField : Resource {
   using Field = void;
@@ -111,7 +112,7 @@ struct ResourceField : Resource {
   static constexpr bool ambient = false;
   using Resource::Resource;
   ResourceField() = default;
-  // NOLINTNEXTLINE(google-explicit-constructor): what a function returns
+  // NOLINTNEXTLINE(google-explicit-constructor): converts a function's Resource result
   ResourceField(const Resource& resource) : Resource(resource) {}
 };
 template <Name label>
@@ -121,45 +122,46 @@ using Out = ResourceField<label, Access::write>;
 template <Name label>
 using InOut = ResourceField<label, Access::both>;
 
-/// A resource that dispatches read and write together: by atomics whose results commute, or each at places
-/// of its own. They do not wait for each other, only for others that read or write it.
+/// A resource that several dispatches read and write without order among themselves: through atomics with
+/// commutative results, or each at separate addresses. These dispatches wait only for other kinds of
+/// access.
 template <Name label>
 using Shared = ResourceField<label, Access::together>;
 
-/// A block, sampler or image that may stay bound for many kernels at the number that GLSL gives it, such as
-/// the values of a frame: a dispatch that is not given it finds what is bound. The code that binds it makes
-/// the barriers around it.
+/// A block, sampler or image, such as the values of a frame, that may stay bound for many kernels at the
+/// binding declared in GLSL. A dispatch without a value for it uses the current binding. The code that
+/// binds it issues the barriers.
 template <Name label>
 struct Ambient : In<label> {
   static constexpr bool ambient = true;
   using Base = In<label>;
   using Base::Base;
   Ambient() = default;
-  // NOLINTNEXTLINE(google-explicit-constructor): what a function returns
+  // NOLINTNEXTLINE(google-explicit-constructor): converts a function's Resource result
   Ambient(const Resource& resource) : In<label>(resource) {}
 };
 
-/// A uniform block, which has to be as large as the C++ struct of its contents.
+/// A uniform block whose size must equal the size of the C++ struct `Contents`.
 template <Name label, class Contents>
 struct Block : In<label> {
   static constexpr std::size_t blockBytes = sizeof(Contents);
   using Base = In<label>;
   using Base::Base;
   Block() = default;
-  // NOLINTNEXTLINE(google-explicit-constructor): what a function returns
+  // NOLINTNEXTLINE(google-explicit-constructor): converts a function's Resource result
   Block(const Resource& resource) : In<label>(resource) {}
 };
 
-/// Members of a Variant become #defines. `all` lists the defines of each value that tools compile, `key` is
-/// another number for each value, less than `keys`.
+/// Field types for a Variant; each field becomes a #define. `all` returns the defines of each value that
+/// tools compile. `key` returns a distinct number for each value, less than `keys`.
 
-/// Defined as 1, with extensions that the shader then requires, or not at all.
+/// A define that is 1 or absent. If it is 1, the shader also requires the given GLSL extensions.
 template <Name label, Name... extensions>
 struct Flag {
   using Field = void;
   static constexpr const char* name = label.text;
   Flag() = default;
-  Flag(bool now) : on(now) {}  // NOLINT(google-explicit-constructor): a variant is given the value itself.
+  Flag(bool now) : on(now) {}  // NOLINT(google-explicit-constructor): a variant takes the plain value
   void addTo(Defines& defines) const {
     if (!on) return;
     defines.emplace_back(name, "1");
@@ -171,7 +173,7 @@ struct Flag {
   bool on = false;
 };
 
-/// An enum or int whose possible values are listed.
+/// An enum or int with a fixed list of possible values.
 template <Name label, int... values>
 struct Choice {
   using Field = void;
@@ -179,14 +181,15 @@ struct Choice {
   Choice() = default;
   template <class T>
     requires(std::integral<T> || std::is_enum_v<T>)
-  Choice(T now) : value(static_cast<int>(now)) {}  // NOLINT(google-explicit-constructor): as Flag
+  Choice(T now) : value(static_cast<int>(now)) {}  // NOLINT(google-explicit-constructor): as in Flag
   void addTo(Defines& defines) const {
     if (((value != values) && ...))
       fail(ExitCode::device, "the kernels' define {} may not be {}", name, value);
     defines.emplace_back(name, std::to_string(value));
   }
   static std::vector<Defines> all() { return {{{name, std::to_string(values)}}...}; }
-  static constexpr std::uint64_t keys = sizeof...(values) + 1;  ///< the last: of a value that is not listed
+  static constexpr std::uint64_t keys =
+      sizeof...(values) + 1;  ///< the last key stands for a value that is not listed
   [[nodiscard]] std::uint64_t key() const {
     std::uint64_t index = 0;
     static_cast<void>(((value == values || (++index, false)) || ...));
@@ -194,17 +197,17 @@ struct Choice {
   }
   int value = std::array{values...}[0];
 };
-/// Defined as 0 or 1.
+/// A define that is 0 or 1.
 template <Name label>
 using Switch = Choice<label, 0, 1>;
 
-/// A whole number of a range, of which tools compile both ends. Left out, it is not defined.
+/// An integer within a range; tools compile both ends. If not set, it is not defined.
 template <Name label, int least, int most>
 struct Range {
   using Field = void;
   static constexpr const char* name = label.text;
   Range() = default;
-  Range(int now) : value(now), defined(true) {}  // NOLINT(google-explicit-constructor): as Flag
+  Range(int now) : value(now), defined(true) {}  // NOLINT(google-explicit-constructor): as in Flag
   void addTo(Defines& defines) const {
     if (!defined) return;
     if (value < least || value > most)
@@ -214,7 +217,7 @@ struct Range {
   static std::vector<Defines> all() {
     return {{{name, std::to_string(least)}}, {{name, std::to_string(most)}}};
   }
-  /// The first: not defined. The last: beyond the ends.
+  /// Number of keys. The first key means "not defined", the last one "out of range".
   static constexpr std::uint64_t keys = most - least + 3;
   [[nodiscard]] std::uint64_t key() const {
     if (!defined) return 0;
@@ -224,14 +227,14 @@ struct Range {
   bool defined = false;
 };
 
-/// Text of the program's making, such as a rule as a formula. Left empty, it is not defined; tools compile
-/// `sample`.
+/// Generated GLSL code as a define, for example a cell rule as a formula. If empty, it is not defined.
+/// Tools compile `sample`.
 template <Name label, Name sample>
 struct Code {
   using Field = void;
   static constexpr const char* name = label.text;
   Code() = default;
-  Code(std::string now) : text(std::move(now)) {}  // NOLINT(google-explicit-constructor): as Flag
+  Code(std::string now) : text(std::move(now)) {}  // NOLINT(google-explicit-constructor): as in Flag
   void addTo(Defines& defines) const {
     if (!text.empty()) defines.emplace_back(name, text);
   }

@@ -7,11 +7,11 @@
 
 namespace simreel::gl {
 
-/// Binds a resource where a linked program has a sampler or a block of that name, if it has one.
+/// Binds a resource to the sampler or block of that name in a linked program, if the program has one.
 void bindByName(GLuint program, const char* name, const Resource& resource);
 
-/// Gives fields, of which kernels have the same, to a program that draws. Names that the driver dropped are
-/// ignored.
+/// Passes kernel fields (uniforms, resources) to a graphics program. Names that the driver optimised away
+/// are ignored.
 template <class Fields>
 void give(const Program& program, const Fields& fields) {
   visitFields(fields, [&](const auto& field) {
@@ -23,7 +23,7 @@ void give(const Program& program, const Fields& fields) {
   });
 }
 
-/// Program::checkUniformBlock for each block of the fields whose C++ struct is known.
+/// Calls Program::checkUniformBlock for each uniform block among the fields that has a C++ struct.
 template <class Fields>
 void checkBlocks(const Program& program) {
   const Fields none{};

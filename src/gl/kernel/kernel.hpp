@@ -30,14 +30,14 @@ struct VariantOf<Interface> {
   using Type = typename Interface::Variant;
 };
 
-/// Adds the defines of a variant.
+/// Adds the defines of a variant to `defines`.
 template <class Variant>
 Defines with(Defines defines, const Variant& variant) {
   visitFields(variant, [&](const auto& field) { field.addTo(defines); });
   return defines;
 }
 
-/// Defines of every set of values that a Variant can have.
+/// Returns the defines of every combination of values that a Variant can have.
 template <class Variant>
 std::vector<Defines> variantsOf() {
   std::vector<Defines> all = {{}};
@@ -76,35 +76,36 @@ const KernelNames& namesOf() {
   return names;
 }
 
-/// Puts an interface into kernelInterfaces(), before main().
+/// Registers an interface in kernelInterfaces() during static initialisation, before main().
 template <class Interface>
 inline const bool listedKernel = (kernelInterfaces().push_back(&namesOf<Interface>()), true);
 
-/// A compute shader and what it is given. `Interface` is a plain struct beside the code that runs it:
+/// A compute shader with a typed interface. `Interface` is a plain struct beside the code that runs the
+/// kernel:
 ///
 ///     struct BlurKernel {
 ///       static constexpr auto file = "lenia/pad.comp";
-///       struct Variant {                        // optional: what becomes #define
+///       struct Variant {                        // optional: values that become #define
 ///         gl::Flag<"DOWN"> down;
 ///         gl::Choice<"RADIUS", 1, 2, 4> radius;
 ///       };
 ///       gl::Uniform<"size", glm::ivec2> size;
 ///       gl::In<"cells"> cells;  // the name of a block, a block's member, a sampler or an image
 ///       gl::Out<"nextCells"> next;
-///       gl::In<"weights"> weights = {};  // may be left out where the variant does not read it
+///       gl::In<"weights"> weights = {};  // may be omitted if the variant does not read it
 ///     };
 ///     gl::Kernel<BlurKernel> blur(gl::kernelDefines(fast), {.down = true, .radius = 2});
 ///     blur.dispatch(size, {.size = size, .cells = now, .next = next});
 ///
-/// A dispatch is given everything, each time; what has not changed costs a comparison. Struct members of an
-/// interface, themselves of such members, are shared parts of several. Rules, checked at the first use,
-/// with file and name, by UserError(device): each name is declared in the shader's text or its includes,
-/// whatever the #if; whatever the driver keeps is given, and of that type. A name that the driver dropped
-/// may be given in vain.
+/// Every dispatch takes all values; an unchanged uniform costs only a comparison. A member of an interface
+/// may itself be a struct of fields that several interfaces share. The first use checks two rules and
+/// throws UserError(device) with file and name: the shader or its includes declare each name, in any branch
+/// of #if; each name that the driver kept gets a value of its type. A value for a name that the driver
+/// optimised away is ignored.
 ///
-/// A dispatch waits for what kernels before it wrote of what it reads or writes, and for what they read of
-/// what it writes (AccessLog). Make a gl::barrier() only between a Kernel and other readers and writers: a
-/// gl::Program, drawing, copies.
+/// A dispatch waits for earlier kernels that wrote its inputs or outputs, and for earlier kernels that read
+/// its outputs (AccessLog). An explicit gl::barrier() is needed only between a Kernel and other readers or
+/// writers: a gl::Program, draws, copies.
 template <class Interface>
 class Kernel {
  public:
@@ -114,15 +115,15 @@ class Kernel {
       : base_(std::make_unique<KernelBase>(namesOf<I>(), with(common, variant))) {
     static_cast<void>(listedKernel<I>);
   }
-  /// A text in place of the file: for tests.
+  /// Creates a kernel from a text instead of the file, for tests.
   static Kernel ofText(const char* text) {
     Kernel kernel;
     kernel.base_ = std::make_unique<KernelBase>(namesOf<Interface>(), Defines{}, text);
     return kernel;
   }
 
-  /// A text that the program has made; `file` of the interface names it in messages. It declares what it
-  /// reads, and perhaps not all that the interface has.
+  /// Creates a kernel from generated GLSL text; `file` of the interface appears in messages. The text may
+  /// declare fewer names than the interface has.
   static Kernel generated(const std::string& text, const Defines& defines) {
     Kernel kernel;
     kernel.base_ = std::make_unique<KernelBase>(namesOf<Interface>(), defines, text.c_str(), true);
@@ -131,7 +132,7 @@ class Kernel {
 
   explicit operator bool() const { return base_ != nullptr; }
 
-  /// Runs at least `items` (or x by y) invocations, as Program::dispatch.
+  /// Runs at least `items` (or x by y) invocations, like Program::dispatch.
   template <class I = Interface>
   void dispatch(int items, const std::type_identity_t<I>& given) const {
     run(given, [&](const KernelBase::Given& all) { base_->dispatch(items, 1, all); });
@@ -145,7 +146,7 @@ class Kernel {
     run(given,
         [&](const KernelBase::Given& all) { base_->dispatchGroups(groups.x, groups.y, groups.z, all); });
   }
-  /// As many work groups as the command at byte `offset` of `commands` says.
+  /// Runs the number of workgroups in the indirect command at byte `offset` of `commands`.
   template <class I = Interface>
   void dispatchIndirect(const Buffer& commands, std::size_t offset,
                         const std::type_identity_t<I>& given) const {
@@ -156,7 +157,7 @@ class Kernel {
   template <class Run>
   static void run(const Interface& given, const Run& dispatch) {
     constexpr std::size_t most = 128;
-    std::array<GivenNumber, most> numbers;       // NOLINT(*-member-init): filled as far as it is read
+    std::array<GivenNumber, most> numbers;       // NOLINT(*-member-init): only the filled part is read
     std::array<const Resource*, most> memories;  // NOLINT(*-member-init)
     std::size_t numberCount = 0, memoryCount = 0;
     visitFields(given, [&](const auto& field) {
@@ -171,7 +172,7 @@ class Kernel {
   std::unique_ptr<KernelBase> base_;
 };
 
-/// True where a number of 64 bits tells all values of a variant apart.
+/// True if 64-bit keys are enough to give every combination of the variant's values a distinct key.
 template <class Variant>
 consteval bool distinctKeys(const Variant& variant) {
   std::uint64_t keys = 1;
@@ -184,7 +185,7 @@ consteval bool distinctKeys(const Variant& variant) {
   return distinct;
 }
 
-/// The kernels of one interface, one for each variant, made when first needed.
+/// Owns the kernels of one interface, one per variant, each created at its first use.
 template <class Interface>
 class Kernels {
  public:

@@ -17,7 +17,8 @@ namespace simreel::gl {
 
 namespace {
 
-/// Makes `value` what is at `now`, of the same type. False where it was that: -0 is not 0, a NaN is itself.
+/// Sets `value` to the bytes at `now`, which have the same type. Returns false if nothing changed. The
+/// comparison is bitwise: -0 differs from 0, and a NaN equals itself.
 bool change(UniformSlot::Value& value, const void* now) {
   return std::visit(
       [&](auto& one) {
@@ -28,12 +29,12 @@ bool change(UniformSlot::Value& value, const void* now) {
       value);
 }
 
-/// "a" of "a", "a.b" and "a[1]".
+/// Returns "a" for "a", "a.b" and "a[1]".
 std::string_view rootOf(std::string_view name) {
   return name.substr(0, name.find_first_of("[."));
 }
 
-/// True where the uniform `given` is, or is an element of, the active `name`.
+/// True if the uniform `given` is the active uniform `name` or an element of it.
 bool namesNumber(std::string_view given, std::string_view name) {
   return given.starts_with(name) && (given.size() == name.size() || given[name.size()] == '[');
 }
@@ -56,12 +57,13 @@ AccessLog::Memory memoryOf(const Resource& resource) {
 }
 
 GLenum imageAccess(const Resource& resource, Access access) {
-  // An array's image is read; its block is written.
+  // If an array is bound as a buffer plus texel view, shaders read it through the image and write it
+  // through the block.
   if (resource.buffer() != 0 || access == Access::read) return GL_READ_ONLY;
   return access == Access::write ? GL_WRITE_ONLY : GL_READ_WRITE;
 }
 
-/// True once for each interface whose shader is a file.
+/// True at the first call for each interface, so that each shader file is checked once.
 bool firstCheck(const KernelNames& names) {
   static std::unordered_set<const KernelNames*> checked;
   return checked.insert(&names).second;
@@ -136,7 +138,7 @@ void KernelBase::checkActive() const {
 void KernelBase::checkTypes() const {
   for (const auto& number : names_.numbers)
     for (const auto& [name, type] : linked_->interface().numbers)
-      // A driver takes an int for a bool.
+      // A driver accepts an int value for a bool uniform.
       if (namesNumber(number.name, name) && type != number.type &&
           !(type == GL_BOOL && number.type == GL_INT))
         fail(ExitCode::device, "the uniform \"{}\" of glsl/{} has another type than the program gives it",
@@ -262,7 +264,7 @@ void KernelBase::dispatchGroups(GLuint x, GLuint y, GLuint z, const Given& given
 
 void KernelBase::dispatchIndirect(const Buffer& commands, std::size_t offset, const Given& given) {
   if (rehearsed(given)) return;
-  // As Program::dispatchIndirect: a kernel is not compiled for a command without groups.
+  // A command without groups must not trigger a compilation (like Program::dispatchIndirect).
   if (softwareDriver() && !linked_->dispatched()) {
     std::array<GLuint, 3> groups{};
     commands.read(offset, std::as_writable_bytes(std::span(groups)));

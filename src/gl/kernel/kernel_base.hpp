@@ -12,41 +12,41 @@
 
 namespace simreel::gl {
 
-/// Interface of a kernel (gl/kernel/kernel.hpp) as data.
+/// The interface of a kernel (gl/kernel/kernel.hpp) as run-time data.
 struct KernelNames {
   struct Number {
     const char* name;
     GLenum type;
-    UniformSlot::Value zero;  ///< of that type
+    UniformSlot::Value zero;  ///< zero value of that type
   };
   struct Memory {
     const char* name;
     Access access;
-    std::size_t blockBytes;  ///< of a uniform block; 0: unknown
-    bool ambient;            ///< may stay bound
+    std::size_t blockBytes;  ///< size of a uniform block; 0: unknown
+    bool ambient;            ///< may stay bound between dispatches (gl::Ambient)
   };
   const char* file = "";
   std::vector<Number> numbers;
   std::vector<Memory> memories;
   std::vector<const char*> defines;
-  std::vector<Defines> (*variants)() = nullptr;  ///< every set of defines that can occur
+  std::vector<Defines> (*variants)() = nullptr;  ///< returns every possible set of defines
 };
 
-/// All interfaces that the program's kernels have, for tools and tests.
+/// Returns the interfaces of all kernels of the program, for tools and tests.
 [[nodiscard]] std::vector<const KernelNames*>& kernelInterfaces();
-/// Throws UserError(device) naming the file unless `text` declares all that `names` has.
+/// Throws UserError(device) that names the file, unless `text` declares all names of `names`.
 void checkDeclared(const KernelNames& names, const std::string& text);
 
-/// The part of a Kernel that is the same whatever its interface.
+/// The part of a Kernel that does not depend on its interface type.
 class KernelBase {
  public:
-  /// Values of one dispatch, in the order of the names.
+  /// Values of one dispatch, in the order of KernelNames.
   struct Given {
     std::span<const GivenNumber> numbers;
     std::span<const Resource* const> memories;
   };
 
-  /// `text` takes the place of the file where it is not null. `generated`: it may lack declarations.
+  /// A non-null `text` replaces the shader file. `generated`: `text` may lack declarations.
   KernelBase(const KernelNames& names, const Defines& defines, const char* text = nullptr,
              bool generated = false);
   ~KernelBase() { linked_->leave(this); }
@@ -60,22 +60,22 @@ class KernelBase {
   void dispatchIndirect(const Buffer& commands, std::size_t offset, const Given& given);
 
  private:
-  /// A place where the linked program finds a resource.
+  /// Binding point of a resource in the linked program.
   struct Slot {
     enum class Kind { storage, uniformBlock, texture, image };
-    std::size_t memory = 0;  ///< of the names
+    std::size_t memory = 0;  ///< index into KernelNames::memories
     Kind kind = Kind::storage;
     GLuint unit = 0;
   };
 
   [[nodiscard]] bool rehearsed(const Given& given) const;
-  /// Links at the first use, and finds the places of all names.
+  /// Links at the first use, and looks up the locations of all names.
   void resolve();
   void addSlots(std::size_t memory);
   void checkActive() const;
   void checkTypes() const;
-  /// Places the barriers that are due (`more`, and those of the resources given), then sets uniforms and
-  /// binds.
+  /// Issues the due barriers (`more`, and those for the given resources), then sets uniforms and binds
+  /// resources.
   void prepare(const Given& given, GLbitfield more);
   void setNumbers(const Given& given);
   void bind(const Slot& slot, const Resource& resource) const;

@@ -7,13 +7,13 @@
 
 namespace simreel::gl {
 
-/// Memory that a dispatch is given: a buffer (or a part of one), a texture, or an array that is a buffer
-/// and a view of it. None of it is copied: it lives until the dispatch.
+/// A memory argument of a dispatch: a buffer or a part of one, a texture, or an array (a buffer with a
+/// texel view). It holds references only; the objects must live until the dispatch.
 class Resource {
  public:
-  /// Empty: for a resource that a variant of the shader does not have.
+  /// Creates an empty resource, for a name that a variant of the shader does not have.
   Resource() = default;
-  // NOLINTBEGIN(google-explicit-constructor): a dispatch is given the thing itself.
+  // NOLINTBEGIN(google-explicit-constructor): a dispatch takes the object itself.
   Resource(const Buffer& all) : Resource(all, 0, 0) {}
   Resource(const BufferPart& part) : Resource(*part.buffer, part.offset, part.bytes) {}
   Resource(const Texture& texture) : texture_(&texture), format_(texture.format()) {}
@@ -23,24 +23,24 @@ class Resource {
     format_ = format;
   }
   // NOLINTEND(google-explicit-constructor)
-  /// `bytes` of a buffer from `offset` on; 0: all.
+  /// Refers to `bytes` bytes of a buffer from `offset`; 0: all.
   Resource(const Buffer& buffer, std::size_t offset, std::size_t bytes)
       : buffer_(buffer.name()), offset_(offset), bytes_(bytes) {}
-  /// A part of a buffer and its texels.
+  /// Refers to a part of a buffer and a texel view of that part.
   Resource(const BufferPart& part, const Texture& texels) : Resource(part) {
     texture_ = &texels;
     format_ = texels.format();
   }
-  /// One level of a texture as an image, read and written as `format`.
+  /// Refers to one level of a texture as an image with format `format`.
   Resource(const Texture& texture, GLint level, GLenum format)
       : texture_(&texture), level_(level), format_(format) {}
 
   [[nodiscard]] bool empty() const { return buffer_ == 0 && texture() == nullptr; }
-  /// The driver's name of the buffer; 0 for none.
+  /// OpenGL name of the buffer; 0 if none exists.
   [[nodiscard]] GLuint buffer() const { return buffer_; }
   [[nodiscard]] std::size_t offset() const { return offset_; }
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
-  /// Null for none.
+  /// The texture; null if none exists.
   [[nodiscard]] const Texture* texture() const {
     return texture_ != nullptr && *texture_ ? texture_ : nullptr;
   }

@@ -3,7 +3,7 @@
 #include <tuple>
 #include <type_traits>
 
-/// Visits the members of a plain struct of fields (gl/kernel/fields.hpp), which C++20 cannot name.
+/// Visits the members of a plain struct of fields (gl/kernel/fields.hpp), because C++20 has no reflection.
 namespace simreel::gl {
 
 template <class T>
@@ -11,11 +11,11 @@ concept IsField = requires {
   typename T::Field;
 };
 
-/// Stands for any member while members are counted.
+/// Converts to any member type, to count the members of an aggregate.
 struct AnyField {
   template <class T>
     requires(IsField<T> || std::is_aggregate_v<T>)
-  operator T() const;  // NOLINT(google-explicit-constructor): what it is for
+  operator T() const;  // NOLINT(google-explicit-constructor): the implicit conversion is the purpose
 };
 
 template <class T, class... Members>
@@ -31,7 +31,7 @@ consteval std::size_t memberCount() {
     return sizeof...(Members);
 }
 
-/// Calls `visit` with each field of `all`; the fields of a nested struct come in its place.
+/// Calls `visit` with each field of `all` in order; for a nested struct, with each of its fields.
 template <class T, class Visit>
 constexpr void visitFields([[maybe_unused]] T& all, [[maybe_unused]] const Visit& visit) {
   constexpr std::size_t count = memberCount<std::remove_const_t<T>>();

@@ -26,7 +26,7 @@ void initialize() {
   if (!done) throw std::runtime_error("glslang cannot be started");
 }
 
-/// Gives glslang the files that it asks for. A file's name is its number.
+/// Passes included files to glslang. The name of a file is its number in Files.
 class Includer : public glslang::TShader::Includer {
  public:
   explicit Includer(Files& files) : files_(files) {}
@@ -38,10 +38,10 @@ class Includer : public glslang::TShader::Includer {
     return find(name, from, depth, false);
   }
   void releaseInclude(IncludeResult* result) override {
-    // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): glslang hands back what it was given
+    // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): glslang returns the object from find()
     delete result;
   }
-  /// Why an include failed, by its name.
+  /// Failed includes by name, with the reason.
   [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& failed() const { return failed_; }
 
  private:
@@ -53,13 +53,14 @@ class Includer : public glslang::TShader::Includer {
     else
       found = files_.include(name, beside, fileNumber(from, files_.count()), reason);
     if (!found) {
-      // The local search comes first; what it found out about the folders holds for the other, too.
+      // glslang tries the local search first; its reason also covers the folder search, so it is not
+      // replaced.
       if (std::none_of(failed_.begin(), failed_.end(), [&](const auto& one) { return one.first == name; }))
         failed_.emplace_back(name, reason);
       return nullptr;
     }
     const std::string& text = files_.remediedText(*found);
-    // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): until releaseInclude()
+    // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): deleted by releaseInclude()
     return new IncludeResult(std::to_string(*found), text.data(), text.size(), nullptr);
   }
 
@@ -67,7 +68,7 @@ class Includer : public glslang::TShader::Includer {
   std::vector<std::pair<std::string, std::string>> failed_;
 };
 
-/// Unity's names for the platform; a file of Unity's own would define them.
+/// Unity's macros for the platform, normally defined by Unity's own include files.
 constexpr const char* unityNames = R"(#define SHADER_API_D3D11 1
 #define SHADER_STAGE_COMPUTE 1
 #define SHADER_TARGET 50
@@ -107,7 +108,8 @@ std::string preamble(const Unit& unit, const Remedies& remedies) {
   return text + unit.before;
 }
 
-/// A shader, and a program with it: glslang wants the program destroyed first.
+/// A shader and its program. The program is the last member, because glslang requires its destruction
+/// first.
 struct Compiled {
   glslang::TShader shader{EShLangCompute};
   std::unique_ptr<glslang::TProgram> program;
@@ -123,8 +125,8 @@ std::vector<std::uint32_t> words(Compiled& compiled, bool lines) {
   return made;
 }
 
-/// Whether a kernel has inputs or outputs beside numbers of its invocation: functions of its name in
-/// included files were taken for it.
+/// True if a kernel has inputs or outputs other than built-in ones. This means that glslang took functions
+/// of the same name in included files for the entry point.
 bool takesOthers(const std::vector<std::uint32_t>& words) {
   const Module module(words);
   return std::any_of(module.globals.begin(), module.globals.end(), [&](const Instruction& one) {
@@ -135,7 +137,7 @@ bool takesOthers(const std::vector<std::uint32_t>& words) {
   });
 }
 
-/// Compiles once; returns nothing if a new remedy may cure what was refused.
+/// Compiles once. Returns nothing if a new remedy may fix the rejected code.
 std::optional<std::vector<std::uint32_t>> attempt(Files& files, const Unit& unit, bool renamed) {
   Compiled compiled;
   glslang::TShader& shader = compiled.shader;
@@ -174,7 +176,7 @@ std::optional<std::vector<std::uint32_t>> attempt(Files& files, const Unit& unit
   return words(compiled, true);
 }
 
-/// The words with the own names of constants that have another for a remedy's sake.
+/// Returns the SPIR-V with original names for constants that a remedy has renamed.
 std::vector<std::uint32_t> withOwnNames(const std::vector<std::uint32_t>& words) {
   constexpr std::size_t header = 5;
   std::vector<std::uint32_t> result(words.begin(), words.begin() + header);

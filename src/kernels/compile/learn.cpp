@@ -13,7 +13,7 @@ namespace simreel::kernels {
 
 namespace {
 
-/// A file's tokens and the global variables among them.
+/// A file's tokens, and its global variables.
 struct Scan {
   explicit Scan(const std::string& text)
       : code(withoutComments(text)), all(tokens(code)), declared(globals(code, all)) {}
@@ -37,7 +37,7 @@ bool isResource(const Declaration& one) {
          one.type.starts_with("sampler");
 }
 
-/// The tokens of the statement that has a line, 1 the first.
+/// Returns the tokens of the statement that contains a line (first line: 1).
 std::vector<Token> statement(const Scan& scan, int line) {
   std::size_t begin = 0;
   for (int i = 1; i < line && begin < scan.code.size(); ++i)
@@ -52,8 +52,8 @@ std::vector<Token> statement(const Scan& scan, int line) {
   return {first, last};
 }
 
-/// Constants that are assigned to anywhere; without a new one, those in the statement that was refused,
-/// which a function may assign to.
+/// Learns which constants the shader assigns to. If there is no new one, takes the constants in the
+/// rejected statement, because a function may assign to them.
 void learnAssigned(Files& files, const Mistake& mistake) {
   const std::deque<Scan> all = scans(files);
   std::set<std::string, std::less<>> constants, assigned;

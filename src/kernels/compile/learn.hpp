@@ -5,8 +5,8 @@
 
 namespace simreel::kernels {
 
-/// Adds remedies to `files` for what a log of glslang's tells of a text of HLSL. False where there is no
-/// new one.
+/// Adds remedies to `files` for the errors in a glslang log of an HLSL text. Returns false if there is no
+/// new remedy.
 [[nodiscard]] bool learn(Files& files, std::string_view log);
 
 }  // namespace simreel::kernels

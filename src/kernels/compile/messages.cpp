@@ -22,7 +22,7 @@ std::string trimmed(std::string_view text) {
   return std::string(text);
 }
 
-/// "name:line: 'token' : message" behind "ERROR: "; a line of 0 for what names no place.
+/// Parses "name:line: 'token' : message", the text after "ERROR: "; line 0 if it names no place.
 Mistake located(std::string_view rest, std::size_t count) {
   Mistake mistake;
   const std::size_t first = rest.find(':');
@@ -45,7 +45,7 @@ Mistake located(std::string_view rest, std::size_t count) {
   return mistake;
 }
 
-/// glslang's words where ours are clearer.
+/// Replaces some of glslang's messages by clearer ones.
 void reword(Mistake& mistake) {
   struct Wording {
     std::string_view theirs, ours;
@@ -72,7 +72,7 @@ void reword(Mistake& mistake) {
   if (named) mistake.message = fmt::format("{}: {}", scene::inQuotes(mistake.token), mistake.message);
 }
 
-/// "f(i1; calling g(i1;" behind the news of a recursion.
+/// Builds an error from "f(i1; calling g(i1;", the text after glslang's recursion message.
 Mistake recursion(std::string_view calls, const Files& files) {
   const std::string name = trimmed(calls.substr(0, calls.find('(')));
   const std::string code = withoutComments(files.text(0));
@@ -86,7 +86,7 @@ Mistake recursion(std::string_view calls, const Files& files) {
   return {0, line, name, fmt::format("{} calls itself, which shaders cannot do", scene::inQuotes(name))};
 }
 
-/// The include that a mistake is about, with why it was not read; nullptr for other mistakes.
+/// Returns the failed include that an error refers to, with the reason; nullptr for other errors.
 const std::pair<std::string, std::string>* failedInclude(
     const Mistake& mistake, const std::vector<std::pair<std::string, std::string>>& failed) {
   if (mistake.message.find("include") == std::string::npos &&
@@ -99,7 +99,7 @@ const std::pair<std::string, std::string>* failedInclude(
   return nullptr;
 }
 
-/// The line that a mistake is in.
+/// Returns the source line of an error.
 std::string_view lineOf(const Mistake& mistake, const Files& files) {
   std::string_view text = files.text(mistake.file);
   for (int line = 1; line < mistake.line && !text.empty(); ++line)
@@ -107,8 +107,7 @@ std::string_view lineOf(const Mistake& mistake, const Files& files) {
   return text.substr(0, text.find('\n'));
 }
 
-/// Without what glslang says as a consequence of other mistakes, and with names for types that it does not
-/// know.
+/// Removes errors that are consequences of other errors, and names types that glslang does not support.
 void keepCauses(std::vector<Mistake>& mistakes, const Files& files) {
   for (Mistake& mistake : mistakes)
     for (const std::string_view type : {"RaytracingAccelerationStructure", "RayQuery", "RayDesc"})
@@ -164,7 +163,7 @@ std::vector<Mistake> explained(std::string_view log, const Files& files,
     if (const auto* include = failedInclude(mistake, failed)) {
       mistake.token = include->first;
       mistake.message = include->second;
-      return {mistake};  // what else the log says comes of it
+      return {mistake};  // the other errors are consequences of this one
     }
     reword(mistake);
     const bool known = std::any_of(mistakes.begin(), mistakes.end(), [&](const Mistake& other) {
@@ -173,7 +172,7 @@ std::vector<Mistake> explained(std::string_view log, const Files& files,
     if (!known) mistakes.push_back(std::move(mistake));
   }
   keepCauses(mistakes, files);
-  // The reader of HLSL says what it expected at every level above a mistake.
+  // The HLSL parser repeats ": Expected" for every grammar level above an error.
   const auto expected = [](const Mistake& one) { return one.message.ends_with(": Expected"); };
   if (std::any_of(mistakes.begin(), mistakes.end(), std::not_fn(expected)))
     std::erase_if(mistakes, expected);

@@ -9,17 +9,17 @@
 
 namespace simreel::kernels {
 
-/// The number that a name of glslang's is; 0, the first file, for what is no number of a file.
+/// Converts a file name of glslang to its number in Files; 0 (the first file) if it is not a valid number.
 [[nodiscard]] std::size_t fileNumber(std::string_view name, std::size_t count);
 
-/// The mistakes of a log as glslang tells them.
+/// Returns the errors of a glslang log in glslang's wording.
 [[nodiscard]] std::vector<Mistake> told(std::string_view log, std::size_t files);
 
-/// Warning of glslang where the kernel has no function.
+/// Warning of glslang if the text has no function of the kernel's name.
 inline constexpr const char* noEntry = "Entry point not found";
 
-/// The mistakes that a log of glslang's tells, in our words. `failed`: includes, and why they were not
-/// read.
+/// Returns the errors of a glslang log in the program's wording. `failed`: includes that could not be read,
+/// and the reasons.
 [[nodiscard]] std::vector<Mistake> explained(std::string_view log, const Files& files,
                                              const std::vector<std::pair<std::string, std::string>>& failed,
                                              const Unit& unit);

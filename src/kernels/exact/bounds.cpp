@@ -15,17 +15,19 @@ namespace simreel::kernels {
 
 namespace {
 
-/// A chain of pointers, from its variable on.
+/// A flattened access chain: a variable and all indices.
 struct Chain {
   Id base = 0;
   Words indices;
 };
-/// Replacement of an access chain that an index could lead out of bounds. Its own id is the place to read.
+/// Replacement of an access chain whose indices may be out of bounds. The chain's original id is the
+/// pointer for reads.
 struct Guarded {
-  Id inside = 0;       ///< whether all indices are; 0 where a guard element answers in place of it
-  Id condition = 0;    ///< the same, for results of atomic operations
-  Id write = 0;        ///< where to write, and what atomic operations work on
-  bool drops = false;  ///< whether `write` leads to where nothing is lost
+  Id inside =
+      0;  ///< bool: all indices are in bounds; 0 if out-of-bounds reads go to a guard element instead
+  Id condition = 0;    ///< the same bool, for results of atomic operations
+  Id write = 0;        ///< pointer for writes and atomic operations
+  bool drops = false;  ///< true if out-of-bounds accesses through `write` go to a guard element
 };
 
 class Bounds {
@@ -53,12 +55,13 @@ class Bounds {
     std::size_t at;
     Id inside, index;
   };
-  /// A chain's indices.
+  /// The indices of an access chain.
   struct Walk {
-    Words held;                    ///< indices kept inside, but for the index of a buffer's element
-    std::vector<Checked> checked;  ///< those that are no constants
-    Id inside;                     ///< whether those in `held` led there already; 0 where all are constants
-    Id length, runtime, among;  ///< of a buffer: its length, the index of an element, whether it is below
+    Words held;                    ///< clamped indices, except the index of a buffer's element
+    std::vector<Checked> checked;  ///< indices that are not constants
+    Id inside;                     ///< bool: the clamped indices were in bounds; 0 if all are constants
+    Id length, runtime,
+        among;  ///< of a buffer: its length, the element index, and the bool "index < length"
     std::size_t runtimeAt;
   };
 
@@ -88,7 +91,7 @@ class Bounds {
     return Writing(module_, module_.body).select(condition, type, a, b, result);
   }
 
-  /// Arrays in shared memory get an element that takes dropped writes, while there is room.
+  /// Adds an element for dropped writes to arrays in shared memory, as long as memory is left.
   void enlargeShared() {
     constexpr std::uint32_t most = 32768;
     std::uint32_t bytes = 0;
@@ -113,7 +116,7 @@ class Bounds {
       shared_[variable.result] = *length;
       retyped_.emplace_back(variable.result, pointer);
     }
-    // Types stand before what uses them.
+    // Moves variables to the end, because types must precede their uses.
     for (const auto& one : retyped_) {
       const Id variable = one.first, pointer = one.second;
       const auto at = std::find_if(module_.globals.begin(), module_.globals.end(),
@@ -153,7 +156,7 @@ class Bounds {
     }
   }
 
-  /// Uses of each pointer, apart from chains that go on from it.
+  /// Records reads and writes through each pointer, except by further access chains.
   void noteUse(const Instruction& one) {
     if (one.op == SpvOpAccessChain || one.op == SpvOpInBoundsAccessChain) return;
     if (one.op == SpvOpStore || (one.op >= SpvOpAtomicLoad && one.op <= SpvOpAtomicXor)) {
@@ -197,7 +200,7 @@ class Bounds {
     }
     chains_[one.result] = flat;
     one.op = SpvOpAccessChain;
-    if (!uses_.contains(one.result)) return;  // only a step to others
+    if (!uses_.contains(one.result)) return;  // used only as the base of other chains
     if (!guard(one, flat)) {
       one.operands = flat.indices;
       one.operands.insert(one.operands.begin(), flat.base);
@@ -205,7 +208,7 @@ class Bounds {
     }
   }
 
-  /// Compares the indices of a chain that are no constants with their lengths.
+  /// Emits comparisons of the non-constant indices of a chain with their lengths.
   Walk walk(const Chain& flat) {
     Walk found{flat.indices, {}, 0, 0, 0, 0, 0};
     Id type = typeMaking(module_.typeOf(flat.base)).operands[1];
@@ -248,7 +251,7 @@ class Bounds {
     return result;
   }
 
-  /// The chain with indices that lead inside; false where all are constants.
+  /// Replaces a chain by one whose indices are in bounds. Returns false if all indices are constants.
   bool guard(const Instruction& one, const Chain& flat) {
     Walk found = walk(flat);
     if (found.checked.empty()) return false;
@@ -279,7 +282,7 @@ class Bounds {
     return true;
   }
 
-  /// Notes an index outside, in code of the user's.
+  /// Emits the report of an out-of-bounds index, if the code belongs to the user.
   void note(const Checked& index, const Chain& flat, const Use& use) {
     if (report_ == nullptr || at_.line == 0) return;
     const std::string name = indexedName(module_, flat.base, std::span(flat.indices).first(index.at + 1));
@@ -356,7 +359,7 @@ class Bounds {
   std::unordered_map<Id, Use> uses_;
   std::unordered_map<Id, Chain> chains_;
   std::unordered_map<Id, Guarded> guarded_;
-  std::unordered_map<Id, std::uint32_t> shared_;  ///< lengths before they were enlarged
+  std::unordered_map<Id, std::uint32_t> shared_;  ///< array lengths before enlargeShared()
   std::vector<std::pair<Id, Id>> retyped_;
 };
 

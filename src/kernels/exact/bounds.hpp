@@ -4,14 +4,14 @@
 
 namespace simreel::kernels {
 
-/// How many elements a buffer has beyond those that its kernel knows: the first is zero for ever and is
-/// read in place of what lies outside, the second takes what is written there.
+/// Number of extra elements of a buffer that are hidden from its kernel. The first one is always zero and
+/// is read instead of out-of-bounds elements; the second one absorbs out-of-bounds writes.
 inline constexpr std::uint32_t guardElements = 2;
 
-/// Makes every read outside of an array give zero and drops every write there, after functions of HLSL are
-/// inlined: of buffers, arrays in shared and private memory, vectors, and texels. (A struct that is read as
-/// a whole from an array of fixed length is the last one instead.) Writes to images outside are left to
-/// OpenGL, which drops them. `report`: notes each such read and write; nullptr for none.
+/// Makes every out-of-bounds read return zero and drops every out-of-bounds write, in buffers, arrays in
+/// shared and private memory, vectors, and texels. Must run after HLSL functions are inlined. Exception: an
+/// out-of-bounds read of a whole struct from an array of fixed length returns the last element. OpenGL
+/// itself drops out-of-bounds image writes. `report`: records each such access; nullptr: no reports.
 void keepInside(Module& module, Report* report);
 
 }  // namespace simreel::kernels

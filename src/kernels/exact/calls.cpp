@@ -10,8 +10,8 @@ namespace simreel::kernels {
 
 namespace {
 
-/// The function for an operation of floating numbers or for one whose result nothing defines for all
-/// numbers.
+/// Returns the library function for a floating-point operation, or for an integer operation with undefined
+/// cases; nullptr for other operations.
 const char* functionFor(SpvOp op) {
   switch (op) {
     case SpvOpFMul:
@@ -47,14 +47,14 @@ const char* functionFor(SpvOp op) {
     case SpvOpSDiv:
       return "xSdiv";
     case SpvOpSRem:
-    case SpvOpSMod:  // what glslang writes for %, which all drivers give the sign of the first number
+    case SpvOpSMod:  // glslang emits this for %; all drivers give it the sign of the first operand
       return "xSrem";
     default:
       return nullptr;
   }
 }
 
-/// The function for an instruction of GLSL.std.450; nullptr for those that are exact by themselves.
+/// Returns the library function for a GLSL.std.450 instruction; nullptr if the instruction is exact itself.
 const char* functionFor(std::uint32_t extended) {
   static constexpr std::pair<std::uint32_t, const char*> functions[] = {
       {GLSLstd450Round, "xRound"},
@@ -161,7 +161,7 @@ class Placing {
       function = functionFor(one.operands[1]);
       arguments.erase(arguments.begin(), arguments.begin() + 2);
     } else if (!dividesByConstant(one)) {
-      // what glslang writes for fmod and %, which HLSL gives the sign of the first number
+      // glslang emits FMod for fmod and %; in HLSL the result has the sign of the first operand
       function = one.op == SpvOpFMod && hlsl_ ? "xRem" : functionFor(one.op);
     }
     if (function != nullptr && one.op == SpvOpVectorTimesScalar)
@@ -169,7 +169,7 @@ class Placing {
     if (function == nullptr || !call(one, function, arguments)) module_.body.push_back(std::move(one));
   }
 
-  /// False for numbers that the library does not have.
+  /// Replaces an instruction by a library call. Returns false for types that the library does not support.
   bool call(const Instruction& one, const char* function, const Words& arguments) {
     std::string key = std::string(function) + "(";
     for (const Id argument : arguments) {
@@ -177,7 +177,7 @@ class Placing {
       if (signature == "?") return false;
       key += signature + ";";
     }
-    // The library's whole numbers are of the function's sign; instructions take either.
+    // Library functions have integers of one signedness, but SPIR-V instructions accept both.
     Words given = arguments;
     retype(function, given, key);
     Id result = one.result, type = one.type;
@@ -192,7 +192,7 @@ class Placing {
     return true;
   }
 
-  /// Whole numbers of the other sign than the function has are taken by their bits.
+  /// Bitcasts integer arguments to the signedness that the function expects.
   void retype(std::string_view function, Words& arguments, std::string& key) {
     const bool isUnsigned = function == "xUdiv" || function == "xUmod" || function.starts_with("xUnpack");
     const bool isSigned = function == "xSdiv" || function == "xSrem";
@@ -212,7 +212,7 @@ class Placing {
     }
   }
 
-  /// The type that the function gives where the instruction has the other sign.
+  /// Returns the result type of the function, whose signedness may differ from the instruction's.
   Id resultType(std::string_view function, Id type) {
     if (function == "xUdiv" || function == "xUmod" || function == "xToUint" ||
         function.starts_with("xPack"))
@@ -235,7 +235,7 @@ class Placing {
     return made;
   }
 
-  /// Whole numbers by a positive constant: all drivers agree.
+  /// True for an integer division by a positive constant; all drivers give the same result for it.
   bool dividesByConstant(const Instruction& one) const {
     if (one.op != SpvOpUDiv && one.op != SpvOpUMod && one.op != SpvOpSDiv) return false;
     const auto positive = [&](Id id) {
@@ -249,7 +249,7 @@ class Placing {
                : positive(one.operands[1]);
   }
 
-  /// Shifts count modulo 32, as in Direct3D.
+  /// Masks shift counts modulo 32, as in Direct3D.
   void holdShift(Instruction& one) {
     const auto small = [&](Id id) {
       const auto value = module_.constant(id);

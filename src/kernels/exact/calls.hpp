@@ -8,21 +8,21 @@
 
 namespace simreel::kernels {
 
-/// A call of a function of the library in a module's body, by the name that glslang gives it:
+/// A call of a library function in a module's body. `function` is glslang's mangled name, such as
 /// "xDiv(f1;f1;".
 struct PlacedCall {
   std::size_t at;
   std::string function;
 };
 
-/// Puts calls in place of every operation whose result a driver may choose, and NoContraction on those that
-/// stay. The calls name no function until linkLibrary().
+/// Replaces every operation with driver-dependent results by a library call, and adds NoContraction to the
+/// remaining operations. The calls have no function ids until linkLibrary().
 [[nodiscard]] std::vector<PlacedCall> placeCalls(Module& module, Language language);
 
-/// Appends the functions that are called, and those that they call, with ids of the module's.
+/// Appends the called library functions, and the functions that they call, with new ids of the module.
 void linkLibrary(Module& module, const std::vector<PlacedCall>& calls);
 
-/// NoContraction on every arithmetic operation of the body.
+/// Adds NoContraction to every arithmetic operation of the body.
 void forbidContraction(Module& module);
 
 }  // namespace simreel::kernels

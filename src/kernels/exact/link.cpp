@@ -1,4 +1,4 @@
-// The library of exact functions, and its functions in a user's module.
+// Links the library of exact functions into a user's module.
 #include "gl/shader_source.hpp"
 #include "kernels/compile/front_end.hpp"
 #include "kernels/exact/calls.hpp"
@@ -15,7 +15,7 @@ namespace simreel::kernels {
 
 namespace {
 
-/// The library compiled, and where each function's instructions are.
+/// The compiled library, with the instruction range of each function.
 struct Library {
   struct Function {
     std::size_t begin, end;
@@ -23,7 +23,7 @@ struct Library {
   Module module;
   std::map<std::string, Id> names;
   std::unordered_map<Id, Function> functions;
-  Id set = 0;  ///< GLSL.std.450
+  Id set = 0;  ///< id of the import of GLSL.std.450
 
   Library()
       : module(
@@ -52,7 +52,7 @@ class Linking {
  public:
   explicit Linking(Module& module) : module_(module) {}
 
-  /// The module's id of a library function, which is appended once.
+  /// Returns the module's id of a library function. The function is appended at its first use.
   Id function(Id theirs) {
     if (const auto found = ids_.find(theirs); found != ids_.end()) return found->second;
     const Id mine = ids_[theirs] = module_.fresh();

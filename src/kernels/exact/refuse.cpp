@@ -14,8 +14,8 @@ namespace {
 
 struct Refusal {
   const char* message;
-  bool whenFast;                                  ///< whether the fast numerics cannot do it either
-  std::initializer_list<std::string_view> words;  ///< that the source may have for it, for the caret
+  bool whenFast;                                  ///< true if it is also rejected with fast numerics
+  std::initializer_list<std::string_view> words;  ///< possible source words for it, to place the caret
 };
 
 const Refusal* refusal(const Instruction& one) {
@@ -96,7 +96,7 @@ const Capability* capability(std::uint32_t number) {
   return nullptr;
 }
 
-/// The longest name in the line that begins with one of the words.
+/// Returns the longest name in the line that starts with one of the words.
 std::string named(const Files& files, std::size_t file, int line,
                   std::initializer_list<std::string_view> words) {
   const std::string& text = files.text(file);
@@ -150,7 +150,8 @@ std::vector<Mistake> refused(const Module& module, const Files& files, bool fast
     if (found != nullptr && (found->whenFast || !fast))
       add({file, line, named(files, file, line, found->words), found->message});
   }
-  if (!mistakes.empty()) return mistakes;  // a capability says no more than what needs it
+  if (!mistakes.empty())
+    return mistakes;  // the capability errors would only repeat the errors of the instructions
   for (const Instruction& one : module.head) {
     if (one.op != SpvOpCapability) continue;
     const Capability* found = capability(one.operands[0]);

@@ -6,8 +6,8 @@
 
 namespace simreel::kernels {
 
-/// What OpenGL 4.5 lacks, and unless `fast` what has not the same bits everywhere: each where it first
-/// stands.
+/// Returns errors for features that OpenGL 4.5 lacks and, unless `fast`, for operations whose results
+/// differ between drivers; each at its first occurrence.
 [[nodiscard]] std::vector<Mistake> refused(const Module& module, const Files& files, bool fast);
 
 }  // namespace simreel::kernels

@@ -37,14 +37,14 @@ class Filtering {
 
  private:
   struct Pair {
-    Id image = 0, sampler = 0;  ///< variables; no sampler where GLSL has both in one
+    Id image = 0, sampler = 0;  ///< ids of variables; sampler 0 for a combined GLSL sampler
   };
   struct Read {
     Pair pair;
-    std::string kind;  ///< as glslang writes it in a function's name
+    std::string kind;  ///< type code in glslang's mangled function names
   };
 
-  /// Texture of a read, where the library has a filter for it.
+  /// Returns the texture of a read if the library has a filter for it.
   std::optional<Read> filtered(const Instruction& one) const {
     if (one.op != SpvOpImageSampleExplicitLod || one.operands.size() != 4 ||
         one.operands[2] != SpvImageOperandsLodMask)
@@ -73,7 +73,7 @@ class Filtering {
     return std::nullopt;
   }
 
-  /// The global variable that a value was loaded from; 0 for an element of an array or another's.
+  /// Returns the global variable that a value was loaded from; 0 for an array element or any other value.
   Id variable(Id value) const {
     const auto found = loaded_.find(value);
     if (found == loaded_.end()) return 0;
@@ -81,7 +81,7 @@ class Filtering {
     return made != nullptr && made->op == SpvOpVariable ? made->result : 0;
   }
 
-  /// A number for each pair, in a uniform block.
+  /// Declares a uniform block with one state word for each pair of texture and sampler.
   void declare(const std::vector<Instruction>& body) {
     std::vector<std::string> names;
     for (const Instruction& one : body) {
@@ -128,7 +128,7 @@ class Filtering {
                             {0, read->pair.image, one.operands[1], one.operands[3], state}});
   }
 
-  /// Joined images that nothing reads any more would be textures of the kernel.
+  /// Removes unused sampled images, which would otherwise count as textures of the kernel.
   void dropUnused() {
     std::unordered_map<Id, std::size_t> uses;
     for (const Instruction& one : module_.body)
@@ -147,7 +147,7 @@ class Filtering {
 
   Module& module_;
   std::unordered_map<Id, Id> loaded_;
-  std::unordered_map<Id, Pair> joined_;  ///< the values of each image with its sampler
+  std::unordered_map<Id, Pair> joined_;  ///< pairs of image and sampler, by the id of the sampled image
   std::unordered_map<std::uint64_t, std::uint32_t> members_;
   Id block_ = 0, member_ = 0;
   std::vector<PlacedCall> calls_;

@@ -3,13 +3,12 @@
 
 namespace simreel::kernels {
 
-/// The uniform block that holds a number for each texture with its sampler, by their names: bit 0 linear;
-/// bits 2 and 3, 4 and 5, 6 and 7 what is beyond the ends in x, y, z: 0 repeat, 1 the end's texel, 2
-/// mirrored.
+/// Uniform block with one state word for each pair of texture and sampler, by their names: bit 0 linear
+/// filter; bits 2-3, 4-5 and 6-7 wrap mode in x, y and z (0 repeat, 1 clamp, 2 mirror).
 inline constexpr const char* samplerBlock = "simreel_Samplers";
 
-/// Reads of textures of two and three dimensions and of layers become calls of our own filter. Cube maps,
-/// comparisons, gathers and reads with an offset stay the driver's.
+/// Replaces reads of 2-D, 3-D and array textures by calls of the library's filter. Cube maps, depth
+/// comparisons, gathers and reads with an offset remain the driver's.
 void filterExactly(Module& module);
 
 }  // namespace simreel::kernels

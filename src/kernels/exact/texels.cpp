@@ -59,7 +59,7 @@ class Texels {
     writing_.select(among, one.type, texel, module_.globalOf(SpvOpConstantNull, one.type, {}), one.result);
   }
 
-  /// True for pictures whose size has a number for each coordinate.
+  /// True for images with one size per coordinate that can be queried: not cube maps, not multisampled.
   bool sized(Id type, bool hasLod) const {
     const Instruction& image = *module_.global(type);
     return image.op == SpvOpTypeImage && image.operands[4] == 0 && image.operands[1] != SpvDimCube &&
@@ -73,7 +73,7 @@ class Texels {
     return name.empty() ? "a texture" : name;
   }
 
-  /// True if a texel lies in the picture.
+  /// Emits the test whether a texel is inside the image.
   Id inside(Id image, Id at, Id lod, const char* kind, Id variable) {
     static constexpr const char* axes[] = {"x", "y", "z"};
     const Instruction shape = *module_.global(module_.typeOf(at));
@@ -102,7 +102,7 @@ class Texels {
   Report* report_;
   Position at_;
   bool queries_ = false;
-  std::unordered_map<Id, Id> from_;  ///< what images were loaded from
+  std::unordered_map<Id, Id> from_;  ///< variables that images were loaded from
 };
 
 }  // namespace

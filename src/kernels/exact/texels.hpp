@@ -4,9 +4,9 @@
 
 namespace simreel::kernels {
 
-/// Makes every read of a texel beyond its picture give zero, of textures and of images. OpenGL drops writes
-/// there. Cube maps and pictures of several samples stay as they are. `report`: notes reads and writes
-/// beyond, each axis by itself; nullptr for none.
+/// Makes every out-of-bounds texel read of a texture or image return zero. OpenGL drops out-of-bounds
+/// writes. Cube maps and multisampled images are left unchanged. `report`: records out-of-bounds reads and
+/// writes, separately for each axis; nullptr: no reports.
 void keepTexelsInside(Module& module, Report* report);
 
 }  // namespace simreel::kernels

@@ -37,7 +37,7 @@ class Limiting {
   }
 
  private:
-  /// A counter for each loop, by the label of its header.
+  /// Assigns an iteration counter to each loop, by the label of its header.
   void findLoops() {
     Id header = 0;
     for (const Instruction& one : module_.body) {
@@ -71,7 +71,7 @@ class Limiting {
       case SpvOpLoopMerge:
         if (counters_.contains(label_)) return count(body, i);
         break;
-      case SpvOpUnreachable:  // behind a loop that no break leaves
+      case SpvOpUnreachable:  // code after a loop without a break
         return leave();
       default:
         break;
@@ -79,7 +79,7 @@ class Limiting {
     module_.body.push_back(std::move(one));
   }
 
-  /// The counters of a function's loops stand in front of its code.
+  /// Declares the counters of a function's loops at its start.
   void declare(std::vector<Instruction>& body, std::size_t i) {
     declared_ = true;
     begun_ = {label_};
@@ -94,7 +94,8 @@ class Limiting {
     }
   }
 
-  /// A branch to a loop whose header comes later enters it; the branch back comes behind the header.
+  /// Resets the counter at a branch into a loop. A branch to a header that appears later enters the loop; a
+  /// branch to an earlier header is the back edge.
   void begin(Id target) {
     const auto counter = counters_.find(target);
     if (counter == counters_.end() || std::find(begun_.begin(), begun_.end(), target) != begun_.end())
@@ -136,9 +137,10 @@ class Limiting {
   Report* report_;
   Position at_;
   std::unordered_map<Id, Id> counters_;
-  std::vector<Id> begun_;  ///< labels of this function so far
-  Id left_ = 0;            ///< the variable of what any loop may still do: nothing after one at its limit
-  Id function_ = 0;        ///< the type that the function returns
+  std::vector<Id> begun_;  ///< labels of this function emitted so far
+  Id left_ = 0;  ///< variable with the current iteration limit of all loops: `most`, or 0 after a loop has
+                 ///< reached it
+  Id function_ = 0;  ///< return type of the function
   Id label_ = 0;
   bool declared_ = false;
 };

@@ -5,13 +5,13 @@
 
 namespace simreel::kernels {
 
-/// Ends each loop of a module, as glslang writes it, when it begins its iteration `most` + 1 in one run;
-/// from then on the invocation's other loops end, too, or a loop around would take `most` times as long.
-/// `unrolled`: those that are to be unrolled, too, which SPIRV-Tools then cannot do. `report`: notes it;
-/// nullptr for none.
+/// Ends each loop of a module (in glslang's form) at the start of its iteration `most` + 1. After that all
+/// other loops of the invocation end too; otherwise an enclosing loop would multiply the time by `most`.
+/// `unrolled`: also limits loops marked for unrolling, so that SPIRV-Tools cannot unroll them any more.
+/// `report`: records it; nullptr: no reports.
 void limitLoops(Module& module, std::uint32_t most, bool unrolled, Report* report);
 
-/// True if a loop that was to be unrolled is still there.
+/// True if a loop marked for unrolling has not been unrolled.
 [[nodiscard]] bool keepsUnrolled(const Module& module);
 
 }  // namespace simreel::kernels

@@ -6,19 +6,20 @@
 
 namespace simreel::kernels {
 
-/// A file of Files and a line in it; line 0 for code that has none, such as the library's.
+/// A file of Files and a line in it; line 0 for code without a source line, such as the library's.
 struct Position {
   std::size_t file = 0;
   int line = 0;
-  /// Goes on to the next instruction of a body.
+  /// Updates the position for the next instruction of a body.
   void follow(const Module& module, const Files& files, const Instruction& one);
 };
 
-/// Repeats the line of code at the start of each block: SPIRV-Tools takes a line to end with its block.
+/// Repeats the current source line at the start of each block, because SPIRV-Tools ends a line's range at
+/// the end of its block.
 void repeatLines(Module& module);
 
-/// The variable, array or member that the last of some indices of a chain of pointers selects from, as the
-/// user named it.
+/// Returns the user's name of the variable, array or member that the last index of an access chain selects
+/// from.
 [[nodiscard]] std::string indexedName(const Module& module, Id variable, std::span<const Id> indices);
 
 }  // namespace simreel::kernels

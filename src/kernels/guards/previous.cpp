@@ -38,10 +38,10 @@ class Previous {
   }
 
  private:
-  /// The named buffers that are read and written get a twin.
+  /// Creates a twin for each named buffer that is both read and written.
   void choose() {
     std::unordered_map<Id, Id> from;
-    std::unordered_map<Id, unsigned> uses;  // 1 read, 2 written
+    std::unordered_map<Id, unsigned> uses;  // bit 0: read, bit 1: written
     const auto root = [&](Id id) {
       const auto found = from.find(id);
       return found == from.end() ? id : found->second;
@@ -62,7 +62,7 @@ class Previous {
 
   static bool isAtomic(SpvOp op) { return op >= SpvOpAtomicLoad && op <= SpvOpAtomicXor; }
 
-  /// A variable of a block of its own with the same members.
+  /// Creates a variable of a separate block with the same members.
   Id twin(const Instruction& variable) {
     const Instruction type = resourceType(module_, variable);
     const std::string name = bufferName(module_, variable.result, hlsl_) + previousSuffix;
@@ -118,7 +118,7 @@ class Previous {
   const Files& files_;
   bool hlsl_;
   const std::vector<std::string>& names_;
-  std::unordered_map<Id, Id> twins_;  ///< of variables, and of chains from them
+  std::unordered_map<Id, Id> twins_;  ///< twins of variables and of access chains
   Position at_;
   std::vector<Mistake> mistakes_;
 };

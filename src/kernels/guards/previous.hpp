@@ -7,12 +7,11 @@
 
 namespace simreel::kernels {
 
-/// End of the name of a block that holds a buffer's state before the dispatch.
+/// Suffix of the block that holds a buffer's state before the dispatch.
 inline constexpr const char* previousSuffix = ".previous";
 
-/// Redirects all loads of some buffers, by the user's names, to another block: "NAME.previous". A buffer
-/// that a kernel only reads or only writes stays as it is. Atomic operations on a redirected buffer are
-/// mistakes.
+/// Redirects all loads of the named buffers to a separate block "NAME.previous". A buffer that a kernel
+/// only reads or only writes is left unchanged. Atomic operations on a redirected buffer are errors.
 [[nodiscard]] std::vector<Mistake> readPrevious(Module& module, const Files& files, bool hlsl,
                                                 const std::vector<std::string>& names);
 

@@ -41,7 +41,7 @@ class Races {
  private:
   enum class Task { record, read, store };
 
-  /// A shadow for each variable that is stored to.
+  /// Creates a shadow buffer for each variable that the kernel stores to.
   void findShadowed() {
     std::vector<Id> stored;
     const auto add = [&](Id variable) {
@@ -69,7 +69,7 @@ class Races {
     }
   }
 
-  /// True for pictures whose texels have one number each.
+  /// True for images with one number per texel: not cube maps, not multisampled.
   bool sized(Id image) const {
     const Instruction& type = *module_.global(module_.typeOf(image));
     return type.operands[4] == 0 && type.operands[1] != SpvDimCube && images_.contains(image);
@@ -93,7 +93,7 @@ class Races {
     }
   }
 
-  /// True for an access to an element of a buffer, false for one to a guard.
+  /// Emits a bool: true if an access is to a real element of a buffer, false for a guard element.
   Id active(const WordsIn::Access& access, Id variable) {
     if (guards_ == 0 || access.array == 0 || module_.global(access.array)->op != SpvOpTypeRuntimeArray)
       return module_.globalOf(SpvOpConstantTrue, module_.boolType(), {});
@@ -171,7 +171,7 @@ class Races {
     call(variable, task, {inside, at, after, changed});
   }
 
-  /// Tests if a texel is in its picture, and numbers it: x first, then y, then z.
+  /// Emits the test whether a texel is inside its image, and its linear index (x fastest, then y, then z).
   std::pair<Id, Id> texelNumber(Id image, Id at) {
     const Instruction shape = *module_.global(module_.typeOf(at));
     const std::uint32_t length = shape.op == SpvOpTypeVector ? shape.operands[1] : 1;
@@ -194,7 +194,7 @@ class Races {
     return {writing_.emit(SpvOpAll, flag, {below}), sum};
   }
 
-  /// One number for the components of a texel that its format keeps.
+  /// Emits a hash of the components of a texel that the image format stores.
   Id mixed(Id value, Id image) {
     Words words;
     WordsIn(module_, true).parts(writing_, value, module_.typeOf(value), words);
@@ -251,7 +251,7 @@ class Races {
                           {module_.uintConstant(0), index});
   }
 
-  /// The function of a task: record(active, word, value, changed), or a check(active, word, place,
+  /// Emits the function of a task: record(active, word, value, changed) or check(active, word, place,
   /// element).
   void write(Id variable, Task task, Id function) {
     const Id number = module_.uintType(), flag = module_.boolType(), one = module_.uintConstant(1);
@@ -297,12 +297,12 @@ class Races {
   Writing writing_;
   bool hlsl_;
   std::uint32_t guards_;
-  Report* report_;  ///< nullptr: to record
+  Report* report_;  ///< nullptr: the record variant
   Position at_;
   Chains chains_;
   std::map<Id, Id> shadows_;  ///< by variable
   std::map<std::pair<Id, Task>, Id> functions_;
-  std::unordered_map<Id, Id> images_;  ///< variables that values were loaded from
+  std::unordered_map<Id, Id> images_;  ///< variables that image values were loaded from
   std::unordered_set<Id> readImages_;
   bool queries_ = false;
 };

@@ -24,7 +24,7 @@ Id placeType(Module& module) {
   return made;
 }
 
-/// Variables of the block: there is one, made where it is not.
+/// Returns the variable of the report block; creates it if it does not exist.
 Id blockVariable(Module& module) {
   for (const Instruction& one : module.globals)
     if (one.op == SpvOpVariable && one.operands[0] == SpvStorageClassStorageBuffer &&
@@ -58,7 +58,8 @@ std::uint32_t Report::place(const char* kind, const std::string& what, const Pos
   return static_cast<std::uint32_t>(places_.size() - 1);
 }
 
-/// Until complete() its body is one that SPIRV-Tools cannot drop, move or see through.
+/// Returns the id of the note function. Until complete(), its body is a placeholder that SPIRV-Tools cannot
+/// drop, move or inline.
 Id Report::function(Module& module) {
   if (known_ == &module) return function_;
   known_ = &module;
@@ -157,8 +158,9 @@ Id linearInvocation(Module& module, std::vector<Instruction>& body, Id local) {
   return linear(module, writing, parts);
 }
 
-/// Adds the fault of this invocation to the block. Where the highest bit of a place's count is set, only
-/// the invocation that the place names counts: the runtime asks so for the numbers that belong together.
+/// Emits the function that adds this invocation's fault to the report block. If the highest bit of a
+/// place's count is set, only the invocation in word 1 of the place counts; the runtime uses this to get
+/// the indices of that invocation.
 void Report::writeTell(Module& module, Id function, const Words& kept) {
   const Id block = blockVariable(module), number = module.uintType(), flag = module.boolType();
   Writing writing(module, module.body);
@@ -190,7 +192,7 @@ void Report::writeTell(Module& module, Id function, const Words& kept) {
   giveName(module, function, "simreel_tell");
 }
 
-/// The kernel becomes a function that the new entry point calls.
+/// Creates a new entry point that calls the kernel as a function.
 void Report::enter(Module& module, Id tell) const {
   const Id made = module.fresh(), nothing = module.globalOf(SpvOpTypeVoid, 0, {});
   Id kernel = 0;

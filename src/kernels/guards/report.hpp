@@ -9,33 +9,35 @@
 
 namespace simreel::kernels {
 
-/// The storage block of reports.
+/// Name of the storage block of reports.
 inline constexpr const char* reportBlock = "simreel_Report";
 
-/// The places where a kernel can do what it must not, and the code that notes it. An invocation keeps the
-/// first of its faults in private variables, at the cost of a comparison for each access, and adds it to
-/// the block at its end.
-/// (llvmpipe runs both sides of every branch: atomic operations at each access would cost much.)
+/// The places where a kernel can cause a fault, and the code that records faults. An invocation keeps its
+/// first fault in private variables, at the cost of one comparison per access, and adds it to the report
+/// block at its end.
+/// (llvmpipe executes both sides of every branch, so an atomic operation at each access would be slow.)
 class Report {
  public:
   explicit Report(const Files& files) : files_(files) {}
   [[nodiscard]] const Files& files() const { return files_; }
 
-  /// The number of a place, one for each kind, name, part and line. The name is the user's.
+  /// Returns the index of a place; one place for each combination of kind, name, part and line. `what` is
+  /// the user's name.
   std::uint32_t place(const char* kind, const std::string& what, const Position& at,
                       const std::string& part = {});
-  /// Appends to `body` a call that notes a fault unless `fine`, with the numbers for the words 2 and 3 of
-  /// Kernel::places; numbers of either sign.
+  /// Appends a call to `body` that records a fault unless `fine`. `least` and `greatest` are the values for
+  /// words 2 and 3 of Kernel::places, signed or unsigned.
   void note(Module& module, std::vector<Instruction>& body, Id fine, std::uint32_t place, Id least,
             Id greatest);
-  /// The same at a place whose number is a value.
+  /// Does the same for a place whose index is a run-time value.
   void noteAt(Module& module, std::vector<Instruction>& body, Id fine, Id place, Id least, Id greatest);
-  /// Makes a module with calls of note() one that SPIRV-Tools may work on, before more calls are added to
-  /// what it makes.
+  /// Makes a module with calls of note() safe for SPIRV-Tools. Call before more calls are added to the
+  /// optimized module.
   void hold(Module& module);
-  /// A function that runs before the kernel.
+  /// Sets a function that runs before the kernel.
   void beginWith(Id function) { begin_ = function; }
-  /// Appends the functions, the block and an entry point that runs the kernel and then adds its fault.
+  /// Appends the report functions, the block, and an entry point that runs the kernel and then records its
+  /// fault.
   void complete(Module& module);
   [[nodiscard]] const std::vector<Place>& places() const { return places_; }
 
@@ -47,13 +49,14 @@ class Report {
 
   const Files& files_;
   std::vector<Place> places_;
-  const Module* known_ = nullptr;  ///< the module that function_ is of
+  const Module* known_ = nullptr;  ///< the module that function_ belongs to
   Id function_ = 0, begin_ = 0;
 };
 
-/// The number of the running invocation in the whole dispatch: x first, then y, then z.
+/// Emits the linear index of the running invocation in the whole dispatch: x fastest, then y, then z.
 [[nodiscard]] Id linearInvocation(Module& module, std::vector<Instruction>& body);
-/// Number of another invocation of the same group in the dispatch; `local`: its number in the group.
+/// Emits the linear index in the dispatch of another invocation of the same workgroup; `local`: its index
+/// in the workgroup.
 [[nodiscard]] Id linearInvocation(Module& module, std::vector<Instruction>& body, Id local);
 
 }  // namespace simreel::kernels

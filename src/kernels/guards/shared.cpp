@@ -14,8 +14,9 @@ namespace simreel::kernels {
 
 namespace {
 
-/// A tag is the number of barriers so far and an invocation of the group. Each word has three: of the
-/// highest that changed it, of the highest and of the lowest that read it.
+/// A tag combines the number of barriers so far with the index of an invocation in the workgroup. Each word
+/// of shared memory has three tags: the highest invocation that changed it, and the highest and lowest
+/// invocation that read it.
 constexpr std::uint32_t tagsOfWord = 3, tagBits = 11, mostInvocations = 1024;
 
 class Shared {
@@ -60,7 +61,7 @@ class Shared {
     std::uint32_t length = 0;
   };
 
-  /// Tags for each variable that is stored to, while there is room.
+  /// Allocates tags for each variable that is stored to, as long as shared memory is left.
   void findStored() {
     constexpr std::uint32_t most = 32768 / 4;
     std::uint32_t words = 0;
@@ -90,7 +91,7 @@ class Shared {
     }
   }
 
-  /// A call before a load, or before a store of `value`.
+  /// Inserts the check before a load, or before a store of `value`.
   void access(Id pointer, Id value) {
     const PointerChain chain = chains_.of(pointer);
     if (!tags_.contains(chain.variable)) return;
@@ -117,7 +118,7 @@ class Shared {
     }
   }
 
-  /// Raises a tag, by nothing to read it.
+  /// Emits an atomic max on a tag; a value of 0 only reads it.
   Id raise(Id variable, Id word, std::uint32_t at, Id value) {
     const Id number = module_.uintType();
     const Id first = writing_.emit(SpvOpIMul, number, {word, module_.uintConstant(tagsOfWord)});
@@ -132,7 +133,7 @@ class Shared {
   Id compare(SpvOp op, Id a, Id b) { return writing_.emit(op, module_.boolType(), {a, b}); }
   Id number(std::uint32_t value) { return module_.uintConstant(value); }
 
-  /// This invocation's number in its group, and its tags.
+  /// Emits this invocation's index in the workgroup, and its tags.
   void begin() {
     local_ = writing_.load(module_.uintType(), builtIn(module_, SpvBuiltInLocalInvocationIndex, 1));
     now_ = writing_.load(module_.uintType(), epoch_);
@@ -141,7 +142,7 @@ class Shared {
     low_ = binary(SpvOpBitwiseOr, begun, binary(SpvOpISub, number(mostInvocations), local_));
   }
 
-  /// The invocation of a tag, and whether it is another's since the last barrier.
+  /// Emits the invocation of a tag, and a bool: true if it is another invocation since the last barrier.
   std::pair<Id, Id> other(Id tag, bool low) {
     const Id kept = binary(SpvOpBitwiseAnd, tag, number((1U << tagBits) - 1));
     const Id who =
@@ -183,7 +184,7 @@ class Shared {
     writing_.end();
   }
 
-  /// All tags are 0 before the kernel begins.
+  /// Emits the function that sets all tags to 0 before the kernel starts.
   void writeClear(std::uint32_t count) {
     const Id function = module_.fresh(), type = module_.uintType();
     writing_.function(function, {});
@@ -227,8 +228,8 @@ class Shared {
   Position at_;
   Chains chains_;
   std::map<Id, Tags> tags_;                      ///< by variable
-  std::map<std::pair<Id, bool>, Id> functions_;  ///< by variable, and whether it stores
-  Id epoch_ = 0;                                 ///< the variable of the number of barriers
+  std::map<std::pair<Id, bool>, Id> functions_;  ///< by variable; true: store, false: load
+  Id epoch_ = 0;                                 ///< variable with the number of barriers so far
   Id local_ = 0, now_ = 0, high_ = 0, low_ = 0;
 };
 

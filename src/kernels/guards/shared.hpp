@@ -3,9 +3,9 @@
 
 namespace simreel::kernels {
 
-/// Adds code that notes accesses to words of shared memory that another invocation of the group changed, or
-/// read before a change, with no barrier between. Variables for whose words three tags each find no room in
-/// 32 KiB are left out.
+/// Adds code that reports races in shared memory: accesses to words that another invocation of the
+/// workgroup has changed, or changes to words that another one has read, without a barrier in between.
+/// Variables whose tags (three per word) do not fit into 32 KiB are skipped.
 void checkShared(Module& module, Report& report);
 
 }  // namespace simreel::kernels

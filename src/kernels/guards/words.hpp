@@ -10,13 +10,13 @@
 
 namespace simreel::kernels {
 
-/// A chain of pointers, from its variable on.
+/// A flattened access chain: a variable and all indices.
 struct PointerChain {
   Id variable = 0;
   Words indices;
 };
 
-/// Chains of a body, by the id of the pointer; one of a variable itself is empty.
+/// The access chains of a body, by the id of the pointer. The chain of a variable itself has no indices.
 class Chains {
  public:
   void follow(const Instruction& one);
@@ -26,28 +26,28 @@ class Chains {
   std::unordered_map<Id, PointerChain> chains_;
 };
 
-/// Words of 32 bits in a variable.
+/// Maps values in a variable to 32-bit words.
 class WordsIn {
  public:
-  /// `packed`: without gaps, for memory that has no layout.
+  /// `packed`: without padding, for memory without a layout.
   WordsIn(Module& module, bool packed) : module_(module), packed_(packed) {}
 
   struct Access {
-    Id type = 0;               ///< of what the pointer leads to
-    Id first = 0;              ///< the number of its first word
-    Id element = 0;            ///< the index that the user gave to the outermost array; 0 without one
-    Id array = 0;              ///< the type of that array; 0 without one
-    std::uint32_t member = 0;  ///< of the block, which that array is
-    std::uint32_t step = 1;    ///< words from component to component, of a matrix by rows
-    std::string what, part;    ///< names of the array and of the member in its element
+    Id type = 0;               ///< type that the pointer points to
+    Id first = 0;              ///< id of the index of its first word
+    Id element = 0;            ///< the user's index into the outermost array; 0 if none exists
+    Id array = 0;              ///< type of that array; 0 if none exists
+    std::uint32_t member = 0;  ///< index of the block member that is that array
+    std::uint32_t step = 1;    ///< words between components; differs from 1 for row-major matrices
+    std::string what, part;    ///< names of the array and of the element's member
   };
   Access access(Writing& writing, const PointerChain& chain);
 
-  /// Numbers of the words of an access, from its first, in the order of parts().
+  /// Returns the word offsets of an access relative to its first word, in the order of parts().
   [[nodiscard]] std::vector<std::uint32_t> offsets(const Access& access);
-  /// The words of a value.
+  /// Splits a value into its words.
   void parts(Writing& writing, Id value, Id type, Words& words);
-  /// Number of words of a type, with the gaps that its layout has inside.
+  /// Number of words of a type, including the padding of its layout.
   [[nodiscard]] std::uint32_t size(Id type);
 
  private:
@@ -64,7 +64,7 @@ class WordsIn {
 
   Module& module_;
   bool packed_;
-  Matrix last_;  ///< how matrices lie in what the last access leads to
+  Matrix last_;  ///< layout of matrices in the target of the last access
 };
 
 }  // namespace simreel::kernels

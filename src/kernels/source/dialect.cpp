@@ -11,7 +11,7 @@ namespace simreel::kernels {
 
 namespace {
 
-/// "unsigned int3" and "unsigned".
+/// Replaces "unsigned int3" by "uint3" and "unsigned" by "uint".
 void shortenUnsigned(const std::vector<Token>& all, Edits& edits) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i].text != "unsigned") continue;
@@ -21,7 +21,8 @@ void shortenUnsigned(const std::vector<Token>& all, Edits& edits) {
   }
 }
 
-/// The number of the token that closes the braces at or after token `i`; the number of tokens without.
+/// Returns the index of the token that closes the braces at or after token `i`; the token count if the
+/// braces are not closed.
 std::size_t closing(const std::vector<Token>& all, std::size_t i) {
   while (i < all.size() && (all[i].text != "{" || all[i].directive)) ++i;
   const int outside = i < all.size() ? all[i].depth : 0;
@@ -30,7 +31,7 @@ std::size_t closing(const std::vector<Token>& all, std::size_t i) {
   return all.size();
 }
 
-/// A constant buffer that has nothing else goes.
+/// Moves groupshared variables out of constant buffers. A constant buffer that becomes empty is removed.
 void takeOutShared(std::string_view code, const std::vector<Token>& all, Edits& edits) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i].text != "cbuffer" || all[i].directive) continue;

@@ -3,8 +3,9 @@
 
 namespace simreel::kernels {
 
-/// A text of HLSL in which "unsigned int" is "uint" and groupshared variables stand behind the constant
-/// buffer that they are written in, as Microsoft's compiler takes them. Lines keep their numbers.
+/// Returns an HLSL text with "unsigned int" replaced by "uint" and groupshared variables moved behind the
+/// constant buffer that contains them. Microsoft's compiler accepts both forms, glslang does not. Line
+/// numbers do not change.
 [[nodiscard]] std::string dialect(const std::string& text);
 
 }  // namespace simreel::kernels

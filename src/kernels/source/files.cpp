@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* unityFolder = "kernels/unity/";
 
-/// Where `token` stands in a line as a word, else anywhere.
+/// Returns the position of `token` as a whole word in a line, else as a substring.
 std::size_t findToken(std::string_view line, std::string_view token) {
   if (token.empty()) return std::string_view::npos;
   for (std::size_t at = line.find(token); at != std::string_view::npos; at = line.find(token, at + 1)) {
@@ -30,7 +30,7 @@ std::size_t findToken(std::string_view line, std::string_view token) {
   return line.find(token);
 }
 
-/// One of our own for names that Unity gives; nullptr where there is none.
+/// Returns the embedded replacement of a Unity file; nullptr if none exists.
 const char* unityFile(const std::string& name) {
   constexpr std::string_view package = "Packages/com.unity.render-pipelines.core/ShaderLibrary/";
   const std::string wanted =
@@ -45,8 +45,7 @@ std::string lowered(std::string text) {
   return text;
 }
 
-/// The one file of a name below a folder, whatever the case of its letters; nothing where there is none, or
-/// several.
+/// Finds a file below a folder, ignoring case. Returns an empty path if there is no match or more than one.
 std::filesystem::path withoutCase(const std::filesystem::path& folder, const std::filesystem::path& name) {
   std::vector<std::filesystem::path> found = {folder};
   for (const auto& part : name) {
@@ -67,14 +66,14 @@ std::filesystem::path withoutCase(const std::filesystem::path& folder, const std
   return found.size() == 1 ? found[0] : std::filesystem::path();
 }
 
-/// True for the name of a file that comes with Unity.
+/// True for the name of a file that ships with Unity.
 bool isUnitys(std::string_view name) {
   return name.starts_with("Packages/com.unity.") || name.starts_with("Unity") ||
          name == "AutoLight.cginc" || name == "Lighting.cginc" || name == "Tessellation.cginc" ||
          name == "TerrainEngine.cginc";
 }
 
-/// Files of Unity's names that the program has.
+/// Lists the Unity files that the program has replacements for.
 std::string unityFiles() {
   std::string names;
   for (const gl::EmbeddedShader& shader : gl::embeddedShaders()) {
@@ -122,7 +121,8 @@ std::optional<std::size_t> Files::include(const std::string& asked, bool beside,
                                           std::string& reason) {
   std::string name = asked;
   std::replace(name.begin(), name.end(), '\\', '/');
-  name.erase(0, std::min(name.find_first_not_of('/'), name.size()));  // "/X" is "X" to Microsoft's compiler
+  name.erase(0,
+             std::min(name.find_first_not_of('/'), name.size()));  // Microsoft's compiler reads "/X" as "X"
   std::vector<std::filesystem::path> tried;
   if (beside && !files_[from].path.empty()) tried.push_back(files_[from].path.parent_path() / name);
   for (const auto& folder : folders_) tried.push_back(folder / name);

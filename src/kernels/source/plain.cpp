@@ -23,7 +23,7 @@ void blank(std::string& text, std::size_t begin, std::size_t end) {
     if (text[i] != '\n') text[i] = ' ';
 }
 
-/// Calls `found` with the place of each whole word in the text without its comments.
+/// Calls `found` with the range of each whole-word occurrence in a text without comments.
 template <class Found>
 void eachWord(std::string_view code, std::string_view word, Found found) {
   for (std::size_t at = code.find(word); at != std::string_view::npos; at = code.find(word, at + 1)) {
@@ -33,7 +33,7 @@ void eachWord(std::string_view code, std::string_view word, Found found) {
   }
 }
 
-/// "#include <util\\HlslCompat.h>": glslang takes the backslash for an escape.
+/// Replaces backslashes in "#include <util\\HlslCompat.h>", because glslang reads them as escapes.
 void turnBackslashes(std::string& text, std::string_view code) {
   for (std::size_t at = code.find("include"); at != std::string_view::npos;
        at = code.find("include", at + 1)) {
@@ -45,7 +45,7 @@ void turnBackslashes(std::string& text, std::string_view code) {
   }
 }
 
-/// ": packoffset(c0.y)": we lay constants out ourselves.
+/// Blanks ": packoffset(c0.y)", because the program lays out constants itself.
 void blankPackOffsets(std::string& text, std::string_view code) {
   eachWord(code, "packoffset", [&](std::size_t at, std::size_t end) {
     std::size_t colon = at;
@@ -56,7 +56,7 @@ void blankPackOffsets(std::string& text, std::string_view code) {
   });
 }
 
-/// "0x1376312589U": the lower 32 bits count.
+/// Truncates literals such as "0x1376312589U" to their lower 32 bits.
 void shortenNumbers(std::string& text, std::string_view code) {
   for (std::size_t at = code.find("0x"); at != std::string_view::npos; at = code.find("0x", at + 2)) {
     std::size_t end = at + 2;
@@ -69,8 +69,8 @@ void shortenNumbers(std::string& text, std::string_view code) {
   }
 }
 
-/// "const uint2 Resolution;" outside of functions is a constant that the scene sets: glslang takes it for
-/// zero.
+/// Blanks "const" in global declarations such as "const uint2 Resolution;". They are constants set by the
+/// scene, but glslang would take them for zero.
 void blankConstOfGlobals(std::string& text, std::string_view code) {
   eachWord(code, "const", [&](std::size_t at, std::size_t end) {
     const auto open = std::count(code.begin(), code.begin() + static_cast<std::ptrdiff_t>(at), '{');
@@ -85,7 +85,7 @@ void blankConstOfGlobals(std::string& text, std::string_view code) {
   });
 }
 
-/// The word that begins at or after a place, past blanks; empty where none does.
+/// Returns the word after optional whitespace at `at`; empty if none exists.
 std::string_view wordAt(std::string_view code, std::size_t& at) {
   at = std::min(code.find_first_not_of(" \t\n", at), code.size());
   const std::size_t begin = at;
@@ -93,8 +93,9 @@ std::string_view wordAt(std::string_view code, std::size_t& at) {
   return code.substr(begin, at - begin);
 }
 
-/// A variable that the head of a loop declares lives on for the rest of the function in Microsoft's older
-/// rules: "for (i = 0;" after "for (uint i = 0;" declares it again.
+/// Redeclares loop variables. In Microsoft's older rules a variable declared in a loop header lives until
+/// the end of the function, so "for (i = 0;" may follow "for (uint i = 0;". The later loop gets its own
+/// declaration.
 class LoopVariables {
  public:
   static std::string declared(const std::string& text) {
@@ -125,7 +126,7 @@ class LoopVariables {
   }
 
  private:
-  /// True if the function declares the name outside the heads of loops, before a place.
+  /// True if the function declares the name outside loop headers before a position.
   static bool declaredElsewhere(std::string_view code, std::string_view name, std::size_t before) {
     bool found = false;
     const std::size_t begin = code.rfind("\n}", before);
@@ -149,7 +150,8 @@ class LoopVariables {
   }
 };
 
-/// "m._m00_m10_m20" becomes "float3(m._m00, m._m10, m._m20)": glslang takes the first element alone.
+/// Expands "m._m00_m10_m20" to "float3(m._m00, m._m10, m._m20)", because glslang takes only the first
+/// element.
 std::string withMatrixElements(const std::string& text) {
   const std::string code = withoutComments(text);
   std::string result = text;
@@ -172,7 +174,7 @@ std::string withMatrixElements(const std::string& text) {
     if (begin == at || (begin > 0 && (code[begin - 1] == ']' || code[begin - 1] == ')'))) continue;
     const std::size_t next = code.find_first_not_of(" \t", end);
     if (next != std::string::npos && code[next] == '=' && code.compare(next, 2, "==") != 0)
-      continue;  // is assigned to
+      continue;  // a target of an assignment is left unchanged
     const std::string matrix = code.substr(begin, at - begin);
     std::string vector = fmt::format("float{}(", elements.size());
     for (std::size_t i = 0; i < elements.size(); ++i)

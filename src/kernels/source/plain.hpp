@@ -4,18 +4,18 @@
 
 namespace simreel::kernels {
 
-/// True for a character that may stand in a name.
+/// True for a character that may be part of an identifier.
 [[nodiscard]] bool partOfName(char c);
 
-/// A user's shader text as glslang can read it, every token in its line: without byte order mark and
-/// carriage returns, with blanks for what only other compilers know (packoffset, Godot's "#[compute]",
-/// unorm and snorm before a type), and with what Microsoft's compiler forgives made right: whole numbers of
-/// more than 32 bits, a loop's variable that a later loop uses, several elements of a matrix at once,
-/// const before a global that has no value.
+/// Returns a user's shader text in a form that glslang accepts; every token keeps its line. Removes the
+/// byte order mark and carriage returns. Blanks syntax of other compilers (packoffset, Godot's
+/// "#[compute]", unorm and snorm before a type). Fixes code that Microsoft's compiler tolerates: integer
+/// literals of more than 32 bits, a loop variable that a later loop reuses, several matrix elements at
+/// once, const before a global without a value.
 [[nodiscard]] std::string plain(std::string_view text);
 
-/// Says so where brackets are nested more deeply, or operators follow each other for longer, than a
-/// compiler that calls itself for each can bear; empty otherwise.
+/// Returns an error message if brackets are nested too deeply or expressions are too long for a
+/// recursive-descent compiler; empty otherwise.
 [[nodiscard]] std::string tooDeep(std::string_view text);
 
 }  // namespace simreel::kernels

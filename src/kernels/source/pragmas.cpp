@@ -11,7 +11,7 @@ namespace simreel::kernels {
 
 namespace {
 
-/// The words of a "#pragma" line; none for other lines.
+/// Returns the words after "#pragma"; empty for other lines.
 std::vector<std::string> pragmaWords(const std::string& line) {
   const std::size_t sharp = line.find_first_not_of(" \t");
   if (sharp == std::string::npos || line[sharp] != '#') return {};
@@ -35,7 +35,7 @@ Announced announced(const std::vector<std::string>& words, int line) {
   return kernel;
 }
 
-/// The functions behind "[numthreads(x, y, z)]".
+/// Returns the functions that follow "[numthreads(x, y, z)]".
 std::vector<Announced> withThreadGroups(const std::string& code) {
   std::vector<Announced> kernels;
   for (std::size_t at = code.find("numthreads"); at != std::string::npos;
@@ -54,7 +54,7 @@ std::vector<Announced> withThreadGroups(const std::string& code) {
   return kernels;
 }
 
-/// HLSL has thread groups before a function, GLSL a version; where neither is, the name's end tells.
+/// Detects the language: GLSL has "#version", HLSL has "numthreads"; otherwise the file extension decides.
 Language languageOf(const Files& files, const std::string& code) {
   if (code.find("#version") != std::string::npos) return Language::glsl;
   if (code.find("numthreads") != std::string::npos) return Language::hlsl;
@@ -105,7 +105,7 @@ Announcements announcements(const Files& files) {
       found.kernels.push_back(announced(words, number));
     if (words[0].starts_with("multi_compile") || words[0].starts_with("shader_feature")) {
       std::vector<std::string> list(words.begin() + 1, words.end());
-      // a single word of a feature may also be absent
+      // a shader_feature with a single keyword may also be off
       if (words[0].starts_with("shader_feature") && list.size() == 1) list.insert(list.begin(), "_");
       found.keywords.push_back(std::move(list));
     }

@@ -9,29 +9,31 @@ namespace simreel::kernels {
 
 enum class Language { hlsl, glsl };
 
-/// A kernel as its file announces it.
+/// A kernel announced by its file.
 struct Announced {
   std::string name;
   std::vector<std::pair<std::string, std::string>> defines;
   int line = 0;
 };
 
-/// What the lines "#pragma kernel", "#pragma multi_compile" and the functions with thread groups say.
+/// The contents of "#pragma kernel" and "#pragma multi_compile" lines, and the functions with thread
+/// groups.
 struct Announcements {
   Language language = Language::hlsl;
   std::vector<Announced> kernels;
-  std::vector<std::vector<std::string>> keywords;  ///< one of each list holds; "_" is none
+  std::vector<std::vector<std::string>>
+      keywords;  ///< exactly one keyword of each list is active; "_" stands for none
 
-  /// The keywords that hold: of each list the chosen one, else the first. A choice that no list has goes to
-  /// `unknown`.
+  /// Returns the active keywords: from each list the chosen one, else the first. Chosen keywords that no
+  /// list contains are added to `unknown`.
   [[nodiscard]] std::vector<std::string> held(const std::vector<std::string>& chosen,
                                               std::vector<std::string>& unknown) const;
 };
 
 [[nodiscard]] Announcements announcements(const Files& files);
 
-/// glslang takes every function of an entry point's name for one: where the kernel shares its name with
-/// others, or `always`, `text` calls it another name, which is given back.
+/// Renames a kernel in `text` and returns its new name, if other functions have the same name or if
+/// `always`. Reason: glslang takes every function with the entry point's name for the entry point.
 [[nodiscard]] std::string entryName(std::string& text, const std::string& kernel, bool always);
 
 }  // namespace simreel::kernels

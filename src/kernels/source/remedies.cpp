@@ -18,7 +18,7 @@ bool assigns(std::string_view text) {
           std::string_view("+-*/%&|^").find(text[0]) != std::string_view::npos);
 }
 
-/// The token behind members and indices that follow a name.
+/// Returns the index of the token after the members and indices that follow a name.
 std::size_t behindMembers(const std::vector<Token>& all, std::size_t i) {
   while (i < all.size()) {
     if (all[i].text == "." && i + 1 < all.size()) {
@@ -36,7 +36,8 @@ std::size_t behindMembers(const std::vector<Token>& all, std::size_t i) {
   return i;
 }
 
-/// "float a, b;" with `a` assigned to: "float simreel_constant_a, b; static float a = simreel_constant_a;".
+/// If `a` is assigned to, changes "float a, b;" to "float simreel_constant_a, b; static float a =
+/// simreel_constant_a;".
 void makeVariables(const Declaration& one, const Remedies& remedies, Edits& edits) {
   if (one.shared || one.constant) return;
   for (const Declarator& name : one.names) {

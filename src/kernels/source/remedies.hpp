@@ -9,20 +9,20 @@
 
 namespace simreel::kernels {
 
-/// Prefix of a constant that a variable of its name starts from.
+/// Prefix of a constant that initialises a variable with the constant's original name.
 inline constexpr std::string_view constantPrefix = "simreel_constant_";
 
-/// Changes to texts of HLSL that glslang refuses and Microsoft's compiler reads. A text that glslang
-/// reads stays as it is.
+/// Changes to HLSL texts that glslang rejects but Microsoft's compiler accepts. A text that glslang accepts
+/// stays unchanged.
 struct Remedies {
-  /// Constants that the shader assigns to. Each invocation has a variable of the name, which begins with
+  /// Constants that the shader assigns to. Each invocation gets a variable of that name, initialised with
   /// the constant's value.
   std::set<std::string, std::less<>> assigned;
-  /// Textures and buffers whose member Length is asked for.
+  /// Textures and buffers whose member Length is used.
   std::set<std::string, std::less<>> measured;
-  /// Lines that define a macro again, by file.
+  /// Lines that redefine a macro, by file.
   std::set<std::pair<std::size_t, int>> redefined;
-  /// Functions of HLSL 2021 that are used: "select", "and", "or".
+  /// Used functions of HLSL 2021: "select", "and", "or".
   std::set<std::string, std::less<>> functions;
 
   [[nodiscard]] std::size_t count() const {
@@ -30,16 +30,17 @@ struct Remedies {
   }
 };
 
-/// The text of a file with remedies. Lines keep their numbers.
+/// Returns the text of a file with remedies applied. Line numbers do not change.
 [[nodiscard]] std::string remedied(const std::string& text, std::size_t file, const Remedies& remedies);
 
-/// Names that are assigned to in a text, local ones, too.
+/// Returns the names that a text assigns to, including local variables.
 [[nodiscard]] std::set<std::string, std::less<>> assignedNames(const std::vector<Token>& tokens);
 
-/// Function of HLSL with the size of a texture or the length of a buffer; empty for other types.
+/// Returns an HLSL function that returns the size of a texture or the length of a buffer; empty for other
+/// types.
 [[nodiscard]] std::string lengthFunction(std::string_view type, std::string_view name);
 
-/// Macros for functions of HLSL 2021.
+/// Returns macros that define the used functions of HLSL 2021.
 [[nodiscard]] std::string functionMacros(const Remedies& remedies);
 
 }  // namespace simreel::kernels

@@ -15,7 +15,7 @@ bool among(std::string_view word, std::initializer_list<std::string_view> words)
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// End of a preprocessor line: a line end without a backslash before it.
+/// Returns the end of a preprocessor line: a newline without a backslash before it.
 std::size_t directiveEnd(std::string_view code, std::size_t at) {
   for (; at < code.size(); ++at)
     if (code[at] == '\n' && code[at - 1] != '\\') return at;
@@ -38,7 +38,7 @@ std::size_t tokenLength(std::string_view code, std::size_t at) {
   return 1;
 }
 
-/// Depth of braces, with what "#if", "#else" and "#endif" do to it.
+/// Tracks the depth of braces across "#if", "#else" and "#endif".
 class Depth {
  public:
   void pass(const Token& token) {
@@ -57,12 +57,12 @@ class Depth {
   std::vector<int> atBranches_;
 };
 
-/// Reads a declaration behind the end of another.
+/// Parses a global declaration.
 class Reader {
  public:
   Reader(std::string_view code, const std::vector<Token>& all) : code_(code), all_(all) {}
 
-  /// False where something else begins at token `i`.
+  /// Returns false if token `i` does not start a variable declaration.
   bool read(std::size_t i, Declaration& found) {
     i_ = i;
     for (;; ++i_) {
@@ -120,7 +120,7 @@ class Reader {
   [[nodiscard]] std::string_view text() const { return i_ < all_.size() ? all_[i_].text : ""; }
   [[nodiscard]] bool is(std::string_view what) const { return text() == what; }
   [[nodiscard]] bool word() const { return i_ < all_.size() && all_[i_].isWord(); }
-  /// Past the bracket that closes this one.
+  /// Moves past the matching closing bracket.
   bool pass(std::string_view open, std::string_view close) {
     for (int depth = 0; i_ < all_.size(); ++i_) {
       if (is(open)) ++depth;
@@ -146,8 +146,8 @@ bool Token::isWord() const {
 std::vector<Token> tokens(std::string_view code) {
   std::vector<Token> found;
   Depth depth;
-  std::size_t directive = 0;  // where the line of the preprocessor ends that we are in
-  bool first = true;          // of its line
+  std::size_t directive = 0;  // end of the current preprocessor line
+  bool first = true;          // true at the first token of a line
   for (std::size_t at = 0; at < code.size();) {
     if (code[at] == '\n') first = true;
     if (std::isspace(static_cast<unsigned char>(code[at])) != 0 || code[at] == '\\') {
@@ -168,7 +168,7 @@ std::vector<Token> tokens(std::string_view code) {
 }
 
 std::vector<Declaration> globals(std::string_view code, const std::vector<Token>& tokens) {
-  std::vector<Token> plain;  // without directives, which may stand anywhere
+  std::vector<Token> plain;  // tokens without preprocessor lines
   std::vector<bool> begins;
   bool behind = true;
   for (const Token& token : tokens) {

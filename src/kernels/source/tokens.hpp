@@ -7,46 +7,46 @@
 
 namespace simreel::kernels {
 
-/// A word, number, string or operator of HLSL. Operators that assign are one token, as are "++" and "--".
+/// A word, number, string or operator of HLSL. Assignment operators, "++" and "--" are single tokens.
 struct Token {
   std::string_view text;
   std::size_t at = 0;
-  int depth = 0;           ///< of braces around it; Unity's CBUFFER_START and CBUFFER_END are braces, too
-  bool directive = false;  ///< in a line of the preprocessor
+  int depth = 0;  ///< number of enclosing braces; Unity's CBUFFER_START and CBUFFER_END count as braces
+  bool directive = false;  ///< true in a preprocessor line
 
   [[nodiscard]] std::size_t end() const { return at + text.size(); }
   [[nodiscard]] bool isWord() const;
 };
 
-/// The tokens of a text without comments. The branches of "#if" begin at the same depth.
+/// Splits a text without comments into tokens. All branches of an "#if" start at the same depth.
 [[nodiscard]] std::vector<Token> tokens(std::string_view code);
 
-/// A name that a declaration makes.
+/// A name in a declaration.
 struct Declarator {
   std::string_view name;
-  std::string_view lengths;  ///< "[3][2]", empty without
+  std::string_view lengths;  ///< for example "[3][2]"; empty if it is no array
   std::size_t at = 0;
 };
 
-/// A variable or several of one type, outside of functions, structs and constant buffers.
+/// A declaration of one or more variables outside functions, structs and constant buffers.
 struct Declaration {
   std::string_view type;  ///< "float4", "Texture2D<float>"
-  bool shared = false;    ///< among a group's threads
+  bool shared = false;    ///< groupshared
   bool constant = false;  ///< const or static
   std::vector<Declarator> names;
-  std::size_t end = 0;  ///< behind the semicolon
+  std::size_t end = 0;  ///< position after the semicolon
 };
 
-/// The global variables of a text, which the tokens are of.
+/// Returns the global variables of a text; `tokens` are the text's tokens.
 [[nodiscard]] std::vector<Declaration> globals(std::string_view code, const std::vector<Token>& tokens);
 
-/// Replacements in a text. They are made from the back, so that places stay right.
+/// A list of replacements in a text. They are applied from the end, so that positions stay valid.
 class Edits {
  public:
   void replace(std::size_t begin, std::size_t end, std::string with);
   void insert(std::size_t at, std::string with) { replace(at, at, std::move(with)); }
   void add(const Edits& more) { edits_.insert(edits_.end(), more.edits_.begin(), more.edits_.end()); }
-  /// With the edits; line ends in what is replaced stay.
+  /// Returns the text with all edits applied. Newlines in replaced ranges are kept.
   [[nodiscard]] std::string applied(std::string text) const;
 
  private:

@@ -4,12 +4,12 @@
 
 namespace simreel::kernels {
 
-/// Returns true if a text defines mainImage(), as ShaderToy's do.
+/// True if a text defines mainImage(), as ShaderToy shaders do.
 [[nodiscard]] bool isToy(std::string_view text);
-/// Declarations of what ShaderToy gives a pass: iResolution, iTime, iTimeDelta, iFrame, iFrameRate, iMouse,
+/// Returns declarations of ShaderToy's inputs: iResolution, iTime, iTimeDelta, iFrame, iFrameRate, iMouse,
 /// iDate, iSampleRate, iChannelTime, iChannelResolution and iChannel0 to iChannel3.
 [[nodiscard]] std::string textBefore(const std::string& pass);
-/// The kernel that calls mainImage() for each pixel.
+/// Returns the kernel that calls mainImage() for each pixel.
 [[nodiscard]] std::string textBehind(const std::string& pass, bool upsideDown);
 
 }  // namespace simreel::kernels

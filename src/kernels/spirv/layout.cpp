@@ -17,8 +17,8 @@ std::uint32_t up(std::uint32_t value, std::uint32_t to) {
   return (value + to - 1) / to * to;
 }
 
-/// Writes offsets and strides of a struct, and of all within, as std430 has them, or std140, in which
-/// structs and elements of arrays begin at multiples of 16 bytes.
+/// Adds offsets and strides to a struct and its nested types, following std430 or std140. In std140 structs
+/// and array elements are aligned to 16 bytes.
 class Layout {
  public:
   Layout(Module& module, bool std140) : module_(module), least_(std140 ? 16 : 1) {}
@@ -53,7 +53,7 @@ class Layout {
   }
 
  private:
-  /// So many vectors of so many numbers.
+  /// Returns the size of a matrix of `vectors` vectors with `numbers` components each.
   Size matrix(std::uint32_t vectors, std::uint32_t numbers) const {
     const std::uint32_t stride = std::max(numbers == 2 ? 8U : 16U, least_);
     return {stride * vectors, stride};

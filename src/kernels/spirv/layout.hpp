@@ -3,11 +3,12 @@
 
 namespace simreel::kernels {
 
-/// Makes the module one that GLSL 4.5 can say: push constants become a uniform block, uniform blocks are
-/// laid out as std140 and buffers of HLSL as std430 (whose rules GLSL has not).
+/// Converts the module's memory layout to one that GLSL 4.5 can express: push constants become a uniform
+/// block, uniform blocks use std140, and HLSL buffers use std430, because GLSL does not have HLSL's layout
+/// rules.
 void layOut(Module& module, bool hlsl);
 
-/// Gives every resource a binding of its own among its kind, in the order in which they stand.
+/// Gives every resource a unique binding within its kind, in order of declaration.
 void bindResources(Module& module);
 
 }  // namespace simreel::kernels

@@ -115,7 +115,7 @@ Module::Module(std::span<const std::uint32_t> words) {
     at += count;
     inBody = inBody || made.op == SpvOpFunction;
     if (made.op == SpvOpLabel || made.op == SpvOpFunctionEnd) ended = false;
-    if (ended) continue;  // glslang 12 goes on behind some returns
+    if (ended) continue;  // skips dead code that glslang 12 emits after some returns
     ended = inBody && endsBlock(made.op);
     if (inBody)
       body.push_back(std::move(made));
@@ -131,7 +131,7 @@ Module::Module(std::span<const std::uint32_t> words) {
 
 Words Module::words() const {
   Words out = {magic, version_, generator_, bound_, 0};
-  // Texts and names stand behind the modes of execution, in this order.
+  // SPIR-V requires debug strings and names after the execution modes.
   const auto rank = [](SpvOp op) {
     switch (op) {
       case SpvOpCapability:

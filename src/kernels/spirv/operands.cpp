@@ -1,11 +1,11 @@
-// Which operands of an instruction are ids.
+// Tells which operands of an instruction are ids.
 #include "kernels/spirv/module.hpp"
 
 namespace simreel::kernels {
 
 namespace {
 
-/// Number of operands before the first literal, for instructions that end in literals; -1 where all are
+/// Number of id operands before the literals, for instructions that end in literals; -1 if all operands are
 /// ids.
 int idsBeforeLiterals(SpvOp op) {
   switch (op) {
@@ -50,7 +50,7 @@ int idsBeforeLiterals(SpvOp op) {
   }
 }
 
-/// The operand that is a mask of further operands, of instructions on images; -1 for others.
+/// Index of the image operands mask of an image instruction; -1 for other instructions.
 int imageMask(SpvOp op) {
   switch (op) {
     case SpvOpImageSampleImplicitLod:

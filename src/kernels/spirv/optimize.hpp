@@ -3,9 +3,9 @@
 
 namespace simreel::kernels {
 
-/// Makes HLSL's SPIR-V one that GLSL can say (`legalize`: opaque values lose their copies, functions their
-/// resources), and drops what nothing uses. It changes no bits where NoContraction stands. Throws
-/// std::runtime_error.
+/// Optimizes a module: removes unused code and, with `legalize`, transforms HLSL's SPIR-V into a form that
+/// GLSL can express (no copies of opaque values, no resource parameters). Results of instructions with
+/// NoContraction do not change. Throws std::runtime_error.
 [[nodiscard]] Words optimized(const Words& words, bool legalize);
 
 }  // namespace simreel::kernels

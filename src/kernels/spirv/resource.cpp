@@ -15,7 +15,7 @@ Resource resourceOf(const Module& module, const Instruction& variable) {
   switch (variable.operands[0]) {
     case SpvStorageClassStorageBuffer:
       return Resource::storage;
-    case SpvStorageClassUniform:  // until SPIR-V 1.3 storage buffers are blocks of their own kind
+    case SpvStorageClassUniform:  // before SPIR-V 1.3 storage buffers use this class with BufferBlock
       return module.decoration(type.result, SpvDecorationBufferBlock) ? Resource::storage : Resource::block;
     case SpvStorageClassUniformConstant:
       if (type.op == SpvOpTypeSampler) return Resource::sampler;

@@ -7,19 +7,19 @@ namespace simreel::kernels {
 
 enum class Resource { none, storage, block, image, texture, sampler };
 
-/// Kind of resource of a global variable.
+/// Returns the resource kind of a global variable.
 [[nodiscard]] Resource resourceOf(const Module& module, const Instruction& variable);
-/// The type that a pointer points to, of an array of resources that of one.
+/// Returns the pointee type of a variable; for an array of resources, the type of one resource.
 [[nodiscard]] const Instruction& resourceType(const Module& module, const Instruction& variable);
 
 /// True for an array of resources.
 [[nodiscard]] bool isArrayed(const Module& module, const Instruction& variable);
-/// The name of a block's variable. In OpenGL a block is known by its type's name; buffers of HLSL may share
-/// a type, cbuffers have no variable's.
+/// Returns a unique name for a block. OpenGL identifies blocks by their type name, but HLSL buffers may
+/// share a type; cbuffers have no variable name.
 [[nodiscard]] std::string blockName(const Module& module, Id variable, bool hlsl);
-/// The name of a buffer as the user wrote it, without what glslang marks with @.
+/// Returns the user's name of a buffer, without glslang's @ suffixes.
 [[nodiscard]] std::string bufferName(const Module& module, Id variable, bool hlsl);
-/// A name without what glslang marks with @: "@data" of a buffer's elements, "_Found@count" of a counter.
+/// Removes glslang's @ suffixes from a name: "@data" for a buffer's elements, "_Found@count" for a counter.
 [[nodiscard]] std::string plainName(const std::string& name);
 
 }  // namespace simreel::kernels

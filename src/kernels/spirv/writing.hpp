@@ -9,12 +9,12 @@
 
 namespace simreel::kernels {
 
-/// Appends instructions to a list, with fresh ids of a module.
+/// Appends instructions with fresh ids to a list of instructions of a module.
 class Writing {
  public:
   Writing(Module& module, std::vector<Instruction>& to) : module_(module), to_(to) {}
 
-  /// Appends an instruction with a result, and returns its id.
+  /// Appends an instruction with a result and returns the result's id.
   Id emit(SpvOp op, Id type, Words operands) {
     const Id made = module_.fresh();
     module_.noteType(made, type);
@@ -23,7 +23,8 @@ class Writing {
   }
   void put(SpvOp op, Words operands) { to_.push_back({op, 0, 0, std::move(operands)}); }
   void label(Id id) { to_.push_back({SpvOpLabel, 0, id, {}}); }
-  /// Begins a selection: what follows runs where the condition holds. Returns the label for close().
+  /// Opens an if block: the following instructions run only if the condition is true. Returns the label for
+  /// close().
   Id open(Id condition) {
     const Id inner = module_.fresh(), merge = module_.fresh();
     put(SpvOpSelectionMerge, {merge, SpvSelectionControlMaskNone});
@@ -35,20 +36,21 @@ class Writing {
     put(SpvOpBranch, {merge});
     label(merge);
   }
-  /// Begins a function of these parameters without a result; returns their ids.
+  /// Starts a void function with these parameter types; returns the ids of its parameters.
   Words function(Id id, const Words& parameterTypes);
   void end() {
     put(SpvOpReturn, {});
     put(SpvOpFunctionEnd, {});
   }
 
-  /// `a` where the condition, of one number, holds, `b` elsewhere; `result`: an id that is there already.
+  /// Emits `a` if the scalar condition is true, else `b`. `result`: an existing id for the result; 0: a
+  /// fresh one.
   Id select(Id condition, Id type, Id a, Id b, Id result = 0);
-  /// A whole number by its bits.
+  /// Bitcasts an integer to unsigned (asUint) or signed (asInt).
   Id asUint(Id value) { return cast(value, module_.uintType()); }
   Id asInt(Id value) { return cast(value, module_.intType()); }
   Id load(Id type, Id pointer) { return emit(SpvOpLoad, type, {pointer}); }
-  /// The place of a member, as chain of constant or computed indices.
+  /// Emits an access chain with constant or computed indices.
   Id chain(SpvStorageClass storage, Id type, Id base, const Words& indices);
 
  private:
@@ -64,13 +66,13 @@ class Writing {
 void giveName(Module& module, Id id, const std::string& name);
 void giveMemberName(Module& module, Id type, std::uint32_t member, const std::string& name);
 
-/// The variable that holds a built-in vector of so many whole numbers, an input of the kernel.
+/// Returns the input variable of a built-in integer vector; creates it if it does not exist.
 Id builtIn(Module& module, SpvBuiltIn what, std::uint32_t length = 3);
 
-/// Threads of a group.
+/// Returns the number of threads of a workgroup in x, y and z.
 [[nodiscard]] std::array<std::uint32_t, 3> groupSize(const Module& module);
 
-/// A storage buffer `name` whose one member, `member`, is an array of `element` without a fixed length.
+/// Creates a storage buffer `name` with a single unsized array `member` of `element`.
 Id storageBuffer(Module& module, const std::string& name, const std::string& member, Id element,
                  std::uint32_t stride);
 

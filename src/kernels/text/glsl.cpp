@@ -12,7 +12,7 @@ namespace simreel::kernels {
 
 namespace {
 
-/// SPIRV-Cross, which tells of mistakes by a text in its context.
+/// Wraps SPIRV-Cross. Its error messages are texts in its context.
 class Cross {
  public:
   explicit Cross(const Words& words) {
@@ -61,7 +61,8 @@ Texture texture(const Module& module, Id variable) {
   return made;
 }
 
-/// Textures that GLSL has with their samplers already, and those that are joined here.
+/// Collects the textures: combined GLSL samplers, and pairs of separate textures and samplers, which are
+/// combined here.
 void joinSamplers(const Module& module, const Cross& cross, Kernel& kernel) {
   const auto bind = [&](Id id, Texture made, const std::string& name) {
     made.uniform = name;

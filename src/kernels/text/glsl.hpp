@@ -4,8 +4,9 @@
 
 namespace simreel::kernels {
 
-/// Writes a module as GLSL 4.5 (SPIRV-Cross), into `kernel` with the textures that it reads: each texture
-/// with each of its samplers is one in GLSL. Throws std::runtime_error for what GLSL cannot say.
+/// Converts a module to GLSL 4.5 with SPIRV-Cross. Stores the text and the textures in `kernel`: each
+/// combination of a texture and a sampler becomes one GLSL sampler. Throws std::runtime_error for code that
+/// GLSL cannot express.
 void writeGlsl(const Module& module, Kernel& kernel);
 
 }  // namespace simreel::kernels

@@ -52,7 +52,7 @@ class Reflecting {
       case SpvOpTypeMatrix: {
         const std::uint32_t columns = made.operands[1],
                             rows = module_.global(made.operands[0])->operands[1];
-        // glslang takes a matrix of HLSL for its transposed
+        // glslang represents an HLSL matrix by its transpose
         if (hlsl_) return fmt::format("float{}x{}", columns, rows);
         return columns == rows ? fmt::format("mat{}", columns) : fmt::format("mat{}x{}", columns, rows);
       }
@@ -104,7 +104,7 @@ class Reflecting {
            array = module_.global(type)) {
         member.array.push_back(
             array->op == SpvOpTypeArray ? module_.constant(array->operands[1]).value_or(1) : 0);
-        // the innermost stride: arrays of arrays have no gaps
+        // stride of the innermost array; nested arrays have no padding
         member.stride = module_.decoration(type, SpvDecorationArrayStride).value_or(0);
         type = array->operands[0];
       }
@@ -124,11 +124,11 @@ class Reflecting {
 
 struct Use {
   bool reads = false, writes = false;
-  std::unordered_set<std::uint32_t> members;  ///< of a block, that the body names
-  bool whole = false;                         ///< it is used without a member's name
+  std::unordered_set<std::uint32_t> members;  ///< indices of block members that the body accesses
+  bool whole = false;                         ///< true if the variable is used without a member index
 };
 
-/// Uses of each variable in the body, followed through chains of pointers and loaded images.
+/// Returns the uses of each variable in the body, traced through access chains and loaded images.
 std::unordered_map<Id, Use> uses(const Module& module) {
   std::unordered_map<Id, Id> from;
   std::unordered_map<Id, Use> found;
@@ -154,7 +154,7 @@ std::unordered_map<Id, Use> uses(const Module& module) {
       case SpvOpLoad:
         from[one.result] = one.operands[0];
         found[one.operands[0]].whole = true;
-        // of an image: what is done with it shows later
+        // a loaded image counts as read only if a later instruction reads it
         if (const Instruction* type = module.global(one.type);
             type == nullptr || (type->op != SpvOpTypeImage && type->op != SpvOpTypeSampledImage))
           found[root(one.operands[0])].reads = true;

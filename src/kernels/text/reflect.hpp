@@ -5,11 +5,11 @@
 
 namespace simreel::kernels {
 
-/// Thread groups, buffers, images and blocks of a module after layOut(). Textures come with the text, which
-/// joins them with samplers.
+/// Returns thread groups, buffers, images and blocks of a module after layOut(). writeGlsl() adds the
+/// textures, because it combines them with samplers.
 [[nodiscard]] Kernel reflected(const Module& module, Language language);
 
-/// "2D", "3DArray" and so on, and "float", "int", "uint" of an image's type.
+/// Sets the type ("2D", "3DArray", ...) and the component type ("float", "int", "uint") of an image.
 void describeImage(const Module& module, const Instruction& image, Texture& texture);
 
 }  // namespace simreel::kernels

@@ -13,45 +13,47 @@
 
 namespace simreel::sim {
 
-/// Buffer or texture of a user's kernels, as a scene describes it.
+/// A buffer or texture of a user's kernels, as described in a scene.
 struct KernelMemory {
   std::string name;
-  scene::Formula size;    ///< elements or texels along one to three axes; empty: of the file, or one
-  scene::Formulas start;  ///< first values by member; what is not named is zero
+  scene::Formula
+      size;  ///< number of elements or texels along one to three axes; empty: size of `file`, or one
+  scene::Formulas start;  ///< initial values by member; other members are zero
   std::filesystem::path file;
-  bool previous = false;  ///< kernels read it as it was before their dispatch
-  bool upward = false;    ///< the first row of its file is the last one of the texture
-  double counter = 0;     ///< of append and consume buffers
-  // Of textures.
-  std::string format;  ///< as GLSL names it; empty: the shader's, or of 32 bits a channel
+  bool previous = false;  ///< true if kernels read its state from before their dispatch
+  bool upward = false;    ///< true if the first row of its file is the last row of the texture
+  double counter = 0;     ///< initial counter value, for append and consume buffers
+  // Only for textures:
+  std::string format;  ///< GLSL image format; empty: format in the shader, or 32 bits per channel
   enum class Filter { shader, point, linear };
   enum class Wrap { shader, repeat, clamp, mirror };
   Filter filter = Filter::shader;
   Wrap wrap = Wrap::shader;
 };
 
-/// Entry of a schedule: a dispatch, or what happens between dispatches.
+/// An entry of a schedule: a dispatch, or an operation between dispatches.
 struct KernelEntry {
   std::string kernel;
-  scene::Formula threads;  ///< invocations along each axis; empty: by what the kernel writes
+  scene::Formula
+      threads;  ///< number of invocations along each axis; empty: derived from the outputs of the kernel
   int repeat = 1, every = 1;
-  std::string indirect;     ///< buffer that holds the numbers of work groups
-  int offset = 0;           ///< bytes, of `indirect` or `into`
-  scene::Formula swap;      ///< two names, exchanged after the kernel
-  std::string clear;        ///< buffer or texture that becomes zero
-  std::string count, into;  ///< copies the counter of one buffer into another
+  std::string indirect;     ///< buffer that contains the workgroup counts
+  int offset = 0;           ///< byte offset in `indirect` or `into`
+  scene::Formula swap;      ///< names of two buffers or textures to swap after the kernel
+  std::string clear;        ///< name of a buffer or texture to fill with zeros
+  std::string count, into;  ///< copies the counter of buffer `count` into buffer `into`
 };
 
-/// Triangles whose vertices are elements of a buffer.
+/// A triangle mesh whose vertices are elements of a buffer.
 struct KernelSurface {
   std::string of, position = "position", normal;
-  glm::ivec2 grid{0, 0};       ///< vertices along x and y; 0: the buffer's size
-  std::string indices;         ///< buffer of three indices a triangle
-  std::filesystem::path mesh;  ///< whose triangles they are
+  glm::ivec2 grid{0, 0};       ///< number of vertices along x and y; 0: size of the buffer
+  std::string indices;         ///< buffer with three indices per triangle
+  std::filesystem::path mesh;  ///< mesh file that provides the triangles
   bool doubleSided = true;
 };
 
-/// Elements of a buffer as balls, discs or meshes.
+/// Draws the elements of a buffer as spheres, discs or meshes.
 struct KernelPoints {
   std::string of, position = "position", velocity, mass, alive;
   Instances::Shape shape = Instances::Shape::sprite;
@@ -66,33 +68,34 @@ struct KernelPoints {
   float brightness = 1;
 };
 
-/// A texture or the elements of a buffer as a field over the picture.
+/// Draws a texture or the elements of a buffer as a field over the picture.
 struct KernelField {
-  std::string of, show;  ///< member or component; empty: the colour of four numbers, else the first number
-  bool encoded = false;  ///< colours are sRGB, as on a screen
+  std::string of, show;  ///< member or component; empty: a colour if the element has at least three
+                         ///< numbers, else its first number
+  bool encoded = false;  ///< true if colours are sRGB values instead of linear ones
   FieldDisplay display;
 };
 
-/// Number of a buffer's member that checks and charts may ask for.
+/// A statistic over a buffer member, for checks and charts.
 struct KernelMeasure {
   enum class What { mean, sum, min, max };
   std::string name, of, member;
   What what = What::mean;
 };
 
-/// Shaders of a user, their memory, and when they run, as a scene describes them.
+/// A user's shaders, their memory and their schedule, as described in a scene.
 struct KernelDescription {
   std::filesystem::path file;
   scene::Formula keywords;
   std::vector<KernelMemory> buffers, textures;
   scene::Formulas constants;
-  int steps = 1;  ///< per frame
+  int steps = 1;  ///< number of steps per frame
   std::vector<KernelEntry> first, step;
-  /// Accesses out of bounds: stop ends the run, ignore tells of the first, silent has no code that notes
-  /// them.
+  /// Reaction to out-of-bounds accesses: stop ends the run, ignore reports the first access, silent
+  /// compiles no code that detects them.
   enum class Bounds { stop, ignore, silent };
   Bounds bounds = Bounds::stop;
-  int iterations = 65000;  ///< of a loop, at most; 0: no limit
+  int iterations = 65000;  ///< max iterations of a loop; 0: no limit
   bool fast = false;
   std::optional<KernelSurface> surface;
   std::optional<KernelPoints> points;

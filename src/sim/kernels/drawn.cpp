@@ -45,7 +45,8 @@ int typeOf(const KernelSlot& slot) {
                                                               : 0;
 }
 
-/// The slot of a name; an element that has no members is one itself.
+/// Returns the slot called `name`. An element without members is a single unnamed slot, which is returned
+/// for any name.
 const KernelSlot* slotOf(const std::vector<KernelSlot>& slots, const std::string& name) {
   const KernelSlot* found = slotNamed(slots, name);
   return found == nullptr && slots.size() == 1 ? slots.data() : found;
@@ -182,7 +183,7 @@ void KernelDrawn::update(const KernelStore& store) {
       speeds_ = gl::Vec4Array(name_ + " velocities", from.count);
     }
     gather(from, points.position, points.mass, "", glm::vec4(0, 0, 0, 1), places_);
-    // Without a velocity nothing is copied but what is alive.
+    // Without a velocity only the `alive` member is copied.
     Source moving = from;
     if (points.velocity.empty())
       std::erase_if(moving.slots, [&](const KernelSlot& slot) { return slot.path != points.alive; });
@@ -220,7 +221,7 @@ void KernelDrawn::updateField(const KernelStore& store) {
   }
   if (slot == nullptr) slot = from.slots.data();
   const bool colors = slot->offsets.size() >= 3;
-  // The fourth number is what skins take: the first one of a colour.
+  // The fourth number is the first component: skins use it as a scalar.
   KernelSlot one = *slot;
   one.path = "first";
   one.offsets.resize(1);

@@ -13,7 +13,7 @@ namespace simreel::sim {
 struct GatherKernel;
 struct NormalKernel;
 
-/// What is drawn of a user's kernels: copies of members in the layout of drawables.
+/// Draws the memory of a user's kernels: copies members into the layout of drawables.
 class KernelDrawn {
  public:
   KernelDrawn(const std::string& name, const KernelPlan& plan, const scene::Material& material);
@@ -21,20 +21,20 @@ class KernelDrawn {
   KernelDrawn(const KernelDrawn&) = delete;
   KernelDrawn& operator=(const KernelDrawn&) = delete;
 
-  /// Copies from memory that KernelStore::settle() has left.
+  /// Copies from memory. Call after KernelStore::settle().
   void update(const KernelStore& store);
   void publish(Drawables& drawables) const;
-  /// Reads back what is drawn.
+  /// Reads the drawn points or mesh back from the GPU.
   [[nodiscard]] PointTable points() const;
   [[nodiscard]] std::optional<MeshTable> mesh() const;
 
  private:
-  /// Numbers of the elements of one memory.
+  /// The words of one buffer or texture, with the layout of its elements.
   struct Source {
     const gl::Buffer* words;
     int start, stride, count;
     std::vector<KernelSlot> slots;
-    bool encoded = false;  ///< the first three numbers are sRGB
+    bool encoded = false;  ///< true if the first three numbers are sRGB
   };
   [[nodiscard]] Source source(const KernelStore& store, const std::string& of) const;
   void gather(const Source& from, const std::string& member, const std::string& fourth,

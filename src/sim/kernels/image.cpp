@@ -18,7 +18,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// What a pass reads: a picture, or what another pass wrote.
+/// An input channel of a pass: a picture file, or the output of another pass.
 struct ImageChannel {
   std::string name;  ///< "0" to "3"
   std::filesystem::path file;
@@ -27,9 +27,9 @@ struct ImageChannel {
   KernelMemory::Wrap wrap = KernelMemory::Wrap::clamp;
 };
 
-/// Pass of a ShaderToy program.
+/// A pass of a ShaderToy program.
 struct ImagePass {
-  std::string name;  ///< "A" to "D"; "Image"
+  std::string name;  ///< "A" to "D", or "Image"
   std::filesystem::path file;
   std::vector<ImageChannel> channels;
 
@@ -50,7 +50,7 @@ struct ImagePass {
   }
 };
 
-/// Pictures computed by shaders with mainImage().
+/// Parameters of the kind image: passes with mainImage() that compute a picture.
 struct ImageParameters : KernelsParameters {
   glm::ivec2 pixels{960, 540};
   ImagePass image;
@@ -152,7 +152,8 @@ void ImageParameters::addPass(scene::Fields& f, const ImagePass& pass) {
   step.push_back(entry);
 }
 
-/// Channels that a shader reads and a scene does not give; and constants that no pass has are left out.
+/// Reports channels that a shader reads but the scene does not define, and removes constants that no pass
+/// uses.
 void ImageParameters::holdChannels(scene::Fields& f, const kernels::Shader& shader,
                                    const std::vector<ImagePass>& all) {
   std::vector<std::string> read;
@@ -198,7 +199,7 @@ void ImageParameters::build(scene::Fields& f) {
   std::vector<ImagePass> all = passes;
   all.push_back(image);
   for (const ImagePass& pass : all) addPass(f, pass);
-  // The image of the first frame is there before the first step.
+  // The image passes also run before the first step, so that the first frame has an image.
   first = step;
   const auto constant = [&](const char* name, const scene::Formula& value) {
     constants.list.push_back({name, value});

@@ -93,7 +93,8 @@ class Kernels : public Simulation, public RaceChecked {
     return arrays;
   }
   [[nodiscard]] std::vector<std::string> races(double time) override {
-    if (parameters_.request.file.empty()) return {};  // an image: each invocation writes its own pixel
+    if (parameters_.request.file.empty())
+      return {};  // an image needs no search: each invocation writes only its own pixel
     const KernelStore::Saved before = store_.save();
     races_ = std::make_unique<KernelRaces>(name_, parameters_.request);
     run(plan_->first(), nowAt(time, 0), true);
@@ -114,7 +115,7 @@ class Kernels : public Simulation, public RaceChecked {
   }
 
  private:
-  /// A driver that ends loops by itself would do so in silence.
+  /// Fails if the driver silently ends long loops and the limit in the scene does not prevent such loops.
   void checkLoops() const {
     if ((parameters_.iterations > 0 && parameters_.iterations <= 65535) ||
         parameters_.bounds == KernelDescription::Bounds::silent)
@@ -207,7 +208,7 @@ class Kernels : public Simulation, public RaceChecked {
   KernelReports reports_;
   KernelPrograms programs_;
   std::string kind_;
-  std::unique_ptr<KernelRaces> races_;  ///< while races are looked for
+  std::unique_ptr<KernelRaces> races_;  ///< null unless a search for races is running
 };
 
 }  // namespace

@@ -3,9 +3,9 @@
 
 namespace simreel::sim {
 
-/// Compute shaders that a user wrote: Unity's .compute, HLSL or GLSL.
+/// Returns the kind kernels: compute shaders of the user in Unity's .compute, HLSL or GLSL.
 [[nodiscard]] SimulationKind kernelsKind();
-/// `check` and `make` of kinds whose parameters are KernelsParameters.
+/// Functions `check` and `make` for all kinds whose parameters are KernelsParameters.
 void checkKernels(const scene::Object& object, const Setting& setting);
 [[nodiscard]] std::unique_ptr<Simulation> makeKernels(const scene::Object& object, const Setting& setting);
 

@@ -97,7 +97,7 @@ GLenum accessOf(const kernels::Texture& texture) {
   return texture.reads && texture.writes ? GL_READ_WRITE : texture.writes ? GL_WRITE_ONLY : GL_READ_ONLY;
 }
 
-/// Dispatches, copies and reads of all kinds see what came before.
+/// Issues all memory barriers, so that later dispatches, copies and reads see all earlier writes.
 void everythingVisible() {
   gl::AccessLog::barrier(GL_ALL_BARRIER_BITS);
 }
@@ -110,7 +110,8 @@ void upload(const gl::Texture& texture, GLenum layout, GLenum type, const void* 
     glTextureSubImage2D(texture.name(), 0, 0, 0, texture.width(), texture.height(), layout, type, data);
 }
 
-/// 1 for each word of an element that is a float; nothing for a buffer that kernels only read.
+/// Returns one word per word of an element: 1 if it is a float. Returns an empty buffer if the element has
+/// no floats or if kernels only read the buffer.
 gl::Buffer floatsOf(const PlannedBuffer& planned) {
   std::vector<unsigned> words(planned.stride / 4);
   bool any = false;

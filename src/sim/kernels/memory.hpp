@@ -14,38 +14,38 @@ namespace simreel::sim {
 struct CanonicalKernel;
 struct TexelCopy;
 
-/// Buffers and textures of a user's kernels on the GPU.
+/// Owns the buffers and textures of a user's kernels on the GPU.
 class KernelStore {
  public:
-  /// Throws UserError(device) where memory is beyond a limit of the device.
+  /// Throws UserError(device) if the memory exceeds a limit of the device.
   KernelStore(const std::string& name, const KernelPlan& plan, unsigned seed);
   ~KernelStore();
   KernelStore(const KernelStore&) = delete;
   KernelStore& operator=(const KernelStore&) = delete;
 
-  /// Binds what a kernel reads and writes.
+  /// Binds the buffers and textures of a kernel.
   void bind(const kernels::Kernel& kernel);
   void swap(const std::string& a, const std::string& b);
   void clear(const std::string& name);
-  /// Copies a counter into a buffer.
+  /// Copies a buffer's counter into another buffer.
   void copyCounter(const PlannedEntry& entry);
-  /// Copies of all memory.
+  /// A copy of all memory.
   struct Saved {
     std::vector<gl::Buffer> buffers, words;
   };
   [[nodiscard]] Saved save();
   void restore(const Saved& saved);
-  /// Zeroes what was written out of bounds, gives NaN one sign and payload (machines differ), and copies
-  /// textures into words(). Call before state is read.
+  /// Clears the guard elements that out-of-bounds writes go to, replaces NaNs by a canonical one (machines
+  /// differ in sign and payload), and copies textures into words(). Call before the state is read.
   void settle();
-  /// Fills the textures from words(), after these were put back.
+  /// Fills the textures from words() after words() has been restored.
   void putBack();
 
   [[nodiscard]] const gl::Buffer& buffer(int place) const {
     return buffers_[static_cast<std::size_t>(place)];
   }
   [[nodiscard]] gl::Buffer& buffer(int place) { return buffers_[static_cast<std::size_t>(place)]; }
-  /// Returns the texels of a texture: four words each, as settle() left them.
+  /// Returns the texels of a texture, four words each, as copied by settle().
   [[nodiscard]] const gl::Buffer& words(int texture) const {
     return words_[static_cast<std::size_t>(texture)].buffer();
   }

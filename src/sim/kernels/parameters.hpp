@@ -19,12 +19,12 @@ namespace simreel::sim {
 
 /// Parameters of the kind kernels.
 struct KernelsParameters : ObjectParameters, KernelDescription {
-  /// Made by describe() where a scene is read; null: the file cannot be compiled.
+  /// Created by describe() while a scene is loaded; null if the file cannot be compiled.
   std::shared_ptr<const KernelPlan> plan;
-  kernels::Request request;  ///< that its shader was made of
-  /// Message of the compiler; empty: there is none.
+  kernels::Request request;  ///< the request that the shader was compiled from
+  /// Error message of the compiler; empty if none exists.
   std::string problem;
-  bool problemIsReport = false;  ///< it says places and carets itself
+  bool problemIsReport = false;  ///< true if the message already contains places and carets
 
   void describe(scene::Fields& fields) override;
   void ports(Ports& ports) const override;
@@ -35,11 +35,11 @@ struct KernelsParameters : ObjectParameters, KernelDescription {
   [[nodiscard]] bool wanders() const override;
 
  protected:
-  /// Makes the plan of a shader, and reports its mistakes.
+  /// Creates the plan of a shader and reports errors in the scene.
   void makePlan(scene::Fields& fields, std::shared_ptr<const kernels::Shader> shader,
                 const std::vector<std::string>& announced,
                 const std::map<std::string, std::string>& aliases = {});
-  /// Keeps the message of a compiler.
+  /// Stores the message of a compiler error.
   void keepProblem(const UserError& error);
 
  private:

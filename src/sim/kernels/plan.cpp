@@ -260,7 +260,8 @@ void KernelPlan::sizeOf(const char* list, const KernelMemory& given, glm::ivec3&
 }
 
 void KernelPlan::size(const KernelDescription& /*parameters*/) {
-  // A size may name another memory: what cannot be told yet is told in a later round.
+  // The size of one buffer or texture may refer to another one. Sizes that cannot be computed yet are
+  // retried in a later round.
   for (bool going = true; going;) {
     going = false;
     const auto attempt = [&](const char* list, auto& memory) {

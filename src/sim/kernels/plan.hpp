@@ -16,15 +16,15 @@
 
 namespace simreel::sim {
 
-/// A buffer of all kernels of a file: a header of fixed members, then elements.
+/// A buffer of the kernels of a file: a header of fixed members, followed by an array of elements.
 struct PlannedBuffer {
   std::string name;
-  std::string counterOf;   ///< buffer whose counter it is
-  std::string previousOf;  ///< buffer whose state before a dispatch it holds
+  std::string counterOf;   ///< name of the buffer whose counter this is
+  std::string previousOf;  ///< name of the buffer whose state before a dispatch this holds
   std::size_t header = 0, stride = 4;
-  int guards = 0;            ///< elements behind `count` that keep accesses out of bounds
-  glm::ivec3 size{1, 1, 1};  ///< elements
-  bool sized = false;        ///< the scene or a file says how many
+  int guards = 0;            ///< number of extra elements behind `count` that absorb out-of-bounds accesses
+  glm::ivec3 size{1, 1, 1};  ///< number of elements along each axis
+  bool sized = false;        ///< true if the scene or a file defines the size
   std::vector<KernelSlot> fixed, element;
   bool written = false, allFloats = true;
   const KernelMemory* given = nullptr;
@@ -33,68 +33,68 @@ struct PlannedBuffer {
     return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
            static_cast<std::size_t>(size.z);
   }
-  /// Bytes that a kernel is given.
+  /// Number of bytes that kernels can access.
   [[nodiscard]] std::size_t bytes() const {
     return header + (count() + static_cast<std::size_t>(guards)) * stride;
   }
 };
 
-/// A texture or image of all kernels of a file.
+/// A texture or image of the kernels of a file.
 struct PlannedTexture {
-  std::string name, type, format;  ///< "2D", "3D", "2DArray"; a format as GLSL has it
+  std::string name, type, format;  ///< type: "2D", "3D" or "2DArray"; format: GLSL image format
   glm::ivec3 size{1, 1, 1};
   bool sized = false, written = false;
-  bool formatted = false;  ///< the shader or the scene says the format
+  bool formatted = false;  ///< true if the shader or the scene defines the format
   const KernelMemory* given = nullptr;
 
   [[nodiscard]] std::size_t count() const {
     return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
            static_cast<std::size_t>(size.z);
   }
-  /// Number that simreel_Samplers has for it, read with that sampler.
+  /// Returns the sampler state (bits as in simreel_Samplers) for reads of this texture with `sampler`.
   [[nodiscard]] unsigned samplerState(std::string_view sampler) const;
   [[nodiscard]] bool integers() const { return format.ends_with("i"); }
 };
 
-/// Component of a constant or of a number of threads.
+/// A component of a constant or of a thread count.
 struct PlannedNumber {
   double number = 0;
-  std::shared_ptr<const Expression> expression;  ///< null: the number
+  std::shared_ptr<const Expression> expression;  ///< null: `number` is the value
 };
 
-/// One entry of a schedule.
+/// An entry of a schedule.
 struct PlannedEntry {
-  int kernel = -1;  ///< in the shader; -1: no dispatch
+  int kernel = -1;  ///< index of the kernel in the shader; -1: no dispatch
   std::vector<PlannedNumber> threads;
   int repeat = 1, every = 1;
-  int indirect = -1;  ///< place of a buffer
+  int indirect = -1;  ///< index of a buffer; -1: none
   std::size_t offset = 0;
   std::string swapA, swapB, clear;
-  int count = -1, into = -1;  ///< places of buffers
+  int count = -1, into = -1;  ///< indices of buffers; -1: none
 };
 
-/// What is drawn, with everything that a scene left out filled in.
+/// The drawings of a scene, with defaults filled in.
 struct PlannedDrawing {
   std::optional<KernelSurface> surface;
   std::optional<KernelPoints> points;
   std::optional<KernelField> field;
 };
 
-/// What a scene says of its kernels, held to what their file has. Needs no device.
+/// A scene's description of its kernels, checked against the contents of their file. Needs no device.
 class KernelPlan {
  public:
-  /// Mistake of a scene: the members that lead to the value, and bytes of its text.
+  /// An error in a scene: JSON path of the value, and byte range in its text.
   struct Mistake {
     std::vector<std::string> path;
     std::size_t begin = 0, end = 1;
     std::string message;
   };
 
-  /// Compiles the file, once for as long as neither it nor what it includes changes.
+  /// Compiles the file. The result is cached until the file or one of its includes changes.
   [[nodiscard]] static std::shared_ptr<const kernels::Shader> shaderOf(const kernels::Request& request);
 
-  /// `announced`: the names of all kernels of the file; the shader has those that run. `aliases`: textures
-  /// of the shader that are another one's memory.
+  /// `announced`: names of all kernels in the file; `shader` contains only those that run. `aliases`:
+  /// textures of the shader that share the memory of another texture.
   KernelPlan(const KernelDescription& parameters, std::shared_ptr<const kernels::Shader> shader,
              const std::vector<std::string>& announced,
              const std::map<std::string, std::string>& aliases = {});
@@ -111,21 +111,21 @@ class KernelPlan {
   [[nodiscard]] int textureNamed(std::string_view name) const;
   /// Returns the slots of a buffer's element, or of a texture's texel.
   [[nodiscard]] std::vector<KernelSlot> slots(const std::string& memory) const;
-  /// Returns a box around what is drawn in the first state; nothing where that is in no space.
+  /// Returns a bounding box of the initial drawing; nothing if the drawing has no position in space.
   [[nodiscard]] std::optional<scene::Box> box() const;
 
-  /// First contents of a buffer, PlannedBuffer::bytes() long; of a texture four numbers a texel.
+  /// Initial contents: of a buffer, PlannedBuffer::bytes() bytes; of a texture, four numbers per texel.
   [[nodiscard]] std::vector<std::byte> firstBytes(const PlannedBuffer& buffer, unsigned seed) const;
   [[nodiscard]] std::vector<double> firstTexels(const PlannedTexture& texture, unsigned seed) const;
 
-  /// Numbers that constants and threads are computed from.
+  /// Variables for the expressions of constants and thread counts.
   struct Now {
     double dt = 0, time = 0;
     long frame = 0, step = 0;
     int seed = 1;
   };
   [[nodiscard]] std::vector<double> values(const Now& now) const;
-  /// Contents of a uniform block.
+  /// Returns the contents of a uniform block.
   [[nodiscard]] std::vector<std::byte> blockBytes(const kernels::Block& block, const Now& now) const;
   [[nodiscard]] glm::uvec3 groups(const PlannedEntry& entry, const Now& now) const;
 
@@ -148,7 +148,7 @@ class KernelPlan {
   void planBetween(const KernelEntry& given, const std::vector<std::string>& path, PlannedEntry& entry);
   void everyKernel();
   void useUsualThreads(std::vector<std::string> path, PlannedEntry& entry);
-  /// Returns true if a file of the shader has the word, also where no kernel that runs needs it.
+  /// True if a file of the shader contains the word, even if no scheduled kernel uses it.
   [[nodiscard]] bool mentioned(const std::string& word) const;
   void planStarts();
   void planDrawing(const KernelDescription& parameters);
@@ -169,7 +169,8 @@ class KernelPlan {
   std::vector<PlannedTexture> textures_;
   std::vector<PlannedEntry> first_, step_;
   std::map<std::string, Constant> constants_;
-  std::vector<std::pair<std::string, double>> lookups_;  ///< count(NAME) and so on, behind the plain names
+  std::vector<std::pair<std::string, double>>
+      lookups_;  ///< values of count(NAME) and similar functions, in order after the plain variables
   PlannedDrawing drawn_;
   std::vector<Mistake> mistakes_;
   KernelTables tables_;

@@ -1,4 +1,4 @@
-// Constants of a KernelPlan: their values, and the contents of uniform blocks.
+// The part of KernelPlan that computes constants and the contents of uniform blocks.
 #include "scene/json/words.hpp"
 #include "sim/kernels/plan.hpp"
 
@@ -12,7 +12,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Values of Unity's constants where a scene gives none.
+/// Default values of Unity's constants.
 struct Standard {
   const char* name;
   std::vector<const char*> parts;

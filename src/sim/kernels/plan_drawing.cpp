@@ -1,4 +1,4 @@
-// What of a KernelPlan is drawn, and measured.
+// The part of KernelPlan that plans drawings and measures.
 #include "scene/json/words.hpp"
 #include "sim/grid/sheet_mesh.hpp"
 #include "sim/kernels/plan.hpp"
@@ -12,7 +12,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Slots of what a name stands for: a buffer's element, or a texel's channels.
+/// Returns the slots of a named buffer's element, or the channels of a named texture.
 std::vector<KernelSlot> slotsNamed(const KernelPlan& plan, const std::string& of) {
   if (const int buffer = plan.bufferNamed(of); buffer >= 0)
     return plan.buffers()[static_cast<std::size_t>(buffer)].element;
@@ -99,7 +99,8 @@ void KernelPlan::planDrawing(const KernelDescription& parameters) {
   }
 }
 
-/// A texture that the kernels write, else a buffer with positions, as a surface where it is a grid.
+/// Default drawing: a 2-D texture that the kernels write, else a buffer with positions, as a surface if it
+/// is a grid.
 void KernelPlan::chooseDrawing() {
   for (std::size_t i = textures_.size(); i-- > 0;) {
     const PlannedTexture& texture = textures_[i];
@@ -139,7 +140,7 @@ bool KernelPlan::holdMember(const char* group, const char* key, const std::strin
   if (member.empty() && !needed) return true;
   const std::vector<KernelSlot> slots = slotsNamed(*this, of);
   const KernelSlot* slot = slotNamed(slots, member);
-  // An element that is a vector itself has no name.
+  // An element that is itself a vector is a single unnamed slot.
   if (slot == nullptr && needed && slots.size() == 1) slot = slots.data();
   if (slot == nullptr) {
     const std::vector<std::string> known = pathsOf(slots);

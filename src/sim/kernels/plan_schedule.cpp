@@ -1,4 +1,5 @@
-// Schedules of a KernelPlan: what runs, how many invocations of it, and what happens in between.
+// The part of KernelPlan that plans schedules: dispatches, their invocation counts, and the operations in
+// between.
 #include "scene/json/words.hpp"
 #include "sim/kernels/plan.hpp"
 
@@ -11,9 +12,10 @@ namespace simreel::sim {
 
 namespace {
 
-/// Returns the invocations of a kernel by what it writes: the first texture, else the first buffer, else
-/// the first memory that it reads. Returns nothing if that does not tell: groups in a row that write a
-/// texture and a buffer, or a row of elements and groups of more axes.
+/// Returns a default invocation count for a kernel: the size of the first texture that it writes, else of
+/// the first buffer that it writes, else of the first one that it reads. Returns nothing in ambiguous
+/// cases: one-dimensional groups that write a texture and a buffer, or a one-dimensional buffer with groups
+/// of more axes.
 std::optional<glm::ivec3> usualThreads(const KernelPlan& plan, const kernels::Kernel& kernel) {
   if (kernel.threads[0] * kernel.threads[1] * kernel.threads[2] == 1) return glm::ivec3(1);
   const bool row = kernel.threads[1] == 1 && kernel.threads[2] == 1;
@@ -26,19 +28,19 @@ std::optional<glm::ivec3> usualThreads(const KernelPlan& plan, const kernels::Ke
       if (texture.writes != writes) continue;
       const PlannedTexture& planned =
           plan.textures()[static_cast<std::size_t>(plan.textureNamed(texture.name))];
-      // The kernel may go through the layers itself.
+      // Ambiguous, because the kernel may loop over the layers itself.
       if (planned.type == "2DArray" && planned.size.z > 1 && kernel.threads[2] == 1) return std::nullopt;
       return planned.size;
     }
     for (const kernels::Buffer& buffer : kernel.buffers) {
       const bool counted =
-          plan.bufferNamed(buffer.name + ".counter") >= 0;  // its elements are not known yet
+          plan.bufferNamed(buffer.name + ".counter") >= 0;  // the number of elements is not known yet
       if (buffer.writes != writes || (writes && counted) || !buffer.counterOf.empty() ||
           !buffer.previousOf.empty())
         continue;
       const PlannedBuffer& planned =
           plan.buffers()[static_cast<std::size_t>(plan.bufferNamed(buffer.name))];
-      // A kernel in a row of groups counts elements whatever grid they lie in.
+      // One-dimensional groups process the elements of a grid as a flat array.
       if (row) return glm::ivec3(static_cast<int>(planned.count()), 1, 1);
       if (planned.size.y == 1 && planned.count() > 1) return std::nullopt;
       return planned.size;
@@ -163,7 +165,7 @@ void KernelPlan::planBetween(const KernelEntry& given, const std::vector<std::st
     const int c = textureNamed(entry.swapA), d = textureNamed(entry.swapB);
     const auto place = [](int i) { return static_cast<std::size_t>(i); };
     if (c >= 0 && d >= 0) {
-      // A texture that is only read has the format of the one that it is exchanged with.
+      // A texture that is only read takes the format of the texture that it is swapped with.
       PlannedTexture &one = textures_[place(c)], &other = textures_[place(d)];
       if (!one.formatted) one.format = other.format;
       if (!other.formatted) other.format = one.format;

@@ -1,4 +1,4 @@
-// First contents of a KernelPlan's memory.
+// The part of KernelPlan that computes initial contents of memory.
 #include "scene/json/words.hpp"
 #include "sim/kernels/plan.hpp"
 
@@ -14,7 +14,8 @@ constexpr const char* elementNames[] = {"i",     "x",      "y",     "z",    "cou
                                         "width", "height", "depth", "seed", "pi"};
 constexpr const char* channels[] = {"r", "g", "b", "a"};
 
-/// Formulas of the elements of one memory, with the columns of its file as further names.
+/// Evaluates the formulas of the elements of one buffer or texture. Columns of its file are additional
+/// variables.
 class Starts {
  public:
   Starts(const KernelTable* table, glm::ivec3 size) : table_(table), size_(size) {
@@ -23,7 +24,7 @@ class Starts {
   }
   /// Throws scene::ExpressionMistake.
   [[nodiscard]] Expression compiled(const std::string& text) const {
-    // From the end: a file's columns win over the names of the place.
+    // Searches from the end, because columns of a file take precedence over built-in variables.
     return Expression(
         text,
         [this](const std::string& name) {
@@ -53,8 +54,9 @@ class Starts {
   std::vector<std::string> names_;
 };
 
-/// What a formula without a name, or no formula at all, stands for where a file is given: its columns in
-/// their order, by the names of slots where these are alike.
+/// Returns initial-value formulas that assign the columns of a table to slots by name. A slot "position"
+/// takes the column "position", the columns position_x, position_y, ..., or the columns x, y, z; normals
+/// also take nx, ny, nz and velocities vx, vy, vz.
 scene::Formulas columnsFor(const KernelTable& table, const std::vector<KernelSlot>& slots) {
   scene::Formulas all;
   const auto has = [&](const std::string& name) {
@@ -101,7 +103,7 @@ void store(const scene::Formula& formula, const KernelSlot& slot, const Starts& 
   }
 }
 
-/// The slots that a name stands for: its own, or "position.x" as one component.
+/// Returns the slot called `name`. A name such as "position.x" selects one component.
 std::optional<KernelSlot> slotFor(const std::vector<KernelSlot>& slots, const std::string& name) {
   if (const KernelSlot* slot = slotNamed(slots, name)) return *slot;
   const std::size_t dot = name.rfind('.');

@@ -10,7 +10,7 @@
 
 namespace simreel::sim {
 
-/// The compiled kernels of one shader, and their constants.
+/// Owns the compiled kernels of one shader and their uniform blocks.
 class KernelPrograms {
  public:
   KernelPrograms(const std::string& name, std::shared_ptr<const kernels::Shader> shader);
@@ -18,10 +18,10 @@ class KernelPrograms {
   [[nodiscard]] const kernels::Kernel& kernel(int place) const {
     return shader_->kernels[static_cast<std::size_t>(place)];
   }
-  /// Returns the work groups of an entry; one where a buffer has their number.
+  /// Returns the workgroup counts of an entry; 1 for an indirect dispatch.
   [[nodiscard]] static glm::uvec3 groups(const KernelPlan& plan, const PlannedEntry& entry,
                                          const KernelPlan::Now& now);
-  /// Runs an entry's kernel. What else it binds (reports, shadows) must be bound.
+  /// Runs an entry's kernel. The caller must have bound additional buffers (reports, shadows).
   void dispatch(KernelStore& store, const PlannedEntry& entry, const KernelPlan::Now& now);
 
  private:

@@ -22,7 +22,8 @@ std::string invocation(unsigned linear, const glm::uvec3& all) {
   return fmt::format("({}, {}, {})", linear % all.x, linear / all.x % all.y, linear / all.x / all.y);
 }
 
-/// Where an element lies: of textures, and of buffers whose size has several axes.
+/// Describes the position of an element: coordinates for a texture or a buffer with several axes, else an
+/// index.
 std::string elementText(const KernelPlan& plan, const std::string& of, unsigned index) {
   glm::ivec3 size(0);
   if (const int buffer = plan.bufferNamed(of); buffer >= 0)
@@ -35,7 +36,7 @@ std::string elementText(const KernelPlan& plan, const std::string& of, unsigned 
   return fmt::format("element ({}, {}, {})", index % width, index / width % height, index / width / height);
 }
 
-/// What to do about a race.
+/// Returns advice on how to fix a race.
 const char* cureOf(const KernelPlan& plan, const std::string& of) {
   if (plan.textureNamed(of) >= 0) return "write to a second texture, and \"swap\" them";
   if (plan.bufferNamed(of) < 0)
@@ -43,7 +44,7 @@ const char* cureOf(const KernelPlan& plan, const std::string& of) {
   return "write to a second buffer and \"swap\" them, or give the buffer \"previous\": true";
 }
 
-/// Shadows of what a kernel writes, by name, as both variants need them.
+/// Shadow buffers by name, shared by the recording and the checking variant of a kernel.
 using Shadows = std::map<std::string, gl::Buffer>;
 
 void bindShadows(const KernelPlan& plan, const kernels::Kernel& kernel, Shadows& shadows) {
@@ -90,7 +91,8 @@ void KernelRaces::dispatch(KernelStore& store, const PlannedEntry& entry, const 
   const auto counted = reports.readAll<glm::uvec4>();
   if (std::none_of(counted.begin(), counted.end(), [](const glm::uvec4& place) { return place.x > 0; }))
     return;
-  // Once more for the first invocation of each place alone: what it met.
+  // Runs the check again and counts only the first invocation of each place, to get the element indices of
+  // that invocation.
   std::vector<glm::uvec4> first = none;
   for (std::size_t i = 0; i < first.size(); ++i)
     first[i] = {0x80000000U, counted[i].y, INT_MAX, 0x80000000U};

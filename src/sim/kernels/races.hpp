@@ -11,17 +11,18 @@
 
 namespace simreel::sim {
 
-/// Searches the dispatches of a user's kernels for races: each runs twice from one state. The first run
-/// records which invocation changes each word, the second compares its accesses with that.
+/// Searches the dispatches of a user's kernels for races. Each dispatch runs twice from the same state: the
+/// first run records which invocation changes each word, the second run compares its accesses with the
+/// record.
 class KernelRaces {
  public:
-  /// Throws as KernelPlan::shaderOf().
+  /// Throws the same errors as KernelPlan::shaderOf().
   KernelRaces(const std::string& name, const kernels::Request& request);
 
-  /// Runs an entry's kernel in both variants; the store has the state after it then. A kernel that was
-  /// searched before runs once.
+  /// Runs an entry's kernel in both variants; afterwards the store has the state after the dispatch. A
+  /// kernel that has already been searched runs only once.
   void dispatch(KernelStore& store, const PlannedEntry& entry, const KernelPlan::Now& now);
-  /// Returns what was found, a line each.
+  /// Returns the races found, one line each.
   [[nodiscard]] const std::vector<std::string>& found() const { return found_; }
 
  private:

@@ -10,22 +10,22 @@ namespace simreel::sim {
 
 struct ReportsKernel;
 
-/// Reads and writes out of bounds, and loops at their limit, of a user's kernels.
+/// Collects out-of-bounds accesses and loops that reach their limit in a user's kernels.
 class KernelReports {
  public:
-  /// `goesOn`: faults are told, and the run does not end.
+  /// `goesOn`: faults are reported but do not end the run.
   KernelReports(const std::string& name, const KernelPlan& plan, bool goesOn);
   ~KernelReports();
   KernelReports(const KernelReports&) = delete;
   KernelReports& operator=(const KernelReports&) = delete;
 
-  /// Binds the reports of a kernel that is about to run `threads` invocations.
+  /// Binds the report buffer of a kernel before it runs `threads` invocations.
   void bind(std::size_t kernel, glm::uvec3 threads);
-  /// Looks through the reports after a frame. Waits for nothing.
+  /// Collects the reports of a frame on the GPU, without a wait.
   void collect(long frame);
-  /// As Simulation::status().
+  /// See Simulation::status().
   [[nodiscard]] const gl::Buffer* status() const { return places_ == 0 ? nullptr : &status_; }
-  /// One line on what was found first. Waits for the GPU.
+  /// Returns one line about the first fault. Waits for the GPU.
   [[nodiscard]] std::string told() const;
 
  private:

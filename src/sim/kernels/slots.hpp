@@ -8,31 +8,31 @@
 
 namespace simreel::sim {
 
-/// A value that a scene can set in an element of a buffer or in a constant block: a member without members.
+/// A value that a scene can set in a buffer element or a constant block: a member that is not a struct.
 struct KernelSlot {
   enum class Number { real, signedInteger, unsignedInteger, doubleReal };
-  std::string path;  ///< "position", "material.color"; empty: the element itself
-  std::string type;  ///< as the shader says it: "float3", "mat4", "float[4]"
+  std::string path;  ///< for example "position" or "material.color"; empty: the element itself
+  std::string type;  ///< type name in the shader: "float3", "mat4", "float[4]"
   Number number = Number::real;
-  bool used = true;                  ///< of constants: the kernel reads it
-  std::vector<std::size_t> offsets;  ///< bytes of each component; of a matrix row by row
+  bool used = true;                  ///< only for constants: true if the kernel reads it
+  std::vector<std::size_t> offsets;  ///< byte offset of each component; matrices row by row
 
   [[nodiscard]] std::size_t width() const { return number == Number::doubleReal ? 8 : 4; }
 };
 
-/// Returns the slots of members, in their order.
+/// Returns the slots of members in order.
 [[nodiscard]] std::vector<KernelSlot> slotsOf(const std::vector<kernels::Member>& members);
-/// Returns the slots of an element of an array: those of its struct, or itself under an empty path.
+/// Returns the slots of an array element: the slots of its struct, or a single slot with an empty path.
 [[nodiscard]] std::vector<KernelSlot> slotsOfElement(const kernels::Member& array);
 /// Returns the paths of slots, as scenes name them.
 [[nodiscard]] std::vector<std::string> pathsOf(std::span<const KernelSlot> slots);
-/// Returns the slot of that path; null if there is none.
+/// Returns the slot with this path; null if none exists.
 [[nodiscard]] const KernelSlot* slotNamed(std::span<const KernelSlot> slots, std::string_view path);
 
-/// Writes component number `i` of a slot into the memory that starts at `element`. Whole numbers are
-/// rounded down and held to their range.
+/// Writes component `i` (zero-based) of a slot of the element at address `element`. For integer types the
+/// value is rounded down and clamped to the type's range.
 void storeSlot(std::byte* element, const KernelSlot& slot, std::size_t i, double value);
-/// Returns component number `i`.
+/// Returns component `i` (zero-based).
 [[nodiscard]] double loadSlot(const std::byte* element, const KernelSlot& slot, std::size_t i);
 
 }  // namespace simreel::sim

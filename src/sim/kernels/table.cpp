@@ -84,7 +84,7 @@ KernelTable tableOfCsv(std::string_view text, const std::string& name) {
   return table;
 }
 
-/// Little-endian arrays of one or two axes, in C's order.
+/// Parses an npy file with a little-endian array of one or two axes in C order.
 KernelTable tableOfNpy(const std::string& bytes, const std::string& name) {
   const auto header = [&]() -> std::string {
     if (bytes.size() < 12 || !bytes.starts_with("\x93NUMPY")) broken(name, "this is no npy file");

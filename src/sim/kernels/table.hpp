@@ -11,26 +11,26 @@
 
 namespace simreel::sim {
 
-/// Rows of numbers under names, read from a file of a scene.
+/// A table of numbers with named columns, read from a file of a scene.
 struct KernelTable {
   std::vector<std::string> columns;
   std::vector<double> values;  ///< row by row
-  glm::ivec2 size{0, 0};       ///< rows as they lie: of pictures width and height, else rows and 1
+  glm::ivec2 size{0, 0};       ///< width and height of a picture, else number of rows and 1
 
   [[nodiscard]] std::size_t rows() const { return columns.empty() ? 0 : values.size() / columns.size(); }
 };
 
-/// Reads CSV (the first line names the columns), npy (c0, c1, ...), a mesh (x, y, z, nx, ny, nz, u, v of
-/// its vertices) or a picture (linear r, g, b and a, from the top row). Throws UserError with file and
-/// line.
+/// Reads a table: CSV (the first line names the columns), npy (columns c0, c1, ...), a mesh (x, y, z, nx,
+/// ny, nz, u, v per vertex) or a picture (linear r, g, b, a, from the top row). Throws UserError with file
+/// and line.
 [[nodiscard]] KernelTable readKernelTable(const std::filesystem::path& file);
 
-/// Tables by file, each read once.
+/// A cache of tables by file; each file is read once.
 class KernelTables {
  public:
-  /// Throws as readKernelTable().
+  /// Throws the same errors as readKernelTable().
   const KernelTable& of(const std::filesystem::path& file);
-  /// Returns a table that was read; null if it was not.
+  /// Returns a table that has already been read; null if it has not.
   [[nodiscard]] const KernelTable* read(const std::filesystem::path& file) const;
 
  private:

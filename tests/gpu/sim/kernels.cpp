@@ -1,5 +1,5 @@
-// Kernels that users would write, as scenes ship them, held to their equations in double precision; what
-// goes wrong in a kernel stops a run by name.
+// Compares the shipped kernels of users' style with their equations in double precision, and tests that an
+// error in a kernel ends the run with a message that names it.
 #include "sim/kernels/kernels.hpp"
 
 #include "base/error.hpp"
@@ -23,7 +23,7 @@ using namespace simreel;
 
 namespace {
 
-/// A scene with one object "k" that runs a shipped shader, or a text.
+/// A scene with one object "k" that runs a shipped shader, or a shader file at a given path.
 scene::Scene kernelScene(const std::string& file, const std::string& rest) {
   const std::string path = file.find('/') == std::string::npos ? "kernels/" + file : file;
   ::setenv("SIMREEL_ASSETS", (sourceFolder() + "/assets").c_str(), 1);
@@ -35,7 +35,7 @@ scene::Scene kernelScene(const std::string& file, const std::string& rest) {
       (sourceFolder() + "/assets/scenes/test.json").c_str(), {}, sim::kinds());
 }
 
-/// Floats of a state array, four an element.
+/// Returns the floats of a state array, four per element.
 std::vector<float> stateOf(const sim::World& world, const std::string& name) {
   for (const sim::StateArray& array : world.object(0).state())
     if (array.name == name) return array.buffer->readAll<float>();
@@ -43,7 +43,7 @@ std::vector<float> stateOf(const sim::World& world, const std::string& name) {
   return {};
 }
 
-/// Writes a shader beside which nothing lies.
+/// Writes a temporary shader file into assets/kernels and deletes it at the end.
 class ShaderText {
  public:
   explicit ShaderText(const std::string& text)
@@ -59,7 +59,7 @@ class ShaderText {
   std::string path_;
 };
 
-/// The message with which a world ends.
+/// Returns the error message that ends a world's run; empty if none.
 std::string endOf(const scene::Scene& scene, int frames = 2) {
   try {
     sim::World world(scene);
@@ -85,7 +85,7 @@ bool has(const std::string& text, const std::string& part) {
 
 TEST_CASE("kernels: gravity of a user's shader follows its equation in double") {
   testContext();
-  constexpr int count = 100, frames = 10;  // no multiple of a group
+  constexpr int count = 100, frames = 10;  // count is no multiple of the workgroup size
   sim::World world(kernelScene("Gravity.compute", R"j("buffers": {"_Bodies": {"size": 100, "start": {
       "position": ["cos(i)", "0.3*sin(3*i)", "sin(2*i)"], "velocity": ["0.1*sin(i)", 0, "0.1*cos(i)"], "mass": "0.01 + 0.001*i"
 }

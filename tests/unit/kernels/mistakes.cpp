@@ -18,7 +18,7 @@ using simreel::test::has;
 
 namespace {
 
-/// The report about a text, without the folder of its file.
+/// Returns the error report for a text, without the folder of its file.
 std::string report(const std::string& name, const std::string& text) {
   try {
     static_cast<void>(simreel::test::loaded(name, text));

@@ -9,7 +9,7 @@
 
 namespace simreel::test {
 
-/// Shader of a text, compiled in this process.
+/// Compiles a shader from text in this process.
 [[nodiscard]] inline kernels::Shader loaded(const std::string& name, const std::string& text,
                                             std::vector<std::string> only = {},
                                             std::vector<std::string> keywords = {}, bool fast = false) {
@@ -22,11 +22,10 @@ namespace simreel::test {
   return kernels::loadHere(request);
 }
 
-/// True if glslang's own program accepts a text for a compute shader of OpenGL; true where it is not
-/// installed.
+/// True if glslangValidator accepts the text as an OpenGL compute shader; also true if it is not installed.
 [[nodiscard]] inline bool isGlsl(const std::string& text) {
   const TemporaryFile file("check.comp", text);
-  // NOLINTNEXTLINE(concurrency-mt-unsafe,cert-env33-c): the file's name is ours
+  // NOLINTNEXTLINE(concurrency-mt-unsafe,cert-env33-c): the file name is our own
   const int ended =
       std::system(("command -v glslangValidator >/dev/null || exit 0; glslangValidator -S comp '" +
                    file.path().string() + "' >&2")
