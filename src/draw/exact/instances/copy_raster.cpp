@@ -26,7 +26,7 @@ struct CullCopies {
   gl::Shared<"CounterBlock"> counters;
 };
 
-/// glsl/draw/exact/copies/raster_copy.glsl.
+/// Fields of glsl/draw/exact/copies/raster_copy.glsl.
 struct RasterCopies {
   gl::Ambient<"light"> light = {};
   CopySource source;

@@ -2,11 +2,10 @@
 #include "draw/instances/instance_values.hpp"
 #include "gl/kernel/kernel.hpp"
 
-// What kernels of the exact rasterizer read of instances, a group of fields for each file that they
-// include.
+// Fields of kernels that read instances, one group per GLSL include file.
 namespace simreel::draw {
 
-/// draw/exact/instances/instance_source.glsl.
+/// Fields of draw/exact/instances/instance_source.glsl.
 struct InstanceSource {
   gl::Ambient<"FrameBlock"> frame;
   InstanceFields instance;
@@ -21,7 +20,7 @@ struct InstanceSource {
           .firstId = firstId};
 }
 
-/// draw/exact/copies/copy_source.glsl.
+/// Fields of draw/exact/copies/copy_source.glsl.
 struct CopySource {
   InstanceSource source;
   gl::In<"indices"> indices;
