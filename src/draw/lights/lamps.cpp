@@ -54,7 +54,8 @@ Lamps::Lamps(const scene::Scene& scene, Rasterizer rasterizer)
     return light->type != scene::Light::Type::area &&
            std::ranges::any_of(light->glow.keys(), [](const auto& key) { return key.value > 0; });
   });
-  glows_.discs = true;  // round sprites would be clipped too early at the picture's border
+  glows_.discs =
+      true;  // discs in space; at the border, screen-space circles would reach less far into the picture
   glows_.material = &glowMaterial_;
 }
 

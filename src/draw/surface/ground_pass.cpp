@@ -18,7 +18,7 @@ GroundPass::GroundPass(const scene::Scene& scene, const ShadowPass& shadow, cons
 }
 
 void GroundPass::draw() const {
-  constexpr int rectangle = 6;  // vertices
+  constexpr int rectangle = 6;  // vertices of a rectangle
   constexpr int strips = 4 * rectangle;
   if (!on_) return;
   DrawState{}.set();
