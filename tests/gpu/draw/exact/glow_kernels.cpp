@@ -1,4 +1,4 @@
-// Kernels of glows, against the same in float64, and by the bits that every device has to give.
+// Compares the kernels of glows with float64 versions, and checks the bits that every device must produce.
 #include "gpu/draw/exact/kernel_stage.hpp"
 
 #include <doctest/doctest.h>
