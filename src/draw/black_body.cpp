@@ -34,7 +34,7 @@ glm::vec3 blackBodyColor(double kelvin) {
   return rgb / glm::dot(rgb, luminance);
 }
 
-// Scales each cone response from the black body's to that of the white of sRGB (1, 1, 1).
+// Scales the cone responses so that the black body's become equal to those for the white of sRGB (1, 1, 1).
 glm::mat3 whiteBalance(double kelvin) {
   const glm::dvec3 from = bradford * blackBody(kelvin);
   const glm::dvec3 to = bradford * (xyzOfRgb * glm::dvec3(1));

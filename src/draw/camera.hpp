@@ -9,7 +9,7 @@
 
 namespace simreel::draw {
 
-/// The camera at one time.
+/// State of the camera at one time.
 struct View {
   glm::mat4 viewProjection{1.0F};
   glm::vec3 eye{0};

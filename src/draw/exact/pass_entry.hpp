@@ -65,7 +65,7 @@ struct PassList {
   Names ofBands;  ///< resources that hold one band of a view
 };
 
-/// A mistake in a pass list. `what` is empty if there is none.
+/// A mistake in a pass list. An empty `what` means no mistake.
 struct PassFault {
   std::string_view what, pass, resource;
 };

@@ -13,11 +13,11 @@ namespace simreel::draw {
 
 /// Output of a pass, or one part of it. Rows start at the top.
 struct PassArray {
-  std::string pass;    ///< one of passNames()
+  std::string pass;    ///< name of the pass, one of passNames()
   std::string part;    ///< "keys", "numbers"; "sun", "lamps", "openness"; "lens" (mean over all views);
                        ///< "glows", "fields"; "film", "finished"
-  int width = 0;       ///< in pixels, or texels of a shadow map or of the bloom texture
-  int height = 0;      ///< in the same unit
+  int width = 0;       ///< width in pixels, or in texels of a shadow map or of the bloom texture
+  int height = 0;      ///< height, in the same unit as the width
   int each = 1;        ///< words per pixel: one per sample, or four for RGBA light
   bool light = false;  ///< words are floats, with -0 replaced by 0
   std::vector<std::uint32_t> words;
@@ -26,15 +26,15 @@ struct PassArray {
 /// An object, or part of one, that has its own range of primitive ids.
 struct DrawnThing {
   std::string object;  ///< name in the scene; empty if it has none
-  std::string kind;    ///< "triangle", "ball", "instance"
+  std::string kind;    ///< kind of primitive: "triangle", "ball" or "instance"
   unsigned firstId = 0;
   unsigned each = 1;  ///< ids per instance: the number of its triangles
 };
 
 /// Outputs of all passes of a picture.
 struct PassPicture {
-  std::vector<PassArray> arrays;   ///< in the order of the passes
-  std::vector<DrawnThing> things;  ///< sorted by firstId
+  std::vector<PassArray> arrays;   ///< outputs in the order of the passes
+  std::vector<DrawnThing> things;  ///< objects with primitive ids, sorted by firstId
 
   // The keep functions append rows if the part exists already. They wait for the GPU.
 

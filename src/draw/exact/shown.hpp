@@ -10,7 +10,7 @@ namespace simreel::draw {
 /// Value of `layer` that stands for the change of light by screen-space reflections, instead of a layer.
 inline constexpr int shownReflections = -1;
 
-/// Fields of draw/exact/tiles/shaded_tile.glsl.
+/// Uniforms, buffers and textures that draw/exact/tiles/shaded_tile.glsl declares.
 struct TileFields {
   gl::Ambient<"FrameBlock"> frame;
   gl::Ambient<"ViewBlock"> view;
@@ -21,8 +21,9 @@ struct TileFields {
   gl::Uniform<"tileCount", int> tileCount;
 };
 
-/// Fields of draw/surface/lighting.glsl and its companions: lights, shadows, occlusion, and the output of
-/// shaded light. The lamps, the sun's shadow map transform and the environment are bound beforehand.
+/// Shader inputs of draw/surface/lighting.glsl and its companions: lights, shadows, occlusion, and the
+/// output of shaded light. The lamps, the sun's shadow map transform and the environment are bound
+/// beforehand.
 struct SceneLight {
   gl::Ambient<"environment"> environment;
   gl::Ambient<"LampBlock"> lampBlock;
@@ -39,9 +40,10 @@ struct SceneLight {
                                                       ///< thickness of reflected objects (m)
   gl::In<"layersLeave"> layersLeave;  ///< fraction of light that the blended layers in front let through,
                                       ///< per sample
-  gl::InOut<"ThroughBlock"> through;  ///< same fraction, updated while blended layers are shaded
+  gl::InOut<"ThroughBlock"> through;  ///< fraction of light that the blended layers so far let through, per
+                                      ///< sample; updated while layers are shaded
   gl::Shared<"SpotBlock"> spots;      ///< visible surface points, to be lit by rays later
-  gl::InOut<"sums"> sums;             ///< light of each pixel
+  gl::InOut<"sums"> sums;             ///< summed light of each pixel
 };
 
 struct ShadeVariant {
@@ -80,7 +82,7 @@ struct ThingVariant {
 /// Lighting of a scene, as defines of the shading kernels.
 struct Lighting {
   ThingVariant variant;
-  gl::Defines lights;  ///< of the sun's shadow, the lamps and the environment
+  gl::Defines lights;  ///< defines of the sun's shadow, the lamps and the environment
 };
 
 /// Kernel that shades the ground on the tiles that show it.

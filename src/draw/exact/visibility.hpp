@@ -32,7 +32,7 @@ struct SampleKind {
 // Groups of kernel interface fields. Each group declares the uniforms, buffers and defines of one GLSL
 // include file, named in its comment.
 
-/// Fields of glsl/draw/exact/sample_read.glsl.
+/// Uniforms, buffers and textures that glsl/draw/exact/sample_read.glsl declares.
 template <gl::Access access>
 struct SampleFields {
   gl::ResourceField<"nearestKeys", access> keys;
@@ -45,8 +45,8 @@ struct SampleVariant {
   gl::Choice<"SAMPLES", 1, 2, 4, 8, 16> samples;
   gl::Flag<"PAIRED"> paired;
 };
-/// Fields of glsl/draw/exact/visible_sample.glsl. The results of its kernels do not depend on execution
-/// order, except that the ids of PASS 1 need a barrier after PASS 0.
+/// Uniforms, buffers and textures that glsl/draw/exact/visible_sample.glsl declares. The results of its
+/// kernels do not depend on execution order, except that the ids of PASS 1 need a barrier after PASS 0.
 struct SampleTarget {
   gl::Ambient<"ViewBlock"> view;
   SampleFields<gl::Access::together> before;
@@ -116,8 +116,8 @@ class Visibility {
   [[nodiscard]] SampleFields<access> read() const {
     return {.keys = nearView_, .keyFours = nearFours_, .ids = idView_, .idFours = idFours_};
   }
-  /// Returns the fields of kernels that rasterize into this buffer. `view`: the view block; empty if it is
-  /// already bound.
+  /// Returns the shader inputs of kernels that rasterize into this buffer. `view`: the view block; empty if
+  /// it is already bound.
   [[nodiscard]] SampleTarget target(const MapPart& part, const gl::Resource& view = {}) const;
   [[nodiscard]] SampleVariant variant() const {
     return {.samples = samples_, .paired = layout_ != SampleLayout::apart};
@@ -157,7 +157,8 @@ class Visibility {
 /// (small), or sixteen invocations do (medium; 0: never). Tuned for the device: software drivers execute
 /// all lanes of a workgroup anyway, GPUs need more invocations.
 int smallTriangle();
-int smallCopyTriangle();  ///< for mesh copies, whose corners are transformed again on each use
+int smallCopyTriangle();  ///< small triangles of mesh copies: a larger limit, because corners are
+                          ///< transformed again on each use
 int mediumTriangle();
 /// Same limits for balls, which need a ray per sample, and for glows. One workgroup handles a medium-sized
 /// ball or glow.

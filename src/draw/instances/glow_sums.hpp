@@ -9,7 +9,8 @@
 
 namespace simreel::draw {
 
-/// Fields of draw/instances/glow_sums.comp, for one level of additive sprites.
+/// Uniforms, buffers and textures that draw/instances/glow_sums.comp declares, for one level of additive
+/// sprites.
 struct GlowFields {
   InstanceFields instance;
   InstanceLook look;

@@ -16,7 +16,8 @@ namespace simreel::draw {
 namespace {
 
 constexpr int sphereLevels = 5;
-constexpr std::size_t batchIndices = 4096;  // enough work per drawn instance
+constexpr std::size_t batchIndices = 4096;  // min number of indices per drawn instance; batches of copies
+                                            // keep the GPU busy
 
 struct Triangles {
   std::vector<glm::vec3> points;
@@ -55,8 +56,8 @@ float depthOfFacets(const Triangles& sphere) {
   return depth;
 }
 
-/// Returns the scale at which the outline of the facets has the same area as that of the unit sphere,
-/// averaged over all directions. The mean outline area of a convex body is a quarter of its surface
+/// Returns the scale at which the outline of the facets has the same area as the outline of the unit
+/// sphere, averaged over all directions. The mean outline area of a convex body is a quarter of its surface
 /// (Cauchy). Unscaled icospheres look too small by up to 2% of the radius.
 float fullScale(const Triangles& sphere) {
   double twice = 0;

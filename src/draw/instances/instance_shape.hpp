@@ -16,7 +16,7 @@ class InstanceShape {
   struct Level {
     GLenum mode = GL_TRIANGLES;
     int firstIndex = 0;
-    int indexCount = 0;  ///< of all copies together
+    int indexCount = 0;  ///< number of indices of all copies together
     int batch = 1;
     float swell = 0;  ///< spheres only: depth of facet centres below the corners, as a fraction of the
                       ///< radius
@@ -34,10 +34,8 @@ class InstanceShape {
 
   [[nodiscard]] const std::vector<Level>& levels() const { return levels_; }
   [[nodiscard]] int vertexBits() const { return vertexBits_; }
-  [[nodiscard]] float radius() const {
-    return radius_;
-  }  ///< radius of the bounding sphere around the
-     ///< origin (m)
+  /// Returns the radius of the bounding sphere around the origin (m).
+  [[nodiscard]] float radius() const { return radius_; }
   [[nodiscard]] const gl::Buffer& indices() const { return indices_; }
   /// RGBA32F, two texels per vertex: position, normal. Empty for sprites.
   [[nodiscard]] const gl::Texture& vertices() const { return view_; }

@@ -18,7 +18,7 @@ namespace simreel::draw {
 /// Returns the min radius (pixels) with which sprites are drawn; 0 for other shapes.
 [[nodiscard]] float minPixelsOf(const sim::Instances& instances);
 
-/// Fields of glsl/draw/instances/instance.glsl.
+/// Uniforms, buffers and textures that glsl/draw/instances/instance.glsl declares.
 struct InstanceFields {
   gl::In<"positions"> positions;
   gl::In<"velocities"> velocities;
@@ -31,7 +31,7 @@ struct InstanceFields {
 /// `shapeRadius`: radius at size 1 (m).
 [[nodiscard]] InstanceFields instanceFields(const sim::Instances& instances, float shapeRadius,
                                             float minPixels);
-/// Fields of glsl/draw/instances/instance_list.glsl that determine colours.
+/// Shader inputs of glsl/draw/instances/instance_list.glsl that determine colours.
 struct InstanceLook {
   gl::In<"stops"> stops;
   gl::Uniform<"colorBy", int> colorBy;
@@ -42,7 +42,7 @@ struct InstanceLook {
   gl::Uniform<"brightness", float> brightness;
   gl::Uniform<"fade", float> fade;
 };
-/// The other fields of glsl/draw/instances/instance_list.glsl: one level of a VisibleList.
+/// The other shader inputs of glsl/draw/instances/instance_list.glsl: one level of a VisibleList.
 struct ListFields {
   gl::In<"list"> list;
   gl::In<"arguments"> arguments;

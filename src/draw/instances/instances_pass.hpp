@@ -33,7 +33,7 @@ class InstancesPass {
   /// castShadows() draws them into the bound shadow map.
   void cullForLight(const sim::Drawables& drawables);
   void castShadows(const sim::Drawables& drawables);
-  /// The same for lamp shadow maps; `cells`: number of maps.
+  /// The same two steps for lamp shadow maps. `cells`: number of maps.
   void cullForLamps(const sim::Drawables& drawables);
   void castLampShadows(const sim::Drawables& drawables, int cells);
   /// Lists the instances that the camera may show.
@@ -45,12 +45,12 @@ class InstancesPass {
   /// Adds the light of the instances that GlowSums handles, in front of the depths in `depth`.
   void sumUp(const sim::Drawables& drawables, const gl::Texture& depth, const GlowSums& sums);
 
-  /// Lists of drawables.instances[i], for tests.
+  /// Returns the lists of visible instances of drawables.instances[i], for tests.
   [[nodiscard]] const VisibleList& visible(std::size_t i) const { return *entries_.at(i).forCamera; }
   [[nodiscard]] const VisibleList& visibleToSun(std::size_t i) const { return *entries_.at(i).forLight; }
 
  private:
-  /// Data of drawables.instances[i].
+  /// Cached data of drawables.instances[i].
   struct Entry {
     std::unique_ptr<VisibleList> forCamera, forLight, forLamps;
     InstanceColors colors;
@@ -72,10 +72,10 @@ class InstancesPass {
   void drawLevel(const gl::Program& program, const sim::Instances& instances, const VisibleList& list,
                  std::size_t level);
 
-  gl::Defines lightDefines_;  ///< for shading: sun and lamps
-  gl::Defines lampDefines_;   ///< for the lamps' shadow maps; empty without lamp shadows
+  gl::Defines lightDefines_;  ///< defines for shading: sun and lamps
+  gl::Defines lampDefines_;   ///< defines of the lamps' shadow maps; empty without lamp shadows
   bool shadowed_;
-  glm::ivec2 shadowSize_, size_;  ///< sizes of the targets (pixels)
+  glm::ivec2 shadowSize_, size_;  ///< sizes (pixels) of the sun's shadow map and of the picture
   int samples_;
   std::vector<glm::vec2> sampleOffsets_;
   std::vector<Entry> entries_;

@@ -9,11 +9,12 @@
 
 namespace simreel::draw {
 
-/// Fields of draw/instances/small_sprites.comp, for one level of sprites.
+/// Uniforms, buffers and textures that draw/instances/small_sprites.comp declares, for one level of
+/// sprites.
 struct SpriteFields {
   InstanceFields instance;
-  InstanceLook look = {};        ///< only for balls and glows
-  MaterialFields material = {};  ///< only for balls
+  InstanceLook look = {};        ///< colours; only used for balls and glows
+  MaterialFields material = {};  ///< material; only used for balls
   ListFields listed;
 };
 
@@ -30,7 +31,8 @@ class SmallSprites {
   enum class Use { ball, glow, shadow };
   struct Kind {
     Use use = Use::ball;
-    bool reflective = false, translucent = false;  ///< properties of the balls' material
+    bool reflective = false, translucent = false;  ///< true if the balls' material is reflective or
+                                                   ///< translucent
   };
   /// `lighting`: defines of draw/surface/lighting.glsl, for balls.
   explicit SmallSprites(const gl::Defines& lighting);

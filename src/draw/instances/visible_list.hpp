@@ -10,7 +10,7 @@ namespace simreel::draw {
 /// Viewers for which instances are culled.
 enum class Viewer { camera, sun, lamps };
 
-/// Fields of draw/instances/cull_instances.comp.
+/// Uniforms, buffers and textures that draw/instances/cull_instances.comp declares.
 struct SightFields {
   InstanceFields instance;
   gl::Uniform<"pointPixels", float> pointPixels;

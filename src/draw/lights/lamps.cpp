@@ -54,8 +54,9 @@ Lamps::Lamps(const scene::Scene& scene, Rasterizer rasterizer)
     return light->type != scene::Light::Type::area &&
            std::ranges::any_of(light->glow.keys(), [](const auto& key) { return key.value > 0; });
   });
-  glows_.discs =
-      true;  // discs in space; at the border, screen-space circles would reach less far into the picture
+  // Glows are discs in space, because screen-space circles whose centre is outside the picture would extend
+  // less far into it.
+  glows_.discs = true;
   glows_.material = &glowMaterial_;
 }
 

@@ -81,7 +81,7 @@ void AxesPass::append(const sim::Field& field, double seconds, std::vector<glm::
   Boxes out(boxes, u);
   out.fill(glm::vec4(part.x - margin.x, part.y, part.x, part.w), groundColor);
   out.fill(glm::vec4(part.x - margin.x, part.w, part.z, part.w + margin.y), groundColor);
-  // Returns the value at a pixel: linear from the centre of the first cell to that of the last cell.
+  // Returns the value at a pixel: linear between the centres of the first and the last cell.
   const auto valueAt = [&](const sim::FieldDisplay::Axis& axis, int i, int pixel) {
     const double cell = view.origin[i] + pixel * view.perPixel[i] - 0.5;
     const auto first = static_cast<double>(axis.first.at(seconds));

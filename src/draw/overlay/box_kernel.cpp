@@ -19,10 +19,10 @@ struct PaintBoxes {
 
 namespace {
 
-constexpr int pieceSide = 16;  // pixels
+constexpr int pieceSide = 16;  // max side of a piece in pixels
 
 struct Box {
-  glm::ivec4 at;  // left, top, right, bottom
+  glm::ivec4 at;  // edges in pixels: left, top, right, bottom
   glm::vec4 color;
   int layer = 0;
 };

@@ -29,7 +29,7 @@ const ChartLabels::Word& ChartLabels::word(const std::string& text) {
   const auto found = words_.find(text);
   if (found != words_.end()) return found->second;
   if (!font_) font_ = std::make_unique<sim::Font>(assetFolder() / "fonts/OpenSans-Regular.ttf");
-  constexpr std::size_t most = 64;  // max number of characters
+  constexpr std::size_t most = 64;  // max number of characters of a label
   constexpr sim::TextAnchor anchor{sim::TextAnchor::Across::left, sim::TextAnchor::Down::baseline};
   Word made;
   for (const auto& polygon : sim::written(*font_, text.substr(0, most), anchor, 1)) {

@@ -16,7 +16,7 @@ namespace simreel::draw {
 
 namespace {
 
-/// Fields of draw/overlay/chart_inputs.glsl.
+/// Uniforms, buffers and textures that draw/overlay/chart_inputs.glsl declares.
 struct ChartFields {
   gl::In<"counts"> counts;
   gl::In<"columns"> columns;

@@ -17,7 +17,7 @@ namespace simreel::draw {
 
 /// Position of the parts of a chart in a picture, in whole pixels from the top left.
 struct ChartLayout {
-  glm::ivec4 panel{0};      ///< left, top, right, bottom
+  glm::ivec4 panel{0};      ///< edges of the panel: left, top, right, bottom
   glm::ivec4 plot{0};       ///< area of the curves; same order
   int unit = 1;             ///< width of thin lines (pixels); letters scale with it
   bool hasLetters = false;  ///< true if there is room for letters (ChartLabels)

@@ -14,7 +14,7 @@ namespace simreel::draw {
 /// Colours of a field, in the layout of glsl/draw/overlay/field_values.glsl.
 class FieldColors {
  public:
-  gl::Texture stops;  ///< RGBA32F texel view
+  gl::Texture stops;  ///< colours of the colour map, RGBA32F texel view
   gl::Buffer stopBuffer;
   int stopCount = 0;
   /// Uploads the colours if they have changed. There must be at least one.
@@ -24,7 +24,7 @@ class FieldColors {
   std::vector<glm::vec3> present_;
 };
 
-/// Fields of glsl/draw/overlay/field_inputs.glsl.
+/// Uniforms, buffers and textures that glsl/draw/overlay/field_inputs.glsl declares.
 struct FieldInputs {
   gl::In<"words"> words;
   gl::In<"stops"> stops;
@@ -38,7 +38,7 @@ struct FieldInputs {
 };
 [[nodiscard]] FieldInputs fieldInputs(const sim::Field& field, const FieldColors& colors);
 struct FieldVariant {
-  gl::Choice<"CELLS", 0, 1, 2, 3> cells;  ///< sim::Field::Cells
+  gl::Choice<"CELLS", 0, 1, 2, 3> cells;  ///< storage format of the cells, as sim::Field::Cells
   gl::Flag<"CATEGORIES"> categories;
   gl::Flag<"COLORED"> colored;
 };

@@ -16,7 +16,7 @@
 
 namespace simreel::draw {
 
-/// A field and its position in the picture: also the fields of glsl/draw/overlay/field_view.glsl.
+/// Shader inputs for a field and its position in the picture (glsl/draw/overlay/field_view.glsl).
 struct ShownField {
   FieldInputs field;
   gl::In<"reduced"> reduced;
@@ -37,7 +37,7 @@ struct FieldDrawVariant {
   gl::Flag<"SMOOTH_COLORS"> smoothColors;
   gl::Flag<"TILED"> tiled;
   gl::Flag<"RELIEF"> relief;
-  gl::Range<"ROWS", 1, 8> rows = {};  ///< for the exact rasterizer
+  gl::Range<"ROWS", 1, 8> rows = {};  ///< number of pixels per invocation of the exact rasterizer
 };
 
 struct DrawField;
@@ -89,7 +89,7 @@ class FieldPass {
   FieldKernel kernel_;
   std::vector<Kept> kept_;
   gl::Kernels<DrawField> kernels_;
-  std::map<gl::Defines, gl::Program> programs_;  ///< for the driver's rasterizer, by variant
+  std::map<gl::Defines, gl::Program> programs_;  ///< programs of the driver's rasterizer, by variant
   VertexArray vertices_;
 };
 

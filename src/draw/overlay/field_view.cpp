@@ -34,7 +34,7 @@ FieldView fieldView(const sim::FieldDisplay& display, glm::ivec2 cells, glm::ive
   const glm::dvec2 end =
       glm::round(glm::dvec2(display.corner + display.extent) * whole) - glm::dvec2(0, margin.y);
   const glm::dvec2 extent = glm::max(end - corner, 1.0);
-  const glm::dvec2 each = extent / glm::dvec2(cells);  // pixels per cell
+  const glm::dvec2 each = extent / glm::dvec2(cells);  // pixels per cell along x and y
   glm::dvec2 scale = each;
   if (display.fit == sim::FieldDisplay::Fit::contain) scale = glm::dvec2(std::min(each.x, each.y));
   if (display.fit == sim::FieldDisplay::Fit::cover) scale = glm::dvec2(std::max(each.x, each.y));

@@ -35,7 +35,7 @@ struct ReadSamples {
 
 namespace {
 
-constexpr glm::ivec2 size(64, 48);  // pixels
+constexpr glm::ivec2 size(64, 48);  // size of the test picture in pixels
 constexpr glm::ivec2 imageSize(40, 36);
 constexpr int triangles = 120;
 

@@ -15,7 +15,7 @@
 namespace simreel::draw {
 
 struct RendererOptions {
-  std::optional<scene::Rasterizer> rasterizer;  ///< replaces the scene's choice
+  std::optional<scene::Rasterizer> rasterizer;  ///< if set, replaces the scene's choice of rasterizer
   /// Max bytes of visibility that the exact rasterizer keeps. Larger pictures are drawn in bands of rows,
   /// with the same result.
   std::size_t visibilityBytes = std::size_t{256} << 20;

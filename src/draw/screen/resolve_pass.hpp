@@ -14,7 +14,7 @@ struct Resolve;
 class ResolvePass {
  public:
   ResolvePass(glm::ivec2 size, int samples);
-  /// False on the texel path.
+  /// False on the texel path, where this pass does nothing.
   [[nodiscard]] bool on() const { return static_cast<bool>(resolved_); }
   /// Samples per pixel of the light that draw() returns.
   [[nodiscard]] int samples() const { return on() ? 1 : samples_; }

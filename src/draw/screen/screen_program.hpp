@@ -19,7 +19,7 @@ struct ScreenTarget {
   gl::Framebuffer framebuffer;
 };
 
-/// Fields of glsl/draw/screen/screen.glsl. ScreenProgram sets them.
+/// Uniforms, buffers and textures that glsl/draw/screen/screen.glsl declares. ScreenProgram sets them.
 struct ScreenFields {
   gl::Out<"target"> target = {};
 };

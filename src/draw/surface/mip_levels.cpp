@@ -40,7 +40,7 @@ constexpr std::array<std::uint16_t, 256> linearTable = {
 /// count almost nothing, but give the colour of fully transparent areas.
 struct Weighted {
   std::uint32_t r, g, b;  ///< light times weight, in units of 1/65535
-  std::uint32_t weight;   ///< in units of 1/256
+  std::uint32_t weight;   ///< weight of the texel in units of 1/256
 };
 
 constexpr std::uint32_t opaqueWeight = 256 * (255 * 255 + 1);
@@ -159,7 +159,7 @@ constexpr AverageRow averages[3][3] = {{averageRow<1, 1>, averageRow<2, 1>, aver
 /// Texels of the level above: either the picture, decoded row by row, or averaged texels.
 struct Above {
   glm::ivec2 size;
-  std::span<const std::uint8_t> picture;  ///< empty: `texels` is used instead
+  std::span<const std::uint8_t> picture;  ///< bytes of the picture; if empty, `texels` is used instead
   std::vector<Weighted> texels;
 
   /// Returns `count` rows from row `first` on. Decoded rows are stored in `room`.

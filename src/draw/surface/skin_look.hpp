@@ -8,9 +8,10 @@ namespace simreel::draw {
 /// Parameters of a skin, with the defaults of its look for the values that the scene leaves open.
 struct SkinLook {
   const char* define;  ///< define of glsl/draw/surface/skin.glsl
-  glm::vec3 low;       ///< linear RGB
-  glm::vec3 high;      ///< linear RGB; for cracks radiance, which may exceed 1
-  float threshold;     ///< fraction of the field's range
+  glm::vec3 low;       ///< colour of low field values, linear RGB
+  glm::vec3 high;      ///< colour of high field values, linear RGB; for cracks a radiance, which may exceed
+                       ///< 1
+  float threshold;     ///< threshold as a fraction of the field's range
   float roughness;
   float depth;  ///< relief height of the whole value range, in cells, times the skin's bump; negative: high
                 ///< values are low

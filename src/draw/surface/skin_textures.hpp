@@ -17,7 +17,7 @@ namespace simreel::draw {
 struct SkinRelief;
 struct SkinColors;
 
-/// Uniforms of glsl/draw/surface/skin_values.glsl, and those of a skin's relief.
+/// Uniforms of glsl/draw/surface/skin_values.glsl, and uniforms of a skin's relief.
 struct SkinValues {
   gl::Uniform<"skinThreshold", float> threshold;
   gl::Uniform<"skinLow", glm::vec3> low;
@@ -38,7 +38,7 @@ class SkinTextures {
                                        ///< glsl/draw/surface/skin_relief.comp
     gl::Texture surroundings;          ///< R16F, mip-mapped, repeating: mean of the surrounding values
     gl::Texture colors;                ///< RGBA16F, mip-mapped, repeating; only for the look "map"
-    float threshold = 0.5F;            ///< fraction of the field's range
+    float threshold = 0.5F;            ///< threshold as a fraction of the field's range
     glm::ivec2 cells{1, 1};            ///< size of the field in cells
     [[nodiscard]] int levels() const;  ///< number of mip levels of each texture
   };

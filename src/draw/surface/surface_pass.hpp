@@ -36,7 +36,7 @@ class SurfacePass {
   void setPlain(const scene::Material& material, bool isGrid, const gl::Program& shader);
   static void setSkin(const SkinTextures::Entry& entry, const scene::Skin& skin, const gl::Program& shader);
 
-  gl::Defines defines_;  ///< common to all programs
+  gl::Defines defines_;  ///< defines that all programs share
   std::map<unsigned, gl::Program> programs_;
   TextureStore textures_;
   VertexArray vertices_;

@@ -17,8 +17,8 @@ class BallRaster {
  public:
   using Into = Target;
   /// Balls with a bounding box of at most `smallPixels` (0 to 64) per side are rasterized by one invocation
-  /// each, those of at most `mediumPixels` (up to 64) by one workgroup, larger ones by many workgroups,
-  /// tile by tile. The limits do not change the result. The sun's map has no medium class.
+  /// each, medium ones of at most `mediumPixels` (up to 64) by one workgroup, larger ones by many
+  /// workgroups, tile by tile. The limits do not change the result. The sun's map has no medium class.
   BallRaster(Into into, int samples, int smallPixels = smallBall(), int mediumPixels = mediumBall());
 
   /// Writes depth keys into a buffer that may already contain other objects. The uniform blocks and, for

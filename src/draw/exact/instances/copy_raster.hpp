@@ -21,9 +21,9 @@ class CopyRaster {
  public:
   using Into = Target;
   /// Triangles with a bounding box of at most `smallPixels` (0 to 64) per side are rasterized by one
-  /// invocation each, those of at most `mediumPixels` (up to 64) by sixteen invocations, larger ones by
-  /// workgroups, tile by tile. `pairs`: max number of (copy, triangle) pairs per dispatch. These limits do
-  /// not change the result.
+  /// invocation each, medium ones of at most `mediumPixels` (up to 64) by sixteen invocations, larger ones
+  /// by workgroups, tile by tile. `pairs`: max number of (copy, triangle) pairs per dispatch. These limits
+  /// do not change the result.
   CopyRaster(Into into, int samples, int smallPixels = smallCopyTriangle(), unsigned pairs = pairsAtOnce(),
              int mediumPixels = mediumTriangle());
 

@@ -16,8 +16,9 @@ struct InstanceVariant;
 struct ShadeBalls;
 struct ShadeCopies;
 
-/// Draws instances with kernels in exact arithmetic. Opaque instances have primitive ids after those of the
-/// surfaces: the draw's first id plus the index of the instance (times its triangle count for meshes).
+/// Draws instances with kernels in exact arithmetic. The primitive ids of opaque instances follow the ids
+/// of the surfaces: the draw's first id plus the index of the instance (times its triangle count for
+/// meshes).
 class ExactInstances {
  public:
   ExactInstances(int samples, Lighting lighting);

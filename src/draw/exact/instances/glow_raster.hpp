@@ -17,10 +17,10 @@ struct AddGlows;
 /// (glsl/draw/instances/glow_block.glsl). The result does not depend on the order.
 class GlowRaster {
  public:
-  static constexpr std::int64_t sumBytes = 24;  ///< per pixel
+  static constexpr std::int64_t sumBytes = 24;  ///< bytes of the sums per pixel
 
-  /// Glows with a box of at most `smallPixels` per side are handled by one invocation each, those of at
-  /// most `mediumPixels` by one workgroup, larger ones by many workgroups.
+  /// Glows with a box of at most `smallPixels` per side are handled by one invocation each, medium ones of
+  /// at most `mediumPixels` by one workgroup, larger ones by many workgroups.
   explicit GlowRaster(int samples, int smallPixels = smallGlow(), int mediumPixels = mediumBall());
 
   /// Allocates the sums of a picture. Throws UserError(device), which names the limit, if the device has no

@@ -2,10 +2,10 @@
 #include "draw/instances/instance_values.hpp"
 #include "gl/kernel/kernel.hpp"
 
-// Fields of kernels that read instances, one group per GLSL include file.
+// Shader inputs of kernels that read instances, one group per GLSL include file.
 namespace simreel::draw {
 
-/// Fields of draw/exact/instances/instance_source.glsl.
+/// Uniforms, buffers and textures that draw/exact/instances/instance_source.glsl declares.
 struct InstanceSource {
   gl::Ambient<"FrameBlock"> frame;
   InstanceFields instance;
@@ -20,7 +20,7 @@ struct InstanceSource {
           .firstId = firstId};
 }
 
-/// Fields of draw/exact/copies/copy_source.glsl.
+/// Uniforms, buffers and textures that draw/exact/copies/copy_source.glsl declares.
 struct CopySource {
   InstanceSource source;
   gl::In<"indices"> indices;

@@ -87,7 +87,7 @@ class Motion {
   std::vector<Moving> surfaces_, instances_;
   std::vector<sim::Place> places_;  ///< camera targets of the previous frame; `lagging_` likewise
   std::vector<glm::vec3> lagging_;
-  Elements copied_;                            ///< velocities requested by velocitiesOf()
+  Elements copied_;                            ///< copy of the velocities that velocitiesOf() reads back
   const sim::Drawables* drawables_ = nullptr;  ///< objects of the current frame
   sim::Drawables shown_;
 };

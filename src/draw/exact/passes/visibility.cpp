@@ -72,7 +72,8 @@ class TilesPass final : public FramePass {
   }
 
   ShadedTiles tiles_;
-  std::optional<ShadedTiles> again_;  ///< for restored bands: does not clear the band's light
+  std::optional<ShadedTiles> again_;  ///< tile lists for bands that are restored; does not clear the band's
+                                      ///< light
 };
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 namespace simreel::draw {
 
-/// Fields of draw/exact/rays/solids.glsl.
+/// Uniforms, buffers and textures that draw/exact/rays/solids.glsl declares.
 struct SolidPlaces {
   gl::In<"places"> places;
   gl::In<"corners"> corners;

@@ -23,7 +23,7 @@ class Hierarchy {
   struct Solids {
     int count = 0;
     const gl::Texture* places = nullptr;
-    const gl::Texture* corners = nullptr;  ///< of triangles
+    const gl::Texture* corners = nullptr;  ///< for triangles only: indices of the corners
     const gl::Texture* words = nullptr;    ///< vertex words of triangles; the last word holds the owner
     const gl::Texture* ballLooks = nullptr;
     const gl::Texture* looks = nullptr;
@@ -54,7 +54,7 @@ class Hierarchy {
 
   Of of_;
   int count_ = 0, leaves_ = 1;
-  int room_ = 0;  ///< capacity of the sort
+  int room_ = 0;  ///< max number of items that the sort buffers can hold
   std::optional<gl::RadixSort> sort_;
   gl::Kernel<SolidBounds> bounds_;
   gl::Kernel<SolidKeys> keys_;

@@ -26,7 +26,7 @@ class RayCount {
 
   /// Returns the existing object, or null.
   [[nodiscard]] static RayCount* current();
-  /// Counts those of the rays [first, first + count) that have a length above 0. The rays must be written
+  /// Counts the rays in [first, first + count) that have a length above 0. The rays must be written
   /// already.
   void add(const gl::Texture& rays, int first, int count);
   /// Counts rays whose length is known to be above 0.

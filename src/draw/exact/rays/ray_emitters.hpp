@@ -24,7 +24,7 @@ class RayEmitters {
  private:
   struct Part {
     std::uint32_t triangle = 0;
-    double light = 0;  ///< area (m^2) times brightness
+    double light = 0;  ///< emitted light: area (m^2) times brightness
   };
   std::vector<Part> parts_;
   double all_ = 0;

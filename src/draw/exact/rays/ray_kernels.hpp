@@ -2,10 +2,10 @@
 #include "draw/exact/visibility.hpp"
 #include "gl/kernel/kernel.hpp"
 
-// Fields of kernels in draw/exact/rays that read the ray scene.
+// Shader inputs of kernels in draw/exact/rays that read the ray scene.
 namespace simreel::draw {
 
-/// Materials of triangles: fields of looks.glsl, solid_words.glsl, lays.glsl and the maps.
+/// Materials of triangles: shader inputs of looks.glsl, solid_words.glsl, lays.glsl and the maps.
 struct RayLookFields {
   gl::In<"looks"> looks;
   gl::In<"corners"> corners;
@@ -14,14 +14,14 @@ struct RayLookFields {
   gl::In<"texelsOfMaps"> maps;
 };
 
-/// Triangles and balls in hierarchy order: fields of met_triangle.glsl and found_facet.glsl.
+/// Triangles and balls in hierarchy order: shader inputs of met_triangle.glsl and found_facet.glsl.
 struct SortedSolids {
   gl::In<"sortedSolids"> solids;
   gl::In<"solidIds"> ids;
   gl::In<"sortedBalls"> balls;
 };
 
-/// Hierarchies of triangles and balls: fields of traverse.glsl.
+/// Hierarchies of triangles and balls: shader inputs of traverse.glsl.
 struct SolidTrees {
   gl::In<"solidNodes"> solidNodes;
   gl::In<"ballNodes"> ballNodes;
@@ -31,13 +31,13 @@ struct SolidTrees {
   gl::Uniform<"ballLeaves", int> ballLeaves;
 };
 
-/// Materials of balls and skins: fields of found_facet.glsl and skin_hit.glsl.
+/// Materials of balls and skins: shader inputs of found_facet.glsl and skin_hit.glsl.
 struct FoundFields {
   gl::In<"ballLooks"> ballLooks;
   gl::In<"skinTexels"> skinTexels;
 };
 
-/// Fields of emitters.glsl.
+/// Uniforms, buffers and textures that emitters.glsl declares.
 struct EmitterFields {
   gl::In<"emitters"> emitters;
   gl::In<"solidPlaces"> places;

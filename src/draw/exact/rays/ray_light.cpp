@@ -13,7 +13,7 @@
 
 namespace simreel::draw {
 
-/// Fields of spot_read.glsl and path_rays.glsl.
+/// Uniforms, buffers and textures that spot_read.glsl and path_rays.glsl declare.
 struct RayPaths {
   gl::Ambient<"FrameBlock"> frame = {};
   gl::Ambient<"ViewBlock"> view = {};
@@ -39,7 +39,7 @@ struct PathVariant {
   gl::Flag<"FINISHED"> finished;
   gl::Flag<"EMITTERS"> emitters;
 };
-/// Fields of lamps and environment.
+/// Shader inputs with the lamps and the environment.
 struct PathLight {
   gl::Ambient<"environment"> environment;
   gl::Ambient<"LampBlock"> lampBlock;

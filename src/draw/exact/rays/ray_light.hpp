@@ -27,9 +27,9 @@ class RayLight {
   static constexpr std::size_t mostSamples = std::size_t{1} << 20U;
 
   struct Options {
-    int raySamples = 64;  ///< per pixel
+    int raySamples = 64;  ///< number of light samples per pixel
     bool ground = false;
-    bool openSun = false;  ///< the sun casts no shadows
+    bool openSun = false;  ///< true if nothing casts a shadow in the sunlight
   };
   /// `samples`: number of samples of a band.
   RayLight(const Options& options, const Lighting& lighting, std::size_t samples, RayLooks looks);

@@ -36,7 +36,7 @@ class RayScene {
   /// Finds the first hit of listed rays. The list has `count` ray indices, relative to `first`.
   void traceListed(const gl::Texture& rays, const gl::Buffer& hits, int first, const gl::Texture& list,
                    int count);
-  // Fields of kernels that shade hits.
+  // Shader inputs of kernels that shade hits.
   [[nodiscard]] RayFeatures features() const;
   [[nodiscard]] RayLookFields lookFields() const;
   [[nodiscard]] SortedSolids sorted() const;

@@ -74,9 +74,11 @@ class ApartSurfaces {
   std::vector<sim::Surface> cutSurfaces_, blended_, casting_;
   TriangleRaster cut_, layer_;
   std::optional<TriangleRaster> sunCasters_;
-  std::array<std::optional<Visibility>, 2> layers_;  ///< current and previous layer
-  std::optional<ShadedTiles> tiles_;                 ///< tiles of the current layer
-  gl::Buffer through_;                               ///< fraction of light per sample
+  std::array<std::optional<Visibility>, 2> layers_;  ///< visibility of the current and the previous blended
+                                                     ///< layer
+  std::optional<ShadedTiles> tiles_;                 ///< tile lists of the current layer
+  gl::Buffer through_;                               ///< fraction of light that the layers so far let
+                                                     ///< through, per sample
   gl::Texture throughView_;
 };
 

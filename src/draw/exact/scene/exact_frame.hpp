@@ -51,7 +51,7 @@ struct ExactFrame {
   [[nodiscard]] GroundPlace groundPlace() const;
   /// Returns the objects with primitive ids in the band.
   [[nodiscard]] std::vector<DrawnThing> thingsDrawn() const;
-  /// Returns the fields of kernels that add light to `into`.
+  /// Returns the shader inputs of kernels that add light to `into`.
   [[nodiscard]] SceneLight sceneLight(const gl::Texture& into) const;
   void tellView() { view.write(0, std::as_bytes(std::span(&values, 1))); }
   /// Adds the light of all opaque objects except the ground.
@@ -75,12 +75,12 @@ struct ExactFrame {
   int bandRows;  ///< max rows of a band, limited by the memory of the visibility buffer
   bool ground;
 
-  // State of one picture.
+  // The following members are the state of one picture.
   AskedPicture asked;
   PassPicture* passes = nullptr;           ///< receives the pass outputs for `simreel bisect`; null: not
                                            ///< needed
-  std::optional<LightRequest> wanted;      ///< requested light and layers
-  PictureLayers layers;                    ///< receives the light and layers
+  std::optional<LightRequest> wanted;      ///< light and layers that the caller has requested
+  PictureLayers layers;                    ///< the requested light and layers are stored here
   bool layered = false;                    ///< true if the scene has had blended surfaces at any moment
   bool shines = false;                     ///< true if any view so far had glows
   const gl::Texture* scattered = nullptr;  ///< light of the bloom; null: no bloom
@@ -106,7 +106,7 @@ struct ExactFrame {
   std::vector<unsigned> firstIds;                                ///< first primitive id of each shaded
                                                                  ///< object
 
-  // GPU resources.
+  // The following members are GPU resources.
   SkinTextures skins;
   Lamps lamps;
   ShadowPass shadow;  ///< the sun's shadow map transform
@@ -116,7 +116,7 @@ struct ExactFrame {
   TriangleRaster triangles;
   std::optional<Visibility> sunMap;
   std::optional<LampMaps> lampMaps;
-  const ShadedTiles* tiles = nullptr;  ///< tile lists of the band
+  const ShadedTiles* tiles = nullptr;  ///< for each object, the list of the band's tiles that show it
   Occlusion occlusion;                 ///< ambient occlusion and nearness at half resolution
   std::optional<Reflections> reflections;
   SurfaceShading surfaces;

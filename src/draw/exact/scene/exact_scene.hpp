@@ -22,7 +22,7 @@ class Motion;
 
 /// Memory limits of one band of a picture.
 struct BandRoom {
-  std::size_t samples;     ///< max samples of visibility
+  std::size_t samples;     ///< max number of visibility samples
   std::int64_t glowBytes;  ///< max bytes of the glow sums, which are in one buffer
 };
 /// Returns the number of rows per band that fit into the memory: a multiple of the tile size, at least one
@@ -44,7 +44,7 @@ class ExactScene {
   ExactScene(const ExactScene&) = delete;
   ExactScene& operator=(const ExactScene&) = delete;
 
-  /// Fields of the frame: as textures for skins, and as pictures behind the scene.
+  /// Simulated fields of the frame: as textures for skins, and as pictures behind the scene.
   struct Overlays {
     const FieldTextures& textures;
     FieldPass& fields;
@@ -52,17 +52,17 @@ class ExactScene {
   using Watch = std::function<void(const char* stage)>;
   /// Content of the scene at one time.
   struct Moment {
-    double seconds = 0;  ///< scene time
+    double seconds = 0;  ///< scene time (s)
     const sim::Drawables* drawables = nullptr;
   };
-  /// Moments that a picture averages.
+  /// Moments of the open shutter. The picture is the mean over them.
   struct Exposure {
     int moments = 1;
     /// Returns moment i, valid until the next call. Also sets the frame's uniform block to that moment.
     std::function<Moment(int i)> at;
     std::function<void()> close = {};  ///< called after the last moment: restores the frame's uniform block
     Motion* motion = nullptr;          ///< motion since the previous frame, already begun; null: not needed
-    double frameSeconds = 1;           ///< time between the two frames
+    double frameSeconds = 1;           ///< time between the previous and the current frame (s)
     float part = 1;  ///< interpolation parameter of the first moment: 0 at the previous frame, 1
                      ///< at the current frame
   };

@@ -40,7 +40,7 @@ class LampMaps {
   std::size_t viewStride_ = 0;  ///< bytes between the views of two maps
   std::optional<Visibility> keys_;
   std::optional<TriangleRaster> raster_;
-  std::optional<TriangleRaster> holeRaster_;  ///< for surfaces with holes
+  std::optional<TriangleRaster> holeRaster_;  ///< rasterizer for surfaces with holes
   std::optional<MergedMesh> mesh_;
   std::optional<FaceLists> lists_;
   gl::Buffer views_;

@@ -18,14 +18,12 @@ class MergedMesh {
   /// Merges the surfaces; the order of their triangles is arbitrary. The deformations' uniform blocks need
   /// not be bound. Throws UserError(device) if the indices exceed the supported range.
   void merge(const std::vector<const sim::Surface*>& surfaces);
-  [[nodiscard]] const gl::Texture& places() const {
-    return placesView_;
-  }  ///< vertex positions (m),
-     ///< RGBA32F
-  [[nodiscard]] const gl::Texture& indexView() const {
-    return indicesView_;
-  }                                                                 ///< R32UI, three indices per triangle
-  [[nodiscard]] const gl::Buffer& count() const { return count_; }  ///< number of indices, on the GPU
+  /// Returns the vertex positions in world space (m), RGBA32F.
+  [[nodiscard]] const gl::Texture& places() const { return placesView_; }
+  /// Returns the vertex indices, R32UI, three per triangle.
+  [[nodiscard]] const gl::Texture& indexView() const { return indicesView_; }
+  /// Returns the buffer with the number of indices.
+  [[nodiscard]] const gl::Buffer& count() const { return count_; }
   [[nodiscard]] int maxTriangles() const { return maxTriangles_; }
 
  private:

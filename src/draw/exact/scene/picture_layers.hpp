@@ -19,7 +19,7 @@ class Velocities;
 
 namespace simreel::draw {
 
-/// Per-pixel information besides colour, and the names of these layers.
+/// Layers: information per pixel besides colour. layerNames holds their names.
 enum class Layer { depth, position, object, normal, albedo, velocity, vector, primitive };
 inline constexpr std::array<const char*, 8> layerNames = {"depth",  "position", "object", "normal",
                                                           "albedo", "velocity", "vector", "primitive"};
@@ -42,23 +42,22 @@ struct LightRequest {
 struct PictureLayers {
   /// Fraction of a pixel that an object covers.
   struct Share {
-    std::uint32_t object = 0;  ///< index in `objects`
-    float coverage = 0;        ///< 0 to 1
+    std::uint32_t object = 0;  ///< index of the object in `objects`
+    float coverage = 0;        ///< covered fraction of the pixel, 0 to 1
   };
   static constexpr int mostRanks = 6;
   static constexpr std::uint32_t noPrimitive = 0xffffffffU;
 
   glm::ivec2 size{0};
-  bool filmed = false;  ///< copy of LightRequest::filmed; `bits` likewise
+  bool filmed = false;  ///< copy of LightRequest::filmed; `bits` is the copy of LightRequest::bits
   int bits = 16;
   std::vector<float> light;     ///< RGBA; alpha is coverage. Linear light is premultiplied by alpha
   bool alpha = false;           ///< true if alpha is valid; else alpha is 1
   std::vector<float> depth;     ///< depth of the nearest surface along the view direction (m); infinite if
                                 ///< the pixel is empty
   std::vector<float> position;  ///< three per pixel: world position of that surface (m)
-  std::vector<float>
-      normal;  ///< three per pixel: unit shading normal, mean over opaque surfaces; 0 if there are none
-  std::vector<float> albedo;  ///< three per pixel: linear RGB albedo, mean over opaque surfaces
+  std::vector<float> normal;    ///< three per pixel: unit shading normal, mean over opaque surfaces; else 0
+  std::vector<float> albedo;    ///< three per pixel: linear RGB albedo, mean over opaque surfaces
   /// Three per pixel: world velocity (m/s) of the nearest surface, independent of the camera. For surfaces
   /// the mean since the previous frame, for instances their own velocity. 0 for static surfaces, before the
   /// first step, and for surfaces whose mesh is rebuilt in each frame.
@@ -81,7 +80,7 @@ struct PictureLayers {
 /// Views of the camera, without a lens, in the current and in the previous frame.
 struct CameraWay {
   shader::ExactView now, before;
-  double seconds = 1;  ///< time between the two frames
+  double seconds = 1;  ///< time between the two frames (s)
 };
 
 /// Computes the visibility-based layers of one view on the CPU, band by band. ShareKeeper computes object

@@ -6,7 +6,9 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr unsigned groundObject = 0xfffffffeU, noObject = 0xffffffffU;  // special ids of tile_lists.glsl
+constexpr unsigned groundObject = 0xfffffffeU, noObject = 0xffffffffU;  // special ids for the ground and
+                                                                        // for no object, as in
+                                                                        // tile_lists.glsl
 
 }  // namespace
 

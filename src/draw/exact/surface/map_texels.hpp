@@ -18,11 +18,8 @@ namespace simreel::draw {
 /// Each picture is read once. Row 0 of the picture is v = 0.
 class MapTexels {
  public:
-  enum class Holds {
-    color,
-    numbers
-  };  ///< color: sRGB, converted to linear light; numbers: values from 0
-      ///< to 1, unchanged
+  /// Content of a map. color: sRGB, converted to linear light; numbers: values from 0 to 1, unchanged.
+  enum class Holds { color, numbers };
   /// Adds a map to the list, if it is new. Returns its width, height, number of levels (negative: clamped
   /// at the border instead of repeated) and start index: one word per level with the level's start, then
   /// texels with 16 bits per channel. Returns 0 if the map is empty. Throws UserError as loadPicture()

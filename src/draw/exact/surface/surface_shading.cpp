@@ -40,7 +40,7 @@ struct SurfaceVariant {
   gl::Flag<"LOOK_MAP"> map;
 };
 
-/// Fields of draw/exact/surface/surface_seen.glsl.
+/// Uniforms, buffers and textures that draw/exact/surface/surface_seen.glsl declares.
 struct SurfaceSeen {
   VertexUv uv;
   gl::Uniform<"textureScale", glm::vec2> textureScale;
@@ -48,7 +48,7 @@ struct SurfaceSeen {
   gl::Uniform<"modelScale", float> modelScale;
 };
 
-/// Fields of draw/exact/surface/surface_maps.glsl.
+/// Uniforms, buffers and textures that draw/exact/surface/surface_maps.glsl declares.
 struct SurfaceMaps {
   gl::Uniform<"colorMap", glm::ivec4> color;
   gl::Uniform<"normalMap", glm::ivec4> normal;
@@ -69,7 +69,7 @@ struct FinishValues {
   gl::Uniform<"opacity", float> opacity;
 };
 
-/// Fields of draw/exact/surface/surface_texture.glsl.
+/// Uniforms, buffers and textures that draw/exact/surface/surface_texture.glsl declares.
 struct SurfaceTexture {
   gl::In<"albedo"> albedo;
   gl::Uniform<"albedoSize", glm::ivec2> size;
@@ -160,7 +160,7 @@ VertexUv uvOf(const sim::Surface& surface) {
   return uv;
 }
 
-/// Returns the fields of shaders that map a texture or skin with the given number of repeats.
+/// Returns the inputs of shaders that map a texture or skin with the given number of repeats.
 SurfaceSeen seenOf(const sim::Surface& surface, glm::vec2 repeats) {
   return {.uv = uvOf(surface),
           .textureScale = repeats,

@@ -47,8 +47,10 @@ struct TileKernel {
 
 namespace {
 
-constexpr int maxThings = 2046;  // bits of tiles.comp: 32 words of 64, minus two for the ground
-constexpr int fewThings = 30;    // same limit of the FEW variant
+// Max number of objects per tile list kernel: the 2,048 bits of tiles.comp, minus two for the ground.
+constexpr int maxThings = 2046;
+// Max number of objects for the FEW variant of tiles.comp: 32 bits, minus two for the ground.
+constexpr int fewThings = 30;
 
 /// Returns the FOURS variant of tiles.comp for at most 4 or 8 objects, or none for more.
 gl::Range<"FOURS", 1, 2> foursFor(int things) {

@@ -17,9 +17,10 @@ struct TileKernel;
 
 /// Area of the picture that may show the ground.
 struct GroundPlace {
-  glm::ivec2 rows{0};  ///< rowsTowardsGround() in whole tiles
-  glm::vec4 near{0};   ///< nearOfGround()
-  glm::vec3 rays{0};   ///< raysAside()
+  glm::ivec2 rows{0};  ///< range of tile rows whose rays may hit the ground: rowsTowardsGround() in whole
+                       ///< tiles
+  glm::vec4 near{0};   ///< nearness of the ground as a function of the pixel: nearOfGround()
+  glm::vec3 rays{0};   ///< bounds of the ray directions: raysAside()
 };
 
 /// Lists the tiles of the picture that show each object, so that shading kernels run only where the object

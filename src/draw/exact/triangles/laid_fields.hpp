@@ -5,10 +5,10 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
-// Fields of kernels that map textures onto surfaces, one group per GLSL include file.
+// Shader inputs of kernels that map textures onto surfaces, one group per GLSL include file.
 namespace simreel::draw {
 
-/// Fields of draw/exact/surface/vertex_uv.glsl.
+/// Uniforms, buffers and textures that draw/exact/surface/vertex_uv.glsl declares.
 struct VertexUv {
   gl::Uniform<"grid", glm::ivec2> grid;
   gl::Uniform<"perGrid", glm::vec2> perGrid;
@@ -16,7 +16,7 @@ struct VertexUv {
   gl::In<"uvs"> uvs;
 };
 
-/// Fields of draw/exact/triangles/cutout.glsl.
+/// Uniforms, buffers and textures that draw/exact/triangles/cutout.glsl declares.
 struct Cutout {
   VertexUv uv;
   gl::Uniform<"textureScale", glm::vec2> textureScale;

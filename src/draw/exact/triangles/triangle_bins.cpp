@@ -32,7 +32,7 @@ struct BinnedTriangles {
 
 namespace {
 
-constexpr int tileSide = 8;     // tileSide of glsl/draw/exact/fixed.glsl
+constexpr int tileSide = 8;     // pixels per tile side, as in glsl/draw/exact/fixed.glsl
 constexpr int binCounts = 512;  // this and the next three constants are from bins.glsl
 constexpr int firstTileCount = 2;
 constexpr int firstFaceCount = 256;
@@ -40,7 +40,7 @@ constexpr int ownNodes = 4;
 constexpr std::size_t cornerBytes = 48;
 constexpr int roundTriangles = 57344;  // triangles per round; keeps every loop below the iteration limit of
                                        // drivers
-constexpr int maxTriangles = 1 << 20;  // limit of a picture
+constexpr int maxTriangles = 1 << 20;  // max number of binned triangles of a picture
 constexpr int maxOfFaces = 1 << 18;    // limit of all faces together; the rest are drawn like large
                                        // triangles
 

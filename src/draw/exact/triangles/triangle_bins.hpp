@@ -12,7 +12,7 @@ namespace simreel::draw {
 /// atomics are slow only on software drivers.
 [[nodiscard]] int binnedTriangles();
 
-/// Fields of glsl/draw/exact/triangles/bins.glsl that kernels need to write the lists.
+/// Shader inputs of glsl/draw/exact/triangles/bins.glsl for kernels that write the lists.
 struct BinFields {
   gl::Shared<"BinBlock"> bins;
   gl::Shared<"NodeBlock"> nodes;
@@ -39,7 +39,7 @@ class TriangleBins {
   /// Clears the lists, for a picture or shadow map faces of `size`. Makes room for `room` triangles. Each
   /// triangle has four list nodes of its own; the triangles share another four times `room` nodes.
   void begin(glm::ivec2 size, int triangles, int room, int faces = 0);
-  /// Returns the fields of kernels with BINS, for one face.
+  /// Returns the shader inputs of kernels with BINS, for one face.
   [[nodiscard]] BinFields fields(int face) const;
   /// Rasterizes the listed triangles into a buffer that may already contain keys of larger triangles, but
   /// none of their ids. The view block must be bound, or `faceOf` returns each lamp map face with its view.

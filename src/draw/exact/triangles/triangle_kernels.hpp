@@ -24,7 +24,7 @@ struct VertexKernel {
   gl::Shared<"VertexBlock"> vertices;
 };
 
-/// Fields of draw/exact/triangles/raster.glsl.
+/// Uniforms, buffers and textures that draw/exact/triangles/raster.glsl declares.
 struct RasterTriangles {
   gl::Ambient<"FrameBlock"> frame = {};
   SampleTarget into;
@@ -46,7 +46,7 @@ struct RasterVariant {
   TargetVariant target;
   gl::Flag<"PARALLEL"> parallel;
   gl::Flag<"COUNTED"> counted;     ///< the triangle count of the surface is in a GPU buffer
-  gl::Flag<"JOINED"> joined;       ///< the triangles are those of joined surfaces
+  gl::Flag<"JOINED"> joined;       ///< the triangles belong to joined surfaces
   gl::Range<"FACES", 1, 2> faces;  ///< all faces of lamp maps in one dispatch; the value is the workgroup
                                    ///< coordinate that selects the face
   gl::Flag<"CUTOUT"> cut;          ///< the surface has holes
@@ -77,7 +77,7 @@ struct MediumTriangles {
   gl::In<"counters"> counters;
 };
 
-/// Fields of draw/exact/triangles/fans.glsl.
+/// Uniforms, buffers and textures that draw/exact/triangles/fans.glsl declares.
 struct FanFields {
   gl::Uniform<"fanRoom", int> fanRoom;
   gl::Uniform<"firstFan", int> firstFan;

@@ -35,7 +35,7 @@ struct TriangleLists {
   int room = 0;                          ///< capacity of each list
 };
 
-/// Fields of glsl/draw/exact/triangles/surface_triangle.glsl.
+/// Uniforms, buffers and textures that glsl/draw/exact/triangles/surface_triangle.glsl declares.
 struct TriangleSource {
   gl::In<"vertices"> vertices;
   gl::In<"places"> places;  ///< vertex positions of a merged mesh, used instead of `vertices`
@@ -64,8 +64,8 @@ class TriangleRaster {
  public:
   using Into = Target;
   /// Triangles with a bounding box of at most `smallPixels` (0 to 64) per side are rasterized by one
-  /// invocation each, those of at most `mediumPixels` (up to 64) by sixteen invocations, larger ones by
-  /// workgroups, tile by tile. The limits do not change the result. Up to `fanRoom` large triangles (128
+  /// invocation each, medium ones of at most `mediumPixels` (up to 64) by sixteen invocations, larger ones
+  /// by workgroups, tile by tile. The limits do not change the result. Up to `fanRoom` large triangles (128
   /// bytes each) are clipped once for all invocations that rasterize them. `binRoom`: max number of small
   /// triangles that are binned by tile; only for the sample layout `apart`.
   TriangleRaster(Into into, int samples, int smallPixels = smallTriangle(), int fanRoom = fansOfTriangles(),
@@ -109,7 +109,7 @@ class TriangleRaster {
   /// the maps are drawn.
   void number(const TriangleLists& lists, const std::vector<MapFace>& faces);
   /// Prepares lamp maps that are drawn in one dispatch, which is best on GPUs. `views`: the views of all
-  /// maps, one after another, with that of face 0 at index `first`.
+  /// maps, one after another; the view of face 0 has the index `first`.
   void number(const TriangleLists& lists, const std::vector<MapFace>& faces, const gl::Buffer& views,
               int first);
   /// Rasterizes the prepared triangles into a cleared buffer. The uniform blocks and, for the sun's map,
@@ -122,7 +122,7 @@ class TriangleRaster {
   /// Rasterizes the same surfaces, joined into one mesh, in one pass.
   void drawJoined(const Visibility& into, const JoinedSurfaces& joined);
   [[nodiscard]] const std::vector<Drawn>& drawn() const { return drawn_; }
-  /// Returns the fields of kernels that read the triangles of an entry of drawn().
+  /// Returns the shader inputs of kernels that read the triangles of an entry of drawn().
   [[nodiscard]] TriangleSource source(const Drawn& drawn) const;
   /// Same for the joined surfaces that were drawn last.
   [[nodiscard]] TriangleSource wholeSource() const { return source(whole_); }

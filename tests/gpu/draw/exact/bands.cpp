@@ -105,7 +105,7 @@ TEST_CASE("exact: passes of pictures drawn in bands are those of pictures drawn 
     renderer.keepPasses(&kept);
     renderer.draw(0, stage.drawables);
     const auto first = golden::hashesOf(kept);
-    renderer.draw(0, stage.drawables);  // replaces the earlier contents
+    renderer.draw(0, stage.drawables);  // the second picture replaces the passes kept from the first
     CHECK(golden::hashesOf(kept) == first);
     for (const draw::PassArray& array : kept.arrays) {
       if (array.pass == "shadow" || array.pass == "bloom") continue;
@@ -124,7 +124,7 @@ TEST_CASE("exact: passes of pictures drawn in bands are those of pictures drawn 
 TEST_CASE("exact: a picture's stages are those of the list of passes, in its order, whole or in bands") {
   testContext();
   BandStage stage(scene::Quality::standard);
-  stage.scene.ground->roughness = 0.05F;  // reflects the scene
+  stage.scene.ground->roughness = 0.05F;  // smooth ground, which reflects the scene
   const glm::ivec2 size(75, 61);
   const auto stages = [&](int rows) {
     draw::Renderer renderer(stage.scene, size, 1,

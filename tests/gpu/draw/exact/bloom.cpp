@@ -92,7 +92,7 @@ TEST_CASE(
       const glm::vec3 color = 0.5F * dice.cube() + 0.5F;
       light.emplace_back((i % 7 == 3 ? 30.0F : 1.5F) * color, 1);
     }
-    if (light.size() > 40) light[33].x = 2e5F;  // as bright as 60,000
+    if (light.size() > 40) light[33].x = 2e5F;  // bloom clamps light to 60,000
     gl::Texture image = gl::Texture::image("light", GL_RGBA32F, size.x, size.y);
     glTextureSubImage2D(image.name(), 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, light.data());
     const LightImage given(size, [&](int x, int y) {

@@ -56,8 +56,8 @@ TEST_CASE("exact borders: edges within a few 1/256 of pixels' borders, where six
   testContext();
   const glm::ivec2 size(101, 67);
   const auto view = exactViewFrom({0, 0, 5}, {0, 0, 0}, size);
-  const double metre =
-      size.y / (2 * 5 * std::tan(20 * 3.14159265358979 / 180));  // pixels per metre at z = 0
+  // Pixels per metre at z = 0.
+  const double metre = size.y / (2 * 5 * std::tan(20 * 3.14159265358979 / 180));
   const auto at = [&](double x, double y) {
     return glm::vec3((x - 0.5 * size.x) / metre, (0.5 * size.y - y) / metre, 0);
   };

@@ -98,7 +98,8 @@ TEST_CASE("glows: the sum of their formula in double precision, in any order and
     group.instances.material = &material;
     draw::GlowRaster raster(4, smallPixels, mediumPixels);
     const auto first = lightOf(stage, raster, group.instances);
-    CHECK(lightOf(stage, raster, group.instances) == first);  // addTo() has cleared the sums
+    CHECK(lightOf(stage, raster, group.instances) == first);  // equal results, because addTo() has cleared
+                                                              // the sums
     return first;
   };
   const auto found = run(12);

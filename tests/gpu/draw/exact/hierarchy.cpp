@@ -1,4 +1,5 @@
-// Compares the hits of rays in a hierarchy with those of a loop over all items, bit by bit.
+// Compares the hits that rays find in a hierarchy with the hits that a loop over all items finds, bit by
+// bit.
 #include "draw/exact/rays/hierarchy.hpp"
 
 #include "draw/exact/rays/ray_kernels.hpp"
@@ -157,8 +158,8 @@ std::vector<TracedRay> someRays(const std::vector<glm::vec4>& places, std::size_
   for (std::size_t i = 0; i < count; ++i) {
     const glm::vec3 origin = placed(random, i % 3 == 0 ? 6.0F : 2.0F);
     glm::vec3 along = placed(random, 1);
-    if (i % 4 == 1) along = glm::vec3(places[random() % places.size()]) - origin;  // through a corner
-    if (i % 8 == 2) along[static_cast<int>(i / 8 % 3)] = 0;  // perpendicular to an axis
+    if (i % 4 == 1) along = glm::vec3(places[random() % places.size()]) - origin;  // a ray through a corner
+    if (i % 8 == 2) along[static_cast<int>(i / 8 % 3)] = 0;  // a ray perpendicular to an axis
     if (i % 16 == 6) along = glm::vec3(0, 0, i % 32 < 16 ? 1 : -1);
     if (!(glm::length(along) > 1e-6F)) along = glm::vec3(0, 1, 0);
     rays.push_back({origin, glm::normalize(along), i % 5 == 4 ? between(random, 0, 3) : 1e9F});

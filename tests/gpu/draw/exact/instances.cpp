@@ -46,7 +46,7 @@ struct Balls {
       const int count = size > 1 ? 3 : 60;
       for (int i = 0; i < count; ++i) places.push_back(3.0F * dice.cube() + glm::vec3(0, 0, 1));
       if (size > 5) places = {{9, 2, -3}, {-5, -5, 1}, {0.5F, 0.2F, 9.5F}};
-      places.push_back(places.front());  // same position as the first ball: a tie
+      places.push_back(places.front());  // a ball at the same position as the first one, for ties in depth
       groups.emplace_back(places);
       groups.back().instances.size = size;
       groups.back().instances.shape = Shape::sphere;

@@ -91,9 +91,8 @@ std::vector<Made> madeOf(HeapStage& stage, const char* joins) {
   std::vector<Made> made;
   for (int frame = 0; frame < 5; ++frame) {
     sim::Drawables drawables = stage.drawables;
-    if (frame == 0)
-      drawables.surfaces.resize(4);  // fewer surfaces at first, so that the buffers of the
-                                     // joined mesh must grow later
+    // The first picture has fewer surfaces, so that the buffers of the joined mesh must grow later.
+    if (frame == 0) drawables.surfaces.resize(4);
     if (frame > 1) drawables.surfaces[2].model = glm::rotate(glm::mat4(1), 0.4F, glm::vec3(0.6F, 0.8F, 0));
     if (frame == 3) drawables.surfaces.erase(drawables.surfaces.begin());
     if (frame == 4) std::swap(drawables.surfaces[3], drawables.surfaces[6]);

@@ -151,7 +151,7 @@ TEST_CASE("exact kernels: the box around a surface in the world") {
   kernel.set("heightGrid", glm::vec4(0));
   kernel.set("heightRim", 0.0F);
   kernel.set("surface", 0);
-  kernel.set("vertexCount", 13);  // later vertices are invalid
+  kernel.set("vertexCount", 13);  // vertices after the first 13 are invalid
   kernel.set("invocations", 5);
   kernel.dispatch(5);
   gl::barrier();

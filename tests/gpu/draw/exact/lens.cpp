@@ -15,7 +15,7 @@ using namespace simreel;  // NOLINT
 namespace {
 
 struct Covered {
-  double area = 0;                  ///< in pixels
+  double area = 0;                  ///< covered area in pixels
   glm::dvec2 middle{0}, spread{0};  ///< mean and variance of the positions (pixels)
   std::vector<float> light;
 };
@@ -96,7 +96,8 @@ TEST_CASE("exact: a lens spreads what is out of focus as its opening, and keeps 
       CHECK(more.x == doctest::Approx(expected.x).epsilon(0.02).scale(focus == 4 ? 30 : 10));
       CHECK(more.y == doctest::Approx(expected.y).epsilon(0.02).scale(focus == 4 ? 30 : 10));
       if (focus != 4.0F) CHECK(expected.x > 5);
-      CHECK(coveredBy(scene, drawables, size, 17, "lens").light == seen.light);  // the same in bands
+      CHECK(coveredBy(scene, drawables, size, 17, "lens").light == seen.light);  // drawing in bands gives
+                                                                                 // the same light
     }
 }
 

@@ -164,7 +164,7 @@ TEST_CASE("exact: a ball of metal mirrors the ground as the picture shows it, it
   }
 }
 
-// Where the ground has faded out, mirrors reflect the same environment as without ground.
+// Beyond the fade distance of the ground, mirrors reflect the same environment as without ground.
 TEST_CASE("exact: mirrors show the ground fade out where it does, and none that is not there or matt") {
   testContext();
   const auto drawn = [](scene::Quality quality, const auto& change) {
@@ -215,7 +215,7 @@ TEST_CASE("exact: mirrors near the ground show it as bright as it is, farther aw
   OverGround stage(scene::Quality::standard, scene::Projection::perspective);
   stage.scene.render.occlusionRadius.reset();
   stage.scene.sun.shadow = false;
-  stage.scene.ground->height = 1.08F;  // 0.02 m below the ball
+  stage.scene.ground->height = 1.08F;  // the ground is 0.02 m below the ball
   const std::vector<OverGround::Seen> pixels = stage.draw();
   const auto onGround = [](const OverGround::Ray& ray) {
     return groundOn(ray.from - glm::dvec3(0, 1.08, 0), ray.along);

@@ -20,7 +20,7 @@ using namespace simreel;  // NOLINT
 namespace {
 
 struct Smear {
-  double area = 0;                  ///< in pixels
+  double area = 0;                  ///< covered area in pixels
   glm::dvec2 middle{0}, spread{0};  ///< mean and variance of the positions (pixels)
 };
 
@@ -91,7 +91,7 @@ double pixelsPerMetre(const scene::Scene& scene) {
 TEST_CASE("exact: a shutter spreads what moves over its way while it is open, and keeps what it covers") {
   testContext();
   const auto before = sheetAt({-0.3F, 0.1F}), now = sheetAt({0.5F, -0.2F});
-  const glm::dvec2 way(0.8, 0.3);  // to the right and down
+  const glm::dvec2 way(0.8, 0.3);  // displacement between the frames, to the right and down (m)
   for (const float angle : {90.0F, 360.0F}) {
     CAPTURE(angle);
     constexpr int samples = 13;
@@ -234,7 +234,7 @@ TEST_CASE("exact: with a lens each moment is seen through other points of it, al
   alone.keepPasses(&lens);
   alone.draw(0, {.surfaces = {sheet->surface}});
   const Smear wanted = smearOf(lens, shotSize);
-  // The same views, summed in a different order.
+  // The same views are summed in a different order.
   CHECK(seen.area == doctest::Approx(wanted.area).epsilon(1e-5));
   for (int i = 0; i < 2; ++i) {
     CHECK(seen.middle[i] == doctest::Approx(wanted.middle[i]).epsilon(1e-5));
@@ -301,7 +301,8 @@ TEST_CASE("motion: grids, turned meshes and still ones between two frames") {
   motion.begin(present, 0.1);
   const sim::Drawables& seen = motion.between(0.25F);
   for (const glm::vec4& place : read(*seen.surfaces[0].positions, 15)) CHECK(place.z == 0.5F);
-  CHECK(seen.surfaces[0].normals == nullptr);  // computed from neighbouring vertices
+  CHECK(seen.surfaces[0].normals == nullptr);  // null, because shaders compute grid normals from
+                                               // neighbouring vertices
   CHECK(seen.surfaces[0].grid == glm::ivec2(5, 3));
   const auto places = read(*seen.surfaces[1].positions, 4);
   CHECK(places[0].x == doctest::Approx(0.3));

@@ -303,7 +303,7 @@ TEST_CASE("occlusion: in a pit, in the picture's middle and towards its side") {
   }
 }
 
-// If only the sky gives light, the light is that of a draft picture times the openness.
+// If only the sky gives light, the light equals the light of a draft picture times the openness.
 TEST_CASE("exact: all that is shaded gets as much of the sky's light as it is open") {
   testContext();
   const auto mesh = temporaryFile("occlusion_dart.obj");
@@ -337,7 +337,7 @@ TEST_CASE("exact: all that is shaded gets as much of the sky's light as it is op
   OcclusionTwin twin;
   twin.view = draw::exactView(draw::viewAt(scene.camera, 0, size, stage.drawables), scene.camera, size);
   twin.nearness = seen.nearness;
-  int checked[3] = {0, 0, 0};  // for ground, sheet and instances
+  int checked[3] = {0, 0, 0};  // numbers of checked pixels of ground, sheet and instances
   float least[3] = {1, 1, 1};
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x) {

@@ -172,7 +172,7 @@ TEST_CASE("exact parts: a surface's colours are its own after others, by palette
   coloured.positions.write(0, std::as_bytes(std::span(texels)));
   coloured.surface.doubleSided = true;
   coloured.surface.palette = &palette;
-  // Hidden below the ground.
+  // A surface that is hidden below the ground.
   TriangleStage hidden({{-1, -3, 0}, {1, -3, 0}, {0, -3, 1}, {0, -4, 0}, {0, -5, 0}}, {0, 1, 2});
   const auto picture = [&](const std::vector<sim::Surface>& surfaces) {
     return drawn(scene, {.surfaces = surfaces}, pictureSize, 4).bytes;

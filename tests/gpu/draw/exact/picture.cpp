@@ -75,7 +75,7 @@ int othersThanTwin(const scene::Scene& scene, const PictureTwinScene& twin, Tria
   return others;
 }
 
-/// Returns a noise picture.
+/// Returns a picture with random colours and alpha 255.
 frame::Image noisePicture(glm::ivec2 size) {
   frame::Image image{size.x, size.y, {}};
   std::mt19937 random(5);

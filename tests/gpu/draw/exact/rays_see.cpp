@@ -95,7 +95,7 @@ TEST_CASE(
     scene::Scene scene = lightless(64);
     scene.sun.intensity = shines ? 0.0F : 3.0F;
     scene.sun.direction = glm::vec3(0, 0.3F, 1);
-    Sheet sheet({-1, 2, 0}, {2, 0, 0}, {0, -1, 0});  // upright, double-sided
+    Sheet sheet({-1, 2, 0}, {2, 0, 0}, {0, -1, 0});  // an upright, double-sided sheet
     const scene::Map texels =
         mapOfTexels({2, 2}, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 255});
     if (shines) {
@@ -133,7 +133,7 @@ TEST_CASE(
           most = std::max(most, b[i]);
         }
       }
-    CHECK(most > 0.5);                                // something bright is visible
+    CHECK(most > 0.5);                                // the brightest pixel shows that the sheet is visible
     CHECK(worst < (of == Of::relief ? 0.03 : 0.05));  // relief: 0.11 if the reflected sheet were flat
   }
 }
@@ -189,7 +189,7 @@ TEST_CASE("rays see: blended layers before what is opaque, and in a mirror") {
   wanted(rayPicture(scene, {.surfaces = {before.surface, behind.surface, mirror.surface}}, {16, 16})
              .mean({4, 4}, {12, 12}),
          0.02);
-  // A white blended layer under a uniform sky is lit by rays, and so is the sheet behind it.
+  // A white blended layer under a uniform sky is lit by rays, and the sheet behind it too.
   scene = furnace(256);
   before.material.finish.emission = behind.material.finish.emission = glm::vec3(0);
   before.material.color = glm::vec3(1);
@@ -202,7 +202,7 @@ TEST_CASE("rays see: blended layers before what is opaque, and in a mirror") {
   behind.material.color = glm::vec3(1);
   const double all =
       rayPicture(scene, {.surfaces = {before.surface}}, {16, 16}, 4).mean({4, 4}, {12, 12}).x;
-  // Without the sheet behind it, half of the light is that of the white layer; the other half is the sky,
+  // Without the sheet behind it, half of the light comes from the white layer; the other half is the sky,
   // which is not in this sum.
   CHECK(all == doctest::Approx(0.5).epsilon(0.03));
   CHECK(half > 0.5);

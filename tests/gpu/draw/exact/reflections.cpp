@@ -19,7 +19,7 @@ namespace {
 constexpr glm::ivec2 mirrorPicture(240, 160);
 
 struct MirrorMet {
-  double depth = 0;  ///< of a ray of depth 1
+  double depth = 0;  ///< depth (m) of the hit point; the ray has depth 1 per unit
   bool mirror = false;
 };
 using MirrorSeen = std::function<MirrorMet(glm::dvec3 eye, glm::dvec3 ray)>;
@@ -176,8 +176,9 @@ TEST_CASE("reflections: a ball over a plane mirror is where its mirror image is"
   CHECK(judged.met > 800);
   CAPTURE(judged.near);
   CHECK(judged.missed < 0.03 * judged.met);
-  CHECK(judged.invented < hidden + 60);  // plus the outline of the ball
-  // At the edge of the ball the light of a half pixel is partly that of the background.
+  CHECK(judged.invented < hidden + 60);  // wrong reflections may occur for hidden hits and at the outline
+                                         // of the ball
+  // At the edge of the ball the light of a half pixel comes partly from the background.
   CHECK(judged.near > 0.8 * judged.met);
 }
 

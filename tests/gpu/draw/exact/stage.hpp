@@ -19,7 +19,7 @@
 
 /// A mesh in the form in which simulations publish it.
 struct TriangleStage {
-  /// Normals default to +y.
+  /// Creates the mesh. Normals default to +y.
   TriangleStage(const std::vector<glm::vec3>& places, const std::vector<unsigned>& corners,
                 const std::vector<glm::vec3>& directions = {}) {
     testContext();

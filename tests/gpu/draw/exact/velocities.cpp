@@ -86,7 +86,7 @@ TEST_CASE("velocities: a turning rod's are omega x r, by how far it has come in 
   const double off =
       worst(layers, again, [&](const glm::dvec3& p) { return omega * glm::dvec3(-p.y, p.x, 0); });
   CHECK(off < 0.55 * omega * omega / fps * 0.5);
-  CHECK(off > 0.1);  // so the velocity is the chord, not the tangent
+  CHECK(off > 0.1);  // the difference shows that the velocity follows the chord, not the tangent
   int still = 0;
   CHECK(worst(layersAt(movingScene(rod), 0), still, [](const auto&) { return glm::dvec3(0); }) == 0);
   CHECK(still > 80);
@@ -100,7 +100,7 @@ TEST_CASE("velocities: balls have their own, what stands none, whatever the came
   CHECK(worst(layersAt(movingScene(moved), 9), seen, [](const auto&) { return glm::dvec3(1, 0.5, -0.5); }) <
         2e-4);
   CHECK(seen > 100);
-  // The same at the middle of the exposure time of a shutter, and with a moving camera.
+  // The same velocities at the middle of a shutter's exposure time, and with a moving camera.
   int blurred = 0;
   CHECK(worst(layersAt(
                   movingScene(moved, R"(, "shutter": {"samples": 3}, "roll": {"keys": [[0, 0], [1, 90]]})"),

@@ -84,7 +84,7 @@ std::string squareText(bool bones) {
 }
 
 /// Returns the max difference between the albedo of the object's pixels and the closed form; `seen`: number
-/// of these pixels.
+/// of pixels that show the object.
 double farthest(const std::string& object, const std::string& fileText, bool materials, int& seen) {
   testContext();
   const test::TemporaryFile file("square.gltf", fileText);
