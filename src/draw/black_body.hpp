@@ -4,13 +4,13 @@
 
 namespace simreel::draw {
 
-/// Linear sRGB of what a black body of that temperature (K, 1667 to 25000) sends, with the luminance 1: by
-/// the cubic fit of its place in the CIE 1931 diagram by Kim et al. (J. Korean Phys. Soc. 41, 2002, 865).
-/// What lies outside of sRGB, below 1900 K, is cut.
+/// Returns the linear sRGB colour, scaled to luminance 1, of a black body at `kelvin` (1667 to 25000 K),
+/// from the cubic fit of its CIE 1931 chromaticity by Kim et al. (J. Korean Phys. Soc. 41, 2002, 865).
+/// Colours outside sRGB, below 1900 K, are clamped.
 [[nodiscard]] glm::vec3 blackBodyColor(double kelvin);
 
-/// What light that looks white beside a black body of that temperature is shown as beside the white of
-/// sRGB: linear sRGB to linear sRGB, by cones as sharpened by Bradford (CIE 159:2004).
+/// Returns the matrix from linear sRGB to linear sRGB that adapts light with the white point of a black
+/// body at `kelvin` to the white of sRGB, in Bradford's sharpened cone space (CIE 159:2004).
 [[nodiscard]] glm::mat3 whiteBalance(double kelvin);
 
 }  // namespace simreel::draw

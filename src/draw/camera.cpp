@@ -38,9 +38,10 @@ Stand standOf(const scene::Camera& camera, double seconds, const sim::Drawables&
        camera.follow->object, seconds);
 }
 
-/// How far back (m) an orthographic camera above the ground has to stand so that the lowest corner of its
-/// picture's nearest plane is not below it. That corner has the height h over the ground, and each metre
-/// back lifts it by -forward.y. Beyond where the ground fades there is none to be seen.
+/// Returns the distance (m) by which an orthographic camera above the ground must move back so that the
+/// lowest corner of its near plane is above the ground. That corner has the height h above the ground, and
+/// each metre back raises it by -forward.y. The distance is limited, because no ground is visible beyond
+/// its fade distance.
 float missingBehind(const View& view, float near, const scene::Ground& ground) {
   constexpr float level = 1e-4F, slack = 1e-4F;
   const float rise = -view.forward.y, above = view.eye.y - ground.height;
@@ -81,12 +82,12 @@ View viewAt(const scene::Camera& camera, double seconds, glm::ivec2 size, const 
     view.target = stand.target;
     const glm::vec3 along = view.target - view.eye;
     view.forward = glm::length(along) > 1e-6F ? glm::normalize(along) : glm::vec3(0, 0, -1);
-    // Looking straight up or down, the picture's top is -z.
+    // If the camera looks straight up or down, the top of the picture is -z.
     const bool steep = std::abs(view.forward.y) > 0.9999F;
     right = glm::normalize(glm::cross(view.forward, steep ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0)));
     up = glm::cross(right, view.forward);
   }
-  // Sines of our own: a library's differ from machine to machine.
+  // Own sine and cosine, because library results differ between machines.
   const glm::vec2 roll = sim::cosineAndSine(camera.roll.at(seconds));
   const glm::vec3 r = roll.x * right - roll.y * up;
   const glm::vec3 u = roll.y * right + roll.x * up;

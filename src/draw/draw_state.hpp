@@ -9,12 +9,12 @@
 
 namespace simreel::draw {
 
-/// Fixed-function state of a pass. Each pass sets all of it, so none depends on the pass before.
+/// Fixed-function state of a pass. Each pass sets all of it, so that no pass depends on the previous one.
 struct DrawState {
   bool depthTest = true;
   bool cullBack = false;
   bool depthOffset = false;
-  bool adding = false;  ///< light adds to what is there; depth is tested, not written
+  bool adding = false;  ///< additive blending; depth is tested but not written
 
   void set() const {
     const auto turn = [](GLenum what, bool on) { on ? glEnable(what) : glDisable(what); };
@@ -40,7 +40,8 @@ struct DrawState {
 
 #include "glsl/draw/bindings.glsl"
 
-/// Vertices are pulled by number, yet drawing needs a vertex array: this one has no attributes.
+/// A vertex array without attributes. Shaders fetch vertices by index, but OpenGL requires a vertex array
+/// for drawing.
 class VertexArray {
  public:
   VertexArray() : handle_(create()) {}
@@ -48,7 +49,7 @@ class VertexArray {
   void bind(const gl::Buffer& indices) const {
     glVertexArrayElementBuffer(handle_.get(), indices.name());
     bind();
-    gl::checkCalls();  // without its indices a driver reads from address 0
+    gl::checkCalls();  // must report an unset index buffer here, because drivers would read from address 0
   }
 
  private:
@@ -60,7 +61,7 @@ class VertexArray {
   gl::Handle<gl::DeleteVertexArray> handle_;
 };
 
-/// `rowOf` of draw/exact/triangles/surface_triangle.glsl.
+/// Returns the uniform `rowOf` of draw/exact/triangles/surface_triangle.glsl.
 inline glm::ivec2 rowOf(const sim::Surface& surface) {
   return surface.rowIndices > 0 ? glm::ivec2(surface.rowIndices / 3, surface.grid.x) : glm::ivec2(0);
 }

@@ -23,10 +23,10 @@ namespace simreel::draw {
 namespace {
 
 using std::numbers::pi;
-constexpr int finestSide = 1024, coarsestSide = 64;  // of what is seen
+constexpr int finestSide = 1024, coarsestSide = 64;  // limits of the finest map's side
 constexpr int terms = 9;
 
-/// An equirectangular picture, turned.
+/// An equirectangular picture, rotated around the vertical axis.
 class Panorama {
  public:
   Panorama(const sim::LightFile& file, double strength, double turn)
@@ -42,17 +42,17 @@ class Panorama {
     return pixels_[static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x) +
                    static_cast<std::size_t>(x)];
   }
-  /// Into which the middle of a pixel looks.
+  /// Returns the direction of a pixel's centre.
   [[nodiscard]] glm::dvec3 direction(int x, int y) const {
     const double u = (x + 0.5) / size_.x - 0.5 + turned_, v = (y + 0.5) / size_.y;
     const double round = ieee::sin(pi * v);
     return {round * ieee::sin(2 * pi * u), ieee::cos(pi * v), -round * ieee::cos(2 * pi * u)};
   }
-  /// Steradians of a pixel of that row, all of them together exactly 4 pi.
+  /// Returns the solid angle (steradians) of a pixel in row y. All pixels together have exactly 4 pi.
   [[nodiscard]] double solidAngle(int y) const {
     return 2 * pi / size_.x * (ieee::cos(pi * y / size_.y) - ieee::cos(pi * (y + 1) / size_.y));
   }
-  /// Between the middles of pixels, linear.
+  /// Returns the light from direction d by bilinear interpolation.
   [[nodiscard]] glm::dvec3 towards(const glm::dvec3& d) const {
     const double turn = ieee::atan2(d.x, -d.z) / (2 * pi) - turned_;
     const double u = (turn - std::floor(turn) + 0.5) * size_.x - 0.5;
@@ -73,7 +73,8 @@ class Panorama {
   std::vector<glm::dvec3> pixels_;
 };
 
-/// The direction of a place of an octahedral map, -1 to 1: the inverse of octahedral() in environment.glsl.
+/// Returns the direction of a position (-1 to 1) in an octahedral map. Inverse of octahedral() in
+/// environment.glsl.
 glm::dvec3 octahedralDirection(glm::dvec2 at) {
   glm::dvec3 d(at.x, 1 - std::fabs(at.x) - std::fabs(at.y), at.y);
   if (d.y < 0) {
@@ -84,14 +85,14 @@ glm::dvec3 octahedralDirection(glm::dvec2 at) {
   return d / std::sqrt(glm::dot(d, d));
 }
 
-/// Light that comes from a direction, and how much of the sphere it stands for.
+/// Light from one direction, multiplied by the solid angle that the ray represents.
 struct Ray {
   glm::dvec3 from, light;
 };
 
-/// The picture in some thousand rays, light times steradians.
+/// Returns the picture as some thousand rays, each the mean of a block of pixels.
 std::vector<Ray> raysOf(const Panorama& picture) {
-  constexpr int most = 64;  // rows
+  constexpr int most = 64;  // max number of rows of rays
   const int step = (picture.size().y + most - 1) / most;
   std::vector<Ray> rays;
   for (int y = 0; y < picture.size().y; y += step)
@@ -108,8 +109,9 @@ std::vector<Ray> raysOf(const Panorama& picture) {
   return rays;
 }
 
-/// Coefficients times the factors of cosine lobes over pi (1, 2/3, 1/4) and of the functions' squares, so
-/// that a sum of them with the monomials of environmentAmbient() is irradiance / pi.
+/// Returns spherical harmonics coefficients, multiplied by the factors of the cosine lobe divided by pi (1,
+/// 2/3, 1/4) and by the squared constants of the basis functions. Their sum with the monomials of
+/// environmentAmbient() is irradiance / pi.
 std::array<glm::dvec3, terms> harmonicsOf(const Panorama& picture) {
   std::array<glm::dvec3, terms> sums{};
   for (int y = 0; y < picture.size().y; ++y)
@@ -120,8 +122,8 @@ std::array<glm::dvec3, terms> harmonicsOf(const Panorama& picture) {
           1, n.x, n.y, n.z, n.x * n.y, n.y * n.z, n.z * n.x, n.x * n.x - n.z * n.z, 3 * n.y * n.y - 1};
       for (std::size_t i = 0; i < terms; ++i) sums.at(i) += light * of.at(i);
     }
-  // Squares of the constants of real harmonics: 1 / (4 pi), 3 / (4 pi), 15 / (4 pi), 15 / (16 pi), 5 / (16
-  // pi).
+  // Squared constants of the real spherical harmonics: 1 / (4 pi), 3 / (4 pi), 15 / (4 pi), 15 / (16 pi), 5
+  // / (16 pi).
   constexpr std::array<double, terms> factors = {
       0.25 / pi,          3 * 0.25 / pi * 2 / 3, 3 * 0.25 / pi * 2 / 3, 3 * 0.25 / pi * 2 / 3,
       15 * 0.25 / pi / 4, 15 * 0.25 / pi / 4,    15 * 0.25 / pi / 4,    15 * 0.0625 / pi / 4,
@@ -130,8 +132,8 @@ std::array<glm::dvec3, terms> harmonicsOf(const Panorama& picture) {
   return sums;
 }
 
-/// What a surface of that roughness mirrors towards `d`, seen from there: the rays around it by a GGX lobe
-/// (Karis, "Real Shading in Unreal Engine 4", SIGGRAPH 2013).
+/// Returns the light that a surface with that roughness and the normal d reflects towards a viewer in
+/// direction d: a GGX-weighted mean of the rays (Karis, "Real Shading in Unreal Engine 4", SIGGRAPH 2013).
 glm::dvec3 mirrored(const std::vector<Ray>& rays, const std::vector<double>& angles, const glm::dvec3& d,
                     double roughness) {
   const double alpha = roughness * roughness, square = alpha * alpha;
@@ -148,7 +150,7 @@ glm::dvec3 mirrored(const std::vector<Ray>& rays, const std::vector<double>& ang
   return sum / weights;
 }
 
-/// A map with its border; `make` says what lies in a direction.
+/// Appends a map with its border. `make(x, y)` returns the light of a cell.
 template <class Make>
 void addMap(std::vector<glm::vec4>& texels, int side, Make make) {
   const std::size_t row = static_cast<std::size_t>(side) + 2, start = texels.size();
@@ -158,7 +160,7 @@ void addMap(std::vector<glm::vec4>& texels, int side, Make make) {
       texels[start + (static_cast<std::size_t>(y) + 1) * row + static_cast<std::size_t>(x) + 1] =
           glm::vec4(glm::vec3(make(x, y)), 1);
   });
-  // Beyond an edge the map goes on at the same edge, from its other end.
+  // Beyond an edge the octahedral map continues at the same edge, mirrored.
   const auto at = [&](int x, int y) -> glm::vec4& {
     return texels[start + (static_cast<std::size_t>(y + 1)) * row + static_cast<std::size_t>(x + 1)];
   };

@@ -14,35 +14,36 @@
 
 namespace simreel::draw {
 
-/// Light from all around, of an equirectangular picture, as glsl/draw/environment.glsl reads it.
+/// Environment light from an equirectangular picture, in the layout of glsl/draw/environment.glsl.
 struct EnvironmentTexels {
-  int side = 0;  ///< cells of the finest map's
+  int side = 0;  ///< cells per side of the finest map
   std::vector<glm::vec4> texels;
 };
 
-/// The middle of the picture lies towards -z, its left half on the side of -x; `turn` (degrees) moves the
-/// middle towards +x. Only operations that IEEE 754 pins down. Throws UserError(inputOutput) with `label`
-/// first for a picture that is not twice as wide as high, or holds what is no light.
+/// Converts a picture. Its centre faces -z and its left half is on the side of -x; `turn` (degrees) rotates
+/// the centre towards +x. Uses only IEEE 754 exact operations. Throws UserError(inputOutput), with a
+/// message that starts with `label`, if the picture is not twice as wide as high or contains invalid light
+/// values.
 [[nodiscard]] EnvironmentTexels environmentOf(const sim::LightFile& picture, double strength, double turn,
                                               const std::string& label);
 
-/// The sky of a scene that is a picture.
+/// The sky of a scene that has a sky picture.
 class Environment {
  public:
-  /// Throws UserError for a picture that cannot be read.
+  /// Throws UserError if the picture cannot be read.
   explicit Environment(const scene::Sky& sky);
 
-  /// Defines of what reads it.
+  /// Returns the defines of programs that read the environment.
   [[nodiscard]] gl::Defines defines() const;
   void bind() const;
-  /// A gradient like it, for those that know nothing else.
+  /// Sets a similar sky gradient, for shaders that only support gradients.
   void setGradient(shader::Frame& frame, float ambient) const;
 
  private:
   int side_;
   gl::Buffer buffer_;
   gl::Texture view_;
-  glm::vec3 up_{0}, around_{0}, down_{0};  ///< irradiance / pi on what faces there
+  glm::vec3 up_{0}, around_{0}, down_{0};  ///< irradiance / pi on surfaces that face up, sideways and down
 };
 
 }  // namespace simreel::draw

@@ -16,7 +16,8 @@ namespace simreel::draw {
 namespace {
 
 constexpr double radiansPerDegree = 0.017453292519943295;
-/// Of the shadow map's side: radius of the widest penumbra. The map has as much room around what casts.
+/// Radius of the widest penumbra as a fraction of the shadow map's side. The map has a margin of that size
+/// around the casters.
 constexpr float penumbraShare = 0.12F;
 
 void setSun(shader::Frame& frame, const scene::Sun& sun, double seconds) {
@@ -37,9 +38,9 @@ void setSun(shader::Frame& frame, const scene::Sun& sun, double seconds) {
                                        : sun.shadowSoftness;
 }
 
-/// The exact cosine-weighted mean of the gradient in glsl/draw/sky.glsl is nearly the zenith alone,
-/// which makes shadows too blue: clouds and haze near the sun are missing from it, so the horizon gets a
-/// larger share.
+/// Sets sky and ambient light. The exact cosine-weighted mean of the gradient in glsl/draw/sky.glsl is
+/// almost the zenith colour, which makes shadows too blue because the gradient lacks clouds and haze near
+/// the sun. The horizon therefore gets a larger weight.
 void setSky(shader::Frame& frame, const scene::Sky& sky, double seconds) {
   const glm::vec3 zenith = sky.zenith.at(seconds);
   const glm::vec3 horizon = sky.horizon.at(seconds);
@@ -70,7 +71,8 @@ shader::Frame frameValues(const scene::Scene& scene, glm::ivec2 size, double sec
   shader::Frame frame{};
   const View view = viewAt(scene.camera, seconds, size, drawables, groundSeen(scene));
   frame.viewProjection = view.viewProjection;
-  // Parallel rays come from an eye so far away that they hardly part; eye.w says that places do not matter.
+  // In orthographic views the eye is so far away that rays are almost parallel. eye.w is 0, so positions do
+  // not matter.
   constexpr float far = 1e6F;
   frame.eye = view.parallel ? glm::vec4(-far * view.forward, 0) : glm::vec4(view.eye, 1);
   frame.target = glm::vec4(view.target, 0);

@@ -16,15 +16,16 @@ using glm::mat4;
 
 namespace simreel::draw {
 
-/// Everything of the scene that the passes read, at `seconds` of scene time.
+/// Returns the uniform values of a scene at `seconds` of scene time, which all passes read.
 [[nodiscard]] shader::Frame frameValues(const scene::Scene& scene, glm::ivec2 size, double seconds,
                                         const sim::Drawables& drawables);
 
-/// Defines of a program with glsl/draw/screen/film.glsl and lens.glsl, for how light becomes a picture.
+/// Returns the defines of programs that include glsl/draw/screen/film.glsl and lens.glsl, for the
+/// conversion of light to pictures.
 [[nodiscard]] gl::Defines filmDefines(const scene::Render& render);
 
-/// Defines of a program both of whose shaders know glsl/draw/passed_frame.glsl: says where its fragments
-/// find the frame's values.
+/// Adds the defines of programs whose vertex and fragment shaders include glsl/draw/passed_frame.glsl. They
+/// select how fragments receive the frame's values.
 [[nodiscard]] gl::Defines withFrame(gl::Defines defines);
 
 }  // namespace simreel::draw

@@ -13,12 +13,12 @@ namespace simreel::draw {
 namespace {
 
 using std::numbers::pi;
-constexpr double pictureHeight = 0.024;  // m, of what the focal length belongs to
+constexpr double pictureHeight = 0.024;  // height of the sensor (m) that focal lengths refer to
 
-/// Whether a place of the disc lies within the polygon.
+/// True if a point of the disc lies within the polygon.
 bool isOpen(glm::dvec2 at, int blades) {
   if (blades == 0) return true;
-  const double side = ieee::cos(pi / blades);  // distance of the sides from the middle
+  const double side = ieee::cos(pi / blades);  // distance of the sides from the centre
   for (int i = 0; i < blades; ++i) {
     const double angle = pi * (2 * i + 1) / blades;
     if (at.x * ieee::sin(angle) + at.y * ieee::cos(angle) > side) return false;
@@ -28,8 +28,8 @@ bool isOpen(glm::dvec2 at, int blades) {
 
 }  // namespace
 
-// A spiral by the golden angle (Vogel 1979): the i-th of n points at the radius sqrt((i + 1/2) / n). As
-// many on the disc as leave `count` in the polygon.
+// Golden angle spiral (Vogel 1979): point i of n has the radius sqrt((i + 1/2) / n). The number of points
+// on the disc is raised until at least `count` of them lie in the polygon.
 std::vector<glm::vec2> openingPoints(int count, int blades) {
   const double golden = pi * (3 - std::sqrt(5.0));
   std::vector<glm::vec2> points;
@@ -49,8 +49,8 @@ std::vector<LensPoint> lensPoints(const scene::Camera& camera, const View& view,
   if (!camera.lens) return {LensPoint{}};
   const scene::Lens& lens = *camera.lens;
   const float focus = lens.focus ? lens.focus->at(seconds) : glm::length(view.target - view.eye);
-  // reach.y is the tangent of half the angle of view, so the focal length is half the picture's height over
-  // that.
+  // reach.y is the tangent of half the angle of view, so the focal length is half the sensor height divided
+  // by reach.y.
   const double focal = 0.5 * pictureHeight / static_cast<double>(view.reach.y);
   const auto radius = static_cast<float>(0.5 * focal / static_cast<double>(lens.fNumber.at(seconds)));
   const glm::vec3 right = view.right / view.reach.x, up = view.up / view.reach.y;

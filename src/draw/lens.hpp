@@ -9,17 +9,18 @@
 
 namespace simreel::draw {
 
-/// So many points, spread evenly over an opening of radius 1: a disc, or a polygon of so many sides in it,
-/// a corner on top.
+/// Returns `count` points, spread evenly over an aperture of radius 1: a disc (blades = 0), or a regular
+/// polygon with `blades` sides inside the disc and a corner at the top.
 [[nodiscard]] std::vector<glm::vec2> openingPoints(int count, int blades);
 
-/// Through which point of the lens a picture is seen.
+/// A point of the lens through which a picture is drawn.
 struct LensPoint {
-  glm::vec3 aside{0};  ///< m from its middle, square to the line of sight
-  float focus = 1;     ///< m along the line of sight: what lies there does not move
+  glm::vec3 aside{0};  ///< offset from the lens centre (m), perpendicular to the view direction
+  float focus = 1;     ///< distance of the focal plane along the view direction (m); objects there stay in
+                       ///< place
 };
 
-/// The points through which a frame is drawn: the middle alone where the camera has no lens.
+/// Returns the lens points through which a frame is drawn; only the centre if the camera has no lens.
 [[nodiscard]] std::vector<LensPoint> lensPoints(const scene::Camera& camera, const View& view,
                                                 double seconds);
 

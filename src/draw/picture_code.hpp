@@ -1,5 +1,6 @@
 #pragma once
-// What exact pictures are made of, as C++ in simreel::shader: the same bits as the kernels'.
+// C++ versions (in simreel::shader) of the GLSL functions that exact pictures use. Their results have the
+// same bits as in the kernels.
 #include "sim/core/shader_code.hpp"
 
 #define FUNCTION inline

@@ -3,8 +3,8 @@
 
 namespace simreel::draw {
 
-/// Who draws. driver: the driver's own rasterizer. exact: kernels in exact arithmetic, the same bits on
-/// every machine.
+/// Kind of rasterizer. driver: the rasterizer of the OpenGL driver. exact: compute kernels in exact
+/// arithmetic, with the same bits on every machine.
 using scene::Rasterizer;
 
 }  // namespace simreel::draw

@@ -3,8 +3,9 @@
 
 namespace simreel::draw {
 
-/// Pixels, one below the other, that an invocation does in a row, 8 at most: groups of software drivers
-/// begin and end once for each vector of lanes, and read uniforms there.
+/// Returns the number of pixels, one below the other, that an invocation handles (at most 8). More than one
+/// on software drivers, because their workgroups have a fixed cost per vector of lanes, in which they also
+/// read uniforms.
 [[nodiscard]] inline int rowsAtOnce() {
   return gl::softwareDriver() ? 8 : 1;
 }

@@ -6,27 +6,27 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
-/// What shaders read of a sim::Surface: a group of fields for each of the files that they include.
+/// Shader inputs of kernels that read a sim::Surface, one group per GLSL include file.
 namespace simreel::draw {
 
-/// A resource, or none where it is null.
+/// Returns the resource, or an empty one if the pointer is null.
 template <class Kind>
 [[nodiscard]] gl::Resource orNone(const Kind* resource) {
   return resource != nullptr ? gl::Resource(*resource) : gl::Resource();
 }
 
-/// draw/surface/vertex_texel.glsl.
+/// Uniforms, buffers and textures that draw/surface/vertex_texel.glsl declares.
 struct VertexTexels {
   gl::In<"positions"> positions;
   gl::Uniform<"heightShape", glm::ivec4> heightShape;
   gl::Uniform<"heightGrid", glm::vec4> heightGrid;
   gl::Uniform<"heightRim", float> heightRim;
-  gl::In<"vertexColors"> colors;  ///< numbers in the palette
+  gl::In<"vertexColors"> colors;  ///< vertex colours as indices into the palette
   gl::Uniform<"colorComponent", int> colorComponent;
 };
 [[nodiscard]] VertexTexels vertexTexels(const sim::Surface& surface);
 
-/// The same, draw/surface/deformed_vertex.glsl, and the way into the world.
+/// Shader inputs of draw/surface/vertex_texel.glsl and deformed_vertex.glsl, and the model matrix.
 struct PlacedSurface {
   VertexTexels texels;
   gl::In<"DeformBlock"> deform;
@@ -35,7 +35,7 @@ struct PlacedSurface {
 };
 [[nodiscard]] PlacedSurface placed(const sim::Surface& surface);
 
-/// draw/exact/triangles/world_vertex.glsl.
+/// Uniforms, buffers and textures that draw/exact/triangles/world_vertex.glsl declares.
 struct WorldVertices {
   PlacedSurface placed;
   gl::Uniform<"grid", glm::ivec2> grid;
@@ -48,7 +48,7 @@ struct WorldVariant {
 [[nodiscard]] WorldVertices worldVertices(const sim::Surface& surface);
 [[nodiscard]] WorldVariant worldVariant(const sim::Surface& surface);
 
-/// draw/surface/material.glsl.
+/// Uniforms, buffers and textures that draw/surface/material.glsl declares.
 struct MaterialFields {
   gl::Uniform<"roughness", float> roughness;
   gl::Uniform<"metallic", float> metallic;

@@ -10,15 +10,15 @@ namespace simreel::draw {
 
 shader::ExactView exactView(const View& view, const scene::Camera& camera, glm::ivec2 size,
                             const LensPoint& through) {
-  // A place p has the depth d = f . (p - e); on the picture it is half the width to the right of the middle
-  // where r . (p - e) = d reach.x. So its pixel times d is linear in p - e.
-  // Along parallel rays its pixel itself is linear, and how near it is, 1 - (d - near) / span, has to be
-  // more than 0 wherever it matters: up to twice the farthest distance.
+  // A point p has the depth d = f . (p - e). It appears half a width to the right of the picture's centre
+  // if r . (p - e) = d reach.x, so its pixel position times d is linear in p - e. In orthographic views the
+  // pixel position itself is linear in p - e. There the nearness 1 - (d - near) / span must be above 0 in
+  // all relevant cases: up to twice the far distance.
   const glm::vec2 half = 0.5F * glm::vec2(size);
   const glm::vec3 across = view.right / (view.reach.x * view.reach.x);
   const glm::vec3 up = view.up / (view.reach.y * view.reach.y);
-  // From an eye that is moved by o, a place at the distance of the focus is where it was if rays turn by -o
-  // / focus.
+  // If the eye is moved by o, points in the focal plane keep their picture positions if rays turn by -o /
+  // focus.
   const glm::vec3 turned = through.aside / through.focus;
   const float far = camera.far + view.farther;
   const float right = glm::dot(across, turned), above = glm::dot(up, turned);
@@ -46,8 +46,9 @@ shader::ExactView exactView(const View& view, const scene::Camera& camera, glm::
 
 namespace {
 
-/// Along parallel rays: the one through a pixel begins at o . y above the eye's height and goes down by
-/// -forward.y a metre, so the ground, `down` above the eye, has the depth (down - o.y) / forward.y there.
+/// Returns nearOfGround() for orthographic views. The ray through a pixel starts o.y above the eye's height
+/// and descends by -forward.y per metre, so a ground `down` above the eye has the depth (down - o.y) /
+/// forward.y.
 glm::vec4 nearOfLevel(const shader::ExactView& view, float down) {
   const float steep = view.forward.y, perSpan = view.forward.w;
   if (std::abs(steep) < 1e-6F) return {1e30F, 0, 0, 0};
@@ -93,17 +94,17 @@ glm::vec3 placeOf(const shader::ExactView& view, glm::vec2 pixel, float depth) {
 
 glm::ivec2 rowsTowardsGround(const shader::ExactView& view, float height, int step) {
   if (isParallel(view)) return {0, (view.rows.y - view.rows.x + step - 1) / step * step};
-  const float side = view.eye.y > height ? -1.0F : 1.0F;  // of y, of rays that meet it
+  const float side = view.eye.y > height ? -1.0F : 1.0F;  // sign of y of the rays that may hit the ground
   const int count = (view.rows.y - view.rows.x + step - 1) / step;
   glm::ivec2 rows(0);
   for (int row = 0; row < count; ++row) {
-    float most = -1;  // of side y in the row's corners
+    float most = -1;  // max of side * y over the corners of the row
     for (const int corner : {0, 1, 2, 3}) {
       const auto x = static_cast<float>((corner & 1) * view.size.x);
       const auto y = static_cast<float>(view.rows.x + (row + (corner >> 1)) * step);
       most = std::max(most, side * (view.ray.y + view.rayAcross.y * x + view.rayDown.y * y));
     }
-    constexpr float slack = 1e-4F;  // for what is rounded
+    constexpr float slack = 1e-4F;  // tolerance for rounding errors
     if (most < -slack) continue;
     if (rows.y == 0) rows.x = row * step;
     rows.y = (row + 1) * step;
@@ -112,8 +113,8 @@ glm::ivec2 rowsTowardsGround(const shader::ExactView& view, float height, int st
 }
 
 glm::vec4 nearOfGround(const shader::ExactView& view, float height) {
-  // A ray of depth 1 goes down by -y, so the ground has the depth (height - eye.y) / y: near / depth is
-  // affine.
+  // A ray of depth 1 descends by -y, so the ground has the depth (height - eye.y) / y, and near / depth is
+  // affine on the picture.
   const float down = height - view.eye.y;
   if (isParallel(view)) return nearOfLevel(view, down);
   if (std::abs(down) < 1e-6F) return {1e30F, 0, 0, 0};
@@ -122,7 +123,7 @@ glm::vec4 nearOfGround(const shader::ExactView& view, float height) {
   const float corner = view.near * view.ray.y / down;
   const float half = 0.5F * (std::abs(across) + std::abs(below));
   const auto size = glm::vec2(view.size);
-  constexpr float slack = 1e-5F;  // of the terms that are rounded
+  constexpr float slack = 1e-5F;  // relative rounding error of the terms
   const float terms = std::abs(corner) + std::abs(across) * size.x + std::abs(below) * size.y;
   return {corner + 0.5F * (across + below), across, below, half + slack * terms};
 }

@@ -13,34 +13,34 @@ namespace simreel::shader {
 
 namespace simreel::draw {
 
-/// How the exact rasterizer sees the scene from there, through a point of the lens: the same bits on every
-/// machine.
+/// Returns the uniform values with which the exact rasterizer sees the scene through a lens point. The bits
+/// are the same on every machine.
 [[nodiscard]] shader::ExactView exactView(const View& view, const scene::Camera& camera, glm::ivec2 size,
                                           const LensPoint& through = {});
 
-/// Whether its rays are parallel.
+/// True if the view is orthographic (parallel rays).
 [[nodiscard]] bool isParallel(const shader::ExactView& view);
-/// Depth (m) of what is so near, as keys of visibility have it.
+/// Returns the depth (m) of a nearness, the value that depth keys store (draw/exact/depth.glsl).
 [[nodiscard]] float depthOf(const shader::ExactView& view, float near);
-/// What lies at that depth (m) on the ray through a place of the picture (pixels).
+/// Returns the point at depth `depth` (m) on the ray through a picture position (pixels).
 [[nodiscard]] glm::vec3 placeOf(const shader::ExactView& view, glm::vec2 pixel, float depth);
 
-/// Where a place (m), or what lies infinitely far away in a direction, is seen: pixels. Nothing of what is
-/// beside or behind the eye.
+/// Returns the picture position (pixels) of a point (m), or of an infinitely distant point in a direction.
+/// Empty if it is beside or behind the eye. pixelTowards() is also empty for orthographic views.
 [[nodiscard]] std::optional<glm::dvec2> pixelOf(const shader::ExactView& view, const glm::dvec3& place);
 [[nodiscard]] std::optional<glm::dvec2> pixelTowards(const shader::ExactView& view,
                                                      const glm::dvec3& direction);
 
-/// From which row of the band to before which one rays may meet a ground of that height (m); rows count
-/// from the band's first, in whole multiples of `step`.
+/// Returns the range [x, y) of the band's rows whose rays may hit a ground plane at `height` (m). Rows
+/// count from the band's first row and are rounded to multiples of `step`.
 [[nodiscard]] glm::ivec2 rowsTowardsGround(const shader::ExactView& view, float height, int step);
 
-/// How near a ground of that height (m) is on the picture, as keys of visibility have it: in the middle of
-/// the first pixel, what one to the right and one below add to it, and by how much samples of a pixel may
-/// be nearer, rounding included.
+/// Returns the nearness of a ground plane at `height` (m): x at the centre of the first pixel; y and z
+/// increments per pixel to the right and down; w max by which samples of a pixel may be nearer than its
+/// centre, with rounding errors.
 [[nodiscard]] glm::vec4 nearOfGround(const shader::ExactView& view, float height);
-/// Times the nearest depth: the most that a ray of depth 1 goes along x or z, and how much each of these
-/// differs within a pixel, rounding included.
+/// Returns bounds of the rays of depth 1, multiplied by the near distance: x max of |x| and |z| of any ray;
+/// y and z max difference of x and of z within a pixel, with rounding errors.
 [[nodiscard]] glm::vec3 raysAside(const shader::ExactView& view);
 
 }  // namespace simreel::draw

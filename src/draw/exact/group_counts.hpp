@@ -9,21 +9,24 @@
 
 namespace simreel::draw {
 
-/// Arguments of indirect dispatches from counts that kernels have made.
+/// Computes the arguments of indirect dispatches on the GPU from counts that kernels have written
+/// (draw/exact/arguments.comp).
 class GroupCounts {
  public:
-  static constexpr std::size_t bytes = 4 * sizeof(GLuint);  ///< of a dispatch, one word of it to spare
+  static constexpr std::size_t bytes = 4 * sizeof(GLuint);  ///< per dispatch: three arguments and an unused
+                                                            ///< word
 
   struct Order {
-    gl::Uniform<"first", int> first = 0;  ///< dispatch to fill
+    gl::Uniform<"first", int> first = 0;  ///< index of the first dispatch to fill
     gl::Uniform<"firstCount", int> firstCount = 0;
-    gl::Uniform<"counts", int> counts = 1;          ///< how many, from the first count on
-    gl::Uniform<"skipped", unsigned> skipped = 0U;  ///< of each count
-    gl::Uniform<"most", unsigned> most = ~0U;       ///< taken of each
-    gl::Uniform<"times", unsigned> times = 1U;  ///< items for one that is counted: fewer than 2^32 together
-    gl::Uniform<"each", unsigned> each = 1U;    ///< items of a group
-    gl::Uniform<"parts", unsigned> parts = 1U;  ///< groups in the third direction,
-    gl::Uniform<"fewerParts", unsigned> fewerParts = ~0U;  ///< where less will do not below this
+    gl::Uniform<"counts", int> counts = 1;          ///< number of counts, starting at firstCount
+    gl::Uniform<"skipped", unsigned> skipped = 0U;  ///< items to skip of each count
+    gl::Uniform<"most", unsigned> most = ~0U;       ///< max items to take of each count
+    gl::Uniform<"times", unsigned> times = 1U;  ///< items per counted element; the total must be below 2^32
+    gl::Uniform<"each", unsigned> each = 1U;    ///< items per workgroup
+    gl::Uniform<"parts", unsigned> parts = 1U;  ///< workgroups in the third dimension
+    gl::Uniform<"fewerParts", unsigned> fewerParts = ~0U;  ///< lower limit of that dimension if there are
+                                                           ///< many items
   };
   struct Arguments {
     static constexpr auto file = "draw/exact/arguments.comp";
@@ -38,9 +41,9 @@ class GroupCounts {
     kernel.dispatchIndirect(groups, number * bytes, given);
   }
 
-  /// Kernels that work through lists get groups for what is there on software drivers. On cards, where
-  /// filling the arguments costs more than groups that find nothing, they get a fixed number, and go on
-  /// with every so manyth entry: there prepareLists does nothing.
+  /// Fills the arguments of kernels that process lists, on software drivers only. On GPUs, where filling
+  /// the arguments costs more than idle workgroups, dispatchList() uses a fixed number of workgroups that
+  /// stride through the list.
   void prepareLists(const gl::Buffer& counts, const Order& order, const gl::Buffer& groups) const;
   template <class Interface>
   static void dispatchList(const gl::Kernel<Interface>& kernel, const gl::Buffer& groups,
@@ -49,7 +52,7 @@ class GroupCounts {
     if (!gl::softwareDriver()) return dispatchFixed(kernel, parts, given);
     dispatch(kernel, groups, number, given);
   }
-  /// The fixed number of groups, on any device.
+  /// Dispatches the fixed number of workgroups, on any device.
   template <class Interface>
   static void dispatchFixed(const gl::Kernel<Interface>& kernel, unsigned parts,
                             const std::type_identity_t<Interface>& given) {

@@ -7,8 +7,8 @@
 
 namespace simreel::draw {
 
-/// Groups that share the tiles of a large thing so that no invocation's loops end early, which they do in
-/// silence after 65,535 turns on some drivers.
+/// Returns the min number of workgroups that share the tiles of a large primitive. With fewer, a loop could
+/// exceed 65,535 iterations, after which some drivers silently end it.
 [[nodiscard]] inline unsigned leastParts(glm::ivec2 size, int samples) {
   constexpr int maxTurns = 60000;
   const int tiles = ((size.x + 15) / 8) * ((size.y + 15) / 8);
@@ -16,7 +16,8 @@ namespace simreel::draw {
   return static_cast<unsigned>((tiles + each - 1) / each);
 }
 
-/// The same, and many on a graphics card.
+/// Returns the number of workgroups that share the tiles of a large primitive: leastParts(), but at least 4
+/// on software drivers and 32 on GPUs.
 [[nodiscard]] inline unsigned partsFor(glm::ivec2 size, int samples) {
   return std::max(gl::softwareDriver() ? 4U : 32U, leastParts(size, samples));
 }

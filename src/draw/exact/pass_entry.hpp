@@ -11,21 +11,21 @@ namespace simreel::draw {
 
 struct ExactFrame;
 
-/// One step of an exact picture.
+/// One step of the drawing of an exact picture.
 class Pass {
  public:
   virtual ~Pass() = default;
-  /// True if this picture, moment or band needs the pass.
+  /// True if the current picture, moment or band needs the pass.
   [[nodiscard]] virtual bool on() const { return true; }
   virtual void run() = 0;
-  /// Runs once more for a band that is found again: writes the resources of the band (ofBands) only.
+  /// Runs the pass once more to restore a band. It may write only the band's resources (ofBands).
   virtual void again() { run(); }
-  /// Somebody has asked for light and layers (ExactFrame::wanted).
+  /// Prepares the pass to keep light and layers (ExactFrame::wanted).
   virtual void asked() {}
 };
 using PassMaker = std::unique_ptr<Pass>(ExactFrame& frame);
 
-/// A few names.
+/// A list of at most `most` names.
 class Names {
  public:
   static constexpr std::size_t most = 8;
@@ -43,29 +43,29 @@ class Names {
   std::size_t count_ = 0;
 };
 
-/// How often a pass runs: once a picture; once for each of its moments; once for each view of a moment
-/// through a point of the lens; once for each band of a view.
+/// Frequency of a pass: once per picture; per moment of the shutter; per view (moment and lens point); or
+/// per band of a view.
 enum class Each { picture, moment, view, band };
 
-/// A pass as the list has it.
+/// One entry of the pass list.
 struct PassEntry {
   std::string_view name;
   Each each;
-  const char* stage;  ///< name in `simreel bench`; null: the time counts with the next stage
+  const char* stage;  ///< name in `simreel bench`; null: the time counts for the next stage
   Names reads, writes;
-  Names kept;  ///< names under which `simreel bisect --passes` compares what the pass left
+  Names kept;  ///< names under which `simreel bisect --passes` compares the pass's output
   PassMaker* make;
 };
 
-/// A list with what surrounds it.
+/// A list of passes with its inputs and outputs.
 struct PassList {
   std::span<const PassEntry> entries;
-  Names given;    ///< resources that are there before the first pass
-  Names results;  ///< and those that are read after the last
+  Names given;    ///< resources that exist before the first pass
+  Names results;  ///< resources that are read after the last pass
   Names ofBands;  ///< resources that hold one band of a view
 };
 
-/// A mistake in a list; `what` is empty if there is none.
+/// A mistake in a pass list. An empty `what` means no mistake.
 struct PassFault {
   std::string_view what, pass, resource;
 };
@@ -76,7 +76,7 @@ struct PassFault {
   const auto reads = [](std::string_view name) {
     return [name](const PassEntry& entry) { return entry.reads.has(name); };
   };
-  int before = 0;  // pictures, moments, views with their bands, pictures again
+  int before = 0;  // loop of the previous entry: 0 picture, 1 moments, 2 views and bands, 3 picture again
   for (auto entry = list.entries.begin(); entry != list.entries.end(); ++entry) {
     const bool ofPicture = entry->each == Each::picture;
     const int part = ofPicture ? (before == 0 ? 0 : 3) : entry->each == Each::moment ? 1 : 2;

@@ -6,18 +6,18 @@
 
 namespace simreel::draw {
 
-// One for each pass; each is defined in draw/exact/passes.
+// Factories of the passes, defined in draw/exact/passes.
 PassMaker makeSkins, makeThings, makeRayScene, makeJoined, makeLampMaps, makeSunMap, makeMirrors, makeView,
     makeVisibility, makeNearness, makeOpenness, makeTiles, makeKeptVisibility, makeBlended, makeSurfaces,
     makeRayLight, makeLayers, makeMirrored, makeReflected, makeKeptLight, makeGlows, makeMean, makeKeptGlow,
     makeFieldsBehind, makeScatter, makeFilm;
 
-/// Resources that hold one band of a picture. Where a picture has several bands, and a pass needs all of
-/// them (Each::view), the passes that wrote these run again for each band in which a later pass reads them.
+/// Resources that hold one band of a picture. If a picture has several bands and a pass needs all of them
+/// (Each::view), the passes that wrote these resources run again for each band that a later pass reads.
 inline constexpr Names ofBands = {"visibility", "tiles", "through"};
 
-/// The passes of an exact picture in the order in which they run. An entry has: name, how often, stage of
-/// `simreel bench`, reads, writes, names that `simreel bisect --passes` compares, maker.
+/// Passes of an exact picture in the order in which they run. Columns: name, frequency, stage of `simreel
+/// bench`, resources read, resources written, names that `simreel bisect --passes` compares, factory.
 // clang-format off
 inline constexpr PassEntry exactPasses[] = {
     {"skins", Each::picture, nullptr, {"fields"}, {"skins"}, {}, makeSkins},
@@ -67,17 +67,16 @@ inline constexpr PassList exactPassList{
     exactPasses, {"drawables", "fields"}, {"picture", "layers"}, ofBands};
 static_assert(faultOf(exactPassList).what.empty(), "see faultOf() for what is wrong with the list");
 
-/// The names that the entries keep: `simreel bisect --passes` compares them in this order. They are the
-/// same in files, messages and documentation. A picture has those that it needs.
+/// Returns the names in PassEntry::kept, in the order in which `simreel bisect --passes` compares them.
+/// Files, messages and documentation use the same names. A picture has only the passes that it needs:
 ///
-///     visibility  what is nearest at each sample: keys of depth, and numbers of primitives, ground
-///                 included
-///     shadow      the maps of the sun and of the lamps; with quality "standard", how open half the
-///                 picture's pixels are, and how near
-///     light       of what is opaque, per pixel; with quality "standard", reflections included
-///     glow        the same with what adds light, then with fields that lie behind the scene
-///     bloom       what is scattered around bright places
-///     picture     bytes: after lens and film, then with fields, axes and charts over it
+/// - visibility: depth key and primitive id of each sample, including the ground
+/// - shadow: shadow maps of the sun and the lamps; with quality "standard" also ambient occlusion and
+///   nearness at half resolution
+/// - light: light of opaque surfaces per pixel; with quality "standard" including reflections
+/// - glow: light after adding glows, then after adding fields behind the scene
+/// - bloom: light scattered around bright areas
+/// - picture: bytes after lens and film, then with fields, axes and charts on top
 [[nodiscard]] const std::vector<std::string>& passNames();
 
 }  // namespace simreel::draw

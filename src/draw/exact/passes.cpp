@@ -21,7 +21,7 @@ void copyOut(const gl::Texture& texture, glm::ivec2 rows, GLenum type, std::span
 
 std::span<std::uint32_t> PassPicture::added(const char* pass, const char* part, glm::ivec2 size, int each,
                                             bool light) {
-  // A name that no entry keeps would never be compared.
+  // `simreel bisect` would never compare a name that is missing from passNames().
   SIMREEL_CHECK(std::find(passNames().begin(), passNames().end(), pass) != passNames().end());
   auto array = std::find_if(arrays.begin(), arrays.end(),
                             [&](const PassArray& one) { return one.pass == pass && one.part == part; });
@@ -52,7 +52,7 @@ void PassPicture::keep(const char* pass, const char* part, std::span<const std::
 void PassPicture::keepLight(const char* pass, const char* part, const gl::Texture& light, glm::ivec2 rows) {
   const auto words = added(pass, part, {light.width(), rows.y - rows.x}, 4, true);
   copyOut(light, rows, GL_FLOAT, words);
-  // Which of two zeros a minimum or maximum is, devices may choose; no picture depends on it.
+  // Replaces -0 by 0, because devices differ in the zero that min and max return. No picture depends on it.
   std::replace(words.begin(), words.end(), 0x80000000U, 0U);
 }
 

@@ -11,43 +11,43 @@
 
 namespace simreel::draw {
 
-/// Output of a pass, or a part of it; rows from the top.
+/// Output of a pass, or one part of it. Rows start at the top.
 struct PassArray {
-  std::string pass;  ///< one of passNames()
-  std::string part;  ///< "keys", "numbers"; "sun", "lamps", "openness"; "lens", the mean of all its points;
-                     ///< "glows", "fields"; "film", "finished"
-  int width = 0;     ///< pixels; texels of a map or of what is scattered
-  int height = 0;    ///< the same
-  int each = 1;      ///< words of a pixel: one a sample, or RGBA of light
-  bool light = false;  ///< words are floats; there is no -0
+  std::string pass;    ///< name of the pass, one of passNames()
+  std::string part;    ///< "keys", "numbers"; "sun", "lamps", "openness"; "lens" (mean over all views);
+                       ///< "glows", "fields"; "film", "finished"
+  int width = 0;       ///< width in pixels, or in texels of a shadow map or of the bloom texture
+  int height = 0;      ///< height, in the same unit as the width
+  int each = 1;        ///< words per pixel: one per sample, or four for RGBA light
+  bool light = false;  ///< words are floats, with -0 replaced by 0
   std::vector<std::uint32_t> words;
 };
 
-/// What is drawn with numbers of its own.
+/// An object, or part of one, that has its own range of primitive ids.
 struct DrawnThing {
-  std::string object;  ///< its name in the scene; empty where nobody gave it one
-  std::string kind;    ///< "triangle", "ball", "instance"
+  std::string object;  ///< name in the scene; empty if it has none
+  std::string kind;    ///< kind of primitive: "triangle", "ball" or "instance"
   unsigned firstId = 0;
-  unsigned each = 1;  ///< numbers of an instance: its triangles
+  unsigned each = 1;  ///< ids per instance: the number of its triangles
 };
 
-/// All passes of a picture.
+/// Outputs of all passes of a picture.
 struct PassPicture {
-  std::vector<PassArray> arrays;   ///< pass by pass
-  std::vector<DrawnThing> things;  ///< their first numbers ascend
+  std::vector<PassArray> arrays;   ///< outputs in the order of the passes
+  std::vector<DrawnThing> things;  ///< objects with primitive ids, sorted by firstId
 
-  // What is kept of a part that is there already are its next rows. Waits for the device.
+  // The keep functions append rows if the part exists already. They wait for the GPU.
 
-  /// 32-bit words, of which the first ones are these rows.
+  /// Appends rows of 32-bit words. `words` may be longer than the rows.
   void keep(const char* pass, const char* part, std::span<const std::uint32_t> words, glm::ivec2 size,
             int each);
-  /// Rows, from the first up to the second, of an RGBA32F texture.
+  /// Appends the rows [rows.x, rows.y) of an RGBA32F texture.
   void keepLight(const char* pass, const char* part, const gl::Texture& light, glm::ivec2 rows);
-  /// An RGBA8 texture.
+  /// Appends all rows of an RGBA8 texture.
   void keepBytes(const char* pass, const char* part, const gl::Texture& picture);
 
  private:
-  /// Adds rows to an array; the words are those that are added.
+  /// Appends `size.y` rows to an array and returns the words of the new rows.
   std::span<std::uint32_t> added(const char* pass, const char* part, glm::ivec2 size, int each,
                                  bool light = false);
 };

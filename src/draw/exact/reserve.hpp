@@ -6,8 +6,8 @@
 
 namespace simreel::draw {
 
-/// Makes room for `bytes` at least. True where what was there is lost for it; the buffer's name may be the
-/// same even then.
+/// Ensures that the buffer has at least `bytes`. Returns true if the buffer was replaced and its contents
+/// are lost; the new buffer may have the same GL name.
 inline bool reserve(gl::Buffer& buffer, const char* label, std::size_t bytes) {
   constexpr std::size_t least = 256;
   if (buffer.name() != 0 && buffer.bytes() >= bytes) return false;
@@ -16,7 +16,7 @@ inline bool reserve(gl::Buffer& buffer, const char* label, std::size_t bytes) {
   return true;
 }
 
-/// The same with a texel view of it.
+/// Same, and recreates the texel view of the buffer if the buffer was replaced.
 inline bool reserve(gl::Buffer& buffer, gl::Texture& view, const char* label, std::size_t bytes,
                     GLenum format, std::size_t texelBytes) {
   if (!reserve(buffer, label, bytes)) return false;

@@ -4,13 +4,13 @@
 
 #include <glm/vec2.hpp>
 
-// What kernels have in common that shade tiles of the picture.
+// Common parts of the kernels that shade the tiles of a picture.
 namespace simreel::draw {
 
-/// Instead of a layer: what reflections of the scene change of the light.
+/// Value of `layer` that stands for the change of light by screen-space reflections, instead of a layer.
 inline constexpr int shownReflections = -1;
 
-/// draw/exact/tiles/shaded_tile.glsl.
+/// Uniforms, buffers and textures that draw/exact/tiles/shaded_tile.glsl declares.
 struct TileFields {
   gl::Ambient<"FrameBlock"> frame;
   gl::Ambient<"ViewBlock"> view;
@@ -21,8 +21,9 @@ struct TileFields {
   gl::Uniform<"tileCount", int> tileCount;
 };
 
-/// The light that falls on things, what keeps it out, and where theirs goes: draw/surface/lighting.glsl and
-/// what it stands beside. Lamps, the sun's place and the surroundings stay bound.
+/// Shader inputs of draw/surface/lighting.glsl and its companions: lights, shadows, occlusion, and the
+/// output of shaded light. The lamps, the sun's shadow map transform and the environment are bound
+/// beforehand.
 struct SceneLight {
   gl::Ambient<"environment"> environment;
   gl::Ambient<"LampBlock"> lampBlock;
@@ -33,14 +34,16 @@ struct SceneLight {
   gl::In<"lampKeys"> lampKeys;
   gl::In<"sunMap"> sunMap;
   gl::In<"openness"> openness;
-  gl::In<"nearestLevels"> nearestLevels;  ///< of what mirrors show,
+  gl::In<"nearestLevels"> nearestLevels;  ///< mip levels of nearness, read by reflections
   gl::In<"litLevels"> litLevels;
-  gl::Uniform<"mirrorReach", glm::vec2>
-      mirrorReach;                    ///< and how far away it may be, and how thick it is (m)
-  gl::In<"layersLeave"> layersLeave;  ///< of the light behind layers
-  gl::InOut<"ThroughBlock"> through;  ///< the same, for layers themselves
-  gl::Shared<"SpotBlock"> spots;      ///< places to be lit by rays
-  gl::InOut<"sums"> sums;             ///< light of each pixel
+  gl::Uniform<"mirrorReach", glm::vec2> mirrorReach;  ///< max length of reflected rays, and assumed
+                                                      ///< thickness of reflected objects (m)
+  gl::In<"layersLeave"> layersLeave;  ///< fraction of light that the blended layers in front let through,
+                                      ///< per sample
+  gl::InOut<"ThroughBlock"> through;  ///< fraction of light that the blended layers so far let through, per
+                                      ///< sample; updated while layers are shaded
+  gl::Shared<"SpotBlock"> spots;      ///< visible surface points, to be lit by rays later
+  gl::InOut<"sums"> sums;             ///< summed light of each pixel
 };
 
 struct ShadeVariant {
@@ -49,20 +52,20 @@ struct ShadeVariant {
   gl::Flag<"FAST_NUMERICS"> fast;
   gl::Range<"ROWS", 1, 8> rows;
   gl::Flag<"OCCLUSION"> occlusion;
-  gl::Flag<"BEHIND"> behind;  ///< there may be layers before it
+  gl::Flag<"BEHIND"> behind;  ///< blended layers may lie in front
   gl::Flag<"RAYS"> rays;
   gl::Flag<"GROUND_REFLECTIVE"> groundReflective;
   gl::Flag<"REFLECTED"> reflected;
   gl::Range<"SHOWN", 1, 8> shown;
 };
-/// Of things, which smooth ones mirror the ground beneath them of.
+/// Defines for objects other than the ground. Smooth ones may reflect the ground below them (GROUND_BELOW).
 struct ThingVariant {
   ShadeVariant shade;
   gl::Flag<"GROUND_BELOW"> groundBelow;
 };
 
-/// Changed so that a layer of the picture is shaded instead of light (`shownLayers`, counted from 1; 0: as
-/// it is), or shownReflections; of something smooth or not.
+/// Returns the variant that shades `layer` instead of light: one of `shownLayers`, counted from 1; 0:
+/// light; shownReflections: the change by reflections. `smooth`: true if the object reflects.
 [[nodiscard]] inline ThingVariant showing(ThingVariant variant, int layer, bool smooth) {
   if (layer == shownReflections) {
     variant.shade.reflected = true;
@@ -76,13 +79,13 @@ struct ThingVariant {
   return variant;
 }
 
-/// How a scene is lit.
+/// Lighting of a scene, as defines of the shading kernels.
 struct Lighting {
   ThingVariant variant;
-  gl::Defines lights;  ///< of the sun's shadow, the lamps and the surroundings
+  gl::Defines lights;  ///< defines of the sun's shadow, the lamps and the environment
 };
 
-/// The ground on the tiles that show it.
+/// Kernel that shades the ground on the tiles that show it.
 struct ShadeGround {
   static constexpr auto file = "draw/exact/tiles/shade_ground.comp";
   struct Variant {

@@ -12,24 +12,27 @@
 
 namespace simreel::draw {
 
-/// How a picture's keys and numbers lie in memory, and are found. `apart`: keys and numbers by themselves,
-/// found in two passes; four samples of either are one read. `pairs`: both of a sample together, in two
-/// passes. `wholes`: the same in one pass by 64-bit atomics. The result is the same.
+/// Memory layout of a picture's depth keys and primitive ids, and the way they are found. `apart`: separate
+/// buffers, found in two passes; one read gets four keys or four ids. `pairs`: id and key of a sample
+/// stored together, found in two passes. `wholes`: like `pairs`, but found in one pass by 64-bit atomics.
+/// All layouts give the same picture.
 enum class SampleLayout { apart, pairs, wholes };
-/// What suits the device, or what SIMREEL_SAMPLE_LAYOUT names. Throws UserError: usage for another word,
-/// device where it lacks the atomics.
+/// Returns the layout that the environment variable SIMREEL_SAMPLE_LAYOUT names, else the best one for the
+/// device. Throws UserError(usage) for an unknown name, UserError(device) if `wholes` lacks 64-bit atomics.
 [[nodiscard]] SampleLayout sampleLayout();
-/// What whoever reads or writes samples of a picture has to know of them.
+/// Properties of a visibility buffer that kernels which read or write samples must know.
 struct SampleKind {
   SampleLayout layout = SampleLayout::apart;
-  bool parallel = false;  ///< seen along parallel rays: keys are of depths, as shader::ExactView has them
+  bool parallel = false;  ///< orthographic view: keys are computed from depth by the parallel formula of
+                          ///< draw/exact/depth.glsl
   auto operator<=>(const SampleKind&) const = default;
   bool operator==(SampleLayout other) const { return layout == other; }
 };
 
-// Groups of fields, one for each of the files that they name, and of their defines.
+// Groups of kernel interface fields. Each group declares the uniforms, buffers and defines of one GLSL
+// include file, named in its comment.
 
-/// glsl/draw/exact/sample_read.glsl.
+/// Uniforms, buffers and textures that glsl/draw/exact/sample_read.glsl declares.
 template <gl::Access access>
 struct SampleFields {
   gl::ResourceField<"nearestKeys", access> keys;
@@ -42,8 +45,8 @@ struct SampleVariant {
   gl::Choice<"SAMPLES", 1, 2, 4, 8, 16> samples;
   gl::Flag<"PAIRED"> paired;
 };
-/// glsl/draw/exact/visible_sample.glsl. What its kernels find does not depend on their order, but for the
-/// numbers (PASS 1), which come behind a barrier.
+/// Uniforms, buffers and textures that glsl/draw/exact/visible_sample.glsl declares. The results of its
+/// kernels do not depend on execution order, except that the ids of PASS 1 need a barrier after PASS 0.
 struct SampleTarget {
   gl::Ambient<"ViewBlock"> view;
   SampleFields<gl::Access::together> before;
@@ -60,63 +63,66 @@ struct TargetVariant {
   gl::Flag<"SUN_MAP"> sunMap;
   gl::Flag<"LAMP_MAP"> lampMap;
 };
-/// glsl/draw/exact/list_place.glsl: kernels that list one thing an invocation, as suits the device.
+/// Defines of glsl/draw/exact/list_place.glsl, for kernels in which each invocation appends one entry to a
+/// list. BALLOT depends on the device.
 struct ListVariant {
   gl::Flag<"BALLOT", "GL_KHR_shader_subgroup_basic", "GL_KHR_shader_subgroup_ballot"> ballot;
 };
 [[nodiscard]] ListVariant listVariant();
-/// The same, of those that draw one thing an invocation.
+/// Defines of kernels in which each invocation rasterizes one primitive and may append it to a list.
 struct LaneVariant {
   ListVariant list;
   gl::Flag<"BRANCHES"> branches;
 };
 [[nodiscard]] LaneVariant laneVariant();
-/// Where a shadow map lies among the keys, and how it is drawn.
+/// Position of a shadow map in the key buffer, and its rasterization parameters.
 struct MapPart {
-  float slopeOffset = 0;  ///< texels by whose slope what casts shadows is moved away
-  int side = 0;           ///< of a lamp's map: texels on a side,
-  int firstKey = 0;       ///< its first key,
-  int keyStride = 0;      ///< and how many there are from a row to the next
+  float slopeOffset = 0;  ///< casters are moved away from the light by the depth change of their slope over
+                          ///< this many texels
+  int side = 0;           ///< lamp map only: texels per side
+  int firstKey = 0;       ///< lamp map only: index of its first key
+  int keyStride = 0;      ///< lamp map only: number of keys from one row to the next
 };
-/// A lamp's shadow map to draw, seen as a picture is.
+/// One face of a lamp's shadow maps. It is rasterized like a picture, with its own view.
 struct MapFace {
   const gl::Buffer* views = nullptr;
-  std::size_t view = 0;  ///< where its shader::ExactView is (bytes)
+  std::size_t view = 0;  ///< offset of its shader::ExactView in `views` (bytes)
   MapPart part;
 };
-/// The view block of a face, or none.
+/// Returns the view block of a face, or an empty resource if the face has no views.
 [[nodiscard]] gl::Resource viewOf(const MapFace& face);
-/// Pictures and maps that samples are drawn into.
+/// Kinds of visibility buffers that kernels rasterize into.
 enum class Target { picture, sunMap, lampMap };
 
 struct ClearSamples;
 
-/// What is nearest at each sample of a picture: a key that is less the nearer it is, and the number of the
-/// primitive; or of a shadow map the keys alone. 8 bytes a sample.
+/// Visibility buffer: depth key (smaller is nearer) and primitive id of the nearest primitive at each
+/// sample of a picture, 8 bytes per sample. Shadow maps have only keys.
 class Visibility {
  public:
   static constexpr std::size_t sampleBytes = 8;
-  /// Most samples of one, on this device.
+  /// Returns the max number of samples of a visibility buffer on this device.
   static std::size_t maxSamples();
   Visibility() = default;
-  /// `samples`: 1, 2, 4, 8 or 16. `ids`: a picture's, as sampleLayout() says. Throws UserError(device)
-  /// beyond the device's limits.
-  /// `parallel`: as SampleKind has it.
+  /// `samples`: 1, 2, 4, 8 or 16 per pixel. `ids`: true for pictures, whose layout is sampleLayout(); false
+  /// for shadow maps, which hold only keys. `parallel`: as in SampleKind. Throws UserError(device) beyond
+  /// the device's limits.
   Visibility(const std::string& label, glm::ivec2 size, int samples, bool ids, bool parallel = false);
 
-  /// Nothing is visible yet.
+  /// Marks all samples as empty.
   void clear() const;
 
   template <gl::Access access = gl::Access::read>
   [[nodiscard]] SampleFields<access> read() const {
     return {.keys = nearView_, .keyFours = nearFours_, .ids = idView_, .idFours = idFours_};
   }
-  /// For kernels that draw into it. `view`: the view block, unless that is bound.
+  /// Returns the shader inputs of kernels that rasterize into this buffer. `view`: the view block; empty if
+  /// it is already bound.
   [[nodiscard]] SampleTarget target(const MapPart& part, const gl::Resource& view = {}) const;
   [[nodiscard]] SampleVariant variant() const {
     return {.samples = samples_, .paired = layout_ != SampleLayout::apart};
   }
-  /// Of what draws into it.
+  /// Returns the defines of kernels that rasterize into this buffer.
   [[nodiscard]] TargetVariant variant(Target target, int pass) const;
   [[nodiscard]] const gl::Buffer& nearestBuffer() const { return near_; }
   [[nodiscard]] const gl::Buffer& idBuffer() const { return ids_; }
@@ -124,11 +130,12 @@ class Visibility {
   [[nodiscard]] glm::ivec2 size() const { return size_; }
   [[nodiscard]] int samples() const { return samples_; }
   [[nodiscard]] SampleKind layout() const { return {layout_, parallel_}; }
-  /// Keys, or both where they lie together.
+  /// Returns the texel view of the keys, or of key and id pairs for the paired layouts.
   [[nodiscard]] const gl::Texture& nearKeys() const { return nearView_; }
-  /// The numbers, where they lie apart.
+  /// Returns the texel view of the ids. Only for the layout `apart`.
   [[nodiscard]] const gl::Texture& numbers() const { return idView_; }
-  /// Waits for the device and copies out: `samples` a pixel, row by row from the top.
+  /// Waits for the GPU and returns a copy of the keys, or of the ids: samples() values per pixel, row by
+  /// row from the top.
   [[nodiscard]] std::vector<GLuint> readKeys() const;
   [[nodiscard]] std::vector<GLuint> readNumbers() const;
 
@@ -140,27 +147,30 @@ class Visibility {
   int samples_ = 1;
   SampleLayout layout_ = SampleLayout::apart;
   bool parallel_ = false;
-  gl::Buffer near_;  ///< keys; where they lie together, numbers too
+  gl::Buffer near_;  ///< keys; in paired layouts also ids
   gl::Buffer ids_;
   gl::Texture nearView_, nearFours_, idView_, idFours_;
   gl::Kernel<ClearSamples> clear_;
 };
 
-/// The longest side (pixels) of the box of a triangle that an invocation best draws alone on this device:
-/// software drivers work through all the lanes of a group anyway, cards want more of them. Of one that
-/// sixteen invocations draw; 0: none is.
+/// Max side (pixels) of a triangle's bounding box up to which one invocation rasterizes the triangle alone
+/// (small), or sixteen invocations do (medium; 0: never). Tuned for the device: software drivers execute
+/// all lanes of a workgroup anyway, GPUs need more invocations.
 int smallTriangle();
-int smallCopyTriangle();  ///< of copies, whose corners are made anew for each use
+int smallCopyTriangle();  ///< small triangles of mesh copies: a larger limit, because corners are
+                          ///< transformed again on each use
 int mediumTriangle();
-/// The same of balls, whose every sample is a ray, and of glows; of those of medium size a group draws one.
+/// Same limits for balls, which need a ray per sample, and for glows. One workgroup handles a medium-sized
+/// ball or glow.
 int smallBall();
 int smallGlow();
 int mediumBall();
-/// How many large ones are best clipped for all that draw them: none on cards, which wait for each kernel's
-/// end.
+/// Returns the number of large triangles that are clipped once for all workgroups that rasterize them. 0 on
+/// GPUs, because an extra clipping dispatch costs more there.
 int fansOfTriangles();
 
-/// Invocations, `items` at least, of a kernel whose groups of 64 stand in rows of at most 32,768.
+/// Returns the dispatch size (invocations) for at least `items` items: workgroups of 64 in rows of at most
+/// 32,768 workgroups.
 [[nodiscard]] glm::ivec2 inRows(int items);
 
 }  // namespace simreel::draw

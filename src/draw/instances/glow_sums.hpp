@@ -9,7 +9,8 @@
 
 namespace simreel::draw {
 
-/// A level of additive sprites: fields of draw/instances/glow_sums.comp.
+/// Uniforms, buffers and textures that draw/instances/glow_sums.comp declares, for one level of additive
+/// sprites.
 struct GlowFields {
   InstanceFields instance;
   InstanceLook look;
@@ -19,29 +20,30 @@ struct GlowFields {
 
 struct SumGlows;
 
-/// Light of additive sprites, summed up by kernels in whole numbers of 64 bits
-/// (glsl/draw/instances/glow_block.glsl), 24 bytes a pixel. Cards for computing blend slowly: they have few
-/// of the units that do.
+/// Sums the light of additive sprites in 64-bit integers with kernels
+/// (glsl/draw/instances/glow_block.glsl), 24 bytes per pixel. Compute GPUs blend slowly because they have
+/// few blending units.
 class GlowSums {
  public:
-  /// Whether this device's sprites go this way: the storage path.
+  /// True if this device sums sprites in this way: on the storage path.
   [[nodiscard]] static bool used();
-  /// Whether these instances go this way.
+  /// True if these instances are summed in this way.
   [[nodiscard]] static bool takes(const sim::Instances& instances);
 
-  /// Throws UserError(device) naming the limit when the device has no buffer for so many pixels.
+  /// Throws UserError(device), which names the limit, if the device has no buffer for that many pixels.
   GlowSums(glm::ivec2 size, int samples);
 
-  /// Adds up to `capacity` instances of level 0 or, `large`, of level 1, which may cover the whole picture.
+  /// Adds up to `capacity` instances of level 0 or, if `large`, of level 1, which may cover the whole
+  /// picture.
   void add(bool large, const GlowFields& glows, const gl::Texture& depth, int capacity) const;
 
-  /// Returns the sums, for a kernel that takes and empties them.
+  /// Returns the sums, for a kernel that reads and clears them.
   [[nodiscard]] const gl::Buffer& sums() const { return sums_; }
 
  private:
   gl::Buffer sums_;
   gl::Kernel<SumGlows> small_, large_;
-  static constexpr int slices = 8;  ///< of rows, that groups share of a large glow
+  static constexpr int slices = 8;  ///< number of slices of rows in which workgroups share a large glow
 };
 
 }  // namespace simreel::draw

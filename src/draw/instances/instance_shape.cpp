@@ -16,7 +16,8 @@ namespace simreel::draw {
 namespace {
 
 constexpr int sphereLevels = 5;
-constexpr std::size_t batchIndices = 4096;  // enough work for one drawn instance
+constexpr std::size_t batchIndices = 4096;  // min number of indices per drawn instance; batches of copies
+                                            // keep the GPU busy
 
 struct Triangles {
   std::vector<glm::vec3> points;
@@ -55,9 +56,9 @@ float depthOfFacets(const Triangles& sphere) {
   return depth;
 }
 
-/// Scale at which the facets' outline is as large as the unit sphere's, in the mean over directions: a
-/// convex body's is a quarter of its surface (Cauchy). Facets of points on the sphere look too small by up
-/// to 2% of the radius.
+/// Returns the scale at which the outline of the facets has the same area as the outline of the unit
+/// sphere, averaged over all directions. The mean outline area of a convex body is a quarter of its surface
+/// (Cauchy). Unscaled icospheres look too small by up to 2% of the radius.
 float fullScale(const Triangles& sphere) {
   double twice = 0;
   for (std::size_t i = 0; i < sphere.corners.size(); i += 3) {
@@ -68,7 +69,7 @@ float fullScale(const Triangles& sphere) {
   return static_cast<float>(std::sqrt(8.0 * std::numbers::pi / twice));
 }
 
-/// Each triangle in four, new points on the unit sphere.
+/// Divides each triangle into four, with the new points on the unit sphere.
 Triangles divided(const Triangles& coarse) {
   Triangles fine;
   fine.points = coarse.points;

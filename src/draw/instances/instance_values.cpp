@@ -26,8 +26,8 @@ struct BoundsOfInstances {
 
 namespace {
 
-/// Smaller glows shimmer as they move over the pixels; smaller balls fall between samples.
-constexpr float minGlow = 1.25F;  // pixels of radius
+/// Smaller glows would flicker when they move across pixels; smaller balls would fall between samples.
+constexpr float minGlow = 1.25F;  // min radius of glows in pixels
 constexpr float minBall = 0.57F;
 
 template <class Make>

@@ -15,10 +15,10 @@ namespace simreel::draw {
   return instances.shape == sim::Instances::Shape::sprite;
 }
 
-/// No sprite is drawn with a smaller radius than so many pixels; 0 for other shapes.
+/// Returns the min radius (pixels) with which sprites are drawn; 0 for other shapes.
 [[nodiscard]] float minPixelsOf(const sim::Instances& instances);
 
-/// Fields of glsl/draw/instances/instance.glsl.
+/// Uniforms, buffers and textures that glsl/draw/instances/instance.glsl declares.
 struct InstanceFields {
   gl::In<"positions"> positions;
   gl::In<"velocities"> velocities;
@@ -28,10 +28,10 @@ struct InstanceFields {
   gl::Uniform<"perMassReference", float> perMassReference;
   gl::Uniform<"minPixels", float> minPixels;
 };
-/// `shapeRadius`: m, at size 1.
+/// `shapeRadius`: radius at size 1 (m).
 [[nodiscard]] InstanceFields instanceFields(const sim::Instances& instances, float shapeRadius,
                                             float minPixels);
-/// Those of glsl/draw/instances/instance_list.glsl that say what colour one has.
+/// Shader inputs of glsl/draw/instances/instance_list.glsl that determine colours.
 struct InstanceLook {
   gl::In<"stops"> stops;
   gl::Uniform<"colorBy", int> colorBy;
@@ -42,17 +42,17 @@ struct InstanceLook {
   gl::Uniform<"brightness", float> brightness;
   gl::Uniform<"fade", float> fade;
 };
-/// The rest of that file: a level of a VisibleList.
+/// The other shader inputs of glsl/draw/instances/instance_list.glsl: one level of a VisibleList.
 struct ListFields {
   gl::In<"list"> list;
   gl::In<"arguments"> arguments;
   gl::Uniform<"level", int> level;
 };
 
-/// The shapes that instances repeat, made when first needed.
+/// Shapes of instances, created on first use.
 class InstanceShapes {
  public:
-  /// `points`: of InstanceShape::sprite.
+  /// `points`: as in InstanceShape::sprite().
   explicit InstanceShapes(bool points) : points_(points) {}
   const InstanceShape& of(const sim::Instances& instances);
 
@@ -64,7 +64,7 @@ class InstanceShapes {
 
 struct BoundsOfInstances;
 
-/// Grows the sun's bounds by what casts shadows; see ShadowPass::fit.
+/// Extends the bounds of the sun's shadow map by instances that cast shadows; see ShadowPass::fit().
 class InstanceBounds {
  public:
   void grow(const sim::Drawables& drawables, InstanceShapes& shapes, const gl::Buffer& bounds);
@@ -73,10 +73,10 @@ class InstanceBounds {
   gl::Kernels<BoundsOfInstances> kernels_;
 };
 
-/// The colours of instances on the device.
+/// Colours of instances on the GPU.
 class InstanceColors {
  public:
-  /// To what they are now.
+  /// Uploads the current colours.
   void update(const sim::Instances& instances);
   [[nodiscard]] InstanceLook look(const sim::Instances& instances) const;
 

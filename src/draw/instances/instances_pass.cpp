@@ -11,9 +11,9 @@ namespace simreel::draw {
 
 namespace {
 
-/// Points have a greatest size, 255 pixels on some drivers.
+/// Limit of the point size, because some drivers only support points up to 255 pixels.
 constexpr float maxPointGlow = 64.0F;
-/// Larger glows are shared among the invocations of a group.
+/// A workgroup shares glows that are larger than this.
 constexpr float maxSmallSum = 5.0F;
 
 gl::Defines lightingDefines(const ShadowPass& shadow, const Lamps& lamps) {
@@ -67,7 +67,7 @@ const gl::Program& InstancesPass::program(const sim::Instances& instances) {
   if (instances.material->translucency > 0) defines.emplace_back("TRANSLUCENT", "1");
   defines.emplace_back("SAMPLES", std::to_string(samples_));
   if (isSprite(instances)) return cached("draw/instances/ball.vert", "draw/instances/ball.frag", defines);
-  // A mesh may be open.
+  // A mesh may be open, so both sides can be visible.
   if (instances.shape == sim::Instances::Shape::mesh) defines.emplace_back("DOUBLE_SIDED", "1");
   return cached("draw/screen/copy.vert", "draw/screen/copy.frag", defines);
 }
@@ -112,10 +112,11 @@ void InstancesPass::fill(const sim::Instances& instances, std::size_t i, Viewer 
   const Entry& own = entry(instances, i);
   const InstanceShape& form = shape(instances);
   const bool forLight = viewer != Viewer::camera;
-  // Coarser on the CPU, where triangles cost most. Not in shadows: of a ball of few texels the surface
-  // shows each.
+  // Coarser in software drivers, where triangles cost most, but not in shadows, because surfaces show each
+  // texel of a small ball's shadow.
   const bool coarse = !forLight && gl::softwareDriver() && !isSprite(instances);
-  // A square of a disk's area misses the disk by 1/8 of the radius; a glow is the same as a point.
+  // Up to this size balls are drawn as squares of equal area, whose edge differs from the disc by 1/8 of
+  // the radius. Glows look the same as points.
   const float maxGlow = GlowSums::takes(instances) ? maxSmallSum : maxPointGlow;
   const SightFields sight{.instance = seenBy(viewer, instances),
                           .pointPixels = instances.additive ? maxGlow
@@ -196,7 +197,7 @@ void InstancesPass::castLampShadows(const sim::Drawables& drawables, int cells) 
     gl::give(shader, seenBy(Viewer::lamps, instances));
     for (int cell = 0; cell < cells; ++cell) {
       shader.set("cell", cell);
-      // Sprites of few texels are squares of level 1, too.
+      // Level 1 includes the sprites of a few texels here.
       for (std::size_t level = isSprite(instances) ? 1 : 0; level < shape(instances).levels().size();
            ++level)
         drawLevel(shader, instances, *entries_[i].forLamps, level);

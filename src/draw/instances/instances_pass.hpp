@@ -18,37 +18,39 @@
 
 namespace simreel::draw {
 
-/// Draws instances by indirect draws whose arguments a kernel fills. The commands of a frame do not depend
-/// on the number of instances. Programs and shapes are made when first needed.
+/// Draws instances with indirect draws whose arguments kernels compute. The number of commands per frame is
+/// independent of the number of instances. Programs and shapes are created on first use.
 class InstancesPass {
  public:
   InstancesPass(const ShadowPass& shadow, const Lamps& lamps, const gl::Framebuffer& target,
                 glm::ivec2 size, int samples);
 
-  /// Grows the shadow's bounds.
+  /// Extends the bounds of the sun's shadow map by the instances.
   void growBounds(const sim::Drawables& drawables, const gl::Buffer& bounds) {
     bounds_.grow(drawables, shapes_, bounds);
   }
-  /// Finds those in the light's box (its map is bound), then draws them into the bound shadow map.
+  /// cullForLight() lists the instances in the box of the sun's map, whose transform must be bound.
+  /// castShadows() draws them into the bound shadow map.
   void cullForLight(const sim::Drawables& drawables);
   void castShadows(const sim::Drawables& drawables);
-  /// The same for the shadow maps of lamps, each `cells` of them.
+  /// The same two steps for lamp shadow maps. `cells`: number of maps.
   void cullForLamps(const sim::Drawables& drawables);
   void castLampShadows(const sim::Drawables& drawables, int cells);
-  /// Finds those in the camera's sight.
+  /// Lists the instances that the camera may show.
   void cull(const sim::Drawables& drawables);
-  /// Into the bound framebuffer. Opaque ones, then (after everything opaque) those that add light.
+  /// Draw into the bound framebuffer: first opaque instances, then, after all opaque objects, additive
+  /// ones.
   void drawOpaque(const sim::Drawables& drawables) { draw(drawables, false); }
   void drawAdditive(const sim::Drawables& drawables) { draw(drawables, true); }
-  /// Adds the light of those that GlowSums takes, before what `depth` holds.
+  /// Adds the light of the instances that GlowSums handles, in front of the depths in `depth`.
   void sumUp(const sim::Drawables& drawables, const gl::Texture& depth, const GlowSums& sums);
 
-  /// Of drawables.instances[i], for tests.
+  /// Returns the lists of visible instances of drawables.instances[i], for tests.
   [[nodiscard]] const VisibleList& visible(std::size_t i) const { return *entries_.at(i).forCamera; }
   [[nodiscard]] const VisibleList& visibleToSun(std::size_t i) const { return *entries_.at(i).forLight; }
 
  private:
-  /// What belongs to drawables.instances[i].
+  /// Cached data of drawables.instances[i].
   struct Entry {
     std::unique_ptr<VisibleList> forCamera, forLight, forLamps;
     InstanceColors colors;
@@ -56,7 +58,7 @@ class InstancesPass {
 
   Entry& entry(const sim::Instances& instances, std::size_t i);
   const InstanceShape& shape(const sim::Instances& instances) { return shapes_.of(instances); }
-  /// For all levels of detail but the small ones of sprites.
+  /// Programs of all levels of detail except the smallest sprites.
   const gl::Program& program(const sim::Instances& instances);
   const gl::Program& shadowProgram(const sim::Instances& instances);
   const gl::Program& lampShadowProgram(const sim::Instances& instances);
@@ -64,16 +66,16 @@ class InstancesPass {
   void fill(const sim::Instances& instances, std::size_t i, Viewer viewer);
   InstanceFields seenBy(Viewer viewer, const sim::Instances& instances);
   void draw(const sim::Drawables& drawables, bool additive);
-  /// Draws the sprites of few pixels, level 0.
+  /// Draws the sprites of level 0, which cover a few pixels.
   void drawSmall(const SmallSprites::Kind& kind, const SpriteFields& all, const sim::Instances& instances,
                  const VisibleList& list, glm::ivec2 target);
   void drawLevel(const gl::Program& program, const sim::Instances& instances, const VisibleList& list,
                  std::size_t level);
 
-  gl::Defines lightDefines_;  ///< of shading: sun and lamps
-  gl::Defines lampDefines_;   ///< of the lamps' shadow maps; empty: there are none
+  gl::Defines lightDefines_;  ///< defines for shading: sun and lamps
+  gl::Defines lampDefines_;   ///< defines of the lamps' shadow maps; empty without lamp shadows
   bool shadowed_;
-  glm::ivec2 shadowSize_, size_;  ///< of the targets, pixels
+  glm::ivec2 shadowSize_, size_;  ///< sizes (pixels) of the sun's shadow map and of the picture
   int samples_;
   std::vector<glm::vec2> sampleOffsets_;
   std::vector<Entry> entries_;

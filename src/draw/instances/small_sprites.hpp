@@ -9,33 +9,35 @@
 
 namespace simreel::draw {
 
-/// A level of sprites: fields of draw/instances/small_sprites.comp.
+/// Uniforms, buffers and textures that draw/instances/small_sprites.comp declares, for one level of
+/// sprites.
 struct SpriteFields {
   InstanceFields instance;
-  InstanceLook look = {};        ///< of balls and glows
-  MaterialFields material = {};  ///< of balls
+  InstanceLook look = {};        ///< colours; only used for balls and glows
+  MaterialFields material = {};  ///< material; only used for balls
   ListFields listed;
 };
 
 struct PrepareSprites;
 
-/// Sprites of few pixels: a kernel makes four words of each visible one, from which points or squares are
-/// drawn. One memory for all instances and for both eye and light, 16 bytes a sprite: it is filled right
-/// before each draw.
+/// Draws sprites of a few pixels. A kernel writes four words for each visible one, from which points or
+/// squares are drawn. All instances and viewers share one buffer of 16 bytes per sprite, which is filled
+/// right before each draw.
 class SmallSprites {
  public:
-  /// Whether the driver draws points as finely as triangles.
+  /// True if the driver rasterizes points as precisely as triangles.
   [[nodiscard]] static bool points();
 
   enum class Use { ball, glow, shadow };
   struct Kind {
     Use use = Use::ball;
-    bool reflective = false, translucent = false;  ///< balls of such a material
+    bool reflective = false, translucent = false;  ///< true if the balls' material is reflective or
+                                                   ///< translucent
   };
   /// `lighting`: defines of draw/surface/lighting.glsl, for balls.
   explicit SmallSprites(const gl::Defines& lighting);
   const gl::Program& shader(Use use);
-  /// Makes up to `capacity` sprites, and binds what shader() reads.
+  /// Prepares up to `capacity` sprites and binds the inputs of shader().
   void prepare(const Kind& kind, const SpriteFields& all, int capacity);
 
  private:

@@ -7,10 +7,10 @@
 
 namespace simreel::draw {
 
-/// Who sees the instances.
+/// Viewers for which instances are culled.
 enum class Viewer { camera, sun, lamps };
 
-/// How they are seen: fields of draw/instances/cull_instances.comp.
+/// Uniforms, buffers and textures that draw/instances/cull_instances.comp declares.
 struct SightFields {
   InstanceFields instance;
   gl::Uniform<"pointPixels", float> pointPixels;
@@ -22,7 +22,7 @@ struct CountVisible;
 struct TotalVisible;
 struct ListVisible;
 
-/// Kernels that pick the visible instances.
+/// Kernels that list the visible instances.
 struct CullKernels {
   /// `lampDefines`: Lamps::shadowDefines().
   explicit CullKernels(const gl::Defines& lampDefines);
@@ -32,13 +32,13 @@ struct CullKernels {
   gl::Kernel<ListVisible> list;
 };
 
-/// The visible ones of up to `capacity` instances, in the order of their slots within each level of
-/// detail: bits, prefix sums over them, list. No atomics, so the order is the same every time.
+/// List of the visible ones among up to `capacity` instances, by level of detail and then by slot. Built
+/// from bit masks and prefix sums without atomics, so the order is always the same.
 class VisibleList {
  public:
   VisibleList(int capacity, int levels);
 
-  /// Fills list and arguments. The frame's values and the viewer's maps are bound.
+  /// Fills the list and the draw arguments. The frame's values and the viewer's maps must be bound.
   void fill(CullKernels& kernels, Viewer viewer, const SightFields& sight,
             const InstanceShape& shape) const;
   [[nodiscard]] int capacity() const { return capacity_; }
@@ -46,8 +46,8 @@ class VisibleList {
 
   /// Visible slots, one word each.
   [[nodiscard]] const gl::Buffer& list() const { return list_.buffer; }
-  /// Eight words a level: count, instanceCount, firstIndex, baseVertex, baseInstance, first place in the
-  /// list, number visible, 0.
+  /// Eight words per level: count, instanceCount, firstIndex, baseVertex, baseInstance, index of the first
+  /// list entry, number of visible instances, 0.
   [[nodiscard]] const gl::Buffer& arguments() const { return arguments_.buffer; }
   static constexpr int argumentBytes = 32;
   [[nodiscard]] ListFields fields(int level) const;
@@ -62,7 +62,7 @@ class VisibleList {
   };
   int capacity_;
   int levels_;
-  int words_;  ///< of one level: 32 slots each, a multiple of 64
+  int words_;  ///< mask words per level, 32 slots each; a multiple of 64
   Words masks_, before_, blockCount_, blockFirst_, list_, arguments_;
 };
 

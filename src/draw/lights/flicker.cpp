@@ -10,11 +10,11 @@ namespace simreel::draw {
 
 namespace {
 
-/// Value noise in one dimension.
+/// Returns one-dimensional value noise.
 double smoothNoise(std::uint32_t light, std::uint32_t seed, double x) {
   const double below = std::floor(x);
   const double u = x - below;
-  // Modulo 2^32, so that it holds for times before 0 too.
+  // Modulo 2^32, so that times before 0 also work.
   const auto step = static_cast<std::uint32_t>(static_cast<std::int64_t>(below));
   const double a = shader::signedUnit(shader::hash3({light, step, seed}).x);
   const double b = shader::signedUnit(shader::hash3({light, step + 1, seed}).x);
@@ -24,13 +24,13 @@ double smoothNoise(std::uint32_t light, std::uint32_t seed, double x) {
 }  // namespace
 
 double flickerNoise(std::uint32_t light, int seed, double x) {
-  constexpr std::uint32_t secondNoise = 0x80000000U;  // seeds are below it
+  constexpr std::uint32_t secondNoise = 0x80000000U;  // bit that seeds do not use
   const auto word = static_cast<std::uint32_t>(seed);
   return (2.0 * smoothNoise(light, word, x) + smoothNoise(light, word | secondNoise, 2.7 * x)) / 3.0;
 }
 
 Flickered flickered(const scene::Flicker& flicker, std::string_view name, int seed, double seconds) {
-  // By name, so that a light keeps its flicker when others come and go.
+  // Hashes the name, so that a light keeps its flicker when other lights are added or removed.
   const auto light = static_cast<std::uint32_t>(std::stoul(hashHex(name).substr(0, 8), nullptr, 16));
   const double x = seconds * flicker.rate;
   const auto channel = [&](std::uint32_t number) {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* surfaceVertices = "draw/lights/lamp_surface.vert";
 constexpr const char* fragments = "draw/surface/shadow.frag";
-constexpr GLenum clipSides = 4;  // gl_ClipDistance of glsl/draw/lights/face_clip.glsl
+constexpr GLenum clipSides = 4;  // number of gl_ClipDistance values in glsl/draw/lights/face_clip.glsl
 
 gl::Texture makeMaps(glm::ivec2 size) {
   const int max = gl::limits().textureSize;
@@ -55,7 +55,7 @@ void LampShadows::draw(const sim::Drawables& drawables, const std::function<void
   constexpr GLfloat farthest = 1;
   cells_->find(drawables.surfaces);
   DrawState{.depthTest = true, .cullBack = false, .depthOffset = true}.set();
-  // As for the sun: a filter of r texels reads depths up to r + 1 texels of slope away.
+  // As for the sun, a shadow filter of r texels reads depths up to r + 1 texels away along a slope.
   glPolygonOffset(1.5F + softness_, 4.0F);
   glClearNamedFramebufferfv(target_.name(), GL_DEPTH, 0, &farthest);
   target_.bind();
@@ -72,7 +72,7 @@ void LampShadows::draw(const sim::Drawables& drawables, const std::function<void
   clip(false);
 }
 
-/// Indirect draws go through all triangles at once.
+/// Returns indices of all triangles of a grid, because one indirect draw must cover the whole grid.
 const gl::Buffer& LampShadows::allIndices(glm::ivec2 grid) {
   gl::Buffer& indices = indices_[{grid.x, grid.y}];
   if (indices.name() == 0) indices = gl::Buffer::of<unsigned>("indices of a grid", sim::gridIndices(grid));

@@ -13,18 +13,18 @@
 
 namespace simreel::draw {
 
-/// Shadow maps of lamps: for each that casts shadows six, along the axes and against them, side by side in
-/// one texture. The ground casts none, nor does what lies within a lamp's radius.
+/// Shadow maps of the lamps: six per lamp with shadows, along the positive and negative axes, side by side
+/// in one texture. The ground and objects within a lamp's radius cast no shadow.
 class LampShadows {
  public:
-  /// Throws UserError(device) where the maps do not fit into a texture.
+  /// Throws UserError(device) if the maps do not fit into a texture.
   explicit LampShadows(const Lamps& lamps);
 
   [[nodiscard]] bool on() const { return count_ > 0; }
-  /// The lamps are up to date. `drawMore` draws what other passes have into map number `cell`, 0 to `cells`
-  /// - 1; the texture is bound with its state set.
+  /// Draws the maps of the updated lamps. `drawMore(cells)` draws the objects of other passes into the maps
+  /// 0 to cells - 1, with texture and state set.
   void draw(const sim::Drawables& drawables, const std::function<void(int cells)>& drawMore);
-  /// Makes the maps readable by shaders.
+  /// Binds the maps for shaders.
   void bind() const;
 
  private:
@@ -36,11 +36,12 @@ class LampShadows {
   float softness_ = 0;
   gl::Program surface_;
   std::unique_ptr<SurfaceCells> cells_;
-  mutable gl::Program deformed_;  ///< displaces the vertices; made when first needed
+  mutable gl::Program deformed_;  ///< program that displaces vertices; created on first use
   gl::Texture maps_;
   gl::Framebuffer target_;
   VertexArray vertices_;
-  std::map<std::pair<int, int>, gl::Buffer> indices_;  ///< of grids that have those of a row alone
+  std::map<std::pair<int, int>, gl::Buffer> indices_;  ///< full index buffers of grids whose own indices
+                                                       ///< cover only one row
 };
 
 }  // namespace simreel::draw

@@ -16,7 +16,7 @@ namespace simreel::draw {
 
 namespace {
 
-/// Nothing where it follows a path that is not there.
+/// Returns the position of a light; empty if it follows a missing path.
 std::optional<glm::vec3> placeOf(const scene::Light& light, double seconds,
                                  const sim::Drawables& drawables) {
   if (!light.follow) return light.position.at(seconds);
@@ -25,12 +25,12 @@ std::optional<glm::vec3> placeOf(const scene::Light& light, double seconds,
   return sim::standingBy(*path->points, *light.follow, seconds).position;
 }
 
-/// Where the six maps of number i lie, and how they are read.
+/// Sets the atlas position and sampling values of lamp i's six maps.
 void setMaps(shader::Lamp& lamp, const LampOrder& order, std::size_t i) {
   const scene::Light& light = *order.lights[i];
   const auto side = static_cast<float>(light.shadowSize);
   const glm::vec2 atlas(order.atlas);
-  // The filter, with its bilinear taps, stays on the map of one face.
+  // The margin keeps the filter, with its bilinear taps, within the map of one face.
   const float margin = light.type == scene::Light::Type::area
                            ? 0.125F * side
                            : std::min(std::ceil(light.shadowSoftness) + 2.0F, 0.25F * side);
@@ -40,20 +40,22 @@ void setMaps(shader::Lamp& lamp, const LampOrder& order, std::size_t i) {
   lamp.sampling = glm::vec4(lamp.place.w, 2.0F / inner, light.shadowSoftness, 1.0F / side);
 }
 
-/// Cosines of half a cone's angle at the edge, where its share of the light is 0, and at where it is 1.
+/// Cosines of half a cone's angles: at the edge, where its share of light is 0, and where the share reaches
+/// 1.
 struct Cone {
   double edge, full;
 };
 Cone coneAt(const scene::Spot& spot, double seconds) {
   constexpr double radiansPerDegree = std::numbers::pi / 180;
-  constexpr double least = 1e-4;  // between the two
+  constexpr double least = 1e-4;  // min difference between the two cosines
   const double half = 0.5 * radiansPerDegree * static_cast<double>(spot.angle.at(seconds));
   const double inner = half * (1 - static_cast<double>(spot.softness.at(seconds)));
   const double edge = ieee::cos(half);
   return {edge, std::max(ieee::cos(inner), edge + least)};
 }
 
-/// As coneShare of glsl/draw/lights/point_light.glsl reads it. A point light has 1 everywhere.
+/// Returns the cone for coneShare() in glsl/draw/lights/point_light.glsl. Point lights have the share 1
+/// everywhere.
 glm::vec4 coneOf(const scene::Light& light, glm::vec3 place, double seconds) {
   if (light.type != scene::Light::Type::spot) return {0, 0, 0, 1};
   const auto [edge, full] = coneAt(light.spot, seconds);
@@ -63,17 +65,18 @@ glm::vec4 coneOf(const scene::Light& light, glm::vec3 place, double seconds) {
   return {scale * direction, static_cast<float>(-edge / (full - edge))};
 }
 
-/// Steradians that a light fills as brightly as its middle: what it sends in all is that times its
-/// intensity. Of a cone, 2 pi times the integral of its share over the cosine: 1 up to `full`, from there
-/// the square of a line, whose mean is 1/3.
+/// Returns the ratio of a light's luminous flux to its intensity (steradians). For a cone it is 2 pi times
+/// the integral of its share over the cosine: the share is 1 up to `full`, and beyond it the square of a
+/// linear function, with the mean 1/3.
 double filledBy(const scene::Light& light, double seconds) {
-  if (light.type == scene::Light::Type::area) return std::numbers::pi;  // by its cosine, to one side
+  if (light.type == scene::Light::Type::area) return std::numbers::pi;  // a Lambertian emitter on one side
   if (light.type != scene::Light::Type::spot) return 4 * std::numbers::pi;
   const auto [edge, full] = coneAt(light.spot, seconds);
   return 2 * std::numbers::pi * ((1 - full) + (full - edge) / 3);
 }
 
-/// Level sides, then the others; its front, to the side of their cross product, faces the target.
+/// Sets half vectors and front of a rectangular light. The first side is horizontal; the front (the cross
+/// product of the sides) faces the target.
 void setRectangle(shader::Lamp& lamp, const scene::Area& area, double seconds) {
   const glm::vec3 along = area.target.at(seconds) - glm::vec3(lamp.place);
   const glm::vec3 front = glm::length(along) > 1e-6F ? glm::normalize(along) : glm::vec3(0, -1, 0);
@@ -105,8 +108,8 @@ LampOrder::LampOrder(const scene::Scene& scene) {
 }
 
 float candelas(const scene::Light& light, double seconds) {
-  // Luminous efficacy of white light (Ward, "The RADIANCE lighting simulation and rendering system",
-  // SIGGRAPH 1994), lm / W.
+  // Luminous efficacy of white light (lm/W) (Ward, "The RADIANCE lighting simulation and rendering system",
+  // SIGGRAPH 1994).
   constexpr double lumensPerWatt = 179;
   const double given = static_cast<double>(light.intensity.at(seconds));
   switch (light.unit) {

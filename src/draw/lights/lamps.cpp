@@ -40,7 +40,7 @@ Lamps::Lamps(const scene::Scene& scene, Rasterizer rasterizer)
   glowAges_ = gl::Buffer("colours of lamps", count * sizeof(glm::vec4));
   glowPlacesView_ = gl::Texture::view("glows of lamps", GL_RGBA32F, glowPlaces_);
   glowAgesView_ = gl::Texture::view("colours of lamps", GL_RGBA32F, glowAges_);
-  // The mass is the radius, and the place on the colour map is the lamp's number.
+  // The radius is passed as mass, and the colour map position selects the lamp's colour.
   glows_.positions = &glowPlacesView_;
   glows_.velocities = &glowAgesView_;
   glows_.capacity = static_cast<int>(count);
@@ -49,12 +49,14 @@ Lamps::Lamps(const scene::Scene& scene, Rasterizer rasterizer)
   glows_.colorBy = sim::Instances::ColorBy::age;
   glows_.colors = &glowColors_;
   glows_.additive = true;
-  // Those that never glow cost a pass of their own for nothing.
+  // If no lamp ever glows, the pass for glows is skipped.
   glow_ = std::ranges::any_of(order_.lights, [](const scene::Light* light) {
     return light->type != scene::Light::Type::area &&
            std::ranges::any_of(light->glow.keys(), [](const auto& key) { return key.value > 0; });
   });
-  glows_.discs = true;  // at a border, round ones would reach less far in
+  // Glows are discs in space, because screen-space circles whose centre is outside the picture would extend
+  // less far into it.
+  glows_.discs = true;
   glows_.material = &glowMaterial_;
 }
 
@@ -77,13 +79,13 @@ void Lamps::update(double seconds, const sim::Drawables& drawables) {
 }
 
 void Lamps::updateGlows(double seconds) {
-  // Twice at least: a colour map has two ends.
+  // A colour map needs at least two entries.
   glowColors_.assign(std::max<std::size_t>(values_.size(), 2), glm::vec3(0));
   std::vector<glm::vec4> places;
   std::vector<glm::vec4> ages;
   for (std::size_t i = 0; i < values_.size(); ++i) {
     const shader::Lamp& lamp = values_[i];
-    // Over the disc, (1 - (r/R)^2)^2 has the mean 1/3; power has the factor 1 / pi already.
+    // The mean of (1 - (r/R)^2)^2 over the disc is 1/3; power includes the factor 1 / pi.
     const bool isRectangle = order_.lights[i]->type == scene::Light::Type::area;
     const float glow = isRectangle ? 0.0F : order_.lights[i]->glow.at(seconds);
     glowColors_[i] = glm::vec3(lamp.power) * (3.0F * lamp.power.w * glow);

@@ -12,26 +12,28 @@
 
 namespace simreel::draw {
 
-/// A scene's lights where shaders read them, and the glows by which the camera sees them. A scene without
-/// lights costs nothing, and its shaders know nothing of lamps.
+/// The lights of a scene ("lamps" in the code) in GPU buffers, and the glows that make them visible. Scenes
+/// without lights have no cost, and their shaders contain no lamp code.
 class Lamps {
  public:
-  /// The scene must outlive it.
+  /// The scene must outlive this object.
   explicit Lamps(const scene::Scene& scene, Rasterizer rasterizer = Rasterizer::driver);
 
   [[nodiscard]] bool on() const { return !order_.lights.empty(); }
   [[nodiscard]] const LampOrder& order() const { return order_; }
-  /// As they were updated last.
+  /// Returns the lamps as of the last update.
   [[nodiscard]] const std::vector<shader::Lamp>& values() const { return values_; }
-  /// Brings all of them to `seconds` of scene time and makes them readable by shaders.
+  /// Updates all lamps to `seconds` of scene time and binds them for shaders.
   void update(double seconds, const sim::Drawables& drawables);
-  /// The drawables with the lamps themselves: discs that add light, (1 - (r/R)^2)^2 of that in the middle,
-  /// whose sum towards the camera is the lamp's intensity times its `glow`. Holds until the next update.
+  /// Returns the drawables plus the glows of the lamps: additive discs with the profile (1 - (r/R)^2)^2,
+  /// whose intensity towards the camera is the lamp's intensity times its `glow`. The result is valid until
+  /// the next update.
   [[nodiscard]] sim::Drawables withGlows(const sim::Drawables& drawables) const;
 
-  /// Defines of programs that include glsl/draw/lights/lamps.glsl; empty without lights.
+  /// Returns the defines of programs that include glsl/draw/lights/lamps.glsl; empty without lights.
   [[nodiscard]] const gl::Defines& defines() const { return defines_; }
-  /// Of programs that include glsl/draw/lights/lamp_list.glsl for the lamps with shadows.
+  /// Returns the defines of programs that include glsl/draw/lights/lamp_list.glsl for the lamps with
+  /// shadows.
   [[nodiscard]] const gl::Defines& shadowDefines() const { return shadowDefines_; }
 
  private:
@@ -44,7 +46,7 @@ class Lamps {
   std::vector<shader::Lamp> values_;
   gl::Buffer lamps_;
   gl::Texture lampsView_;
-  gl::Buffer cells_;  ///< lampCells() of those that have a range
+  gl::Buffer cells_;  ///< lampCells() of the lamps with a range
   gl::Texture cellsView_;
 
   scene::Material glowMaterial_;
@@ -52,7 +54,7 @@ class Lamps {
   gl::Buffer glowPlaces_, glowAges_;
   gl::Texture glowPlacesView_, glowAgesView_;
   sim::Instances glows_;
-  bool glow_ = false;  ///< whether any of them ever does
+  bool glow_ = false;  ///< true if any lamp ever glows
 };
 
 }  // namespace simreel::draw

@@ -35,7 +35,7 @@ struct ListCells {
 namespace {
 
 constexpr std::size_t boxWords = 6;
-constexpr std::size_t argumentWords = 5;  // of glDrawElementsIndirect
+constexpr std::size_t argumentWords = 5;  // words per argument set of glDrawElementsIndirect
 
 }  // namespace
 
@@ -67,7 +67,7 @@ void SurfaceCells::growBox(const sim::Surface& surface, int number) {
                               .boxes = boxes_});
 }
 
-/// How many indices there are is known to the GPU alone where it emitted them.
+/// Copies the index counts of surfaces whose triangles the GPU generates.
 void SurfaceCells::copyCounts(const std::vector<sim::Surface>& surfaces) const {
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   for (std::size_t i = 0; i < surfaces.size(); ++i)

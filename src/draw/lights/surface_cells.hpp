@@ -12,18 +12,18 @@ namespace simreel::draw {
 struct SurfaceBox;
 struct ListCells;
 
-/// Which of the lamps' shadow maps each surface reaches into, found on the GPU by the box around its
-/// vertices: software drivers transform vertices on one thread, and most surfaces reach into one or two
-/// maps of a lamp's six.
+/// Finds the lamp shadow maps that each surface reaches, on the GPU, from the bounding box of its vertices.
+/// Most surfaces reach one or two of a lamp's six maps, and software drivers transform vertices on a single
+/// thread.
 class SurfaceCells {
  public:
-  /// For `cells` maps; `lampDefines`: Lamps::shadowDefines().
+  /// `cells`: number of maps. `lampDefines`: Lamps::shadowDefines().
   SurfaceCells(int cells, const gl::Defines& lampDefines);
 
-  /// Finds them for all surfaces. The lamps are bound.
+  /// Finds the maps of all surfaces. The lamps must be bound.
   void find(const std::vector<sim::Surface>& surfaces);
-  /// Draws number i of them, an instance for each of its maps: the program, which includes
-  /// glsl/draw/lights/lamp_surface.vert, is in use, its vertices and indices are bound.
+  /// Draws surface i, one instance for each of its maps. The program, which includes
+  /// glsl/draw/lights/lamp_surface.vert, must be in use, and vertices and indices must be bound.
   void draw(const gl::Program& program, std::size_t i) const;
 
  private:
@@ -34,7 +34,7 @@ class SurfaceCells {
   int cells_;
   gl::Kernels<SurfaceBox> box_;
   gl::Kernel<ListCells> list_;
-  std::size_t capacity_ = 0;  ///< surfaces
+  std::size_t capacity_ = 0;  ///< number of surfaces
   gl::Buffer boxes_, cellNumbers_, arguments_;
   gl::Texture cellView_;
 };

@@ -13,10 +13,10 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr glm::vec3 groundColor(0.045F, 0.047F, 0.060F);  // encoded
+constexpr glm::vec3 groundColor(0.045F, 0.047F, 0.060F);  // encoded sRGB
 constexpr glm::vec3 letterColor(0.80F, 0.82F, 0.86F);
 
-/// Rectangles of one colour: left, top, right, bottom and the colour after it.
+/// Appends rectangles of one colour: left, top, right, bottom, followed by the colour.
 class Boxes {
  public:
   Boxes(std::vector<glm::vec4>& boxes, int unit) : boxes_(boxes), unit_(unit) {}
@@ -39,7 +39,7 @@ struct Decade {
   double value;  ///< 10^exponent, correctly rounded from 1e-22 to 1e22
 };
 
-/// The largest power of ten that is not above x > 0.
+/// Returns the largest power of ten that is at most x; x > 0.
 Decade decadeBelow(double x) {
   Decade decade{0, 1.0};
   double power = 1.0;
@@ -64,7 +64,7 @@ std::vector<Tick> ticksBetween(double first, double last, int max) {
     }
   const int digits = std::max(0, -decadeBelow(step * (1 + 1e-9)).exponent);
   const double low = std::min(first, last);
-  const double hair = 1e-4 * step;  // the ends come as floats
+  const double hair = 1e-4 * step;  // tolerance, because the ends are floats
   std::vector<Tick> ticks;
   for (double i = std::ceil((low - hair) / step); i * step <= low + span + hair; ++i)
     ticks.push_back({(i * step - first) / (last - first), fmt::format("{:.{}f}", i * step + 0.0, digits)});
@@ -81,7 +81,7 @@ void AxesPass::append(const sim::Field& field, double seconds, std::vector<glm::
   Boxes out(boxes, u);
   out.fill(glm::vec4(part.x - margin.x, part.y, part.x, part.w), groundColor);
   out.fill(glm::vec4(part.x - margin.x, part.w, part.z, part.w + margin.y), groundColor);
-  // The value at a pixel: evenly from the middle of the first cell to that of the last.
+  // Returns the value at a pixel: linear between the centres of the first and the last cell.
   const auto valueAt = [&](const sim::FieldDisplay::Axis& axis, int i, int pixel) {
     const double cell = view.origin[i] + pixel * view.perPixel[i] - 0.5;
     const auto first = static_cast<double>(axis.first.at(seconds));
@@ -106,11 +106,11 @@ void AxesPass::append(const sim::Field& field, double seconds, std::vector<glm::
       const int y = part.y + static_cast<int>(std::lround(tick.place * length));
       const glm::ivec2 size = out.size(tick.label);
       out.fill(glm::vec4(part.x - 4 * u, y - u / 2, part.x, y - u / 2 + u), letterColor);
-      // Room for the name in the corner.
+      // Leaves room for the name in the corner.
       const int top = std::clamp(y - size.y / 2 + u, part.y + 2 * u, part.w - size.y);
       out.text(tick.label, {part.x - 6 * u - size.x, top});
     }
-    // "k, kill rate" in two lines in the corner below.
+    // A name such as "k, kill rate" takes two lines in the corner below.
     const std::string& name = display.down->name;
     const std::size_t comma = name.find(", ");
     out.text(name.substr(0, comma), {part.x - margin.x + 4 * u, part.w + 6 * u});

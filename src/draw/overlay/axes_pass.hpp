@@ -14,29 +14,30 @@
 
 namespace simreel::draw {
 
-/// A number of a scale: where it lies between the scale's ends, 0 to 1, and how it is written.
+/// A tick of an axis: its position between the ends (0 to 1) and its label.
 struct Tick {
   double place;
   std::string label;
 };
-/// Round numbers between `first` and `last`, which may fall; about `most` of them at most.
+/// Returns ticks at round numbers between `first` and `last`, about `max` at most. `first` may be greater
+/// than `last`.
 [[nodiscard]] std::vector<Tick> ticksBetween(double first, double last, int max);
 
-/// Draws the scales of fields (FieldDisplay::Axis) beside them, over the finished picture.
+/// Draws the axes of fields (FieldDisplay::Axis) beside them, over the finished picture.
 class AxesPass {
  public:
   explicit AxesPass(glm::ivec2 picture, Rasterizer rasterizer = Rasterizer::driver)
       : picture_(picture), exact_(rasterizer == Rasterizer::exact) {}
-  /// driver: into the bound framebuffer, the finished picture.
+  /// driver: draws into the bound framebuffer, over the finished picture.
   void draw(const sim::Drawables& drawables, double seconds);
-  /// exact: over the finished picture, RGBA8, its first row the top one.
+  /// exact: draws over the finished RGBA8 picture, whose first row is the top row.
   void draw(const sim::Drawables& drawables, double seconds, const gl::Texture& picture);
 
  private:
-  /// Appends rectangles and their colours for one field.
+  /// Appends the rectangles of one field, each followed by its colour.
   void append(const sim::Field& field, double seconds, std::vector<glm::vec4>& boxes) const;
 
-  /// The rectangles of all fields.
+  /// Returns the rectangles of all fields.
   [[nodiscard]] std::vector<glm::vec4> boxesOf(const sim::Drawables& drawables, double seconds) const;
 
   glm::ivec2 picture_;
@@ -45,7 +46,7 @@ class AxesPass {
   gl::Program program_;
   gl::Buffer buffer_;
   gl::Texture view_;
-  std::vector<glm::vec4> present_;  ///< what the buffer holds
+  std::vector<glm::vec4> present_;  ///< content of the buffer
   VertexArray vertices_;
 };
 

@@ -19,10 +19,10 @@ struct PaintBoxes {
 
 namespace {
 
-constexpr int pieceSide = 16;  // pixels
+constexpr int pieceSide = 16;  // max side of a piece in pixels
 
 struct Box {
-  glm::ivec4 at;  // left, top, right, bottom
+  glm::ivec4 at;  // edges in pixels: left, top, right, bottom
   glm::vec4 color;
   int layer = 0;
 };
@@ -36,7 +36,7 @@ std::vector<Box> layered(const std::vector<glm::vec4>& boxes, glm::ivec2 picture
   for (std::size_t i = 0; i + 1 < boxes.size(); i += 2) {
     Box box{glm::clamp(glm::ivec4(boxes[i]), glm::ivec4(0), glm::ivec4(picture, picture)), boxes[i + 1]};
     if (box.at.x >= box.at.z || box.at.y >= box.at.w) continue;
-    // Above all that it hides, and above what those of its own colour hide.
+    // Above all rectangles that it overlaps; in the same layer if the overlapped one has the same colour.
     for (const Box& below : found)
       if (overlap(box.at, below.at))
         box.layer = std::max(box.layer, below.layer + (below.color == box.color ? 0 : 1));

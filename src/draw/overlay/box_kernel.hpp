@@ -10,32 +10,34 @@
 
 namespace simreel::draw {
 
-/// Rectangles in layers: what is painted first, what over it, and so on.
+/// Rectangles in layers, painted from the first layer to the last.
 struct BoxLayers {
-  std::vector<glm::vec4> boxes;  ///< two each: left, top, right, bottom in whole pixels; encoded colour
-  std::vector<int> ends;         ///< of each layer, in rectangles
+  std::vector<glm::vec4> boxes;  ///< two per rectangle: left, top, right, bottom in whole pixels; encoded
+                                 ///< colour
+  std::vector<int> ends;         ///< end index of each layer, in rectangles
 };
-/// The same picture as painting `boxes` in their order: those of a layer do not overlap, or have the same
-/// colour. In pieces of at most 16 x 16 pixels, within the picture.
+/// Sorts rectangles into layers that give the same picture as painting `boxes` in order. Rectangles of one
+/// layer do not overlap unless they have the same colour. They are split into pieces of at most 16 x 16
+/// pixels and clipped to the picture.
 [[nodiscard]] BoxLayers boxLayers(const std::vector<glm::vec4>& boxes, glm::ivec2 picture);
 
 struct PaintBoxes;
 
-/// Rectangles as a kernel paints them over the finished picture; kept until others come.
+/// Paints rectangles over the finished picture with a kernel. Keeps the buffer until the rectangles change.
 class BoxList {
  public:
-  /// `target`: RGBA8, its first row the picture's top one. Leaves the image to a barrier of the caller.
+  /// `target`: RGBA8, first row at the top. The caller must issue the image barrier.
   void paint(const std::vector<glm::vec4>& boxes, const gl::Texture& target);
 
  private:
-  gl::Kernel<PaintBoxes> kernel_;   ///< made when first needed
-  std::vector<glm::vec4> present_;  ///< what the buffer was made of
+  gl::Kernel<PaintBoxes> kernel_;   ///< created on first use
+  std::vector<glm::vec4> present_;  ///< content of the buffer
   BoxLayers layers_;
   gl::Buffer buffer_;
   gl::Texture view_;
 };
 
-/// Makes what kernels wrote to an image visible to drawing and to copies.
+/// Issues a memory barrier that makes image writes of kernels visible to drawing and copies.
 void imageBarrier();
 
 }  // namespace simreel::draw

@@ -12,10 +12,10 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr float capital = 7.5F;                   // height of a capital, in units of a chart's layout
-constexpr glm::vec3 dim(0.342F, 0.380F, 0.448F);  // linear
+constexpr float capital = 7.5F;                   // height of a capital, in units of the chart layout
+constexpr glm::vec3 dim(0.342F, 0.380F, 0.448F);  // linear RGB
 
-/// Thousands apart: 65 536.
+/// Returns the number with spaces between thousands, for example 65 536.
 std::string groupedDigits(unsigned number) {
   std::string digits = fmt::format("{}", number);
   for (auto at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)
@@ -29,7 +29,7 @@ const ChartLabels::Word& ChartLabels::word(const std::string& text) {
   const auto found = words_.find(text);
   if (found != words_.end()) return found->second;
   if (!font_) font_ = std::make_unique<sim::Font>(assetFolder() / "fonts/OpenSans-Regular.ttf");
-  constexpr std::size_t most = 64;  // characters
+  constexpr std::size_t most = 64;  // max number of characters of a label
   constexpr sim::TextAnchor anchor{sim::TextAnchor::Across::left, sim::TextAnchor::Down::baseline};
   Word made;
   for (const auto& polygon : sim::written(*font_, text.substr(0, most), anchor, 1)) {
@@ -43,7 +43,7 @@ const ChartLabels::Word& ChartLabels::word(const std::string& text) {
 }
 
 std::vector<sim::Writing> ChartLabels::of(const sim::Drawables& drawables) {
-  constexpr std::size_t enough = 500;  // words that no picture shows any more
+  constexpr std::size_t enough = 500;  // size at which the cache is cleared
   if (words_.size() > enough) words_.clear();
   std::vector<sim::Writing> all;
   for (const sim::Chart& chart : drawables.charts) {

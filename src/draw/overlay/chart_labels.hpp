@@ -11,18 +11,17 @@
 
 namespace simreel::draw {
 
-/// What is written on charts, in the font that ships with simreel, so that it has the same pixels
-/// everywhere.
+/// Text of charts, in the font that ships with simreel, so that pixels are the same everywhere.
 class ChartLabels {
  public:
   explicit ChartLabels(glm::ivec2 picture) : picture_(picture) {}
-  /// Names in a row above the curves of each chart that has room for letters, and its scales below them,
-  /// for WritingPass; live until the next call.
+  /// Returns the text of all charts that have room for letters, for WritingPass: names in a row above the
+  /// curves and scales below. The result is valid until the next call.
   [[nodiscard]] std::vector<sim::Writing> of(const sim::Drawables& drawables);
 
  private:
   using Outlines = std::vector<std::vector<glm::vec2>>;
-  /// Some text's outlines and width, in heights of a capital.
+  /// Outlines and width of a text, relative to the height of a capital.
   struct Word {
     Outlines outlines;
     float width = 0;
@@ -30,7 +29,7 @@ class ChartLabels {
   const Word& word(const std::string& text);
 
   glm::ivec2 picture_;
-  std::unique_ptr<sim::Font> font_;  ///< read when it is first needed
+  std::unique_ptr<sim::Font> font_;  ///< loaded on first use
   std::map<std::string, Word> words_;
 };
 

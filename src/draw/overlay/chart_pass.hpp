@@ -15,34 +15,34 @@
 
 namespace simreel::draw {
 
-/// Where the parts of a chart lie in a picture: whole pixels from the top left.
+/// Position of the parts of a chart in a picture, in whole pixels from the top left.
 struct ChartLayout {
-  glm::ivec4 panel{0};      ///< left, top, right, bottom
-  glm::ivec4 plot{0};       ///< the same, of the curves
-  int unit = 1;             ///< thickness of thin lines (pixels), which letters grow with
-  bool hasLetters = false;  ///< whether there is room for them (ChartLabels)
+  glm::ivec4 panel{0};      ///< edges of the panel: left, top, right, bottom
+  glm::ivec4 plot{0};       ///< area of the curves; same order
+  int unit = 1;             ///< width of thin lines (pixels); letters scale with it
+  bool hasLetters = false;  ///< true if there is room for letters (ChartLabels)
 };
 [[nodiscard]] ChartLayout chartLayout(const sim::Chart& chart, glm::ivec2 picture);
 
 struct CondenseChart;
 struct DrawChart;
 
-/// Draws curves of counts over the finished picture, without letters. A kernel condenses the steps to
-/// columns of pixels, so a frame costs the same after a million steps.
+/// Draws curves of counts over the finished picture, without letters. A kernel reduces the steps to columns
+/// of pixels, so a frame takes the same time after a million steps.
 class ChartPass {
  public:
   explicit ChartPass(glm::ivec2 picture, Rasterizer rasterizer = Rasterizer::driver)
       : picture_(picture), exact_(rasterizer == Rasterizer::exact) {}
-  /// driver: into the bound framebuffer, the finished picture.
+  /// driver: draws into the bound framebuffer, over the finished picture.
   void draw(const sim::Drawables& drawables);
-  /// exact: over the finished picture, RGBA8, its first row the top one.
+  /// exact: draws over the finished RGBA8 picture, whose first row is the top row.
   void draw(const sim::Drawables& drawables, const gl::Texture& picture);
 
  private:
   struct Kept {
     gl::Texture columns;
   };
-  /// False: nothing to draw.
+  /// Returns false if there is nothing to draw.
   bool prepare(const sim::Drawables& drawables);
   void compile();
   void condense(const sim::Chart& chart, const ChartLayout& layout, Kept& kept) const;

@@ -10,13 +10,14 @@ namespace simreel::draw {
 
 namespace {
 
-/// Areas to the right of sides: of each row, what a pixel adds to all that are right of it.
+/// Accumulates the areas to the right of polygon edges. Each entry of a row is the amount that its pixel
+/// adds to all pixels to its right, so a prefix sum gives the coverage.
 class Areas {
  public:
   explicit Areas(glm::ivec2 size)
       : size_(size), steps_(static_cast<std::size_t>(size.x + 1) * static_cast<std::size_t>(size.y)) {}
 
-  /// A side, in pixels of the box.
+  /// Adds an edge, in pixels of the box.
   void add(glm::dvec2 from, glm::dvec2 to) {
     if (from.y == to.y) return;
     const double turn = from.y < to.y ? 1 : -1;
@@ -49,9 +50,9 @@ class Areas {
            static_cast<std::size_t>(x);
   }
 
-  /// Of a side within a row, column by column.
+  /// Adds a part of an edge that lies within one row, column by column.
   void addInRow(int row, glm::dvec2 from, glm::dvec2 to, double turn) {
-    if (to.x < from.x) std::swap(from, to);  // its height is all that counts
+    if (to.x < from.x) std::swap(from, to);  // only the height of the part matters
     const double tall = std::abs(to.y - from.y), wide = to.x - from.x;
     const double right = size_.x;
     for (double x = from.x;;) {

@@ -7,15 +7,15 @@
 
 namespace simreel::draw {
 
-/// How much of each pixel of a box polygons cover.
+/// Coverage of the pixels of a box by polygons.
 struct Coverage {
-  glm::ivec2 corner{0};             ///< of the box: pixels from the picture's left and top
-  glm::ivec2 size{0};               ///< of it; 0: nothing of them lies in the picture
-  std::vector<std::uint8_t> share;  ///< rows from the top, 255: all of it
+  glm::ivec2 corner{0};             ///< top left pixel of the box in the picture
+  glm::ivec2 size{0};               ///< size of the box; 0 if the polygons do not touch the picture
+  std::vector<std::uint8_t> share;  ///< rows from the top; 255: fully covered
 };
 
-/// Of closed polygons in pixels, y down, of which none overlaps another that goes the same way round: the
-/// exact area, rounded once. What lies beyond the picture is left out.
+/// Returns the coverage by closed polygons (pixels, y down): the exact area, rounded once. Polygons of the
+/// same orientation must not overlap. Parts outside the picture are ignored.
 [[nodiscard]] Coverage coverageOf(std::span<const std::vector<glm::dvec2>> polygons, glm::ivec2 picture);
 
 }  // namespace simreel::draw

@@ -11,20 +11,20 @@
 
 namespace simreel::draw {
 
-/// Colours of a field as glsl/draw/overlay/field_values.glsl reads them.
+/// Colours of a field, in the layout of glsl/draw/overlay/field_values.glsl.
 class FieldColors {
  public:
-  gl::Texture stops;  ///< RGBA32F texel view
+  gl::Texture stops;  ///< colours of the colour map, RGBA32F texel view
   gl::Buffer stopBuffer;
   int stopCount = 0;
-  /// Copies the colours unless they are there already. At least one.
+  /// Uploads the colours if they have changed. There must be at least one.
   void update(const std::vector<glm::vec3>& wanted);
 
  private:
   std::vector<glm::vec3> present_;
 };
 
-/// Fields of glsl/draw/overlay/field_inputs.glsl.
+/// Uniforms, buffers and textures that glsl/draw/overlay/field_inputs.glsl declares.
 struct FieldInputs {
   gl::In<"words"> words;
   gl::In<"stops"> stops;
@@ -38,7 +38,7 @@ struct FieldInputs {
 };
 [[nodiscard]] FieldInputs fieldInputs(const sim::Field& field, const FieldColors& colors);
 struct FieldVariant {
-  gl::Choice<"CELLS", 0, 1, 2, 3> cells;  ///< sim::Field::Cells
+  gl::Choice<"CELLS", 0, 1, 2, 3> cells;  ///< storage format of the cells, as sim::Field::Cells
   gl::Flag<"CATEGORIES"> categories;
   gl::Flag<"COLORED"> colored;
 };
@@ -46,17 +46,17 @@ struct FieldVariant {
 
 struct AverageField;
 
-/// Averages a whole field into a texture of any smaller or equal size: values (R32F), or linear light
-/// (RGBA16F, the value's place in the range in alpha). The same bits on every device. A texel sums up at
+/// Averages a whole field into a texture of the same or a smaller size: values (R32F), or linear light
+/// (RGBA16F, with the relative value in alpha). The bits are the same on every device. A texel averages at
 /// most 240 x 240 cells.
 class FieldKernel {
  public:
-  /// Writes level 0.
+  /// Writes mip level 0.
   void average(const sim::Field& field, const FieldColors& colors, const gl::Texture& texture,
                bool colored);
-  /// Greatest number of cells per texel on a side: loops of a software driver end after 65,535 rounds.
+  /// Max number of cells per texel side. Software drivers end loops after 65,535 iterations.
   static constexpr int maxReduction = 240;
-  /// A texture for fields of this size, cells averaged by `reduction` on a side.
+  /// Returns a texture for a field whose cells are averaged by `reduction` per side.
   [[nodiscard]] static gl::Texture texture(const sim::Field& field, int reduction, bool colored,
                                            int levels);
 

@@ -26,14 +26,15 @@ namespace {
 
 using FieldLayer = sim::FieldDisplay::Layer;
 
-constexpr int maxTexels = 4096;  // of a reduced field, on a side
+constexpr int maxTexels = 4096;  // max side of a reduced field
 
 bool shown(const sim::Field& field, double seconds) {
   return field.display != nullptr && field.display->layer != FieldLayer::none &&
          field.display->opacity.at(seconds) > 1e-6F && field.size.x > 0 && field.size.y > 0;
 }
 
-/// Squares, categories and what has colours are averaged as light; smooth values before they are coloured.
+/// True if the field is averaged as light: nearest-neighbour display, categories and colours. Smooth values
+/// are averaged before they are coloured.
 bool averagesLight(const sim::Field& field) {
   return field.categories || !field.display->smooth || field.cells == sim::Field::Cells::colors;
 }
@@ -46,15 +47,17 @@ bool hasRelief(const sim::Field& field) {
   return field.display->relief != 0 && !field.categories;
 }
 
-/// Whether no pixel covers more than an element: boxes then have two on a side at most.
+/// True if no pixel covers more than one element, so that a pixel's box touches at most two elements per
+/// side.
 bool isMagnified(const sim::Field& field, int reduction, glm::ivec2 picture, double seconds) {
   const glm::dvec2 perPixel = fieldView(*field.display, field.size, picture, seconds).perPixel;
-  constexpr double most = 0.999;  // of floats that were rounded on the way
+  constexpr double most = 0.999;  // limit below 1, because of float rounding
   return reduction == 1 && perPixel.x <= most && perPixel.y <= most;
 }
 
-/// Pixels of an invocation, one below the other. Relief takes eight means over up to 42 elements a side
-/// more, and drivers end loops in silence after 65,535 turns.
+/// Returns the number of pixels, one below the other, per invocation. One for fields with relief, whose
+/// eight extra means over up to 42 elements a side could exceed the 65,535 loop iterations after which some
+/// drivers silently end a loop.
 int rowsFor(const sim::Field& field) {
   return hasRelief(field) ? 1 : rowsAtOnce();
 }
@@ -65,7 +68,8 @@ int FieldPass::reductionFor(glm::ivec2 cells, glm::dvec2 perPixel) {
   const double under = std::min(std::min(perPixel.x, perPixel.y), 2.0 * FieldKernel::maxReduction);
   const int wanted = std::max(1, static_cast<int>(under / 2));
   const int min = (std::max(cells.x, cells.y) + maxTexels - 1) / maxTexels;
-  // Too few texels for this magnification: the cells themselves then.
+  // If a reduced field of the wanted magnification would be too large for a texture, the cells are read
+  // directly.
   return wanted < min ? 1 : wanted;
 }
 
@@ -102,7 +106,8 @@ FieldDrawVariant FieldPass::variant(const sim::Field& field, const Kept& kept, d
   FieldDrawVariant all{.field = fieldVariant(field, kept.colored),
                        .reduced = kept.reduction > 1,
                        .over = over,
-                       // Software drivers would read what nobody sees: they run both sides of a branch.
+                       // OPAQUE saves a read of the hidden picture, which software drivers do even in the
+                       // branch not taken.
                        .opaque = exact_ && over && field.display->opacity.at(seconds) >= 1,
                        .magnified = isMagnified(field, kept.reduction, picture_, seconds),
                        .smoothColors = hasSmoothColors(field),
@@ -159,7 +164,7 @@ void FieldPass::drawOver(const sim::Drawables& drawables, double seconds, const 
 void FieldPass::drawBehind(const sim::Drawables& drawables, double seconds, const gl::Texture& light,
                            bool topFirst) {
   SIMREEL_CHECK(exact_);
-  // Behind all that is there, so the last one comes first.
+  // Each field goes behind everything drawn so far, so the last field of the scene is drawn first.
   for (std::size_t i = drawables.fields.size(); i-- > 0;) {
     const sim::Field& field = drawables.fields[i];
     if (shown(field, seconds) && field.display->layer == FieldLayer::behind)

@@ -16,7 +16,7 @@
 
 namespace simreel::draw {
 
-/// A field and its place on the picture: fields of glsl/draw/overlay/field_view.glsl, too.
+/// Shader inputs for a field and its position in the picture (glsl/draw/overlay/field_view.glsl).
 struct ShownField {
   FieldInputs field;
   gl::In<"reduced"> reduced;
@@ -37,36 +37,37 @@ struct FieldDrawVariant {
   gl::Flag<"SMOOTH_COLORS"> smoothColors;
   gl::Flag<"TILED"> tiled;
   gl::Flag<"RELIEF"> relief;
-  gl::Range<"ROWS", 1, 8> rows = {};  ///< of the exact rasterizer
+  gl::Range<"ROWS", 1, 8> rows = {};  ///< number of pixels per invocation of the exact rasterizer
 };
 
 struct DrawField;
 
-/// Lays fields over the picture, or behind everything drawn. Cells are read straight from the simulation's
-/// memory; where four or more lie under a pixel, a kernel averages blocks of them first.
+/// Draws fields over the picture or behind the scene. Reads cells directly from the simulation's memory. If
+/// four or more cells lie under a pixel, a kernel first averages blocks of cells.
 class FieldPass {
  public:
   explicit FieldPass(glm::ivec2 picture, Rasterizer rasterizer = Rasterizer::driver)
       : picture_(picture), exact_(rasterizer == Rasterizer::exact) {}
 
-  /// Averages what is shown small. Call once a frame, before drawing.
+  /// Averages fields that are drawn reduced. Call once per frame, before drawing.
   void prepare(const sim::Drawables& drawables, double seconds);
-  /// driver: into the bound framebuffer, in the order of the scene. behind: linear light and coverage, the
-  /// last row first; over: on the finished picture, encoded, the top row first.
+  /// driver: draws into the bound framebuffer, in scene order. behind: linear light and coverage, last row
+  /// first; over: encoded, on the finished picture, top row first.
   void draw(const sim::Drawables& drawables, sim::FieldDisplay::Layer layer, double seconds);
-  /// exact: over the finished picture, RGBA8, its first row the top one.
+  /// exact: draws over the finished RGBA8 picture, whose first row is the top row.
   void drawOver(const sim::Drawables& drawables, double seconds, const gl::Texture& picture);
-  /// exact: behind all that is drawn already. `light`: RGBA32F, light times coverage, and coverage; its
-  /// last row is the picture's top one, or its first one (topFirst).
+  /// exact: draws behind everything that is in `light` (RGBA32F: premultiplied light and coverage). The
+  /// last row of `light` is the top row of the picture, or the first row if topFirst.
   void drawBehind(const sim::Drawables& drawables, double seconds, const gl::Texture& light,
                   bool topFirst = false);
-  /// Cells averaged into a texel on a side: the picture shows two to three texels a pixel then.
+  /// Returns the number of cells per side that are averaged into one texel. The picture then has two to
+  /// three texels per pixel.
   [[nodiscard]] static int reductionFor(glm::ivec2 cells, glm::dvec2 perPixel);
-  /// Whether a field over the picture leaves nothing else of it to be seen.
+  /// True if an opaque field covers the whole picture.
   [[nodiscard]] bool hidesAll(const sim::Drawables& drawables, double seconds) const;
 
  private:
-  /// What is kept of the field at one place of the drawables.
+  /// Data that is kept for one field of the drawables.
   struct Kept {
     FieldColors colors;
     gl::Texture reduced;
@@ -78,7 +79,7 @@ class FieldPass {
   void drawOne(const sim::Field& field, const Kept& kept, double seconds);
   void drawOneExactly(const sim::Field& field, const Kept& kept, double seconds, const gl::Texture& target,
                       int lastRow);
-  /// What both rasterizers read.
+  /// Returns the inputs that both rasterizers use.
   static ShownField shownAs(const sim::Field& field, const Kept& kept, const FieldView& view,
                             double seconds);
   [[nodiscard]] FieldDrawVariant variant(const sim::Field& field, const Kept& kept, double seconds) const;
@@ -88,7 +89,7 @@ class FieldPass {
   FieldKernel kernel_;
   std::vector<Kept> kept_;
   gl::Kernels<DrawField> kernels_;
-  std::map<gl::Defines, gl::Program> programs_;  ///< driver: by variant
+  std::map<gl::Defines, gl::Program> programs_;  ///< programs of the driver's rasterizer, by variant
   VertexArray vertices_;
 };
 

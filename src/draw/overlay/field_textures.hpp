@@ -13,34 +13,33 @@
 
 namespace simreel::draw {
 
-/// Fields that are the skin of something, as textures with mip maps, made once a frame by a kernel that
-/// reads the simulation's memory. Other fields are left alone: FieldPass draws them from their cells.
+/// Textures with mip maps for the fields that skins use. Each is updated once per frame by a kernel that
+/// reads the simulation's memory. Other fields are drawn by FieldPass directly from their cells.
 class FieldTextures {
  public:
-  /// Knows from the scene's materials which fields are skins, and from the picture's size how fine they
-  /// need to be. exact: without the driver's mip maps.
+  /// Takes the fields of skins from the scene's materials, and the texture resolution from the picture's
+  /// size. exact: without mip maps of the driver.
   explicit FieldTextures(const scene::Scene& scene, Rasterizer rasterizer = Rasterizer::driver);
 
-  /// Colours (`stops`, `stopCount`) matter for values only.
+  /// Texture of one field. The colours (`stops`, `stopCount`) are only used for values.
   struct Entry : FieldColors {
-    gl::Texture texture;  ///< R32F values, or RGBA16F linear light of categories; row 0 is the field's row
-                          ///< 0; repeated beyond its borders; whole mip
-                          ///< chain unless exact
-    glm::ivec2 cells{0, 0};  ///< of the field; the texture may be smaller, and covers exactly the field
-    int reduction = 1;       ///< cells a texel on a side, averaged
+    gl::Texture texture;  ///< R32F values, or RGBA16F linear light of categories. Row 0 is the field's row
+                          ///< 0. Repeats; has all mip levels unless exact.
+    glm::ivec2 cells{0, 0};  ///< size of the field in cells; the texture may be smaller, but covers exactly
+                             ///< the field
+    int reduction = 1;       ///< cells per texel side, averaged
     glm::vec2 range{0, 1};
-    bool colored = false;  ///< categories: the texture holds colours
+    bool colored = false;  ///< true for categories: the texture holds colours
   };
-  /// Brings the textures of a frame's skins up to date. Throws UserError(device) beyond
-  /// GL_MAX_TEXTURE_SIZE.
+  /// Updates the textures of a frame's skins. Throws UserError(device) beyond GL_MAX_TEXTURE_SIZE.
   void update(const sim::Drawables& drawables);
-  /// Null when no field of that name was published, or no material asks for it.
+  /// Returns null if no field of that name was published or if no material uses it.
   [[nodiscard]] const Entry* find(const std::string& name) const;
 
  private:
   std::set<std::string> wanted_;
   bool exact_;
-  int maxSide_;  ///< texels
+  int maxSide_;  ///< max texture side (texels)
   FieldKernel kernel_;
   std::map<std::string, Entry> entries_;
 };

@@ -11,7 +11,7 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr float reliefCells = 7.0F;  // height of the whole range at relief 1
+constexpr float reliefCells = 7.0F;  // relief height of the whole value range, in cells, for relief 1
 
 glm::dvec2 wrapped(glm::dvec2 at, glm::dvec2 size) {
   return at - size * glm::floor(at / size);
@@ -34,7 +34,7 @@ FieldView fieldView(const sim::FieldDisplay& display, glm::ivec2 cells, glm::ive
   const glm::dvec2 end =
       glm::round(glm::dvec2(display.corner + display.extent) * whole) - glm::dvec2(0, margin.y);
   const glm::dvec2 extent = glm::max(end - corner, 1.0);
-  const glm::dvec2 each = extent / glm::dvec2(cells);  // pixels a cell
+  const glm::dvec2 each = extent / glm::dvec2(cells);  // pixels per cell along x and y
   glm::dvec2 scale = each;
   if (display.fit == sim::FieldDisplay::Fit::contain) scale = glm::dvec2(std::min(each.x, each.y));
   if (display.fit == sim::FieldDisplay::Fit::cover) scale = glm::dvec2(std::max(each.x, each.y));
@@ -43,7 +43,7 @@ FieldView fieldView(const sim::FieldDisplay& display, glm::ivec2 cells, glm::ive
   FieldView view;
   view.part = {corner, corner + extent};
   view.perPixel = 1.0 / scale;
-  // Where cell (0, 0) begins, in pixels.
+  // Pixel position of the corner of cell (0, 0).
   glm::dvec2 first = corner + 0.5 * extent - center * scale;
   if (!display.zoom.moves() && !display.center.moves())
     for (int i = 0; i < 2; ++i)
@@ -54,8 +54,9 @@ FieldView fieldView(const sim::FieldDisplay& display, glm::ivec2 cells, glm::ive
 }
 
 FieldPlace fieldPlace(const sim::Field& field, const FieldView& view, glm::ivec2 size) {
-  const glm::dvec2 elements = glm::dvec2(size) / glm::dvec2(field.size);  // a cell
-  // Whole elements apart: a float keeps the rest of them exact, however large the field.
+  const glm::dvec2 elements = glm::dvec2(size) / glm::dvec2(field.size);  // elements per cell
+  // Integer and fractional part are separate, so that the fractional part is exact as float for fields of
+  // any size.
   glm::dvec2 first = glm::clamp(view.origin * elements, -1e9, 1e9);
   if (field.display->tiled) first = wrapped(first, glm::dvec2(size));
   const glm::dvec2 base = glm::floor(first);

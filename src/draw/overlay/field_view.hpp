@@ -7,33 +7,33 @@
 
 namespace simreel::draw {
 
-/// Where the cells of a field lie in a picture.
+/// Position of a field's cells in a picture.
 struct FieldView {
-  glm::dvec4 part{0};      ///< left, top, right, bottom of its part of the picture, whole pixels
-  glm::dvec2 origin{0};    ///< cell coordinates of the picture's top left corner
-  glm::dvec2 perPixel{1};  ///< cells a pixel
+  glm::dvec4 part{0};      ///< left, top, right, bottom of the field's part of the picture, in whole pixels
+  glm::dvec2 origin{0};    ///< cell coordinates at the picture's top left corner
+  glm::dvec2 perPixel{1};  ///< cells per pixel
 };
 
-/// Pixels that the scales of a display take from its part: at the left, and below it. As FieldDisplay::Axis
-/// says; zero where there are none or the part is too small for letters.
+/// Returns the margins (pixels) that axes take from the display's part of the picture: on the left, and at
+/// the bottom. Zero without axes (FieldDisplay::Axis), or if the part is too small for letters.
 [[nodiscard]] glm::ivec2 axesMargin(const sim::FieldDisplay& display, glm::ivec2 picture);
 
-/// Fit, zoom and centre of a display at `seconds`. A field that holds still at a whole magnification has
-/// the edges of its cells on edges of pixels.
+/// Returns the view of a display at `seconds`, from its fit, zoom and centre. If the view does not move and
+/// the magnification is an integer, cell edges lie on pixel edges.
 [[nodiscard]] FieldView fieldView(const sim::FieldDisplay& display, glm::ivec2 cells, glm::ivec2 picture,
                                   double seconds);
 
-/// A view as shaders get it (glsl/draw/overlay/field_view.glsl): in elements, which are cells or the texels
-/// of a texture of `size` that covers the field. Pixel p covers the elements from base + start + perPixel p
-/// to + perPixel (p + 1).
+/// The view as uniforms (glsl/draw/overlay/field_view.glsl), in elements: cells, or texels of a texture of
+/// `size` that covers the field. Pixel p covers the elements from base + start + perPixel p to base + start
+/// + perPixel (p + 1).
 struct FieldPlace {
   glm::ivec2 size{0}, base{0};
   glm::vec2 start{0}, perPixel{1};
-  glm::vec2 slope{0};  ///< height of the whole range in elements
+  glm::vec2 slope{0};  ///< relief height of the whole value range, in elements
 };
 [[nodiscard]] FieldPlace fieldPlace(const sim::Field& field, const FieldView& view, glm::ivec2 size);
 
-/// 1 / (last - first value of a field's range), as shaders get it: finite, and no subnormal number.
+/// Returns 1 / (last - first value of a field's range), limited so that it is finite and not subnormal.
 [[nodiscard]] float rangeFactor(glm::vec2 range);
 
 }  // namespace simreel::draw

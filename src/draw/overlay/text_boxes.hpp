@@ -7,14 +7,14 @@
 
 namespace simreel::draw {
 
-/// Texture unit at which shaders of boxes (charts, scales) read them.
+/// Texture unit of the rectangles, for shaders that draw charts and axes.
 
-/// Letters as rectangles of pixels (left, top, right, bottom): stb_easy_font at a whole magnification, so
-/// they are sharp. What is not ASCII becomes a question mark.
+/// Returns text as rectangles (left, top, right, bottom; pixels), in stb_easy_font at an integer
+/// magnification, so letters are sharp. Non-ASCII characters become question marks.
 [[nodiscard]] std::vector<glm::vec4> textBoxes(const std::string& text, glm::ivec2 topLeft, int scale);
-/// Magnification of letters, thickness of thin lines: pixels.
+/// Returns the magnification of letters, which is also the width of thin lines (pixels).
 [[nodiscard]] int letterUnit(glm::ivec2 picture);
-/// Width and height of the capitals, pixels.
+/// Returns the width and the capital height of the text (pixels).
 [[nodiscard]] glm::ivec2 textSize(const std::string& text, int scale);
 
 }  // namespace simreel::draw

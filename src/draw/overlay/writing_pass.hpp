@@ -13,12 +13,13 @@ namespace simreel::draw {
 
 struct WritingKernel;
 
-/// Draws text over the finished picture: how much letters cover of each pixel is found on the CPU when it
-/// changes, which is exact and the same on every machine, and a kernel lays it over.
+/// Draws text over the finished picture. The CPU computes the exact coverage of each pixel when the text
+/// changes, with the same result on every machine. A kernel blends the text over the picture.
 class WritingPass {
  public:
   explicit WritingPass(glm::ivec2 picture) : picture_(picture) {}
-  /// Over an RGBA8 picture, its first row the top one. Whoever reads it then needs a barrier.
+  /// Draws over an RGBA8 picture whose first row is the top row. Later readers of the picture need a
+  /// barrier.
   void draw(const sim::Drawables& drawables, const gl::Texture& picture);
 
  private:

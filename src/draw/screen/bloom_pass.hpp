@@ -42,14 +42,14 @@ struct BrightLightUp {
   gl::Uniform<"fraction", glm::vec2> fraction;
 };
 
-/// Light that lenses scatter around what is bright: the scene's light above a threshold through a chain of
-/// ever smaller pictures, then up again. Nothing is made and nothing runs when the scene has no bloom.
+/// Bloom: light that lenses scatter around bright areas. Light above a threshold is downsampled through a
+/// chain of smaller textures and upsampled again. Without bloom in the scene nothing is allocated or run.
 class BloomPass {
  public:
-  /// `samples`: of the light that draw() gets.
+  /// `samples`: samples per pixel of the light given to draw().
   BloomPass(const scene::Bloom& bloom, glm::ivec2 size, int samples);
   [[nodiscard]] bool on() const { return on_; }
-  /// Scattered light of a scene's light, half its size, of the same total; needs on().
+  /// Returns the scattered light at half the size of `light`, with the same total. Requires on().
   const gl::Texture& draw(const gl::Texture& light) const;
 
  private:
@@ -58,7 +58,7 @@ class BloomPass {
   };
   bool on_;
   float threshold_;
-  float reach_;  ///< levels that share the light, the last one in part
+  float reach_;  ///< number of levels that share the light, the last one fractionally
   ScreenProgram<BrightLight> first_;
   ScreenProgram<BrightLightDown> down_;
   ScreenProgram<BrightLightUp> up_;

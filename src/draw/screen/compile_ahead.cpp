@@ -11,7 +11,8 @@ namespace simreel::draw {
 
 namespace {
 
-/// A smaller picture needs the same kernels. Powers of two stay such: machine code depends on that.
+/// Returns a smaller size for the rehearsal, which needs the same kernels. Powers of two remain powers of
+/// two, because machine code depends on that.
 glm::ivec2 rehearsedSize(glm::ivec2 size) {
   constexpr int enough = 640 * 400;
   while (size.x * size.y > enough) size = (size + 1) / 2;
@@ -32,7 +33,7 @@ void compileAhead(const scene::Scene& scene, glm::ivec2 size, int samples, doubl
     renderer.draw(seconds, drawables);
     kernels = rehearsal.take();
   } catch (const UserError&) {
-    return;  // the real picture meets it, too, and says so
+    return;  // the real picture will fail in the same way and report the error
   }
   gl::KernelCompiler::announce(std::move(kernels));
 }

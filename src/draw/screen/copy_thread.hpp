@@ -10,7 +10,7 @@
 
 namespace simreel::draw {
 
-/// Copies bytes on a thread of its own, one task after the other.
+/// Copies bytes on a separate thread, one task after another.
 class CopyThread {
  public:
   struct Task {
@@ -27,15 +27,15 @@ class CopyThread {
   CopyThread(const CopyThread&) = delete;
   CopyThread& operator=(const CopyThread&) = delete;
 
-  /// False where the system grants no thread. The task stays where it is until it is waited for.
+  /// Returns false if the system grants no thread. The task must keep its address until wait() returns.
   [[nodiscard]] bool start(Task& task);
-  /// The task's bytes, when they are there. Throws what went wrong.
+  /// Waits for the task and returns its bytes. Rethrows an error of the copy.
   [[nodiscard]] std::vector<std::uint8_t> wait(Task& task);
 
  private:
   void work() noexcept;
 
-  std::mutex mutex_;  ///< guards all below, and what tasks say of their end
+  std::mutex mutex_;  ///< guards all members below and the completion state of tasks
   std::condition_variable changed_;
   std::deque<Task*> waiting_;
   bool closed_ = false;

@@ -10,19 +10,19 @@
 
 namespace simreel::draw {
 
-/// Draws all but what lies over the finished picture with the driver's rasterizer: shadow maps; fields
-/// behind, surfaces, instances and ground into a multisampled linear target; bloom, resolve, tone map, sRGB
-/// encoding.
+/// Draws a scene, except the overlays on the finished picture, with the driver's rasterizer: shadow maps;
+/// then fields behind the scene, surfaces, instances and ground into a multisampled linear target; then
+/// bloom, resolve, tone mapping and sRGB encoding.
 class DriverScene {
  public:
-  /// What it shares with what is drawn over the picture. All must outlive it.
+  /// Objects shared with the overlay passes. All must outlive the DriverScene.
   struct Shared {
     const scene::Scene& scene;
     const FieldTextures& fieldTextures;
     FieldPass& fields;
     const Picture& picture;
   };
-  /// Throws UserError(device) for limits; inputOutput or usage for textures.
+  /// Throws UserError(device) for limits, UserError(inputOutput) or UserError(usage) for textures.
   DriverScene(const Shared& shared, int samples);
   ~DriverScene();
   DriverScene(DriverScene&&) = delete;
@@ -31,7 +31,7 @@ class DriverScene {
   DriverScene& operator=(const DriverScene&) = delete;
 
   using Watch = std::function<void(const char* stage)>;
-  /// The frame's uniform block is bound.
+  /// Draws the frame. The frame's uniform block must be bound.
   void draw(double seconds, const sim::Drawables& drawables, const Watch& watch);
 
  private:

@@ -35,17 +35,17 @@ struct ReadSamples {
 
 namespace {
 
-constexpr glm::ivec2 size(64, 48);  // pixels
+constexpr glm::ivec2 size(64, 48);  // size of the test picture in pixels
 constexpr glm::ivec2 imageSize(40, 36);
 constexpr int triangles = 120;
 
-/// The n-th of the numbers of a kind, -1 to 1.
+/// Returns the n-th pseudo-random number (-1 to 1) of a sequence `kind`.
 float number(unsigned kind, unsigned n) {
   return shader::signedUnit(shader::hash3({n, kind, 19}).x);
 }
 
-/// Soup of triangles of all sizes, three vertices each: position and u, normal and v. Some reach beyond the
-/// picture, some behind the eye.
+/// Returns random triangles of all sizes, with three vertices each (position and u, normal and v). Some
+/// extend beyond the picture or behind the eye.
 std::vector<glm::vec4> soup() {
   std::vector<glm::vec4> vertices;
   for (unsigned i = 0; i < 3 * triangles; ++i) {
@@ -75,7 +75,7 @@ std::vector<float> imageFloats(int channels, bool positive) {
   return floats;
 }
 
-/// sRGB with our mip levels.
+/// Returns an sRGB texture with the mip levels of mip_levels.hpp.
 gl::Texture pictureTexture() {
   gl::Texture made = gl::Texture::image("probe picture", GL_SRGB8_ALPHA8, imageSize.x, imageSize.y, 0);
   const auto bytes = imageBytes();
@@ -88,7 +88,7 @@ gl::Texture pictureTexture() {
   return made;
 }
 
-/// Half floats with the driver's mip levels, as skins have them.
+/// Returns a half-float texture with the driver's mip levels, as used by skins.
 gl::Texture reliefTexture() {
   gl::Texture made = gl::Texture::image("probe relief", GL_RGBA16F, imageSize.x, imageSize.y, 0);
   made.wrap(GL_REPEAT);
@@ -98,7 +98,7 @@ gl::Texture reliefTexture() {
   return made;
 }
 
-/// Compared bilinearly, as shadow maps are.
+/// Returns a depth texture with bilinear comparison, like shadow maps.
 gl::Texture depthTexture() {
   gl::Texture made = gl::Texture::image("probe depths", GL_DEPTH_COMPONENT32F, imageSize.x, imageSize.y);
   glTextureParameteri(made.name(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
@@ -112,7 +112,7 @@ gl::Texture layer(const char* label, GLenum format, int samples) {
                      : gl::Texture::image(label, format, size.x, size.y);
 }
 
-/// Half of the triangles opaque, half adding their light.
+/// Draws half of the triangles opaque and half with additive blending.
 void drawTriangles(const gl::Framebuffer& target) {
   const auto vertices = gl::Buffer::of<glm::vec4>("probe vertices", soup());
   const auto view = gl::Texture::view("probe vertices", GL_RGBA32F, vertices);
@@ -120,7 +120,8 @@ void drawTriangles(const gl::Framebuffer& target) {
   const gl::Texture relief = reliefTexture();
   const gl::Texture depths = depthTexture();
   const auto program = gl::Program::graphics("probe/triangles.vert", "probe/triangles.frag");
-  // From z = -0.1 to -8, 4:3; written down, since a library's tangent may round otherwise.
+  // Depth range 0.1 to 8, aspect 4:3. Constants, because the tangent function of libraries may round
+  // differently.
   program.set("projection",
               glm::mat4(1.2F, 0, 0, 0, 0, 1.6F, 0, 0, 0, 0, -1.0253165F, -1, 0, 0, -0.20253165F, 0));
   target.bind();
@@ -141,7 +142,7 @@ void drawTriangles(const gl::Framebuffer& target) {
   glDrawArrays(GL_TRIANGLES, 3 * (triangles / 2), 3 * (triangles / 2));
 }
 
-/// The encoded picture's bytes.
+/// Returns the bytes of the encoded picture.
 std::vector<std::uint32_t> finish(const gl::Texture& light, const gl::Defines& samples) {
   const gl::Texture color = gl::Texture::image("probe colours", GL_RGBA8, size.x, size.y);
   const gl::Framebuffer target("probe colours", &color, nullptr);

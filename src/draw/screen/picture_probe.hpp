@@ -3,12 +3,12 @@
 
 namespace simreel::draw {
 
-/// Fingerprint of how the current context draws, 16 hexadecimal digits: hash of every sample of a small
-/// picture whose triangles sample what pictures depend on beside arithmetic (sim::probeNumerics): raster
-/// edges, clipping, interpolation, filtered reads with mip levels and sRGB, comparison of depths, blending,
-/// half floats, encoding. Its shaders are its own (glsl/probe), so that no change of the passes changes it.
-/// Two drivers of one fingerprint may still differ in what it does not reach. Nothing of the state depends
-/// on it.
+/// Returns a fingerprint of the current context's rasterization, 16 hexadecimal digits: a hash of all
+/// samples of a small picture. Its triangles cover what pictures depend on besides arithmetic
+/// (sim::probeNumerics): raster edges, clipping, interpolation, filtered reads with mip levels and sRGB,
+/// depth comparison, blending, half floats, encoding. It uses separate shaders (glsl/probe), so changes of
+/// the passes do not change the fingerprint. Two drivers with the same fingerprint may still differ in
+/// other respects. Independent of the current OpenGL state.
 [[nodiscard]] std::string probePictures();
 
 }  // namespace simreel::draw

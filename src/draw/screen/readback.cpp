@@ -31,22 +31,22 @@ Readback::~Readback() {
 void Readback::start(const gl::Framebuffer& framebuffer, int tag) {
   SIMREEL_CHECK(!full());
   Slot& slot = slots_[(oldest_ + count_) % slots_.size()];
-  // Without a default framebuffer there must be one to draw into, too: NVIDIA's driver 580 copies a hundred
-  // times slower else.
+  // A draw framebuffer is bound too, because without a default framebuffer NVIDIA's driver 580 otherwise
+  // copies a hundred times more slowly.
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
   glBindBuffer(GL_PIXEL_PACK_BUFFER, slot.buffer.get());
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
   glReadPixels(0, 0, size_.x, size_.y, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
   glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   slot.done = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-  glFlush();  // or the fence would wait for commands that were never sent
+  glFlush();  // without a flush the fence could wait for unsent commands
   slot.tag = tag;
   ++count_;
   copyOn();
 }
 
 void Readback::copyOn() {
-  if (gl::softwareDriver()) return;  // needs the processors itself
+  if (gl::softwareDriver()) return;  // software drivers need the processors themselves
   for (std::size_t i = 0; i < count_; ++i) {
     Slot& slot = slots_[(oldest_ + i) % slots_.size()];
     if (slot.copies) continue;

@@ -14,8 +14,8 @@
 
 namespace simreel::draw {
 
-/// Copies finished pictures to the CPU while later frames are drawn. With a card, what has come into memory
-/// that the card can write is copied on by a thread of its own: the one that issues frames has no time to.
+/// Copies finished pictures to the CPU while later frames are drawn. With a GPU, a separate thread copies
+/// the pictures out of the mapped memory, because the thread that issues frames has no time for it.
 class Readback {
  public:
   static constexpr std::size_t maxUnderWay = 3;
@@ -27,27 +27,28 @@ class Readback {
   Readback(const Readback&) = delete;
   Readback& operator=(const Readback&) = delete;
 
-  /// Starts copying the framebuffer's RGBA8 pixels. Call take() first when full.
+  /// Starts to copy the framebuffer's RGBA8 pixels. If full(), call take() first.
   void start(const gl::Framebuffer& framebuffer, int tag);
   [[nodiscard]] bool full() const { return count_ == slots_.size(); }
   [[nodiscard]] bool empty() const { return count_ == 0; }
-  /// Blocks until the oldest copy is complete, so that take() only copies.
+  /// Blocks until the oldest copy is complete, so that take() does not wait for the GPU.
   void waitForOldest() const { static_cast<void>(reached(true)); }
-  /// The oldest picture, in the order of start(): its tag and width * height * 4 bytes, row 0 of the
-  /// framebuffer first. Nothing when none is under way or, unless `wait`, when it is not there yet.
+  /// Returns the oldest picture, in the order of start(): its tag and width * height * 4 bytes, row 0 of
+  /// the framebuffer first. Returns nothing if no copy is in progress or, unless `wait`, if the oldest copy
+  /// is not complete.
   [[nodiscard]] std::optional<std::pair<int, std::vector<std::uint8_t>>> take(bool wait);
 
  private:
   [[nodiscard]] bool reached(bool wait) const;
   struct Slot {
     gl::Handle<gl::DeleteBuffer> buffer;
-    const std::uint8_t* bytes = nullptr;  ///< mapped for the slot's whole life
+    const std::uint8_t* bytes = nullptr;  ///< mapped during the slot's whole lifetime
     GLsync done = nullptr;
     int tag = 0;
     CopyThread::Task copy;
-    bool copies = false;  ///< the thread is at it
+    bool copies = false;  ///< true while the thread copies it
   };
-  /// Whether the picture has come; `wait` until it has.
+  /// True if the GPU has finished the slot's copy. `wait`: waits for it.
   static bool isThere(const Slot& slot, bool wait);
   void copyOn();
 
@@ -56,7 +57,7 @@ class Readback {
   std::array<Slot, maxUnderWay> slots_;
   std::size_t oldest_ = 0;
   std::size_t count_ = 0;
-  CopyThread thread_;  ///< ends before the memory that it reads
+  CopyThread thread_;  ///< last member, so that it ends before the memory is released
 };
 
 }  // namespace simreel::draw

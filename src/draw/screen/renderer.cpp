@@ -25,7 +25,7 @@ namespace simreel::draw {
 
 namespace {
 
-/// What of a frame lies over the picture; null: nothing.
+/// Returns the name of an overlay that covers the picture, or null.
 const char* overlayOf(const sim::Drawables& drawables) {
   if (!drawables.writings.empty()) return "text";
   if (!drawables.charts.empty()) return "a chart";
@@ -35,7 +35,7 @@ const char* overlayOf(const sim::Drawables& drawables) {
   return nullptr;
 }
 
-/// What lies over pictures has 8 bits, and no light.
+/// Throws, because overlays have 8 bits and no light values.
 void refuseOverlays(const char* found) {
   fail(ExitCode::usage,
        "--bits 16: {} lies over the picture, and what does has 8 bits; leave it out of the scene, or "
@@ -82,10 +82,11 @@ struct Renderer::State {
   std::optional<ExactScene> exact;
   std::optional<Motion> motion;
   PassPicture* passes = nullptr;
-  std::optional<bool> filmed;  ///< whether the light that is kept is what the film shows, if any is
-  bool saidOverlay = false;    ///< or nobody has to hear what it leaves out
+  std::optional<bool> filmed;  ///< true if the kept light is as the film shows it; empty if no light is
+                               ///< kept
+  bool saidOverlay = false;    ///< true if the warning about missing overlays was given or is not wanted
 
-  /// Text over the finished picture: of charts, then of objects.
+  /// Draws text over the finished picture: first of charts, then of objects.
   void write(const sim::Drawables& drawables) {
     sim::Drawables lettered;
     lettered.writings = labels.of(drawables);
@@ -103,7 +104,8 @@ void Renderer::State::tellFrame(double seconds, const sim::Drawables& drawables)
   frame.bindUniform(frameBinding, 0, sizeof values);
 }
 
-/// Moments in the middles of equal parts of the time that the shutter is open; the first one is the latest.
+/// Draws a frame with the exact rasterizer. The moments are at the centres of equal parts of the exposure
+/// time, the latest one first.
 void Renderer::State::drawExactly(const ExactScene::Moment& shown, const StageWatch& watch) {
   ExactScene::Exposure exposure{1, [&](int) { return shown; }};
   const double frameSeconds = 1.0 / scene.time.fps;
@@ -145,12 +147,13 @@ void Renderer::draw(double seconds, const sim::Drawables& drawables, const Stage
   if (overlay != nullptr && !std::exchange(s.saidOverlay, true))
     warn("OpenEXR has the light of the scene, without what lies over the picture: {}", overlay);
   s.tellFrame(seconds, drawables);
-  // Whatever the simulations wrote, vertex pulling and index fetch see it.
+  // Makes all writes of the simulations visible to texture fetches and index reads.
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT);
   s.fieldTextures.update(drawables);
   s.fields.prepare(drawables, seconds);
   if (watch && !drawables.fields.empty()) watch("fields");
-  if (s.filmed || !s.fields.hidesAll(drawables, seconds)) {  // OpenEXR has what lies under the fields
+  if (s.filmed || !s.fields.hidesAll(drawables, seconds)) {  // the kept light also shows what is under
+                                                             // opaque fields
     if (s.exact)
       s.drawExactly({seconds, &drawables}, watch);
     else

@@ -9,21 +9,21 @@ namespace simreel::draw {
 
 struct Resolve;
 
-/// On the storage path: one picture of the scene's light for the kernels after it, the glows' sums in it.
-/// On the texel path those passes read the samples themselves, and there is nothing to do.
+/// On the storage path, resolves the scene's samples into one texture for later kernels and adds the sums
+/// of glows. On the texel path later passes read the samples themselves, so this pass does nothing.
 class ResolvePass {
  public:
   ResolvePass(glm::ivec2 size, int samples);
-  /// False where there is nothing to do.
+  /// False on the texel path, where this pass does nothing.
   [[nodiscard]] bool on() const { return static_cast<bool>(resolved_); }
-  /// Of the light that draw() gives.
+  /// Samples per pixel of the light that draw() returns.
   [[nodiscard]] int samples() const { return on() ? 1 : samples_; }
-  /// Whether draw() needs light where no depth was written. Cards for computing clear four samples of a
-  /// 1280x720 picture in 0.8 ms; two thirds of the bytes are light.
+  /// True if draw() reads light of samples without depth. Clearing the light is expensive on compute GPUs:
+  /// it is two thirds of the bytes to clear.
   [[nodiscard]] bool needsClearedLight(const sim::Drawables& drawables) const;
-  /// Where additive sprites go, if they go there at all.
+  /// Returns the sums that additive sprites are added to, or null if they are blended instead.
   [[nodiscard]] const GlowSums* glows(const sim::Drawables& drawables);
-  /// `glows` and `cleared` as above.
+  /// Returns the resolved light. `glows`: result of glows(). `cleared`: true if the light has been cleared.
   const gl::Texture& draw(const Targets& targets, const GlowSums* glows, bool cleared);
 
  private:

@@ -10,16 +10,16 @@
 
 namespace simreel::draw {
 
-/// A picture that a ScreenProgram fills and others read.
+/// A texture that a ScreenProgram writes and other passes read.
 struct ScreenTarget {
   ScreenTarget() = default;
-  /// Reads beyond the border find the border.
+  /// Reads beyond the border are clamped to it.
   ScreenTarget(const char* label, GLenum format, glm::ivec2 size);
   gl::Texture texture;
   gl::Framebuffer framebuffer;
 };
 
-/// Fields of glsl/draw/screen/screen.glsl, which a ScreenProgram gives.
+/// Uniforms, buffers and textures that glsl/draw/screen/screen.glsl declares. ScreenProgram sets them.
 struct ScreenFields {
   gl::Out<"target"> target = {};
 };
@@ -27,16 +27,16 @@ struct ScreenVariant {
   gl::Code<"KERNEL", "rgba16f"> layout = {};
 };
 
-/// A program for every pixel of a target (glsl/draw/screen/screen.glsl): a kernel on the storage path,
-/// since cards for computing draw triangles with few of their processors and write pixels slowly; a
-/// triangle on the texel path, since software drivers store to images slowly. The interface has a member
-/// `screen`, which is ScreenFields, and its variant one, which is ScreenVariant.
+/// A program that computes every pixel of a target (glsl/draw/screen/screen.glsl). On the storage path it
+/// is a kernel, because compute GPUs rasterize with few of their processors and write pixels slowly. On the
+/// texel path it is a full-screen triangle, because software drivers write images slowly. The interface
+/// must have a member `screen` of type ScreenFields, and its variant one of type ScreenVariant.
 template <class Interface>
 class ScreenProgram {
  public:
   using Variant = typename Interface::Variant;
   ScreenProgram() = default;
-  /// `layout`: the target's format as GLSL spells it. `vertices`: of the triangle.
+  /// `layout`: format qualifier of the target in GLSL. `vertices`: vertex shader of the triangle.
   explicit ScreenProgram(const char* layout, Variant variant = {}, const gl::Defines& common = {},
                          const char* vertices = "draw/screen/screen.vert") {
     if (gl::memoryPath() == gl::MemoryPath::storage) {

@@ -5,21 +5,22 @@
 
 namespace simreel::draw {
 
-/// The finished picture, RGBA8; row 0 is its top row.
+/// The finished picture, RGBA8; row 0 is the top row.
 struct Picture {
-  /// Throws UserError(device) naming the limit when the device has no such size.
+  /// Throws UserError(device), which names the limit, if the device does not support the size.
   explicit Picture(glm::ivec2 size);
 
   gl::Texture color;
   gl::Framebuffer framebuffer;
 };
 
-/// What the driver's rasterizer draws into: linear light with coverage in alpha.
+/// Render targets of the driver's rasterizer: linear light with coverage in alpha.
 struct Targets {
-  /// Throws UserError(device) naming the limit when the device has no such size or number of samples.
+  /// Throws UserError(device), which names the limit, if the device does not support the size or the number
+  /// of samples.
   Targets(glm::ivec2 size, int samples);
 
-  /// Without depth and, unless `lightToo` is false, empty: light 0, alpha 0 (nothing drawn: sky).
+  /// Clears depth and, if `lightToo`, light to 0 and alpha to 0 (empty: sky).
   void clear(bool lightToo) const;
 
   gl::Texture light;

@@ -6,7 +6,7 @@
 
 namespace simreel::draw {
 
-/// The frame's values, as large as the C++ struct.
+/// The uniform block of the frame's values, with the size of the C++ struct.
 struct FrameBlock : gl::Ambient<"FrameBlock"> {
   static constexpr std::size_t blockBytes = sizeof(shader::Frame);
 };
@@ -25,13 +25,14 @@ struct ToneMap {
   gl::Uniform<"bloomStrength", float> bloomStrength;
 };
 
-/// Averages the samples, lays them over the sky, applies exposure, vignette and film curve, and encodes
+/// Averages the samples, puts them over the sky, applies exposure, vignette and film curve, and encodes
 /// sRGB.
 class ToneMapPass {
  public:
-  /// `render`: how light becomes a picture. `samples`: of the light that draw() gets.
+  /// `render`: settings of the conversion from light to picture. `samples`: samples per pixel of the light
+  /// given to draw().
   ToneMapPass(const scene::Render& render, int samples, bool bloom);
-  /// Fills the picture. `glow` times `strength` is added to the light; null without bloom.
+  /// Writes the picture. Adds `strength` times the bloom texture `glow`, or nothing if it is null.
   void draw(const gl::Texture& light, const Picture& picture, const gl::Texture* glow,
             float strength) const;
 

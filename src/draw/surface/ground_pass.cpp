@@ -18,7 +18,7 @@ GroundPass::GroundPass(const scene::Scene& scene, const ShadowPass& shadow, cons
 }
 
 void GroundPass::draw() const {
-  constexpr int rectangle = 6;  // vertices
+  constexpr int rectangle = 6;  // number of vertices of a rectangle (two triangles)
   constexpr int strips = 4 * rectangle;
   if (!on_) return;
   DrawState{}.set();

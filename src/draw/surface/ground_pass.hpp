@@ -7,18 +7,19 @@
 
 namespace simreel::draw {
 
-/// The ground plane, fading out around the camera's target. Draw it last: what stands on it hides it then.
+/// Draws the ground plane, which fades out around the camera's target. Should be drawn last, because
+/// objects on it then hide most of it.
 class GroundPass {
  public:
   GroundPass(const scene::Scene& scene, const ShadowPass& shadow, const Lamps& lamps);
-  /// Into the bound framebuffer.
+  /// Draws into the bound framebuffer.
   void draw() const;
   [[nodiscard]] bool on() const { return on_; }
 
  private:
   bool on_;
   bool shadowed_;
-  gl::Program lit_, shaded_;  ///< around the rectangle that shadows reach, and inside it
+  gl::Program lit_, shaded_;  ///< outside and inside the rectangle that shadows reach
   VertexArray vertices_;
 };
 

@@ -14,7 +14,8 @@ namespace simreel::draw {
 
 namespace {
 
-/// IEC 61966-2-1, to the nearest 1/65535. Written down, since a library's pow may round otherwise.
+/// Linear light of each sRGB byte (IEC 61966-2-1), rounded to 1/65535. A table, because the pow() of
+/// libraries may round differently.
 constexpr std::array<std::uint16_t, 256> linearTable = {
     0,     20,    40,    60,    80,    99,    119,   139,   159,   179,   199,   219,   241,   264,   288,
     313,   340,   367,   396,   427,   458,   491,   526,   562,   599,   637,   677,   718,   761,   805,
@@ -35,11 +36,11 @@ constexpr std::array<std::uint16_t, 256> linearTable = {
     57105, 57646, 58190, 58737, 59287, 59840, 60396, 60955, 61517, 62082, 62650, 63221, 63795, 64372, 64952,
     65535};
 
-/// A texel in linear light, as it is averaged. It counts 255 times its alpha byte plus 1: what is
-/// transparent counts next to nothing, but has a colour where nothing else is.
+/// A texel in linear light with its weight, which is 255 times the alpha byte plus 1. Transparent texels
+/// count almost nothing, but give the colour of fully transparent areas.
 struct Weighted {
-  std::uint32_t r, g, b;  ///< light times the weight, in 1/65535
-  std::uint32_t weight;   ///< in 1/256
+  std::uint32_t r, g, b;  ///< light times weight, in units of 1/65535
+  std::uint32_t weight;   ///< weight of the texel in units of 1/256
 };
 
 constexpr std::uint32_t opaqueWeight = 256 * (255 * 255 + 1);
@@ -50,7 +51,7 @@ Weighted weightedOf(const std::uint8_t* texel) {
           256 * weight};
 }
 
-/// From linear light to the byte whose light is nearest, the upper one of two.
+/// Converts linear light to the nearest sRGB byte (the larger one of two equally near).
 class Encoder {
  public:
   Encoder() {
@@ -62,19 +63,20 @@ class Encoder {
       starts_[i] = static_cast<std::uint8_t>(byte);
     }
   }
-  /// Light in 1/(65535 * 256).
+  /// Returns the byte of a light value in units of 1/(65535 * 256).
   [[nodiscard]] std::uint8_t byteOf(std::uint32_t light) const {
-    // No two ends are in one bucket.
+    // Each bucket contains at most one interval end.
     const std::uint8_t byte = starts_[light >> bucketBits];
     return light < ends_[byte] ? byte : static_cast<std::uint8_t>(byte + 1);
   }
   void encode(const Weighted& from, std::uint8_t* texel) const {
-    // Means of few parts are rounded: white may come out a hair above 1.
+    // The min is needed because rounding of weighted means may exceed white slightly.
     const auto light = [](std::uint32_t color, std::uint32_t weight) {
       return static_cast<std::uint32_t>(
           std::min<std::uint64_t>((std::uint64_t{color} << 16U) / weight, 65535U * 256U));
     };
-    // Dividing by what the compiler knows is multiplying: most pictures are opaque.
+    // Opaque texels, the most common case, have a separate path, in which the compiler replaces the
+    // division by a constant with a multiplication.
     const auto encodeColor = [&](std::uint32_t weight) {
       texel[0] = byteOf(light(from.r, weight));
       texel[1] = byteOf(light(from.g, weight));
@@ -93,15 +95,15 @@ class Encoder {
   std::array<std::uint8_t, (65535U * 256U >> bucketBits) + 1> starts_{};
 };
 
-/// The texels of the level above that one texel of a row or column covers, and how much of each.
+/// Texels of the level above, along one axis, that a texel covers, with their weights.
 struct Cover {
   int first;
   std::array<std::uint32_t, 3> weights;
 };
 
-/// Of 2n texels each of n takes two; of 2n + 1 it takes (2n + 1) / n: the i-th one covers (n - i) / n of
-/// the first of three, the whole of the second, and (i + 1) / n of the third. Weights are whole numbers of
-/// 1/n.
+/// If the level above has 2n texels, each of n texels covers two. If it has 2n + 1, each covers (2n + 1) /
+/// n: texel i covers (n - i) / n of the first of three, all of the second, and (i + 1) / n of the third.
+/// Weights are in units of 1/n.
 Cover coverOf(int i, int above) {
   if (above == 1) return {0, {1, 0, 0}};
   if (above % 2 == 0) return {2 * i, {1, 1, 0}};
@@ -113,7 +115,7 @@ Cover coverOf(int i, int above) {
 int coveredTexels(int above) {
   return above == 1 ? 1 : above % 2 == 0 ? 2 : 3;
 }
-/// Sum of a cover's weights.
+/// Returns the sum of a cover's weights.
 std::uint64_t coverSum(int above) {
   return above % 2 == 0 ? 2U : static_cast<std::uint64_t>(above);
 }
@@ -122,11 +124,12 @@ struct Sum {
   std::uint64_t r = 0, g = 0, b = 0, weight = 0;
 };
 
-/// One row of a level from the `Down` rows above it that it covers; `Across` texels of each.
+/// Computes one row of a level from the `Down` rows that it covers in the level above, with `Across` texels
+/// each.
 template <int Across, int Down>
 void averageRow(const std::array<const Weighted*, 3>& rows, const Cover& down, int above, int width,
                 std::uint64_t fractions, Weighted* made) {
-  // Known to the compiler, four is a shift: most pictures halve evenly.
+  // A constant 4 lets the compiler use a shift; most pictures have even sizes.
   const std::uint64_t total = Across == 2 && Down == 2 ? 4 : fractions;
   for (int x = 0; x < width; ++x) {
     const Cover across = coverOf(x, above);
@@ -153,13 +156,13 @@ constexpr AverageRow averages[3][3] = {{averageRow<1, 1>, averageRow<2, 1>, aver
                                        {averageRow<1, 2>, averageRow<2, 2>, averageRow<3, 2>},
                                        {averageRow<1, 3>, averageRow<2, 3>, averageRow<3, 3>}};
 
-/// The texels of a level: the picture's, which are decoded row by row, or those averaged before.
+/// Texels of the level above: either the picture, decoded row by row, or averaged texels.
 struct Above {
   glm::ivec2 size;
-  std::span<const std::uint8_t> picture;  ///< empty: `texels`
+  std::span<const std::uint8_t> picture;  ///< bytes of the picture; if empty, `texels` is used instead
   std::vector<Weighted> texels;
 
-  /// Rows `first` and following; decoded ones go into `room`.
+  /// Returns `count` rows from row `first` on. Decoded rows are stored in `room`.
   [[nodiscard]] std::array<const Weighted*, 3> rows(int first, int count,
                                                     std::vector<Weighted>& room) const {
     const auto width = static_cast<std::size_t>(size.x);
@@ -175,7 +178,7 @@ struct Above {
   }
 };
 
-/// The level below, and its texels.
+/// Returns the next smaller level, and replaces `above` by its texels.
 MipLevel levelBelow(Above& above, const Encoder& encoder) {
   MipLevel level{{std::max(above.size.x / 2, 1), std::max(above.size.y / 2, 1)}, {}};
   const auto width = static_cast<std::size_t>(level.size.x);

@@ -7,20 +7,20 @@
 
 namespace simreel::draw {
 
-/// One level of a texture: RGBA, 8 bits each, x fastest; rgba.size() == 4 * size.x * size.y.
+/// One mip level: RGBA, 8 bits each, x fastest; rgba.size() == 4 * size.x * size.y.
 struct MipLevel {
   glm::ivec2 size{0, 0};
   std::vector<std::uint8_t> rgba;
 };
 
-/// The levels below a picture of sRGB colour and straight alpha, half as large each (rounded down), to 1x1.
-/// A texel is the mean of the area it covers of the level above, in linear light, weighted by alpha; where
-/// all of it is transparent, the plain mean. In integers only, so that the same bytes come out on every
-/// machine: glGenerateTextureMipmap of Mesa's software driver depends on the processor's maker.
-/// rgba.size() == 4 * size.x * size.y (an invariant); sides are at most 32768.
+/// Returns the smaller mip levels of a picture with sRGB colour and straight alpha, each half as large
+/// (rounded down), to 1x1. A texel is the alpha-weighted mean, in linear light, of the area that it covers
+/// in the level above; the plain mean if that area is fully transparent. Uses only integers, so the bytes
+/// are the same on every machine; results of glGenerateTextureMipmap in Mesa's software driver depend on
+/// the CPU vendor. Requires rgba.size() == 4 * size.x * size.y and sides of at most 32768.
 [[nodiscard]] std::vector<MipLevel> mipLevels(glm::ivec2 size, std::span<const std::uint8_t> rgba);
 
-/// Linear light of an sRGB byte, in 1/65535.
+/// Returns the linear light of an sRGB byte, in units of 1/65535.
 [[nodiscard]] std::uint16_t linearOfSrgb(std::uint8_t byte);
 
 }  // namespace simreel::draw

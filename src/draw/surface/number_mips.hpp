@@ -6,13 +6,13 @@ namespace simreel::draw {
 
 struct MipKernel;
 
-/// Mip levels of textures of half floats by a kernel in exact arithmetic
-/// (glsl/draw/surface/mip_level.comp): what drivers make of glGenerateTextureMipmap differs. mip_levels.hpp
-/// is the same for pictures.
+/// Computes mip levels of half-float textures with a kernel in exact arithmetic
+/// (glsl/draw/surface/mip_level.comp), because drivers differ in glGenerateTextureMipmap. mip_levels.hpp
+/// does the same for pictures.
 class NumberMips {
  public:
-  /// All levels from level 0, for texture fetches from then on. Level 0 may have been written by
-  /// imageStore. The format is the texture's: GL_RGBA16F or GL_R16F (an invariant).
+  /// Computes all levels from level 0 and makes them visible to texture fetches. Level 0 may have been
+  /// written by imageStore. `format` must be the texture's format, GL_RGBA16F or GL_R16F.
   void make(const gl::Texture& texture, GLenum format);
 
  private:

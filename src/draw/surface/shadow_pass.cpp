@@ -44,7 +44,7 @@ gl::Texture makeMap(int size) {
          "\"shadowSize\"",
          size, max);
   gl::Texture map = gl::Texture::image("shadow map", GL_DEPTH_COMPONENT32F, size, size);
-  // The border texels hold no caster, so clamping to them finds light outside the map.
+  // Border texels contain no caster, so clamping to them gives full light outside the map.
   glTextureParameteri(map.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTextureParameteri(map.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   glTextureParameteri(map.name(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
@@ -85,13 +85,14 @@ void ShadowPass::fit(const sim::Drawables& drawables, const GrowMore& growMore) 
   growMore(boundKeys_);
   fit_.dispatch(1, {.bounds = boundKeys_, .light = light_});
   gl::barrier();
-  lightView_.bind(lightUnit);  // instances are culled by it next; simulations bind other things there
+  lightView_.bind(lightUnit);  // the instance culling that follows reads it; simulations bind other
+                               // textures to this unit
 }
 
 void ShadowPass::draw(const sim::Drawables& drawables, const std::function<void()>& drawMore) const {
   constexpr GLfloat farthest = 1;
   DrawState{.depthTest = true, .cullBack = false, .depthOffset = true}.set();
-  // A filter of r texels reads depths up to r + 1 texels of slope away.
+  // A shadow filter of r texels reads depths up to r + 1 texels away along a slope.
   glPolygonOffset(1.5F + softness_, 4.0F);
   glClearNamedFramebufferfv(target_.name(), GL_DEPTH, 0, &farthest);
   target_.bind();

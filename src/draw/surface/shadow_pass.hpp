@@ -14,29 +14,30 @@ namespace simreel::draw {
 struct SurfaceBounds;
 struct ShadowFit;
 
-/// The sun's shadow map, orthographic, fitted on the GPU to what casts shadows. The ground casts none.
+/// The sun's orthographic shadow map, fitted on the GPU to the casters. The ground casts no shadow.
 class ShadowPass {
  public:
   explicit ShadowPass(const scene::Sun& sun);
 
-  /// Grows bounds (glsl/draw/instances/bounds.glsl) by what other passes draw.
+  /// Callback that extends the bounds (glsl/draw/instances/bounds.glsl) by the casters of other passes.
   using GrowMore = std::function<void(const gl::Buffer& bounds)>;
-  /// Bounds and light map; then draw() may be called, and bind() by the passes that read.
+  /// Computes the bounds and the map's transform. Afterwards draw() and bind() may be called.
   void fit(const sim::Drawables& drawables, const GrowMore& growMore);
-  /// `drawMore` draws into the map, which is bound with its state set.
+  /// Draws the map. `drawMore` draws the casters of other passes into the map, which is bound with its
+  /// state set.
   void draw(const sim::Drawables& drawables, const std::function<void()>& drawMore) const;
-  /// Makes the map and its place in space readable by shaders.
+  /// Binds the map and its transform for shaders.
   void bind() const;
   [[nodiscard]] bool on() const { return on_; }
   [[nodiscard]] glm::ivec2 size() const { return {map_.width(), map_.height()}; }
-  /// Defines for shaders that include draw/surface/shadow_read.glsl; empty when there is no shadow.
+  /// Returns the defines of shaders that include draw/surface/shadow_read.glsl; empty without a shadow.
   [[nodiscard]] const gl::Defines& defines() const { return defines_; }
 
  private:
   bool on_;
   float softness_;
   gl::Defines defines_;
-  /// The program for a surface: the second displaces its vertices, and is made when first needed.
+  /// Returns the program of a surface. The program that displaces vertices is created on first use.
   [[nodiscard]] const gl::Program& drawOf(const sim::Surface& surface) const;
 
   gl::Kernels<SurfaceBounds> bounds_;

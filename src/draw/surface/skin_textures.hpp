@@ -17,7 +17,7 @@ namespace simreel::draw {
 struct SkinRelief;
 struct SkinColors;
 
-/// Numbers of glsl/draw/surface/skin_values.glsl, and of a skin's relief.
+/// Uniforms of glsl/draw/surface/skin_values.glsl, and uniforms of a skin's relief.
 struct SkinValues {
   gl::Uniform<"skinThreshold", float> threshold;
   gl::Uniform<"skinLow", glm::vec3> low;
@@ -29,28 +29,30 @@ struct SkinValues {
   gl::Uniform<"skinCells", glm::vec2> cells;
 };
 
-/// What skins read of their fields, one set for all surfaces with the same field, look and threshold.
+/// Textures that skins compute from their fields; one set for all surfaces with the same field, look and
+/// threshold.
 class SkinTextures {
  public:
   struct Entry {
-    gl::Texture relief;  ///< RGBA16F, mip-mapped, repeating: what glsl/draw/surface/skin_relief.comp says
-    gl::Texture surroundings;          ///< R16F of the same kind: mean around
-    gl::Texture colors;                ///< RGBA16F, mip-mapped, repeating; of the look "map" only
-    float threshold = 0.5F;            ///< fraction of the field's range
-    glm::ivec2 cells{1, 1};            ///< of the field
-    [[nodiscard]] int levels() const;  ///< of each texture
+    gl::Texture relief;                ///< RGBA16F, mip-mapped, repeating; content as in
+                                       ///< glsl/draw/surface/skin_relief.comp
+    gl::Texture surroundings;          ///< R16F, mip-mapped, repeating: mean of the surrounding values
+    gl::Texture colors;                ///< RGBA16F, mip-mapped, repeating; only for the look "map"
+    float threshold = 0.5F;            ///< threshold as a fraction of the field's range
+    glm::ivec2 cells{1, 1};            ///< size of the field in cells
+    [[nodiscard]] int levels() const;  ///< number of mip levels of each texture
   };
 
-  /// Compiles the kernels if any material of the scene has a skin. The scene must outlive it.
+  /// Compiles the kernels if any material of the scene has a skin. The scene must outlive this object.
   explicit SkinTextures(const scene::Scene& scene);
-  /// Brings the textures of all skins of the scene up to date with their fields.
+  /// Updates the textures of all skins of the scene from their fields.
   void update(const FieldTextures& fields);
-  /// The same for one skin.
+  /// Updates the textures of one skin.
   void update(const scene::Skin& skin, const FieldTextures::Entry& field);
-  /// Null when the skin's field was never published.
+  /// Returns null if the skin's field was never published.
   [[nodiscard]] const Entry* find(const scene::Skin& skin) const;
 
-  /// Binds what glsl/draw/surface/skin.glsl reads and sets its uniforms.
+  /// Binds the textures and sets the uniforms of glsl/draw/surface/skin.glsl.
   static void bind(const Entry& entry, const scene::Skin& skin, const gl::Program& program);
   [[nodiscard]] static SkinValues values(const Entry& entry, const scene::Skin& skin);
 

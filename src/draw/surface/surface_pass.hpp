@@ -12,22 +12,22 @@
 
 namespace simreel::draw {
 
-/// Whether a material mirrors enough of the sky to see; shaders leave the mirror out where it does not.
+/// True if a material reflects the sky visibly. Otherwise its shaders contain no sky reflection.
 [[nodiscard]] bool isReflective(const scene::Material& material);
 [[nodiscard]] bool isReflective(const scene::Ground& ground);
-/// Whether one of that roughness is smooth enough to mirror what stands around it (mirrorRough of
-/// glsl/draw/exact/reflections/mirrored_way.glsl).
+/// True if a surface with that roughness reflects the objects around it (mirrorRough in
+/// glsl/draw/exact/reflections/mirror_reach.glsl).
 [[nodiscard]] constexpr bool mirrorsScene(float roughness) {
   return roughness < 0.3F;
 }
 
-/// Draws surfaces with their materials. A program per combination of features that materials use: software
-/// drivers run both sides of a branch.
+/// Draws surfaces with their materials by the driver's rasterizer. Each combination of material features
+/// has its own program, because software drivers execute both sides of a branch.
 class SurfacePass {
  public:
   /// Compiles the programs and loads the textures that the scene's materials need.
   SurfacePass(const scene::Scene& scene, const ShadowPass& shadow, const Lamps& lamps);
-  /// Into the bound framebuffer. A skin whose field is not there leaves the material as it is without one.
+  /// Draws into the bound framebuffer. A skin whose field is missing has no effect.
   void draw(const sim::Drawables& drawables, const SkinTextures& skins);
 
  private:
@@ -36,7 +36,7 @@ class SurfacePass {
   void setPlain(const scene::Material& material, bool isGrid, const gl::Program& shader);
   static void setSkin(const SkinTextures::Entry& entry, const scene::Skin& skin, const gl::Program& shader);
 
-  gl::Defines defines_;  ///< of all programs
+  gl::Defines defines_;  ///< defines that all programs share
   std::map<unsigned, gl::Program> programs_;
   TextureStore textures_;
   VertexArray vertices_;

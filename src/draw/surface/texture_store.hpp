@@ -6,12 +6,13 @@
 
 namespace simreel::draw {
 
-/// Pictures of materials: each file is read once. sRGB is decoded on reading a texel; mip maps
-/// of mip_levels.hpp. Row 0 of the file is v = 0.
+/// Loads material pictures as textures. Each file is read once. Texel reads decode sRGB. Uses the mip
+/// levels of mip_levels.hpp. Row 0 of the file is v = 0.
 class TextureStore {
  public:
-  /// Null for an empty path. Throws UserError: usage for a file that is no picture, inputOutput (or what
-  /// readFile says) for one that cannot be read, device for one larger than the device allows.
+  /// Returns null for an empty path. Throws UserError(usage) if the file is not a picture,
+  /// UserError(inputOutput) (or what readFile() throws) if it cannot be read, UserError(device) if it is
+  /// larger than the device allows.
   const gl::Texture* load(const std::filesystem::path& file);
 
  private:

@@ -61,7 +61,7 @@ struct BallShadows {
 
 namespace {
 
-constexpr float ballRadius = 0.5F;  // of sprites and spheres at size 1
+constexpr float ballRadius = 0.5F;  // radius of sprites and spheres of size 1
 
 }  // namespace
 

@@ -11,21 +11,22 @@ struct SmallBalls;
 struct LargeBalls;
 struct BallShadows;
 
-/// Finds where balls are nearest: sprites and spheres, by ray at every sample; or their discs on the sun's
-/// map. The result does not depend on the order in which the device works.
+/// Rasterizes balls (sprites and spheres), with a ray per sample in pictures and as discs in the sun's map.
+/// The result does not depend on execution order.
 class BallRaster {
  public:
   using Into = Target;
-  /// Balls whose box has no side above `smallPixels` (0 to 64) are drawn by an invocation each, of the
-  /// others those of at most `mediumPixels` (to 64) by a group, the rest by many, tile by tile: the same
-  /// either way. Into the sun's map there are none of medium size.
+  /// Balls with a bounding box of at most `smallPixels` (0 to 64) per side are rasterized by one invocation
+  /// each, medium ones of at most `mediumPixels` (up to 64) by one workgroup, larger ones by many
+  /// workgroups, tile by tile. The limits do not change the result. The sun's map has no medium class.
   BallRaster(Into into, int samples, int smallPixels = smallBall(), int mediumPixels = mediumBall());
 
-  /// What is nearest, into what is cleared or drawn already. The uniform blocks, and for a map the light's
-  /// place, are bound. Numbers of balls[i] begin with firstIds[i]; maps have none.
+  /// Writes depth keys into a buffer that may already contain other objects. The uniform blocks and, for
+  /// shadow maps, the transform must be bound. The ids of balls[i] start at firstIds[i]; shadow maps have
+  /// no ids.
   void drawNearest(const std::vector<const sim::Instances*>& balls, const std::vector<unsigned>& firstIds,
                    const Visibility& into, const MapPart& part = {});
-  /// The numbers of those that are nearest when all is drawn.
+  /// Writes the ids of the balls that are nearest, after all objects have written their keys.
   void drawNumbers(const Visibility& into);
 
  private:

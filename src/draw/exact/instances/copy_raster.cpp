@@ -26,7 +26,7 @@ struct CullCopies {
   gl::Shared<"CounterBlock"> counters;
 };
 
-/// glsl/draw/exact/copies/raster_copy.glsl.
+/// Uniforms, buffers and textures that glsl/draw/exact/copies/raster_copy.glsl declares.
 struct RasterCopies {
   gl::Ambient<"light"> light = {};
   CopySource source;

@@ -15,41 +15,42 @@ struct SmallCopies;
 struct MediumCopies;
 struct LargeCopies;
 
-/// Finds where copies of a mesh are nearest, by kernels: those in sight are listed, then an invocation
-/// takes one triangle of one copy. The result does not depend on the order in which the device works.
+/// Rasterizes mesh copies with kernels: first lists the potentially visible copies, then handles one
+/// triangle of one copy per invocation. The result does not depend on execution order.
 class CopyRaster {
  public:
   using Into = Target;
-  /// Triangles whose box has no side above `smallPixels` (0 to 64) are drawn by an invocation each, of the
-  /// others those of at most `mediumPixels` (to 64) by sixteen, the rest by groups, tile by tile; `pairs`:
-  /// so many triangles of copies at once. The same either way.
+  /// Triangles with a bounding box of at most `smallPixels` (0 to 64) per side are rasterized by one
+  /// invocation each, medium ones of at most `mediumPixels` (up to 64) by sixteen invocations, larger ones
+  /// by workgroups, tile by tile. `pairs`: max number of (copy, triangle) pairs per dispatch. These limits
+  /// do not change the result.
   CopyRaster(Into into, int samples, int smallPixels = smallCopyTriangle(), unsigned pairs = pairsAtOnce(),
              int mediumPixels = mediumTriangle());
 
-  /// How many suit the device: each needs a word.
+  /// Returns the number of pairs per dispatch that suits the device. Each pair needs one word.
   [[nodiscard]] static unsigned pairsAtOnce();
 
-  /// Copies of one mesh. The shape stays where it is.
+  /// Copies of one mesh. The shape must keep its address.
   struct Copies {
     const sim::Instances* instances = nullptr;
     const InstanceShape* shape = nullptr;
     [[nodiscard]] unsigned triangles() const;
   };
-  /// What is nearest, into what is cleared or drawn already. The uniform blocks, and for the sun's map
-  /// the light's place, are bound.
-  /// Numbers of copies[i] begin with firstIds[i]; maps have none.
+  /// Writes depth keys into a buffer that may already contain other objects. The uniform blocks and, for
+  /// the sun's map, its transform must be bound. The ids of copies[i] start at firstIds[i]; shadow maps
+  /// have no ids.
   void drawNearest(const std::vector<Copies>& copies, const std::vector<unsigned>& firstIds,
                    const Visibility& into, const MapPart& map = {});
-  /// The numbers of those that are nearest when all is drawn.
+  /// Writes the ids of the copies that are nearest, after all objects have written their keys.
   void drawNumbers(const Visibility& into);
-  /// Adds light to the sums of GlowRaster, before what is visible.
+  /// Adds light in front of the visible surfaces to the sums of GlowRaster.
   void addLight(const std::vector<Copies>& copies, const Visibility& into, const gl::Buffer& sums);
 
   [[nodiscard]] CopySource source(const Copies& copies, unsigned firstId);
 
  private:
   enum class Pass { nearest, numbers, light };
-  /// Copies that are drawn by one dispatch.
+  /// Copies that one dispatch handles.
   struct Part {
     std::size_t draw;
     int skipped;

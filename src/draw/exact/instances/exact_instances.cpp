@@ -8,7 +8,7 @@
 
 namespace simreel::draw {
 
-/// Material and colours of instances.
+/// Kernel fields for the material and colours of instances.
 struct ThingLook {
   InstanceLook colors;
   gl::Uniform<"material", glm::vec3> material;  ///< roughness, metallic, translucency
@@ -40,16 +40,16 @@ struct ShadeCopies {
 
 namespace {
 
-constexpr std::uint64_t lastId = 0xfffffff0;  // the last ones say ground, and nothing
+constexpr std::uint64_t lastId = 0xfffffff0;  // larger ids stand for the ground and for empty samples
 
-/// Sprites of at most this radius are lit as squares, as the driver draws them.
+/// Max radius (pixels) of sprites that are shaded as squares, like the driver's small sprites.
 constexpr float squarePixels = 1.6F;
 
 bool isMesh(const sim::Instances& instances) {
   return instances.shape == sim::Instances::Shape::mesh;
 }
 
-/// First number after `count` more.
+/// Returns the first id after `count` more ids.
 unsigned after(unsigned firstId, std::uint64_t count) {
   if (firstId + count > lastId)
     fail(ExitCode::device,

@@ -16,45 +16,47 @@ struct InstanceVariant;
 struct ShadeBalls;
 struct ShadeCopies;
 
-/// Draws instances by kernels in exact arithmetic. What is opaque has numbers of its own after those of the
-/// surfaces: first of the draw + instance.
+/// Draws instances with kernels in exact arithmetic. The primitive ids of opaque instances follow the ids
+/// of the surfaces: the draw's first id plus the index of the instance (times its triangle count for
+/// meshes).
 class ExactInstances {
  public:
   ExactInstances(int samples, Lighting lighting);
 
-  /// From now on things are lit like that, by the same lights.
+  /// Sets the lighting variant of later shading. The lights stay the same.
   void light(const ThingVariant& variant) { lighting_.variant = variant; }
-  /// As SurfaceShading::show.
+  /// Selects what is shaded, as SurfaceShading::show().
   void show(int layer) { shown_ = layer; }
-  /// Whether some of what is opaque mirror the scene.
+  /// True if any opaque instances reflect the scene.
   [[nodiscard]] static bool anyMirrors(const sim::Drawables& drawables);
-  /// Grows the sun's bounds; see ShadowPass::fit.
+  /// Extends the bounds of the sun's shadow map; see ShadowPass::fit().
   void growBounds(const sim::Drawables& drawables, const gl::Buffer& bounds) {
     bounds_.grow(drawables, shapes_, bounds);
   }
-  /// Into the sun's map, where other things may be drawn already. The light's place is bound.
+  /// Draws into the sun's map, which may already contain other objects. The map's transform must be bound.
   void castShadows(const sim::Drawables& drawables, const Visibility& map, const MapPart& part);
-  /// Into one of a lamp's maps, whose view is bound.
+  /// Draws into one lamp map, whose view must be bound.
   void castLampShadows(const sim::Drawables& drawables, const Visibility& maps, const MapPart& part);
-  /// Numbers what is opaque from `firstId` on. Adds the first of each draw to `firstIds`. Throws
-  /// UserError(device) where there are more than numbers.
+  /// Assigns primitive ids to opaque instances, starting at `firstId`, and appends the first id of each
+  /// draw to `firstIds`. Throws UserError(device) if there are not enough ids.
   void number(const sim::Drawables& drawables, unsigned firstId, std::vector<unsigned>& firstIds);
-  /// What is nearest: before anything has drawn numbers.
+  /// Writes the depth keys. Must run before any object writes ids.
   void drawNearest(const Visibility& picture);
-  /// The numbers, when everything has drawn what is nearest.
+  /// Writes the ids, after all objects have written their keys.
   void drawNumbers(const Visibility& picture);
-  /// What has these numbers.
+  /// Appends the objects with their id ranges.
   void describe(std::vector<DrawnThing>& things) const;
   struct Numbered {
     const sim::Instances* instances;
-    unsigned firstId, each;  ///< of the first; of each of them
+    unsigned firstId, each;  ///< firstId: id of the first instance; each: ids per instance
   };
   [[nodiscard]] std::vector<Numbered> numbered() const;
-  /// Adds the light of what is opaque, whose draws are things of the tiles from `firstThing` on.
+  /// Adds the light of opaque instances. Their draws are the objects of the tile lists from `firstThing`
+  /// on.
   void shade(const ShadedTiles& tiles, int firstThing, const SceneLight& light);
-  /// Whether some add light: then the ground lies in the picture's keys, too.
+  /// True if any instances add light (glows). The ground is then written into the depth keys too.
   [[nodiscard]] static bool anyAdd(const sim::Drawables& drawables);
-  /// Adds to `light` that of those that add it, before what is visible.
+  /// Adds the light of glows in front of the visible surfaces to `light`.
   void addLight(const sim::Drawables& drawables, const Visibility& picture, const gl::Texture& light);
 
  private:

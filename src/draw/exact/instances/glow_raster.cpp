@@ -48,8 +48,9 @@ struct AddGlows {
 
 namespace {
 
-constexpr float glowRadius = 0.5F;    // of sprites and spheres at size 1
-constexpr float roundPixels = 64.0F;  // as the driver's points
+constexpr float glowRadius = 0.5F;    // radius of sprites and spheres of size 1
+constexpr float roundPixels = 64.0F;  // size up to which glows are drawn as discs in the picture, like the
+                                      // driver's points
 
 }  // namespace
 

@@ -13,23 +13,25 @@ namespace simreel::draw {
 struct GlowKernel;
 struct AddGlows;
 
-/// Light of sprites and spheres that add it, summed up in whole numbers of 64 bits, 24 bytes a pixel
-/// (glsl/draw/instances/glow_block.glsl): the order does not matter.
+/// Sums the light of additive sprites and spheres in 64-bit integers, 24 bytes per pixel
+/// (glsl/draw/instances/glow_block.glsl). The result does not depend on the order.
 class GlowRaster {
  public:
-  static constexpr std::int64_t sumBytes = 24;  ///< of a pixel
+  static constexpr std::int64_t sumBytes = 24;  ///< bytes of the sums per pixel
 
-  /// Those whose box has no side above `smallPixels` are summed up by an invocation each, of the others
-  /// those of at most `mediumPixels` by a group, the rest by many.
+  /// Glows with a box of at most `smallPixels` per side are handled by one invocation each, medium ones of
+  /// at most `mediumPixels` by one workgroup, larger ones by many workgroups.
   explicit GlowRaster(int samples, int smallPixels = smallGlow(), int mediumPixels = mediumBall());
 
-  /// Makes room for a picture. Throws UserError(device) naming the limit where there is none.
+  /// Allocates the sums of a picture. Throws UserError(device), which names the limit, if the device has no
+  /// room.
   void prepare(glm::ivec2 size);
-  /// Sums up what is before what is visible, ground included. The uniform blocks are bound.
+  /// Sums the light in front of the visible surfaces, including the ground. The uniform blocks must be
+  /// bound.
   void draw(const std::vector<const sim::Instances*>& glows, const Visibility& picture);
-  /// The sums, for other kernels that add.
+  /// Returns the sums, for other kernels that add light.
   [[nodiscard]] const gl::Buffer& sums() const { return sums_; }
-  /// Adds the sums to the light and empties them.
+  /// Adds the sums to the light and clears them.
   void addTo(glm::ivec2 size, const gl::Texture& light) const;
 
  private:

@@ -2,11 +2,10 @@
 #include "draw/instances/instance_values.hpp"
 #include "gl/kernel/kernel.hpp"
 
-// What kernels of the exact rasterizer read of instances, a group of fields for each file that they
-// include.
+// Shader inputs of kernels that read instances, one group per GLSL include file.
 namespace simreel::draw {
 
-/// draw/exact/instances/instance_source.glsl.
+/// Uniforms, buffers and textures that draw/exact/instances/instance_source.glsl declares.
 struct InstanceSource {
   gl::Ambient<"FrameBlock"> frame;
   InstanceFields instance;
@@ -21,7 +20,7 @@ struct InstanceSource {
           .firstId = firstId};
 }
 
-/// draw/exact/copies/copy_source.glsl.
+/// Uniforms, buffers and textures that draw/exact/copies/copy_source.glsl declares.
 struct CopySource {
   InstanceSource source;
   gl::In<"indices"> indices;

@@ -19,39 +19,40 @@ struct CopyElements;
 struct BetweenVertices;
 struct BetweenElements;
 
-/// Moments between two frames: vertices and instances go straight from where they were to where they are,
-/// as of two motion steps of a path tracer. What jumped along its keyframes meanwhile stays where it was
-/// until then, and stands where it is from then on. Surfaces whose triangles the GPU makes anew (those with
-/// `arguments`), fields and charts stay as they are.
+/// Interpolates between two frames: vertices and instances move linearly from their previous to their
+/// current positions, like the two motion steps of a path tracer. An object whose keyframes make it jump
+/// keeps its previous position until the jump and has its current position after it. Surfaces whose
+/// triangles the GPU rebuilds (with `arguments`), fields and charts do not move.
 class Motion {
  public:
-  /// `fast`: built-in arithmetic.
+  /// `fast`: uses built-in arithmetic instead of exact arithmetic.
   explicit Motion(bool fast);
 
-  /// What was drawn, or would have been, of the frame before.
+  /// Keeps the objects of the previous frame.
   void keep(const sim::Drawables& before);
-  /// What is drawn of the frame at time `at` (s), `seconds` after that one. Its pointers have to live as
-  /// long as between() is asked.
+  /// Sets the objects of the current frame at time `at` (s), `seconds` after the previous frame. Pointers
+  /// in `now` must stay valid while between() is used.
   void begin(const sim::Drawables& now, double seconds, double at = 0);
-  /// At a part of the way, 0 at the frame before and 1 at this one; lives until the next call. Things that
-  /// were not there before are as they are.
+  /// Returns the objects at an interpolation parameter: 0 at the previous frame, 1 at the current one. The
+  /// result is valid until the next call. Objects that are new in the current frame do not move.
   [[nodiscard]] const sim::Drawables& between(float part);
 
-  /// Where the vertices of a surface were and are, in the world (m): xyz. Empty for what does not move, and
-  /// for what jumped.
+  /// Previous and current world positions (m) of a surface's vertices, in xyz. Empty if the surface does
+  /// not move or has jumped.
   struct Way {
     std::vector<glm::vec4> before, now;
   };
-  /// Of surface i of the frame; after begin(). Waits for the device, as the next one does.
+  /// Returns the positions of surface i of the frame. Call after begin(). Waits for the GPU, as
+  /// velocitiesOf() does.
   [[nodiscard]] Way wayOf(std::size_t surface) const;
-  /// Velocities of instances i of the frame: xyz in m/s.
+  /// Returns the velocities (xyz, m/s) of instances i of the frame.
   [[nodiscard]] std::vector<glm::vec4> velocitiesOf(std::size_t instances);
-  /// What a camera asks of drawables (draw::viewAt), at another part of the way between the frames: -0.5 is
-  /// as long before the frame before.
+  /// Returns the drawables that draw::viewAt() needs for the camera, at any interpolation parameter; -0.5
+  /// is half a frame time before the previous frame.
   [[nodiscard]] sim::Drawables cameraAt(float part) const;
 
  private:
-  /// Two vec4 an element: places and normals, or places and velocities.
+  /// Two vec4 per element: positions and normals, or positions and velocities.
   struct Elements {
     gl::Buffer first, second;
     gl::Texture firstView, secondView;
@@ -59,17 +60,19 @@ class Motion {
   };
   struct Moving {
     std::string object;
-    int count = 0;  ///< of elements; 0: it does not move
+    int count = 0;  ///< number of elements; 0: does not move
     int indices = 0;
     unsigned still = 0;
     glm::mat4 model{1.0F};
-    bool moves = false;              ///< between the two frames, as far as the CPU knows
-    double jumped = 0;               ///< s: when its object did last
-    std::optional<float> jump = {};  ///< the part of the way at which it jumps in between
+    bool moves = false;              ///< true if it moves between the two frames, as far as the CPU can
+                                     ///< tell
+    double jumped = 0;               ///< time (s) of the object's last jump
+    std::optional<float> jump = {};  ///< interpolation parameter of a jump between the two frames
     Elements before, now, shown;
   };
 
-  /// The part of the way at which what jumped last at these times (s) does so between the frames.
+  /// Returns the interpolation parameter of a jump, from the times (s) of the last jump before the previous
+  /// and the current frame.
   [[nodiscard]] std::optional<float> jumpAt(double before, double now) const;
   void toWorld(const sim::Surface& surface, const Elements& into);
   void copy(const sim::Instances& instances, const Elements& into);
@@ -82,10 +85,10 @@ class Motion {
   gl::Kernel<BetweenVertices> betweenVertices_;
   gl::Kernel<BetweenElements> betweenElements_;
   std::vector<Moving> surfaces_, instances_;
-  std::vector<sim::Place> places_;  ///< of the frame before, and the next
+  std::vector<sim::Place> places_;  ///< camera targets of the previous frame; `lagging_` likewise
   std::vector<glm::vec3> lagging_;
-  Elements copied_;                            ///< instances whose velocities are asked for
-  const sim::Drawables* drawables_ = nullptr;  ///< of the frame
+  Elements copied_;                            ///< copy of the velocities that velocitiesOf() reads back
+  const sim::Drawables* drawables_ = nullptr;  ///< objects of the current frame
   sim::Drawables shown_;
 };
 

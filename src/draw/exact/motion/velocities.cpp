@@ -58,7 +58,7 @@ glm::vec3 Velocities::onMesh(const Mesh& mesh, unsigned triangle, const glm::dve
   return glm::vec3(way / seconds_);
 }
 
-// The least squares of place - a = v (b - a) + w (c - a).
+// Least squares solution of place - a = v (b - a) + w (c - a).
 glm::dvec3 sharesOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
                     const glm::dvec3& place) {
   const glm::dvec3 ab = b - a, ac = c - a, ap = place - a;

@@ -10,26 +10,28 @@
 
 namespace simreel::draw {
 
-/// How fast what is drawn moves in the world, by the numbers of its triangles and instances: surfaces by
-/// how far each point of a triangle has come since the frame before, instances by their own velocities.
+/// World velocities of drawn objects, by primitive id. Points of surfaces move by their displacement since
+/// the previous frame, instances by their own velocities.
 class Velocities {
  public:
-  /// Of a motion that has begun; `seconds` between the two frames; `part`: at which part of the way
-  /// between them what is drawn stands.
+  /// `motion`: already begun. `seconds`: time between the two frames. `part`: interpolation parameter of
+  /// the drawn moment (0 at the previous frame, 1 at the current one).
   Velocities(Motion& motion, double seconds, float part)
       : motion_(motion), seconds_(seconds), part_(static_cast<double>(part)) {}
 
-  /// Surface i of the frame has the numbers from `firstId` on, `triangles` at most.
+  /// Adds surface i of the frame, with at most `triangles` ids from `firstId` on.
   void addSurface(const sim::Surface& surface, std::size_t i, unsigned firstId, int triangles);
-  /// Instances i, which have `each` numbers each.
+  /// Adds instances i of the frame, with `each` ids per instance.
   void addInstances(std::size_t i, unsigned firstId, unsigned each);
-  /// Of the point of what has that number which lies at `place` (m): m/s. 0 for what does not move.
+  /// Returns the velocity (m/s) of the point at `place` (m) of the primitive `number`; 0 if it does not
+  /// move.
   [[nodiscard]] glm::vec3 at(unsigned number, const glm::dvec3& place) const;
 
  private:
   struct Mesh {
     unsigned firstId = 0, end = 0;
-    glm::ivec2 row{0};  ///< triangles of a row, and vertices to the next; 0: all have indices
+    glm::ivec2 row{0};  ///< grids: triangles per row, and vertices from one row to the next; 0: the mesh
+                        ///< has indices
     std::vector<unsigned> indices;
     Motion::Way way;
   };
@@ -45,8 +47,8 @@ class Velocities {
   std::vector<Cloud> clouds_;
 };
 
-/// The shares of a triangle's corners in the point of it that is nearest to its plane's foot below `place`:
-/// each 0 to 1, sum 1. Of one without area: the first corner.
+/// Returns the barycentric weights (each 0 to 1, sum 1) of the triangle's point nearest to the projection
+/// of `place` onto its plane. For degenerate triangles, the first corner.
 [[nodiscard]] glm::dvec3 sharesOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
                                   const glm::dvec3& place);
 

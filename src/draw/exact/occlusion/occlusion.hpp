@@ -18,34 +18,35 @@ struct HalfNearness;
 struct Horizons;
 struct SmoothArcs;
 
-/// How much of the surroundings' light gets to what a picture shows, by what the picture shows around it
-/// (glsl/draw/exact/occlusion/horizons.glsl): at half its size.
+/// Computes ambient occlusion in screen space (glsl/draw/exact/occlusion/horizons.glsl) at half resolution.
 class Occlusion {
  public:
-  /// Slices a half pixel, and steps of each to either side.
+  /// Number of slices per half pixel, and of steps per slice and side.
   static constexpr int slices = 2, steps = 5;
-  /// None.
+  /// Creates an object that is off.
   Occlusion() = default;
-  /// Of pictures of which `visibility` holds all rows, or a band of them. `ground`: it is drawn.
+  /// Prepares for pictures of `size`. `visibility`: a buffer with their layout, for all rows or a band.
+  /// `ground`: true if the ground is drawn.
   Occlusion(glm::ivec2 size, const Visibility& visibility, bool ground);
 
   [[nodiscard]] bool on() const { return static_cast<bool>(horizons_); }
-  /// Takes over how near things are in the band that is visible, and the ground. The frame's uniform block
-  /// and the view's are bound.
+  /// Stores the nearness of a band's visible samples and ground. The uniform blocks of frame and view must
+  /// be bound.
   void add(const Visibility& visibility, const shader::ExactView& view) const;
-  /// Once all of the picture is there. `radius`: how far away what counts may be (m).
+  /// Computes the occlusion after all bands have been added. `radius`: max distance of occluders (m).
   void find(const shader::ExactView& view, float radius) const;
   /// Openness and nearness of half pixels, row by row.
   [[nodiscard]] const gl::Texture& openness() const { return openness_.view; }
   [[nodiscard]] glm::ivec2 size() const { return half_; }
-  /// Of half pixels (1/m), row by row; 0 where nothing is.
+  /// Nearness of half pixels (1/m), row by row; 0 if empty.
   [[nodiscard]] const gl::Texture& nearness() const { return nearness_.view; }
-  /// Waits for the device and copies out, row by row: openness, from 0 to 1, and nearness (1/m), 0 where
-  /// nothing is, of each half pixel.
+  /// Waits for the GPU and returns, row by row, two values per half pixel: openness from 0 to 1, and
+  /// nearness (1/m; 0 if empty).
   [[nodiscard]] std::vector<GLuint> read() const { return openness_.buffer.readAll<GLuint>(); }
 
  private:
-  /// Of each half pixel: kernels store it as a block, which software drivers do faster than into an image.
+  /// One value per half pixel. Kernels write it as a storage block, because software drivers write images
+  /// more slowly.
   struct Kept {
     Kept() = default;
     Kept(const std::string& label, GLenum format, std::size_t bytes, glm::ivec2 size);
@@ -59,8 +60,8 @@ class Occlusion {
   Kept nearness_, arcs_, smooth_, openness_;
 };
 
-/// What Occlusion::find() tells the kernel: how far away what counts may be (m), at most (half pixels), and
-/// half pixels a metre at depth 1.
+/// Returns the uniforms of Occlusion::find(): max distance of occluders (m), max distance in the picture
+/// (half pixels), and half pixels per metre at depth 1.
 [[nodiscard]] glm::vec3 reachOnPicture(const shader::ExactView& view, float radius);
 
 }  // namespace simreel::draw

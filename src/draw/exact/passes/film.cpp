@@ -19,7 +19,8 @@ struct FilmKernel {
     gl::Flag<"BLOOM"> bloom;
     gl::Flag<"FAST_NUMERICS"> fast;
     gl::Range<"ROWS", 1, 8> rows;
-    gl::Flag<"LINEAR"> linear = {};  ///< light before the film; DEEP: as the film shows it
+    gl::Flag<"LINEAR"> linear = {};  ///< LINEAR: outputs light before the film; DEEP: outputs light as the
+                                     ///< film shows it
     gl::Flag<"DEEP"> deep = {};
   };
   gl::Ambient<"FrameBlock"> frame = {};
@@ -63,7 +64,7 @@ class ScatterPass final : public FramePass {
   Bloom bloom_;
 };
 
-/// Makes the picture; and, if somebody asked for it, the light before the film or as the film shows it.
+/// Writes the picture and, on request, the light before the film or as the film shows it.
 class FilmPass final : public FramePass {
  public:
   explicit FilmPass(ExactFrame& frame) : FramePass(frame), picture_(defines(), variant()) {}
@@ -108,7 +109,7 @@ class FilmPass final : public FramePass {
     layers.light.resize(4 * static_cast<std::size_t>(f.size.x) * static_cast<std::size_t>(f.size.y));
     glGetTextureImage(light_.name(), 0, GL_RGBA, GL_FLOAT,
                       static_cast<GLsizei>(layers.light.size() * sizeof(float)), layers.light.data());
-    // Which of two zeros a minimum is, devices may choose.
+    // Replaces -0 by 0, because devices differ in the zero that min returns.
     for (float& value : layers.light) value += 0.0F;
   }
 

@@ -4,7 +4,8 @@ namespace simreel::draw {
 
 namespace {
 
-/// Keeps keys and numbers of the band's samples; with the first band also shadow maps and things.
+/// Keeps the keys and ids of the band's samples; for the first band also the shadow maps and the list of
+/// objects.
 class KeptVisibilityPass final : public FramePass {
  public:
   using FramePass::FramePass;

@@ -11,8 +11,8 @@ namespace simreel::draw {
 
 namespace {
 
-/// Makes the layers that somebody asked for. Some are read from visibility; normals and albedo are shaded
-/// as light is. All show the first view, but objects' shares are a mean over all views.
+/// Creates the requested layers. Some are computed from visibility; normals and albedo are shaded like
+/// light. All show the first view, except that object coverage is a mean over all views.
 class LayersPass final : public FramePass {
  public:
   using FramePass::FramePass;
@@ -98,7 +98,8 @@ void LayersPass::keepShown() {
   }
 }
 
-/// Finds how things with numbers move. The drawn surfaces are copies of the moment's, with the same places.
+/// Collects the motion of all objects with primitive ids. The drawn surfaces are copies of the moment's
+/// surfaces and are matched by their buffers.
 std::optional<Velocities> LayersPass::velocitiesNow() const {
   const ExactScene::Exposure& exposure = *f.asked.exposure;
   if (exposure.motion == nullptr || (!wants(Layer::velocity) && !wants(Layer::vector))) return std::nullopt;
@@ -128,7 +129,7 @@ std::optional<Velocities> LayersPass::velocitiesNow() const {
   return velocities;
 }
 
-/// Finds how the camera moved during the frame, if somebody asks for it.
+/// Returns the camera's views now and one frame earlier, or nothing if the vector layer is not requested.
 std::optional<CameraWay> LayersPass::cameraWayNow() const {
   const ExactScene::Exposure& exposure = *f.asked.exposure;
   if (exposure.motion == nullptr || !wants(Layer::vector)) return std::nullopt;

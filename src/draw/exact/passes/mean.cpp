@@ -15,7 +15,7 @@ struct LensSumKernel {
 
 namespace {
 
-/// The mean of all views, of moments and of points of the lens.
+/// Computes the mean of all views (moments and lens points).
 class MeanPass final : public FramePass {
  public:
   explicit MeanPass(ExactFrame& frame) : FramePass(frame) {
@@ -33,15 +33,15 @@ class MeanPass final : public FramePass {
     gl::barrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
     if (f.number == 0) middle_ = exactView(f.seen, f.scene.camera, f.size);
     if (!last) return;
-    f.values = middle_;  // the sky is seen through the middle
+    f.values = middle_;  // the sky is drawn through the centre of the lens
     f.tellView();
     if (f.passes != nullptr) f.passes->keepLight("light", "lens", f.light, {0, f.size.y});
   }
 
  private:
   gl::Kernel<LensSumKernel> sum_;
-  gl::Texture total_;           ///< light of the views so far
-  shader::ExactView middle_{};  ///< the first moment through the middle of the lens
+  gl::Texture total_;           ///< sum of the light of the views so far
+  shader::ExactView middle_{};  ///< view of the first moment through the centre of the lens
 };
 
 }  // namespace

@@ -9,12 +9,12 @@ namespace simreel::draw {
 
 namespace {
 
-/// True if there is a ground that mirrors the scene.
+/// True if there is a ground that reflects the scene.
 bool groundMirrors(const ExactFrame& frame) {
   return frame.ground && frame.occludes() && mirrorsScene(frame.scene.ground->roughness);
 }
 
-/// Finds if something mirrors the scene.
+/// Determines if any object reflects the scene.
 class MirrorsPass final : public FramePass {
  public:
   using FramePass::FramePass;
@@ -40,7 +40,7 @@ class MirroredPass final : public FramePass {
   void run() override { f.reflections->see(f.light, f.occlusion.nearness()); }
 };
 
-/// Adds to the band's light the difference that reflections make.
+/// Adds to the band's light the change that reflections make.
 class ReflectedPass final : public FramePass {
  public:
   using FramePass::FramePass;

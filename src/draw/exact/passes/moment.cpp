@@ -20,7 +20,7 @@ class SkinsPass final : public FramePass {
   }
 };
 
-/// Collects the moment's things, its lights and its camera.
+/// Collects the objects, lights and camera of a moment.
 class ThingsPass final : public FramePass {
  public:
   using FramePass::FramePass;
@@ -37,14 +37,15 @@ class ThingsPass final : public FramePass {
   }
 
  private:
-  /// Kernels shade otherwise in scenes with blended surfaces, so that others do not pay for them.
+  /// Switches shading to kernels that support blended layers. Scenes without blended surfaces use cheaper
+  /// kernels.
   void beginLayers() {
     if (f.layered) return;
     f.layered = true;
     f.surfaces.light(f.lit());
     f.instances.light(f.lit());
   }
-  /// Warns once about each object whose material is not drawn in full.
+  /// Warns once about each object whose material cannot be drawn in full.
   void sayFinishes() {
     for (const sim::Instances& instances : f.drawables.instances)
       if (instances.material != nullptr && instances.material->finish.used() &&
@@ -60,7 +61,7 @@ class ThingsPass final : public FramePass {
              objectName(surface));
   }
 
-  std::set<std::string> said_;  ///< names of objects that a warning named
+  std::set<std::string> said_;  ///< names of objects that have had a warning
 };
 
 class JoinedPass final : public FramePass {
@@ -69,14 +70,14 @@ class JoinedPass final : public FramePass {
   void run() override { f.joins = f.joined.join(f.drawables.surfaces); }
 };
 
-/// Begins the view of a moment through a point of the lens: no light yet.
+/// Starts a view (moment and lens point) with empty light.
 class ViewPass final : public FramePass {
  public:
   using FramePass::FramePass;
   void run() override {
     constexpr std::array<GLfloat, 4> none = {0, 0, 0, 0};
     f.values = exactView(f.seen, f.scene.camera, f.size, f.point);
-    f.values.rows = {0, 0};  // none is found yet
+    f.values.rows = {0, 0};  // no band has been found yet
     if (f.rays) f.rays->seeThrough(f.number, f.views);
     if (!ShadedTiles::emptiesLight()) glClearTexImage(f.light.name(), 0, GL_RGBA, GL_FLOAT, none.data());
   }

@@ -13,7 +13,7 @@ class NearnessPass final : public FramePass {
   void run() override { f.occlusion.add(f.visibility, f.values); }
 };
 
-/// Finds how open places are. It needs the whole view: occluders may be in another band.
+/// Computes ambient occlusion. Needs the whole view because occluders may be in another band.
 class OpennessPass final : public FramePass {
  public:
   using FramePass::FramePass;

@@ -5,7 +5,7 @@ namespace simreel::draw {
 
 namespace {
 
-/// Builds the hierarchy that rays go through: all things, cut and blended surfaces included.
+/// Builds the ray hierarchy of all objects, including cut-out and blended surfaces.
 class RayScenePass final : public FramePass {
  public:
   using FramePass::FramePass;

@@ -17,7 +17,7 @@ class BlendedPass final : public FramePass {
     if (!f.rays) return add(f.light, {});
     add(f.light, [this](const Visibility& layer) { f.addRays(layer); });
   }
-  /// The light is there already: a texture that nobody reads takes it.
+  /// Restores the band only. The light has been added already, so the output goes to an unused texture.
   void again() override {
     if (!unused_)
       unused_ = gl::Texture::image("light of layers, once more", GL_RGBA32F, f.size.x, f.size.y);
@@ -32,7 +32,7 @@ class BlendedPass final : public FramePass {
   gl::Texture unused_;
 };
 
-/// Adds the light of opaque things and of the ground.
+/// Adds the light of opaque surfaces, instances and the ground.
 class SurfacesPass final : public FramePass {
  public:
   using FramePass::FramePass;
@@ -49,7 +49,7 @@ class SurfacesPass final : public FramePass {
   }
 };
 
-/// Adds the light of glows. They have no place that could be mirrored, so they come last.
+/// Adds the light of glows. Glows have no depth that reflections could use, so they come last.
 class GlowsPass final : public FramePass {
  public:
   using FramePass::FramePass;

@@ -6,7 +6,8 @@ namespace simreel::draw {
 
 namespace {
 
-/// The things that may cast shadows, without cut and blended surfaces; joined where surfaces are.
+/// Returns the objects that may cast shadows, without cut-out and blended surfaces. Surfaces are joined if
+/// the frame joins them.
 sim::Drawables castingOf(const ExactFrame& frame) {
   sim::Drawables casting = frame.drawables;
   if (frame.joins) casting.surfaces = {frame.joined.surface()};
@@ -39,7 +40,7 @@ class SunMapPass final : public FramePass {
     f.shadow.fit(bounding, [&](const gl::Buffer& bounds) { f.instances.growBounds(drawables, bounds); });
     f.shadow.bind();
     f.sunMap->clear();
-    // A filter of r texels reads depths up to r + 1 texels of slope away.
+    // A shadow filter of r texels reads depths up to r + 1 texels away along a slope.
     const MapPart part{.slopeOffset = 1.5F + f.scene.sun.shadowSoftness};
     casters_->number(casting);
     casters_->draw(*f.sunMap, part);

@@ -10,7 +10,7 @@
 
 namespace simreel::draw {
 
-/// draw/exact/rays/solids.glsl.
+/// Uniforms, buffers and textures that draw/exact/rays/solids.glsl declares.
 struct SolidPlaces {
   gl::In<"places"> places;
   gl::In<"corners"> corners;
@@ -66,10 +66,10 @@ struct SolidNodes {
 
 namespace {
 
-/// Triangles that a leaf holds at least, if there are so many.
+/// Min number of items per leaf, if there are that many.
 constexpr int leastOfLeaf = 2;
 constexpr int boundsInvocations = 4096;
-/// Of a key that sorting looks at: keys.comp.
+/// Bit range of a record's key that the radix sort uses, as in keys.comp.
 constexpr int lowKeyBits = 12, highKeyBits = 24;
 
 SolidPlaces placesOf(const Hierarchy::Solids& solids) {

@@ -13,33 +13,34 @@ struct SolidKeys;
 struct SolidOrder;
 struct SolidNodes;
 
-/// Triangles or balls in their order along a space-filling curve, and over them a complete binary tree of
-/// boxes, made by kernels: node 1 is the root, the children of n are 2n and 2n + 1, a leaf holds two to
-/// four, or one. The same bits on every machine.
+/// Sorts triangles or balls along a space-filling curve and builds a complete binary tree of boxes over
+/// them, with kernels. Node 1 is the root, the children of node n are 2n and 2n + 1. A leaf holds two to
+/// four items, or one if there is only one. The bits are the same on every machine.
 class Hierarchy {
  public:
   enum class Of { triangles, balls };
-  /// Where what it is made of lies, as glsl/draw/exact/rays/solids.glsl says.
+  /// Input buffers of the items, as in glsl/draw/exact/rays/solids.glsl.
   struct Solids {
     int count = 0;
     const gl::Texture* places = nullptr;
-    const gl::Texture* corners = nullptr;  ///< of triangles
-    const gl::Texture* words = nullptr;    ///< of triangles' vertices: the last says whose they are
+    const gl::Texture* corners = nullptr;  ///< for triangles only: indices of the corners
+    const gl::Texture* words = nullptr;    ///< vertex words of triangles; the last word holds the owner
     const gl::Texture* ballLooks = nullptr;
     const gl::Texture* looks = nullptr;
   };
   explicit Hierarchy(Of of) : of_(of) {}
 
-  /// Grows the bounds (six ordered keys) by all of them.
+  /// Extends the bounds (six ordered keys) by all items.
   void growBounds(const Solids& solids, const gl::Buffer& bounds);
-  /// Once the bounds of everything are there. Throws UserError(device) where the device cannot hold it.
+  /// Builds the tree when the bounds of the whole scene are complete. Throws UserError(device) if the
+  /// device cannot hold it.
   void build(const Solids& solids, const gl::Buffer& bounds);
   [[nodiscard]] int count() const { return count_; }
   [[nodiscard]] int leaves() const { return leaves_; }
-  /// Of triangles: the number that each had, in their order.
+  /// Triangles only: the original index of each triangle, in sorted order.
   [[nodiscard]] const gl::Texture& ids() const { return idView_; }
   [[nodiscard]] const gl::Buffer& sorted() const { return sorted_; }
-  /// The same as texels, and the tree's; none where there is nothing.
+  /// Texel views of the sorted items and of the tree; empty if there are no items.
   [[nodiscard]] gl::Resource sortedTexels() const {
     return count_ > 0 ? gl::Resource(sortedView_) : gl::Resource();
   }
@@ -53,7 +54,7 @@ class Hierarchy {
 
   Of of_;
   int count_ = 0, leaves_ = 1;
-  int room_ = 0;  ///< of the sort
+  int room_ = 0;  ///< max number of items that the sort buffers can hold
   std::optional<gl::RadixSort> sort_;
   gl::Kernel<SolidBounds> bounds_;
   gl::Kernel<SolidKeys> keys_;

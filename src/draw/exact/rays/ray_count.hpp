@@ -9,8 +9,9 @@ namespace simreel::draw {
 
 struct CountRays;
 
-/// While one lives, rays of pictures of quality "high" are counted, which makes the CPU wait for each step
-/// of them: for `simreel bench`, after its times. One at a time, of the current context.
+/// Counts the rays of path-traced pictures while an object of this class exists. The CPU then waits for
+/// each step. Used by `simreel bench` after its timings. At most one object may exist at a time; it belongs
+/// to the current context.
 class RayCount {
  public:
   RayCount();
@@ -20,14 +21,15 @@ class RayCount {
   RayCount(RayCount&&) = delete;
   RayCount& operator=(RayCount&&) = delete;
 
-  /// Of those that have been traced, the ones that went any way. 0 where no picture was of that quality.
+  /// Returns the number of rays with a length above 0 that were traced; 0 without path tracing.
   [[nodiscard]] std::uint64_t rays() const { return rays_; }
 
-  /// The one that lives, or null.
+  /// Returns the existing object, or null.
   [[nodiscard]] static RayCount* current();
-  /// Rays `first` to before `first + count` are about to be traced; they are written.
+  /// Counts the rays in [first, first + count) that have a length above 0. The rays must be written
+  /// already.
   void add(const gl::Texture& rays, int first, int count);
-  /// So many are, that all go some way.
+  /// Counts rays whose length is known to be above 0.
   void add(int count) { rays_ += static_cast<std::uint64_t>(count); }
 
  private:

@@ -10,21 +10,21 @@
 
 namespace simreel::draw {
 
-/// Triangles that shine by themselves, from which glsl/draw/exact/rays/emitters.glsl chooses.
+/// Emitting triangles, among which glsl/draw/exact/rays/emitters.glsl chooses.
 class RayEmitters {
  public:
   void begin();
-  /// Triangles `first` to before `first + count` whose light has that brightness. Waits for the device;
-  /// `places` and `corners`: of all triangles, as glsl/draw/exact/rays/gather.comp leaves them.
+  /// Adds the triangles [first, first + count), whose emission has the given brightness. Waits for the GPU.
+  /// `places` and `corners`: buffers of all triangles, as written by glsl/draw/exact/rays/gather.comp.
   void add(const gl::Buffer& places, const gl::Buffer& corners, int first, int count, double brightness);
   void finish();
-  /// `places`: as add() had them, as texels.
+  /// `places`: texel view of the buffer given to add().
   [[nodiscard]] EmitterFields fields(const gl::Texture& places) const;
 
  private:
   struct Part {
     std::uint32_t triangle = 0;
-    double light = 0;  ///< m^2 times brightness
+    double light = 0;  ///< emitted light: area (m^2) times brightness
   };
   std::vector<Part> parts_;
   double all_ = 0;

@@ -2,10 +2,10 @@
 #include "draw/exact/visibility.hpp"
 #include "gl/kernel/kernel.hpp"
 
-// What kernels of draw/exact/rays read of the things that rays meet.
+// Shader inputs of kernels in draw/exact/rays that read the ray scene.
 namespace simreel::draw {
 
-/// Looks of triangles: looks.glsl, solid_words.glsl, lays.glsl and the maps that are laid over them.
+/// Materials of triangles: shader inputs of looks.glsl, solid_words.glsl, lays.glsl and the maps.
 struct RayLookFields {
   gl::In<"looks"> looks;
   gl::In<"corners"> corners;
@@ -14,14 +14,14 @@ struct RayLookFields {
   gl::In<"texelsOfMaps"> maps;
 };
 
-/// Triangles and balls in their order: met_triangle.glsl and found_facet.glsl.
+/// Triangles and balls in hierarchy order: shader inputs of met_triangle.glsl and found_facet.glsl.
 struct SortedSolids {
   gl::In<"sortedSolids"> solids;
   gl::In<"solidIds"> ids;
   gl::In<"sortedBalls"> balls;
 };
 
-/// The trees above them: traverse.glsl.
+/// Hierarchies of triangles and balls: shader inputs of traverse.glsl.
 struct SolidTrees {
   gl::In<"solidNodes"> solidNodes;
   gl::In<"ballNodes"> ballNodes;
@@ -31,13 +31,13 @@ struct SolidTrees {
   gl::Uniform<"ballLeaves", int> ballLeaves;
 };
 
-/// Looks of balls and of skins: found_facet.glsl and skin_hit.glsl.
+/// Materials of balls and skins: shader inputs of found_facet.glsl and skin_hit.glsl.
 struct FoundFields {
   gl::In<"ballLooks"> ballLooks;
   gl::In<"skinTexels"> skinTexels;
 };
 
-/// emitters.glsl.
+/// Uniforms, buffers and textures that emitters.glsl declares.
 struct EmitterFields {
   gl::In<"emitters"> emitters;
   gl::In<"solidPlaces"> places;
@@ -45,11 +45,11 @@ struct EmitterFields {
   gl::Uniform<"perEmission", float> perEmission;
 };
 
-/// What of all this there is.
+/// Features of the ray scene, which select kernel variants.
 struct RayFeatures {
   bool triangles = false, balls = false, ground = false;
   bool laid = false, skins = false, emitters = false, finished = false;
-  bool passages = false;  ///< glass or holes
+  bool passages = false;  ///< true if rays may pass any material: holes, blending or transmission
   bool raised = false;
 };
 
@@ -62,8 +62,8 @@ struct TraceRays {
     gl::Flag<"LAID"> laid = {};
     gl::Flag<"PASSAGES"> passages = {};
     gl::Flag<"ANY_HIT"> anyHit = {};
-    gl::Flag<"LISTED"> listed = {};   ///< rays of two lists,
-    gl::Flag<"GOES_ON"> goesOn = {};  ///< or of one
+    gl::Flag<"LISTED"> listed = {};   ///< the rays are in two lists
+    gl::Flag<"GOES_ON"> goesOn = {};  ///< the rays are in one list
   };
   gl::Ambient<"FrameBlock"> frame = {};
   SortedSolids solids;

@@ -13,7 +13,7 @@
 
 namespace simreel::draw {
 
-/// spot_read.glsl and path_rays.glsl.
+/// Uniforms, buffers and textures that spot_read.glsl and path_rays.glsl declare.
 struct RayPaths {
   gl::Ambient<"FrameBlock"> frame = {};
   gl::Ambient<"ViewBlock"> view = {};
@@ -39,7 +39,7 @@ struct PathVariant {
   gl::Flag<"FINISHED"> finished;
   gl::Flag<"EMITTERS"> emitters;
 };
-/// Lamps and the surroundings.
+/// Shader inputs with the lamps and the environment.
 struct PathLight {
   gl::Ambient<"environment"> environment;
   gl::Ambient<"LampBlock"> lampBlock;
@@ -147,14 +147,17 @@ struct ResolveSpots {
 
 namespace {
 
-/// glsl/draw/exact/rays/path_rays.glsl: rays of a path, and what it brings for certain.
+/// From glsl/draw/exact/rays/path_rays.glsl: number of ray kinds per path, and of light entries that need
+/// no ray.
 constexpr int kinds = 5, sure = 2;
-constexpr int onwardRays = 2, nextRays = 3;  // behind two kinds towards lights; two more of those
-/// How often a path is mirrored by clear surfaces or goes through them at most.
+constexpr int onwardRays = 2, nextRays = 3;  // kind of the continuation ray, and first of the two kinds of
+                                             // rays from its hit point; kinds 0 and 1 are the shadow rays
+                                             // from the spot
+/// Max number of reflections and refractions by clear surfaces per path.
 constexpr int mostClear = 24;
 
-/// Paths that are followed at once: dispatches of software drivers stay short; 740 MB of a card, which 2^18
-/// leave idle for a third of the time.
+/// Number of paths that are traced at once. Small on software drivers, so that dispatches stay short. 740
+/// MB on GPUs, because 2^18 paths leave a large GPU idle for a third of the time.
 int pathsAtOnce() {
   return gl::softwareDriver() ? 1 << 15 : 1 << 21;
 }
@@ -189,7 +192,7 @@ void RayLight::seeThrough(int point, int points) {
   samplesBefore_ = static_cast<unsigned>(point * raySamples_);
 }
 
-/// Of what the kernel before has listed.
+/// Clears the counter of the lists that kernels write.
 void RayLight::clearCounts() {
   constexpr GLuint zero = 0;
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -207,7 +210,7 @@ int RayLight::listSpots(const Visibility& visibility, int rows) {
   return counted();
 }
 
-/// Waits for the device.
+/// Returns the length of the list that the last kernel wrote. Waits for the GPU.
 int RayLight::counted() const {
   std::array<GLuint, 1> listed{};
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -240,8 +243,8 @@ RayPaths RayLight::pathsOf(int firstSpot, int spots, int firstSample, int paths)
           .paths = paths};
 }
 
-/// The ways onwards of paths that meet clear surfaces, until they meet something else. In which order paths
-/// are listed the device chooses; none knows of the others.
+/// Continues paths at clear surfaces until they hit another surface. The order of the list is
+/// device-dependent, which is harmless because paths are independent.
 void RayLight::goOn(int firstSpot, int spots, int firstSample, int paths) {
   int going = paths;
   for (int round = 0; round < mostClear && going > 0; ++round) {
@@ -273,7 +276,7 @@ void RayLight::goOn(int firstSpot, int spots, int firstSample, int paths) {
   }
 }
 
-/// Rays of two kinds that the kernel before has listed.
+/// Traces the shadow rays of two kinds that the last kernel listed.
 void RayLight::traceLight(int firstKind, int paths) {
   if (RayCount* counted = RayCount::current()) counted->add(rayView_, firstKind * paths, 2 * paths);
   scene_.traceLight(rayView_, hits_, lightRayView_, count_, paths);

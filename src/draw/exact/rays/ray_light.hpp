@@ -17,33 +17,32 @@ struct BouncePaths;
 struct SumPaths;
 struct ResolveSpots;
 
-/// The light of what a picture shows, found by rays: of the sun, of lamps, of the sky, and what comes by
-/// way of one other place. Shading kernels with RAYS keep spots instead of lighting them; here paths begin
-/// there.
+/// Lights a picture by path tracing: light of the sun, lamps and sky, and one bounce of indirect light.
+/// Shading kernels with RAYS store spots instead of lighting them; paths start at these spots.
 class RayLight {
  public:
-  /// No ray brings more light by way of something else (of the picture's white, before film).
+  /// Max indirect light per sample, in units of the picture's white before the film. Suppresses fireflies.
   static constexpr float mostOnward = 10.0F;
-  /// Samples of a band at most: what is kept of each comes to 88 bytes.
+  /// Max samples of a band. Each takes 88 bytes.
   static constexpr std::size_t mostSamples = std::size_t{1} << 20U;
 
   struct Options {
-    int raySamples = 64;  ///< of each pixel
+    int raySamples = 64;  ///< number of light samples per pixel
     bool ground = false;
-    bool openSun = false;  ///< nothing keeps its light out
+    bool openSun = false;  ///< true if nothing casts a shadow in the sunlight
   };
-  /// `samples`: of a band.
+  /// `samples`: number of samples of a band.
   RayLight(const Options& options, const Lighting& lighting, std::size_t samples, RayLooks looks);
 
-  /// For each picture. The frame's uniform block is bound.
+  /// Builds the ray scene of a picture. The frame's uniform block must be bound.
   void build(const sim::Drawables& drawables) { scene_.build(drawables); }
-  /// Of how many points of a lens this is one, and which.
+  /// Selects lens point `point` of `points`. The points share the samples of each pixel.
   void seeThrough(int point, int points);
   [[nodiscard]] const RayLooks& looks() const { return scene_.looks(); }
-  /// The places to be lit, which shading kernels keep.
+  /// Returns the buffer into which shading kernels store spots.
   [[nodiscard]] const gl::Buffer& spots() const { return spots_; }
-  /// Adds the light of a band's spots to the bound sums. What is visible, the view, the lights and the
-  /// frame are bound. `white`: light that a picture shows as white.
+  /// Adds the light of a band's spots to `sums`. The view, the lights and the frame must be bound. `white`:
+  /// light that the picture shows as white.
   void add(const Visibility& visibility, const gl::Texture& sums, int rows, float white);
 
  private:
@@ -65,7 +64,7 @@ class RayLight {
   gl::Kernels<SumPaths> sum_;
   gl::Kernels<ResolveSpots> resolve_;
   RayScene scene_;
-  int raySamples_;  ///< through this point of the lens
+  int raySamples_;  ///< samples per pixel through the current lens point
   unsigned sampleMask_ = 0, samplesBefore_ = 0;
   gl::Buffer spots_, spotLight_, list_, count_, rays_, hits_, light_, lightRays_, goingOn_[2];
   gl::Texture spotView_, spotLightView_, listView_, rayView_, hitView_, lightView_, lightRayView_,

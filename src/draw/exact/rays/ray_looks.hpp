@@ -14,24 +14,26 @@
 
 namespace simreel::draw {
 
-/// What the things are made of that rays meet (glsl/draw/exact/rays/look_table.glsl), with the maps and
-/// skins that are laid over them. Owner 0 is what is as its spots say.
+/// Material table of the path tracer (glsl/draw/exact/rays/look_table.glsl), with the maps and skins that
+/// materials use. Owner 0 has no properties beyond those that its spots store.
 class RayLooks {
  public:
-  /// What shades surfaces has read their maps already, and made the texels of their skins.
+  /// The surface shading must have loaded the maps and updated the skin texels.
   RayLooks(MapTexels& maps, const SkinTextures& skins, const SkinTexels& skinTexels)
       : maps_(maps), skins_(skins), skinTexels_(skinTexels) {}
 
   void begin();
-  /// The number by which rays know it.
+  /// Adds a material to the table and returns its index (owner).
   unsigned add(const sim::Surface& surface);
   unsigned add(const scene::Material& particles);
-  /// Once all are added.
+  /// Uploads the table after the last add().
   void finish();
 
-  /// Of a surface's material; 0 where nothing lies over it and nothing goes through.
+  /// Returns the owner of a surface's material; 0 if the material has no maps, skin or other layers and is
+  /// opaque.
   [[nodiscard]] unsigned ownerOf(const scene::Material& material) const;
-  /// Whether anything is laid over a surface, by uv or from three sides: then its vertices say where.
+  /// isLaid(): true if the surface has a texture or skin, so its vertices store texture positions.
+  /// fromThreeSides(): true if the projection is triplanar instead of by uv.
   [[nodiscard]] static bool isLaid(const sim::Surface& surface);
   [[nodiscard]] static bool fromThreeSides(const sim::Surface& surface);
   [[nodiscard]] static float scaleOf(const sim::Surface& surface);

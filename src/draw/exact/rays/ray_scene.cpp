@@ -69,7 +69,7 @@ struct GatherBalls {
 
 namespace {
 
-constexpr float ballShapeRadius = 0.5F;  // of sprites and spheres at size 1
+constexpr float ballShapeRadius = 0.5F;  // radius of sprites and spheres of size 1
 
 bool isCopies(const sim::Instances& instances) {
   return instances.shape == sim::Instances::Shape::mesh;
@@ -186,7 +186,7 @@ void RayScene::gatherBalls(const sim::Instances& balls, InstanceColors& colors, 
                                                  .looks = ballLookBuffer_});
 }
 
-/// Those of surfaces whose light of their own is the material's.
+/// Adds the surfaces that emit light by their material (not by a skin) to the emitters.
 void RayScene::findEmitters(const sim::Drawables& drawables) {
   emitters_.begin();
   int triangle = 0;

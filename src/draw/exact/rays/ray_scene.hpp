@@ -15,27 +15,28 @@ struct GatherSurface;
 struct GatherCopies;
 struct GatherBalls;
 
-/// What rays meet of a picture's scene: triangles of all surfaces and of copies of meshes, balls, and the
-/// ground. What adds light is not among it.
+/// Scene of the path tracer: triangles of all surfaces and mesh copies, balls, and the ground. Glows are
+/// not part of it.
 class RayScene {
  public:
   RayScene(bool ground, RayLooks looks)
       : ground_(ground),
         looks_(std::move(looks)),
         bounds_("bounds of what rays meet", 8 * sizeof(GLuint)) {}
-  /// The frame's uniform block is bound. Throws UserError(device) where there is more than the device
-  /// holds.
+  /// Builds the scene. The frame's uniform block must be bound. Throws UserError(device) if the scene
+  /// exceeds the device's limits.
   void build(const sim::Drawables& drawables);
-  /// What rays `first` to before `first + count` of a buffer meet first; `hits` as large.
+  /// Finds the first hit of the rays [first, first + count) of a buffer. `hits` has the same indexing as
+  /// `rays`.
   void trace(const gl::Texture& rays, const gl::Buffer& hits, int first, int count);
-  /// Whether light gets along those whose numbers are in two lists, of as many as two counters say, `most`
-  /// each; the second list lies behind `most` places for the first.
+  /// Finds the fraction of light that shadow rays let through. `lists`: two lists of ray indices, each with
+  /// room for `most`, one after the other. `counters`: their lengths.
   void traceLight(const gl::Texture& rays, const gl::Buffer& hits, const gl::Texture& lists,
                   const gl::Buffer& counters, int most);
-  /// The nearest of those behind `first` whose numbers are in a list.
+  /// Finds the first hit of listed rays. The list has `count` ray indices, relative to `first`.
   void traceListed(const gl::Texture& rays, const gl::Buffer& hits, int first, const gl::Texture& list,
                    int count);
-  // For kernels that find out what has been met.
+  // Shader inputs of kernels that shade hits.
   [[nodiscard]] RayFeatures features() const;
   [[nodiscard]] RayLookFields lookFields() const;
   [[nodiscard]] SortedSolids sorted() const;

@@ -11,26 +11,26 @@ namespace simreel::draw {
 
 struct LevelKernel;
 
-/// What mirrors show of the picture that they are seen in, beside the surroundings
-/// (glsl/draw/exact/reflections/mirrored_way.glsl): its light as it is shaded without that, and how near
-/// things are, both at half its size, and in levels of half the size of the one before. 8 bytes a pixel.
+/// Input of screen-space reflections (glsl/draw/exact/reflections/mirrored_way.glsl): mip pyramids of the
+/// picture's light without reflections, and of its nearness. Level 0 has half the picture's size. Takes 8
+/// bytes per pixel.
 class Reflections {
  public:
-  /// Of pictures with a ground, which is left out of what is near; PARALLEL: seen along parallel rays.
-  /// Throws UserError(device) where the device has no such buffers.
+  /// `ground`: the pictures have a ground, which is excluded from nearness. `parallel`: orthographic view.
+  /// Throws UserError(device) if the device cannot hold the buffers.
   explicit Reflections(glm::ivec2 size, bool ground = false, bool parallel = false);
 
-  /// Takes over the light of a whole picture, and Occlusion::nearness().
+  /// Builds the pyramids from the light of a whole picture and from Occlusion::nearness().
   void see(const gl::Texture& light, const gl::Texture& nearness) const;
-  /// For kernels that include draw/exact/reflections/reflections_read.glsl: light and nearness, in levels.
+  /// Pyramids of light and nearness, for kernels that include draw/exact/reflections/reflections_read.glsl.
   [[nodiscard]] const gl::Texture& light() const { return light_.view; }
   [[nodiscard]] const gl::Texture& nearest() const { return nearest_.view; }
-  /// What those are told: how far away what is mirrored may be, and how thick it is (m), where the camera
-  /// looks at something `away` (m).
+  /// Returns the uniform mirrorReach: max distance of reflected objects and their assumed thickness (m).
+  /// `away`: distance (m) from the camera to its target.
   [[nodiscard]] static glm::vec2 reachOf(float away) { return {away, away / 24.0F}; }
 
  private:
-  /// Of half pixels.
+  /// A pyramid; level 0 has one cell per half pixel (2x2 pixels).
   struct Levels {
     Levels(const char* label, GLenum format, std::size_t bytes, glm::ivec2 half);
     gl::Buffer buffer;

@@ -8,8 +8,8 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr float visibleOpacity = 1.0F / 512;  ///< less than a byte shows
-constexpr float shadingOpacity = 0.5F;        ///< from where on blended surfaces cast shadows
+constexpr float visibleOpacity = 1.0F / 512;  ///< an opacity below this changes no 8-bit pixel
+constexpr float shadingOpacity = 0.5F;        ///< min opacity at which blended surfaces cast shadows
 
 std::vector<const sim::Surface*> pointersTo(const std::vector<sim::Surface>& surfaces) {
   std::vector<const sim::Surface*> pointers;

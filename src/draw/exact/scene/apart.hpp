@@ -17,31 +17,33 @@
 
 namespace simreel::draw {
 
-/// Surfaces that are not opaque everywhere, which are drawn apart from the others: those with holes, found
-/// together with what is opaque, and blended ones. Of these each sample has layers, from the nearest to
-/// what is opaque, found one by one (Everitt, "Interactive order-independent transparency", 2001): each is
-/// lit for as much as those before it let through, and what is opaque for what is left. The order is that
-/// of depth at each sample, of equally near triangles of their numbers, so that it does not depend on the
-/// device; a sample has at most `most` layers, and what of blended surfaces lies behind those is left out.
+/// Draws the surfaces that are not opaque everywhere. Cut-out surfaces (with holes) are rasterized together
+/// with the opaque ones. Blended surfaces are depth-peeled (Everitt, "Interactive order-independent
+/// transparency", 2001): the layers of each sample are found one by one from the nearest to the opaque
+/// surface, and each layer is multiplied by the light that the layers in front let through. Layers are
+/// ordered by depth, and by primitive id at equal depth, so the order is the same on every device. Layers
+/// beyond the first `most` of a sample are not drawn.
 class ApartSurfaces {
  public:
   static constexpr int most = 16;
-  /// `band`: the pixels whose visibility is found at once. `parallel`: as SampleKind has it.
+  /// `band`: size (pixels) of the bands of visibility. `parallel`: as in SampleKind.
   ApartSurfaces(glm::ivec2 band, int samples, SurfaceShading& shading, bool parallel = false);
 
-  /// Takes from a picture's surfaces those that are drawn here.
+  /// Removes from `surfaces` those that this class draws, and stores them.
   void take(std::vector<sim::Surface>& surfaces);
   [[nodiscard]] bool any() const { return !cutSurfaces_.empty() || !blended_.empty(); }
   [[nodiscard]] bool anyBlended() const { return !blended_.empty(); }
 
-  /// Those that cast shadows: with holes where they have them, blended ones where they hide one half of
-  /// what lies behind at least.
+  /// Returns the stored surfaces that cast shadows: cut-out surfaces (with their holes), and blended ones
+  /// that hide at least half of what lies behind.
   [[nodiscard]] const std::vector<sim::Surface>& casting() const { return casting_; }
   void castSun(const Visibility& map, const MapPart& part);
-  /// What cuts those holes into what is drawn of one of them.
+  /// Returns the description of the holes in these shadow casters. `only`: the one surface to be drawn into
+  /// lamp maps.
   [[nodiscard]] TriangleRaster::Fragments holesOf(const sim::Surface* only = nullptr);
 
-  /// Of those with holes, as ExactInstances has it.
+  /// Assigns primitive ids to the cut-out surfaces, as ExactInstances::number() does. Returns the next free
+  /// id.
   unsigned number(unsigned firstId, std::vector<unsigned>& firstIds);
   void drawNearest(const Visibility& picture) { cut_.drawNearest(picture); }
   void drawNumbers(const Visibility& picture) { cut_.drawNumbers(picture); }
@@ -50,15 +52,15 @@ class ApartSurfaces {
   [[nodiscard]] int things() const { return static_cast<int>(cutSurfaces_.size()); }
   void shade(const SkinTextures& skins, const ShadedTiles& tiles, int firstThing, const SceneLight& light);
 
-  /// Those that have been taken: with holes, and blended ones.
+  /// The stored surfaces: cut-out, and blended.
   [[nodiscard]] const std::vector<sim::Surface>& cut() const { return cutSurfaces_; }
   [[nodiscard]] const std::vector<sim::Surface>& blended() const { return blended_; }
 
-  /// Adds the light of the layers before what is visible to `sums`. Numbers have to lie beyond `firstId`.
-  /// `trace`, if there is one: lights the places that have been kept of a layer.
+  /// Adds the light of the layers in front of `picture` to `sums`. `firstId` must be beyond all other
+  /// primitive ids. `trace` (optional) lights the spots that were stored for a layer.
   void addLayers(const Visibility& picture, unsigned firstId, const SkinTextures& skins, SceneLight light,
                  const gl::Texture& sums, const std::function<void(const Visibility&)>& trace);
-  /// What they let through, of each sample.
+  /// Returns the fraction of light that the layers let through, per sample.
   [[nodiscard]] const gl::Texture& leave() const { return throughView_; }
 
  private:
@@ -72,9 +74,11 @@ class ApartSurfaces {
   std::vector<sim::Surface> cutSurfaces_, blended_, casting_;
   TriangleRaster cut_, layer_;
   std::optional<TriangleRaster> sunCasters_;
-  std::array<std::optional<Visibility>, 2> layers_;  ///< this layer, and the one before
-  std::optional<ShadedTiles> tiles_;                 ///< of a layer
-  gl::Buffer through_;                               ///< fraction of light, of each sample
+  std::array<std::optional<Visibility>, 2> layers_;  ///< visibility of the current and the previous blended
+                                                     ///< layer
+  std::optional<ShadedTiles> tiles_;                 ///< tile lists of the current layer
+  gl::Buffer through_;                               ///< fraction of light that the layers so far let
+                                                     ///< through, per sample
   gl::Texture throughView_;
 };
 

@@ -11,7 +11,7 @@ namespace simreel::draw {
 
 namespace {
 
-/// Rays need no shadow map.
+/// Returns the sun, without a shadow map if the scene is path traced.
 scene::Sun mappedSun(const scene::Scene& scene) {
   scene::Sun sun = scene.sun;
   sun.shadow = sun.shadow && scene.render.quality != scene::Quality::high;
@@ -118,7 +118,7 @@ gl::Defines ExactFrame::aroundDefines() const {
 }
 
 float ExactFrame::away() const {
-  // At 40 degrees a view is 0.73 times as high as it is far away.
+  // A view of 40 degrees is 0.73 times as high as its distance.
   const float distance = seen.parallel ? 2 * seen.reach.y / 0.73F : glm::distance(seen.eye, seen.target);
   return std::max(distance, 1e-5F);
 }

@@ -22,7 +22,7 @@
 
 namespace simreel::draw {
 
-/// The arguments of ExactScene::draw, while it runs.
+/// Arguments of ExactScene::draw() during the call.
 struct AskedPicture {
   const ExactScene::Exposure* exposure = nullptr;
   ExactScene::Moment frame;
@@ -30,39 +30,40 @@ struct AskedPicture {
   const gl::Texture* picture = nullptr;
 };
 
-/// The resources that passes of an exact picture share. A resource that one pass alone uses is a member of
+/// Resources that the passes of an exact picture share. A resource that only one pass uses is a member of
 /// that pass.
 struct ExactFrame {
   ExactFrame(const scene::Scene& shown, const Environment* around, glm::ivec2 pixels, int count, int rows);
 
-  /// How kernels shade.
+  /// Returns the defines with which kernels shade.
   [[nodiscard]] ThingVariant lit() const;
-  /// Defines of the lights and the shadows.
+  /// Returns the defines of lights and shadows.
   [[nodiscard]] gl::Defines lights() const;
   [[nodiscard]] gl::Defines aroundDefines() const;
   [[nodiscard]] bool traces() const { return scene.render.quality == scene::Quality::high; }
   [[nodiscard]] bool occludes() const { return scene.render.quality == scene::Quality::standard; }
-  /// Passes and layers show the first view of a picture; light and objects' shares are a mean over all.
+  /// Passes and most layers keep the first view of a picture. Light and object coverage are means over all
+  /// views.
   [[nodiscard]] PassPicture* kept() const { return number == 0 ? passes : nullptr; }
   [[nodiscard]] bool keepsLayers() const { return wanted && number == 0; }
-  /// Distance (m) to the place that the camera looks at.
+  /// Distance (m) from the camera to its target.
   [[nodiscard]] float away() const;
   [[nodiscard]] GroundPlace groundPlace() const;
-  /// The things that have numbers in the band.
+  /// Returns the objects with primitive ids in the band.
   [[nodiscard]] std::vector<DrawnThing> thingsDrawn() const;
-  /// For kernels that add light to `into`.
+  /// Returns the shader inputs of kernels that add light to `into`.
   [[nodiscard]] SceneLight sceneLight(const gl::Texture& into) const;
   void tellView() { view.write(0, std::as_bytes(std::span(&values, 1))); }
-  /// Adds the light of all opaque things, without the ground.
+  /// Adds the light of all opaque objects except the ground.
   void shadeThings(const gl::Texture& into);
-  /// Adds the light of the ground where no shadow reaches it (0), or elsewhere (1).
+  /// Adds the light of the ground: `which` 0: tiles that no shadow reaches; 1: the other tiles.
   void shadeGround(int which, const ShadeGround::Variant& variant, const gl::Texture& into);
-  /// Shades a layer of the picture instead (SurfaceShading::show).
+  /// Selects a layer to shade instead of light (SurfaceShading::show).
   void show(int layer) {
     surfaces.show(layer);
     instances.show(layer);
   }
-  /// Adds the light of rays that begin at the visible places of a band, or of a layer of it.
+  /// Adds the light of paths that start at the visible spots of a band, or of a blended layer of it.
   void addRays(const Visibility& visible) {
     rays->add(visible, light, values.rows.y - values.rows.x, white);
   }
@@ -71,58 +72,62 @@ struct ExactFrame {
   const Environment* environment;  ///< null: the sky is a gradient
   glm::ivec2 size;
   int samples;
-  int bandRows;  ///< rows of a band at most: there is room for so many rows of visibility
+  int bandRows;  ///< max rows of a band, limited by the memory of the visibility buffer
   bool ground;
 
-  // One picture.
+  // The following members are the state of one picture.
   AskedPicture asked;
-  PassPicture* passes = nullptr;           ///< takes copies for bisect; null: nobody wants them
-  std::optional<LightRequest> wanted;      ///< light and layers besides the picture,
-  PictureLayers layers;                    ///< and where they go
-  bool layered = false;                    ///< some scene so far had blended surfaces
-  bool shines = false;                     ///< some view so far had glows
-  const gl::Texture* scattered = nullptr;  ///< light around bright places; null: no bloom
+  PassPicture* passes = nullptr;           ///< receives the pass outputs for `simreel bisect`; null: not
+                                           ///< needed
+  std::optional<LightRequest> wanted;      ///< light and layers that the caller has requested
+  PictureLayers layers;                    ///< the requested light and layers are stored here
+  bool layered = false;                    ///< true if the scene has had blended surfaces at any moment
+  bool shines = false;                     ///< true if any view so far had glows
+  const gl::Texture* scattered = nullptr;  ///< light of the bloom; null: no bloom
 
-  // One moment: a shutter has several.
+  // State of one moment. A shutter has several.
   ExactScene::Moment moment;
-  sim::Drawables drawables;  ///< the moment's, with the glows of lamps, without cut and blended surfaces
+  sim::Drawables drawables;  ///< the moment's objects, plus the glows of lamps, without cut-out and blended
+                             ///< surfaces
   View seen;
-  bool joins = false;    ///< the surfaces are joined
-  bool mirrors = false;  ///< something mirrors the scene
+  bool joins = false;    ///< true if the surfaces are joined into one mesh
+  bool mirrors = false;  ///< true if any object reflects the scene
   float white = 1;       ///< light that the picture shows as white
 
-  // One view: a lens has several, one for each of its points.
-  int views = 1;   ///< their number in the picture
-  int number = 0;  ///< this one's, from 0
+  // State of one view. A lens has one per lens point.
+  int views = 1;   ///< number of views of the picture
+  int number = 0;  ///< zero-based index of this view
   LensPoint point;
 
-  // One band of the view.
+  // State of one band of the view.
   shader::ExactView values;
-  std::vector<std::span<const TriangleRaster::Drawn>> gathered;  ///< groups of surfaces, shaded together
-  std::vector<unsigned> firstIds;                                ///< first numbers of all that is shaded
+  std::vector<std::span<const TriangleRaster::Drawn>> gathered;  ///< groups of surfaces that are shaded
+                                                                 ///< together
+  std::vector<unsigned> firstIds;                                ///< first primitive id of each shaded
+                                                                 ///< object
 
-  // On the GPU.
+  // The following members are GPU resources.
   SkinTextures skins;
   Lamps lamps;
-  ShadowPass shadow;  ///< the sun's place
+  ShadowPass shadow;  ///< the sun's shadow map transform
   gl::Buffer view;
   Visibility visibility;
   JoinedSurfaces joined;
   TriangleRaster triangles;
   std::optional<Visibility> sunMap;
   std::optional<LampMaps> lampMaps;
-  const ShadedTiles* tiles = nullptr;  ///< the band's lists
-  Occlusion occlusion;                 ///< nearness and openness
+  const ShadedTiles* tiles = nullptr;  ///< for each object, the list of the band's tiles that show it
+  Occlusion occlusion;                 ///< ambient occlusion and nearness at half resolution
   std::optional<Reflections> reflections;
   SurfaceShading surfaces;
   ApartSurfaces apart;
   ExactInstances instances;
   gl::Kernels<ShadeGround> groundShading;
   std::optional<RayLight> rays;
-  gl::Texture light;  ///< RGB of each pixel; alpha: how much of the pixel is covered
+  gl::Texture light;  ///< RGB light of each pixel; alpha: coverage
 };
 
-/// Base of all passes.
+/// Base class of all passes.
 class FramePass : public Pass {
  public:
   explicit FramePass(ExactFrame& frame) : f(frame) {}

@@ -20,22 +20,22 @@ namespace simreel::draw {
 
 class Motion;
 
-/// Memory that one band of a picture may take.
+/// Memory limits of one band of a picture.
 struct BandRoom {
-  std::size_t samples;     ///< of visibility
-  std::int64_t glowBytes;  ///< of sums of glows, in one buffer
+  std::size_t samples;     ///< max number of visibility samples
+  std::int64_t glowBytes;  ///< max bytes of the glow sums, which are in one buffer
 };
-/// As many rows of a picture as there is room for, in whole tiles: one at least.
+/// Returns the number of rows per band that fit into the memory: a multiple of the tile size, at least one
+/// tile.
 [[nodiscard]] int rowsOfBands(glm::ivec2 size, int samples, const BandRoom& room);
 
-/// Draws all but what lies over the finished picture by kernels in exact arithmetic: the same bytes on
-/// every device.
+/// Draws a scene with compute kernels in exact arithmetic, except the overlays on the finished picture. The
+/// bytes are the same on every device.
 class ExactScene {
  public:
-  /// Visibility that comes to more than `visibilityBytes`, and glows whose sums one buffer does not hold,
-  /// are found band by band, 8 rows at least each.
-  /// Throws UserError: usage for what it cannot draw, device for limits. The scene must outlive it, and so
-  /// the sky's picture, if there is one.
+  /// Pictures are drawn in bands of at least 8 rows if their visibility exceeds `visibilityBytes` or if one
+  /// buffer cannot hold the glow sums. Throws UserError(usage) for unsupported scenes, UserError(device)
+  /// for device limits. The scene and the environment must outlive this object.
   ExactScene(const scene::Scene& scene, const Environment* environment, glm::ivec2 size, int samples,
              std::size_t visibilityBytes);
   ~ExactScene();
@@ -44,37 +44,39 @@ class ExactScene {
   ExactScene(const ExactScene&) = delete;
   ExactScene& operator=(const ExactScene&) = delete;
 
-  /// The fields of the frame: as skins read them, and as they lie behind the scene.
+  /// Simulated fields of the frame: as textures for skins, and as pictures behind the scene.
   struct Overlays {
     const FieldTextures& textures;
     FieldPass& fields;
   };
   using Watch = std::function<void(const char* stage)>;
-  /// What is to be seen at a time.
+  /// Content of the scene at one time.
   struct Moment {
-    double seconds = 0;  ///< of scene time
+    double seconds = 0;  ///< scene time (s)
     const sim::Drawables* drawables = nullptr;
   };
-  /// Moments of which a picture is the mean.
+  /// Moments of the open shutter. The picture is the mean over them.
   struct Exposure {
     int moments = 1;
-    /// Number i, which lives until the next is asked for; the frame's uniform block is that moment's then.
+    /// Returns moment i, valid until the next call. Also sets the frame's uniform block to that moment.
     std::function<Moment(int i)> at;
-    std::function<void()> close = {};  ///< after the last: the uniform block is to be the frame's again
-    Motion* motion = nullptr;  ///< since the frame before, which has begun; null: nobody asks for it
-    double frameSeconds = 1;   ///< between the two frames
-    float part = 1;            ///< of the way that the first moment stands at
+    std::function<void()> close = {};  ///< called after the last moment: restores the frame's uniform block
+    Motion* motion = nullptr;          ///< motion since the previous frame, already begun; null: not needed
+    double frameSeconds = 1;           ///< time between the previous and the current frame (s)
+    float part = 1;  ///< interpolation parameter of the first moment: 0 at the previous frame, 1
+                     ///< at the current frame
   };
-  /// Into an RGBA8 picture, row 0 at the top. `frame`: what fields, bloom and film are of. The frame's
-  /// uniform block is bound.
+  /// Draws into an RGBA8 picture, with row 0 at the top. `frame`: time and content for fields, bloom and
+  /// film. The frame's uniform block must be bound.
   void draw(const Exposure& exposure, const Moment& frame, const Overlays& overlays,
             const gl::Texture& picture, const Watch& watch);
-  /// From now on a picture's passes are kept there, in place of those before; null: nowhere.
+  /// Sets where the passes of later pictures are kept, replacing earlier contents; null: passes are not
+  /// kept.
   void keepPasses(PassPicture* passes);
-  /// From now on the light of a picture is kept as it is drawn, with layers; the CPU waits for it. Where a
-  /// camera has a lens or a shutter layers are those of the first point at the first moment.
+  /// Keeps light and layers of all later pictures. The CPU waits for them. For cameras with a lens or a
+  /// shutter the layers show the first lens point at the first moment.
   void keepLayers(const LightRequest& wanted);
-  /// That of the last picture.
+  /// Returns the light and layers of the last picture.
   [[nodiscard]] PictureLayers takeLayers();
 
  private:

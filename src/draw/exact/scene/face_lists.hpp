@@ -9,19 +9,19 @@ namespace simreel::draw {
 
 struct FaceListKernel;
 
-/// Which of a mesh's triangles each of some lamps' shadow maps may show: few are seen by more than two of
-/// the six faces around a lamp.
+/// Lists the triangles of a mesh that each shadow map of the lamps may show. Few triangles are visible in
+/// more than two of a lamp's six faces.
 class FaceLists {
  public:
-  /// `lampDefines`: Lamps::shadowDefines(); empty: for all() only.
+  /// `lampDefines`: Lamps::shadowDefines(); if empty, only all() may be used.
   explicit FaceLists(const gl::Defines& lampDefines);
 
-  /// How many maps may have lists at once, of `triangles` each.
+  /// Returns the number of maps that may have lists at once, with `triangles` entries each.
   static int facesAtOnce(int triangles);
-  /// Finds those of the maps `first` to before `first + faces` (six of each lamp in turn). The lamps are
-  /// bound.
+  /// Lists the triangles of the maps [first, first + faces), six per lamp. The lamps must be bound.
   const TriangleLists& find(const MergedMesh& mesh, int first, int faces);
-  /// The first `triangles` of the mesh for each: what find() spares its users, and never less.
+  /// Returns lists with the first `triangles` triangles of the mesh for each map. This is the conservative
+  /// alternative to find().
   const TriangleLists& all(const MergedMesh& mesh, int triangles, int faces);
 
  private:

@@ -14,8 +14,8 @@ namespace simreel::draw {
 
 namespace {
 
-/// A face of a lamp's maps as a camera (glsl/draw/lights/faces.glsl): with x along its axis and y, z across
-/// it, a map of `side` texels covers scale |y|, scale |z| <= x.
+/// Returns the camera of one face of a lamp's maps (glsl/draw/lights/faces.glsl). With x along the face's
+/// axis and y, z across it, a map of `side` texels covers scale |y|, scale |z| <= x.
 shader::ExactView faceView(const shader::Lamp& lamp, int face, int side, float scale) {
   const auto axis = [&](int k) {
     glm::vec3 unit(0);
@@ -51,7 +51,7 @@ LampMaps::LampMaps(const Lamps& lamps, bool sparing, bool together)
   for (const scene::Light* light : lamps.order().lights)
     if (light->shadow) softness_ = std::max(softness_, light->shadowSoftness);
   keys_.emplace("the shadow maps of the lights", lamps.order().atlas, 1, false);
-  // All faces wait for their clipped triangles once, so that cards gain by them, too.
+  // All faces wait for their clipped triangles only once, so clipping in advance pays on GPUs too.
   constexpr int fans = 1 << 19;
   raster_.emplace(TriangleRaster::Into::lampMap, 1, smallTriangle(), fans, mediumTriangle());
   mesh_.emplace();
@@ -90,7 +90,7 @@ void LampMaps::draw(const sim::Drawables& drawables, const Lamps& lamps, ExactIn
   for (int i = 0; i < all; ++i) {
     const auto lamp = static_cast<std::size_t>(i / shader::lampFaces);
     const int side = order.lights[lamp]->shadowSize;
-    // As for the sun: a filter of r texels reads depths up to r + 1 texels of slope away.
+    // As for the sun, a shadow filter of r texels reads depths up to r + 1 texels away along a slope.
     faces.push_back({.views = &views_,
                      .view = static_cast<std::size_t>(i) * viewStride_,
                      .part = {.slopeOffset = 1.5F + softness_,

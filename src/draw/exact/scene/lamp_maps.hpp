@@ -14,21 +14,19 @@ namespace simreel::draw {
 
 class ApartSurfaces;
 
-/// Shadow maps around the lamps, six for each, drawn by the exact rasterizer: every one is seen as a
-/// picture is.
+/// Shadow maps of the lamps, six for each. The exact rasterizer draws each map like a picture.
 class LampMaps {
  public:
-  /// `sparing`: faces go through those triangles only that they may show; else, where no surface says
-  /// itself how many it has, through all. `together`: all maps in one go, as cards have it best; else one
-  /// by one. The maps are the same.
+  /// `sparing`: each face processes only the triangles that it may show; if false, all triangles, unless
+  /// the GPU determines a surface's triangle count. `together`: draws all maps in one dispatch, which is
+  /// best on GPUs; else one by one. The maps are the same in all cases.
   explicit LampMaps(const Lamps& lamps, bool sparing = true, bool together = joinsSurfaces());
   [[nodiscard]] bool on() const { return count_ > 0; }
-  /// Draws all of them for the lamps as they were updated last, with those that `apart` has taken (null:
-  /// none); the view's block is bound to others
-  /// afterwards.
+  /// Draws all maps for the last update of the lamps. `apart`: also draws its shadow-casting surfaces
+  /// (null: none). Changes the bound view block.
   void draw(const sim::Drawables& drawables, const Lamps& lamps, ExactInstances& instances,
             ApartSurfaces* apart = nullptr);
-  /// All of the maps, as they lie in memory.
+  /// Returns the depth keys of all maps (one atlas).
   [[nodiscard]] const Visibility& keys() const { return *keys_; }
 
  private:
@@ -37,16 +35,16 @@ class LampMaps {
 
   bool sparing_;
   bool together_;
-  int count_;  ///< lamps with shadows
+  int count_;  ///< number of lamps with shadows
   float softness_ = 0;
-  std::size_t viewStride_ = 0;  ///< bytes from one map's view to the next
+  std::size_t viewStride_ = 0;  ///< bytes between the views of two maps
   std::optional<Visibility> keys_;
   std::optional<TriangleRaster> raster_;
-  std::optional<TriangleRaster> holeRaster_;  ///< of surfaces with holes
+  std::optional<TriangleRaster> holeRaster_;  ///< rasterizer for surfaces with holes
   std::optional<MergedMesh> mesh_;
   std::optional<FaceLists> lists_;
   gl::Buffer views_;
-  gl::Buffer allViews_;  ///< without gaps
+  gl::Buffer allViews_;  ///< the same views without alignment gaps
 };
 
 }  // namespace simreel::draw

@@ -10,19 +10,20 @@ namespace simreel::draw {
 
 struct MergeKernel;
 
-/// Surfaces as one in world space, for what draws them many times: a dispatch for each of many small ones
-/// costs software drivers more than their triangles.
+/// Merges surfaces into one mesh in world space, for repeated drawing. On software drivers a dispatch for
+/// each of many small surfaces costs more than their triangles.
 class MergedMesh {
  public:
   MergedMesh();
-  /// Their triangles in any order. The deformations' blocks need not be bound. Throws UserError(device)
-  /// where there are more than numbers.
+  /// Merges the surfaces; the order of their triangles is arbitrary. The deformations' uniform blocks need
+  /// not be bound. Throws UserError(device) if the indices exceed the supported range.
   void merge(const std::vector<const sim::Surface*>& surfaces);
-  [[nodiscard]] const gl::Texture& places() const { return placesView_; }  ///< m, RGBA32F
-  [[nodiscard]] const gl::Texture& indexView() const {
-    return indicesView_;
-  }                                                                 ///< R32UI, 3 of each triangle
-  [[nodiscard]] const gl::Buffer& count() const { return count_; }  ///< indices that there are
+  /// Returns the vertex positions in world space (m), RGBA32F.
+  [[nodiscard]] const gl::Texture& places() const { return placesView_; }
+  /// Returns the vertex indices, R32UI, three per triangle.
+  [[nodiscard]] const gl::Texture& indexView() const { return indicesView_; }
+  /// Returns the buffer with the number of indices.
+  [[nodiscard]] const gl::Buffer& count() const { return count_; }
   [[nodiscard]] int maxTriangles() const { return maxTriangles_; }
 
  private:

@@ -14,8 +14,8 @@ void PassRun::asked() {
   for (const auto& pass : passes_) pass->asked();
 }
 
-/// Each point of the lens and each moment once at least, and each moment through points that lie evenly
-/// over all of the lens.
+/// Draws max(moments, lens points) views, so that each moment and each lens point has at least one. The
+/// lens points of each moment are spread evenly over the lens.
 void PassRun::draw(const ExactScene::Watch& watch) {
   ExactFrame& f = frame_;
   watch_ = &watch;
@@ -52,7 +52,7 @@ void PassRun::runOnce(Range group) {
   endStage();
 }
 
-/// Passes of bands run together, band by band, up to one that needs all of the picture.
+/// Runs consecutive band passes together, band by band, up to a pass that needs the whole view.
 void PassRun::runView(Range group) {
   for (std::size_t i = group.first; i < group.second;) {
     if (exactPasses[i].each == Each::view || !passes_[i]->on()) {
@@ -79,7 +79,8 @@ void PassRun::runBands(Range group, std::size_t firstOfView) {
   }
 }
 
-/// The passes before the group that made what it reads of a band, which by now holds another one.
+/// Returns the earlier passes that must run again because the group reads band resources that now hold
+/// another band.
 std::vector<std::size_t> PassRun::lostBefore(Range group, std::size_t firstOfView) const {
   std::vector<std::string_view> needed;
   const auto need = [&](std::size_t pass) {

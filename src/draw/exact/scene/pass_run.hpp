@@ -8,17 +8,18 @@
 
 namespace simreel::draw {
 
-/// Runs the passes of `exactPasses`, each as often as its entry says.
+/// Runs the passes of `exactPasses` with the frequency of each entry.
 class PassRun {
  public:
-  /// The frame must outlive it.
+  /// The frame must outlive this object.
   explicit PassRun(ExactFrame& frame);
-  /// The picture that ExactFrame::asked has.
+  /// Draws the picture of ExactFrame::asked.
   void draw(const ExactScene::Watch& watch);
   void asked();
 
  private:
-  using Range = std::pair<std::size_t, std::size_t>;  ///< the first entry, and one after the last
+  using Range = std::pair<std::size_t, std::size_t>;  ///< range of pass indices, first (inclusive) to last
+                                                      ///< (exclusive)
 
   [[nodiscard]] std::size_t endOf(std::size_t first, Each each) const;
   [[nodiscard]] std::vector<std::size_t> lostBefore(Range group, std::size_t firstOfView) const;
@@ -31,7 +32,7 @@ class PassRun {
   ExactFrame& frame_;
   std::vector<std::unique_ptr<Pass>> passes_;
   const ExactScene::Watch* watch_ = nullptr;
-  const char* stage_ = nullptr;  ///< under way; null: none
+  const char* stage_ = nullptr;  ///< name of the current stage; null: none
 };
 
 }  // namespace simreel::draw

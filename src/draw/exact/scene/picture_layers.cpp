@@ -15,8 +15,8 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr unsigned groundNumber = 0xfffffffeU;  // tile_lists.glsl
-constexpr unsigned farthestKey = 0x7fffffffU;   // nearKey of triangle.glsl
+constexpr unsigned groundNumber = 0xfffffffeU;  // id of the ground, as in tile_lists.glsl
+constexpr unsigned farthestKey = 0x7fffffffU;   // key of an empty sample, as nearKey() in triangle.glsl
 
 }  // namespace
 
@@ -49,8 +49,8 @@ bool LayerKeeper::wants(Layer layer) const {
   return std::find(wanted_.begin(), wanted_.end(), layer) != wanted_.end();
 }
 
-/// Counted from the first of its object, whatever else is drawn in between: no two of an object's are
-/// equal.
+/// Stores the index of the primitive within its object, independent of other objects drawn in between. It
+/// is unique within the object.
 void LayerKeeper::keepPrimitive(std::size_t pixel, unsigned number, std::span<const DrawnThing> things) {
   if (layers_.primitive.empty()) return;
   layers_.primitive[pixel] = 0;
@@ -65,7 +65,7 @@ void LayerKeeper::keepPrimitive(std::size_t pixel, unsigned number, std::span<co
   layers_.primitive[pixel] = number - first->firstId;
 }
 
-/// From where it is seen to where it was; rows count downwards.
+/// Stores the vector from the present to the previous picture position. Picture rows count downwards.
 void LayerKeeper::keepVector(std::size_t pixel, const std::optional<glm::dvec2>& now,
                              const std::optional<glm::dvec2>& before) {
   if (!now || !before) return;
@@ -73,7 +73,7 @@ void LayerKeeper::keepVector(std::size_t pixel, const std::optional<glm::dvec2>&
   layers_.vector[2 * pixel + 1] = static_cast<float>(now->y - before->y) + 0.0F;
 }
 
-// A key is less the nearer it is: most - the bits of near / depth.
+// Keys are smaller for nearer samples: farthestKey minus the float bits of the nearness.
 void LayerKeeper::add(const Visibility& visibility, const shader::ExactView& view,
                       std::span<const DrawnThing> things, const Velocities* velocities,
                       const CameraWay* way, float farther) {

@@ -19,78 +19,79 @@ class Velocities;
 
 namespace simreel::draw {
 
-/// What may be known of a picture besides its colour, and what it is called.
+/// Layers: information per pixel besides colour. layerNames holds their names.
 enum class Layer { depth, position, object, normal, albedo, velocity, vector, primitive };
 inline constexpr std::array<const char*, 8> layerNames = {"depth",  "position", "object", "normal",
                                                           "albedo", "velocity", "vector", "primitive"};
-/// Of those that are shaded instead of light, as shaders know them (SHOWN of
-/// glsl/draw/surface/lighting.glsl).
+/// Layers that shading kernels compute instead of light, in the order of SHOWN in
+/// glsl/draw/surface/lighting.glsl.
 inline constexpr std::array<Layer, 2> shownLayers = {Layer::normal, Layer::albedo};
 
-/// What is kept of pictures besides their bytes.
+/// Selection of the data that is kept of pictures besides their bytes.
 struct LightRequest {
   std::vector<Layer> layers = {};
   bool filmed = false;  ///< light as the film shows it, sRGB encoded, instead of before lens and film
-  int bits = 16;        ///< of each of its numbers in a file: 16, or 32 of OpenEXR
-  bool quiet = false;   ///< whether nobody is told what it leaves out
+  int bits = 16;        ///< bits per number in OpenEXR files: 16 or 32
+  bool quiet = false;   ///< true: no warnings about information that the layers lack
 };
 
-/// A picture before lens and film, linear light (Rec. 709 primaries), or after, and layers of those that
-/// were asked for. Rows from the top. Shares of objects are of all that light is the mean of, moments of
-/// the shutter and points of the lens; the other layers are of the first of these, the latest moment and
-/// the point next to the middle, as values between things in focus would be of nothing that is there.
+/// Light of a picture, before lens and film (linear, Rec. 709 primaries) or after, and the requested
+/// layers. Rows start at the top. Light and object coverage are means over all views (moments of the
+/// shutter and lens points). The other layers show only the first view, with the latest moment and the lens
+/// point next to the centre, because a mean of values of different objects would describe no object.
 struct PictureLayers {
-  /// How much of a pixel an object covers.
+  /// Fraction of a pixel that an object covers.
   struct Share {
-    std::uint32_t object = 0;  ///< its number in `objects`
-    float coverage = 0;        ///< 0 to 1
+    std::uint32_t object = 0;  ///< index of the object in `objects`
+    float coverage = 0;        ///< covered fraction of the pixel, 0 to 1
   };
   static constexpr int mostRanks = 6;
   static constexpr std::uint32_t noPrimitive = 0xffffffffU;
 
   glm::ivec2 size{0};
-  bool filmed = false;  ///< as LightRequest has it, and the next
+  bool filmed = false;  ///< copy of LightRequest::filmed; `bits` is the copy of LightRequest::bits
   int bits = 16;
-  std::vector<float> light;     ///< RGBA; alpha is how much is covered, times which linear light already is
-  bool alpha = false;           ///< whether it has one; else it is 1
-  std::vector<float> depth;     ///< m along the line of sight, of the nearest; infinite where nothing is
-  std::vector<float> position;  ///< three a pixel: where that is (m)
-  std::vector<float>
-      normal;  ///< three a pixel: unit, as shading sees it, the mean of what is opaque; else 0
-  std::vector<float> albedo;  ///< three a pixel: linear RGB of what is opaque, the mean of what is there
-  /// Three a pixel: how fast what is nearest moves in the world (m/s), whatever the camera does. Of
-  /// surfaces the mean since the frame before, of instances their own; 0 where nothing moves, before the
-  /// first step, and of surfaces that are made anew in each frame.
+  std::vector<float> light;     ///< RGBA; alpha is coverage. Linear light is premultiplied by alpha
+  bool alpha = false;           ///< true if alpha is valid; else alpha is 1
+  std::vector<float> depth;     ///< depth of the nearest surface along the view direction (m); infinite if
+                                ///< the pixel is empty
+  std::vector<float> position;  ///< three per pixel: world position of that surface (m)
+  std::vector<float> normal;    ///< three per pixel: unit shading normal, mean over opaque surfaces; else 0
+  std::vector<float> albedo;    ///< three per pixel: linear RGB albedo, mean over opaque surfaces
+  /// Three per pixel: world velocity (m/s) of the nearest surface, independent of the camera. For surfaces
+  /// the mean since the previous frame, for instances their own velocity. 0 for static surfaces, before the
+  /// first step, and for surfaces whose mesh is rebuilt in each frame.
   std::vector<float> velocity;
-  /// Two a pixel: pixels, to the right and up, from where what is nearest is seen to where it was seen in
-  /// the frame before, by its velocity and by what the camera did. Of the sky, which is infinitely far
-  /// away, by the camera's turning.
+  /// Two per pixel: vector in the picture (pixels, to the right and up) from the present position of the
+  /// nearest surface to its position in the previous frame, by its velocity and the camera's motion. For
+  /// the sky, which is infinitely far away, only the camera's rotation counts.
   std::vector<float> vector;
-  /// Of what is nearest: its number among the triangles, balls and instances' triangles of its object, from
-  /// 0 in the order in which they are drawn; 0 of the ground; noPrimitive where nothing is.
+  /// Index of the nearest primitive among the triangles, balls or instance triangles of its object, counted
+  /// from 0 in drawing order; 0 for the ground, noPrimitive if the pixel is empty.
   std::vector<std::uint32_t> primitive;
   std::vector<std::string> objects;
-  int ranks = 0;  ///< shares of a pixel in `shares`, the largest first; what is left over covers nothing
+  int ranks = 0;  ///< number of shares per pixel in `shares`, largest first; the rest of the pixel is empty
   std::vector<Share> shares;
 
-  /// Takes normal or albedo from sums over a pixel's samples, RGBA, alpha being how much is there.
+  /// Sets normal or albedo from sums over the samples of a pixel: RGBA, where alpha is the coverage.
   void keepShown(Layer layer, std::span<const float> sums);
 };
 
-/// How the camera sees, without a lens, and saw a frame before.
+/// Views of the camera, without a lens, in the current and in the previous frame.
 struct CameraWay {
   shader::ExactView now, before;
-  double seconds = 1;  ///< between the two
+  double seconds = 1;  ///< time between the two frames (s)
 };
 
-/// Makes layers of what is visible in one picture, band by band, on the CPU. Shares of objects:
-/// ShareKeeper.
+/// Computes the visibility-based layers of one view on the CPU, band by band. ShareKeeper computes object
+/// coverage.
 class LayerKeeper {
  public:
   LayerKeeper(PictureLayers& into, std::span<const Layer> wanted, glm::ivec2 size, int samples);
-  /// Waits for the device. `things`: what has numbers, their first ones ascending.
-  /// `velocities`: of all that moves, where they are wanted; `way`: where vectors are. `farther`: that the
-  /// eye stands back (View::farther), which is no depth.
+  /// Adds a band; waits for the GPU. `things`: objects with primitive ids, sorted by firstId. `velocities`:
+  /// motion of all moving objects, if velocities or vectors are requested. `way`: camera motion, if vectors
+  /// are requested. `farther`: distance by which the eye has been moved back (View::farther), to be
+  /// subtracted from depths.
   void add(const Visibility& visibility, const shader::ExactView& view, std::span<const DrawnThing> things,
            const Velocities* velocities, const CameraWay* way, float farther = 0);
 

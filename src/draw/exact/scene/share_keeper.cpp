@@ -6,7 +6,9 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr unsigned groundObject = 0xfffffffeU, noObject = 0xffffffffU;  // tile_lists.glsl
+constexpr unsigned groundObject = 0xfffffffeU, noObject = 0xffffffffU;  // special ids for the ground and
+                                                                        // for no object, as in
+                                                                        // tile_lists.glsl
 
 }  // namespace
 
@@ -43,7 +45,8 @@ void ShareKeeper::add(std::span<const unsigned> numbers, const shader::ExactView
   const std::size_t held =
       static_cast<std::size_t>(view.rows.y) * static_cast<std::size_t>(view.size.x) - begin;
   numbers = numbers.first(std::min(numbers.size(), held * samples_));
-  unsigned last = noObject;  // neighbours are mostly of one object
+  unsigned last = noObject;  // cache of the last id, because neighbouring samples mostly show the same
+                             // object
   std::uint32_t object = 0;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const unsigned number = numbers[i];

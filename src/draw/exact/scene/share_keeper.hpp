@@ -14,16 +14,16 @@
 
 namespace simreel::draw {
 
-/// Counts how many of a pixel's samples show which object, over all pictures (moments, points of a lens)
-/// that one is the mean of: shares are as blurred as the light.
+/// Counts the samples of each pixel that show each object, over all views (moments and lens points) of a
+/// picture, so that object coverage is blurred in the same way as the light.
 class ShareKeeper {
  public:
   ShareKeeper(glm::ivec2 size, int samples);
-  /// What the samples of a band show, as Visibility numbers them. `things`: what has numbers, their first
-  /// ones ascending.
+  /// Counts the samples of a band. `numbers`: primitive ids of the samples, as in Visibility. `things`:
+  /// objects with primitive ids, sorted by firstId.
   void add(std::span<const unsigned> numbers, const shader::ExactView& view,
            std::span<const DrawnThing> things);
-  /// Objects and the largest shares, of the mean of so many pictures.
+  /// Writes the objects and the largest shares per pixel, as means over `pictures` views.
   void finish(PictureLayers& into, int pictures) const;
 
  private:
@@ -36,8 +36,9 @@ class ShareKeeper {
 
   std::size_t samples_;
   std::vector<std::string> objects_;
-  std::vector<Count> first_;  ///< of each pixel the object that was met first,
-  std::unordered_map<std::size_t, std::vector<Count>> more_;  ///< and, of few, others
+  std::vector<Count> first_;  ///< per pixel: the object that was found first
+  std::unordered_map<std::size_t, std::vector<Count>> more_;  ///< per pixel with several objects: the
+                                                              ///< others
 };
 
 }  // namespace simreel::draw

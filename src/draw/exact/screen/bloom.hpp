@@ -13,16 +13,17 @@ struct BloomFirst;
 struct BloomDown;
 struct BloomUp;
 
-/// Light scattered around what is bright, in exact arithmetic: as BloomPass does with the driver's filters.
+/// Computes bloom, light scattered around bright areas, in exact arithmetic. BloomPass does the same with
+/// the driver's filters.
 class Bloom {
  public:
   Bloom(const scene::Bloom& bloom, glm::ivec2 size);
-  /// True if the scene has bloom at some moment.
+  /// True if the scene has bloom at any time.
   [[nodiscard]] static bool on(const scene::Bloom& bloom) {
     return bloom.strength.moves() || bloom.strength.at(0) > 0;
   }
   [[nodiscard]] bool on() const { return !levels_.empty(); }
-  /// From RGBA32F light to an RGBA32F texture of half the size, rounded up.
+  /// Returns an RGBA32F texture with the bloom of the RGBA32F `light`, at half the size, rounded up.
   [[nodiscard]] const gl::Texture& draw(const gl::Texture& light) const;
 
  private:

@@ -4,7 +4,7 @@
 
 namespace simreel::draw {
 
-/// Defines of kernels that include draw/exact/screen/light_read.glsl.
+/// Returns the defines of kernels that include draw/exact/screen/light_read.glsl.
 [[nodiscard]] inline gl::Defines lightDefines() {
   return gl::softwareDriver() ? gl::Defines{{"LIGHT_IMAGES", "1"}} : gl::Defines{};
 }

@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::uint32_t perByte = 257;  // 65535 / 255
 
-/// The level below: a texel j of w covers the part from j / w to (j + 1) / w of W, so of texel i as many
-/// 1 / (w W) as the two overlap.
+/// Returns the next smaller level. On an axis with W texels above and w below, texel j covers the interval
+/// [j / w, (j + 1) / w]. Its overlap with texel i of the level above is counted in units of 1 / (w W).
 NumberLevel below(const NumberLevel& above) {
   const auto wide = static_cast<std::int64_t>(above.size.x);
   const auto high = static_cast<std::int64_t>(above.size.y);

@@ -14,16 +14,19 @@
 
 namespace simreel::draw {
 
-/// All maps of the materials of a scene as one list of texels (glsl/draw/exact/surface/map_read.glsl). Each
-/// picture is read once. Row 0 of it is v = 0.
+/// Stores all maps of a scene's materials in one list of texels (glsl/draw/exact/surface/map_read.glsl).
+/// Each picture is read once. Row 0 of the picture is v = 0.
 class MapTexels {
  public:
-  enum class Holds { color, numbers };  ///< sRGB, which becomes linear light; or numbers 0 to 1
-  /// Width, height, how many levels it has (negative: its border goes on), and where those begin: a word a
-  /// level, then texels of 16 bits a channel. Of no map 0. Throws UserError as loadPicture() does, but for
-  /// transparent pixels; device where all of them are more than the device holds.
+  /// Content of a map. color: sRGB, converted to linear light; numbers: values from 0 to 1, unchanged.
+  enum class Holds { color, numbers };
+  /// Adds a map to the list, if it is new. Returns its width, height, number of levels (negative: clamped
+  /// at the border instead of repeated) and start index: one word per level with the level's start, then
+  /// texels with 16 bits per channel. Returns 0 if the map is empty. Throws UserError as loadPicture()
+  /// does, except that transparent pixels are allowed; UserError(device) if all maps together exceed the
+  /// device's limit.
   glm::ivec4 place(const scene::Map& map, Holds holds);
-  /// All that have been placed, RG32UI.
+  /// Returns the texels of all added maps, RG32UI.
   [[nodiscard]] const gl::Texture& texels();
 
  private:
@@ -37,8 +40,8 @@ class MapTexels {
   gl::Texture view_;
 };
 
-/// A picture's levels as numbers: each texel is the mean of what it covers of the picture, in 1/65535, four
-/// channels; from the picture itself down to one texel.
+/// One mip level as numbers in units of 1/65535, four channels. Each texel is the exact mean of the area of
+/// the picture that it covers. numberLevels() returns all levels from the picture itself down to one texel.
 struct NumberLevel {
   glm::ivec2 size{0, 0};
   std::vector<std::uint16_t> rgba;

@@ -10,14 +10,14 @@ namespace simreel::draw {
 
 struct SkinTexelKernel;
 
-/// The textures of skins as lists of texels, all that there is of one together: software drivers find those
-/// of a buffer several times as fast as those of a 2-D texture.
+/// Copies of skin textures as lists of texels, one list per skin. Software drivers read texels of a buffer
+/// several times as fast as texels of a 2-D texture.
 class SkinTexels {
  public:
-  /// Brings the list of an entry, which stays where it is, up to date with its textures.
+  /// Updates the list of an entry from its textures. The entry must keep its address.
   void update(const SkinTextures::Entry& entry);
-  /// View of the list of an entry that has been brought up to date: RGBA32UI, level after level, of each
-  /// texel eight halves as glsl/draw/exact/surface/skin_texels.comp says.
+  /// Returns the view of an updated entry's list: RGBA32UI, level by level, each texel eight half floats
+  /// (glsl/draw/exact/surface/skin_texels.comp).
   [[nodiscard]] const gl::Texture& find(const SkinTextures::Entry& entry) const {
     return lists_.at(&entry).view;
   }

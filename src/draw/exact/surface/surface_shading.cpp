@@ -40,7 +40,7 @@ struct SurfaceVariant {
   gl::Flag<"LOOK_MAP"> map;
 };
 
-/// draw/exact/surface/surface_seen.glsl.
+/// Uniforms, buffers and textures that draw/exact/surface/surface_seen.glsl declares.
 struct SurfaceSeen {
   VertexUv uv;
   gl::Uniform<"textureScale", glm::vec2> textureScale;
@@ -48,7 +48,7 @@ struct SurfaceSeen {
   gl::Uniform<"modelScale", float> modelScale;
 };
 
-/// draw/exact/surface/surface_maps.glsl.
+/// Uniforms, buffers and textures that draw/exact/surface/surface_maps.glsl declares.
 struct SurfaceMaps {
   gl::Uniform<"colorMap", glm::ivec4> color;
   gl::Uniform<"normalMap", glm::ivec4> normal;
@@ -60,7 +60,7 @@ struct SurfaceMaps {
   gl::In<"texelsOfMaps"> texels;
 };
 
-/// The numbers of a scene::Finish.
+/// Uniforms with the values of a scene::Finish.
 struct FinishValues {
   gl::Uniform<"emission", glm::vec3> emission;
   gl::Uniform<"coat", glm::vec2> coat;
@@ -69,7 +69,7 @@ struct FinishValues {
   gl::Uniform<"opacity", float> opacity;
 };
 
-/// draw/exact/surface/surface_texture.glsl.
+/// Uniforms, buffers and textures that draw/exact/surface/surface_texture.glsl declares.
 struct SurfaceTexture {
   gl::In<"albedo"> albedo;
   gl::Uniform<"albedoSize", glm::ivec2> size;
@@ -93,8 +93,8 @@ struct ShadeSurface {
   VertexTexels texels;
   gl::In<"palette"> palette;
   gl::In<"vertexTints"> tints;
-  gl::In<"owners"> owners = {};  ///< of joined surfaces,
-  gl::In<"looks"> looks = {};    ///< and what they are made of
+  gl::In<"owners"> owners = {};  ///< joined surfaces only: index of the owning surface per triangle
+  gl::In<"looks"> looks = {};    ///< joined surfaces only: materials of the surfaces
   gl::Uniform<"owner", unsigned> owner = {};
   gl::Uniform<"clear", bool> clear = {};
   SurfaceSeen seen = {};
@@ -160,7 +160,7 @@ VertexUv uvOf(const sim::Surface& surface) {
   return uv;
 }
 
-/// Fields of shaders that lay something over a surface that often.
+/// Returns the inputs of shaders that map a texture or skin with the given number of repeats.
 SurfaceSeen seenOf(const sim::Surface& surface, glm::vec2 repeats) {
   return {.uv = uvOf(surface),
           .textureScale = repeats,
@@ -187,7 +187,8 @@ SurfaceShading::SurfaceShading(const scene::Scene& scene, Lighting lighting)
 
 const gl::Kernel<ShadeSurface>& SurfaceShading::kernel(const SurfaceVariant& surface, bool smooth) {
   ThingVariant thing = showing(lighting_.variant, shown_, smooth);
-  if (surface.blended.on) {  // before what keeps light out, and nothing is behind it
+  if (surface.blended.on) {  // blended layers ignore ambient occlusion, and no layer dims them through
+                             // BEHIND
     thing.shade.occlusion = false;
     thing.shade.behind = false;
   }
@@ -315,7 +316,7 @@ void SurfaceShading::laySkin(const sim::Surface& surface, const SkinTextures::En
   const scene::Skin& skin = *surface.material->skin;
   const bool byUv = (surface.normals == nullptr || surface.uvs != nullptr) &&
                     skin.projection == scene::Skin::Projection::uv;
-  // From three sides, cells are squares whatever the field's shape.
+  // Triplanar projection uses square cells, whatever the shape of the field.
   const float shape = static_cast<float>(entry.cells.x) / static_cast<float>(entry.cells.y);
   given.seen = seenOf(surface, {skin.repeats, byUv ? skin.repeats : skin.repeats * shape});
   given.skin = SkinTextures::values(entry, skin);

@@ -18,49 +18,50 @@ namespace simreel::draw {
 struct SurfaceVariant;
 struct ShadeSurface;
 
-/// Shades surfaces where they are visible. A program per combination of features that materials use:
-/// software drivers run both sides of a branch.
+/// Shades surfaces on the tiles that show them. Each combination of material features has its own kernel,
+/// because software drivers execute both sides of a branch.
 class SurfaceShading {
  public:
-  /// Loads the textures of the materials of the scene, which must outlive it.
+  /// Loads the textures of the scene's materials. The scene must outlive this object.
   SurfaceShading(const scene::Scene& scene, Lighting lighting);
-  /// Makes what surfaces read of the skins, which are up to date.
+  /// Updates the texel lists of skins. The skin textures must be up to date.
   void prepare(const SkinTextures& skins);
-  /// Adds the light of `drawn`, thing number `thing` of the tiles. A skin whose field is not there leaves
-  /// the material as it is without one.
+  /// Adds the light of the surface `drawn`, which is object `thing` of the tile lists. A skin whose field
+  /// is missing has no effect.
   void shade(const TriangleRaster& raster, const TriangleRaster::Drawn& drawn, const SkinTextures& skins,
              const ShadedTiles& tiles, int thing, const SceneLight& light);
-  /// Whether nothing is laid over the surface, so that it may be shaded together with others.
+  /// True if the surface has no texture, skin or other finish, so it can be shaded together with others.
   [[nodiscard]] static bool isPlain(const sim::Surface& surface, const SkinTextures& skins);
-  /// The same of such ones, neighbours among joined surfaces.
+  /// Adds the light of plain surfaces that are neighbours among the joined surfaces.
   void shadeJoined(const JoinedSurfaces& joined, const TriangleRaster& raster,
                    std::span<const TriangleRaster::Drawn> drawn, const ShadedTiles& tiles, int thing,
                    const SceneLight& light);
 
-  /// Whether a surface's opacity is different from place to place; what then kernels that draw it read,
-  /// which leave out what has less than `least`.
+  /// hasHoles(): true if the opacity of the surface varies. holes(): the inputs of kernels that then skip
+  /// samples with an opacity below `least`.
   [[nodiscard]] static bool hasHoles(const sim::Surface& surface);
   [[nodiscard]] Cutout holes(const sim::Surface& surface, float least);
-  /// From now on things are lit like that, by the same lights.
+  /// Sets the lighting variant of later shading. The lights stay the same.
   void light(const ThingVariant& variant) { lighting_.variant = variant; }
-  /// The map of a material's colour: its finish's own, or its texture.
+  /// Returns the colour map of a material: the map of its finish, or its texture.
   [[nodiscard]] static scene::Map colorMapOf(const scene::Material& material);
-  /// Whether a texture alone goes on beyond its border; on a sheet that shows the picture once it must not
-  /// blend with the opposite one.
+  /// True if the surface's texture repeats beyond its border. On a sheet that shows a picture exactly once
+  /// it does not, so opposite borders do not blend.
   [[nodiscard]] static bool textureRepeats(const sim::Surface& surface);
-  /// How rays, for which places are kept instead of being lit, number what those are made of.
+  /// Sets the function that gives a material's index in the ray tracer's material table (owner), for spots
+  /// that are stored instead of being lit.
   void ownBy(std::function<unsigned(const scene::Material&)> owner) { owner_ = std::move(owner); }
   [[nodiscard]] MapTexels& maps() { return maps_; }
   [[nodiscard]] const SkinTexels& skinTexels() const { return skinTexels_; }
-  /// From now on one of `shownLayers` is shaded instead of light, counted from 1; 0: light;
-  /// shownReflections: what those change, of surfaces that mirror the scene alone.
+  /// Selects what is shaded from now on: 0: light; i: layer i of `shownLayers`, counted from 1;
+  /// shownReflections: the change of light by reflections, only on surfaces that reflect the scene.
   void show(int layer) { shown_ = layer; }
-  /// Whether the surface is smooth somewhere.
+  /// True if the surface is smooth enough somewhere to reflect the scene.
   [[nodiscard]] static bool mirrorsScene(const sim::Surface& surface, const SkinTextures& skins);
 
  private:
   const gl::Kernel<ShadeSurface>& kernel(const SurfaceVariant& surface, bool smooth);
-  // Give what is laid over the surface.
+  // Set the kernel inputs of textures, finishes and skins.
   static void layTexture(const sim::Surface& surface, const TexelLists::List& albedo, ShadeSurface& given);
   void layFinish(const sim::Surface& surface, ShadeSurface& given);
   void laySkin(const sim::Surface& surface, const SkinTextures::Entry& entry, ShadeSurface& given) const;

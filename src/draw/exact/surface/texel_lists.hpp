@@ -9,19 +9,20 @@
 
 namespace simreel::draw {
 
-/// Pictures of materials as lists of texels: each file is read once. Row 0 of the file is v = 0.
+/// Loads material pictures as lists of texels. Each file is read once. Row 0 of the file is v = 0.
 class TexelLists {
  public:
   struct List {
     gl::Buffer texels;
-    gl::Texture
-        view;  ///< RGBA32UI: of each level where it begins, then texels of linear light in 1/65535 as
-               ///< r + 2^16 g, b, and the same of the next one of the row, behind the last the first
+    gl::Texture view;  ///< RGBA32UI: first the start index of each level, then the texels in linear light
+                       ///< in units of 1/65535, each as (r + 2^16 g, b) followed by the same of the next
+                       ///< texel in the row (after the last: the first)
     glm::ivec2 size{0, 0};
-    int levels = 0;  ///< mip maps of mip_levels.hpp, down to 1x1
+    int levels = 0;  ///< mip levels of mip_levels.hpp, down to 1x1
   };
-  /// Null for an empty path. Throws UserError: usage for a file that is no picture, inputOutput (or what
-  /// readFile says) for one that cannot be read, device for one larger than the device allows.
+  /// Returns null for an empty path. Throws UserError(usage) if the file is not a picture,
+  /// UserError(inputOutput) (or what readFile() throws) if it cannot be read, UserError(device) if it is
+  /// larger than the device allows.
   const List* load(const std::filesystem::path& file);
 
  private:

@@ -47,17 +47,19 @@ struct TileKernel {
 
 namespace {
 
-constexpr int maxThings = 2046;  // the bits that tiles.comp has, 32 times 64, less the ground's two,
-constexpr int fewThings = 30;    // and with FEW
+// Max number of objects per tile list kernel: the 2,048 bits of tiles.comp, minus two for the ground.
+constexpr int maxThings = 2046;
+// Max number of objects for the FEW variant of tiles.comp: 32 bits, minus two for the ground.
+constexpr int fewThings = 30;
 
-/// Lists for four things, or for eight, or for more.
+/// Returns the FOURS variant of tiles.comp for at most 4 or 8 objects, or none for more.
 gl::Range<"FOURS", 1, 2> foursFor(int things) {
   if (things <= 4) return 1;
   if (things <= 8) return 2;
   return {};
 }
 
-/// Four of the numbers, from `first` on; beyond them, more than any.
+/// Returns four of the ids from index `first` on. Missing ones are -1 (as unsigned, larger than any id).
 glm::ivec4 fourOf(const std::vector<unsigned>& numbers, std::size_t first) {
   glm::ivec4 four(-1);
   for (int i = 0; i < 4; ++i)
@@ -104,7 +106,8 @@ void ShadedTiles::list(const std::vector<unsigned>& firstIds, const Visibility& 
   if (!firstIds.empty()) firstIds_.write(0, std::as_bytes(std::span(firstIds)));
   glClearNamedBufferData(counters_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
   visibility_ = &visibility;
-  // Cards do all rows at once; software drivers run both sides of a branch.
+  // On GPUs all rows take one dispatch with the ground. Software drivers split the rows, because they
+  // execute both sides of a branch.
   const glm::ivec2 groundRows = place.rows;
   const glm::ivec2 ground = !ground_               ? glm::ivec2(0)
                             : gl::softwareDriver() ? glm::min(groundRows / side, tiles_.y)

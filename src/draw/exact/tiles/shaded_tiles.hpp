@@ -15,37 +15,40 @@ namespace simreel::draw {
 
 struct TileKernel;
 
-/// Where on the picture the ground may be.
+/// Area of the picture that may show the ground.
 struct GroundPlace {
-  glm::ivec2 rows{0};  ///< rowsTowardsGround() in whole tiles
-  glm::vec4 near{0};   ///< nearOfGround()
-  glm::vec3 rays{0};   ///< raysAside()
+  glm::ivec2 rows{0};  ///< range of tile rows whose rays may hit the ground: rowsTowardsGround() in whole
+                       ///< tiles
+  glm::vec4 near{0};   ///< nearness of the ground as a function of the pixel: nearOfGround()
+  glm::vec3 rays{0};   ///< bounds of the ray directions: raysAside()
 };
 
-/// Which tiles of the picture show which of the things drawn, so that each is shaded where it is seen. The
-/// last two things are the ground where no shadow reaches it, and the ground elsewhere.
+/// Lists the tiles of the picture that show each object, so that shading kernels run only where the object
+/// is visible. The last two list entries are the ground where no shadow reaches it, and the ground
+/// elsewhere.
 class ShadedTiles {
  public:
-  static constexpr int side = 8;  ///< pixels of a tile: tileSide of glsl/draw/exact/fixed.glsl
-  /// For pictures like that one; `empties`: list() may empty the light of its pixels.
+  static constexpr int side = 8;  ///< pixels per tile side: tileSide of glsl/draw/exact/fixed.glsl
+  /// Prepares for pictures with the size and layout of `visibility`. `empties`: list() may clear the light
+  /// of its pixels.
   ShadedTiles(const Visibility& visibility, bool ground, bool shadow, bool empties = true);
-  /// Whether list() has found anything to shade. Waits for the device.
+  /// True if list() has found anything to shade. Waits for the GPU.
   [[nodiscard]] bool any() const;
 
-  /// Whether list() empties the light of its pixels on this device: cards for computing clear textures in
-  /// ten times the time that it takes there.
+  /// True if list() clears the light of its pixels on this device. Compute GPUs clear textures ten times as
+  /// slowly.
   [[nodiscard]] static bool emptiesLight();
-  /// Lays the ground under what is visible and makes the lists. `firstIds`: of the things, ascending.
-  /// `sums`: the light. `groundKeys`: the ground is among what is nearest afterwards.
+  /// Adds the ground below the visible objects and writes the lists. `firstIds`: first primitive id of each
+  /// object, ascending. `sums`: the light. `groundKeys`: also writes the ground into the depth keys.
   void list(const std::vector<unsigned>& firstIds, const Visibility& visibility, const gl::Texture& sums,
             const GroundPlace& place, bool groundKeys = false);
-  /// Runs a shading kernel over the tiles of a thing; sets its `tile`.
+  /// Runs a shading kernel over the tiles of an object. Sets the kernel's `tile` fields.
   template <class Interface>
   void shade(int thing, const gl::Kernel<Interface>& kernel, Interface given) const {
     given.tile = tile(thing);
     GroupCounts::dispatch(kernel, dispatches_, static_cast<std::size_t>(thing), given);
   }
-  [[nodiscard]] int things() const { return things_; }  ///< but for the ground
+  [[nodiscard]] int things() const { return things_; }  ///< number of objects without the ground
 
  private:
   [[nodiscard]] TileFields tile(int thing) const;
@@ -53,7 +56,7 @@ class ShadedTiles {
   glm::ivec2 size_, tiles_;
   int things_ = 0;
   bool ground_, shadow_, empties_;
-  const Visibility* visibility_ = nullptr;  ///< whose tiles are listed
+  const Visibility* visibility_ = nullptr;  ///< visibility that the lists belong to
   gl::Kernels<TileKernel> kernels_;
   GroupCounts groups_;
   gl::Buffer firstIds_, lists_, counters_, dispatches_;

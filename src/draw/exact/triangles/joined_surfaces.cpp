@@ -38,7 +38,8 @@ namespace {
 
 constexpr std::size_t fewest = 3;
 constexpr std::int64_t mostVertices = 1 << 22;
-constexpr std::int64_t mostMoving = 1 << 18;  ///< vertices that are put into the world anew each frame
+constexpr std::int64_t mostMoving = 1 << 18;  ///< max number of vertices that are transformed in every
+                                              ///< frame
 
 }  // namespace
 
@@ -57,7 +58,7 @@ bool JoinedSurfaces::suits(const std::vector<sim::Surface>& surfaces) {
   std::int64_t moving = 0;
   std::int64_t triangles = 0;
   for (const sim::Surface& surface : surfaces) {
-    // Vertices beyond those that bound the surface are not to grow the sun's map.
+    // Unused vertices would enlarge the bounds of the sun's map.
     if (surface.arguments != nullptr || surface.vertexRoom > surface.vertexCount) return false;
     if (castsShadow(surface) != castsShadow(surfaces.front())) return false;
     vertices += surface.vertexCount;

@@ -11,28 +11,29 @@
 
 namespace simreel::draw {
 
-/// Whether surfaces are joined on this device, and all maps of lamps drawn in one go, or as
-/// SIMREEL_JOIN_SURFACES says, "yes" or "no". Throws UserError(usage) for another word.
+/// True if this device joins surfaces and draws all lamp maps in one dispatch. The environment variable
+/// SIMREEL_JOIN_SURFACES ("yes" or "no") overrides the default. Throws UserError(usage) for another value.
 [[nodiscard]] bool joinsSurfaces();
 
 struct JoinKernel;
 
-/// All surfaces of a picture as one in world space, their triangles in the order that their numbers have:
-/// cards take some microseconds for each dispatch, whatever its size, and else there are five a surface.
-/// The picture is the same.
+/// Joins all surfaces of a picture into one mesh in world space, with triangles in the order of their ids.
+/// GPUs need some microseconds per dispatch, and separate surfaces take five dispatches each. The picture
+/// is the same.
 class JoinedSurfaces {
  public:
-  /// Few surfaces, and those whose triangles the GPU counts, stay apart: false.
+  /// Joins the surfaces. Returns false without joining if there are few surfaces or if the GPU determines a
+  /// triangle count.
   bool join(const std::vector<sim::Surface>& surfaces);
-  /// As join() has made it. It casts shadows if they do, all or none.
+  /// Returns the result of join(). It casts shadows if the surfaces do; either all do or none.
   [[nodiscard]] const sim::Surface& surface() const { return surface_; }
-  /// Of each triangle whose it is and which sides it shows.
+  /// Returns the owning surface of each triangle and the sides that it shows.
   [[nodiscard]] const gl::Texture& owners() const { return ownerView_; }
-  /// What surfaces are made of.
+  /// Returns the materials of the surfaces.
   [[nodiscard]] const gl::Texture& looks() const { return lookView_; }
 
  private:
-  /// What the GPU holds of a surface.
+  /// State of a surface in the GPU buffers.
   struct Part {
     unsigned still = 0;
     glm::mat4 model{1.0F};

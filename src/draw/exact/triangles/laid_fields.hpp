@@ -5,11 +5,10 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
-// What kernels of the exact rasterizer read that lay something over a surface, a group of fields for each
-// file that they include.
+// Shader inputs of kernels that map textures onto surfaces, one group per GLSL include file.
 namespace simreel::draw {
 
-/// draw/exact/surface/vertex_uv.glsl.
+/// Uniforms, buffers and textures that draw/exact/surface/vertex_uv.glsl declares.
 struct VertexUv {
   gl::Uniform<"grid", glm::ivec2> grid;
   gl::Uniform<"perGrid", glm::vec2> perGrid;
@@ -17,7 +16,7 @@ struct VertexUv {
   gl::In<"uvs"> uvs;
 };
 
-/// draw/exact/triangles/cutout.glsl.
+/// Uniforms, buffers and textures that draw/exact/triangles/cutout.glsl declares.
 struct Cutout {
   VertexUv uv;
   gl::Uniform<"textureScale", glm::vec2> textureScale;

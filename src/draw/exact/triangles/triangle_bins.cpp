@@ -32,15 +32,17 @@ struct BinnedTriangles {
 
 namespace {
 
-constexpr int tileSide = 8;     // of glsl/draw/exact/fixed.glsl
-constexpr int binCounts = 512;  // of bins.glsl,
+constexpr int tileSide = 8;     // pixels per tile side, as in glsl/draw/exact/fixed.glsl
+constexpr int binCounts = 512;  // this and the next three constants are from bins.glsl
 constexpr int firstTileCount = 2;
 constexpr int firstFaceCount = 256;
 constexpr int ownNodes = 4;
 constexpr std::size_t cornerBytes = 48;
-constexpr int roundTriangles = 57344;  // whose lists no loop leaves early
-constexpr int maxTriangles = 1 << 20;  // of a picture,
-constexpr int maxOfFaces = 1 << 18;    // and of all faces; what is more is drawn as large ones are
+constexpr int roundTriangles = 57344;  // triangles per round; keeps every loop below the iteration limit of
+                                       // drivers
+constexpr int maxTriangles = 1 << 20;  // max number of binned triangles of a picture
+constexpr int maxOfFaces = 1 << 18;    // limit of all faces together; the rest are drawn like large
+                                       // triangles
 
 int roundsOf(int triangles) {
   return std::max((triangles + roundTriangles - 1) / roundTriangles, 1);

@@ -8,11 +8,11 @@
 
 namespace simreel::draw {
 
-/// How many triangles are best listed by tiles on this device instead of drawn by atomics: none but on
-/// software drivers, to whom those are dear.
+/// Returns the max number of triangles that are binned by tile instead of drawn with atomics. 0 on GPUs;
+/// atomics are slow only on software drivers.
 [[nodiscard]] int binnedTriangles();
 
-/// Those of glsl/draw/exact/triangles/bins.glsl that make lists.
+/// Shader inputs of glsl/draw/exact/triangles/bins.glsl for kernels that write the lists.
 struct BinFields {
   gl::Shared<"BinBlock"> bins;
   gl::Shared<"NodeBlock"> nodes;
@@ -28,20 +28,21 @@ struct BinFields {
 };
 struct BinnedTriangles;
 
-/// Triangles by the tiles of 8 by 8 pixels that they meet, and what of them is nearest there, found a
-/// tile a group without atomics (glsl/draw/exact/triangles/bins.glsl). The same as drawing them one by one.
-/// 80 bytes a triangle.
+/// Lists triangles by the 8x8 pixel tiles that they touch. One workgroup per tile then finds the nearest
+/// one without atomics (glsl/draw/exact/triangles/bins.glsl). The result is the same as drawing the
+/// triangles one by one. Takes 80 bytes per triangle.
 class TriangleBins {
  public:
-  /// Whether so many triangles at most may be listed, of a picture, or of each of so many faces of maps.
+  /// True if the bins can hold that many triangles, of a picture (faces = 0) or of each of `faces` shadow
+  /// map faces.
   [[nodiscard]] static bool holds(int triangles, int faces = 0);
-  /// Empties the lists, for a picture or faces of that size: for `room` triangles at most, and four times
-  /// as many places of one in a tile beside four of each.
+  /// Clears the lists, for a picture or shadow map faces of `size`. Makes room for `room` triangles. Each
+  /// triangle has four list nodes of its own; the triangles share another four times `room` nodes.
   void begin(glm::ivec2 size, int triangles, int room, int faces = 0);
-  /// For kernels with BINS, of that face.
+  /// Returns the shader inputs of kernels with BINS, for one face.
   [[nodiscard]] BinFields fields(int face) const;
-  /// Into what larger ones have been drawn to already, numbers of none of them. The view block is bound, or
-  /// `faceOf` says where a face of lamps' maps lies and how it is seen.
+  /// Rasterizes the listed triangles into a buffer that may already contain keys of larger triangles, but
+  /// none of their ids. The view block must be bound, or `faceOf` returns each lamp map face with its view.
   void draw(Target target, const Visibility& into,
             const std::function<const MapFace&(int face)>& faceOf = {});
 
@@ -49,7 +50,7 @@ class TriangleBins {
   int tiles_ = 0;
   int rounds_ = 1;
   int faceRounds_ = 1;
-  int room_ = 0;  ///< triangles
+  int room_ = 0;  ///< max number of triangles
   int sharedNodes_ = 0;
   GroupCounts counts_;
   gl::Buffer bins_, nodes_, corners_, groups_;

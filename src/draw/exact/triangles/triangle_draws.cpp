@@ -1,4 +1,4 @@
-// What a TriangleRaster runs, pass by pass.
+// Dispatches of TriangleRaster, pass by pass.
 #include "draw/exact/parts.hpp"
 #include "draw/exact/reserve.hpp"
 #include "draw/exact/triangles/joined_surfaces.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 constexpr unsigned groupTriangles = 64;
 
-/// Of the part that is drawn (pixels).
+/// Returns the size (pixels) of the target: the shadow map of `part`, or the whole buffer.
 glm::ivec2 sizeOf(const Visibility& into, const MapPart& part) {
   return part.side > 0 ? glm::ivec2(part.side) : into.size();
 }
@@ -99,7 +99,8 @@ void TriangleRaster::run(Step step, int pass, const Visibility& into, bool clips
     if (clips && drawn.fans == drawn.maxTriangles) continue;
     const sim::Surface* const own = into_ == Into::lampMap ? fragments_.only : drawn.surface;
     const bool cuts = step == Step::large && own != nullptr && fragments_.cut && fragments_.cut(*own);
-    // Few plain triangles are large or cut by the near plane, and those kernels are dear to compile.
+    // Skipped during rehearsal: these kernels take long to compile, and few plain triangles are large or
+    // cross the near plane.
     if (gl::Rehearsal::now() && step != Step::small && !cuts && !fragments_.layers) continue;
     RasterVariant kind = variant(into, pass);
     RasterTriangles triangles = raster(drawn, into);
@@ -133,10 +134,10 @@ void TriangleRaster::run(Step step, int pass, const Visibility& into, bool clips
 }
 
 void TriangleRaster::runFaces(Step step, int pass, const Visibility& into, bool clips) {
-  // A card's processors hold some thousands at a time; faces differ much in what they show, and many groups
-  // find nothing.
+  // A GPU runs some thousands of workgroups at once. The number is higher, because faces show very
+  // different numbers of triangles and many workgroups have no work.
   constexpr unsigned groups = 24576;
-  constexpr unsigned fewParts = 16;  // of a large triangle: most are small among those
+  constexpr unsigned fewParts = 16;  // workgroups per large triangle; most of these triangles are small
   const Drawn& first = asked_.front();
   if (clips && first.fans == first.maxTriangles) return;
   RasterVariant kind = variant(into, pass);
@@ -166,7 +167,7 @@ void TriangleRaster::prepareLarge(glm::ivec2 size) {
                            .parts = parts,
                            .fewerParts = gl::softwareDriver() ? leastParts(size, samples_) : parts};
   if (into_ != Into::sunMap && fanRoom_ > 0) {
-    // Of each list those that have a fan, and the others apart.
+    // Splits each list: entries that have a fan, and the others.
     const auto room = static_cast<unsigned>(fanRoom_ / static_cast<int>(asked_.size()));
     order.most = room;
     GroupCounts::Order others = order;

@@ -5,7 +5,7 @@
 #include "draw/surface_fields.hpp"
 #include "gl/kernel/kernel.hpp"
 
-// The kernels that TriangleRaster runs.
+// Interfaces of the kernels that TriangleRaster runs.
 namespace simreel::draw {
 
 struct VertexKernel {
@@ -24,7 +24,7 @@ struct VertexKernel {
   gl::Shared<"VertexBlock"> vertices;
 };
 
-/// draw/exact/triangles/raster.glsl.
+/// Uniforms, buffers and textures that draw/exact/triangles/raster.glsl declares.
 struct RasterTriangles {
   gl::Ambient<"FrameBlock"> frame = {};
   SampleTarget into;
@@ -36,7 +36,7 @@ struct RasterTriangles {
   gl::In<"owners"> owners = {};
   Cutout cutout = {};
   gl::Uniform<"firstLayer", bool> firstLayer = {};
-  gl::In<"layerKeys"> layerKeys = {};  ///< of the layer before
+  gl::In<"layerKeys"> layerKeys = {};  ///< visibility of the previous blended layer
   gl::In<"layerIds"> layerIds = {};
   gl::In<"opaqueKeys"> opaqueKeys = {};
   gl::Uniform<"draw_", int> draw;
@@ -45,12 +45,13 @@ struct RasterTriangles {
 struct RasterVariant {
   TargetVariant target;
   gl::Flag<"PARALLEL"> parallel;
-  gl::Flag<"COUNTED"> counted;     ///< a surface says itself how many triangles it has
-  gl::Flag<"JOINED"> joined;       ///< surfaces are
-  gl::Range<"FACES", 1, 2> faces;  ///< of lamps' maps, all in one go: the coordinate of a group
+  gl::Flag<"COUNTED"> counted;     ///< the triangle count of the surface is in a GPU buffer
+  gl::Flag<"JOINED"> joined;       ///< the triangles belong to joined surfaces
+  gl::Range<"FACES", 1, 2> faces;  ///< all faces of lamp maps in one dispatch; the value is the workgroup
+                                   ///< coordinate that selects the face
   gl::Flag<"CUTOUT"> cut;          ///< the surface has holes
-  gl::Flag<"GRID"> grid;           ///< and is a grid
-  gl::Flag<"LAYER"> layer;         ///< it is blended
+  gl::Flag<"GRID"> grid;           ///< the surface with holes is a grid
+  gl::Flag<"LAYER"> layer;         ///< the surface is blended
 };
 
 struct SmallTriangles {
@@ -76,7 +77,7 @@ struct MediumTriangles {
   gl::In<"counters"> counters;
 };
 
-/// draw/exact/triangles/fans.glsl.
+/// Uniforms, buffers and textures that draw/exact/triangles/fans.glsl declares.
 struct FanFields {
   gl::Uniform<"fanRoom", int> fanRoom;
   gl::Uniform<"firstFan", int> firstFan;
@@ -87,7 +88,7 @@ struct LargeTriangles {
   struct Variant {
     RasterVariant raster;
     gl::Flag<"BINS"> bins;
-    gl::Flag<"CLIPS"> clips;  ///< those are drawn that are not clipped yet
+    gl::Flag<"CLIPS"> clips;  ///< handles the triangles that are not clipped yet
   };
   RasterTriangles raster;
   FanFields fan;

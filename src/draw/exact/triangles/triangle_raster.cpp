@@ -12,7 +12,7 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr std::int64_t maxIds = 0xfffffff0;  // the last ones say ground, and nothing
+constexpr std::int64_t maxIds = 0xfffffff0;  // larger ids stand for the ground and for empty samples
 
 }  // namespace
 
@@ -92,7 +92,7 @@ void TriangleRaster::reserveLists(std::size_t draws, std::int64_t triangles, int
           sizeof(GLuint));
   reserve(largeGroups_, "groups for large triangles", draws * GroupCounts::bytes);
   reserve(surfaceGroups_, "groups for triangles", draws * GroupCounts::bytes);
-  if (into_ == Into::sunMap) return;  // never clipped
+  if (into_ == Into::sunMap) return;  // sun map triangles are never clipped
   reserve(clipGroups_, "groups for clipping", draws * GroupCounts::bytes);
   reserve(roomlessGroups_, "groups for triangles not clipped", draws * GroupCounts::bytes);
   reserve(fans_, fanView_, "clipped triangles", static_cast<std::size_t>(fans) * 128, GL_RGBA32UI, 16);

@@ -16,7 +16,7 @@ namespace simreel::draw {
 
 class JoinedSurfaces;
 
-/// Vertices that a surface has room for, and triangles.
+/// Return the max number of vertices and of triangles of a surface, as given by the sizes of its buffers.
 [[nodiscard]] inline int verticesOf(const sim::Surface& surface) {
   return std::max(surface.vertexCount, surface.vertexRoom);
 }
@@ -26,19 +26,19 @@ class JoinedSurfaces;
   return static_cast<int>(indices / 3);
 }
 
-/// Lists of a mesh's triangles on the GPU, one behind the other.
+/// Consecutive lists of triangles of one mesh on the GPU.
 struct TriangleLists {
-  const gl::Texture* places = nullptr;   ///< of the mesh in the world (m), RGBA32F
-  const gl::Texture* indices = nullptr;  ///< R32UI, 3 of each triangle
-  const gl::Texture* numbers = nullptr;  ///< R32UI
-  const gl::Buffer* counts = nullptr;    ///< of each list
-  int room = 0;                          ///< of each
+  const gl::Texture* places = nullptr;   ///< vertex positions of the mesh in world space (m), RGBA32F
+  const gl::Texture* indices = nullptr;  ///< R32UI, three per triangle
+  const gl::Texture* numbers = nullptr;  ///< triangle indices of all lists, R32UI
+  const gl::Buffer* counts = nullptr;    ///< length of each list
+  int room = 0;                          ///< capacity of each list
 };
 
-/// Fields of glsl/draw/exact/triangles/surface_triangle.glsl.
+/// Uniforms, buffers and textures that glsl/draw/exact/triangles/surface_triangle.glsl declares.
 struct TriangleSource {
   gl::In<"vertices"> vertices;
-  gl::In<"places"> places;  ///< of a merged mesh, instead
+  gl::In<"places"> places;  ///< vertex positions of a merged mesh, used instead of `vertices`
   gl::In<"indices"> indices;
   gl::Uniform<"firstVertex", int> firstVertex;
   gl::Uniform<"triangleCount", int> triangleCount;
@@ -58,70 +58,73 @@ struct MediumTriangles;
 struct LargeTriangles;
 struct ClipTriangles;
 
-/// Finds what of surfaces is nearest at each sample, by kernels: coverage in whole numbers, ties by number.
-/// The result does not depend on the order in which the device works.
+/// Rasterizes the triangles of surfaces into a visibility buffer with kernels. Coverage is computed in
+/// integers; at equal depth the lower id wins. The result does not depend on execution order.
 class TriangleRaster {
  public:
   using Into = Target;
-  /// Triangles whose box has no side above `smallPixels` (0 to 64) are drawn by an invocation each, of the
-  /// others those of at most `mediumPixels` (to 64) by sixteen, the rest by groups, tile by tile: the same
-  /// either way. Of those `fanRoom` are clipped once, for all invocations that draw them; 128 bytes each.
-  /// `bins`: small ones go by tiles where samples lie apart, but for lamps' maps and where they are very
-  /// many.
+  /// Triangles with a bounding box of at most `smallPixels` (0 to 64) per side are rasterized by one
+  /// invocation each, medium ones of at most `mediumPixels` (up to 64) by sixteen invocations, larger ones
+  /// by workgroups, tile by tile. The limits do not change the result. Up to `fanRoom` large triangles (128
+  /// bytes each) are clipped once for all invocations that rasterize them. `binRoom`: max number of small
+  /// triangles that are binned by tile; only for the sample layout `apart`.
   TriangleRaster(Into into, int samples, int smallPixels = smallTriangle(), int fanRoom = fansOfTriangles(),
                  int mediumPixels = mediumTriangle(), int binRoom = binnedTriangles());
 
-  /// A surface as it was drawn last.
+  /// Parameters of a surface, or of a lamp map's triangle list, in the last drawing.
   struct Drawn {
     const sim::Surface* surface = nullptr;
     int firstVertex = 0;
-    int firstIndex = 0;  ///< in the list of large ones, times 3
+    int firstIndex = 0;  ///< start of its part in the list of large triangles, times 3
     int maxTriangles = 0;
-    unsigned firstId = 0;  ///< of its triangles
-    int firstFan = 0;      ///< of its clipped triangles,
-    int fans = 0;          ///< and for how many there is room
+    unsigned firstId = 0;  ///< id of its first triangle
+    int firstFan = 0;      ///< index of its first clipped triangle (fan)
+    int fans = 0;          ///< max number of its clipped triangles
     gl::Texture indices;   ///< R32UI texel view
-    int list = 0;          ///< of the triangles of a lamp's map,
-    MapFace face;          ///< and where that is
+    int list = 0;          ///< lamp maps: index of the triangle list
+    MapFace face;          ///< lamp maps: the face that shows the list
   };
 
-  /// What cuts holes into surfaces and tells layers of blended ones apart; all must outlive what draws.
+  /// Describes the holes of cut-out surfaces and the current layer of blended ones. All pointers must stay
+  /// valid while drawing.
   struct Fragments {
-    /// Whether a surface has holes, and then what says where.
+    /// True if a surface has holes; `holes` then returns the kernel inputs that describe them.
     std::function<bool(const sim::Surface&)> cut = {};
     std::function<Cutout(const sim::Surface&)> holes = {};
-    const sim::Surface* only = nullptr;  ///< of which a lamp's lists of triangles are
-    bool layers = false;                 ///< what is behind `before` (null: all) is drawn,
+    const sim::Surface* only = nullptr;  ///< lamp maps: the surface that the triangle lists belong to
+    bool layers = false;                 ///< true: draws the next layer behind `before` (null: the first
+                                         ///< layer)
     const Visibility* before = nullptr;
-    const Visibility* behind = nullptr;  ///< and not behind that
+    const Visibility* behind = nullptr;  ///< opaque surfaces; layers behind them are not drawn
   };
-  /// One that draws each sample by itself, whole triangles by groups: for surfaces that Fragments tells
-  /// about.
+  /// Returns a rasterizer that tests each sample separately and rasterizes all triangles by workgroups, for
+  /// surfaces with Fragments.
   static TriangleRaster ofFragments(Into into, int samples) { return {into, samples, 0, 0, 0, 0}; }
   void tellFragments(Fragments fragments) { fragments_ = std::move(fragments); }
 
-  /// Numbers the triangles, from `firstId` on: see drawn(). Throws UserError(device) where there are more
-  /// than numbers.
+  /// Assigns consecutive ids to the triangles, starting at `firstId`; see drawn(). Throws UserError(device)
+  /// if there are not enough ids.
   void number(const std::vector<const sim::Surface*>& surfaces, unsigned firstId = 0);
-  /// For lamps' maps instead: face i shows the triangles of list i. All of it holds until they are drawn.
+  /// Prepares lamp maps instead: face i shows the triangles of list i. The arguments must stay valid until
+  /// the maps are drawn.
   void number(const TriangleLists& lists, const std::vector<MapFace>& faces);
-  /// The same, of which `views` holds those of all maps one behind the other, face 0's number `first`: they
-  /// are drawn all in one go, as cards have it best.
+  /// Prepares lamp maps that are drawn in one dispatch, which is best on GPUs. `views`: the views of all
+  /// maps, one after another; the view of face 0 has the index `first`.
   void number(const TriangleLists& lists, const std::vector<MapFace>& faces, const gl::Buffer& views,
               int first);
-  /// Draws them into what is cleared. The uniform blocks, and for the sun's map the light's place, are
-  /// bound; into lamps' maps, it binds the faces' views.
+  /// Rasterizes the prepared triangles into a cleared buffer. The uniform blocks and, for the sun's map,
+  /// its transform must be bound. For lamp maps this function binds the views of the faces.
   void draw(const Visibility& into, const MapPart& part = {});
-  /// The two halves of draw() into a picture: what is nearest, before anything draws numbers; the numbers,
-  /// when everything has drawn what is nearest.
+  /// The two passes of draw() for pictures. drawNearest() writes the depth keys (before any object writes
+  /// ids), drawNumbers() the ids (after all objects have written their keys).
   void drawNearest(const Visibility& into);
   void drawNumbers(const Visibility& into);
-  /// The same surfaces, joined, in one go.
+  /// Rasterizes the same surfaces, joined into one mesh, in one pass.
   void drawJoined(const Visibility& into, const JoinedSurfaces& joined);
   [[nodiscard]] const std::vector<Drawn>& drawn() const { return drawn_; }
-  /// For kernels that read the triangles of one of drawn().
+  /// Returns the shader inputs of kernels that read the triangles of an entry of drawn().
   [[nodiscard]] TriangleSource source(const Drawn& drawn) const;
-  /// The same of joined surfaces, which were drawn last.
+  /// Same for the joined surfaces that were drawn last.
   [[nodiscard]] TriangleSource wholeSource() const { return source(whole_); }
 
  private:
@@ -135,7 +138,7 @@ class TriangleRaster {
   void reserveLists(std::size_t draws, std::int64_t triangles, int fans);
   [[nodiscard]] RasterTriangles raster(const Drawn& drawn, const Visibility& into) const;
   [[nodiscard]] RasterVariant variant(const Visibility& into, int pass) const;
-  /// Runs a step's kernel by `dispatch`, a function of it and of what it is given.
+  /// Calls `dispatch` with the kernel of a step and its inputs.
   template <class Dispatch>
   void runKernel(Step step, bool clips, const RasterVariant& variant, const RasterTriangles& raster,
                  const Drawn& drawn, const Dispatch& dispatch);
@@ -152,7 +155,7 @@ class TriangleRaster {
   int fanRoom_;
   int mediumPixels_;
   int binRoom_;
-  bool binned_ = false;  ///< those that are being drawn
+  bool binned_ = false;  ///< true if the triangles of the current drawing are binned by tile
   gl::Kernels<VertexKernel> vertexKernels_;
   gl::Kernels<SmallTriangles> small_;
   gl::Kernels<MediumTriangles> medium_;
@@ -160,16 +163,16 @@ class TriangleRaster {
   gl::Kernels<LargeTriangles> largeOnes_;
   GroupCounts groups_;
   TriangleBins bins_;
-  TriangleLists lists_;                    ///< that lamps' maps show
-  const gl::Buffer* faceViews_ = nullptr;  ///< of all those maps, where they are drawn in one go
+  TriangleLists lists_;                    ///< triangle lists of the lamp maps
+  const gl::Buffer* faceViews_ = nullptr;  ///< views of all lamp maps, if they are drawn in one dispatch
   int firstView_ = 0;
   std::vector<Drawn> drawn_;
-  std::span<Drawn> asked_;                  ///< all of those, or what they are joined to,
-  Drawn whole_;                             ///< which is that,
-  const JoinedSurfaces* joined_ = nullptr;  ///< of these
+  std::span<Drawn> asked_;                  ///< entries to draw: all of drawn_, or whole_
+  Drawn whole_;                             ///< the joined surfaces as one entry
+  const JoinedSurfaces* joined_ = nullptr;  ///< the joined surfaces, if they are being drawn
   gl::Buffer vertices_, large_, counters_, largeGroups_, surfaceGroups_, fans_, clipGroups_,
       roomlessGroups_;
-  gl::Buffer left_;  ///< of large ones, what is not binned
+  gl::Buffer left_;  ///< list of the triangles too large for the bins
   gl::Texture leftView_;
   gl::Texture vertexView_, largeView_, counterView_, fanView_;
 };

@@ -17,8 +17,8 @@ namespace {
 
 using Kind = sim::Instances::Shape;
 
-/// Everything at once: a sheet that leaves the picture, balls, copies and their lights, ground that
-/// mirrors, a sun and a lamp with shadows, bloom.
+/// Scene with all features: a sheet that extends beyond the picture, balls, mesh copies and glows,
+/// reflective ground, a sun and a lamp with shadows, and bloom.
 struct BandStage {
   explicit BandStage(scene::Quality quality)
       : sheet({{-9, 0.3F, -4}, {9, 0.4F, -4}, {-9, 1.1F, 3}, {9, 0.2F, 3}}, {0, 2, 1, 1, 2, 3},
@@ -77,14 +77,14 @@ TEST_CASE("exact: pictures drawn in bands have the bytes of those drawn at once"
     CAPTURE(samples);
     CAPTURE(quality == scene::Quality::standard);
     const BandStage stage(quality);
-    // Beyond the band, too, things keep light out.
+    // Occluders in another band must count too.
     const auto banded = [&](int rows) {
       return drawn(
           stage.scene, stage.drawables, size, samples,
           {.rasterizer = {}, .visibilityBytes = static_cast<std::size_t>(8 * samples * size.x * rows)});
     };
     const Picture whole = banded(size.y);
-    for (const int rows : {1, 17, 40, 60}) {  // 8, 16, 40 and 56 at a time
+    for (const int rows : {1, 17, 40, 60}) {  // gives bands of 8, 16, 40 and 56 rows
       CAPTURE(rows);
       CHECK(banded(rows).bytes == whole.bytes);
     }
@@ -105,7 +105,7 @@ TEST_CASE("exact: passes of pictures drawn in bands are those of pictures drawn 
     renderer.keepPasses(&kept);
     renderer.draw(0, stage.drawables);
     const auto first = golden::hashesOf(kept);
-    renderer.draw(0, stage.drawables);  // in place of those before
+    renderer.draw(0, stage.drawables);  // the second picture replaces the passes kept from the first
     CHECK(golden::hashesOf(kept) == first);
     for (const draw::PassArray& array : kept.arrays) {
       if (array.pass == "shadow" || array.pass == "bloom") continue;
@@ -124,7 +124,7 @@ TEST_CASE("exact: passes of pictures drawn in bands are those of pictures drawn 
 TEST_CASE("exact: a picture's stages are those of the list of passes, in its order, whole or in bands") {
   testContext();
   BandStage stage(scene::Quality::standard);
-  stage.scene.ground->roughness = 0.05F;  // mirrors the scene
+  stage.scene.ground->roughness = 0.05F;  // smooth ground, which reflects the scene
   const glm::ivec2 size(75, 61);
   const auto stages = [&](int rows) {
     draw::Renderer renderer(stage.scene, size, 1,
@@ -136,7 +136,7 @@ TEST_CASE("exact: a picture's stages are those of the list of passes, in its ord
   };
   CHECK(stages(size.y) ==
         "shadow; visibility; occlusion; surfaces; reflections; instances; bloom; tone map; ");
-  // Two bands, each of which is found again after passes that need the whole view.
+  // Two bands. Passes that need the whole view are followed by a repetition of the visibility of each band.
   CHECK(stages(40) ==
         "shadow; visibility; occlusion; visibility; occlusion; "
         "visibility; surfaces; visibility; surfaces; reflections; "

@@ -1,5 +1,5 @@
-// Scattered light against its definition in double precision: what lies above the threshold, halved in size
-// again and again by Jimenez' five overlapping squares of 4 by 4 texels, and each level enlarged by tents.
+// Compares bloom with its definition in double precision: light above the threshold, repeatedly halved in
+// size by the five overlapping 4x4 boxes of Jimenez, with each level enlarged by tent filters.
 #include "draw/exact/screen/bloom.hpp"
 
 #include "gpu/draw/instance_stage.hpp"
@@ -15,7 +15,7 @@ using namespace simreel;
 
 namespace {
 
-/// Light by pixel; beyond the edges the nearest pixel's.
+/// Light by pixel. Positions beyond the edges are clamped.
 struct LightImage {
   glm::ivec2 size{0};
   std::vector<glm::dvec3> texels;
@@ -29,7 +29,7 @@ struct LightImage {
     y = std::clamp(y, 0, size.y - 1);
     return texels[static_cast<std::size_t>(y * size.x + x)];
   }
-  /// Between the middles of texels, which lie at whole numbers and a half.
+  /// Bilinear interpolation; texel centres are at integers plus one half.
   [[nodiscard]] glm::dvec3 between(double x, double y) const {
     const int left = static_cast<int>(std::floor(x - 0.5));
     const int top = static_cast<int>(std::floor(y - 0.5));
@@ -92,7 +92,7 @@ TEST_CASE(
       const glm::vec3 color = 0.5F * dice.cube() + 0.5F;
       light.emplace_back((i % 7 == 3 ? 30.0F : 1.5F) * color, 1);
     }
-    if (light.size() > 40) light[33].x = 2e5F;  // as bright as 60,000
+    if (light.size() > 40) light[33].x = 2e5F;  // bloom clamps light to 60,000
     gl::Texture image = gl::Texture::image("light", GL_RGBA32F, size.x, size.y);
     glTextureSubImage2D(image.name(), 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, light.data());
     const LightImage given(size, [&](int x, int y) {
@@ -117,7 +117,8 @@ TEST_CASE(
                         texels.data());
       testContext().check();
 
-      // Each level counts alike, the last as much as the logarithm of the reach is above a whole number.
+      // All levels have equal weight, except the last one, which has the fractional part of the logarithm
+      // of the reach.
       const double reach = std::clamp(std::log2(static_cast<double>(radius) * size.y), 1.0, 9.0);
       std::vector<LightImage> levels = {aboveThreshold(given, static_cast<double>(0.7F))};
       while (static_cast<double>(levels.size()) < reach &&

@@ -1,4 +1,5 @@
-// What lies on a border: of pixels, of the nearest and farthest plane, of a glow, of what is clipped away.
+// Tests primitives exactly on a border: of pixels, of near and far plane, of glows, and of the clipping
+// region.
 #include "draw/exact/instances/ball_raster.hpp"
 #include "draw/exact/instances/glow_raster.hpp"
 #include "gpu/draw/exact/instance_stage.hpp"
@@ -31,7 +32,7 @@ using namespace simreel::shader;
 
 constexpr unsigned noNumber = 0xffffffffU;
 
-/// Light of one glow on black, RGBA.
+/// Returns the light (RGBA) of one glow on a black background.
 std::vector<glm::vec4> lightOfGlow(ExactStage& stage, const sim::Instances& glow) {
   gl::Texture light = gl::Texture::image("light", GL_RGBA32F, stage.size.x, stage.size.y);
   constexpr std::array<GLfloat, 4> none = {0, 0, 0, 0};
@@ -55,7 +56,8 @@ TEST_CASE("exact borders: edges within a few 1/256 of pixels' borders, where six
   testContext();
   const glm::ivec2 size(101, 67);
   const auto view = exactViewFrom({0, 0, 5}, {0, 0, 0}, size);
-  const double metre = size.y / (2 * 5 * std::tan(20 * 3.14159265358979 / 180));  // in pixels, at z = 0
+  // Pixels per metre at z = 0.
+  const double metre = size.y / (2 * 5 * std::tan(20 * 3.14159265358979 / 180));
   const auto at = [&](double x, double y) {
     return glm::vec3((x - 0.5 * size.x) / metre, (0.5 * size.y - y) / metre, 0);
   };
@@ -66,7 +68,7 @@ TEST_CASE("exact borders: edges within a few 1/256 of pixels' borders, where six
     for (int x = 3; x < 95; x += 5, ++k) {
       const double aside = (k % 9 - 4) / 256.0;
       const double lean = k / 9 % 3 == 0 ? 0 : (k % 2 == 0 ? 1 : -1) / 256.0;
-      // The border to the right of the triangle, then to its left.
+      // The nearly vertical edge is the right border of the triangle if k % 4 < 2, else its left border.
       places.push_back(at(x + aside, y + 0.01));
       places.push_back(at(x + aside + lean, y + 4.7));
       places.push_back(at(k % 4 < 2 ? x - 2.3 : x + 2.3, y + 2.1));
@@ -97,7 +99,8 @@ TEST_CASE("exact borders: what was clipped before leaves nothing where all is cl
   for (int i = 0; i < 10; ++i) {
     const float z = -0.1F * static_cast<float>(i);
     around.insert(around.end(), {{-900, -900, z}, {900, -900, z}, {0, 1300, z}});
-    // Past a corner of what is kept around the picture, but beyond none of the picture's sides alone.
+    // Beyond a corner of the guard band around the picture, but not completely beyond any single side of
+    // the picture.
     beyond.insert(beyond.end(), {{0, 3000, z}, {3000, 0, z}, {3000, 3000, z}});
   }
   TriangleStage before(around, corners);
@@ -131,12 +134,13 @@ TEST_CASE("exact borders: a ball's place at the nearest plane or the farthest it
   const glm::vec3 ray = border::rayAt(rays, middle);
   for (const bool far : {false, true}) {
     CAPTURE(far);
-    // Of all radii around the one that reaches just there, those for which it is a matter of no bit.
+    // Steps through the radii around the one at which the ball touches the depth. Tests a few whose depth
+    // equals the border exactly, and every hundredth of the others.
     const float depth = far ? 9 : 0.3F;
     int equal = 0;
     int wrong = 0;
     std::array<int, 2> sides{};
-    // Some distances: rounding may leave out that very depth at one.
+    // Several distances, because rounding may skip the exact depth at one of them.
     for (const float beyond : {0.8F, 0.7F, 0.9F}) {
       const float distance = depth + beyond;
       const glm::vec3 place = glm::vec3(v.eye) + distance * ray;

@@ -1,5 +1,5 @@
-// Charts and scales drawn by kernels: the bits of their CPU twin, the driver's picture within its rounding,
-// and what a curve is in double precision.
+// Compares charts and axes drawn by kernels with the bits of their CPU version, with the driver's picture
+// within its rounding, and with curves in double precision.
 #include "draw/overlay/axes_pass.hpp"
 #include "draw/overlay/chart_pass.hpp"
 #include "gpu/draw/overlay_stage.hpp"
@@ -25,7 +25,7 @@ struct CountStage {
     chart.names = {"susceptible", "infected", "recovered"};
     chart.colors = {{0.1F, 0.4F, 0.9F}, {0.9F, 0.05F, 0.02F}, {0.2F, 0.8F, 0.1F}};
   }
-  /// The twin of its panel without letters.
+  /// Returns the inputs of the CPU version of the panel, without letters.
   [[nodiscard]] ChartInputs inputs(glm::ivec2 picture) const {
     const draw::ChartLayout layout = draw::chartLayout(chart, picture);
     const int wide = layout.plot.z - layout.plot.x;
@@ -81,14 +81,14 @@ TEST_CASE(
       CAPTURE(steps);
       CAPTURE(all);
       CountStage stage(steps, all, 65536, waves);
-      stage.chart.names = {"", "", ""};  // letters: below
+      stage.chart.names = {"", "", ""};  // without letters; they have their own test below
       if (steps == 300) stage.chart.zero = 0.37F;
       const auto below = someBytes(size);
       const auto exact = charted(stage.chart, below, draw::Rasterizer::exact);
       auto wanted = below;
       const draw::ChartLayout layout = draw::chartLayout(stage.chart, size);
       ChartTwin(stage.inputs(size)).over(wanted, layout.panel);
-      // Letters stand below the plot only.
+      // Ignores the rows below the plot, which contain letters.
       int wrong = 0;
       int changed = 0;
       for (int y = 0; y < size.y; ++y)
@@ -148,7 +148,8 @@ TEST_CASE("exact charts: columns are what lies between the steps, in double prec
           low = std::min(low, height(i));
           high = std::max(high, height(i));
         }
-        // Places of thousands of steps have 11 bits behind the point, and curves rise by all in one step.
+        // With thousands of steps, positions have only 11 fractional bits, and a curve may rise over its
+        // full height in one step.
         const double allowed = steps > 1000 ? 4e-3 : 2e-4;
         worst = std::max({worst, std::abs(columns[c][0][k] - at(first)) / allowed,
                           std::abs(columns[c][1][k] - at(end)) / allowed,
@@ -171,10 +172,10 @@ TEST_CASE("exact charts: a level curve is a line of even thickness at its height
                                draw::Rasterizer::exact);
   const int x = layout.plot.x + (layout.plot.z - layout.plot.x) / 3;
   const double height = layout.plot.w - layout.plot.y;
-  const double line = 0.36 * height;  // from the top of the plot
+  const double line = 0.36 * height;  // distance from the top of the plot
   for (int y = layout.plot.y + 2; y < layout.plot.w - 2; ++y) {
     const double p = y + 0.5 - layout.plot.y;
-    // The panel, its grid, the fill below the curve, the curve.
+    // Blends the panel, its grid, the fill below the curve and the curve.
     double light = 0.05 * 0.78;
     const auto cover = [&](double alpha) { light += (1 - light) * std::clamp(alpha, 0.0, 1.0); };
     const double quarter = p / height * 4;
@@ -194,7 +195,7 @@ TEST_CASE("exact scales: the same pixels as the driver's, since all are whole") 
   other.display = stage.display;
   stage.display.extent = {0.5F, 1, 0};
   other.display.extent = {0.6F, 0.9F, 0};
-  other.display.corner = {0.31F, 0.07F, 0};  // over the scales of the first
+  other.display.corner = {0.31F, 0.07F, 0};  // overlaps the axes of the first field
   for (const glm::ivec2 size : {glm::ivec2(1279, 719), glm::ivec2(801, 603)}) {
     const sim::Drawables drawables{.fields = {stage.field, other.field}};
     const auto below = someBytes(size);

@@ -1,5 +1,5 @@
-// Fields drawn by kernels: the bits of their CPU twin, the driver's picture within its rounding, and their
-// equation in double precision.
+// Compares fields drawn by kernels with the bits of their CPU version, with the driver's picture within its
+// rounding, and with their equation in double precision.
 #include "draw/overlay/field_kernel.hpp"
 #include "gpu/draw/overlay_stage.hpp"
 
@@ -24,7 +24,7 @@ double bump(int x, int y) {
   return 0.5 + 0.3 * std::sin(0.37 * x) * std::cos(0.21 * y) + 0.02 * ((x * 7 + y * 13) % 10);
 }
 
-/// A field of every kind of cell, with every way to be shown among them.
+/// Returns fields with every kind of cell, together with all display options.
 std::vector<std::unique_ptr<FieldStage>> allKinds() {
   std::vector<std::unique_ptr<FieldStage>> stages;
   int n = 0;
@@ -102,8 +102,8 @@ TEST_CASE(
     CHECK(differing(exactOpaque, wantedOpaque) == 0);
     const Distance apart = distance(exactOpaque, over({stage->field}, opaque, draw::Rasterizer::driver));
     CHECK(apart.max <= 1);
-    // The software driver blends in 8 bits: half a step here and there. A card rounds one byte in forty to
-    // the next.
+    // The software driver blends in 8 bits, with errors of half a step at some pixels. A GPU rounds one
+    // byte in forty differently.
     CHECK(apart.mean < (there.inputs.opacity < 1 ? 0.3 : 0.03));
   }
 }
@@ -129,7 +129,7 @@ TEST_CASE("exact fields: averaged texels have the bits of their twin, values and
 
 TEST_CASE("exact fields: averaged light is of the nearest half floats, zero where those are subnormal") {
   testContext();
-  // Places in the range from 2^-16 to 4: powers of two, what is next to them, and what lies between.
+  // Relative values from 2^-16 to 4: powers of two, their neighbours, and values in between.
   const auto value = [](int x, int y) {
     const double power = std::exp2(y % 18 - 16);
     return x == 0   ? power
@@ -189,7 +189,7 @@ TEST_CASE(
       }
       CHECK(differing(found, wanted) == 0);
     }
-    // The driver draws them first, in their order, and the rest over them.
+    // The driver first draws the fields behind the scene, in their order, and the rest over them.
     draw::FieldPass pass(odd);
     const gl::Texture image = imageOf(OverlayPicture<glm::vec4>{
         odd, std::vector<glm::vec4>(static_cast<std::size_t>(odd.x * odd.y), glm::vec4(0))});
@@ -237,7 +237,7 @@ TEST_CASE("exact fields: a pixel is the average of the light under it, in double
         worst = std::max(worst, std::abs(pixel[0] - srgbByte(sum / ((x1 - x0) * (y1 - y0)))));
         CHECK(pixel[3] == 255);
       }
-    CHECK(worst < 0.7);  // half a step of rounding, and the root's error
+    CHECK(worst < 0.7);  // half a step of rounding, plus the error of the square root approximation
   }
 }
 
@@ -257,7 +257,7 @@ TEST_CASE("exact fields: magnified colours are quadratic splines, in double prec
     return static_cast<double>(
         std::bit_cast<float>(memory.words[static_cast<std::size_t>(word / 4)][word % 4]));
   };
-  // A hat of width 2 under a box of width 1: its integral.
+  // Integral of a tent of width 2 over a box of width 1.
   const auto share = [](double apart) {
     const double d = std::abs(apart);
     return d < 0.5 ? 0.75 - d * d : d < 1.5 ? 0.5 * (1.5 - d) * (1.5 - d) : 0.0;
@@ -278,7 +278,7 @@ TEST_CASE("exact fields: magnified colours are quadratic splines, in double prec
 
 TEST_CASE("exact fields: relief in double precision") {
   testContext();
-  // A ramp: the same slope everywhere but at its ends.
+  // A ramp has the same slope everywhere except at its ends.
   const double step = 0.02;
   for (const double sign : {1.0, -1.0}) {
     const float relief = 0.9F;
@@ -338,7 +338,7 @@ TEST_CASE("exact fields: what is beyond 1e18 is 1e18, and no number is the least
     };
     FieldStage stage(Cells::floats, {6, 1}, value, {3, 5, 2}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
     stage.display.fit = Fit::stretch;
-    const auto last = sign < 0 ? 6U : 5U;  // as large as 1e18
+    const auto last = sign < 0 ? 6U : 5U;  // end of the cells that look like the limit, 1e18 or -1e18
     stage.field.range = sign < 0 ? glm::vec2(-1.02e18F, -0.98e18F) : glm::vec2(0.98e18F, 1.02e18F);
     const auto picture = over({stage.field}, someBytes({60, 7}), draw::Rasterizer::exact);
     const auto at = [&](std::size_t x) { return picture.pixels[180 + 10 * x + 5]; };

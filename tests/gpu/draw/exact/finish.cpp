@@ -1,4 +1,4 @@
-// Materials' maps, holes and blending in whole pictures.
+// Tests material maps, holes and blending in whole pictures.
 #include "draw/exact/scene/apart.hpp"
 #include "gpu/draw/draw_stage.hpp"
 #include "gpu/draw/exact/stage.hpp"
@@ -22,13 +22,13 @@ scene::Map picture(glm::ivec2 size, const std::vector<std::uint8_t>& rgba, bool 
   return {{}, std::make_shared<const scene::Image>(scene::Image{"test", size, rgba}), repeats};
 }
 
-/// A square of that half side at a height, seen from +z, uv (0, 0) at its upper left.
+/// A square that faces +z, with half side `half` at height z. Its uv origin is at the upper left.
 struct Square : GridStage {
   Square(float z, float half) : GridStage({2, 2}, {-half, half, z}, {2 * half, 0, 0}, {0, -2 * half, 0}) {
     material.color = glm::vec3(0);
     material.roughness = 1;
   }
-  /// It shines by itself, and blends.
+  /// A square that emits light and is blended if `opacity` is below 1.
   Square(float z, float half, glm::vec3 light, float opacity) : Square(z, half) {
     material.finish.emission = light;
     material.finish.alpha = opacity < 1 ? scene::Alpha::blend : scene::Alpha::opaque;
@@ -59,7 +59,7 @@ void checkLight(const Picture& picture, int x, int y, glm::dvec3 wanted) {
   for (int i = 0; i < 3; ++i) CHECK(std::abs(linear(found[i]) - wanted[i]) < 0.009);
 }
 
-/// Of the pixel's column over x (m) at z = 0.
+/// Returns the pixel column of the position x (m) at z = 0.
 int columnOf(double x) {
   return static_cast<int>(std::lround(80 + x / (5 * std::tan(20 * 3.14159265 / 180)) * 80));
 }
@@ -102,8 +102,8 @@ TEST_CASE("blended surfaces: at each sample by itself, and hidden by what is opa
   const auto shown =
       drawn(unlit(), {.surfaces = {behind.surface, glass.surface, before.surface}}, size, 4, exactly);
   checkLight(shown, 80, 80, front);
-  // A pixel on the edge of what is before shows parts of that and of the pane over what is behind, no
-  // other.
+  // A pixel on the edge of the front square shows a mix of that square and of the pane over the back
+  // square, nothing else.
   const glm::dvec3 beside = 0.5 * pane + 0.5 * back;
   checkLight(shown, 80 + 45, 80, beside);
   int edges = 0;
@@ -142,9 +142,9 @@ TEST_CASE("cut surfaces: holes where the map's opacity is low, in what they hide
   scene.sun.shadowSoftness = 0.0F;
   scene.sun.direction = glm::vec3(1, 0, 1);
   const auto shown = drawn(scene, {.surfaces = {leaf.surface, wall.surface}}, size, 4, exactly);
-  CHECK(shown.brightness(80 - 20, 80) < 90);   // the leaf itself, which is black but for its gloss
-  CHECK(shown.brightness(80 + 20, 80) > 300);  // its hole shows the wall
-  // What is 1 m before the wall casts its shadow 1 m to the left.
+  CHECK(shown.brightness(80 - 20, 80) < 90);   // the leaf itself, black except for its specular reflection
+  CHECK(shown.brightness(80 + 20, 80) > 300);  // the wall through the leaf's hole
+  // The leaf is 1 m in front of the wall, so its shadow is 1 m to the left.
   CHECK(shown.brightness(columnOf(-1.25), 80) < 30);
   CHECK(shown.brightness(columnOf(-0.75), 80) > 300);
   CHECK(shown.brightness(columnOf(-1.7), 80) > 300);
@@ -152,7 +152,7 @@ TEST_CASE("cut surfaces: holes where the map's opacity is low, in what they hide
     const LayoutAsked asked(layout);
     CHECK(drawn(scene, {.surfaces = {wall.surface, leaf.surface}}, size, 4, exactly).bytes == shown.bytes);
   }
-  // Where nothing of it is there, and where all is.
+  // With cutoff 0 the leaf has no holes; with an opacity below the cutoff it is not drawn at all.
   leaf.material.finish.cutoff = 0.0F;
   CHECK(drawn(scene, {.surfaces = {leaf.surface, wall.surface}}, size, 4, exactly).brightness(80 + 20, 80) <
         90);
@@ -171,13 +171,13 @@ TEST_CASE("cut surfaces: holes in the shadows of lamps") {
   wall.material.color = glm::vec3(0.7F);
   scene::Scene scene = unlit();
   scene::Light lamp;
-  lamp.position = glm::vec3(2, 0, 2);  // of x at z = 1 the shadow falls on 2 x - 2
+  lamp.position = glm::vec3(2, 0, 2);  // a point x at z = 1 casts its shadow at 2 x - 2
   lamp.intensity = 60.0F;
   lamp.shadowSoftness = 0;
   lamp.glow = 0;
   scene.lights = {lamp};
   const auto shown = drawn(scene, {.surfaces = {leaf.surface, wall.surface}}, size, 4, exactly);
-  CHECK(shown.brightness(columnOf(-1.5), 80) > 60);  // through the hole, from 0 to 0.5
+  CHECK(shown.brightness(columnOf(-1.5), 80) > 60);  // through the hole, which extends from x = 0 to 0.5
   leaf.material.finish.color = picture({2, 1}, {255, 255, 255, 0, 255, 255, 255, 255});
   CHECK(drawn(scene, {.surfaces = {leaf.surface, wall.surface}}, size, 4, exactly)
             .brightness(columnOf(-1.5), 80) == 0);
@@ -195,7 +195,8 @@ TEST_CASE("maps: normals lean as their colours say, and other maps are factors")
   scene::Material material;
   material.color = glm::vec3(0.8F);
   material.roughness = 1;
-  const std::uint8_t up = 204, half = 128, down = 51, out = 230;  // 0.6, 0, -0.6, 0.8
+  const std::uint8_t up = 204, half = 128, down = 51, out = 230;  // encode the normal components 0.6, 0,
+                                                                  // -0.6, 0.8
   material.finish.normals = picture({1, 1}, {up, half, out, 255});
   CHECK(lightFrom(material, {1, 0, 0}) == doctest::Approx(0.6 * 0.8).epsilon(0.08));
   CHECK(lightFrom(material, {-1, 0, 0}) < 0.01);
@@ -207,7 +208,8 @@ TEST_CASE("maps: normals lean as their colours say, and other maps are factors")
   material.finish.normalStrength = -1;
   CHECK(lightFrom(material, {0, 1, 0}) == doctest::Approx(0.6 * 0.8).epsilon(0.08));
   material.finish.normals = {};
-  // Colour is sRGB; metal has no matt part; roughness and metal are green and blue.
+  // Colour is sRGB. Metal has no diffuse reflection. Roughness and metallic are the green and blue
+  // channels.
   material.finish.color = picture({1, 1}, {188, 188, 188, 255});
   CHECK(lightFrom(material, {0.8F, 0, 0.6F}) == doctest::Approx(0.6 * 0.8 * linear(188)).epsilon(0.08));
   material.metallic = 1;

@@ -1,4 +1,4 @@
-// Glows drawn by the exact rasterizer, against their formula in double precision.
+// Compares glows drawn by the exact rasterizer with their formula in double precision.
 #include "draw/exact/instances/ball_raster.hpp"
 #include "draw/exact/instances/glow_raster.hpp"
 #include "gpu/draw/ball_stage.hpp"
@@ -15,8 +15,8 @@ using namespace simreel;
 
 namespace {
 
-/// What of a glow's light a pixel's middle gets, in double precision: (1 - (distance / radius)^2)^2 on the
-/// disc that faces the eye, or a round one on the picture.
+/// Light of a glow at a pixel's centre in double precision: (1 - (distance / radius)^2)^2 on a disc that
+/// faces the eye or, if `round`, on a circle in the picture.
 class GlowFormula {
  public:
   explicit GlowFormula(const shader::ExactView& v)
@@ -27,7 +27,7 @@ class GlowFormula {
         ray_(v.ray),
         rayAcross_(v.rayAcross),
         rayDown_(v.rayDown) {}
-  /// Pixels that a metre spans at depth 1.
+  /// Returns the number of pixels per metre at depth 1.
   [[nodiscard]] double perMetre() const {
     return glm::length(across_ - forward_ * glm::dot(across_, forward_));
   }
@@ -52,7 +52,7 @@ class GlowFormula {
   glm::dvec3 eye_, forward_, across_, down_, ray_, rayAcross_, rayDown_;
 };
 
-/// Light of glows on black, RGBA.
+/// Returns the light (RGBA) of glows on a black background.
 std::vector<glm::vec4> lightOf(ExactStage& stage, draw::GlowRaster& raster, const sim::Instances& glows) {
   gl::Texture light = gl::Texture::image("light", GL_RGBA32F, stage.size.x, stage.size.y);
   constexpr std::array<GLfloat, 4> none = {0, 0, 0, 0};
@@ -88,7 +88,7 @@ TEST_CASE("glows: the sum of their formula in double precision, in any order and
     speeds.emplace_back(dice.cube(), 0.5F);
   }
   scene::Material material;
-  material.color = glm::vec3(1, 0.5F, 300.0F);  // beyond what the lower words hold
+  material.color = glm::vec3(1, 0.5F, 300.0F);  // the blue light exceeds the lower words of the sums
   const auto run = [&](int smallPixels, int mediumPixels = 0) {
     InstanceStage group(places, speeds);
     group.instances.size = 0.7F;
@@ -98,7 +98,8 @@ TEST_CASE("glows: the sum of their formula in double precision, in any order and
     group.instances.material = &material;
     draw::GlowRaster raster(4, smallPixels, mediumPixels);
     const auto first = lightOf(stage, raster, group.instances);
-    CHECK(lightOf(stage, raster, group.instances) == first);  // the sums are empty again
+    CHECK(lightOf(stage, raster, group.instances) == first);  // equal results, because addTo() has cleared
+                                                              // the sums
     return first;
   };
   const auto found = run(12);
@@ -143,7 +144,8 @@ TEST_CASE("a glow whose middle lies beyond an edge of the picture shows what of 
     const glm::vec3 ray =
         glm::vec3(v.ray) + glm::vec3(v.rayAcross) * place.x + glm::vec3(v.rayDown) * place.y;
     const glm::vec3 middle = glm::vec3(v.eye) + 1.7F * ray;
-    // As lamps' glows reach in by less than half of what a round one with as many pixels would not.
+    // Discs in space, as for the glows of lamps. They appear larger off centre: with 8.7 pixels a round
+    // glow would not reach into the picture, but the disc does.
     for (const float pixels : {8.7F, 11.0F, 40.0F}) {
       CAPTURE(pixels);
       const auto radius = static_cast<float>(pixels * 1.7 / formula.perMetre());
@@ -173,7 +175,7 @@ TEST_CASE("glows show before what is nearer to the eye only, sample by sample") 
   testContext();
   ExactStage stage(darkScene(), {41, 37}, 4);
   InstanceStage wall(std::vector<glm::vec3>(1, glm::vec3(0, 0, -20)));
-  wall.instances.size = 40;  // from z = 0 on, slowly falling back
+  wall.instances.size = 40;  // the front is at z = 0 and curves away slowly
   draw::BallRaster balls(draw::BallRaster::Into::picture, 4);
   scene::Material material;
   for (const float z : {0.5F, -0.5F}) {

@@ -9,7 +9,7 @@
 
 #include <vector>
 
-/// Seen from the side, nearby.
+/// Returns a scene seen from a nearby eye at the side.
 inline simreel::scene::Scene sideScene() {
   simreel::scene::Scene scene;
   scene.camera.position = glm::vec3(0.7F, 1.1F, 4.3F);
@@ -19,7 +19,7 @@ inline simreel::scene::Scene sideScene() {
   return scene;
 }
 
-/// What kernels of the exact rasterizer draw into, and what they left there.
+/// A visibility buffer for kernels of the exact rasterizer, with access to the results.
 struct ExactStage {
   ExactStage(const simreel::scene::Scene& scene, glm::ivec2 pixels, int count)
       : size(pixels), samples(count), target("a test", pixels, count, true) {
@@ -44,9 +44,9 @@ struct ExactStage {
   [[nodiscard]] std::vector<unsigned> keys() const { return target.readKeys(); }
   [[nodiscard]] std::vector<unsigned> ids() const { return target.readNumbers(); }
 
-  /// Sample `i` of all, in pixels.
+  /// Returns the picture position (pixels) of sample `i`, counted over all pixels.
   [[nodiscard]] glm::vec2 place(std::size_t i) const {
-    // In 1/16 pixel; the patterns of glsl/draw/exact/fixed.glsl.
+    // In 1/16 pixel; the sample patterns of glsl/draw/exact/fixed.glsl.
     static constexpr int four[4][2] = {{6, 2}, {14, 6}, {2, 10}, {10, 14}};
     const int pixel = static_cast<int>(i) / samples;
     const std::size_t s = i % static_cast<std::size_t>(samples);
@@ -61,7 +61,7 @@ struct ExactStage {
   simreel::draw::Visibility target;
 };
 
-/// A dart whose faces all have other sizes.
+/// A dart-shaped mesh whose faces differ in size.
 struct DartStage {
   std::vector<glm::vec3> positions = {{0, 0, 0.6F},       {0.34F, 0.03F, -0.4F}, {-0.34F, 0.03F, -0.4F},
                                       {0, -0.14F, -0.4F}, {0.05F, 0.04F, -0.3F}, {-0.05F, 0.04F, -0.3F}};
@@ -70,7 +70,7 @@ struct DartStage {
       positions, std::vector<glm::vec3>(positions.size(), glm::vec3(0, 1, 0)), corners);
 };
 
-/// The triangles of all copies that live, as a surface whose numbers are theirs.
+/// The triangles of all live copies as one surface, with the same ids.
 struct DartSurface {
   DartSurface(const DartStage& mesh, const std::vector<glm::vec3>& places, float size) {
     std::vector<glm::vec4> points;

@@ -24,8 +24,8 @@ using namespace simreel;  // NOLINT
 
 namespace {
 
-/// Sheets and heaps of triangles through one another, so that pixels show many: rough, mirroring,
-/// translucent, seen from one side or both, textured; under a sun and a lamp with shadows.
+/// Intersecting sheets and triangle meshes, so that many surfaces share pixels: rough, reflective,
+/// translucent, single- and double-sided, textured; lit by a sun and a lamp with shadows.
 struct HeapStage {
   HeapStage() : sheet({9, 7}, {-1, 0.9F, 0.4F}, {2, 0.1F, -0.3F}, {0.1F, -1.6F, 0.2F}) {
     scene.camera.position = glm::vec3(0.4F, 0.7F, 3);
@@ -81,7 +81,7 @@ struct Made {
   bool operator==(const Made&) const = default;
 };
 
-/// What a renderer leaves of each of some pictures between which surfaces move, go and come.
+/// Returns the results of several pictures, between which surfaces move, disappear and appear.
 std::vector<Made> madeOf(HeapStage& stage, const char* joins) {
   const JoiningAsked asked(joins);
   draw::Renderer renderer(stage.scene, {93, 71}, 4,
@@ -91,7 +91,8 @@ std::vector<Made> madeOf(HeapStage& stage, const char* joins) {
   std::vector<Made> made;
   for (int frame = 0; frame < 5; ++frame) {
     sim::Drawables drawables = stage.drawables;
-    if (frame == 0) drawables.surfaces.resize(4);  // so that the room for what is joined grows
+    // The first picture has fewer surfaces, so that the buffers of the joined mesh must grow later.
+    if (frame == 0) drawables.surfaces.resize(4);
     if (frame > 1) drawables.surfaces[2].model = glm::rotate(glm::mat4(1), 0.4F, glm::vec3(0.6F, 0.8F, 0));
     if (frame == 3) drawables.surfaces.erase(drawables.surfaces.begin());
     if (frame == 4) std::swap(drawables.surfaces[3], drawables.surfaces[6]);

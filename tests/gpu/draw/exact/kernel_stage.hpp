@@ -14,7 +14,8 @@
 #include <string>
 #include <vector>
 
-/// Numbers written down, so that the bits of nothing else matter: an eye 7 m before the origin.
+/// Returns frame values as constants, so that results depend on no other code: an eye 7 m in front of the
+/// origin.
 inline simreel::shader::Frame writtenFrame() {
   simreel::shader::Frame frame{};
   frame.viewProjection[0] = glm::vec4(0.9F, 0, 0, 0);
@@ -36,7 +37,7 @@ inline simreel::shader::Frame writtenFrame() {
   return frame;
 }
 
-/// The frame and 701 balls, some of them dead or lost, as kernels see them.
+/// The frame and 701 balls, some of them dead or invalid, bound for kernels.
 struct KernelStage {
   static constexpr int count = 701;
   static constexpr float massExponent = 0.4F;
@@ -77,7 +78,8 @@ struct KernelStage {
     program.set("perMassReference", perMassReference);
     program.set("minPixels", 0.8F);
   }
-  /// Bounds of the balls, then the light's map: five rows, bound to simreel::draw::lightUnit.
+  /// Computes the bounds of the balls and then the shadow map's transform: five rows, bound to
+  /// simreel::draw::lightUnit.
   std::vector<glm::vec4> fitted() {
     std::array<GLuint, 10> empty{};
     std::fill_n(empty.begin(), 5, 0xffffffffU);

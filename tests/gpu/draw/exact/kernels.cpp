@@ -1,5 +1,5 @@
-// Kernels that decide what is drawn: each against the same in float64, and by the bits that every device
-// has to give.
+// Compares culling and bounds kernels with float64 versions, and checks the bits that every device must
+// produce.
 #include "gpu/draw/exact/kernel_stage.hpp"
 
 #include <bit>
@@ -59,7 +59,7 @@ TEST_CASE("exact kernels: the sun's map is fitted to the balls") {
 
 TEST_CASE("exact kernels: balls in sight of camera and sun, in levels of detail") {
   KernelStage stage;
-  // A map of 10 m, 6.25 m deep, which some balls are in.
+  // A map 10 m wide and 6.25 m deep, which contains some of the balls.
   const std::vector<glm::vec4> rows = {0.1F * stage.frame.lightRight + glm::vec4(0, 0, 0, 0.45F),
                                        0.1F * stage.frame.lightUp + glm::vec4(0, 0, 0, 0.52F),
                                        -0.16F * stage.frame.sunDirection + glm::vec4(0, 0, 0, 0.5F),
@@ -88,7 +88,7 @@ TEST_CASE("exact kernels: balls in sight of camera and sun, in levels of detail"
     for (std::size_t i = 0; i < KernelStage::count; ++i) {
       const glm::dvec4 p(glm::dvec3(KernelStage::places()[i]), 1);
       double r = KernelStage::radius(i);
-      double inside = 1e9;  // from the nearest border (m)
+      double inside = 1e9;  // distance from the nearest border (m)
       double pixels = 0;
       if (forLight) {
         const double extents[] = {static_cast<double>(rows[3].y), static_cast<double>(rows[3].y),
@@ -151,7 +151,7 @@ TEST_CASE("exact kernels: the box around a surface in the world") {
   kernel.set("heightGrid", glm::vec4(0));
   kernel.set("heightRim", 0.0F);
   kernel.set("surface", 0);
-  kernel.set("vertexCount", 13);  // the next ones are lost
+  kernel.set("vertexCount", 13);  // vertices after the first 13 are invalid
   kernel.set("invocations", 5);
   kernel.dispatch(5);
   gl::barrier();

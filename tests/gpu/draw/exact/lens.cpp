@@ -1,4 +1,4 @@
-// Depth of field: what a lens makes of a sheet before a sky, by how much of each pixel it covers.
+// Tests depth of field: the coverage of pixels by a sheet in front of the sky, seen through a lens.
 #include "draw/lens.hpp"
 
 #include "gpu/draw/draw_stage.hpp"
@@ -15,8 +15,8 @@ using namespace simreel;  // NOLINT
 namespace {
 
 struct Covered {
-  double area = 0;                  ///< pixels
-  glm::dvec2 middle{0}, spread{0};  ///< mean and variance (pixels)
+  double area = 0;                  ///< covered area in pixels
+  glm::dvec2 middle{0}, spread{0};  ///< mean and variance of the positions (pixels)
   std::vector<float> light;
 };
 
@@ -59,7 +59,7 @@ TEST_CASE("exact: a lens spreads what is out of focus as its opening, and keeps 
   drawables.surfaces = {sheet.surface};
   scene::Scene scene;
   scene.sun.shadow = false;
-  scene.camera.position = glm::vec3(0, 0, 3);  // 4 m away
+  scene.camera.position = glm::vec3(0, 0, 3);  // 4 m from the sheet
   scene.camera.target = glm::vec3(0, 0, -1);
   const glm::ivec2 size(191, 143);
   scene.camera.lens.emplace();
@@ -73,12 +73,12 @@ TEST_CASE("exact: a lens spreads what is out of focus as its opening, and keeps 
       scene.camera.lens->focus = focus;
       const Covered seen = coveredBy(scene, drawables, size, size.y, "lens");
       const draw::View view = draw::viewAt(scene.camera, 0, size, {});
-      // The sheet on the picture, and what a box of its sides is spread by; a pixel is one, too.
+      // The variance of a box of the sheet's size in the picture; a pixel is another box.
       const glm::dvec2 sides =
           glm::dvec2(0.4, 0.3) * (0.5 * size.y / (4 * static_cast<double>(view.reach.y)));
       CHECK(seen.area == doctest::Approx(sides.x * sides.y).epsilon(focus == 4 ? 0.04 : 0.01));
-      // Pixels that the opening's points are moved by: half the height, over the tangent of half the angle
-      // of view.
+      // Displacement (pixels) of the picture per metre on the lens: half the height divided by the tangent
+      // of half the angle of view, times the difference of inverse distances.
       const double by = std::abs(1 / static_cast<double>(focus) - 0.25) * 0.5 * size.y /
                         static_cast<double>(view.reach.y);
       glm::dvec2 mean(0), squares(0);
@@ -96,7 +96,8 @@ TEST_CASE("exact: a lens spreads what is out of focus as its opening, and keeps 
       CHECK(more.x == doctest::Approx(expected.x).epsilon(0.02).scale(focus == 4 ? 30 : 10));
       CHECK(more.y == doctest::Approx(expected.y).epsilon(0.02).scale(focus == 4 ? 30 : 10));
       if (focus != 4.0F) CHECK(expected.x > 5);
-      CHECK(coveredBy(scene, drawables, size, 17, "lens").light == seen.light);  // in bands
+      CHECK(coveredBy(scene, drawables, size, 17, "lens").light == seen.light);  // drawing in bands gives
+                                                                                 // the same light
     }
 }
 
@@ -109,7 +110,7 @@ TEST_CASE("exact: a lens adds each of its points once, in equal parts") {
   scene.camera.position = glm::vec3(0.3F, 1.6F, 4);
   const glm::ivec2 size(45, 31);
   const Covered sharp = coveredBy(scene, drawables, size, size.y, "");
-  // So small that all points are one.
+  // The aperture is so small that all lens points coincide.
   scene.camera.lens.emplace();
   scene.camera.lens->fNumber = 1e9F;
   for (const int samples : {2, 3, 16}) {

@@ -1,5 +1,5 @@
-// Surfaces merged into one in world space, against the same surfaces one by one: the same shadow map of a
-// lamp.
+// Compares surfaces merged into one world-space mesh with the separate surfaces: a lamp's shadow map must
+// be the same.
 #include "draw/exact/scene/merged_mesh.hpp"
 
 #include "draw/exact/scene/lamp_maps.hpp"
@@ -22,7 +22,7 @@ using namespace simreel;  // NOLINT
 
 namespace {
 
-/// Triangles in any place around the middle, some of them large, and one with a vertex that is no number.
+/// Returns random triangles around the origin, some of them large, and one with a NaN vertex.
 TriangleStage scattered(unsigned seed, int triangles) {
   std::mt19937 engine(seed);
   const auto dice = [&] { return static_cast<float>(engine() >> 8U) * 0x1p-23F - 1.0F; };
@@ -41,7 +41,7 @@ TriangleStage scattered(unsigned seed, int triangles) {
 
 constexpr int side = 83;
 
-/// A map of a lamp that shows every triangle of `meshes`, each merged of some surfaces.
+/// Returns a lamp's shadow map of all triangles of `meshes`. The surfaces of each mesh are merged.
 std::vector<GLuint> mapOf(const std::vector<std::vector<const sim::Surface*>>& meshes,
                           int binRoom = draw::binnedTriangles()) {
   const shader::ExactView view = exactViewFrom({0.1F, 0.2F, 3}, {0.2F, -0.1F, 0}, {side, side});
@@ -70,8 +70,8 @@ std::vector<GLuint> mapOf(const std::vector<std::vector<const sim::Surface*>>& m
   return found;
 }
 
-/// How many triangles have no side of a lamp's face before them, each moved outwards by a fraction of what
-/// is compared.
+/// Returns the number of triangles that are not completely outside any side of a lamp's face. The sides are
+/// moved outwards by the relative tolerance `slack`.
 int shownBy(const std::vector<glm::vec4>& places, const shader::Lamp& lamp, int face, double slack) {
   int count = 0;
   for (std::size_t i = 3; i < places.size(); i += 3) {
@@ -139,7 +139,7 @@ TEST_CASE("exact: lists of what faces of lamps may show leave out nothing that t
   const std::vector<GLuint> wanted = mapsOf(false);
   CHECK(std::count(wanted.begin(), wanted.end(), 0xffffffffU) < 12 * side * side / 2);
   CHECK(mapsOf(true) == wanted);
-  CHECK(mapsOf(true, true) == wanted);  // nor does drawing all of them in one go change them
+  CHECK(mapsOf(true, true) == wanted);  // drawing all maps in one dispatch gives the same result
   CHECK(mapsOf(false, true) == wanted);
 
   draw::MergedMesh merged;
@@ -152,6 +152,7 @@ TEST_CASE("exact: lists of what faces of lamps may show leave out nothing that t
     const shader::Lamp& lamp = lamps.values()[static_cast<std::size_t>(face / 6)];
     const auto listed = static_cast<int>(counts[static_cast<std::size_t>(face)]);
     CHECK(listed >= shownBy(places, lamp, face % 6, -1e-4));
-    CHECK(listed <= shownBy(places, lamp, face % 6, 1e-4) + 1);  // the one that is no number
+    CHECK(listed <= shownBy(places, lamp, face % 6, 1e-4) + 1);  // the list may also contain the triangle
+                                                                 // with the NaN vertex
   }
 }

@@ -1,4 +1,4 @@
-// What mirrors show of the ground, seen or not, beside the ground itself as the same picture shows it.
+// Compares reflections of the ground, visible or not, with the ground in the same picture.
 #include "draw/camera.hpp"
 #include "draw/exact/exact_view.hpp"
 #include "draw/screen/renderer.hpp"
@@ -22,7 +22,7 @@ constexpr double ballRadius = 0.4;
 const glm::dvec3 ballMiddle(0.1, 1.5, -0.2);
 constexpr GLuint groundNumber = 0xfffffffeU;
 
-/// A ball of white metal high above the ground, the sun straight above it.
+/// A ball of white metal above the ground, with the sun vertically above.
 struct OverGround {
   OverGround(scene::Quality quality, scene::Projection projection) : ball({glm::vec3(ballMiddle)}) {
     scene.render.rasterizer = scene::Rasterizer::exact;
@@ -47,7 +47,7 @@ struct OverGround {
     drawables.instances = {ball.instances};
   }
 
-  /// A pixel's light, and what all its samples show; none if they differ.
+  /// Light of a pixel and the id that all its samples show; empty if the samples differ.
   struct Seen {
     glm::dvec3 light{0};
     std::optional<GLuint> number;
@@ -70,7 +70,7 @@ struct OverGround {
     return pixels;
   }
 
-  /// Where the ray through a pixel's middle begins, and its direction.
+  /// Origin and direction of the ray through a pixel's centre.
   struct Ray {
     glm::dvec3 from{0}, along{0};
   };
@@ -90,13 +90,13 @@ struct OverGround {
   sim::Drawables drawables;
 };
 
-/// Where the ground is met.
+/// Returns the point where the ray hits the ground.
 std::optional<glm::dvec3> groundOn(const glm::dvec3& from, const glm::dvec3& along) {
   if (along.y > -0.02) return std::nullopt;
   return from - along * (from.y / along.y);
 }
 
-/// The ray that the ball sends on.
+/// Returns the ray reflected by the ball.
 std::optional<OverGround::Ray> mirroredBy(const OverGround::Ray& ray) {
   const glm::dvec3 aside = ray.from - ballMiddle;
   const double b = glm::dot(ray.along, aside);
@@ -106,13 +106,13 @@ std::optional<OverGround::Ray> mirroredBy(const OverGround::Ray& ray) {
   return OverGround::Ray{p, glm::reflect(ray.along, (p - ballMiddle) / ballRadius)};
 }
 
-/// Where what the ball mirrors there meets the ground.
+/// Returns the point where the reflected ray hits the ground.
 std::optional<glm::dvec3> groundMirroredOn(const OverGround::Ray& ray) {
   const auto mirrored = mirroredBy(ray);
   return mirrored ? groundOn(mirrored->from, mirrored->along) : std::nullopt;
 }
 
-/// Metres from the middle of the ball's shadow.
+/// Returns the distance (m) from the centre of the ball's shadow.
 double fromShadow(const glm::dvec3& p) {
   return std::hypot(p.x - ballMiddle.x, p.z - ballMiddle.z);
 }
@@ -125,7 +125,7 @@ TEST_CASE("exact: a ball of metal mirrors the ground as the picture shows it, it
     CAPTURE(static_cast<int>(projection));
     const OverGround stage(scene::Quality::standard, projection);
     const std::vector<OverGround::Seen> pixels = stage.draw();
-    // The ground itself, [0] in the sun and [1] in the shadow.
+    // Mean light of the ground: [0] in the sun, [1] in the shadow.
     glm::dvec3 seen[2] = {glm::dvec3(0), glm::dvec3(0)};
     int places[2] = {0, 0};
     const auto lightOf = [](const glm::dvec3& p) {
@@ -159,12 +159,12 @@ TEST_CASE("exact: a ball of metal mirrors the ground as the picture shows it, it
     CAPTURE(worst);
     CHECK(mirrored[0] > 200);
     CHECK(mirrored[1] > 5);
-    CHECK(worst < 0.06);  // the eye sees the ground at other angles than the mirror, and both see it mirror
-                          // some light
+    CHECK(worst < 0.06);  // the ground's specular reflection differs, because the eye and the mirror see
+                          // the ground from different angles
   }
 }
 
-// Where it has faded out mirrors show the surroundings, as without it.
+// Beyond the fade distance of the ground, mirrors reflect the same environment as without ground.
 TEST_CASE("exact: mirrors show the ground fade out where it does, and none that is not there or matt") {
   testContext();
   const auto drawn = [](scene::Quality quality, const auto& change) {
@@ -208,13 +208,14 @@ TEST_CASE("exact: mirrors show the ground fade out where it does, and none that 
   CHECK(most < 1e-3);
 }
 
-// What stands around the mirror keeps light from the ground at its foot, not from the ground far away.
+// Ambient occlusion around the mirror darkens the ground at its foot, but must not darken reflections of
+// the distant ground.
 TEST_CASE("exact: mirrors near the ground show it as bright as it is, farther away") {
   testContext();
   OverGround stage(scene::Quality::standard, scene::Projection::perspective);
   stage.scene.render.occlusionRadius.reset();
   stage.scene.sun.shadow = false;
-  stage.scene.ground->height = 1.08F;  // 0.02 m below the ball
+  stage.scene.ground->height = 1.08F;  // the ground is 0.02 m below the ball
   const std::vector<OverGround::Seen> pixels = stage.draw();
   const auto onGround = [](const OverGround::Ray& ray) {
     return groundOn(ray.from - glm::dvec3(0, 1.08, 0), ray.along);

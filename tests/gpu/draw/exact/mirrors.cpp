@@ -1,4 +1,5 @@
-// Pictures with mirrors in them: however they are found, and beside those that rays find.
+// Tests pictures with mirrors: different ways to draw them must agree, and reflections are compared with
+// path tracing.
 #include "draw/screen/renderer.hpp"
 #include "gpu/draw/draw_stage.hpp"
 #include "gpu/draw/exact/stage.hpp"
@@ -17,7 +18,7 @@ using namespace simreel;  // NOLINT
 
 namespace {
 
-/// A mirror ground, balls and copies that mirror and ones that do not, a pane before them.
+/// Reflective ground, reflective and matt balls and mesh copies, and a pane in front of them.
 struct MirrorStage {
   explicit MirrorStage(scene::Quality quality)
       : wall({{-2, -0.1F, -1}, {2, -0.1F, -1.2F}, {-2, 1.6F, -1}, {2, 1.5F, -1.2F}}, {0, 1, 2, 2, 1, 3},
@@ -54,7 +55,7 @@ struct MirrorStage {
   sim::Drawables drawables;
 };
 
-/// An array of one pass.
+/// Returns the array of a pass.
 const std::vector<GLuint>& wordsOf(const draw::PassPicture& kept, const char* pass, const char* name) {
   for (const draw::PassArray& array : kept.arrays)
     if (array.pass == pass && array.part == name) return array.words;
@@ -62,8 +63,8 @@ const std::vector<GLuint>& wordsOf(const draw::PassPicture& kept, const char* pa
   return kept.arrays.front().words;
 }
 
-/// How far the light of the first two qualities lies from that of rays, the sum over what is shown by the
-/// first sample of pixels.
+/// Sums of the light differences between path tracing and the qualities "draft" and "standard", over the
+/// first sample of the pixels that show certain ids.
 struct FromRays {
   int places = 0;
   double draft = 0, standard = 0;
@@ -114,7 +115,7 @@ TEST_CASE("exact: mirrors show the same however a picture is found, and nothing 
   }
 }
 
-// Rays show what there is; of the ground, which has no colour, all light is mirrored.
+// Path tracing is the reference. The ground has no colour, so all its light is reflected.
 TEST_CASE("exact: mirrors show nearly what rays do") {
   testContext();
   const glm::ivec2 size(160, 100);
@@ -164,7 +165,7 @@ TEST_CASE("exact: what mirrors nothing has the light that it has beside matt thi
   const auto& plain = wordsOf(matt, "light", "");
   int places = 0;
   for (std::size_t at = 0; at < numbers.size(); at += 4) {
-    // Two triangles of the wall, after them the matt balls.
+    // Ids 0 and 1 are the triangles of the wall, 2 and 3 the matt balls.
     if (!std::all_of(&numbers[at], &numbers[at] + 4, [](GLuint number) { return number < 4; })) continue;
     ++places;
     for (std::size_t i = 0; i < 3; ++i) CHECK(light[at + i] == plain[at + i]);
@@ -172,7 +173,7 @@ TEST_CASE("exact: what mirrors nothing has the light that it has beside matt thi
   CHECK(places > 1000);
 }
 
-// A mirror that stands aslant, a ball beside it, the ground before both.
+// An upright mirror at an oblique angle, a ball beside it, and the ground in front of both.
 TEST_CASE("exact: a mirror that stands on the ground shows nearly what rays do") {
   testContext();
   const glm::ivec2 size(160, 100);

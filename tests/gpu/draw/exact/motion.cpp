@@ -1,5 +1,5 @@
-// Motion blur: what a shutter makes of a sheet before a sky, by how much of each pixel it covers; and what
-// moves between frames.
+// Tests motion blur by the coverage of pixels by a moving sheet in front of the sky, and the interpolation
+// between frames.
 #include "draw/exact/motion/motion.hpp"
 
 #include "frame/draw_world.hpp"
@@ -20,8 +20,8 @@ using namespace simreel;  // NOLINT
 namespace {
 
 struct Smear {
-  double area = 0;                  ///< pixels
-  glm::dvec2 middle{0}, spread{0};  ///< mean and variance (pixels)
+  double area = 0;                  ///< covered area in pixels
+  glm::dvec2 middle{0}, spread{0};  ///< mean and variance of the positions (pixels)
 };
 
 Smear smearOf(const draw::PassPicture& kept, glm::ivec2 size) {
@@ -51,7 +51,7 @@ std::unique_ptr<TriangleStage> sheetAt(glm::vec2 at) {
       std::vector<unsigned>{0, 1, 2, 2, 1, 3}, std::vector<glm::vec3>(4, glm::vec3(0, 0, 1)));
 }
 
-/// What a texel view shows.
+/// Returns the content of a texel view.
 std::vector<glm::vec4> read(const gl::Texture& view, std::size_t count) {
   GLint buffer = 0;
   glGetTextureLevelParameteriv(view.name(), 0, GL_TEXTURE_BUFFER_DATA_STORE_BINDING, &buffer);
@@ -67,7 +67,7 @@ constexpr glm::ivec2 shotSize(191, 143);
 scene::Scene sceneOfSheet(float angle, int samples) {
   scene::Scene scene;
   scene.sun.shadow = false;
-  scene.camera.position = glm::vec3(0, 0, 3);  // 4 m away
+  scene.camera.position = glm::vec3(0, 0, 3);  // 4 m from the sheet
   scene.camera.target = glm::vec3(0, 0, -1);
   scene.camera.shutter.emplace();
   scene.camera.shutter->angle = angle;
@@ -75,7 +75,7 @@ scene::Scene sceneOfSheet(float angle, int samples) {
   return scene;
 }
 
-/// The sheet as it stands still, seen by the area of each pixel: a box, and a pixel is one, too.
+/// Returns the coverage of the static sheet: a box, convolved with the box of a pixel.
 Smear boxOf(double metre) {
   const glm::dvec2 sides = metre * glm::dvec2(0.4, 0.3);
   return {sides.x * sides.y, 0.5 * (glm::dvec2(shotSize) - 1.0), sides * sides / 12.0 + 1.0 / 12};
@@ -91,7 +91,7 @@ double pixelsPerMetre(const scene::Scene& scene) {
 TEST_CASE("exact: a shutter spreads what moves over its way while it is open, and keeps what it covers") {
   testContext();
   const auto before = sheetAt({-0.3F, 0.1F}), now = sheetAt({0.5F, -0.2F});
-  const glm::dvec2 way(0.8, 0.3);  // to the right and down
+  const glm::dvec2 way(0.8, 0.3);  // displacement between the frames, to the right and down (m)
   for (const float angle : {90.0F, 360.0F}) {
     CAPTURE(angle);
     constexpr int samples = 13;
@@ -105,7 +105,8 @@ TEST_CASE("exact: a shutter spreads what moves over its way while it is open, an
     renderer.draw(1, {.surfaces = {now->surface}});
     const Smear seen = smearOf(kept, shotSize);
     CHECK(seen.area == doctest::Approx(rest.area).epsilon(0.01));
-    // Moments in the middles of equal parts, up to the frame: evenly about the middle of that time.
+    // The moments are at the centres of equal parts of the exposure time, which ends at the frame. They are
+    // symmetrical around the middle of that time.
     const glm::dvec2 end(0.5, 0.2);
     for (int i = 0; i < 2; ++i) {
       CHECK(seen.middle[i] - rest.middle[i] ==
@@ -129,7 +130,7 @@ TEST_CASE("exact: a shutter sees what jumps at one place and then at the other, 
   renderer.keepPasses(&kept);
   const Smear rest = boxOf(metre);
   sim::Surface jumped = now->surface;
-  jumped.jumped = 1 - 0.7 / scene.time.fps;  // so 9 of the 13 moments see it where it is
+  jumped.jumped = 1 - 0.7 / scene.time.fps;  // 9 of the 13 moments are after the jump
   renderer.keepBefore({.surfaces = {before->surface}});
   renderer.draw(1, {.surfaces = {jumped}});
   const Smear seen = smearOf(kept, shotSize);
@@ -141,7 +142,7 @@ TEST_CASE("exact: a shutter sees what jumps at one place and then at the other, 
     CHECK(seen.spread[i] ==
           doctest::Approx(rest.spread[i] + 36.0 / 169 * metre * metre * way[i] * way[i]).epsilon(0.01));
   }
-  // From then on it has jumped before.
+  // In the next frame the jump is in the past.
   renderer.keepBefore({.surfaces = {jumped}});
   renderer.draw(1 + 1 / scene.time.fps, {.surfaces = {jumped}});
   CHECK(smearOf(kept, shotSize).spread.x == doctest::Approx(rest.spread.x).epsilon(0.01));
@@ -170,7 +171,7 @@ TEST_CASE("exact: what jumps by keyframes has no speed there, and a camera that 
     return glm::vec4(layers.velocity[3 * pixel], layers.light[4 * pixel], layers.vector[2 * pixel],
                      layers.light[4 * (pixel + 20)]);
   };
-  // A metre a second, but for the jump of 2 m within frame 5.
+  // Moves 1 m per second, except for a jump of 2 m during frame 5.
   const char* const jumping =
       "[[0, [0, 0, 0]], [0.45, [0.45, 0, 0]], [0.45, [2.45, 0, 0]], [1, [3, 0, 0]]]";
   const char* const steady = "[[0, [0, 0, 0]], [1, [1, 0, 0]]]";
@@ -181,7 +182,8 @@ TEST_CASE("exact: what jumps by keyframes has no speed there, and a camera that 
   const draw::PictureLayers there = layersAt(jumping, 5), plain = layersAt(steady, 5);
   CHECK(middle(there).x == 0.0F);
   CHECK(middle(plain).x == doctest::Approx(1).epsilon(1e-3).scale(0));
-  // The ball is in the middle at every moment: as bright as ever, and beside it there is nothing of it.
+  // The tracking camera keeps the ball at the centre at all moments: it has full brightness, and no part of
+  // it appears beside.
   CHECK(middle(there).y == doctest::Approx(static_cast<double>(middle(plain).y)).epsilon(0.02).scale(0));
   CHECK(middle(there).w == doctest::Approx(static_cast<double>(middle(plain).w)).epsilon(0.02).scale(0));
 }
@@ -203,8 +205,9 @@ TEST_CASE("exact: a shutter sees the camera move, and a frame before which nothi
   const Smear rest = boxOf(metre);
   renderer.draw(0.5, {.surfaces = {sheet->surface}});
   const Smear seen = smearOf(kept, shotSize);
-  CHECK(seen.area == doctest::Approx(rest.area).epsilon(0.03));  // samples lie on few heights
-  // 0.08 m to the right in the tenth of a second before: the sheet was that far to the right of the middle.
+  CHECK(seen.area == doctest::Approx(rest.area).epsilon(0.03));  // few distinct sample heights per pixel
+  // The camera moves 0.08 m to the right during the tenth of a second before the frame, so the sheet starts
+  // that far to the right of the centre.
   CHECK(seen.middle.x - rest.middle.x == doctest::Approx(metre * 0.04).epsilon(0.03));
   const double spread = metre * 0.08;
   CHECK(seen.spread.x ==
@@ -231,7 +234,7 @@ TEST_CASE("exact: with a lens each moment is seen through other points of it, al
   alone.keepPasses(&lens);
   alone.draw(0, {.surfaces = {sheet->surface}});
   const Smear wanted = smearOf(lens, shotSize);
-  // The same pictures, added in another order.
+  // The same views are summed in a different order.
   CHECK(seen.area == doctest::Approx(wanted.area).epsilon(1e-5));
   for (int i = 0; i < 2; ++i) {
     CHECK(seen.middle[i] == doctest::Approx(wanted.middle[i]).epsilon(1e-5));
@@ -241,8 +244,7 @@ TEST_CASE("exact: with a lens each moment is seen through other points of it, al
 
 TEST_CASE("motion: instances go straight, and newborn ones along their velocities") {
   testContext();
-  // Number 1 died and another was born in its place, 2 was not there, 3 dies, 4 jumps farther than it is
-  // fast.
+  // Slot 1 has a new particle, 2 was empty, 3 dies, and 4 jumps farther than its velocity allows.
   const std::vector<glm::vec4> placesBefore = {
       {0, 0, 0, 2}, {1, 0, 0, 2}, {5, 5, 5, 2}, {0, 1, 0, 2}, {0, 0, 1, 2}};
   const std::vector<glm::vec4> placesNow = {
@@ -299,7 +301,8 @@ TEST_CASE("motion: grids, turned meshes and still ones between two frames") {
   motion.begin(present, 0.1);
   const sim::Drawables& seen = motion.between(0.25F);
   for (const glm::vec4& place : read(*seen.surfaces[0].positions, 15)) CHECK(place.z == 0.5F);
-  CHECK(seen.surfaces[0].normals == nullptr);  // they come from neighbours
+  CHECK(seen.surfaces[0].normals == nullptr);  // null, because shaders compute grid normals from
+                                               // neighbouring vertices
   CHECK(seen.surfaces[0].grid == glm::ivec2(5, 3));
   const auto places = read(*seen.surfaces[1].positions, 4);
   CHECK(places[0].x == doctest::Approx(0.3));

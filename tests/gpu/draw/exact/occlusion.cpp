@@ -27,7 +27,7 @@ const draw::PassArray& part(const draw::PassPicture& kept, const std::string& pa
   return *found;
 }
 
-/// Of each half pixel, as the kernels find it.
+/// Values of all half pixels from the kernels.
 struct Seen {
   draw::PassPicture kept;
   std::vector<float> openness, nearness;
@@ -57,7 +57,7 @@ scene::Scene standardScene() {
   return scene;
 }
 
-/// A slope with a fold, balls before and behind it.
+/// A folded slope with balls in front of it and behind it.
 struct FoldStage {
   FoldStage()
       : sheet({{-2, 0.9F, -2},
@@ -79,8 +79,8 @@ struct FoldStage {
   sim::Drawables drawables;
 };
 
-/// What a block x < 0 of height `high` on the ground shows from above, or a ditch between planes, by rays
-/// in float64: `place` finds the depth along a ray (m).
+/// Returns inputs with the nearness of a scene, computed by rays in float64. `depth` returns the depth (m)
+/// along a ray.
 OcclusionTwin castTwin(const shader::ExactView& view,
                        const std::function<double(glm::dvec3 eye, glm::dvec3 ray)>& depth) {
   OcclusionTwin twin;
@@ -91,12 +91,12 @@ OcclusionTwin castTwin(const shader::ExactView& view,
                              (2.0 * y + 1) * glm::dvec3(view.rayDown);
       twin.nearness.push_back(static_cast<float>(1 / depth(glm::dvec3(view.eye), ray)));
     }
-  // Nothing is too far away, and 100 half pixels are searched.
+  // Unlimited distance, and a search over 100 half pixels.
   twin.reach = glm::vec3(1e9F, 100, 1e-4F);
   return twin;
 }
 
-/// The half pixel that shows the place `p`, and the place in its middle.
+/// The half pixel that shows the point `p`, and the world position at its centre.
 struct Shown {
   std::size_t index = 0;
   glm::dvec3 place{0};
@@ -178,7 +178,7 @@ TEST_CASE("exact: flat ground, a lone ball and a lone box are open") {
   scene::Scene scene = standardScene();
   scene.ground.emplace();
   scene.ground->height = 0;
-  // What is lost is what is rounded: of directions half a pixel long some 3e-4.
+  // Occlusion on a plane is only rounding error: about 3e-4 for directions that are half a pixel long.
   for (const float height : {0.2F, 1.7F, 30.0F}) {
     CAPTURE(height);
     scene.camera.position = glm::vec3(0.4F, height, 4.1F);
@@ -186,8 +186,8 @@ TEST_CASE("exact: flat ground, a lone ball and a lone box are open") {
     CHECK(*std::max_element(seen.nearness.begin(), seen.nearness.end()) > 0);
     CHECK(*std::min_element(seen.openness.begin(), seen.openness.end()) > 0.998F);
   }
-  // Of what is convex nothing lies before the plane that touches it; those of slopes over whole half pixels
-  // are off by as much as it bends there, which is most at its outline.
+  // A convex object does not occlude itself. Errors come from slopes over whole half pixels, by the
+  // curvature of the object there, and are largest at its outline.
   scene.ground.reset();
   InstanceStage ball(std::vector<glm::vec3>{{0.1F, 0.2F, 0}});
   ball.instances.shape = sim::Instances::Shape::sphere;
@@ -208,8 +208,8 @@ TEST_CASE("exact: flat ground, a lone ball and a lone box are open") {
   CHECK(*std::min_element(seen.openness.begin(), seen.openness.end()) > 0.99F);
 }
 
-// A wall of height h, long to either side, at the distance d: what it hides of the sky is, weighed by
-// cosines, (1 - d / sqrt(d^2 + h^2)) / 2.
+// A long wall of height h at the distance d hides the cosine-weighted fraction (1 - d / sqrt(d^2 + h^2)) /
+// 2 of the sky.
 TEST_CASE("occlusion: before a long wall") {
   const shader::ExactView view = wideView({1.5F, 6, 0.3F}, {0.6F, 0, 0}, {240, 200});
   const double high = 1.2;
@@ -230,25 +230,26 @@ TEST_CASE("occlusion: before a long wall") {
     }
     return most;
   };
-  // A half pixel is 0.06 m, and the mean of seven is taken where the truth is curved.
+  // A half pixel is 0.06 m wide, and the mean over seven of them differs from the curved exact values.
   twin.slices = 32;
   twin.steps = 100;
   CHECK(worst() < 0.02);
-  // With as few as pictures have: between two steps the top of the wall is missed, so it seems lower.
+  // The few steps of real pictures can miss the top of the wall between two steps, so the wall appears
+  // lower.
   twin.slices = draw::Occlusion::slices;
   twin.steps = draw::Occlusion::steps;
   twin.reach.y = draw::reachOnPicture(view, 1).y;
   CHECK(worst() < 0.08);
 }
 
-// In a ditch between two planes that meet under an angle, one hides of the other's sky what lies below its
-// upper edge: (1 - cos e) / 2 where that is seen at the angle e from the place's own plane.
+// In a ditch between two planes, each plane hides (1 - cos e) / 2 of the other's sky, where e is the
+// elevation angle of its upper edge above the other plane.
 TEST_CASE("occlusion: in a ditch") {
   const shader::ExactView view = wideView({0.2F, 8, 0.3F}, {0, 0, 0}, {240, 200});
   const double deep = 1.5;
   for (const double angle : {70.0, 90.0, 120.0, 150.0}) {
     CAPTURE(angle);
-    const double rise = 1 / std::tan(0.5 * angle * 0.017453292519943295);  // y = rise |x|
+    const double rise = 1 / std::tan(0.5 * angle * 0.017453292519943295);  // the planes are y = rise |x|
     OcclusionTwin twin = castTwin(view, [&](glm::dvec3 eye, glm::dvec3 ray) {
       const double top = (deep - eye.y) / ray.y;
       if (std::abs(eye.x + top * ray.x) * rise >= deep) return top;
@@ -274,7 +275,7 @@ TEST_CASE("occlusion: in a ditch") {
   }
 }
 
-// On the floor of a round pit of radius r and depth h, in the middle: r^2 / (r^2 + h^2).
+// At the centre of the floor of a round pit with radius r and depth h, the openness is r^2 / (r^2 + h^2).
 TEST_CASE("occlusion: in a pit, in the picture's middle and towards its side") {
   for (const glm::vec3 target : {glm::vec3(0, 0, 0), glm::vec3(1.6F, 0, 1)}) {
     CAPTURE(target.x);
@@ -288,7 +289,7 @@ TEST_CASE("occlusion: in a pit, in the picture's middle and towards its side") {
       const double floor = -eye.y / ray.y;
       const glm::dvec3 under = eye + floor * ray;
       if (std::hypot(under.x, under.z) <= radius) return floor;
-      // The wall, from within.
+      // The inner side of the wall.
       const double a = ray.x * ray.x + ray.z * ray.z;
       const double b = eye.x * ray.x + eye.z * ray.z;
       const double c = eye.x * eye.x + eye.z * eye.z - radius * radius;
@@ -302,7 +303,7 @@ TEST_CASE("occlusion: in a pit, in the picture's middle and towards its side") {
   }
 }
 
-// Under the sky alone, light is what it is in a draft times the openness of the place.
+// If only the sky gives light, the light equals the light of a draft picture times the openness.
 TEST_CASE("exact: all that is shaded gets as much of the sky's light as it is open") {
   testContext();
   const auto mesh = temporaryFile("occlusion_dart.obj");
@@ -336,7 +337,7 @@ TEST_CASE("exact: all that is shaded gets as much of the sky's light as it is op
   OcclusionTwin twin;
   twin.view = draw::exactView(draw::viewAt(scene.camera, 0, size, stage.drawables), scene.camera, size);
   twin.nearness = seen.nearness;
-  int checked[3] = {0, 0, 0};  // ground, sheet, instances
+  int checked[3] = {0, 0, 0};  // numbers of checked pixels of ground, sheet and instances
   float least[3] = {1, 1, 1};
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x) {
@@ -363,7 +364,7 @@ TEST_CASE("exact: all that is shaded gets as much of the sky's light as it is op
       CAPTURE(kind);
       CAPTURE(x);
       CAPTURE(y);
-      // The middle of the samples' depths is not quite the place that is shaded.
+      // The mean of the samples' depths differs slightly from the shaded point.
       CHECK(std::abs(after / before - open) < (ground ? 1e-4F : 0.05F));
       ++checked[kind];
       least[kind] = std::min(least[kind], after / before);
@@ -376,7 +377,8 @@ TEST_CASE("exact: all that is shaded gets as much of the sky's light as it is op
 }
 
 TEST_CASE("occlusion: shading takes what is as far away") {
-  // Two half pixels near, two far: a place on either has theirs, one between them the mean.
+  // Two near and two far half pixels: a point at either depth has the openness of that depth, a point
+  // between them the mean.
   OcclusionTwin twin;
   scene::Camera camera;
   twin.view = draw::exactView(draw::viewAt(camera, 0, {4, 4}, {}), camera, {4, 4});

@@ -1,5 +1,5 @@
-// Orthographic cameras: places on the picture are linear in space; and light, shadows and what rays find
-// are those of a camera far away.
+// Tests orthographic cameras: picture positions are linear in space, and light, shadows and path tracing
+// agree with a very distant perspective camera.
 #include "draw/screen/renderer.hpp"
 #include "frame/draw_world.hpp"
 #include "gpu/draw/draw_stage.hpp"
@@ -30,7 +30,7 @@ struct Axes {
   glm::dvec3 up = glm::cross(right, forward);
 };
 
-/// Pixels, from the top left corner.
+/// Returns a picture position (pixels from the top left corner).
 glm::dvec2 seenAt(const glm::dvec3& p) {
   const Axes axes;
   const double perMetre = frameSize.y / height;
@@ -43,7 +43,7 @@ constexpr const char* things =
        "ring": {"mesh": {"shape": "torus", "radius": 0.45, "tube": 0.14, "position": [0.6, 0.5, -0.2], "rotation": [70, 20, 0]}},
        "dust": {"particles": {"groups": [{"shape": "ball", "count": 60, "radius": 1.1}], "method": "none", "look": {"size": 0.09}}})";
 
-/// `camera`: its members; `render`: more of those.
+/// `camera`: members of the camera object; `render`: additional members of the render object.
 scene::Scene sceneOf(const std::string& camera, const std::string& render, const std::string& objects) {
   return scene::parseScene(
       fmt::format(R"({{"version": 1, "render": {{"size": [{}, {}]{}}}, "time": {{"fps": 30}},
@@ -59,7 +59,8 @@ std::string flatCamera(const std::string& more = "") {
                      eye.x, eye.y, eye.z, target.x, target.y, target.z, height, more);
 }
 
-/// At the angle of a degree, so far away that it sees as much around the target.
+/// Returns a perspective camera with an angle of one degree, so far away that it shows the same area around
+/// the target.
 std::string farCamera() {
   const double away = 0.5 * height / std::tan(0.5 * 0.017453292519943295);
   const glm::dvec3 there = target - away * Axes().forward;
@@ -85,7 +86,7 @@ glm::dvec3 at(const std::vector<float>& three, std::size_t pixel) {
           static_cast<double>(three[3 * pixel + 2])};
 }
 
-/// Means of the differences of light, and of light.
+/// Mean difference of light, and mean light.
 struct Apart {
   double off = 0, mean = 0;
 };
@@ -128,7 +129,7 @@ TEST_CASE("orthographic: a place's pixel is linear in it, and depth is the way a
   CHECK(seen > 2500);
   CHECK(onBall > 150);
   CHECK(onGround > 700);
-  CHECK(round > -0.03);  // facets, and what samples of a pixel's edge show nearer
+  CHECK(round > -0.03);  // facets, and samples at pixel edges, may be nearer
 }
 
 TEST_CASE("orthographic: the picture is that of a camera far away") {
@@ -147,7 +148,7 @@ TEST_CASE("orthographic: the picture is that of a camera far away") {
 }
 
 TEST_CASE("orthographic: the ground is there where it lies behind the plane of the camera, too") {
-  // 1.5 m above the ground, of a picture 6 m high: its lowest rays begin below the ground.
+  // 1.5 m above the ground with a picture height of 6 m, so the lowest rays start below the ground.
   const auto sceneAt = [](double back) {
     const glm::dvec3 low(0, 1.5, 6);
     const glm::dvec3 there = low + back * glm::normalize(low);

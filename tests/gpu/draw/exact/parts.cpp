@@ -1,5 +1,5 @@
-// A picture does not depend on how what it shows is dealt out: things in one list or in several, in one
-// order or the other, have the same bytes, with their shadows and the light of lamps.
+// Pictures must not depend on how objects are grouped: in one list or several, and in any order, the bytes
+// are the same, including shadows and lamp light.
 #include "base/file.hpp"
 #include "gpu/draw/ball_stage.hpp"
 #include "gpu/draw/exact/stage.hpp"
@@ -19,7 +19,7 @@ namespace {
 
 constexpr glm::ivec2 pictureSize(91, 67);
 
-/// A sheet of ground, the sun and a lamp, both with shadows; seen from the side.
+/// Returns a scene with ground, sun and a lamp, both with shadows, seen from the side.
 scene::Scene dealtScene() {
   scene::Scene scene;
   scene.render.rasterizer = scene::Rasterizer::exact;
@@ -36,7 +36,8 @@ struct Things {
   std::vector<glm::vec4> places, speeds;
 };
 
-/// Of many sizes, from far below a pixel to a third of the picture; no two in one place.
+/// Returns objects of many sizes, from far below a pixel to a third of the picture, all at different
+/// positions.
 Things someThings(int count) {
   Dice dice(41);
   Things all;
@@ -48,7 +49,7 @@ Things someThings(int count) {
   return all;
 }
 
-/// Those from one number to another, in groups that end at the given numbers.
+/// Returns the objects in consecutive groups that end at the given indices.
 std::deque<InstanceStage> grouped(const Things& all, const std::vector<std::size_t>& ends) {
   std::deque<InstanceStage> groups;
   std::size_t from = 0;
@@ -152,7 +153,7 @@ TEST_CASE("exact parts: triangles as one surface, as several or in the other ord
 TEST_CASE("exact parts: a surface's colours are its own after others, by palette") {
   testContext();
   scene::Scene scene = dealtScene();
-  scene.sun.shadow = false;  // its map is fitted to all
+  scene.sun.shadow = false;  // its shadow map is fitted to all objects, including hidden ones
   const std::vector<glm::vec4> colors = {{0.9F, 0.1F, 0.1F, 1}, {0.1F, 0.9F, 0.2F, 1}, {0.2F, 0.3F, 1, 1}};
   const auto buffer = gl::Buffer::of<glm::vec4>("palette", colors);
   const gl::Texture palette = gl::Texture::view("palette", GL_RGBA32F, buffer);
@@ -171,7 +172,7 @@ TEST_CASE("exact parts: a surface's colours are its own after others, by palette
   coloured.positions.write(0, std::as_bytes(std::span(texels)));
   coloured.surface.doubleSided = true;
   coloured.surface.palette = &palette;
-  // Below the ground.
+  // A surface that is hidden below the ground.
   TriangleStage hidden({{-1, -3, 0}, {1, -3, 0}, {0, -3, 1}, {0, -4, 0}, {0, -5, 0}}, {0, 1, 2});
   const auto picture = [&](const std::vector<sim::Surface>& surfaces) {
     return drawn(scene, {.surfaces = surfaces}, pictureSize, 4).bytes;

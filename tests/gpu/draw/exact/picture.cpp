@@ -15,7 +15,8 @@ using namespace simreel;  // NOLINT
 
 namespace {
 
-/// Waves over the ground, before the camera and beneath it, some of their triangles seen from behind.
+/// Returns a wavy sheet above the ground, in front of and below the camera, with some triangles seen from
+/// behind.
 PictureTwinScene wavySheet(int side) {
   PictureTwinScene scene;
   for (int y = 0; y < side; ++y)
@@ -48,18 +49,18 @@ scene::Scene exactScene(int samples) {
   scene.sun.shadow = false;
   scene.ground.emplace();
   scene.ground->height = -0.2F;
-  scene.ground->roughness = 0.4F;  // it mirrors, as the twin does
+  scene.ground->roughness = 0.4F;  // reflective, as the CPU version assumes
   return scene;
 }
 
-/// Fills in how the scene sees it.
+/// Sets frame values and view from the scene.
 void see(PictureTwinScene& twin, const scene::Scene& scene, glm::ivec2 size, int samples) {
   twin.samples = samples;
   twin.frame = draw::frameValues(scene, size, 0, {});
   twin.view = draw::exactView(draw::viewAt(scene.camera, 0, size, {}), scene.camera, size);
 }
 
-/// How many bytes the kernels make otherwise than the twin.
+/// Returns the number of bytes in which the kernels differ from the CPU version.
 int othersThanTwin(const scene::Scene& scene, const PictureTwinScene& twin, TriangleStage& stage,
                    glm::ivec2 size) {
   stage.surface.doubleSided = twin.doubleSided;
@@ -74,7 +75,7 @@ int othersThanTwin(const scene::Scene& scene, const PictureTwinScene& twin, Tria
   return others;
 }
 
-/// Noise, and all its levels.
+/// Returns a picture with random colours and alpha 255.
 frame::Image noisePicture(glm::ivec2 size) {
   frame::Image image{size.x, size.y, {}};
   std::mt19937 random(5);
@@ -118,7 +119,7 @@ TEST_CASE("exact: whole pictures are the twin's in every byte") {
 }
 
 TEST_CASE("exact: triangles around the least area whose weights are their own are the twin's") {
-  // Depths of 1e-14 m: of the squares of depths times pixels it is 1e-25.
+  // At depths of 1e-14 m the triangle areas, products of squared depths and pixels, are about 1e-25.
   const glm::ivec2 size(91, 59);
   scene::Scene scene = exactScene(4);
   scene.camera.position = glm::vec3(0);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr unsigned noKey = 0xffffffffU;
 
-/// Uniform in (low, high), the same on every standard library.
+/// Uniform random numbers in (low, high), the same with every standard library.
 class MeshDice {
  public:
   explicit MeshDice(unsigned seed) : engine_(seed) {}
@@ -44,12 +44,13 @@ struct TriangleSoup {
   }
 };
 
-/// Small ones, slivers, ones as large as the picture, ones around and behind the eye (at z = 5, looking
-/// along -z), and ones of no area.
+/// Returns small triangles, slivers, triangles as large as the picture, triangles around and behind the eye
+/// (at z = 5, looking along -z), and degenerate ones.
 TriangleSoup soup(unsigned seed) {
   MeshDice dice(seed);
   TriangleSoup all;
-  // The first of the lists is seen; number 0, which memory may hold anyway, is not.
+  // Triangle 0, whose id uninitialized memory may also contain, is invisible. The first visible one is in
+  // the lists.
   all.add({0, 0, 0}, {0, 0, 0}, {1, 0, 0});
   all.add({-0.05F, -0.05F, 4.2F}, {0.05F, -0.05F, 4.2F}, {0, 0.05F, 4.2F});
   for (int i = 0; i < 300; ++i) {
@@ -67,7 +68,8 @@ TriangleSoup soup(unsigned seed) {
   return all;
 }
 
-/// Of a sample of a pixel, in pixels: read off the pattern's picture, not from the shader's nibbles.
+/// Returns the position of a sample within its pixel, in pixels, taken from the specified pattern instead
+/// of the shader's packed constants.
 glm::dvec2 fourSamples(int s) {
   constexpr std::array<glm::dvec2, 4> places = {
       glm::dvec2{0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}};
@@ -91,7 +93,7 @@ TEST_CASE("exact: what triangles show is what the twin says, small ones alone or
         CHECK(tiles.keys == twin.keys);
         CHECK(tiles.ids == twin.ids);
       }
-      // None of them by lists of tiles, so many, and all.
+      // Max number of triangles that are binned by tile: none, one, some, and all.
       for (const int binRoom : {0, 1, 40, 1 << 20}) {
         CAPTURE(binRoom);
         const SeenSamples small =
@@ -139,8 +141,8 @@ TEST_CASE("exact: on a large picture, too, whose triangles reach far beyond it")
 
 TEST_CASE(
     "exact: a picture full of triangles that share edges shows no hole, and each sample one of them") {
-  // A crooked net of triangles over the whole picture, all at one depth: ties would go to the lower number,
-  // so a second net of the same triangles in the opposite order shows every sample that two of them claim.
+  // An irregular mesh of triangles over the whole picture at one depth. At ties the lower id wins, so a
+  // second mesh with the same triangles in reverse order reveals every sample that two triangles claim.
   constexpr int side = 23;
   MeshDice dice(11);
   std::vector<glm::vec3> places;
@@ -196,7 +198,7 @@ TEST_CASE(
         double nearest = 200;
         unsigned who = noKey;
         for (std::size_t i = 0; i + 2 < all.places.size(); i += 3) {
-          // Moeller and Trumbore 1997.
+          // Intersection test of Moeller and Trumbore 1997.
           const glm::dvec3 a(all.places[i]);
           const glm::dvec3 ab = glm::dvec3(all.places[i + 1]) - a;
           const glm::dvec3 ac = glm::dvec3(all.places[i + 2]) - a;
@@ -223,6 +225,6 @@ TEST_CASE(
         }
       }
   CHECK(hits > 10000);
-  // Corners are rounded to 1/256 pixel, so a sample so near to an edge may be on its other side.
+  // Corners are rounded to 1/256 pixel, so a sample very close to an edge may be on its other side.
   CHECK(others < hits / 100);
 }

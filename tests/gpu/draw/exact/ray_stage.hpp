@@ -10,7 +10,7 @@
 
 #include <doctest/doctest.h>
 
-/// Light of a picture's pixels, before film.
+/// Light of a picture's pixels, before the film.
 struct RayPicture {
   glm::ivec2 size{0};
   std::vector<float> light;
@@ -44,7 +44,7 @@ inline RayPicture rayPicture(const simreel::scene::Scene& scene, const simreel::
   return picture;
 }
 
-/// Under a sky as bright everywhere, without a sun.
+/// Returns a scene under a uniform sky, without a sun.
 inline simreel::scene::Scene furnace(int raySamples) {
   using namespace simreel;  // NOLINT
   scene::Scene scene;
@@ -58,7 +58,7 @@ inline simreel::scene::Scene furnace(int raySamples) {
   return scene;
 }
 
-/// Straight down at the ground around the origin, from a height.
+/// Sets a camera at a height that looks straight down at the origin.
 inline void lookDown(simreel::scene::Scene& scene, float height, float angle) {
   scene.camera.position = glm::vec3(0, height, 1e-3F);
   scene.camera.target = glm::vec3(0);

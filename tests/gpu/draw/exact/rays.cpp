@@ -1,4 +1,4 @@
-// Light found by rays against what is known of it in closed form.
+// Compares path-traced light with closed forms.
 #include "base/hash.hpp"
 #include "draw/exact/rays/ray_light.hpp"
 #include "gpu/draw/exact/ray_stage.hpp"
@@ -49,8 +49,8 @@ TEST_CASE("rays: in a furnace a surface sends what its lobe mirrors, and its alb
   sheet.material.roughness = 1;
   const RayPicture picture = rayPicture(furnace(256), {.surfaces = {sheet.surface}}, {32, 32});
   const glm::dvec3 mean = picture.mean({12, 12}, {20, 20});
-  // What a lobe of roughness 1 and F0 0.04 mirrors, seen from in front: integral of F D G2 / (4 n.v) over
-  // the hemisphere, by the midpoint rule.
+  // Light reflected by a lobe of roughness 1 and F0 0.04 at normal incidence: integral of F D G2 / (4 n.v)
+  // over the hemisphere, by the midpoint rule.
   double mirrored = 0;
   constexpr int steps = 2000;
   for (int i = 0; i < steps; ++i) {
@@ -71,7 +71,7 @@ TEST_CASE("rays: a ball above the ground keeps the sky's light out by its form f
   testContext();
   scene::Scene scene = furnace(256);
   setGround(scene, 0.5F);
-  // Seen past the ball, from aside.
+  // A view from the side, past the ball.
   scene.camera.position = glm::vec3(0, 0.9F, 9);
   scene.camera.fieldOfView = 2.0F;
   InstanceStage ball({glm::vec3(0, 2, 0)});
@@ -84,7 +84,8 @@ TEST_CASE("rays: a ball above the ground keeps the sky's light out by its form f
   };
   const double open = light({});
   const double shaded = light({.instances = {ball.instances}});
-  // (R/h)^2 straight below (Howell, B-38); the ball itself mirrors some hundredths.
+  // The form factor is (R/h)^2 directly below the ball (Howell, B-38). The ball itself reflects some
+  // hundredths.
   CHECK(open > 0.4);
   CHECK(std::abs(shaded / open - 0.75) < 0.02);
 }
@@ -98,7 +99,7 @@ TEST_CASE("rays: a straight edge has a penumbra as wide as the sun is") {
   scene.sun.direction = glm::vec3(0, 1, 0);
   scene.sun.diameter = 20.0F;
   setGround(scene, 0.5F);
-  // A wide sheet at x < 0, one metre above the ground; the camera is between them.
+  // A wide sheet at x < 0, one metre above the ground, with the camera between them.
   TriangleStage sheet({{-50, 1, -50}, {0, 1, -50}, {-50, 1, 50}, {0, 1, 50}}, {0, 2, 1, 1, 2, 3});
   sheet.surface.doubleSided = true;
   sheet.material.color = glm::vec3(0);

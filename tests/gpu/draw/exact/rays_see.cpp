@@ -1,4 +1,4 @@
-// What rays know of materials, against closed forms and against what the eye sees of them.
+// Compares materials at ray hits with closed forms and with the directly visible materials.
 #include "draw/surface/skin_look.hpp"
 #include "gpu/draw/exact/ray_stage.hpp"
 #include "gpu/draw/image_file.hpp"
@@ -21,7 +21,7 @@ scene::Map mapOfTexels(glm::ivec2 size, const std::vector<std::uint8_t>& rgba) {
   return {{}, std::make_shared<const scene::Image>(scene::Image{"test", size, rgba}), false};
 }
 
-/// Seen from +z and from below, black and matt.
+/// A black matt rectangle, given by a corner and two edges.
 struct Sheet : GridStage {
   Sheet(glm::vec3 corner, glm::vec3 across, glm::vec3 down) : GridStage({2, 2}, corner, across, down) {
     material.color = glm::vec3(0);
@@ -35,8 +35,8 @@ scene::Scene lightless(int raySamples) {
   return scene;
 }
 
-/// From a corner of a rectangle a by b at a height: form factor of a small piece parallel to it (Howell,
-/// B-3).
+/// Returns the form factor from a small parallel patch to a rectangle a by b, whose corner is at `height`
+/// above the patch (Howell, B-3).
 double cornerFactor(double a, double b, double height) {
   const double x = a / height, y = b / height;
   const double rx = std::sqrt(1 + x * x), ry = std::sqrt(1 + y * y);
@@ -87,7 +87,7 @@ TEST_CASE(
     "eye sees them") {
   testContext();
   enum class Of { map, light, vertices, relief };
-  // Along x from black to white within a metre, in the middle.
+  // A ramp along x from black to white, 1 m wide, at the centre.
   const ImageFile ramp(2, 1, {0, 0, 0, 255, 255, 255, 255, 255});
   for (const Of of : {Of::map, Of::light, Of::vertices, Of::relief}) {
     CAPTURE(static_cast<int>(of));
@@ -95,7 +95,7 @@ TEST_CASE(
     scene::Scene scene = lightless(64);
     scene.sun.intensity = shines ? 0.0F : 3.0F;
     scene.sun.direction = glm::vec3(0, 0.3F, 1);
-    Sheet sheet({-1, 2, 0}, {2, 0, 0}, {0, -1, 0});  // upright, facing both ways
+    Sheet sheet({-1, 2, 0}, {2, 0, 0}, {0, -1, 0});  // an upright, double-sided sheet
     const scene::Map texels =
         mapOfTexels({2, 2}, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 255});
     if (shines) {
@@ -105,7 +105,7 @@ TEST_CASE(
       sheet.material.color = glm::vec3(0.9F);
       if (of == Of::map) sheet.material.finish.color = texels;
       if (of == Of::relief) {
-        scene.sun.direction = glm::vec3(1, 0.3F, 1);  // on the flat sheet half as much light again
+        scene.sun.direction = glm::vec3(1, 0.3F, 1);  // gives half as much light again on the flat sheet
         sheet.material.texture = ramp.path();
         sheet.material.bump = 0.3F;
       }
@@ -120,7 +120,7 @@ TEST_CASE(
     scene.camera.fieldOfView = 20;
     const sim::Drawables drawables{.surfaces = {sheet.surface, mirror.surface}};
     const RayPicture mirrored = rayPicture(scene, drawables, {48, 48});
-    // From where its mirror image looks.
+    // The view of the mirrored camera.
     scene.camera.position = glm::vec3(0, -1.5F, 6);
     scene.camera.target = glm::vec3(0, 1.5F, 0);
     const RayPicture seen = rayPicture(scene, {.surfaces = {sheet.surface}}, {48, 48});
@@ -133,8 +133,8 @@ TEST_CASE(
           most = std::max(most, b[i]);
         }
       }
-    CHECK(most > 0.5);                                // something bright is there
-    CHECK(worst < (of == Of::relief ? 0.03 : 0.05));  // where the mirror's is flat 0.11
+    CHECK(most > 0.5);                                // the brightest pixel shows that the sheet is visible
+    CHECK(worst < (of == Of::relief ? 0.03 : 0.05));  // relief: 0.11 if the reflected sheet were flat
   }
 }
 
@@ -154,7 +154,7 @@ TEST_CASE("rays see: light comes through holes, and through what is blended as f
                      covered.mean({18, 2}, {30, 30}).x / open.mean({18, 2}, {30, 30}).x);
   };
   CHECK(shares().first < 1e-6);
-  // The left half is there, the right one is a hole.
+  // The left half is opaque, the right half is a hole.
   sheet.material.finish.color = mapOfTexels({2, 1}, {0, 0, 0, 255, 0, 0, 0, 0});
   sheet.material.finish.alpha = scene::Alpha::cut;
   CHECK(shares().first < 1e-6);
@@ -189,7 +189,7 @@ TEST_CASE("rays see: blended layers before what is opaque, and in a mirror") {
   wanted(rayPicture(scene, {.surfaces = {before.surface, behind.surface, mirror.surface}}, {16, 16})
              .mean({4, 4}, {12, 12}),
          0.02);
-  // A white layer under a sky gets its light by rays, and so does what is behind it.
+  // A white blended layer under a uniform sky is lit by rays, and the sheet behind it too.
   scene = furnace(256);
   before.material.finish.emission = behind.material.finish.emission = glm::vec3(0);
   before.material.color = glm::vec3(1);
@@ -202,7 +202,8 @@ TEST_CASE("rays see: blended layers before what is opaque, and in a mirror") {
   behind.material.color = glm::vec3(1);
   const double all =
       rayPicture(scene, {.surfaces = {before.surface}}, {16, 16}, 4).mean({4, 4}, {12, 12}).x;
-  // Alone half of it is the white layer, the other half the sky, which has no light in that sum.
+  // Without the sheet behind it, half of the light comes from the white layer; the other half is the sky,
+  // which is not in this sum.
   CHECK(all == doctest::Approx(0.5).epsilon(0.03));
   CHECK(half > 0.5);
   CHECK(half < 0.62);
@@ -220,7 +221,7 @@ TEST_CASE("rays see: a coat in a furnace takes from what is below what it mirror
     return rayPicture(furnace(256), {.surfaces = {sheet.surface}}, {24, 24}).mean({8, 8}, {16, 16}).x;
   };
   CHECK(std::abs(light(1) - 1) < 0.012);
-  // Of black the base's own lobe (0.02 or so of roughness 1) and the coat's 0.04.
+  // For black: the base's lobe (about 0.02 at roughness 1) plus the coat's 0.04.
   const double black = light(0);
   CHECK(black > 0.045);
   CHECK(black < 0.075);
@@ -267,7 +268,7 @@ TEST_CASE("rays see: sheen in a furnace has its lobe's albedo") {
 
 TEST_CASE("rays see: light goes through sheets that are round by their normals, and not back onto them") {
   testContext();
-  // A flat cap of six triangles. Beneath it is nothing; what its lobe mirrors is not halved.
+  // A flat cap of six triangles with nothing below, so the light that its lobe reflects is not halved.
   std::vector<glm::vec3> places(1, glm::vec3(0, 0.25F, 0)), normals(1, glm::vec3(0, 1, 0));
   std::vector<unsigned> corners;
   for (unsigned i = 0; i < 6; ++i) {

@@ -19,7 +19,7 @@ namespace {
 constexpr glm::ivec2 mirrorPicture(240, 160);
 
 struct MirrorMet {
-  double depth = 0;  ///< of a ray of depth 1
+  double depth = 0;  ///< depth (m) of the hit point; the ray has depth 1 per unit
   bool mirror = false;
 };
 using MirrorSeen = std::function<MirrorMet(glm::dvec3 eye, glm::dvec3 ray)>;
@@ -28,7 +28,8 @@ glm::dvec3 mirrorRayThrough(const shader::ExactView& view, glm::dvec2 pixel) {
   return glm::dvec3(view.ray) + pixel.x * glm::dvec3(view.rayAcross) + pixel.y * glm::dvec3(view.rayDown);
 }
 
-/// A picture whose light is where things are, by rays in float64: so what a mirror brings says whence.
+/// Returns inputs whose light encodes the world position of each pixel, computed by rays in float64. The
+/// reflected light therefore tells the position of its hit point.
 ReflectionsTwin mirrorTwinOf(const shader::ExactView& view, const MirrorSeen& seen, float away) {
   ReflectionsTwin twin;
   twin.view = view;
@@ -67,7 +68,7 @@ ReflectionsTwin::Ray mirroredRay(const shader::ExactView& view, glm::dvec3 p, gl
           0};
 }
 
-/// Where a ray meets a ball, or nothing.
+/// Returns the ray parameter of the intersection with a ball, or nothing.
 std::optional<double> rayOnBall(glm::dvec3 from, glm::dvec3 ray, glm::dvec3 middle, double radius) {
   const glm::dvec3 aside = from - middle;
   const double a = glm::dot(ray, ray), b = glm::dot(ray, aside);
@@ -77,10 +78,10 @@ std::optional<double> rayOnBall(glm::dvec3 from, glm::dvec3 ray, glm::dvec3 midd
   return t > 0 ? std::optional(t) : std::nullopt;
 }
 
-/// How far what pixels of the mirror y = 0 bring lies from what the ray truly meets, which `truth` finds
-/// along a ray: of those that it meets, well within the reach and the picture.
+/// Statistics of the distances between the hit points of reflections in the mirror y = 0 and the exact hit
+/// points from `truth`. Only rays that hit within the reach and the picture count.
 struct MirrorJudged {
-  int met = 0, near = 0, missed = 0, invented = 0;  ///< near: within 0.03 m of the truth
+  int met = 0, near = 0, missed = 0, invented = 0;  ///< near: within 0.03 m of the exact point
   double worst = 0, mean = 0;
 };
 
@@ -119,7 +120,7 @@ MirrorJudged judgeMirror(const ReflectionsTwin& twin, const MirrorSeen& seen,
 
 }  // namespace
 
-// A wall z = -1 behind a mirror y = 0: what a ray from the mirror meets of it.
+// A wall z = -1 behind a mirror y = 0. Rays from the mirror must hit the wall at the right point.
 TEST_CASE("reflections: in a plane mirror a wall is where its mirror image is") {
   const shader::ExactView view = exactViewFrom({0.3F, 1.3F, 3}, {0, 0.2F, -0.6F}, mirrorPicture);
   const MirrorSeen seen = [](glm::dvec3 eye, glm::dvec3 ray) {
@@ -157,7 +158,7 @@ TEST_CASE("reflections: a ball over a plane mirror is where its mirror image is"
     return MirrorMet{ray.y < 0 ? -eye.y / ray.y : 0, true};
   };
   const ReflectionsTwin twin = mirrorTwinOf(view, seen, 4);
-  int hidden = 0;  // what the mirror sees of the ball and the eye does not
+  int hidden = 0;  // number of rays that hit a part of the ball that the eye does not see
   const MirrorJudged judged =
       judgeMirror(twin, seen, [&](glm::dvec3 p, glm::dvec3 ray) -> std::optional<double> {
         const auto t = rayOnBall(p, ray, middle, radius);
@@ -175,8 +176,9 @@ TEST_CASE("reflections: a ball over a plane mirror is where its mirror image is"
   CHECK(judged.met > 800);
   CAPTURE(judged.near);
   CHECK(judged.missed < 0.03 * judged.met);
-  CHECK(judged.invented < hidden + 60);  // and its outline
-  // Where the ball's edge is met the light of a half pixel is in part that of what is behind.
+  CHECK(judged.invented < hidden + 60);  // wrong reflections may occur for hidden hits and at the outline
+                                         // of the ball
+  // At the edge of the ball the light of a half pixel comes partly from the background.
   CHECK(judged.near > 0.8 * judged.met);
 }
 
@@ -204,7 +206,7 @@ TEST_CASE("reflections: a flat mirror, a lone ball and what is far away or matt 
       ++places;
     }
   CHECK(places > 3000);
-  // A wall: the less, the rougher; nothing beyond the reach.
+  // A wall: its reflection decreases with roughness and is 0 beyond the reach.
   const MirrorSeen wall = [](glm::dvec3 eye, glm::dvec3 ray) {
     const double behind = (-1 - eye.z) / ray.z, below = -eye.y / ray.y;
     return ray.y < 0 && below < behind ? MirrorMet{below, true} : MirrorMet{behind, false};

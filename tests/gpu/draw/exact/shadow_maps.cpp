@@ -1,5 +1,4 @@
-// Shadow maps, what is nearest to the sun or a lamp at each texel: of balls against double precision, of
-// copies of a mesh against the same triangles as a surface.
+// Tests shadow maps: balls against double precision, mesh copies against the same triangles as a surface.
 #include "draw/exact/instances/ball_raster.hpp"
 #include "draw/exact/instances/copy_raster.hpp"
 #include "draw/exact/triangles/triangle_raster.hpp"
@@ -20,7 +19,7 @@ using Shape = sim::Instances::Shape;
 
 namespace {
 
-/// A map of some metres, as deep: what is drawn reaches beyond it on all sides.
+/// A shadow map a few metres wide and deep. The objects extend beyond it on all sides.
 struct SunMapStage {
   explicit SunMapStage(int texels = 149)
       : side(texels), stage(sideScene(), {side, side}, 1), map("a test", {side, side}, 1, false) {
@@ -39,7 +38,7 @@ struct SunMapStage {
     map.clear();
     gl::barrier();
   }
-  /// Row by row.
+  /// Returns the keys of the map, row by row.
   [[nodiscard]] std::vector<unsigned> keys() const {
     testContext().check();
     std::vector<unsigned> found = map.readKeys();
@@ -55,7 +54,8 @@ struct SunMapStage {
   gl::Texture view;
 };
 
-/// Over the map and beyond its edges, before and behind what it holds; masses spread over five decades.
+/// Returns positions within and beyond the map, in front of it and behind it, with masses over five
+/// decades.
 std::vector<glm::vec4> spread(int count, std::uint32_t seed) {
   Dice dice(seed);
   std::vector<glm::vec4> places;
@@ -71,7 +71,7 @@ TEST_CASE("sun's map: of balls the one nearest to the sun, in double precision, 
   SunMapStage stage;
   const std::vector<glm::vec4> places = spread(190, 51);
   std::vector<glm::vec4> speeds(places.size(), glm::vec4(0));
-  for (std::size_t i = 0; i < speeds.size(); i += 9) speeds[i].w = -1;  // dead
+  for (std::size_t i = 0; i < speeds.size(); i += 9) speeds[i].w = -1;  // age below 0: the particle is dead
   InstanceStage first(places, speeds);
   InstanceStage second({{0.1F, 0.4F, 0.2F, 1}, {-4.5F, 1, 0, 300}}, {glm::vec4(0), glm::vec4(0)});
   for (InstanceStage* group : {&first, &second}) {
@@ -144,7 +144,8 @@ TEST_CASE("sun's map: a ball over more texels than an invocation may go through"
   const std::vector<unsigned> keys = stage.keys();
   CHECK(std::count(keys.begin(), keys.end(), keys.front()) == static_cast<std::ptrdiff_t>(keys.size()));
   CHECK(keys.front() != 0xffffffffU);
-  // Of another one fifteen columns, the rows around the last but fifty.
+  // A larger map. The ball covers about fifteen columns at its left side, in rows around the fiftieth from
+  // the end.
   SunMapStage wide(4500);
   const glm::vec3 right(0.8F, 0, -0.6F);
   const glm::vec3 up(-0.36F, 0.8F, -0.48F);
@@ -175,7 +176,8 @@ TEST_CASE("sun's map: copies of a mesh throw the shadows of the same triangles o
     const DartSurface same(mesh, places, size);
     const draw::MapPart part{.slopeOffset = 1.5F};
     std::vector<unsigned> wanted;
-    for (const int binRoom : {0, 5, 1 << 20}) {  // by lists of tiles, too
+    for (const int binRoom : {0, 5, 1 << 20}) {  // max number of triangles that are binned by tile: none,
+                                                 // some, all
       draw::TriangleRaster surfaces(draw::TriangleRaster::Into::sunMap, 1, draw::smallTriangle(),
                                     draw::fansOfTriangles(), 0, binRoom);
       stage.clear();
@@ -187,7 +189,8 @@ TEST_CASE("sun's map: copies of a mesh throw the shadows of the same triangles o
     const auto empty = std::count(wanted.begin(), wanted.end(), 0xffffffffU);
     CHECK(empty > 500);
     CHECK(empty < stage.side * stage.side - 2000);
-    CHECK(std::count(wanted.begin(), wanted.end(), 0x7fffffffU) > 20);  // as far away as the map reaches
+    CHECK(std::count(wanted.begin(), wanted.end(), 0x7fffffffU) > 20);  // some texels show triangles at the
+                                                                        // far end of the map
     for (const auto& [smallPixels, pairs] : {std::pair(16, 1U << 22U), {0, 100U}, {64, 17U}}) {
       CAPTURE(smallPixels);
       draw::CopyRaster raster(draw::CopyRaster::Into::sunMap, 1, smallPixels, pairs, pairs == 17U ? 0 : 40);
@@ -244,8 +247,8 @@ TEST_CASE(
       for (const glm::vec4& place : places) {
         const glm::dvec3 middle = glm::dvec3(glm::vec3(place)) - glm::dvec3(glm::vec3(v.eye));
         const double radius = 0.1 * static_cast<double>(place.w);
-        // How far the ray passes the middle, and where it meets the plane through the middle across the way
-        // to it.
+        // Distance of the ray from the centre, and its intersection with the plane through the centre
+        // perpendicular to the line from the eye.
         const double along = glm::dot(ray, middle);
         const double past = glm::length(glm::cross(ray, middle)) / glm::length(ray);
         doubtful = doubtful || std::abs(past - radius) < 1e-4 * glm::length(middle);

@@ -17,9 +17,9 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-/// A mesh as a simulation publishes it.
+/// A mesh in the form in which simulations publish it.
 struct TriangleStage {
-  /// Normals point up where none are given.
+  /// Creates the mesh. Normals default to +y.
   TriangleStage(const std::vector<glm::vec3>& places, const std::vector<unsigned>& corners,
                 const std::vector<glm::vec3>& directions = {}) {
     testContext();
@@ -57,7 +57,7 @@ struct TriangleStage {
   simreel::sim::Surface surface;
 };
 
-/// A camera at `eye` that looks at `target`.
+/// Returns the view of a camera at `eye` that looks at `target`.
 inline simreel::shader::ExactView exactViewFrom(glm::vec3 eye, glm::vec3 target, glm::ivec2 size) {
   simreel::scene::Camera camera;
   camera.position = eye;
@@ -65,7 +65,7 @@ inline simreel::shader::ExactView exactViewFrom(glm::vec3 eye, glm::vec3 target,
   return simreel::draw::exactView(simreel::draw::viewAt(camera, 0, size, {}), camera, size);
 }
 
-/// As long as it lives, surfaces are joined or stay apart.
+/// Sets SIMREEL_JOIN_SURFACES while the object exists.
 struct JoiningAsked {
   explicit JoiningAsked(const char* word) { setenv("SIMREEL_JOIN_SURFACES", word, 1); }
   ~JoiningAsked() { unsetenv("SIMREEL_JOIN_SURFACES"); }
@@ -75,7 +75,7 @@ struct JoiningAsked {
   JoiningAsked& operator=(JoiningAsked&&) = delete;
 };
 
-/// As long as it lives, samples lie in memory as this word says (draw::sampleLayout).
+/// Sets SIMREEL_SAMPLE_LAYOUT (draw::sampleLayout) while the object exists.
 struct LayoutAsked {
   explicit LayoutAsked(const char* word) { setenv("SIMREEL_SAMPLE_LAYOUT", word, 1); }
   ~LayoutAsked() {
@@ -88,7 +88,7 @@ struct LayoutAsked {
   LayoutAsked& operator=(const LayoutAsked&) = delete;
   LayoutAsked(LayoutAsked&&) = delete;
   LayoutAsked& operator=(LayoutAsked&&) = delete;
-  /// All that the device has.
+  /// Returns all layouts that the device supports.
   static std::vector<const char*> words() {
     if (simreel::gl::limits().atomics64) return {"apart", "pairs", "wholes"};
     return {"apart", "pairs"};
@@ -99,7 +99,7 @@ struct LayoutAsked {
       std::getenv("SIMREEL_SAMPLE_LAYOUT") != nullptr ? std::getenv("SIMREEL_SAMPLE_LAYOUT") : "";
 };
 
-/// Keys and numbers of what the kernels found.
+/// Keys and ids found by the kernels.
 struct SeenSamples {
   std::vector<GLuint> keys, ids;
 };

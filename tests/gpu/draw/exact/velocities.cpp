@@ -1,4 +1,4 @@
-// The layer of velocities: held to what is known of turning, falling and standing things.
+// Tests the velocity layer with rotating, falling and static objects.
 #include "draw/exact/motion/velocities.hpp"
 
 #include "draw/screen/renderer.hpp"
@@ -49,7 +49,7 @@ glm::dvec3 threeAt(const std::vector<float>& three, std::size_t pixel) {
           static_cast<double>(three[3 * pixel + 2])};
 }
 
-/// The greatest difference to what `expected` says of the place of each pixel that shows something.
+/// Returns the max difference between the velocities and `expected(position)` over all non-empty pixels.
 template <class Expected>
 double worst(const draw::PictureLayers& layers, int& seen, const Expected& expected) {
   double most = 0;
@@ -69,11 +69,11 @@ double worst(const draw::PictureLayers& layers, int& seen, const Expected& expec
 
 TEST_CASE("velocities: a turning rod's are omega x r, by how far it has come in a frame") {
   testContext();
-  constexpr double omega = 5.235987755982988;  // 300 degrees a second about z
+  constexpr double omega = 5.235987755982988;  // 300 degrees per second about z
   const std::string rod =
       R"("rod": {"capsule": {"rotation": {"keys": [[0, [0, 0, 0]], [1, [0, 0, 300]]]}, "radius": 0.1, "length": 0.8}})";
   const auto expected = [&](const glm::dvec3& p) {
-    // Where it was a frame before: turned back.
+    // Position in the previous frame: rotated back.
     const double c = std::cos(omega / fps), s = std::sin(omega / fps);
     return (p - glm::dvec3(c * p.x + s * p.y, -s * p.x + c * p.y, p.z)) * fps;
   };
@@ -81,12 +81,12 @@ TEST_CASE("velocities: a turning rod's are omega x r, by how far it has come in 
   int seen = 0;
   CHECK(worst(layers, seen, expected) < 2e-3);
   CHECK(seen > 100);
-  // omega x r itself, to the second order of the angle of a frame.
+  // omega x r itself differs by the second order of the rotation angle per frame.
   int again = 0;
   const double off =
       worst(layers, again, [&](const glm::dvec3& p) { return omega * glm::dvec3(-p.y, p.x, 0); });
   CHECK(off < 0.55 * omega * omega / fps * 0.5);
-  CHECK(off > 0.1);  // which the chord is not
+  CHECK(off > 0.1);  // the difference shows that the velocity follows the chord, not the tangent
   int still = 0;
   CHECK(worst(layersAt(movingScene(rod), 0), still, [](const auto&) { return glm::dvec3(0); }) == 0);
   CHECK(still > 80);
@@ -100,7 +100,7 @@ TEST_CASE("velocities: balls have their own, what stands none, whatever the came
   CHECK(worst(layersAt(movingScene(moved), 9), seen, [](const auto&) { return glm::dvec3(1, 0.5, -0.5); }) <
         2e-4);
   CHECK(seen > 100);
-  // The same at the middle of the moments that a shutter is open at, and from a moving camera.
+  // The same velocities at the middle of a shutter's exposure time, and with a moving camera.
   int blurred = 0;
   CHECK(worst(layersAt(
                   movingScene(moved, R"(, "shutter": {"samples": 3}, "roll": {"keys": [[0, 0], [1, 90]]})"),
@@ -120,7 +120,7 @@ TEST_CASE("velocities: a falling sheet's are those of its particles") {
           R"("sheet": {"cloth": {"size": [9, 9], "pins": [], "damping": 0, "wind": [0, 0, 0], "substeps": 32}})"),
       6);
   int seen = 0;
-  // Between frames 5 and 6: g times the middle of that time.
+  // Mean velocity between frames 5 and 6: g times the middle of that interval.
   const double off =
       worst(layers, seen, [](const glm::dvec3& /*p*/) { return glm::dvec3(0, -9.8 * 5.5 / fps, 0); });
   CHECK(off < 0.03);
@@ -129,7 +129,7 @@ TEST_CASE("velocities: a falling sheet's are those of its particles") {
 
 TEST_CASE("layers: triangles and balls count from the first of their object") {
   testContext();
-  // Drawn after another surface and before balls.
+  // The sheet is drawn after another surface and before the balls.
   const std::string objects =
       R"("first": {"sphere": {"radius": 0.2, "position": [-1, 0, 0]}},
          "sheet": {"mesh": {"shape": "plane", "size": [1, 0, 1], "resolution": [2, 2], "rotation": [60, 0, 0]}},
@@ -151,7 +151,7 @@ TEST_CASE("layers: triangles and balls count from the first of their object") {
     if (object == "dust") ofDust.insert(number);
     if (object != "sheet") continue;
     ofSheet.insert(number);
-    // Along the sheet, downwards: its local z. Where x and z differ in which is larger, triangles do.
+    // Local z coordinate, downwards along the sheet. Ignores pixels near the diagonals |x| = |z|.
     const glm::dvec3 p = threeAt(layers.position, i);
     const double down = p.y / -std::sin(3.14159265358979 / 3);
     if (std::abs(p.x - down) > 0.02 && std::abs(p.x + down) > 0.02) {
@@ -166,7 +166,7 @@ TEST_CASE("layers: triangles and balls count from the first of their object") {
   CHECK(*ofDust.rbegin() < 5);
   CHECK(ofDust.size() >= 3);
   CHECK(mixed > 100);
-  // One of the two diagonals parts the triangles everywhere.
+  // One of the two diagonals separates the triangles at all pixels.
   CHECK(std::max(std::abs(sides[0]), std::abs(sides[1])) == mixed);
 }
 
