@@ -17,7 +17,7 @@ namespace {
 
 scene::Scene twoSheets() {
   return scene::parseScene(
-      R"({"version": 1, "render": {"size": [33, 21], "samples": 1}, "sun": {"shadowSize": 64},
+      R"({"version": 1, "stage": false, "render": {"size": [33, 21], "samples": 1}, "sun": {"shadowSize": 64},
           "objects": {"a": {"cloth": {"size": [9, 7]}}, "b": {"sphere": {}}}})",
       "test.json", {}, sim::kinds());
 }

@@ -4,6 +4,7 @@
 #include "sim/mesh/parameters.hpp"
 
 #include <memory>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -21,6 +22,9 @@ struct SolidParameters : MeshParameters {
     if (shape == MeshShape::torus) resolution = {129, 65};
     height = 1;
   }
+
+  /// Returns nothing, because a solid does not deform.
+  [[nodiscard]] std::span<const scene::Quantity> quantities() const override { return {}; }
 
   void describe(scene::Fields& f) override {
     if (shape == MeshShape::box)

@@ -211,7 +211,8 @@ TEST_CASE(
   testContext();
   const auto shown = [](const char* technique) {
     scene::Scene scene = scene::parseScene(
-        std::string(R"({"version": 1, "ground": {"height": -1}, "sun": {"intensity": 0, "shadow": false},
+        std::string(
+            R"({"version": 1, "stage": false, "ground": {"height": -1}, "sun": {"intensity": 0, "shadow": false},
           "camera": {"position": [0, 4, 5]}, "lights": {"a": {"position": [0.7, 1.2, 0.4], "glow": 0, "intensity": 30}},
           "objects": {"sheet": {"mesh": {"resolution": [41, 37], "size": [2, 0, 2],
             "deform": [{"ripple": {"amplitude": 0.3, "wavelength": 1.5}}], "technique": ")") +

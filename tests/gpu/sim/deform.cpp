@@ -218,7 +218,7 @@ TEST_CASE("deform: all five techniques draw the same picture") {
     const char* mesh;
     const char* deform;
   };
-  const char* scenery = R"("ground": {"height": -0.6},)";
+  const char* scenery = R"("stage": false, "ground": {"height": -0.6},)";
   for (const Case& c : {Case{R"("shape": "plane", "resolution": [101, 101])",
                              R"([{"ripple": {"amplitude": 0.15, "wavelength": 1.5}}])"},
                         Case{R"("shape": "torus", "resolution": [81, 41])",

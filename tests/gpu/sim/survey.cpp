@@ -82,7 +82,7 @@ TEST_CASE("survey: a jet is framed up to its top, and one stray particle is igno
 }
 
 TEST_CASE("survey: a motion fills the picture and stays inside it at every frame") {
-  for (const char* more : {"", R"("sky": {}, )"}) {
+  for (const char* more : {"", R"("stage": false, )"}) {
     scene::Scene scene =
         sceneGoing(R"({"sheet": {"cloth": {"size": [16, 16], "pins": [], "position": [0, 2, 0]}},
                        "ball": {"sphere": {"radius": 0.6}}})",
@@ -143,7 +143,7 @@ TEST_CASE("survey: no survey runs for expensive scenes, placed cameras or static
   CHECK(scene.camera.position.at(0) == before);
   CHECK(sim::needsSurvey(scene));
   CHECK_FALSE(
-      sim::needsSurvey(sceneGoing(looseSheet(1), R"("sun": {}, "camera": {"target": [0, 1, 0]}, )")));
+      sim::needsSurvey(sceneGoing(looseSheet(1), R"("stage": false, "camera": {"target": [0, 1, 0]}, )")));
   CHECK_FALSE(sim::needsSurvey(sceneGoing(R"({"ball": {"sphere": {}}})")));
   scene::Scene large = sceneGoing(R"({"sheet": {"cloth": {"size": [400, 400]}}})");
   const sim::MotionFraming framing = sim::frameMotion(large);

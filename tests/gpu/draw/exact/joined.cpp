@@ -155,7 +155,7 @@ TEST_CASE("exact: few surfaces stay apart, and those that the GPU counts") {
 TEST_CASE("scenery says that it stands still, each mesh by a number of its own; what deforms does not") {
   testContext();
   const scene::Scene scene = scene::parseScene(
-      R"({"version": 1, "sun": {"shadow": false}, "objects": {
+      R"({"version": 1, "stage": false, "sun": {"shadow": false}, "objects": {
           "a": {"sphere": {}}, "b": {"capsule": {"position": {"keys": [[0, [0, 0, 0]], [1, [1, 0, 0]]]}}},
           "c": {"mesh": {"resolution": [5, 4]}}, "d": {"cloth": {"size": [9, 7]}},
           "e": {"mesh": {"resolution": [5, 4], "deform": [{"ripple": {}}], "technique": "compute"}},

@@ -152,7 +152,7 @@ TEST_CASE("exact: what jumps by keyframes has no speed there, and a camera that 
   testContext();
   const auto layersAt = [](const char* keys, int frame) {
     const scene::Scene scene = scene::parseScene(
-        R"({"version": 1, "render": {"size": [48, 27], "samples": 1}, "time": {"fps": 10},
+        R"({"version": 1, "stage": false, "render": {"size": [48, 27], "samples": 1}, "time": {"fps": 10},
             "camera": {"position": [0, 0, 6], "track": "ball", "shutter": {"angle": 360, "samples": 4}}, "sun": {"intensity": 0},
             "sky": {"zenith": [0.5, 0.5, 0.5], "horizon": [0.5, 0.5, 0.5], "ground": [0.5, 0.5, 0.5]},
             "objects": {"ball": {"sphere": {"radius": 0.5, "position": {"keys": )" +

@@ -46,10 +46,11 @@ constexpr const char* things =
 /// `camera`: members of the camera object; `render`: additional members of the render object.
 scene::Scene sceneOf(const std::string& camera, const std::string& render, const std::string& objects) {
   return scene::parseScene(
-      fmt::format(R"({{"version": 1, "render": {{"size": [{}, {}]{}}}, "time": {{"fps": 30}},
+      fmt::format(
+          R"({{"version": 1, "stage": false, "render": {{"size": [{}, {}]{}}}, "time": {{"fps": 30}},
                   "camera": {{{}}}, "sun": {{"direction": [0.5, 0.9, 0.2]}},
                   "ground": {{"height": 0, "fadeStart": 2, "fadeEnd": 2.6}}, "objects": {{{}}}}})",
-                  frameSize.x, frameSize.y, render, camera, objects),
+          frameSize.x, frameSize.y, render, camera, objects),
       "scene.json", {}, sim::kinds());
 }
 
@@ -153,11 +154,12 @@ TEST_CASE("orthographic: the ground is there where it lies behind the plane of t
     const glm::dvec3 low(0, 1.5, 6);
     const glm::dvec3 there = low + back * glm::normalize(low);
     return scene::parseScene(
-        fmt::format(R"({{"version": 1, "render": {{"size": [96, 54], "samples": 1}}, "time": {{"fps": 30}},
+        fmt::format(
+            R"({{"version": 1, "stage": false, "render": {{"size": [96, 54], "samples": 1}}, "time": {{"fps": 30}},
                   "camera": {{"projection": "orthographic", "height": 6, "position": [{}, {}, {}], "target": [0, 0, 0]}},
                   "sun": {{"direction": [0.5, 0.9, 0.2]}}, "ground": {{"height": 0, "fadeStart": 60, "fadeEnd": 80}},
                   "objects": {{{}}}}})",
-                    there.x, there.y, there.z, things),
+            there.x, there.y, there.z, things),
         "scene.json", {}, sim::kinds());
   };
   const glm::dvec3 low(0, 1.5, 6), forward = -glm::normalize(low);

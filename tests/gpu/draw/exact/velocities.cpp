@@ -27,10 +27,11 @@ constexpr double fps = 30;
 
 scene::Scene movingScene(const std::string& objects, const std::string& camera = "") {
   return scene::parseScene(
-      fmt::format(R"({{"version": 1, "render": {{"size": [96, 54], "samples": 1}}, "time": {{"fps": {}}},
+      fmt::format(
+          R"({{"version": 1, "stage": false, "render": {{"size": [96, 54], "samples": 1}}, "time": {{"fps": {}}},
                   "camera": {{"position": [0, 0.3, 3], "target": [0, 0, 0]{}}}, "sun": {{"shadow": false}},
                   "objects": {{{}}}}})",
-                  fps, camera, objects),
+          fps, camera, objects),
       "scene.json", {}, sim::kinds());
 }
 
