@@ -160,7 +160,7 @@ void addMap(std::vector<glm::vec4>& texels, int side, Make make) {
       texels[start + (static_cast<std::size_t>(y) + 1) * row + static_cast<std::size_t>(x) + 1] =
           glm::vec4(glm::vec3(make(x, y)), 1);
   });
-  // Beyond an edge the octahedral map continues at the same edge, mirrored.
+  // Beyond an edge, an octahedral map continues with the cells along the same edge in reverse order.
   const auto at = [&](int x, int y) -> glm::vec4& {
     return texels[start + (static_cast<std::size_t>(y + 1)) * row + static_cast<std::size_t>(x + 1)];
   };

@@ -95,7 +95,7 @@ Triangles divided(const Triangles& coarse) {
 }  // namespace
 
 struct InstanceShape::Builder {
-  std::vector<glm::vec4> vertices;  ///< position, normal, position, ...
+  std::vector<glm::vec4> vertices;  ///< alternating positions and normals
   std::vector<std::vector<unsigned>> levels;
 
   void add(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,

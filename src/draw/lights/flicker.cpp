@@ -24,7 +24,8 @@ double smoothNoise(std::uint32_t light, std::uint32_t seed, double x) {
 }  // namespace
 
 double flickerNoise(std::uint32_t light, int seed, double x) {
-  constexpr std::uint32_t secondNoise = 0x80000000U;  // bit that seeds do not use
+  constexpr std::uint32_t secondNoise = 0x80000000U;  // selects the second noise; a bit that seeds do not
+                                                      // use
   const auto word = static_cast<std::uint32_t>(seed);
   return (2.0 * smoothNoise(light, word, x) + smoothNoise(light, word | secondNoise, 2.7 * x)) / 3.0;
 }

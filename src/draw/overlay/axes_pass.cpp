@@ -13,7 +13,8 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr glm::vec3 groundColor(0.045F, 0.047F, 0.060F);  // encoded sRGB
+constexpr glm::vec3 groundColor(0.045F, 0.047F, 0.060F);  // colours of the axes' background and letters,
+                                                          // sRGB-encoded
 constexpr glm::vec3 letterColor(0.80F, 0.82F, 0.86F);
 
 /// Appends rectangles of one colour: left, top, right, bottom, followed by the colour.

@@ -46,7 +46,7 @@ class AxesPass {
   gl::Program program_;
   gl::Buffer buffer_;
   gl::Texture view_;
-  std::vector<glm::vec4> present_;  ///< content of the buffer
+  std::vector<glm::vec4> present_;  ///< rectangles that the buffer holds
   VertexArray vertices_;
 };
 

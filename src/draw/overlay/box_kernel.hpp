@@ -31,7 +31,7 @@ class BoxList {
 
  private:
   gl::Kernel<PaintBoxes> kernel_;   ///< created on first use
-  std::vector<glm::vec4> present_;  ///< content of the buffer
+  std::vector<glm::vec4> present_;  ///< rectangles that the buffer holds
   BoxLayers layers_;
   gl::Buffer buffer_;
   gl::Texture view_;

@@ -13,7 +13,7 @@ namespace simreel::draw {
 namespace {
 
 constexpr float capital = 7.5F;                   // height of a capital, in units of the chart layout
-constexpr glm::vec3 dim(0.342F, 0.380F, 0.448F);  // linear RGB
+constexpr glm::vec3 dim(0.342F, 0.380F, 0.448F);  // linear RGB colour of the numbers on the axes
 
 /// Returns the number with spaces between thousands, for example 65 536.
 std::string groupedDigits(unsigned number) {

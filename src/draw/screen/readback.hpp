@@ -46,7 +46,7 @@ class Readback {
     GLsync done = nullptr;
     int tag = 0;
     CopyThread::Task copy;
-    bool copies = false;  ///< true while the thread copies it
+    bool copies = false;  ///< true while the thread copies the slot's picture
   };
   /// True if the GPU has finished the slot's copy. `wait`: waits for it.
   static bool isThere(const Slot& slot, bool wait);

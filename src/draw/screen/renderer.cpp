@@ -35,7 +35,8 @@ const char* overlayOf(const sim::Drawables& drawables) {
   return nullptr;
 }
 
-/// Throws, because overlays have 8 bits and no light values.
+/// Throws UserError(usage) for 16-bit output of a picture with an overlay, because overlays have 8 bits and
+/// no light values. `found`: name of the overlay.
 void refuseOverlays(const char* found) {
   fail(ExitCode::usage,
        "--bits 16: {} lies over the picture, and what does has 8 bits; leave it out of the scene, or "

@@ -41,8 +41,8 @@ class Renderer {
   /// Issues the commands of the frame at `seconds` of scene time. Does not wait.
   void draw(double seconds, const sim::Drawables& drawables, const StageWatch& watch = {});
 
-  /// Sets the drawables of the frame before the next call of draw(). Required if hearsBefore(), as start of
-  /// the motion; without it objects do not move.
+  /// Sets the objects of the frame that precedes the next draw(), from which motion starts. Required if
+  /// hearsBefore(); without it objects do not move.
   void keepBefore(const sim::Drawables& before);
 
   /// True if the renderer needs keepBefore(): for a shutter or for the velocities of keepLayers().

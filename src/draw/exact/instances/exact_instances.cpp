@@ -11,7 +11,7 @@ namespace simreel::draw {
 /// Kernel fields for the material and colours of instances.
 struct ThingLook {
   InstanceLook colors;
-  gl::Uniform<"material", glm::vec3> material;  ///< roughness, metallic, translucency
+  gl::Uniform<"material", glm::vec3> material;  ///< material values: roughness, metallic, translucency
 };
 struct InstanceVariant {
   ThingVariant thing;

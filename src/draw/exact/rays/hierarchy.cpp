@@ -69,7 +69,7 @@ namespace {
 /// Min number of items per leaf, if there are that many.
 constexpr int leastOfLeaf = 2;
 constexpr int boundsInvocations = 4096;
-/// Bit range of a record's key that the radix sort uses, as in keys.comp.
+/// Numbers of significant key bits in the first and the second word of a sort record, as in keys.comp.
 constexpr int lowKeyBits = 12, highKeyBits = 24;
 
 SolidPlaces placesOf(const Hierarchy::Solids& solids) {

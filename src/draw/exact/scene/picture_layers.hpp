@@ -51,7 +51,7 @@ struct PictureLayers {
   glm::ivec2 size{0};
   bool filmed = false;  ///< copy of LightRequest::filmed; `bits` is the copy of LightRequest::bits
   int bits = 16;
-  std::vector<float> light;     ///< RGBA; alpha is coverage. Linear light is premultiplied by alpha
+  std::vector<float> light;     ///< RGBA light; alpha is coverage. Linear light is premultiplied by alpha
   bool alpha = false;           ///< true if alpha is valid; else alpha is 1
   std::vector<float> depth;     ///< depth of the nearest surface along the view direction (m); infinite if
                                 ///< the pixel is empty

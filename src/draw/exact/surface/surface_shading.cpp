@@ -89,7 +89,7 @@ struct ShadeSurface {
   TriangleSource triangles;
   gl::Uniform<"firstId", unsigned> firstId;
   gl::Uniform<"color", glm::vec3> color;
-  gl::Uniform<"material", glm::vec3> material;  ///< roughness, metallic, translucency
+  gl::Uniform<"material", glm::vec3> material;  ///< material values: roughness, metallic, translucency
   VertexTexels texels;
   gl::In<"palette"> palette;
   gl::In<"vertexTints"> tints;

@@ -14,9 +14,10 @@ class TexelLists {
  public:
   struct List {
     gl::Buffer texels;
-    gl::Texture view;  ///< RGBA32UI: first the start index of each level, then the texels in linear light
-                       ///< in units of 1/65535, each as (r + 2^16 g, b) followed by the same of the next
-                       ///< texel in the row (after the last: the first)
+    /// RGBA32UI. First the start index of each level, then the texels in linear light, in units of 1/65535.
+    /// Each entry packs a texel and its right neighbour (at the end of a row: the first texel of the row)
+    /// as r + 2^16 g, b for each of the two.
+    gl::Texture view;
     glm::ivec2 size{0, 0};
     int levels = 0;  ///< mip levels of mip_levels.hpp, down to 1x1
   };

@@ -41,8 +41,8 @@ constexpr std::size_t cornerBytes = 48;
 constexpr int roundTriangles = 57344;  // triangles per round; keeps every loop below the iteration limit of
                                        // drivers
 constexpr int maxTriangles = 1 << 20;  // max number of binned triangles of a picture
-constexpr int maxOfFaces = 1 << 18;    // limit of all faces together; the rest are drawn like large
-                                       // triangles
+constexpr int maxOfFaces = 1 << 18;    // max number of binned triangles of all shadow map faces together;
+                                       // others are drawn like large triangles
 
 int roundsOf(int triangles) {
   return std::max((triangles + roundTriangles - 1) / roundTriangles, 1);

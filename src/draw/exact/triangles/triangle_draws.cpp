@@ -134,7 +134,7 @@ void TriangleRaster::run(Step step, int pass, const Visibility& into, bool clips
 }
 
 void TriangleRaster::runFaces(Step step, int pass, const Visibility& into, bool clips) {
-  // A GPU runs some thousands of workgroups at once. The number is higher, because faces show very
+  // A GPU runs some thousands of workgroups at once. This number is higher, because faces show very
   // different numbers of triangles and many workgroups have no work.
   constexpr unsigned groups = 24576;
   constexpr unsigned fewParts = 16;  // workgroups per large triangle; most of these triangles are small

@@ -29,10 +29,10 @@ class JoinedSurfaces;
 /// Consecutive lists of triangles of one mesh on the GPU.
 struct TriangleLists {
   const gl::Texture* places = nullptr;   ///< vertex positions of the mesh in world space (m), RGBA32F
-  const gl::Texture* indices = nullptr;  ///< R32UI, three per triangle
+  const gl::Texture* indices = nullptr;  ///< vertex indices, R32UI, three per triangle
   const gl::Texture* numbers = nullptr;  ///< triangle indices of all lists, R32UI
   const gl::Buffer* counts = nullptr;    ///< length of each list
-  int room = 0;                          ///< capacity of each list
+  int room = 0;                          ///< max number of triangles of each list
 };
 
 /// Uniforms, buffers and textures that glsl/draw/exact/triangles/surface_triangle.glsl declares.
@@ -80,7 +80,7 @@ class TriangleRaster {
     unsigned firstId = 0;  ///< id of its first triangle
     int firstFan = 0;      ///< index of its first clipped triangle (fan)
     int fans = 0;          ///< max number of its clipped triangles
-    gl::Texture indices;   ///< R32UI texel view
+    gl::Texture indices;   ///< vertex indices, R32UI texel view
     int list = 0;          ///< lamp maps: index of the triangle list
     MapFace face;          ///< lamp maps: the face that shows the list
   };
