@@ -59,7 +59,7 @@ struct Block {
 ///
 ///   0  number of invocations whose first fault is here (uint)            initially 0
 ///   1  the lowest of these invocations, x first, then y, then z (uint)   0xFFFFFFFF
-///   2  the lowest index (int); loop: iterations                          INT_MAX
+///   2  the lowest index (int); loops: iterations                         INT_MAX
 ///   3  the highest index (int)                                           INT_MIN
 ///
 /// Of races, word 1 is the invocation that reads or writes, word 2 the lowest of the other invocations that
@@ -68,8 +68,9 @@ struct Block {
 /// None depends on the order of invocations. To learn the indices of the invocation in word 1, run the
 /// dispatch again from the same state with word 0 set to 0x80000000, word 1 kept, 2 and 3 as initially.
 struct Place {
-  std::string kind;  ///< "read" or "write" out of bounds; "loop" that reached the limit; "race-read",
-                     ///< "race-write" of what another invocation changes
+  std::string kind;  ///< "read" or "write" out of bounds; "loop" that reached the limit; "loops"
+                     ///< that the driver ended; "race-read", "race-write" of what another invocation
+                     ///< changes
   std::string what;  ///< the buffer, texture, array or struct member that the index is of, as the user
                      ///< named it; empty for loops
   std::string
@@ -83,6 +84,8 @@ struct Kernel {
   std::string name;
   int line = 0;                                 ///< that announces it
   std::array<unsigned, 3> threads = {1, 1, 1};  ///< of a group
+  /// Axes along which the kernel asks for the number of its invocation or group: 1 for x, 2 for y, 4 for z.
+  unsigned axes = 0;
   std::vector<Buffer> buffers;
   std::vector<Texture> textures;
   std::vector<Block> blocks;
