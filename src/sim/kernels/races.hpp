@@ -4,9 +4,11 @@
 #include "sim/kernels/plan.hpp"
 #include "sim/kernels/programs.hpp"
 
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace simreel::sim {
@@ -18,8 +20,8 @@ class KernelRaces {
   /// Throws as KernelPlan::shaderOf().
   KernelRaces(const std::string& name, const kernels::Request& request);
 
-  /// Runs an entry's kernel in both variants; the store has the state after it then. A kernel that was
-  /// searched before runs once.
+  /// Runs an entry's kernel in both variants; the store has the state after it then. An entry that was
+  /// searched twice runs once.
   void dispatch(KernelStore& store, const PlannedEntry& entry, const KernelPlan::Now& now);
   /// Returns what was found, a line each.
   [[nodiscard]] const std::vector<std::string>& found() const { return found_; }
@@ -31,7 +33,8 @@ class KernelRaces {
   std::string name_;
   std::shared_ptr<const kernels::Shader> recording_, checking_;
   KernelPrograms record_, check_;
-  std::set<int> searched_;
+  std::map<const PlannedEntry*, int> searches_;
+  std::set<std::pair<int, std::size_t>> told_;  ///< kernels, and places in them
   std::vector<std::string> found_;
 };
 
