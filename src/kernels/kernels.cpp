@@ -6,6 +6,7 @@
 #include "kernels/compile/front_end.hpp"
 #include "kernels/exact/bounds.hpp"
 #include "kernels/exact/calls.hpp"
+#include "kernels/exact/limits.hpp"
 #include "kernels/exact/refuse.hpp"
 #include "kernels/exact/sampling.hpp"
 #include "kernels/guards/loops.hpp"
@@ -36,6 +37,8 @@ namespace {
 Module prepared(Files& files, const Unit& unit, const Request& request, Report* report) {
   const Module compiled(compile(files, unit));
   if (auto mistakes = refused(compiled, files, request.fast); !mistakes.empty()) files.fail(mistakes);
+  if (auto mistakes = beyondLimits(compiled, files, unit.entry, unit.line); !mistakes.empty())
+    files.fail(mistakes);
   const bool hlsl = unit.language == Language::hlsl;
   const auto made = [&](bool unrolled) {
     Module module = compiled;
@@ -75,6 +78,8 @@ Kernel lowered(Files& files, const Unit& unit, const Request& request) {
   Report* const report = request.report && request.race != Race::check ? &reporting : nullptr;
   Module module = prepared(files, unit, request, report);
   const bool hlsl = unit.language == Language::hlsl;
+  if (auto mistakes = beyondShared(module, files, unit.line); !mistakes.empty()) files.fail(mistakes);
+  const unsigned axes = numberedAxes(module);
   if (auto mistakes = readPrevious(module, files, hlsl, request.previous); !mistakes.empty())
     files.fail(mistakes);
   if (!request.fast) {
@@ -91,6 +96,7 @@ Kernel lowered(Files& files, const Unit& unit, const Request& request) {
   reporting.complete(module);
   bindResources(module);
   Kernel kernel = reflected(module, unit.language);
+  kernel.axes = axes;
   describeGuards(kernel, request.fast);
   kernel.places = reporting.places();
   writeGlsl(module, kernel);
@@ -104,7 +110,7 @@ std::vector<Announced> wanted(const Announcements& announced, const Request& req
   if (announced.kernels.empty())
     fail(ExitCode::usage,
          "{} has no kernel: it needs a line \"#pragma kernel NAME\" or a function with [numthreads(x, y, "
-         "z)]",
+         "z)]; those of files that it includes do not count",
          request.file.string());
   std::vector<std::string> names;
   for (const Announced& kernel : announced.kernels) names.push_back(kernel.name);

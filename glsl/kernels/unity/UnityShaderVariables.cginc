@@ -16,6 +16,9 @@ cbuffer UnityPerCamera {
   float4 unity_OrthoParams;
   float4x4 unity_MatrixV;
   float4x4 unity_MatrixVP;
+  float4x4 unity_MatrixInvV;
+  float4x4 unity_MatrixInvVP;
+  float4x4 glstate_matrix_projection;
   float4x4 unity_CameraProjection;
   float4x4 unity_CameraInvProjection;
   float4x4 unity_WorldToCamera;
@@ -31,5 +34,10 @@ cbuffer UnityLighting {
 };
 #define UNITY_MATRIX_V unity_MatrixV
 #define UNITY_MATRIX_VP unity_MatrixVP
+#define UNITY_MATRIX_P glstate_matrix_projection
+#define UNITY_MATRIX_I_V unity_MatrixInvV
+#define UNITY_MATRIX_I_VP unity_MatrixInvVP
+#define UNITY_MATRIX_MV mul(unity_MatrixV, unity_ObjectToWorld)
+#define UNITY_MATRIX_MVP mul(unity_MatrixVP, unity_ObjectToWorld)
 #define UNITY_MATRIX_M unity_ObjectToWorld
 #endif

@@ -8,10 +8,13 @@
 #include "cli/options/device_options.hpp"
 #include "gl/context.hpp"
 #include "scene/load.hpp"
+#include "sim/kernels/kernels.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/world.hpp"
 
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -107,6 +110,12 @@ std::string listed(const kernels::Shader& shader, const KernelsOptions& o) {
 /// Runs a scene's kernels and prints their races. Fails if there are any.
 void checkRaces(const KernelsOptions& o) {
   const scene::Scene scene = scene::loadScene(o.checked, {}, sim::kinds());
+  const std::vector<std::filesystem::path> files = sim::shaderFiles(scene);
+  if (std::none_of(files.begin(), files.end(), [&](const std::filesystem::path& file) {
+        std::error_code error;
+        return std::filesystem::equivalent(file, o.request.file, error);
+      }))
+    fail(ExitCode::usage, "{}: no object runs the shader {}", o.checked, o.request.file.string());
   const gl::Context context(o.on);
   sim::World world(scene);
   world.advanceTo(0);

@@ -4,6 +4,7 @@
 #include "kernels/compile/learn.hpp"
 #include "kernels/compile/messages.hpp"
 #include "kernels/spirv/module.hpp"
+#include "scene/json/words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -212,7 +213,14 @@ std::vector<std::uint32_t> compiledAs(Files& files, const Unit& unit, bool renam
 std::vector<std::uint32_t> compile(Files& files, const Unit& unit) {
   initialize();
   std::vector<std::uint32_t> made = compiledAs(files, unit, false);
-  if (unit.language == Language::hlsl && takesOthers(made)) made = compiledAs(files, unit, true);
+  if (unit.language == Language::hlsl && takesOthers(made)) {
+    made = compiledAs(files, unit, true);
+    if (takesOthers(made))
+      files.fail({{0, unit.line, unit.entry,
+                   fmt::format("{} is no kernel: a kernel returns void, and each of its parameters has a "
+                               "semantic such as SV_DispatchThreadID",
+                               scene::inQuotes(unit.entry))}});
+  }
   return made;
 }
 

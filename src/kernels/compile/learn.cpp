@@ -86,6 +86,13 @@ void learnMeasured(Files& files) {
         files.remedies.measured.emplace(scan.all[i].text);
 }
 
+void learnNamespaces(Files& files) {
+  for (const Scan& scan : scans(files))
+    for (std::size_t i = 0; i + 2 < scan.all.size(); ++i)
+      if (scan.all[i].text == "namespace" && scan.all[i + 2].text == "{")
+        files.remedies.dissolved.emplace(scan.all[i + 1].text);
+}
+
 bool asksForLength(const Files& files, const Mistake& mistake) {
   const Scan scan(files.text(mistake.file));
   const std::vector<Token> tokens = statement(scan, mistake.line);
@@ -107,9 +114,12 @@ bool learn(Files& files, std::string_view log) {
     else if (says("no matching overloaded function found") &&
              (mistake.token == "select" || mistake.token == "and" || mistake.token == "or"))
       files.remedies.functions.insert(mistake.token);
+    else if (says("DX9"))
+      files.remedies.functions.insert("tex2D");
     else if (mistake.line > 0 && asksForLength(files, mistake))
       learnMeasured(files);
   }
+  if (files.remedies.count() == before) learnNamespaces(files);
   return files.remedies.count() > before;
 }
 

@@ -64,6 +64,28 @@ void reword(Mistake& mistake) {
     mistake.message = fmt::format("{}: OpenGL has no ray queries", scene::inQuotes(mistake.token));
     return;
   }
+  if (mistake.message.find("compute_shader_derivatives") != std::string::npos) {
+    mistake.message = fmt::format(
+        "{}: a compute shader has no neighbouring pixels to take a derivative of; compute the difference "
+        "yourself",
+        scene::inQuotes(mistake.token));
+    return;
+  }
+  if (mistake.message.find("block instance name redefinition") != std::string::npos) {
+    mistake.token = mistake.token.substr(0, mistake.token.find('@'));
+    mistake.message =
+        fmt::format("{} is declared twice; a file that is included twice needs \"#pragma once\"",
+                    scene::inQuotes(mistake.token));
+    return;
+  }
+  if (mistake.token.starts_with("Interlocked") && mistake.message.find("no matching overloaded") == 0) {
+    mistake.message = fmt::format(
+        "{} has no function with these arguments: atomic operations are for int and uint, in buffers, "
+        "textures "
+        "and groupshared variables",
+        scene::inQuotes(mistake.token));
+    return;
+  }
   for (const Wording& wording : wordings)
     if (mistake.message.find(wording.theirs) != std::string::npos && named) {
       mistake.message = fmt::format("{} {}", scene::inQuotes(mistake.token), wording.ours);

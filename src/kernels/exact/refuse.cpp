@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -18,7 +19,15 @@ struct Refusal {
   std::initializer_list<std::string_view> words;  ///< possible source words for it, to place the caret
 };
 
-const Refusal* refusal(const Instruction& one) {
+/// True for a number that only a subgroup has.
+bool isOfSubgroup(std::optional<std::uint32_t> builtIn) {
+  return builtIn &&
+         ((*builtIn >= SpvBuiltInSubgroupSize && *builtIn <= SpvBuiltInSubgroupLocalInvocationId &&
+           *builtIn != SpvBuiltInNumEnqueuedSubgroups) ||
+          (*builtIn >= SpvBuiltInSubgroupEqMask && *builtIn <= SpvBuiltInSubgroupLtMask));
+}
+
+const Refusal* refusal(const Module& module, const Instruction& one) {
   static const Refusal floatAtomics = {
       "atomic operations on floating numbers give another sum with each order of the invocations; sum "
       "whole numbers (value * 65536) or reduce in shared memory",
@@ -37,6 +46,9 @@ const Refusal* refusal(const Instruction& one) {
   static const Refusal rays = {"OpenGL has no ray queries", true, {"rayQuery"}};
   static const Refusal matrices = {"OpenGL has no cooperative matrices", true, {"coopMat", "coopmat"}};
   const auto op = static_cast<unsigned>(one.op);
+  if ((one.op == SpvOpLoad || one.op == SpvOpAccessChain) &&
+      isOfSubgroup(module.decoration(one.operands[0], SpvDecorationBuiltIn)))
+    return &subgroups;
   switch (one.op) {
     case SpvOpAtomicFAddEXT:
     case SpvOpAtomicFMinEXT:
@@ -146,7 +158,7 @@ std::vector<Mistake> refused(const Module& module, const Files& files, bool fast
              "glslang gives this assignment a value of another type; write the value out, component by "
              "component"});
     }
-    const Refusal* found = refusal(one);
+    const Refusal* found = refusal(module, one);
     if (found != nullptr && (found->whenFast || !fast))
       add({file, line, named(files, file, line, found->words), found->message});
   }

@@ -21,7 +21,7 @@ class Limiting {
 
   void run() {
     findLoops();
-    if (counters_.empty()) return;
+    if (loops_.empty()) return;
     const Id number = module_.uintType();
     left_ = module_.addGlobal(SpvOpVariable,
                               module_.globalOf(SpvOpTypePointer, 0, {SpvStorageClassPrivate, number}),
@@ -37,12 +37,20 @@ class Limiting {
   }
 
  private:
-  /// Assigns an iteration counter to each loop, by the label of its header.
+  struct Loop {
+    Id counter = 0;  ///< the variable of its iterations
+    std::uint32_t number = 0;
+    Position at;
+  };
+
+  /// The loops by the labels of their headers.
   void findLoops() {
     Id header = 0;
     for (const Instruction& one : module_.body) {
       if (one.op == SpvOpLabel) header = one.result;
-      if (one.op == SpvOpLoopMerge && (unrolled_ || !isUnrolled(one))) counters_[header] = module_.fresh();
+      if (one.op != SpvOpLoopMerge || (!unrolled_ && isUnrolled(one))) continue;
+      loops_[header] = {module_.fresh(), static_cast<std::uint32_t>(loops_.size()), {}};
+      behind_[one.operands[0]] = header;
     }
   }
 
@@ -57,22 +65,26 @@ class Limiting {
         label_ = one.result;
         if (!declared_) return declare(body, i);
         begun_.push_back(label_);
-        break;
+        module_.body.push_back(std::move(one));
+        return compare();
       case SpvOpBranch:
-        begin(one.operands[0]);
+        enter(one.operands[0]);
+        leave(one.operands[0]);
         break;
       case SpvOpBranchConditional:
-        begin(one.operands[1]);
-        begin(one.operands[2]);
+        enter(one.operands[1]);
+        enter(one.operands[2]);
+        if (report_ != nullptr && (behind_.contains(one.operands[1]) || behind_.contains(one.operands[2])))
+          return branch(std::move(one));
         break;
       case SpvOpSwitch:
-        for (std::size_t k = 1; k < one.operands.size(); k += 2) begin(one.operands[k]);
+        for (std::size_t k = 1; k < one.operands.size(); k += 2) enter(one.operands[k]);
         break;
       case SpvOpLoopMerge:
-        if (counters_.contains(label_)) return count(body, i);
+        if (loops_.contains(label_)) return count(body, i);
         break;
-      case SpvOpUnreachable:  // code after a loop without a break
-        return leave();
+      case SpvOpUnreachable:  // behind a loop that no break leaves
+        return finish();
       default:
         break;
     }
@@ -87,20 +99,90 @@ class Limiting {
     const Id pointer = module_.globalOf(SpvOpTypePointer, 0, {SpvStorageClassFunction, module_.uintType()});
     for (std::size_t k = i + 1; k < body.size() && body[k].op != SpvOpFunctionEnd; ++k) {
       if (body[k].op != SpvOpLabel) continue;
-      const auto counter = counters_.find(body[k].result);
-      if (counter == counters_.end()) continue;
-      module_.noteType(counter->second, pointer);
-      module_.body.push_back({SpvOpVariable, pointer, counter->second, {SpvStorageClassFunction}});
+      const auto loop = loops_.find(body[k].result);
+      if (loop == loops_.end()) continue;
+      module_.noteType(loop->second.counter, pointer);
+      module_.body.push_back({SpvOpVariable, pointer, loop->second.counter, {SpvStorageClassFunction}});
     }
   }
 
-  /// Resets the counter at a branch into a loop. A branch to a header that appears later enters the loop; a
-  /// branch to an earlier header is the back edge.
-  void begin(Id target) {
-    const auto counter = counters_.find(target);
-    if (counter == counters_.end() || std::find(begun_.begin(), begun_.end(), target) != begun_.end())
+  /// A branch to a loop whose header comes later begins it; the branch back comes behind the header.
+  void enter(Id target) {
+    const auto loop = loops_.find(target);
+    if (loop == loops_.end() || std::find(begun_.begin(), begun_.end(), target) != begun_.end()) return;
+    module_.body.push_back({SpvOpStore, 0, 0, {loop->second.counter, module_.uintConstant(0)}});
+    note(loop->second, module_.uintConstant(0));
+  }
+
+  /// The word of memory that says that a loop has ended. Its place is no constant, or a driver would keep
+  /// it in a register: a loop that the driver ends passes none of the branches that set it.
+  Id word(Writing& writing, const Loop& loop) {
+    const Id number = module_.uintType();
+    if (ended_ == 0) {
+      const Id array = module_.addGlobal(
+          SpvOpTypeArray, 0, {number, module_.uintConstant(static_cast<std::uint32_t>(loops_.size()) + 1)});
+      ended_ = module_.addGlobal(SpvOpVariable,
+                                 module_.globalOf(SpvOpTypePointer, 0, {SpvStorageClassPrivate, array}),
+                                 {SpvStorageClassPrivate});
+      giveName(module_, ended_, "simreel_ended");
+    }
+    const Id groups =
+        writing.load(module_.vectorType(number, 3), builtIn(module_, SpvBuiltInNumWorkgroups));
+    const Id some =
+        writing.emit(SpvOpULessThan, module_.boolType(),
+                     {module_.uintConstant(0), writing.emit(SpvOpCompositeExtract, number, {groups, 0})});
+    const Id at =
+        writing.emit(SpvOpSelect, number,
+                     {some, module_.uintConstant(loop.number), module_.uintConstant(loop.number + 1)});
+    return writing.chain(SpvStorageClassPrivate, number, ended_, {at});
+  }
+
+  void note(const Loop& loop, Id value) {
+    if (report_ == nullptr) return;
+    Writing writing(module_, module_.body);
+    writing.put(SpvOpStore, {word(writing, loop), value});
+  }
+
+  /// A branch to behind a loop ends it.
+  void leave(Id target) {
+    if (const auto header = behind_.find(target); header != behind_.end())
+      note(loops_[header->second], module_.uintConstant(1));
+  }
+
+  /// A branch of which one way leads behind a loop gets a block there that notes it; but not the branch
+  /// back.
+  void branch(Instruction one) {
+    Writing writing(module_, module_.body);
+    const std::size_t out = behind_.contains(one.operands[1]) ? 1 : 2;
+    const Id target = one.operands[out], other = one.operands[3 - out];
+    if (loops_.contains(other)) {
+      const Id yes = module_.uintConstant(1), no = module_.uintConstant(0);
+      const Id ends = writing.emit(SpvOpSelect, module_.uintType(),
+                                   {one.operands[0], out == 1 ? yes : no, out == 1 ? no : yes});
+      note(loops_[behind_[target]], ends);
+      module_.body.push_back(std::move(one));
       return;
-    module_.body.push_back({SpvOpStore, 0, 0, {counter->second, module_.uintConstant(0)}});
+    }
+    const SpvOp before = module_.body.back().op;
+    if (before != SpvOpSelectionMerge && before != SpvOpLoopMerge)
+      writing.put(SpvOpSelectionMerge, {other, SpvSelectionControlMaskNone});
+    const Id made = module_.fresh();
+    one.operands[out] = made;
+    module_.body.push_back(std::move(one));
+    writing.label(made);
+    leave(target);
+    writing.put(SpvOpBranch, {target});
+  }
+
+  /// Behind a loop: notes that the driver ended it.
+  void compare() {
+    const auto header = behind_.find(label_);
+    if (report_ == nullptr || header == behind_.end()) return;
+    const Loop& loop = loops_[header->second];
+    Writing writing(module_, module_.body);
+    const Id ended = writing.load(module_.uintType(), word(writing, loop));
+    const Id fine = writing.emit(SpvOpINotEqual, module_.boolType(), {ended, module_.uintConstant(0)});
+    report_->note(module_, module_.body, fine, report_->place("loops", "", loop.at), ended, ended);
   }
 
   void count(std::vector<Instruction>& body, std::size_t& i) {
@@ -109,23 +191,30 @@ class Limiting {
     while (body[i].op == SpvOpLine || body[i].op == SpvOpNoLine);
     Instruction branch = std::move(body[i]);
     Writing writing(module_, module_.body);
-    const Id counter = counters_[label_], number = module_.uintType();
-    const Id done = writing.load(number, counter);
+    Loop& loop = loops_[label_];
+    loop.at = at_;
+    const Id number = module_.uintType();
+    const Id done = writing.load(number, loop.counter);
     const Id left = writing.load(number, left_);
     const Id more = writing.emit(SpvOpULessThan, module_.boolType(), {done, left});
     writing.put(SpvOpStore,
                 {left_, writing.emit(SpvOpSelect, number, {more, left, module_.uintConstant(0)})});
-    writing.put(SpvOpStore, {counter, writing.emit(SpvOpIAdd, number, {done, module_.uintConstant(1)})});
+    writing.put(SpvOpStore,
+                {loop.counter, writing.emit(SpvOpIAdd, number, {done, module_.uintConstant(1)})});
     if (report_ != nullptr)
       report_->note(module_, module_.body, more, report_->place("loop", "", at_), done, done);
     const Id after = merge.operands[0], inner = module_.fresh();
     module_.body.push_back(std::move(merge));
-    writing.put(SpvOpBranchConditional, {more, inner, after});
+    if (report_ != nullptr) {
+      this->branch({SpvOpBranchConditional, 0, 0, {more, inner, after}});
+    } else {
+      writing.put(SpvOpBranchConditional, {more, inner, after});
+    }
     writing.label(inner);
     module_.body.push_back(std::move(branch));
   }
 
-  void leave() {
+  void finish() {
     Writing writing(module_, module_.body);
     if (module_.global(function_)->op == SpvOpTypeVoid) return writing.put(SpvOpReturn, {});
     writing.put(SpvOpReturnValue, {module_.globalOf(SpvOpConstantNull, function_, {})});
@@ -136,11 +225,12 @@ class Limiting {
   bool unrolled_;
   Report* report_;
   Position at_;
-  std::unordered_map<Id, Id> counters_;
-  std::vector<Id> begun_;  ///< labels of this function emitted so far
-  Id left_ = 0;  ///< variable with the current iteration limit of all loops: `most`, or 0 after a loop has
-                 ///< reached it
-  Id function_ = 0;  ///< return type of the function
+  std::unordered_map<Id, Loop> loops_;
+  std::unordered_map<Id, Id> behind_;  ///< headers of loops by the labels behind them
+  std::vector<Id> begun_;              ///< labels of this function so far
+  Id ended_ = 0;                       ///< the array that says which loops have ended
+  Id left_ = 0;      ///< the variable of what any loop may still do: nothing after one at its limit
+  Id function_ = 0;  ///< the type that the function returns
   Id label_ = 0;
   bool declared_ = false;
 };

@@ -5,10 +5,12 @@
 
 namespace simreel::kernels {
 
-/// Ends each loop of a module (in glslang's form) at the start of its iteration `most` + 1. After that all
-/// other loops of the invocation end too; otherwise an enclosing loop would multiply the time by `most`.
-/// `unrolled`: also limits loops marked for unrolling, so that SPIRV-Tools cannot unroll them any more.
-/// `report`: records it; nullptr: no reports.
+/// Ends each loop of a module, as glslang writes it, when it begins its iteration `most` + 1 in one run;
+/// from then on the invocation's other loops end, too, or a loop around would take `most` times as long.
+/// `unrolled`: those that are to be unrolled, too, which SPIRV-Tools then cannot do. `report`: notes it;
+/// nullptr for none. With it, loops that
+/// the driver ends by itself are noted, too: llvmpipe ends those of an invocation after 65,535 iterations
+/// of all loops together, and lets the invocation go on.
 void limitLoops(Module& module, std::uint32_t most, bool unrolled, Report* report);
 
 /// True if a loop marked for unrolling has not been unrolled.

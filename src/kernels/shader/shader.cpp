@@ -11,8 +11,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Texture, name, type, values, format, sampler,
                                    writes)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Block, name, binding, bytes, members)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Place, kind, what, part, file, line)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Kernel, name, line, threads, buffers, textures, blocks, report, places,
-                                   glsl)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Kernel, name, line, threads, axes, buffers, textures, blocks, report,
+                                   places, glsl)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Shader, language, keywords, kernels, files)
 
 std::string Kernel::body() const {

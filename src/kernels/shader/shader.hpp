@@ -59,8 +59,8 @@ struct Block {
 /// each place, in the order of `Kernel::places`:
 ///
 ///   0  number of invocations whose first fault is here (uint)            initially 0
-///   1  the lowest such invocation, x first, then y, then z (uint)        0xFFFFFFFF
-///   2  the lowest index (int); loop: iterations                          INT_MAX
+///   1  the lowest of these invocations, x first, then y, then z (uint)   0xFFFFFFFF
+///   2  the lowest index (int); loops: iterations                         INT_MAX
 ///   3  the highest index (int)                                           INT_MIN
 ///
 /// For races, word 1 is the invocation with the access, word 2 is the lowest other invocation that changed
@@ -70,8 +70,11 @@ struct Block {
 /// run the dispatch again from the same state with word 0 set to 0x80000000, word 1 kept, and words 2 and 3
 /// reset.
 struct Place {
-  std::string kind;  ///< out-of-bounds "read" or "write"; "loop" that reached the limit; "race-read" or
-                     ///< "race-write" of a word that another invocation changes
+  std::string kind;  ///< "read" or "write" out of bounds; "loop" that reached the limit; "loops"
+                     ///< that the driver ended; "race-read", "race-write" of what another invocation
+                     ///< changes
+  std::string what;  ///< the buffer, texture, array or struct member that the index is of, as the user
+                     ///< named it; empty for loops
   std::string
       what;  ///< user's name of the indexed buffer, texture, array or struct member; empty for loops
   std::string part;  ///< texture out of bounds: the axis "x", "y" or "z"; race: the member of the element
@@ -82,8 +85,10 @@ struct Place {
 
 struct Kernel {
   std::string name;
-  int line = 0;                                 ///< line that announces the kernel
-  std::array<unsigned, 3> threads = {1, 1, 1};  ///< threads per workgroup in x, y and z
+  int line = 0;                                 ///< that announces it
+  std::array<unsigned, 3> threads = {1, 1, 1};  ///< of a group
+  /// Axes along which the kernel asks for the number of its invocation or group: 1 for x, 2 for y, 4 for z.
+  unsigned axes = 0;
   std::vector<Buffer> buffers;
   std::vector<Texture> textures;
   std::vector<Block> blocks;

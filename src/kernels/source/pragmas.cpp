@@ -35,7 +35,22 @@ Announced announced(const std::vector<std::string>& words, int line) {
   return kernel;
 }
 
-/// Returns the functions that follow "[numthreads(x, y, z)]".
+/// True if a function can be a kernel: it returns nothing, and its parameters have semantics. `open`: the
+/// bracket behind its name, which begins at `name`.
+bool canBeKernel(const std::string& code, std::size_t name, std::size_t open) {
+  std::size_t last = name;
+  while (last > 0 && std::isspace(static_cast<unsigned char>(code[last - 1])) != 0) --last;
+  if (last < 4 || code.compare(last - 4, 4, "void") != 0) return false;
+  const std::size_t close = code.find(')', open);
+  std::istringstream parameters(
+      code.substr(open + 1, close == std::string::npos ? close : close - open - 1));
+  for (std::string one; std::getline(parameters, one, ',');)
+    if (one.find_first_not_of(" \t\r\n") != std::string::npos && one.find(':') == std::string::npos)
+      return false;
+  return true;
+}
+
+/// The functions behind "[numthreads(x, y, z)]".
 std::vector<Announced> withThreadGroups(const std::string& code) {
   std::vector<Announced> kernels;
   for (std::size_t at = code.find("numthreads"); at != std::string::npos;
@@ -47,7 +62,7 @@ std::vector<Announced> withThreadGroups(const std::string& code) {
     while (last > end && std::isspace(static_cast<unsigned char>(code[last - 1])) != 0) --last;
     std::size_t first = last;
     while (first > end && partOfName(code[first - 1])) --first;
-    if (first == last) continue;
+    if (first == last || !canBeKernel(code, first, open)) continue;
     const auto line = 1 + std::count(code.begin(), code.begin() + static_cast<std::ptrdiff_t>(first), '\n');
     kernels.push_back({code.substr(first, last - first), {}, static_cast<int>(line)});
   }

@@ -67,6 +67,25 @@ void undefineFirst(const std::string& text, std::size_t file, const Remedies& re
   }
 }
 
+/// Blanks "namespace N {" with its "}", and "N::".
+void dissolve(const std::vector<Token>& all, const Remedies& remedies, Edits& edits) {
+  const auto blank = [&](std::size_t first, std::size_t last) {
+    edits.replace(all[first].at, all[last].end(), std::string(all[last].end() - all[first].at, ' '));
+  };
+  for (std::size_t i = 0; i + 2 < all.size(); ++i) {
+    if (all[i].text == "namespace" && all[i + 2].text == "{") {
+      const auto end = std::find_if(
+          all.begin() + static_cast<std::ptrdiff_t>(i) + 3, all.end(),
+          [&](const Token& one) { return one.text == "}" && one.depth <= all[i + 2].depth + 1; });
+      if (end == all.end()) continue;
+      blank(i, i + 2);
+      blank(static_cast<std::size_t>(end - all.begin()), static_cast<std::size_t>(end - all.begin()));
+    } else if (all[i + 1].text == "::" && remedies.dissolved.contains(all[i].text)) {
+      blank(i, i + 1);
+    }
+  }
+}
+
 }  // namespace
 
 std::set<std::string, std::less<>> assignedNames(const std::vector<Token>& all) {
@@ -114,13 +133,24 @@ std::string lengthFunction(std::string_view type, std::string_view name) {
   return {};
 }
 
+/// Textures that hold their sampler, and the functions that read them. A scene says how they are filtered.
+constexpr const char* directX9 = R"(SamplerState simreel_linear_repeat;
+#define sampler2D Texture2D<float4>
+#define sampler3D Texture3D<float4>
+#define tex2D(s, at) s.SampleLevel(simreel_linear_repeat, (at).xy, 0)
+#define tex2Dlod(s, at) s.SampleLevel(simreel_linear_repeat, (at).xy, (at).w)
+#define tex3D(s, at) s.SampleLevel(simreel_linear_repeat, (at).xyz, 0)
+#define tex3Dlod(s, at) s.SampleLevel(simreel_linear_repeat, (at).xyz, (at).w)
+)";
+
 std::string functionMacros(const Remedies& remedies) {
   struct Macro {
     std::string_view name, text;
   };
   static constexpr Macro macros[] = {{"select", "#define select(a, b, c) ((a) ? (b) : (c))\n"},
                                      {"and", "#define and(a, b) ((a) && (b))\n"},
-                                     {"or", "#define or(a, b) ((a) || (b))\n"}};
+                                     {"or", "#define or(a, b) ((a) || (b))\n"},
+                                     {"tex2D", directX9}};
   std::string text;
   for (const Macro& macro : macros)
     if (remedies.functions.find(macro.name) != remedies.functions.end()) text += macro.text;
@@ -143,6 +173,7 @@ std::string remedied(const std::string& text, std::size_t file, const Remedies& 
         remedies.measured.find(all[i].text) != remedies.measured.end() &&
         (i == 0 || all[i - 1].text != "."))
       edits.replace(all[i].at, all[i + 2].end(), fmt::format("simreel_length_{}()", all[i].text));
+  if (!remedies.dissolved.empty()) dissolve(all, remedies, edits);
   undefineFirst(text, file, remedies, edits);
   return edits.applied(text);
 }

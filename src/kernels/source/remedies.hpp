@@ -22,11 +22,13 @@ struct Remedies {
   std::set<std::string, std::less<>> measured;
   /// Lines that redefine a macro, by file.
   std::set<std::pair<std::size_t, int>> redefined;
-  /// Used functions of HLSL 2021: "select", "and", "or".
+  /// Functions of HLSL 2021 that are used: "select", "and", "or"; "tex2D" for samplers of Direct3D 9.
   std::set<std::string, std::less<>> functions;
+  /// Namespaces that are dissolved: methods of their structs would not find their functions.
+  std::set<std::string, std::less<>> dissolved;
 
   [[nodiscard]] std::size_t count() const {
-    return assigned.size() + measured.size() + redefined.size() + functions.size();
+    return assigned.size() + measured.size() + redefined.size() + functions.size() + dissolved.size();
   }
 };
 
@@ -40,7 +42,7 @@ struct Remedies {
 /// types.
 [[nodiscard]] std::string lengthFunction(std::string_view type, std::string_view name);
 
-/// Returns macros that define the used functions of HLSL 2021.
+/// Macros for functions that remedies name.
 [[nodiscard]] std::string functionMacros(const Remedies& remedies);
 
 }  // namespace simreel::kernels

@@ -200,6 +200,79 @@ void describeImage(const Module& module, const Instruction& image, Texture& text
   texture.format = image.operands[5] == 2 ? formatName(image.operands[6]) : "";
 }
 
+namespace {
+
+/// The numbers of the running invocation and its group: pointers to all three, and the three as a value.
+class Numbers {
+ public:
+  explicit Numbers(const Module& module) {
+    for (const Instruction& one : module.globals) {
+      const auto what = module.decoration(one.result, SpvDecorationBuiltIn);
+      if (one.op == SpvOpVariable && what &&
+          (*what == SpvBuiltInGlobalInvocationId || *what == SpvBuiltInWorkgroupId))
+        ids_.insert(one.result);
+    }
+    Id function = 0;
+    for (const Instruction& one : module.body) {
+      if (one.op == SpvOpFunction) function = one.result;
+      if (one.op == SpvOpFunctionParameter) parameters_[function].push_back(one.result);
+      if (one.op == SpvOpVariable) variables_.insert(one.result);
+    }
+    for (std::size_t before = 0; before != ids_.size();) {
+      before = ids_.size();
+      for (const Instruction& one : module.body) follow(one);
+    }
+  }
+  [[nodiscard]] bool has(const Instruction& one, std::size_t at) const {
+    return at < one.operands.size() && isId(one, at) && ids_.contains(one.operands[at]);
+  }
+  /// True where follow() knows what becomes of all numbers among the operands.
+  [[nodiscard]] bool follows(const Instruction& one) const {
+    return one.op == SpvOpLoad || one.op == SpvOpFunctionCall ||
+           (one.op == SpvOpStore && ids_.contains(one.operands[0]));
+  }
+
+ private:
+  void follow(const Instruction& one) {
+    if (one.op == SpvOpLoad && has(one, 0)) ids_.insert(one.result);
+    if (one.op == SpvOpStore && has(one, 1) && variables_.contains(one.operands[0]))
+      ids_.insert(one.operands[0]);
+    if (one.op != SpvOpFunctionCall) return;
+    const Words& parameters = parameters_[one.operands[0]];
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+      if (has(one, i + 1)) ids_.insert(parameters[i]);
+  }
+
+  std::unordered_set<Id> ids_, variables_;
+  std::unordered_map<Id, Words> parameters_;
+};
+
+}  // namespace
+
+unsigned numberedAxes(const Module& module) {
+  constexpr unsigned all = 7;
+  unsigned axes = 0;
+  const Numbers numbers(module);
+  const auto axis = [&](std::optional<std::uint32_t> number) {
+    axes |= number && *number < 3 ? 1U << *number : all;
+  };
+  for (const Instruction& one : module.body) {
+    if (numbers.follows(one)) continue;
+    if (one.op == SpvOpAccessChain && numbers.has(one, 0)) {
+      axis(module.constant(one.operands[1]));
+    } else if (one.op == SpvOpCompositeExtract && numbers.has(one, 0)) {
+      axis(one.operands[1]);
+    } else if (one.op == SpvOpVectorShuffle) {
+      const bool given = numbers.has(one, 0) || numbers.has(one, 1);
+      for (std::size_t i = 2; given && i < one.operands.size(); ++i) axis(one.operands[i] % 3);
+    } else {
+      for (std::size_t i = 0; i < one.operands.size(); ++i)
+        if (numbers.has(one, i)) axes = all;
+    }
+  }
+  return axes;
+}
+
 Kernel reflected(const Module& module, Language language) {
   Kernel kernel;
   for (const Instruction& one : module.head)

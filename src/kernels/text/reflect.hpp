@@ -9,7 +9,11 @@ namespace simreel::kernels {
 /// textures, because it combines them with samplers.
 [[nodiscard]] Kernel reflected(const Module& module, Language language);
 
-/// Sets the type ("2D", "3DArray", ...) and the component type ("float", "int", "uint") of an image.
+/// Returns the axes along which a module's code asks for the number of its invocation or group, as
+/// Kernel::axes. Call before code that reports is added.
+[[nodiscard]] unsigned numberedAxes(const Module& module);
+
+/// "2D", "3DArray" and so on, and "float", "int", "uint" of an image's type.
 void describeImage(const Module& module, const Instruction& image, Texture& texture);
 
 }  // namespace simreel::kernels

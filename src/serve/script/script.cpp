@@ -4,6 +4,7 @@
 #include "scene/load.hpp"
 #include "serve/script/changes.hpp"
 #include "sim/core/kind.hpp"
+#include "sim/kernels/kernels.hpp"
 #include "sim/ports/field_source.hpp"
 #include "sim/world/list.hpp"
 
@@ -209,6 +210,10 @@ std::shared_ptr<Script> readScript(const SceneSource& source, const std::string&
     script->draft.render.quality = scene::Quality::draft;
   script->asRun = scene::textAsRun(text, source.file, all);
   script->simulation = scene::simulationHash(withoutWhatShows(script->asRun));
+  for (const std::filesystem::path& file : sim::shaderFiles(script->scene)) {
+    auto& files = script->scene.files;
+    if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
+  }
   for (const std::filesystem::path& file : script->scene.files) script->files[file] = stampOf(file);
   script->fieldsAlone = drawsFieldsAlone(script->scene);
   if (script->fieldsAlone) {  // settings that the driver's rasterizer needs (Stage::drawerOf)

@@ -67,6 +67,8 @@ struct ImageParameters : KernelsParameters {
         "buffers", passes, "Passes that run before the image, in this order: A to D.", "buffer",
         [](scene::Fields& p, ImagePass& pass) { pass.describe(p); }, 8);
     f.formula("mouse", mouse, "pixels", "iMouse: two or four numbers, which may move.");
+    if (const std::size_t count = mouse.components(); count != 0 && count != 2 && count != 4)
+      f.error("mouse", fmt::format("iMouse is two or four numbers, found {}", count));
     f.group("display", "Placement over the picture.", [&](scene::Fields& d) { display.describe(d); });
     if (!image.file.empty() && f.given("file")) build(f);
   }

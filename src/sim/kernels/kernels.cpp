@@ -33,6 +33,14 @@ void checkKernels(const scene::Object& object, const Setting& /*setting*/) {
   fail(ExitCode::usage, "{} \"{}\": {}", object.kind, object.name, parameters.problem);
 }
 
+std::vector<std::filesystem::path> shaderFiles(const scene::Scene& scene) {
+  std::vector<std::filesystem::path> files;
+  for (const scene::Object& object : scene.objects)
+    if (const auto* kernels = dynamic_cast<const KernelsParameters*>(object.parameters.get()))
+      for (const auto& file : kernels->shaderFiles()) files.push_back(file);
+  return files;
+}
+
 namespace {
 
 class Kernels : public Simulation, public RaceChecked {

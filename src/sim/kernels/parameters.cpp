@@ -9,6 +9,7 @@
 #include "sim/ports/field_source.hpp"
 
 #include <algorithm>
+#include <mutex>
 #include <utility>
 
 namespace simreel::sim {
@@ -38,6 +39,8 @@ void describe(scene::Fields& f, KernelMemory& memory, bool texture) {
   if (texture) {
     f.text("format", memory.format, "Format of a texel, such as \"rgba32f\" or \"r32ui\".");
     f.leftOut("format", "the shader's, or of 32 bits a channel");
+    if (f.given("format") && memory.format.empty())
+      f.error("format", "a format has a name, such as \"rgba32f\"");
     f.choice("filter", memory.filter, {"shader", "point", "linear"},
              "Reads between texels; \"shader\": as the sampler's name says (linear, point), else linear.");
     f.choice("wrap", memory.wrap, {"shader", "repeat", "clamp", "mirror"},
@@ -216,6 +219,15 @@ void KernelsParameters::makePlan(scene::Fields& f, std::shared_ptr<const kernels
   for (const KernelPlan::Mistake& mistake : made->mistakes())
     f.errorIn(mistake.path, mistake.begin, mistake.end, mistake.message);
   plan = std::move(made);
+}
+
+std::vector<std::filesystem::path> KernelsParameters::shaderFiles() const {
+  static std::map<std::filesystem::path, std::vector<std::filesystem::path>> last;
+  static std::mutex mutex;
+  const std::scoped_lock lock(mutex);
+  std::vector<std::filesystem::path>& files = last[file];
+  if (plan != nullptr) files.assign(plan->shader().files.begin(), plan->shader().files.end());
+  return files;
 }
 
 void KernelsParameters::keepProblem(const UserError& error) {

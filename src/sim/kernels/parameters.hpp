@@ -33,6 +33,8 @@ struct KernelsParameters : ObjectParameters, KernelDescription {
   [[nodiscard]] std::optional<scene::Box> framed() const override;
   [[nodiscard]] Looks looks() const override;
   [[nodiscard]] bool wanders() const override;
+  /// Returns the files of its shaders, with what they include.
+  [[nodiscard]] std::vector<std::filesystem::path> shaderFiles() const;
 
  protected:
   /// Creates the plan of a shader and reports errors in the scene.

@@ -21,7 +21,6 @@ namespace {
 
 constexpr const char* lookups[] = {"count", "width", "height", "depth"};
 constexpr const char* plainNames[] = {"dt", "time", "frame", "steps", "seed", "pi"};
-constexpr double mostElements = 1 << 28;
 
 }  // namespace
 
@@ -86,8 +85,8 @@ KernelPlan::KernelPlan(const KernelDescription& parameters, std::shared_ptr<cons
   size(parameters);
   if (!mistakes_.empty()) return;
   planConstants(parameters);
-  planEntries(parameters.first, "first", announced, first_);
-  planEntries(parameters.step, "step", announced, step_);
+  planEntries(parameters.first, "first", announced, 1, first_);
+  planEntries(parameters.step, "step", announced, parameters.steps, step_);
   if (parameters.step.empty()) everyKernel();
   planStarts();
   if (mistakes_.empty()) planDrawing(parameters);
@@ -186,6 +185,7 @@ void KernelPlan::collectTexture(const kernels::Texture& from) {
   const auto alias = aliases_.find(from.name);
   PlannedTexture texture{alias == aliases_.end() ? from.name : alias->second, from.type, from.format};
   texture.written = from.writes;
+  texture.values = from.values;
   texture.formatted = !from.format.empty();
   if (from.type != "2D" && from.type != "3D" && from.type != "2DArray")
     mistake(
@@ -195,106 +195,6 @@ void KernelPlan::collectTexture(const kernels::Texture& from) {
   if (texture.format.empty())
     texture.format = from.values == "int" ? "rgba32i" : from.values == "uint" ? "rgba32ui" : "rgba32f";
   textures_.push_back(std::move(texture));
-}
-
-void KernelPlan::holdNames(const KernelDescription& /*parameters*/) {
-  std::vector<std::string> known;
-  for (const PlannedBuffer& buffer : buffers_)
-    if (buffer.counterOf.empty() && buffer.previousOf.empty()) known.push_back(buffer.name);
-  for (const KernelMemory& given : givenBuffers_) {
-    const int place = bufferNamed(given.name);
-    if (place < 0 && mentioned(given.name)) continue;
-    if (place < 0)
-      unknown({"buffers", given.name}, given.name, known, "buffer");
-    else
-      buffers_[static_cast<std::size_t>(place)].given = &given;
-  }
-  known.clear();
-  for (const PlannedTexture& texture : textures_) known.push_back(texture.name);
-  for (const KernelMemory& given : givenTextures_) {
-    const int place = textureNamed(given.name);
-    if (place < 0 && mentioned(given.name)) continue;
-    if (place < 0) {
-      unknown({"textures", given.name}, given.name, known, "texture");
-      continue;
-    }
-    PlannedTexture& texture = textures_[static_cast<std::size_t>(place)];
-    texture.given = &given;
-    if (given.format.empty()) continue;
-    texture.format = given.format;
-    texture.formatted = true;
-  }
-}
-
-void KernelPlan::sizeOf(const char* list, const KernelMemory& given, glm::ivec3& size, bool& sized) {
-  if (!given.file.empty()) {
-    try {
-      const KernelTable& table = tables_.of(given.file);
-      if (given.size.empty()) {
-        size = {table.size, 1};
-        sized = true;
-      }
-    } catch (const UserError& error) {
-      mistake({list, given.name, "file"}, error.what());
-    }
-  }
-  if (given.size.empty()) return;
-  if (given.size.moving || given.size.components() > 3)
-    return mistake({list, given.name, "size"}, "a size is one to three numbers or expressions");
-  glm::ivec3 read(1);
-  for (std::size_t i = 0; i < given.size.parts.size(); ++i) {
-    const std::size_t before = mistakes_.size();
-    const PlannedNumber part = compiled(given.size.parts[i], {list, given.name, "size"});
-    if (mistakes_.size() != before) return;
-    const double value = part.expression ? part.expression->at(values({})) : part.number;
-    if (!(value >= 1 && value <= mostElements) || value != std::floor(value))
-      return mistake({list, given.name, "size"},
-                     fmt::format("a size is a whole number from 1 to {}, found {}", mostElements, value));
-    read[static_cast<int>(i)] = static_cast<int>(value);
-  }
-  if (1.0 * read.x * read.y * read.z > mostElements)
-    return mistake({list, given.name, "size"}, fmt::format("{} x {} x {} are more than {} elements", read.x,
-                                                           read.y, read.z, mostElements));
-  size = read;
-  sized = true;
-}
-
-void KernelPlan::size(const KernelDescription& /*parameters*/) {
-  // The size of one buffer or texture may refer to another one. Sizes that cannot be computed yet are
-  // retried in a later round.
-  for (bool going = true; going;) {
-    going = false;
-    const auto attempt = [&](const char* list, auto& memory) {
-      if (memory.given == nullptr || memory.sized) return;
-      const std::size_t before = mistakes_.size();
-      sizeOf(list, *memory.given, memory.size, memory.sized);
-      if (memory.sized) going = true;
-      mistakes_.resize(before);
-    };
-    for (PlannedTexture& texture : textures_) attempt("textures", texture);
-    for (PlannedBuffer& buffer : buffers_) attempt("buffers", buffer);
-  }
-  for (PlannedTexture& texture : textures_)
-    if (texture.given != nullptr && !texture.sized)
-      sizeOf("textures", *texture.given, texture.size, texture.sized);
-  for (PlannedBuffer& buffer : buffers_)
-    if (buffer.given != nullptr && !buffer.sized)
-      sizeOf("buffers", *buffer.given, buffer.size, buffer.sized);
-  for (PlannedBuffer& buffer : buffers_)
-    if (!buffer.previousOf.empty())
-      buffer.size = buffers_[static_cast<std::size_t>(bufferNamed(buffer.previousOf))].size;
-  for (const PlannedTexture& texture : textures_)
-    if (!texture.sized)
-      mistake(
-          {"textures"},
-          fmt::format(
-              "the texture {0} has no size; give \"textures\": {{\"{0}\": {{\"size\": [width, height]}}}}",
-              texture.name));
-  for (const PlannedBuffer& buffer : buffers_)
-    if (!buffer.sized)
-      mistake({"buffers"},
-              fmt::format("the buffer {0} has no size; give \"buffers\": {{\"{0}\": {{\"size\": COUNT}}}}",
-                          buffer.name));
 }
 
 int KernelPlan::placeOf(const std::string& name) {
@@ -319,6 +219,13 @@ int KernelPlan::placeOf(const std::string& name) {
   return static_cast<int>(std::size(plainNames) + lookups_.size()) - 1;
 }
 
+std::string KernelPlan::unsizedIn(const std::string& name) const {
+  const std::size_t open = name.find('(');
+  if (open == std::string::npos || !name.ends_with(')')) return {};
+  const std::string memory = name.substr(open + 1, name.size() - open - 2);
+  return bufferNamed(memory) >= 0 || textureNamed(memory) >= 0 ? memory : "";
+}
+
 PlannedNumber KernelPlan::compiled(const scene::Formula::Part& part, std::vector<std::string> path) {
   if (part.text.empty()) return {part.number, nullptr};
   std::vector<std::string> known(std::begin(plainNames), std::end(plainNames));
@@ -328,7 +235,14 @@ PlannedNumber KernelPlan::compiled(const scene::Formula::Part& part, std::vector
     return {0, std::make_shared<Expression>(
                    part.text, [this](const std::string& name) { return placeOf(name); }, known, lookups)};
   } catch (const scene::ExpressionMistake& wrong) {
-    mistake(std::move(path), wrong.message, wrong.begin, wrong.end);
+    const std::string circle = unsizedIn(part.text.substr(wrong.begin, wrong.end - wrong.begin));
+    mistake(
+        std::move(path),
+        circle.empty()
+            ? wrong.message
+            : fmt::format("the size of {} is not known here; sizes cannot depend on each other in a circle",
+                          circle),
+        wrong.begin, wrong.end);
     return {};
   }
 }

@@ -41,7 +41,8 @@ struct PlannedBuffer {
 
 /// A texture or image of the kernels of a file.
 struct PlannedTexture {
-  std::string name, type, format;  ///< type: "2D", "3D" or "2DArray"; format: GLSL image format
+  std::string name, type, format;  ///< "2D", "3D", "2DArray"; a format as GLSL has it
+  std::string values{};            ///< "float", "int" or "uint", as the shader has its texels
   glm::ivec3 size{1, 1, 1};
   bool sized = false, written = false;
   bool formatted = false;  ///< true if the shader or the scene defines the format
@@ -139,11 +140,16 @@ class KernelPlan {
   void collectTexture(const kernels::Texture& from);
   void holdNames(const KernelDescription& parameters);
   void size(const KernelDescription& parameters);
-  void sizeOf(const char* list, const KernelMemory& given, glm::ivec3& size, bool& sized);
+  void holdFormat(PlannedTexture& texture, const std::string& format);
+  void sizeOf(const char* list, const KernelMemory& given, int axes, glm::ivec3& size, bool& sized);
+  void holdBytes();
   void planConstants(const KernelDescription& parameters);
   void holdConstants();
   void planEntries(const std::vector<KernelEntry>& given, const char* list,
-                   const std::vector<std::string>& announced, std::vector<PlannedEntry>& planned);
+                   const std::vector<std::string>& announced, int perFrame,
+                   std::vector<PlannedEntry>& planned);
+  /// Returns the file of the shader that announces a kernel; empty where none does.
+  [[nodiscard]] std::string announcedIn(const std::string& kernel) const;
   void planThreads(const KernelEntry& given, const std::vector<std::string>& path, PlannedEntry& entry);
   void planBetween(const KernelEntry& given, const std::vector<std::string>& path, PlannedEntry& entry);
   void everyKernel();
@@ -158,6 +164,8 @@ class KernelPlan {
   void planMeasures(const KernelDescription& parameters);
   PlannedNumber compiled(const scene::Formula::Part& part, std::vector<std::string> path);
   int placeOf(const std::string& name);
+  /// Returns the memory in a name such as "count(NAME)"; nothing where the shader has none of that name.
+  [[nodiscard]] std::string unsizedIn(const std::string& name) const;
   void mistake(std::vector<std::string> path, std::string message, std::size_t begin = 0,
                std::size_t end = 1);
   void unknown(std::vector<std::string> path, const std::string& name,

@@ -1,10 +1,13 @@
-// The part of KernelPlan that plans schedules: dispatches, their invocation counts, and the operations in
-// between.
+// Schedules of a KernelPlan: what runs, how many invocations of it, and what happens in between.
+#include "base/file.hpp"
+#include "kernels/source/files.hpp"
 #include "scene/json/words.hpp"
 #include "sim/kernels/plan.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -12,13 +15,14 @@ namespace simreel::sim {
 
 namespace {
 
-/// Returns a default invocation count for a kernel: the size of the first texture that it writes, else of
-/// the first buffer that it writes, else of the first one that it reads. Returns nothing in ambiguous
-/// cases: one-dimensional groups that write a texture and a buffer, or a one-dimensional buffer with groups
-/// of more axes.
+/// Returns the invocations of a kernel by what it writes: the first texture, else the first buffer, else
+/// the first memory that it reads; one for a group of one thread that does not ask for its number. Returns
+/// nothing if that does not tell: groups in a row that write a texture and a buffer, or a row of elements
+/// and groups of more axes. Groups of one thread are a row if they ask for x alone.
 std::optional<glm::ivec3> usualThreads(const KernelPlan& plan, const kernels::Kernel& kernel) {
-  if (kernel.threads[0] * kernel.threads[1] * kernel.threads[2] == 1) return glm::ivec3(1);
-  const bool row = kernel.threads[1] == 1 && kernel.threads[2] == 1;
+  const bool single = kernel.threads[0] * kernel.threads[1] * kernel.threads[2] == 1;
+  if (single && kernel.axes == 0) return glm::ivec3(1);
+  const bool row = single ? kernel.axes == 1 : kernel.threads[1] == 1 && kernel.threads[2] == 1;
   const auto written = [](const auto& memory) { return memory.writes; };
   if (row && std::any_of(kernel.textures.begin(), kernel.textures.end(), written) &&
       std::any_of(kernel.buffers.begin(), kernel.buffers.end(), written))
@@ -30,6 +34,7 @@ std::optional<glm::ivec3> usualThreads(const KernelPlan& plan, const kernels::Ke
           plan.textures()[static_cast<std::size_t>(plan.textureNamed(texture.name))];
       // Ambiguous, because the kernel may loop over the layers itself.
       if (planned.type == "2DArray" && planned.size.z > 1 && kernel.threads[2] == 1) return std::nullopt;
+      if (single && row) return std::nullopt;
       return planned.size;
     }
     for (const kernels::Buffer& buffer : kernel.buffers) {
@@ -46,7 +51,7 @@ std::optional<glm::ivec3> usualThreads(const KernelPlan& plan, const kernels::Ke
       return planned.size;
     }
   }
-  return glm::ivec3(1);
+  return single ? std::nullopt : std::optional(glm::ivec3(1));
 }
 
 }  // namespace
@@ -73,8 +78,10 @@ void KernelPlan::useUsualThreads(std::vector<std::string> path, PlannedEntry& en
 }
 
 void KernelPlan::planEntries(const std::vector<KernelEntry>& given, const char* list,
-                             const std::vector<std::string>& announced,
+                             const std::vector<std::string>& announced, int perFrame,
                              std::vector<PlannedEntry>& planned) {
+  constexpr double mostDispatches = 100000;
+  double dispatches = 0;
   for (std::size_t i = 0; i < given.size(); ++i) {
     const KernelEntry& from = given[i];
     const std::vector<std::string> path = {list, std::to_string(i)};
@@ -93,17 +100,42 @@ void KernelPlan::planEntries(const std::vector<KernelEntry>& given, const char* 
         return kernel.name == from.kernel;
       });
       if (found == kernels.end()) {
-        unknown(at("kernel"), from.kernel, announced, "kernel");
+        if (const std::string file = announcedIn(from.kernel); !file.empty())
+          mistake(at("kernel"),
+                  fmt::format("the kernel {} is announced in {}, which the shader includes; as in "
+                              "Unity, \"#pragma kernel\" counts in the shader itself alone",
+                              scene::inQuotes(from.kernel), file));
+        else
+          unknown(at("kernel"), from.kernel, announced, "kernel");
         continue;
       }
       entry.kernel = static_cast<int>(found - kernels.begin());
       planThreads(from, path, entry);
     }
     planBetween(from, path, entry);
+    if ((dispatches += 1.0 * perFrame * from.repeat / from.every) > mostDispatches)
+      mistake(at("repeat"),
+              fmt::format("{:.0f} dispatches a frame are more than {:.0f}; give fewer repeats, or "
+                          "longer loops in the kernel",
+                          dispatches, mostDispatches));
     if (from.kernel.empty() && from.swap.empty() && from.clear.empty() && from.count.empty())
       mistake(path, "an entry has a \"kernel\", a \"swap\", a \"clear\" or a \"count\"");
     planned.push_back(std::move(entry));
   }
+}
+
+std::string KernelPlan::announcedIn(const std::string& kernel) const {
+  for (const std::string& file : shader_->files) {
+    std::istringstream lines(kernels::withoutComments(readFile(file, "shader", kernels::maxFileBytes)));
+    for (std::string line; std::getline(lines, line);) {
+      std::istringstream words(line);
+      std::string pragma, word, name;
+      words >> pragma >> word >> name;
+      if (pragma == "#pragma" && word == "kernel" && name == kernel)
+        return std::filesystem::path(file).filename().string();
+    }
+  }
+  return {};
 }
 
 void KernelPlan::planThreads(const KernelEntry& given, const std::vector<std::string>& path,
@@ -121,6 +153,9 @@ void KernelPlan::planThreads(const KernelEntry& given, const std::vector<std::st
       return unknown(at("indirect"), given.indirect, known, "buffer");
     }
     const PlannedBuffer& buffer = buffers_[static_cast<std::size_t>(entry.indirect)];
+    if (buffer.allFloats)
+      return mistake(at("indirect"), fmt::format("{} holds floats; the numbers of groups are three uints",
+                                                 scene::inQuotes(given.indirect)));
     if (entry.offset % 4 != 0 || entry.offset + 12 > buffer.header + buffer.count() * buffer.stride)
       mistake(at("offset"), fmt::format("three uints at byte {} are beyond the buffer of {} bytes",
                                         entry.offset, buffer.header + buffer.count() * buffer.stride));
@@ -130,8 +165,17 @@ void KernelPlan::planThreads(const KernelEntry& given, const std::vector<std::st
   }
   if (given.threads.moving || given.threads.components() > 3)
     return mistake(at("threads"), "\"threads\" is one to three numbers or expressions");
-  for (const scene::Formula::Part& part : given.threads.parts)
-    entry.threads.push_back(compiled(part, at("threads")));
+  for (const scene::Formula::Part& part : given.threads.parts) {
+    const PlannedNumber number = compiled(part, at("threads"));
+    constexpr double frame = 1.0 / 60;
+    const double threads =
+        number.expression ? number.expression->at(values({frame, 0, 0, 0, 1})) : number.number;
+    const bool whole = number.expression || (threads >= 1 && threads == std::floor(threads));
+    if (!whole || std::isnan(threads))
+      return mistake(at("threads"), fmt::format("a number of threads is a whole number from 1, found {}",
+                                                std::isnan(threads) ? "NaN" : fmt::format("{}", threads)));
+    entry.threads.push_back(number);
+  }
   if (!entry.threads.empty()) return;
   useUsualThreads(path, entry);
 }
@@ -159,6 +203,9 @@ void KernelPlan::planBetween(const KernelEntry& given, const std::vector<std::st
       return mistake(at("swap"), "\"swap\" is a list of two names");
     entry.swapA = given.swap.parts[0].text;
     entry.swapB = given.swap.parts[1].text;
+    if (entry.swapA == entry.swapB)
+      return mistake(at("swap"), fmt::format("{} is named twice; give the two that are exchanged",
+                                             scene::inQuotes(entry.swapA)));
     for (const std::string& name : {entry.swapA, entry.swapB})
       if (!there(name)) return unknown(at("swap"), name, known, "buffer or texture");
     const int a = bufferNamed(entry.swapA), b = bufferNamed(entry.swapB);
@@ -200,9 +247,11 @@ glm::uvec3 KernelPlan::groups(const PlannedEntry& entry, const Now& now) const {
   const kernels::Kernel& kernel = shader_->kernels[static_cast<std::size_t>(entry.kernel)];
   for (std::size_t i = 0; i < entry.threads.size(); ++i) {
     const PlannedNumber& part = entry.threads[i];
-    const double threads =
-        std::clamp(std::ceil(part.expression ? part.expression->at(all) : part.number), 0.0, 4e9);
-    groups[static_cast<int>(i)] = static_cast<unsigned>(std::ceil(threads / kernel.threads[i]));
+    const double threads = part.expression ? part.expression->at(all) : part.number;
+    groups[static_cast<int>(i)] =
+        threads > 0
+            ? static_cast<unsigned>(std::ceil(std::min(std::ceil(threads), 4e9) / kernel.threads[i]))
+            : 0U;
   }
   return groups;
 }

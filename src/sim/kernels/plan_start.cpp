@@ -87,6 +87,15 @@ scene::Formulas columnsFor(const KernelTable& table, const std::vector<KernelSlo
   return all;
 }
 
+/// The first columns by their names.
+std::string firstOf(const std::vector<std::string>& columns) {
+  constexpr std::size_t most = 8;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(most, columns.size()); ++i)
+    names += (i == 0 ? "" : ", ") + columns[i];
+  return columns.size() > most ? names + ", ..." : names;
+}
+
 void store(const scene::Formula& formula, const KernelSlot& slot, const Starts& starts, unsigned seed,
            std::size_t count, std::size_t stride, std::byte* memory) {
   std::vector<std::optional<Expression>> parts;
@@ -158,12 +167,36 @@ void KernelPlan::planStarts() {
         mistake({"buffers", buffer.name, "start"},
                 fmt::format("an element has the members {}; say which: {{\"{}\": ...}}",
                             scene::inQuotes(known.front()), known.front()));
+      else if (known.size() == 1 && known.front().empty())
+        mistake({"buffers", buffer.name, "start", named.name},
+                fmt::format("an element of {} is a {} without members: give {}", buffer.name,
+                            buffer.element.front().type,
+                            buffer.element.front().offsets.size() == 1
+                                ? "\"start\": FORMULA"
+                                : fmt::format("\"start\": a list of {} formulas",
+                                              buffer.element.front().offsets.size())));
       else
         unknown({"buffers", buffer.name, "start", named.name}, named.name, known, "member");
     }
+    const KernelTable* table = tables_.read(buffer.given->file);
+    if (table != nullptr && buffer.given->start.list.empty() &&
+        columnsFor(*table, buffer.element).list.empty())
+      mistake({"buffers", buffer.name, "file"},
+              fmt::format(
+                  "no column is called as a member of {}; give \"start\", with formulas of the columns {}",
+                  buffer.name, firstOf(table->columns)));
   }
   for (const PlannedTexture& texture : textures_) {
     if (texture.given == nullptr) continue;
+    const KernelTable* table = tables_.read(texture.given->file);
+    if (table != nullptr && texture.given->start.list.empty() &&
+        std::none_of(std::begin(channels), std::end(channels), [&](const char* channel) {
+          return std::find(table->columns.begin(), table->columns.end(), channel) != table->columns.end();
+        }))
+      mistake(
+          {"textures", texture.name, "file"},
+          fmt::format("no column is called r, g, b or a; give \"start\", with formulas of the columns {}",
+                      firstOf(table->columns)));
     for (const scene::Formulas::Named& named : texture.given->start.list) {
       KernelSlot slot{named.name, "texel", KernelSlot::Number::real, true, {0, 4, 8, 12}};
       const std::vector<std::string> known(std::begin(channels), std::end(channels));

@@ -1,7 +1,11 @@
 #include "sim/kernels/programs.hpp"
 
+#include "base/error.hpp"
+#include "scene/json/words.hpp"
+
 #include <algorithm>
 #include <filesystem>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -9,7 +13,7 @@
 namespace simreel::sim {
 
 KernelPrograms::KernelPrograms(const std::string& name, std::shared_ptr<const kernels::Shader> shader)
-    : shader_(std::move(shader)) {
+    : name_(name), shader_(std::move(shader)) {
   const std::string file =
       shader_->files.empty() ? name : std::filesystem::path(shader_->files.front()).filename().string();
   for (const kernels::Kernel& kernel : shader_->kernels) {
@@ -20,6 +24,20 @@ KernelPrograms::KernelPrograms(const std::string& name, std::shared_ptr<const ke
       blocks.emplace_back(fmt::format("{} constants of {}", name, kernel.name),
                           std::max<std::size_t>(16, block.bytes));
   }
+}
+
+/// No dispatch takes a machine for hours: invocations have numbers of 31 bits.
+void KernelPrograms::holdGroups(const kernels::Kernel& kernel, const glm::uvec3& groups) const {
+  constexpr double mostInvocations = 2147483648.0;
+  const double invocations =
+      1.0 * groups.x * groups.y * groups.z * kernel.threads[0] * kernel.threads[1] * kernel.threads[2];
+  if (invocations <= mostInvocations) return;
+  fail(
+      ExitCode::device,
+      "kernels {}: a dispatch of kernel {} has {} x {} x {} groups of {} x {} x {} threads; at most {:.0f} "
+      "threads are granted: check \"threads\", or the buffer that \"indirect\" names",
+      scene::inQuotes(name_), scene::inQuotes(kernel.name), groups.x, groups.y, groups.z, kernel.threads[0],
+      kernel.threads[1], kernel.threads[2], mostInvocations);
 }
 
 glm::uvec3 KernelPrograms::groups(const KernelPlan& plan, const PlannedEntry& entry,
@@ -38,9 +56,14 @@ void KernelPrograms::dispatch(KernelStore& store, const PlannedEntry& entry, con
   }
   store.bind(kernel);
   gl::AccessLog::barrier(GL_ALL_BARRIER_BITS);
-  if (entry.indirect >= 0)
+  if (entry.indirect >= 0) {
+    glm::uvec3 counts;
+    store.buffer(entry.indirect).read(entry.offset, std::as_writable_bytes(std::span(&counts, 1)));
+    holdGroups(kernel, counts);
     return programs_[place].dispatchIndirect(store.buffer(entry.indirect), entry.offset);
+  }
   const glm::uvec3 groups = store.plan().groups(entry, now);
+  holdGroups(kernel, groups);
   if (groups.x > 0 && groups.y > 0 && groups.z > 0)
     programs_[place].dispatchGroups(groups.x, groups.y, groups.z);
 }

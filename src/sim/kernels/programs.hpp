@@ -21,10 +21,14 @@ class KernelPrograms {
   /// Returns the workgroup counts of an entry; 1 for an indirect dispatch.
   [[nodiscard]] static glm::uvec3 groups(const KernelPlan& plan, const PlannedEntry& entry,
                                          const KernelPlan::Now& now);
-  /// Runs an entry's kernel. The caller must have bound additional buffers (reports, shadows).
+  /// Runs an entry's kernel. What else it binds (reports, shadows) must be bound. Throws UserError(device)
+  /// for more than 2^31 threads.
   void dispatch(KernelStore& store, const PlannedEntry& entry, const KernelPlan::Now& now);
 
  private:
+  void holdGroups(const kernels::Kernel& kernel, const glm::uvec3& groups) const;
+
+  std::string name_;
   std::shared_ptr<const kernels::Shader> shader_;
   std::vector<gl::Program> programs_;
   std::vector<std::vector<gl::Buffer>> blocks_;

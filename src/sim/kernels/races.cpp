@@ -18,6 +18,8 @@ std::shared_ptr<const kernels::Shader> variant(kernels::Request request, kernels
   return KernelPlan::shaderOf(request);
 }
 
+constexpr unsigned unknown = UINT_MAX;
+
 std::string invocation(unsigned linear, const glm::uvec3& all) {
   return fmt::format("({}, {}, {})", linear % all.x, linear / all.x % all.y, linear / all.x / all.y);
 }
@@ -36,11 +38,14 @@ std::string elementText(const KernelPlan& plan, const std::string& of, unsigned 
   return fmt::format("element ({}, {}, {})", index % width, index / width % height, index / width / height);
 }
 
-/// Returns advice on how to fix a race.
+bool isShared(const KernelPlan& plan, const std::string& of) {
+  return plan.textureNamed(of) < 0 && plan.bufferNamed(of) < 0;
+}
+
+/// What to do about a race.
 const char* cureOf(const KernelPlan& plan, const std::string& of) {
   if (plan.textureNamed(of) >= 0) return "write to a second texture, and \"swap\" them";
-  if (plan.bufferNamed(of) < 0)
-    return "put a barrier between: GroupMemoryBarrierWithGroupSync() or barrier()";
+  if (isShared(plan, of)) return "put a barrier between: GroupMemoryBarrierWithGroupSync() or barrier()";
   return "write to a second buffer and \"swap\" them, or give the buffer \"previous\": true";
 }
 
@@ -74,7 +79,7 @@ KernelRaces::KernelRaces(const std::string& name, const kernels::Request& reques
 
 void KernelRaces::dispatch(KernelStore& store, const PlannedEntry& entry, const KernelPlan::Now& now) {
   Shadows shadows;
-  const bool again = !searched_.insert(entry.kernel).second;
+  const bool again = searches_[&entry]++ >= 2;
   const KernelStore::Saved before = again ? KernelStore::Saved{} : store.save();
   bindShadows(store.plan(), record_.kernel(entry.kernel), shadows);
   record_.dispatch(store, entry, now);
@@ -101,7 +106,11 @@ void KernelRaces::dispatch(KernelStore& store, const PlannedEntry& entry, const 
   check_.dispatch(store, entry, now);
   gl::AccessLog::barrier(GL_ALL_BARRIER_BITS);
   std::vector<glm::uvec4> met = reports.readAll<glm::uvec4>();
-  for (std::size_t i = 0; i < met.size(); ++i) met[i] = {counted[i].x, counted[i].y, met[i].z, met[i].w};
+  for (std::size_t i = 0; i < met.size(); ++i) {
+    // What it met then may be gone: a race itself changes what its invocations do.
+    const bool there = static_cast<int>(met[i].w) >= 0;
+    met[i] = {counted[i].x, counted[i].y, there ? met[i].z : unknown, there ? met[i].w : unknown};
+  }
   collect(store, entry, now, met);
 }
 
@@ -113,17 +122,21 @@ void KernelRaces::collect(const KernelStore& store, const PlannedEntry& entry, c
                                   glm::uvec3(1));
   for (std::size_t i = 0; i < kernel.places.size(); ++i) {
     const kernels::Place& place = kernel.places[i];
-    if (words[i].x == 0 || !place.kind.starts_with("race")) continue;
+    if (words[i].x == 0 || !place.kind.starts_with("race") || !told_.emplace(entry.kernel, i).second)
+      continue;
+    const bool reads = place.kind == "race-read", shared = isShared(store.plan(), place.what);
     const std::string member = place.part.empty() ? "" : scene::inQuotes(place.part) + " of ";
+    const std::string element =
+        words[i].w == unknown ? "" : elementText(store.plan(), place.what, words[i].w) + " of ";
+    const std::string other =
+        words[i].z == unknown ? "another invocation" : "invocation " + invocation(words[i].z, all);
     found_.push_back(
-        fmt::format("kernels {}: {}:{}: kernel {} races: invocation {} {} {}{} of {}, which invocation {} "
-                    "{} in the same dispatch ({} "
-                    "invocation{} in all); {}",
+        fmt::format("kernels {}: {}:{}: kernel {} races: invocation {} {} {}{}{}, which {} {} in the same "
+                    "dispatch ({} invocation{} in all); {}",
                     scene::inQuotes(name_), place.file, place.line, scene::inQuotes(kernel.name),
-                    invocation(words[i].y, all), place.kind == "race-read" ? "reads" : "writes", member,
-                    elementText(store.plan(), place.what, words[i].w), scene::inQuotes(place.what),
-                    invocation(words[i].z, all), place.kind == "race-read" ? "writes" : "reads or writes",
-                    words[i].x, words[i].x == 1 ? "" : "s", cureOf(store.plan(), place.what)));
+                    invocation(words[i].y, all), reads ? "reads" : "writes", member, element,
+                    scene::inQuotes(place.what), other, reads || !shared ? "writes" : "reads", words[i].x,
+                    words[i].x == 1 ? "" : "s", cureOf(store.plan(), place.what)));
   }
 }
 

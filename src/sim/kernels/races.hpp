@@ -4,9 +4,11 @@
 #include "sim/kernels/plan.hpp"
 #include "sim/kernels/programs.hpp"
 
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace simreel::sim {
@@ -19,8 +21,8 @@ class KernelRaces {
   /// Throws the same errors as KernelPlan::shaderOf().
   KernelRaces(const std::string& name, const kernels::Request& request);
 
-  /// Runs an entry's kernel in both variants; afterwards the store has the state after the dispatch. A
-  /// kernel that has already been searched runs only once.
+  /// Runs an entry's kernel in both variants; the store has the state after it then. An entry that was
+  /// searched twice runs once.
   void dispatch(KernelStore& store, const PlannedEntry& entry, const KernelPlan::Now& now);
   /// Returns the races found, one line each.
   [[nodiscard]] const std::vector<std::string>& found() const { return found_; }
@@ -32,7 +34,8 @@ class KernelRaces {
   std::string name_;
   std::shared_ptr<const kernels::Shader> recording_, checking_;
   KernelPrograms record_, check_;
-  std::set<int> searched_;
+  std::map<const PlannedEntry*, int> searches_;
+  std::set<std::pair<int, std::size_t>> told_;  ///< kernels, and places in them
   std::vector<std::string> found_;
 };
 

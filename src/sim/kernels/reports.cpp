@@ -96,7 +96,7 @@ std::string KernelReports::told() const {
   std::size_t at = 0;
   std::string line;
   int others = 0;
-  bool loop = false;
+  std::string kind;
   for (std::size_t k = 0; k < reports_.size(); ++k) {
     const kernels::Kernel& kernel = plan_.shader().kernels[k];
     for (const kernels::Place& place : kernel.places) {
@@ -106,13 +106,14 @@ std::string KernelReports::told() const {
         ++others;
         continue;
       }
-      loop = place.kind == "loop";
+      kind = place.kind;
       const glm::uvec3 all = glm::max(threads_[k], glm::uvec3(1));
       const unsigned i = caught.y;
-      const std::string deed = place.kind == "loop"
-                                   ? "has a loop that did not end within \"iterations\""
-                                   : fmt::format("{}s {} {}", place.kind, scene::inQuotes(place.what),
-                                                 indices(plan_, place, caught));
+      const std::string deed =
+          kind == "loop" ? "has a loop that did not end within \"iterations\""
+          : kind == "loops"
+              ? "has loops that this driver ended: it counts 65,535 iterations of all loops together"
+              : fmt::format("{}s {} {}", kind, scene::inQuotes(place.what), indices(plan_, place, caught));
       line = fmt::format(
           "kernels {}, frame {}: {}:{}: kernel {} {} ({} invocation{}; the first is ({}, {}, {}))",
           scene::inQuotes(name_), status[3], place.file, place.line, scene::inQuotes(kernel.name), deed,
@@ -120,7 +121,8 @@ std::string KernelReports::told() const {
     }
   }
   if (others > 0) line += fmt::format(", and {} more place{}", others, others == 1 ? "" : "s");
-  if (loop) return line + "; mend the loop, or raise \"iterations\"";
+  if (kind == "loop") return line + "; mend the loop, or raise \"iterations\"";
+  if (kind == "loops") return line + "; do fewer in one dispatch, or run on a GPU";
   return line + (goesOn_ ? "; such reads give 0, such writes do nothing"
                          : "; test the index in the kernel, or give \"bounds\": \"ignore\"");
 }

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <set>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -59,10 +60,13 @@ KernelTable tableOfCsv(std::string_view text, const std::string& name) {
     if (line.empty() || line.front() == '#') continue;
     const std::vector<std::string_view> parts = cells(line);
     if (table.columns.empty()) {
+      std::set<std::string> seen;
       for (const std::string_view part : parts) {
         std::string column(part);
         for (char& c : column)
           if (!(std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_')) c = '_';
+        if (!seen.insert(column).second)
+          broken(name, fmt::format("line {}: two columns are called {}", number, scene::inQuotes(column)));
         table.columns.push_back(column);
       }
       continue;
@@ -103,9 +107,10 @@ KernelTable tableOfNpy(const std::string& bytes, const std::string& name) {
                     : has("'<f8'") ? 'd'
                     : has("'<i4'") ? 'i'
                     : has("'<u4'") ? 'u'
+                    : has("'<i8'") ? 'l'
                     : has("'|u1'") ? 'b'
                                    : '?';
-  if (kind == '?') broken(name, "expected float32, float64, int32, uint32 or uint8, little-endian");
+  if (kind == '?') broken(name, "expected float32, float64, int32, int64, uint32 or uint8, little-endian");
   std::vector<std::size_t> shape;
   const std::size_t at = header.find("'shape'");
   for (std::size_t i = header.find('(', at) + 1;
@@ -123,10 +128,11 @@ KernelTable tableOfNpy(const std::string& bytes, const std::string& name) {
   if (shape.empty() || shape.size() > 2)
     broken(name, fmt::format("expected an array of one or two axes, found {}", shape.size()));
   const std::size_t rows = shape[0], columns = shape.size() == 2 ? shape[1] : 1;
-  const std::size_t width = kind == 'd' ? 8 : kind == 'b' ? 1 : 4;
+  const std::size_t width = kind == 'd' || kind == 'l' ? 8 : kind == 'b' ? 1 : 4;
   if (rows == 0 || columns == 0 || rows > mostBytes / columns / width ||
       bytes.size() - begin < rows * columns * width)
     broken(name, "the array is empty or cut off");
+  if (bytes.size() - begin != rows * columns * width) broken(name, "there are bytes behind the array");
   KernelTable table;
   for (std::size_t c = 0; c < columns; ++c) table.columns.push_back(fmt::format("c{}", c));
   table.size = {static_cast<int>(rows), 1};
@@ -139,6 +145,7 @@ KernelTable tableOfNpy(const std::string& bytes, const std::string& name) {
     if (kind == 'f') add(0.0F, i);
     if (kind == 'd') add(0.0, i);
     if (kind == 'i') add(std::int32_t{0}, i);
+    if (kind == 'l') add(std::int64_t{0}, i);
     if (kind == 'u') add(std::uint32_t{0}, i);
     if (kind == 'b') add(std::uint8_t{0}, i);
   }

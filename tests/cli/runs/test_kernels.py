@@ -1,7 +1,7 @@
 """Tests simreel kernels and scenes that run a user's compute shaders."""
 import json
 
-from common import Case, main
+from common import Case, main, png_rows
 
 BLUR = """#pragma kernel Blur
 RWStructuredBuffer<float> _Data;
@@ -69,9 +69,78 @@ class Kernels(Case):
         self.scene(both, textures={"_Seen": [8, 8]}, step=[{"kernel": "Blur", "threads": [32]}])
         self.good("validate", "k.json")
 
-    def test_an_out_of_bounds_read_exits_with_4(self):
+    def test_a_group_of_one_thread_that_uses_its_number_runs_for_each_element(self):
+        self.scene(BLUR.replace("[numthreads(8, 1, 1)]", "[numthreads(1, 1, 1)]").replace("_Share);", "_Share) + 1;"), buffers={"_Data": {"size": 32, "previous": True}},
+                   measures={"least": {"of": "_Data", "what": "min"}})
+        scene = json.loads((self.folder / "k.json").read_text())
+        scene["checks"] = [{"what": "least", "object": "k", "min": 0.9}]
+        scene["test"] = {"frames": [1], "size": [32, 18]}
+        (self.folder / "k.json").write_text(json.dumps(scene))
+        self.good("test", "k.json", "--update")
+        self.good("test", "k.json")
+        self.scene(BLUR.replace("[numthreads(8, 1, 1)]", "[numthreads(1, 1, 1)]").replace("id.x] = lerp", "id.x + id.y] = lerp"))
+        self.bad(2, "does not tell how many threads it needs", "validate", "k.json")
+
+    def test_what_cannot_run_is_refused(self):
+        painted = BLUR.replace("float _Share;", "float _Share; RWTexture2D<float4> _Seen;").replace("    _Data[id.x] =", "    _Seen[id.xy] = 1;\n    _Data[id.x] =")
+        step = [{"kernel": "Blur", "threads": 32}]
+        for texture, message in (
+            ({"size": [8, 8], "format": "RGBA32F"}, 'unknown format "RGBA32F"; did you mean "rgba32f"?'),
+            ({"size": [8, 8], "format": ""}, 'a format has a name, such as "rgba32f"'),
+            ({"size": [8, 8], "format": "r32ui"}, 'a texel of _Seen holds float numbers, those of "r32ui" are uint'),
+            ([8, 8, 4], "this texture has 2 axes: expected 2 numbers, found 3"),
+            ([16384, 16384], "the buffers and textures take 8.0 GB"),
+        ):
+            self.scene(painted, textures={"_Seen": texture}, step=step)
+            self.bad(2, message, "validate", "k.json")
+        for entry, message in (
+            ({"threads": -5}, "a number of threads is a whole number from 1, found -5"),
+            ({"threads": 2.5}, "a number of threads is a whole number from 1, found 2.5"),
+            ({"threads": "0/0"}, "a number of threads is a whole number from 1, found NaN"),
+            ({"swap": ["_Data", "_Data"]}, '"_Data" is named twice'),
+            ({"indirect": "_Data"}, '"_Data" holds floats; the numbers of groups are three uints'),
+            ({"repeat": 1000000}, "1000000 dispatches a frame are more than 100000"),
+        ):
+            self.scene(step=[{"kernel": "Blur", **entry}])
+            self.bad(2, message, "validate", "k.json")
+        (self.folder / "a.csv").write_text("a,b\n1,2\n")
+        for buffer, message in (
+            ({"file": "a.csv"}, 'no column is called as a member of _Data; give "start", with formulas of the columns a, b'),
+            ({"size": "count(_Data)"}, "sizes cannot depend on each other in a circle"),
+            ({"size": 8, "start": {"position": "1"}}, 'an element of _Data is a float without members: give "start": FORMULA'),
+        ):
+            self.scene(buffers={"_Data": buffer})
+            self.bad(2, message, "validate", "k.json")
+
+    def test_a_dispatch_of_too_many_threads_ends_with_4(self):
+        shader = BLUR.replace("float _Share;", "float _Share; RWStructuredBuffer<uint> _Groups;").replace("    float left", "    if (_Groups[0] == 0) return;\n    float left")
+        self.scene(shader, buffers={"_Data": 32, "_Groups": {"size": 3, "start": 4e9}}, step=[{"kernel": "Blur", "indirect": "_Groups"}])
+        self.bad(4, 'a dispatch of kernel "Blur" has 4000000000 x 4000000000 x 4000000000 groups', "trace", "k.json", "--frames", "0-1")
+
+    def test_races_are_searched_in_scenes_that_run_the_file(self):
+        self.scene()
+        (self.folder / "b.compute").write_text(BLUR)
+        self.bad(2, "k.json: no object runs the shader b.compute", "kernels", "b.compute", "--check", "k.json")
+
+    def test_a_kernel_of_an_included_file_is_named(self):
+        (self.folder / "b.hlsl").write_text("#pragma kernel Other\n")
+        self.scene('#include "b.hlsl"\n' + BLUR, step=["Other"])
+        self.bad(2, 'the kernel "Other" is announced in b.hlsl, which the shader includes', "validate", "k.json")
+
+    def test_a_read_out_of_bounds_ends_with_4(self):
         self.scene(BLUR.replace("id.x == 0 ? 0 : id.x - 1", "id.x - 1"))
         self.bad(4, 'a.compute:7: kernel "Blur" reads "_Data" at -1, but it has 32 elements', "render", "k.json", "-o", "out/", "--frames", "0-2")
+
+    def test_a_thousand_points_at_one_place_are_drawn_as_one(self):
+        pictures = []
+        for count in (1, 1000):
+            self.scene(BLUR.replace("<float>", "<float4>").replace("float left", "float4 left"), buffers={"_Data": count}, points={"of": "_Data", "position": "_Data"})
+            scene = json.loads((self.folder / "k.json").read_text())
+            scene["camera"] = {"position": [0, 0, 1], "target": [0, 0, 0]}
+            (self.folder / "k.json").write_text(json.dumps(scene))
+            self.good("render", "k.json", "-o", f"{count}.png", "--frames", "0", "--size", "64x36")
+            pictures.append(png_rows((self.folder / f"{count}.png").read_bytes()))
+        self.assertEqual(*pictures)
 
     def test_an_image_is_drawn(self):
         (self.folder / "a.frag").write_text("void mainImage(out vec4 c, in vec2 at) { c = vec4(at / iResolution.xy, 0.5, 1.0); }\n")

@@ -312,6 +312,46 @@ RWStructuredBuffer<float> _Data;
   CHECK(has(message, R"(kernel "Go" has a loop that did not end within "iterations" (16 invocations)"));
 }
 
+TEST_CASE("kernels: iterations of loops are all made, or a run stops") {  // costs 1 s
+  testContext();
+  const ShaderText text(R"(#pragma kernel Go
+RWStructuredBuffer<uint> _Data;
+uint _Outer, _Inner;
+[numthreads(8,1,1)] void Go(uint3 id : SV_DispatchThreadID) {
+  uint n = 0, k = 0;
+  if (id.x % 3 == 1) do { for (uint j = 0; j < _Inner; ++j) { if (j % 5 == id.x) continue; ++n; } } while (++k < _Outer);
+  else if (id.x % 3 == 2) n = 7;
+  else while (k < _Outer) { for (uint j = 0; j < _Inner; ++j) for (uint i = 0; i < _Inner; ++i) { if (i > id.x * 30) break; ++n; } ++k; }
+  _Data[id.x] = n;
+}
+)");
+  const auto count = [](unsigned id, unsigned outer, unsigned inner) {
+    if (id % 3 == 2) return 7U;
+    if (id % 3 == 1) return outer * (id < 5 ? inner - (inner + 4 - id) / 5 : inner);
+    return outer * inner * std::min(inner, id * 30 + 1);
+  };
+  const auto scene = [&](unsigned outer, unsigned inner) {
+    return kernelScene(text.name(), fmt::format(R"j("constants": {{"_Outer": {}, "_Inner": {}}},
+      "buffers": {{"_Data": 16}})j",
+                                                outer, inner));
+  };
+  for (const auto& [outer, inner] : {std::array{3U, 40U}, {50U, 11U}, {300U, 200U}, {100U, 3000U}}) {
+    CAPTURE(outer);
+    const std::string message = endOf(scene(outer, inner));
+    if (!message.empty()) {
+      CHECK(outer >= 100);
+      CHECK(has(message, R"(kernel "Go" has loops that this driver ended)"));
+      continue;
+    }
+    sim::World world(scene(outer, inner));
+    world.advanceTo(1);
+    for (const sim::StateArray& array : world.object(0).state()) {
+      const auto made = array.buffer->readAll<unsigned>();
+      for (unsigned id = 0; id < 16; ++id) CHECK(made[id] == count(id, outer, inner));
+    }
+  }
+}
+
 TEST_CASE(
     "kernels: races are found by kernel, line, element and invocations; the state before the dispatch "
     "cures them") {

@@ -72,3 +72,28 @@ TEST_CASE("select, and, or of HLSL 2021 work for each component; a function of t
   kernel("float3 v;", "  _Out[i] = select(and(v > 0, or(v < 1, v == 4)), v, 1.0).x;");
   checkHas(kernel("float select(float a) { return a + 7; }", "  _Out[i] = select(_Out[i]);").glsl, "7.0");
 }
+
+TEST_CASE("methods of structs in a namespace find its functions") {
+  CHECK(simreel::test::isGlsl(
+      loaded("n.compute",
+             "#pragma kernel K\nnamespace Bvh { struct Box { float low; };\n"
+             "Box Merged(Box a, Box b) { Box c; c.low = min(a.low, b.low); return c; }\n"
+             "struct Node { Box l, r; Box Around() { return Merged(l, r); } };\n}\n"
+             "RWStructuredBuffer<Bvh::Node> _Nodes; RWStructuredBuffer<float> _Out;\n"
+             "[numthreads(8, 1, 1)] void K(uint3 id : SV_DispatchThreadID) {\n"
+             "  Bvh::Node node = _Nodes[id.x]; _Out[id.x] = node.Around().low; }\n")
+          .kernels.at(0)
+          .glsl));
+}
+
+TEST_CASE("samplers of Direct3D 9 are textures with a sampler") {
+  const kernels::Shader shader =
+      loaded("x.compute",
+             "#pragma kernel K\nsampler2D _Lut; sampler3D _Noise; RWStructuredBuffer<float4> _Out;\n"
+             "float4 Read(sampler2D from, float2 at) { return tex2Dlod(from, float4(at, 0, 0)); }\n"
+             "[numthreads(8, 1, 1)] void K(uint3 id : SV_DispatchThreadID) {\n"
+             "  _Out[id.x] = Read(_Lut, id.xy / 8.0) + tex3Dlod(_Noise, float4(id, 0)); }\n");
+  REQUIRE(shader.kernels.at(0).textures.size() == 2);
+  CHECK(shader.kernels[0].textures[0].name == "_Lut");
+  CHECK(shader.kernels[0].textures[1].type == "3D");
+}

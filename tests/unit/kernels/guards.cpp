@@ -52,7 +52,8 @@ TEST_CASE("a kernel that reports lists its places by kind, name and line, and ha
   const kernels::Shader shader = guarded("m.hlsl", careless, request);
   const kernels::Kernel& kernel = shader.kernels.at(0);
   CHECK(places(kernel) ==
-        "loop :5; loop :10; write _Particles:8; write cells:8; read _Particles:5; write s:9; read s:10; "
+        "loop :5; loops :5; loop :10; loops :10; write _Particles:8; write cells:8; read _Particles:5; "
+        "write s:9; read s:10; "
         "write _Particles:11; read _Image.x:12; read _Image.y:12; write _Image.x:12; write _Image.y:12; ");
   CHECK(kernel.report == 1);
   REQUIRE(kernel.buffers.size() == 1);

@@ -89,6 +89,20 @@ TEST_CASE("a shader's kernels have thread groups, buffers with members, textures
   CHECK(shader.kernels[1].textures.empty());
 }
 
+TEST_CASE("a kernel has the axes along which it asks for its number") {
+  const auto axes = [](const std::string& parameter, const std::string& index) {
+    return loaded("axes.compute", "RWStructuredBuffer<float> _Out;\n[numthreads(1, 1, 1)] void K(" +
+                                      parameter + ") { _Out[" + index + "] = 1; }\n")
+        .kernels.at(0)
+        .axes;
+  };
+  CHECK(axes("uint3 id : SV_DispatchThreadID", "0") == 0);
+  CHECK(axes("uint3 id : SV_DispatchThreadID", "id.x") == 1);
+  CHECK(axes("uint id : SV_DispatchThreadID", "id") == 1);
+  CHECK(axes("uint3 id : SV_GroupID", "id.z * 4 + id.x") == 5);
+  CHECK(axes("uint id : SV_GroupIndex", "id") == 0);
+}
+
 TEST_CASE("a keyword of multi_compile is chosen by name, and the first holds otherwise") {
   CHECK(loaded("b.compute", withLimit(), {"Move"}).kernels[0].textures.size() == 1);
   const Shader windy = loaded("c.compute", withLimit(), {"Move"}, {"WINDY"});

@@ -74,6 +74,49 @@ TEST_CASE(
            "a kernel cannot write to a constant");
 }
 
+TEST_CASE("groups without threads, large arrays and too much shared memory are refused at their lines") {
+  const auto grouped = [](const std::string& threads) {
+    return report("o.hlsl", "RWStructuredBuffer<float> _Out;\n[numthreads(" + threads +
+                                ")] void K() { _Out[0] = 1; }\n");
+  };
+  for (const char* threads : {"0, 1, 1", "-1, 1, 1", "2048, 1, 1", "1, 1, 65", "64, 32, 1"}) {
+    CAPTURE(threads);
+    checkHas(grouped(threads), "o.hlsl:2:2: error: a group has 1 to 1024 threads");
+  }
+  CHECK(grouped("1024, 1, 1") == "no error");
+  checkHas(report("p.hlsl",
+                  std::string(head) + "void K() {\n  float a[1000000000]; a[0] = 1; _Out[0] = a[0];\n}\n"),
+           "p.hlsl:4:9: error: \"a\" takes more than 1048576 bytes in each invocation; use a buffer");
+  checkHas(report("q.hlsl", "groupshared float g[8193];\n" + std::string(head) +
+                                "void K() { g[0] = 1; _Out[0] = g[1]; }\n"),
+           "q.hlsl:1:19: error: the groups share 32772 bytes; OpenGL grants 32768");
+}
+
+TEST_CASE("lane numbers, float atomics, twofold declarations and derivatives are refused in plain words") {
+  checkHas(report("r.hlsl", std::string(head) + "void K() {\n  _Out[0] = WaveGetLaneIndex();\n}\n"),
+           "r.hlsl:4:13: error: subgroup operations depend on the width");
+  checkHas(report("s.hlsl", std::string(head) + "void K() { InterlockedAdd(_Out[0], 1.5); }\n"),
+           "atomic operations are for int and uint");
+  checkHas(report("t.hlsl",
+                  "RWStructuredBuffer<float> _Out;\n" + std::string(head) + "void K() { _Out[0] = 1; }\n"),
+           "\"_Out\" is declared twice; a file that is included twice needs");
+  checkHas(report("u.comp",
+                  "#version 450\nlayout(local_size_x = 1) in;\nbuffer B { float x[]; };\n"
+                  "void main() { x[0] = fwidth(x[1]); }\n"),
+           "\"fwidth\": a compute shader has no neighbouring pixels");
+}
+
+TEST_CASE("a function that returns something or lacks semantics is no kernel") {
+  const std::string helper = "[numthreads(16, 1, 1)] bool Above(float a, float b) { return a > b; }\n";
+  const auto shader = simreel::test::loaded(
+      "v.hlsl", helper + std::string(head) +
+                    "void K(uint3 id : SV_DispatchThreadID) { _Out[id.x] = Above(id.x, 2); }\n");
+  REQUIRE(shader.kernels.size() == 1);
+  CHECK(shader.kernels[0].name == "K");
+  checkHas(report("w.compute", "#pragma kernel Above\n" + helper),
+           "\"Above\" is no kernel: a kernel returns void");
+}
+
 TEST_CASE("a kernel without a function, and a file without kernels, are told") {
   CHECK(has(report("f.compute", "#pragma kernel Gone\n" + std::string(head) + "void K() {}\n"),
             "f.compute:1:16: error: the file has no function \"Gone\"\n"));

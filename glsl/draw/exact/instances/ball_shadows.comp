@@ -59,9 +59,15 @@ void main() {
     drawLarge(int(texelFetch(largeList, firstLarge + int(entry)).x));
 }
 #else
+// Unused elements of a buffer often lie at one place, each as large as the whole map: the first one has the texels of all.
+bool equalsPrevious(int number) {
+  return number > 0 && texelFetch(positions, number) == texelFetch(positions, number - 1) &&
+         texelFetch(velocities, number) == texelFetch(velocities, number - 1);
+}
+
 void main() {
   int number = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
-  if (number >= capacity) return;
+  if (number >= capacity || equalsPrevious(number)) return;
   uint key;
   Disc disc = discOf(number, key);
   ivec4 box = pixelsOfDisc(disc, ivec2(mapTexels));

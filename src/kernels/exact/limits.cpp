@@ -1,0 +1,150 @@
+#include "kernels/exact/limits.hpp"
+
+#include "kernels/source/plain.hpp"
+#include "scene/json/words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace simreel::kernels {
+
+namespace {
+
+constexpr std::uint64_t mostPrivate = 1 << 20, mostShared = 32768;
+constexpr std::uint32_t mostThreads = 1024;
+constexpr std::array<std::uint32_t, 3> mostAlong = {1024, 1024, 64};
+
+std::uint64_t bytesOf(const Module& module, Id type) {
+  constexpr std::uint64_t most = std::uint64_t{1} << 40;
+  const Instruction& made = *module.global(type);
+  const auto times = [&](Id one, std::uint64_t count) {
+    const std::uint64_t bytes = std::max<std::uint64_t>(1, bytesOf(module, one));
+    return count > most / bytes ? most : bytes * count;
+  };
+  switch (made.op) {
+    case SpvOpTypeFloat:
+    case SpvOpTypeInt:
+      return made.operands[0] / 8;
+    case SpvOpTypeVector:
+    case SpvOpTypeMatrix:
+      return times(made.operands[0], made.operands[1]);
+    case SpvOpTypeArray:
+      return times(made.operands[0], module.constant(made.operands[1]).value_or(1));
+    case SpvOpTypeStruct: {
+      std::uint64_t sum = 0;
+      for (const Id member : made.operands) sum += bytesOf(module, member);
+      return std::min(sum, most);
+    }
+    default:
+      return 4;
+  }
+}
+
+/// The first line that has a word, and one of some others before it.
+Mistake at(const Files& files, const std::string& word, std::initializer_list<std::string_view> others,
+           int otherwise) {
+  for (std::size_t file = 0; file < files.count(); ++file) {
+    const std::string code = withoutComments(files.text(file));
+    for (std::size_t found = code.find(word); found != std::string::npos;
+         found = code.find(word, found + 1)) {
+      if ((found > 0 && partOfName(code[found - 1])) ||
+          (found + word.size() < code.size() && partOfName(code[found + word.size()])))
+        continue;
+      const std::size_t begin = found == 0 ? 0 : code.rfind('\n', found - 1) + 1;
+      const std::string_view before = std::string_view(code).substr(begin, found - begin);
+      const std::size_t behind = code.find_first_not_of(" \t", found + word.size());
+      const bool array = behind != std::string::npos && code[behind] == '[';
+      if (others.size() == 0 ? array : std::any_of(others.begin(), others.end(), [&](std::string_view one) {
+            return before.find(one) != std::string_view::npos;
+          }))
+        return {file,
+                1 + static_cast<int>(
+                        std::count(code.begin(), code.begin() + static_cast<std::ptrdiff_t>(begin), '\n')),
+                word,
+                {}};
+    }
+  }
+  return {0, otherwise, {}, {}};
+}
+
+Mistake said(Mistake mistake, std::string message) {
+  mistake.message = std::move(message);
+  return mistake;
+}
+
+/// The attribute of a function of the first file.
+Mistake attributeOf(const Files& files, const std::string& entry, int otherwise) {
+  const std::string code = withoutComments(files.text(0));
+  for (std::size_t found = code.find(entry); found != std::string::npos;
+       found = code.find(entry, found + 1)) {
+    const std::size_t attribute = code.rfind("numthreads", found);
+    if (attribute == std::string::npos || code.find_first_of(";{}", attribute) < found) continue;
+    const auto begin = code.begin();
+    return {0,
+            1 + static_cast<int>(std::count(begin, begin + static_cast<std::ptrdiff_t>(attribute), '\n')),
+            "numthreads",
+            {}};
+  }
+  return {0, otherwise, {}, {}};
+}
+
+/// Mistakes of [numthreads(x, y, z)]; glslang leaves out numbers that it cannot write.
+std::vector<Mistake> beyondThreads(const Instruction& mode, Mistake place) {
+  std::array<std::uint32_t, 3> threads{};
+  for (std::size_t i = 0; i < 3; ++i) threads[i] = i + 2 < mode.operands.size() ? mode.operands[i + 2] : 0;
+  std::uint64_t all = 1;
+  bool fits = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    all *= std::min<std::uint32_t>(threads[i], 1U << 20U);
+    fits = fits && threads[i] >= 1 && threads[i] <= mostAlong[i];
+  }
+  if (fits && all <= mostThreads) return {};
+  return {said(std::move(place),
+               fmt::format("a group has 1 to {} threads, at most {} along x and y, and {} along z",
+                           mostThreads, mostAlong[0], mostAlong[2]))};
+}
+
+}  // namespace
+
+std::vector<Mistake> beyondLimits(const Module& module, const Files& files, const std::string& entry,
+                                  int line) {
+  std::vector<Mistake> mistakes;
+  for (const Instruction& one : module.head)
+    if (one.op == SpvOpExecutionMode && one.operands[1] == SpvExecutionModeLocalSize)
+      mistakes = beyondThreads(one, attributeOf(files, entry, line));
+  for (const auto* section : {&module.globals, &module.body})
+    for (const Instruction& one : *section) {
+      if (one.op != SpvOpVariable ||
+          (one.operands[0] != SpvStorageClassFunction && one.operands[0] != SpvStorageClassPrivate))
+        continue;
+      const std::uint64_t bytes = bytesOf(module, module.global(one.type)->operands[1]);
+      if (bytes <= mostPrivate) continue;
+      const std::string name = module.name(one.result);
+      mistakes.push_back(said(at(files, name, {}, line),
+                              fmt::format("{} takes more than {} bytes in each invocation; use a buffer",
+                                          scene::inQuotes(name), mostPrivate)));
+    }
+  return mistakes;
+}
+
+std::vector<Mistake> beyondShared(const Module& module, const Files& files, int line) {
+  std::uint64_t bytes = 0, largest = 0;
+  std::string name;
+  for (const Instruction& one : module.globals) {
+    if (one.op != SpvOpVariable || one.operands[0] != SpvStorageClassWorkgroup) continue;
+    const std::uint64_t own = bytesOf(module, module.global(one.type)->operands[1]);
+    bytes += own;
+    if (own <= largest) continue;
+    largest = own;
+    name = module.name(one.result);
+  }
+  if (bytes <= mostShared) return {};
+  return {said(at(files, name, {"groupshared", "shared"}, line),
+               fmt::format("the groups share {} bytes; OpenGL grants {}", bytes, mostShared))};
+}
+
+}  // namespace simreel::kernels

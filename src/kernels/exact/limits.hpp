@@ -1,0 +1,19 @@
+#pragma once
+#include "kernels/source/files.hpp"
+#include "kernels/spirv/module.hpp"
+
+#include <string>
+#include <vector>
+
+namespace simreel::kernels {
+
+/// Returns what no driver takes, or takes forever: groups without threads or with too many, and arrays of
+/// an invocation that are too large. `line`: that announces the kernel `entry` in the first file.
+[[nodiscard]] std::vector<Mistake> beyondLimits(const Module& module, const Files& files,
+                                                const std::string& entry, int line);
+
+/// Returns a mistake where the groups of a module that keeps only what it uses share more memory than
+/// OpenGL grants.
+[[nodiscard]] std::vector<Mistake> beyondShared(const Module& module, const Files& files, int line);
+
+}  // namespace simreel::kernels
