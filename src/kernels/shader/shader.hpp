@@ -70,13 +70,11 @@ struct Block {
 /// run the dispatch again from the same state with word 0 set to 0x80000000, word 1 kept, and words 2 and 3
 /// reset.
 struct Place {
-  std::string kind;  ///< "read" or "write" out of bounds; "loop" that reached the limit; "loops"
-                     ///< that the driver ended; "race-read", "race-write" of what another invocation
-                     ///< changes
-  std::string what;  ///< the buffer, texture, array or struct member that the index is of, as the user
-                     ///< named it; empty for loops
-  std::string
-      what;  ///< user's name of the indexed buffer, texture, array or struct member; empty for loops
+  /// "read" or "write" out of bounds; "loop" at its limit; "loops" ended by the driver; "race-read" or
+  /// "race-write" of an element that another invocation changes
+  std::string kind;
+  /// user's name of the indexed buffer, texture, array or struct member; empty for loops
+  std::string what;
   std::string part;  ///< texture out of bounds: the axis "x", "y" or "z"; race: the member of the element
   std::string file;  ///< file name for messages
   int line = 0;
@@ -85,9 +83,9 @@ struct Place {
 
 struct Kernel {
   std::string name;
-  int line = 0;                                 ///< that announces it
-  std::array<unsigned, 3> threads = {1, 1, 1};  ///< of a group
-  /// Axes along which the kernel asks for the number of its invocation or group: 1 for x, 2 for y, 4 for z.
+  int line = 0;                                 ///< line that declares the kernel
+  std::array<unsigned, 3> threads = {1, 1, 1};  ///< size of a workgroup
+  /// Bit mask of the axes along which the kernel reads the index of its invocation or group: 1 x, 2 y, 4 z.
   unsigned axes = 0;
   std::vector<Buffer> buffers;
   std::vector<Texture> textures;
