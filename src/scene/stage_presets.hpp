@@ -24,7 +24,8 @@ struct StageLook {
   Stage::Palette palette = Stage::Palette::vivid;
 };
 
-/// Returns the look of a preset; that of `automatic` for objects that glow, if `shining`, and else studio.
+/// Returns the look of a preset. For `automatic`: a dark stage if `shining` (some object glows), else
+/// studio.
 [[nodiscard]] const StageLook& stageLook(Stage::Preset preset, bool shining);
 
 /// Returns the colours of a palette other than `preset`, in the order of objects; linear RGB.

@@ -7,10 +7,11 @@
 
 namespace simreel::sim {
 
-/// Returns the files of all shaders of a scene's objects, with what they include. Those of a shader that
-/// cannot be compiled are the ones it had last.
+/// Returns the shader files of a scene's objects and their includes. For a shader that does not compile,
+/// returns the files of its last successful compilation.
 [[nodiscard]] std::vector<std::filesystem::path> shaderFiles(const scene::Scene& scene);
-/// Compute shaders that a user wrote: Unity's .compute, HLSL or GLSL.
+
+/// Returns the object kind "kernels": a user's compute shader (Unity .compute, HLSL or GLSL).
 [[nodiscard]] SimulationKind kernelsKind();
 /// Functions `check` and `make` for all kinds whose parameters are KernelsParameters.
 void checkKernels(const scene::Object& object, const Setting& setting);

@@ -14,7 +14,7 @@ namespace simreel::sim {
 namespace {
 
 constexpr double mostElements = 1 << 28;
-/// Bytes of all memory of one object. A texel takes 32: those of a texture of 32 bits a channel, and a
+/// Max bytes of memory of one object, and bytes counted for each texel: four channels of 32 bits, and a
 /// copy.
 constexpr double mostMemory = 8.0 * (1 << 30), texelMemory = 32;
 

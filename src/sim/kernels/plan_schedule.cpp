@@ -15,10 +15,11 @@ namespace simreel::sim {
 
 namespace {
 
-/// Returns the invocations of a kernel by what it writes: the first texture, else the first buffer, else
-/// the first memory that it reads; one for a group of one thread that does not ask for its number. Returns
-/// nothing if that does not tell: groups in a row that write a texture and a buffer, or a row of elements
-/// and groups of more axes. Groups of one thread are a row if they ask for x alone.
+/// Returns the default number of invocations of a kernel: the size of the first texture that it writes,
+/// else of the first buffer that it writes, else of the first memory that it reads. A group of one thread
+/// that does not read its index runs once. Returns nullopt if the size is ambiguous: a kernel with groups
+/// along one axis that writes a texture and a buffer, or a buffer of one axis and groups with several axes.
+/// Groups of one thread count as one axis if they read only x.
 std::optional<glm::ivec3> usualThreads(const KernelPlan& plan, const kernels::Kernel& kernel) {
   const bool single = kernel.threads[0] * kernel.threads[1] * kernel.threads[2] == 1;
   if (single && kernel.axes == 0) return glm::ivec3(1);

@@ -38,11 +38,12 @@ std::string elementText(const KernelPlan& plan, const std::string& of, unsigned 
   return fmt::format("element ({}, {}, {})", index % width, index / width % height, index / width / height);
 }
 
+/// True if `of` names shared memory of a workgroup.
 bool isShared(const KernelPlan& plan, const std::string& of) {
   return plan.textureNamed(of) < 0 && plan.bufferNamed(of) < 0;
 }
 
-/// What to do about a race.
+/// Returns the advice that a race message ends with.
 const char* cureOf(const KernelPlan& plan, const std::string& of) {
   if (plan.textureNamed(of) >= 0) return "write to a second texture, and \"swap\" them";
   if (isShared(plan, of)) return "put a barrier between: GroupMemoryBarrierWithGroupSync() or barrier()";
@@ -107,7 +108,7 @@ void KernelRaces::dispatch(KernelStore& store, const PlannedEntry& entry, const 
   gl::AccessLog::barrier(GL_ALL_BARRIER_BITS);
   std::vector<glm::uvec4> met = reports.readAll<glm::uvec4>();
   for (std::size_t i = 0; i < met.size(); ++i) {
-    // What it met then may be gone: a race itself changes what its invocations do.
+    // The second run may miss an access of the first, because a race changes what invocations do.
     const bool there = static_cast<int>(met[i].w) >= 0;
     met[i] = {counted[i].x, counted[i].y, there ? met[i].z : unknown, there ? met[i].w : unknown};
   }

@@ -21,8 +21,8 @@ class KernelRaces {
   /// Throws the same errors as KernelPlan::shaderOf().
   KernelRaces(const std::string& name, const kernels::Request& request);
 
-  /// Runs an entry's kernel in both variants; the store has the state after it then. An entry that was
-  /// searched twice runs once.
+  /// Runs an entry's kernel in both variants. Afterwards the store holds the state after the dispatch. An
+  /// entry that has been searched twice before runs once, without a search.
   void dispatch(KernelStore& store, const PlannedEntry& entry, const KernelPlan::Now& now);
   /// Returns the races found, one line each.
   [[nodiscard]] const std::vector<std::string>& found() const { return found_; }
