@@ -125,9 +125,9 @@ TEST_CASE("lights: reflection grows at grazing angles, for ground and surfaces, 
       scene.camera.position = glm::vec3(0, 1, 6);
       scene.camera.target = glm::vec3(0, 1, 0);
       scene.camera.fieldOfView = 40;
-      if (ground) scene.ground.emplace();
       scene.ground->color = glm::vec3(0);
       scene.ground->roughness = 0.5F;
+      if (!ground) scene.ground.reset();
       GridStage sheet({9, 7}, {-20, 0, 20}, {40, 0, 0}, {0, 0, -40});
       sheet.material.color = glm::vec3(0);
       sheet.material.roughness = 0.5F;

@@ -137,8 +137,7 @@ TEST_CASE("exact: ambient occlusion is the twin's, bit for bit") {
         CAPTURE(ground);
         const LayoutAsked asked(layout);
         scene::Scene scene = standardScene();
-        if (ground) scene.ground.emplace();
-        scene.ground->height = -0.15F;
+        if (ground) scene.ground.emplace().height = -0.15F;
         const Seen seen = seenOf(scene, stage.drawables, size, samples);
         const draw::View view = draw::viewAt(scene.camera, 0, size, stage.drawables);
         OcclusionTwin twin;
