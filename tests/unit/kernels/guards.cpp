@@ -83,7 +83,7 @@ TEST_CASE("a loop that was to be unrolled and cannot be is limited, too") {
               "  [unroll] for (uint i = 0; i < _N; ++i) _A[0] += i;\n}\n",
               request)
           .kernels.at(0);
-  CHECK(places(kernel) == "loop :3; read _A:3; write _A:3; ");
+  CHECK(places(kernel) == "loop :3; loops :3; read _A:3; write _A:3; ");
 }
 
 TEST_CASE("a buffer read as it was before the dispatch is two buffers, and counts no atomic operations") {
