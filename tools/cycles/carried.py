@@ -2,7 +2,7 @@
 
 SOLID = {"position", "rotation", "radius", "collides", "visible", "grip", "friction"}
 KNOWN = {
-    "": {"$schema", "version", "title", "seed", "time", "render", "camera", "sun", "sky", "ground", "lights", "objects", "test", "checks"},
+    "": {"$schema", "version", "stage", "title", "seed", "time", "render", "camera", "sun", "sky", "ground", "lights", "objects", "test", "checks"},
     "render": {"size", "samples", "quality", "raySamples", "tone"},
     "camera": {"position", "target", "fieldOfView", "near", "far"},
     "sun": {"direction", "color", "intensity", "diameter", "shadow", "shadowSize", "shadowSoftness"},
@@ -32,6 +32,8 @@ def refusals(scene):
                 found.append(f"{path}.{name}: moves along keyframes, which are not carried over; give its value at the frame")
 
     look("", "", scene)
+    if scene.get("stage") is not False:
+        found.append("stage: Blender has none; give \"stage\": false")
     for name in ("render", "camera", "sun", "sky", "ground"):
         look(name, name, scene.get(name, {}))
     for part, names in NEEDED.items():

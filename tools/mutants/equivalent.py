@@ -23,7 +23,7 @@ EQUIVALENT = {
      "precise float half_ = ball.radius * exactSqrt(max(beyond, 1.0f)) * perSquare;"):
         "a wider box, of which every sample is looked at by ray",
     ("draw/exact/instances/ball.glsl",
-     "precise float more = half_ + 0.01f + 1.00001f * (abs(middle) + half_);  // for what is lost by rounding"):
+     "precise float more = half_ + 0.01f + 1.00001f * (abs(middle) + half_);  // margin for rounding errors"):
         "a wider box, of which every sample is looked at by ray",
     ("draw/sky.glsl", "ROUNDED float up = 1.0f - clamp(y, 0.0f, 1.01f);"):
         "of unit vectors no part is above 1 but by rounding, which a byte does not show",
@@ -223,7 +223,7 @@ EQUIVALENT = {
     ("draw/exact/instances/add_glows.comp", "precise float sum = light[i] + (float(min(upper, 0xfffffbu)) * glowUpper + fine);"):
         "either light is white",
     ("draw/exact/instances/ball.glsl",
-     "precise float more = half_ + 0.01f + 1e-5f + (abs(middle) + half_);  // for what is lost by rounding"):
+     "precise float more = half_ + 0.01f + 1e-5f + (abs(middle) + half_);  // margin for rounding errors"):
         "a wider box, of which every sample is looked at by ray",
     ("draw/exact/triangles/triangle.glsl",
      "edge.bias = edge.step_.y > 0 || (edge.step_.y == 0 && edge.step_.x <= 0) ? 0 : -1;"):

@@ -251,13 +251,13 @@ class SceneMistakes(Case):
     def test_invalid_values_are_reported_at_their_position(self):
         def at(line, column, message, values):
             self.mistake([f"bad.json:{line}:{column}: error: {message}\n"], json.dumps(with_values(values), indent=1))
-        at(20, 13, '"position" and "target" are the same point; the camera looks nowhere',
+        at(21, 13, '"position" and "target" are the same point; the camera looks nowhere',
            {"camera": {"position": [1, 1, 1], "target": [1, 1, 1]}})
-        at(12, 15, "(start + duration) * fps is 1e+11 frames; the limit is 10 million",
+        at(13, 15, "(start + duration) * fps is 1e+11 frames; the limit is 10 million",
            {"time": {"fps": 1e5, "duration": 1e6}})
-        at(51, 15, "row 7 is outside the cloth: it has 7 (0 to 6, or -1 for the last)",
+        at(52, 15, "row 7 is outside the cloth: it has 7 (0 to 6, or -1 for the last)",
            {"objects.flag.cloth.pins": [{"rows": [7]}]})
-        at(33, 6, '"size" must be between 2 and 16384 particles, found 16385', {"objects.flag.cloth.size": [16385, 3]})
+        at(34, 6, '"size" must be between 2 and 16384 particles, found 16385', {"objects.flag.cloth.size": [16385, 3]})
 
     def test_too_many_colliders(self):
         scene = with_values({})
