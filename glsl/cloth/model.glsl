@@ -115,9 +115,9 @@ FUNCTION vec3 pinnedPosition(ivec2 at, int group) {
               applyRow(stepData.frames[frame].row2, rest));
 }
 
-// Semi-implicit Euler step, x' = x + v' dt. Without `springs`, constraints follow, and the `trend` of the earlier
-// constraints is added (ledTo). `touch` applies contact; `lands` and `walled` extend it to the colliding mesh and to
-// solids.
+// Semi-implicit Euler step, x' = x + v' dt. Without `springs`, the caller applies constraints afterwards; `trend`,
+// their velocity change in the previous substep (motion.glsl), then extrapolates the position (ledTo). `touch` applies
+// contact; `lands` and `walled` extend it to the colliding mesh and to solids.
 FUNCTION Motion advance(ivec2 at, vec4 here, vec4 velocity, vec3 trend, bool springs, bool air, bool fabric, bool touch,
                         bool lands, bool walled) {
   Motion m;

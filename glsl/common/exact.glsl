@@ -111,7 +111,7 @@ FUNCTION float exactLog(float x) {
 }
 
 // Returns x^y for y >= 0 and results between exp(-69) and exp(69), relative error below 4e-7 (1 + |y log x|); zero for
-// x < 1e-30.
+// x < 1e-30 and y > 0. y = 0 gives exp(0).
 FUNCTION float exactPow(float x, float y) {
   precise float power = y * exactLog(max(x, 1e-30f));
   return x < 1e-30f && y > 0.0f ? 0.0f : exactExp(power);

@@ -198,8 +198,9 @@ FUNCTION bool meetsSolid(Near near) {
 FUNCTION bool isOfFirst(Near near, int corner) {
   return corner == 0 || (corner == 1 && isOfEdges(near));
 }
-// Returns height limits at the end of the substep: x is the minimum for the first side, given the other side's final
-// heights; y is the maximum for the other side, given the first side's final heights.
+// Returns the heights along the normal that keep the minimum gap (leftOf()) at the end of the substep: x is the lowest
+// height that corners of the first side may have above the other side's highest corner, y the highest that corners of
+// the other side may have below the first side's lowest corner. `after`: final heights of the corners.
 FUNCTION vec2 limitsOf(Near near, vec4 heights, vec4 after, float thick) {
   float left = leftOf(gapOf(near, heights), thick);
   precise float floor_ = highestOf(near, after) + left;
@@ -308,7 +309,8 @@ FUNCTION vec3 correctionOf(Near near, vec3 slide, float thick, float friction, f
   return there ? way : vec3(0.0f);
 }
 
-// Returns a contact's claim on a corner: its barycentric weight in units of 1/4096.
+// Returns a contact's claim on a corner's mass, which impulseOf() splits in proportion to the claims: the magnitude of
+// the corner's barycentric weight, in units of 1/4096.
 FUNCTION int claimOf(float share) {
   precise float scaled = abs(share) * 4096.0f + 0.5f;
   return int(floor(scaled));

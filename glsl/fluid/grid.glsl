@@ -101,7 +101,8 @@ vec4 carriedAt(int x, int y) {
 }
 #endif
 
-// dyeAt accepts cells up to two beyond the border: on a torus the wrapped cell, otherwise the ring.
+// dyeAt() accepts cells up to two beyond the border. On a periodic axis it returns the cell on the opposite side,
+// otherwise the nearest cell of the ring (the one row or column of cells stored around the grid).
 #ifdef READS_DYE
 CELL_INPUT(dyeBinding, DyeBlock, dye)
 vec4 dyeAt(int x, int y) {

@@ -3,8 +3,9 @@
 // solidSet and the kinds of the sides.
 //
 // Staggered grid: cell (x, y) stores u at the centre of its left face, v at the centre of its top face, temperature and
-// pressure at its own centre. A ring of cells surrounds the grid, so x runs from -1 to size.x. Beyond a wall, u and v
-// are mirrored so that their mean equals the wall's velocity. u at size.x and v at size.y are faces of the border.
+// pressure at its own centre. A ring of cells surrounds the grid, so x runs from -1 to size.x. Beyond a wall or an
+// inflow, the velocity component along the side is mirrored, so that its mean on both sides equals the side's velocity.
+// u at size.x and v at size.y are faces of the border.
 
 FUNCTION int insideX(int x) {
   if (leftKind == periodicSide) return x < 0 ? x + size.x : x >= size.x ? x - size.x : x;

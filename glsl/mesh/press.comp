@@ -1,4 +1,5 @@
-// Adds the prints of pressers to the trail. One cell per invocation.
+// Adds what the pressers (spheres and capsules, such as feet) press into the surface to the trail, a grid of the depths
+// and rims of all prints so far. One cell per invocation.
 #include "mesh/kernel.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 STATE_ARRAY(trailBinding, TrailBlock, trail)

@@ -68,7 +68,9 @@ struct Worker {
   std::optional<std::size_t> item;
   Clock::time_point begin;  ///< start time of the current item
   bool late = false;
-  std::string failure;  ///< the worker's own message about its end
+  /// Reason why the worker ended: its own error message, or the timeout, signal or exit status seen from
+  /// outside.
+  std::string failure;
   std::optional<ExitCode> mistake;
 };
 

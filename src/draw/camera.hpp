@@ -21,7 +21,8 @@ struct View {
                              ///< along `forward` (orthographic: at any distance)
   glm::vec3 up{0, 1, 0};     ///< vector from the centre to the top edge
   glm::vec2 reach{1, 1};     ///< lengths of right and up
-  /// distance (m) by which the eye stands behind the scene's position, so that the ground is complete
+  /// Distance (m) by which an orthographic eye is moved back from the scene's position, so that no visible
+  /// ground lies behind the near plane.
   float farther = 0;
 };
 

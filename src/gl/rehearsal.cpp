@@ -41,7 +41,8 @@ bool Rehearsal::note(const std::shared_ptr<LinkedProgram>& program, const BoundV
   auto found = std::find_if(kernels.begin(), kernels.end(),
                             [&](const Kernel& kernel) { return kernel.program == program; });
   if (found == kernels.end()) found = kernels.insert(kernels.end(), {program, {}});
-  constexpr std::size_t mostUses = 4;  // later uses mostly repeat earlier ones
+  // Max recorded dispatches per kernel; later ones mostly have the same bindings.
+  constexpr std::size_t mostUses = 4;
   if (found->uses.size() < mostUses) found->uses.push_back(given);
   return true;
 }

@@ -137,7 +137,7 @@ class ManyTests:
         self.assertEqual(words[:3], ["simreel", "accept", "report/report.json"])
         self.assertEqual(words[3:], [word for name in names for word in ("--only", name)])
         self.assertEqual(b.value("document.querySelector('#choice b').textContent"), f"{COUNT // 4} pictures chosen")
-        # First one picture less, then all: the command needs no names then.
+        # Deselects one picture, then selects all pictures: the command then has no --only NAME.
         b.value("document.querySelectorAll('.group:nth-of-type(2) .thumb .choose')[0].click()")
         self.assertEqual(b.value("overview.chosen.size"), COUNT // 4 - 1)
         self.assertTrue(b.value("document.querySelector('.group:nth-of-type(2) header .choose').indeterminate"))

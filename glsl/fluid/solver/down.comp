@@ -17,7 +17,8 @@ layout(std430, binding = poolBinding) readonly buffer PoolBlock { vec4 pool[]; }
 layout(std430, binding = poolOutBinding) writeonly buffer PoolOutBlock { float poolOut[]; };
 layout(std430, binding = raisedOutBinding) writeonly restrict buffer RaisedOutBlock { vec4 raisedOut[]; };
 INPUT_WORDS(weightsBinding, WeightBlock, weights)
-// Per level, the finest first, followed by the next coarser one: xy cells; z element index of the openings
+// One entry for each of the LEVELS levels, the finest first, and one for the next coarser level, which gets the
+// residual: xy size in cells; z element index of the openings
 uniform ivec4 levels[4];
 // Element indices of the right-hand sides in `pool` and of the corrections on the way down; each level's offset equals
 // the offset of its openings

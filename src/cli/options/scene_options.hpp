@@ -27,7 +27,7 @@ struct SceneOptions {
   void add(CLI::App& command);
   /// Adds the options to a command whose scene is optional; without a scene `file` is empty.
   void addOptional(CLI::App& command);
-  /// Returns all options as overrides. Throws UserError(usage).
+  /// Returns all options but --assets as overrides. Throws UserError(usage).
   [[nodiscard]] std::vector<scene::Override> changes() const;
   /// Reads the scene with all options applied, then `more`. --size, --fps, --samples and --seed are
   /// shorthands of -D, so they change the scene's hash.

@@ -122,7 +122,8 @@ bool chosen(const TestOptions& o, const std::string& name) {
          });
 }
 
-/// Runs one test of pictures.
+/// One run of the command "test" on pictures: renders them if asked, and compares all chosen ones with
+/// their baselines.
 class PictureRun {
  public:
   explicit PictureRun(const TestOptions& o) : o_(o), begin_(Clock::now()) {

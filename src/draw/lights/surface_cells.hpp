@@ -17,7 +17,7 @@ struct ListCells;
 /// thread.
 class SurfaceCells {
  public:
-  /// `cells`: number of maps. `lampDefines`: Lamps::shadowDefines().
+  /// `cells`: number of shadow maps, six for each lamp with shadows. `lampDefines`: Lamps::shadowDefines().
   SurfaceCells(int cells, const gl::Defines& lampDefines);
 
   /// Finds the maps of all surfaces. The lamps must be bound.

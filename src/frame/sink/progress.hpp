@@ -44,8 +44,8 @@ class Progress {
   void ofJob(std::string job) { job_ = std::move(job); }
   /// Clears the bar, before other messages are printed.
   void clear();
-  /// Clears the bar and reports the end of the run. `status` is "ok", "interrupted" or "failed"; `stages`
-  /// holds the times of the whole run.
+  /// Clears the bar and, in mode ndjson, writes the event "end". `status` is "ok", "interrupted" or
+  /// "failed"; `stages` holds the times of the whole run.
   void finish(const char* status = "ok", const StageTimes& stages = {});
 
  private:

@@ -101,8 +101,9 @@ using Uniforms = typename UniformsOf<label, T, std::make_index_sequence<most>>::
 
 enum class Access { read, write, both, together };
 
-/// A storage block (named by itself or by a member), a uniform block, a sampler, an image, or an array
-/// declared with glsl/common/memory.glsl or words.glsl on either memory path.
+/// A storage block (`label` is the name of the block or of one of its members), a uniform block, a sampler,
+/// an image, or an array declared with the macros of glsl/common/memory.glsl or words.glsl, which are
+/// storage blocks or texel views depending on gl::memoryPath().
 template <Name label, Access wanted>
 struct ResourceField : Resource {
   using Field = void;

@@ -47,7 +47,7 @@ struct StateBaseline {
 
 /// New baseline data from a run, not yet promoted.
 struct Candidate {
-  PictureBaseline pictures;  ///< picture entries of this run's frames, without alternates
+  PictureBaseline pictures;  ///< entries of this run's frames; `alternates` stays empty
   std::map<int, std::vector<std::byte>> png;
   StateBaseline state;
   std::vector<std::byte> steps;  ///< encoded step trace (steps.bin); empty if unchanged

@@ -66,7 +66,8 @@ class StaleParts {
     found_.push_back({path.generic_string(), message, removed});
   }
 
-  /// Runs `look`. If it throws a UserError, reports the file and keeps it.
+  /// Runs `look`, which checks the file `path`. If it throws a UserError, lists the file with the error, as
+  /// not removed.
   template <class Look>
   void looking(const fs::path& path, const Look& look) {
     try {

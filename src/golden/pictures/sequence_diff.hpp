@@ -18,7 +18,7 @@ struct Pair {
   std::filesystem::path a, b;
 };
 
-/// Settings for comparing pairs.
+/// Settings for comparing pairs of picture files.
 struct PairTerms {
   scene::Tolerance tolerance;
   Allowance allowance;

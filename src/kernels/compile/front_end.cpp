@@ -54,8 +54,8 @@ class Includer : public glslang::TShader::Includer {
     else
       found = files_.include(name, beside, fileNumber(from, files_.count()), reason);
     if (!found) {
-      // glslang tries the local search first; its reason also covers the folder search, so it is not
-      // replaced.
+      // For #include "name", glslang calls includeLocal() and, if that fails, includeSystem(). The reason
+      // of the first failure also covers the folders, so it is kept.
       if (std::none_of(failed_.begin(), failed_.end(), [&](const auto& one) { return one.first == name; }))
         failed_.emplace_back(name, reason);
       return nullptr;

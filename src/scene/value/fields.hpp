@@ -72,8 +72,10 @@ class Fields {
   virtual void listOf(const char* name, const char* doc, std::size_t maxItems, std::size_t items,
                       const std::function<void(std::size_t)>& resize,
                       const std::function<void(Fields&, std::size_t)>& describe) = 0;
-  /// Declares groups under names that the scene chooses, now `names`. `rename(n)` makes a fresh group for
-  /// each name in n, then `describe(fields, i)` is called for each. `one`: word for one group in messages.
+  /// Declares an object whose members are groups; the scene chooses the names of the members. `names`: the
+  /// current names. When a scene is read, `rename(n)` is called with its names and must replace the groups
+  /// by fresh ones, one for each name; then `describe(fields, i)` is called for each group. `one`: word for
+  /// one group in messages.
   virtual void namedGroups(const char* name, const char* doc, const char* one, std::size_t maxItems,
                            const std::vector<std::string>& names,
                            const std::function<void(const std::vector<std::string>&)>& rename,

@@ -32,7 +32,8 @@ class Counterpart {
   void turn(bool on);
   [[nodiscard]] bool ownFile() const { return options_.ownFile; }
   [[nodiscard]] const CounterpartOptions& options() const { return options_; }
-  /// Returns the stage; null if the side is off, or if all its versions had errors.
+  /// Returns the stage; null if the side is off, or if no version of its scene has been free of errors
+  /// since it was turned on.
   [[nodiscard]] Stage* stage() const { return stage_.get(); }
   [[nodiscard]] bool carried() const { return stage_ != nullptr && stage_->carried(); }
   [[nodiscard]] const std::string& mistakes() const { return mistakes_; }

@@ -150,7 +150,8 @@ bool standsAlike(const scene::Light& a, const scene::Light& b) {
          a.intensity.at(0) == b.intensity.at(0) && a.radius.at(0) == b.radius.at(0);
 }
 
-/// True if two objects are of the same kind and have the same material values from a stage.
+/// True if two objects have the same name and kind, and the same values of those material fields that a
+/// stage sets if the scene does not: colour, roughness and translucency.
 bool dressedAlike(const scene::Object& a, const scene::Object& b) {
   const scene::Parameters &one = *a.parameters, &other = *b.parameters;
   return a.name == b.name && a.kind == b.kind && typeid(one) == typeid(other) &&
@@ -216,7 +217,9 @@ std::shared_ptr<Script> readScript(const SceneSource& source, const std::string&
   }
   for (const std::filesystem::path& file : script->scene.files) script->files[file] = stampOf(file);
   script->fieldsAlone = drawsFieldsAlone(script->scene);
-  if (script->fieldsAlone) {  // settings that the driver's rasterizer needs (Stage::drawerOf)
+  // On devices with the texel memory path, the GL driver's rasterizer draws the draft (Stage::drawerOf). It
+  // needs these settings.
+  if (script->fieldsAlone) {
     script->draft.sun.diameter = 0;
     script->draft.render.quality = scene::Quality::draft;
   }

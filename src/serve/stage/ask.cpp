@@ -92,7 +92,8 @@ const sim::Simulation* objectNamed(const sim::World& world, std::string name) {
   return nullptr;
 }
 
-/// Returns the answer for the topmost field of a layer at a pixel.
+/// Returns the cell of the topmost field of `layer` at the pixel, with its values; nullopt if none is
+/// there.
 std::optional<PixelAnswer> cellAt(const scene::Scene& scene, sim::World& world, glm::dvec2 pixel,
                                   sim::FieldDisplay::Layer layer) {
   const sim::Drawables drawables = world.drawables();

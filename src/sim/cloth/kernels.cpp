@@ -90,7 +90,7 @@ struct ClothSolveKernel {
     gl::Switch<"FABRIC"> fabric;
     gl::Flag<"ROWS"> rows;
     gl::Flag<"LAST"> last;
-    gl::Range<"LINES", 1, vector> lines;  // lines per workgroup
+    gl::Range<"LINES", 1, vector> lines;  // rows or columns of the cloth per workgroup
     gl::Range<"SEGMENTS", 1, groupSize> segments;
   };
   ClothPart cloth;

@@ -48,7 +48,8 @@ class ClothKernels {
   [[nodiscard]] const gl::Vec4Array& velocities() const {
     return velocities_[hasTrends() && predicted_ ? 1 : 0];
   }
-  /// Returns the constraints' trends, the velocity changes that glsl/cloth/motion.glsl extrapolates.
+  /// Returns the trend of each particle: its velocity change by constraints in the previous substep, which
+  /// ledTo() of glsl/cloth/motion.glsl extrapolates.
   [[nodiscard]] gl::Vec4Array& trends() { return trends_; }
   [[nodiscard]] const gl::Vec4Array& trends() const { return trends_; }
   /// True if constraints have a trend. Constraints that keep energy act as forces and have none.

@@ -26,7 +26,8 @@ struct FluidLevel {
     const int groups = (tiles().x * tiles().y + groupTiles - 1) / groupTiles;
     return (groups + groupRow - 1) / groupRow * groupRow;
   }
-  /// Returns true if the level is large enough that a separate kernel for open tiles pays off.
+  /// Returns true if the level is large enough that a separate kernel for open tiles (no wall within four
+  /// cells, see glsl/fluid/tiles.glsl) pays off.
   [[nodiscard]] bool hasOpenTiles() const { return tiles().x * tiles().y >= 20; }
 
   static constexpr int tileBlocks = 4, groupTiles = 4;

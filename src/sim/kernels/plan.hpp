@@ -110,7 +110,8 @@ class KernelPlan {
   [[nodiscard]] const PlannedDrawing& drawn() const { return drawn_; }
   [[nodiscard]] int bufferNamed(std::string_view name) const;
   [[nodiscard]] int textureNamed(std::string_view name) const;
-  /// Returns the slots of a buffer's element, or of a texture's texel.
+  /// Returns the values that can be set in one element of the buffer named `memory` (its members), or in
+  /// one texel of the texture of that name (its channels); empty if there is neither.
   [[nodiscard]] std::vector<KernelSlot> slots(const std::string& memory) const;
   /// Returns a bounding box of the initial drawing; nothing if the drawing has no position in space.
   [[nodiscard]] std::optional<scene::Box> box() const;

@@ -9,8 +9,8 @@ namespace simreel::sim {
 
 /// HDR image as stored in a file: RGBA per pixel, rows from the top.
 struct LightFile {
-  static constexpr int largestSide = 16384;  ///< maximum width and height in pixels; larger sizes indicate
-                                             ///< a damaged file
+  /// Maximum width and height in pixels. Files with larger sizes are rejected as damaged.
+  static constexpr int largestSide = 16384;
 
   glm::ivec2 size{0, 0};
   std::vector<float> values;

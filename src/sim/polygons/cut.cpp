@@ -96,8 +96,9 @@ class EarRing {
 glm::dvec3 polygonNormal(std::span<const glm::vec3> corners) {
   glm::dvec3 sum(0);
   if (corners.empty()) return sum;
-  const glm::dvec3 origin(corners[0]);  // uses positions relative to a corner, because far from 0 small
-                                        // polygons would lose precision
+  // Takes positions relative to a corner, because products of large coordinates would cancel: the normal of
+  // a small polygon far from 0 would lose precision.
+  const glm::dvec3 origin(corners[0]);
   for (std::size_t i = 1; i + 1 < corners.size(); ++i)
     sum += glm::cross(glm::dvec3(corners[i]) - origin, glm::dvec3(corners[i + 1]) - origin);
   return sum;

@@ -34,7 +34,7 @@ class ReactionKernels {
   /// the model's time is 0.
   void advance(long number, int steps, long first);
   /// Samples a field as the map of a parameter. `layers` > 1: the field is a volume of that many layers.
-  /// Throws UserError(usage) if the field is too wide.
+  /// Throws UserError(usage) if a side of the field (of one layer) is longer than maxSampledSide cells.
   void take(int parameter, const Field& field, int layers = 1);
   /// Returns the parameters' maps; the array is empty if no parameter has a map.
   [[nodiscard]] gl::Vec4Array& maps() { return weights_; }

@@ -31,8 +31,8 @@ class NearestFaces {
   NearestFaces(const ClosedMesh& mesh, const glm::dvec3& low, double step, const glm::ivec3& counts)
       : mesh_(mesh), low_(low), step_(step), counts_(counts), found_(placeIn(counts, 0, 0, counts.z)) {
     for (std::size_t i = 0; i < mesh.faces.size(); ++i) note(i);
-    // Propagates faces from node to node, in both directions along each axis, until each node has its
-    // nearest face.
+    // Propagates faces to neighbouring nodes, diagonal ones included, in rising and then falling order of
+    // indices, twice. Each node keeps the nearest face that it was offered.
     for (int round = 0; round < 2; ++round) {
       spread(1);
       spread(-1);

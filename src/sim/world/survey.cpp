@@ -72,8 +72,9 @@ double weightOf(const scene::Object& object) {
   return cloth->hasContact ? contact : cloth->hasMesh ? ofMesh : 1;
 }
 
-/// Returns the weighted bytes of state times the number of steps. A pair of attracting bodies counts as a
-/// tenth of a byte.
+/// Returns an estimate of the cost of simulating the scene: the sum over all objects of the bytes of state,
+/// weighted by weightOf(), times the number of steps. If all n bodies of an object attract each other,
+/// n * n / 10 bytes are added.
 double countedWork(const scene::Scene& scene, const World& world) {
   double work = 0;
   for (std::size_t i = 0; i < world.objectCount(); ++i) {

@@ -115,7 +115,8 @@ TEST_CASE("gravity tree errors vanish as the opening angle goes to 0") {
   for (const float opening : {1.0F, 0.5F, 0.25F, 0.0F}) {
     setup.opening = opening;
     const Errors errors = errorsOf(bodies, onDevice(bodies, setup), setup);
-    CHECK(errors.median < std::max(0.7 * last, 1e-6));  // the lower bound is single precision
+    // 1e-6 is about the rounding error of single precision.
+    CHECK(errors.median < std::max(0.7 * last, 1e-6));
     last = errors.median;
   }
   CHECK(last < 1e-6);

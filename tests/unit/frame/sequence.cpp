@@ -214,8 +214,9 @@ TEST_CASE("sequence: skipping lists existing frames that declare this run") {
   std::filesystem::remove(folder / "manifest.json");
   CHECK(renderInto(folder.string(), Existing::skip, 3).empty());
   CHECK(text(folder / "manifest.json") == manifest);
-  // Foreign pictures are kept but not listed, so --resume draws them. Damaged and empty ones are drawn at
-  // once.
+  // Existing::skip keeps a picture without the metadata of a run (frame 0), but does not list it in the
+  // manifest, so a later Existing::resume draws that frame again. Existing::skip itself redraws damaged and
+  // empty pictures (frames 1 and 2).
   std::filesystem::remove(folder / "manifest.json");
   writeFileAtomically(folder / "000000.png", encodePng(picture(32, 18), {}));
   std::filesystem::resize_file(folder / "000001.png", 100);

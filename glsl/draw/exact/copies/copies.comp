@@ -12,8 +12,9 @@ uniform int part;         // index of the current dispatch
 uniform int mostCopies;   // max number of copies in one dispatch
 uniform int parts;
 uniform int listRoom;      // capacity of the list of larger triangles
-uniform int mediumPixels;  // longest side in pixels of a medium-sized triangle's box; if less than smallPixels, no
-                           // triangle is medium-sized
+// Longest side in pixels of the box of a medium-sized triangle. If this is not above the limit of small triangles, no
+// triangle is medium-sized.
+uniform int mediumPixels;
 #include "draw/exact/list_place.glsl"
 
 void main() {

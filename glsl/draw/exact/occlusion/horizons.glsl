@@ -19,7 +19,7 @@ struct HalfPlace {
   ivec2 at;
   float nearness;  // nearness of the shaded point in 1/m
   float depth;     // depth of the shaded point in metres
-  vec2 slope;      // change of nearness per half pixel along x and y
+  vec2 slope;      // change of nearness (half_pixels.glsl) from one half pixel to the next along x and y
   float reach;     // max distance of occluders in half pixels
   float perReach;  // 1 / max distance of occluders, in 1/m
 };

@@ -38,12 +38,13 @@ bool isOnSun(vec3 direction) {
   return along > 0.0f && square < edge2;
 }
 
-// Returns the sky's light from one direction. `factor`: factor on the light (skyFactor()), `ambient` for diffuse
-// surfaces and 1 for mirrors. `share`: the lobe's fraction of the response. `all_`: number of rays per steradian in
-// this direction. An environment picture is blurred in proportion to the solid angle of one ray (as Colbert and
-// Krivanek, "GPU-Based Importance Sampling", GPU Gems 3, 2007), with a lobe whose solid angle 4 pi alpha^2 is the
-// ray's; the blur is limited to the surface's roughness, and to 0.5 for diffuse surfaces. The more rays, the sharper
-// the picture.
+// Returns the sky's light from one direction. `factor`: result of skyFactor(), from frame.ambient for diffuse surfaces
+// to 1 for mirrors. `share`: fraction of the surface's response that is its specular lobe. `all_`: number of rays per
+// steradian in this direction. An environment picture is blurred so that gaps between few rays do not become noise
+// (Colbert and Krivanek, "GPU-Based Importance Sampling", GPU Gems 3, 2007): the blur is the roughness whose lobe, of
+// solid angle 4 pi alpha^2 with alpha = roughness^2, is as large as the solid angle of one ray. The blur is at most
+// half the roughness for specular surfaces (`share` 1) and 0.5 for diffuse ones (`share` 0). More rays give a sharper
+// picture.
 vec3 skyLight(vec3 direction, float factor, float roughness, float share, float all_) {
 #ifdef ENVIRONMENT
   precise float most = 0.5f * (1.0f + (roughness - 1.0f) * share);

@@ -11,7 +11,7 @@ const int layerLook = 2;
 const int sheenLook = 3;     // texel: rgb sheen colour; w transmission
 const int glassLook = 4;     // texel: index of refraction; 1 if thin; bump height of white (m), 0 without bump
 const int absorbLook = 5;    // texel: rgb absorption inside a solid (1/m)
-// Texels: four words for each map, as in map_read.glsl.
+// One texel for each map, with the four words that mapShape() and mapWithin() of draw/exact/surface/map_read.glsl take.
 const int colorMapLook = 6, normalMapLook = 7, metalRoughMapLook = 8, emissionMapLook = 9;
 // Texel: repeats along u and v, strength of normal maps; scale of lengths for triplanar projection, else 0.
 const int laidLook = 10;

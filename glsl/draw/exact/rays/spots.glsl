@@ -18,7 +18,7 @@ void keepSpot(int sampleAt, vec3 p, vec3 facing, vec3 normal, vec3 base, vec3 ma
 void keepSpot(int sampleAt, vec3 p, vec3 facing, vec3 normal, vec3 base, vec3 material, float share) {
   keepSpot(sampleAt, p, facing, normal, base, material, share, 0u, facing, 0.0f);
 }
-// Updates the share of a spot after layers in front of it are known.
+// Replaces `share` of a stored spot, once it is known how much light the layers in front of it let through.
 void keepShare(int sampleAt, float share) {
   spots[4 * sampleAt + 2].w = floatBitsToUint(share);
 }

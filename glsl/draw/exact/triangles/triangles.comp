@@ -17,8 +17,9 @@ int draw_ = face_;
 uniform int draw_;         // index of the current surface among all drawn surfaces
 #endif
 uniform int draws;
-uniform int mediumPixels;  // longest side in pixels of a medium-sized triangle's box; if less than smallPixels, no
-                           // triangle is medium-sized
+// Longest side in pixels of the box of a medium-sized triangle. If this is not above the limit of small triangles, no
+// triangle is medium-sized.
+uniform int mediumPixels;
 #include "draw/exact/list_place.glsl"
 #if defined BINS && (defined LAMP_MAP || defined SUN_MAP)
 // Shadow maps have one sample per texel and no ids, so a few atomics cost less than all samples of a tile.

@@ -37,8 +37,8 @@ vec3 worldNormal(int i) {
   return exactCross(down, right);
 }
 #elif defined DEFORMED
-// From four displaced points at the distance w of the rest position (the shortest edge at the vertex) along tangent and
-// bitangent.
+// Returns the normal from the differences of four displaced points. In the rest pose, they lie on both sides of the
+// vertex along tangent and bitangent, at the distance rest.w (length of its shortest edge).
 vec3 worldNormal(int i) {
   vec4 rest = texelFetch(positions, i);
   vec3 normal = texelFetch(normals, i).xyz;

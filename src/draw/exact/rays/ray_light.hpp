@@ -39,7 +39,8 @@ class RayLight {
   /// Selects lens point `point` of `points`. The points share the samples of each pixel.
   void seeThrough(int point, int points);
   [[nodiscard]] const RayLooks& looks() const { return scene_.looks(); }
-  /// Returns the buffer into which shading kernels store spots.
+  /// Returns the buffer into which shading kernels store spots, the visible surface points
+  /// (glsl/draw/exact/rays/spots.glsl).
   [[nodiscard]] const gl::Buffer& spots() const { return spots_; }
   /// Adds the light of a band's spots to `sums`. The view, the lights and the frame must be bound. `white`:
   /// light that the picture shows as white.

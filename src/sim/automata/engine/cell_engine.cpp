@@ -190,7 +190,8 @@ std::string anyOf(const std::vector<CountRange>& counts) {
   return text.empty() ? "false" : "(" + text + ")";
 }
 
-/// Returns the spans of the rows `top` to `bottom` around a cell, as defines of spans.comp and far.comp.
+/// Returns the first and last columns of the neighbourhood in the rows `top` to `bottom`, relative to the
+/// cell, as the defines LEFTS and RIGHTS of spans.comp and far.comp.
 SpanDefines spansOf(const WideRule& rule, int top, int bottom) {
   std::string lefts, rights;
   for (int dy = top; dy <= bottom; ++dy) {
