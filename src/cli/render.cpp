@@ -161,10 +161,10 @@ void addRender(CLI::App& app) {
   command->add_option("--rule", o->rule,
                       "Rule for a file of cells, instead of its own, for example B2-a/S12; `simreel list "
                       "life` explains the notations");
-  command->add_option(
-      "--frames", o->frames,
-      "Frames to write, for example 0-99x2,150; all frames are simulated. A video of every second frame "
-      "plays at the speed of the scene. none: draw nothing, for --checkpoint-at");
+  command->add_option("--frames", o->frames,
+                      "Frames to write, for example 0-99x2,150 or last; all frames are simulated. A video "
+                      "of every second frame "
+                      "plays at the speed of the scene. none: draw nothing, for --checkpoint-at");
   command->add_option("--fields", o->fields, "Also write the raw values of every field beside each picture")
       ->check(CLI::IsMember({"npy", "pfm"}));
   command

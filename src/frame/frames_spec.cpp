@@ -11,7 +11,8 @@ namespace {
 
 class Reader {
  public:
-  Reader(const std::string& text, const char* option) : text_(text), option_(option) {}
+  Reader(const std::string& text, const char* option, std::optional<int> last)
+      : text_(text), option_(option), last_(last) {}
 
   std::vector<int> read() {
     std::vector<int> frames;
@@ -50,6 +51,11 @@ class Reader {
 
   int number(const char* what) {
     const std::size_t begin = at_;
+    constexpr std::string_view lastWord = "last";
+    if (last_ && std::string_view(text_).substr(at_).starts_with(lastWord)) {
+      at_ += lastWord.size();
+      return *last_;
+    }
     long value = 0;
     for (; at_ < text_.size() && text_[at_] >= '0' && text_[at_] <= '9'; ++at_) {
       value = value * 10 + (text_[at_] - '0');
@@ -60,19 +66,20 @@ class Reader {
   }
 
   [[noreturn]] void wrong(std::size_t at, const std::string& what) const {
-    fail(ExitCode::usage, "{} {}: {} at character {}; write for example 0-99, 0-99x2, or 0-9,20", option_,
-         text_, what, at + 1);
+    fail(ExitCode::usage, "{} {}: {} at character {}; write for example 0-99, 0-99x2, or {}", option_,
+         text_, what, at + 1, last_ ? "0,last" : "0-9,20");
   }
 
   const std::string& text_;
   const char* option_;
+  std::optional<int> last_;  ///< value of the word "last"; nullopt: not allowed
   std::size_t at_ = 0;
 };
 
 }  // namespace
 
-std::vector<int> parseFrames(const std::string& text, const char* option) {
-  return Reader(text, option).read();
+std::vector<int> parseFrames(const std::string& text, const char* option, std::optional<int> last) {
+  return Reader(text, option, last).read();
 }
 
 std::string framesText(const std::set<int>& frames) {

@@ -16,7 +16,7 @@ void warnBeyondEnd(int frame, const scene::Scene& scene) {
 
 std::vector<int> chosenFrames(const std::optional<std::string>& text, const scene::Scene& scene) {
   if (text) {
-    std::vector<int> frames = frame::parseFrames(*text);
+    std::vector<int> frames = frame::parseFrames(*text, "--frames", scene.frameCount() - 1);
     warnBeyondEnd(frames.back(), scene);
     return frames;
   }

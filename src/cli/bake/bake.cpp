@@ -174,8 +174,9 @@ void addBake(CLI::App& app) {
           "automata; maps: of skins, textures that tile (albedo, normal with +y up, 16-bit height, "
           "roughness, occlusion; --size sets theirs). None given: rle, ply or npy, what there is")
       ->check(CLI::IsMember(formats));
-  command->add_option("--frames", o->frames,
-                      "Frames to write, for example 0-99x2,150; left out: all, or the last for maps");
+  command->add_option(
+      "--frames", o->frames,
+      "Frames to write, for example 0-99x2,150 or last; left out: all, or the last for maps");
   command->add_option(
       "--look", o->look,
       "With --format maps: bake the fields themselves with this look (leather, spots, cracks or map); "

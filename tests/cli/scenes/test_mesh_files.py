@@ -30,6 +30,8 @@ class MeshFiles(Case):
     def test_turn_moves_the_camera_once_around_the_scene(self):
         self.write("m.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.3\nf 1 2 3\n")
         self.good("render", "m.obj", "--size=48x27", "--turn=0.5", "--fps=8", "-o", "out/")
+        self.good("render", "m.obj", "--size=48x27", "--turn=0.5", "--fps=8", "--frames=last", "-o", "last.png")
+        self.assertEqual(png_rows((self.folder / "last.png").read_bytes()), png_rows((self.folder / "out/000003.png").read_bytes()))
         frames = sorted((self.folder / "out").glob("*.png"))
         self.assertEqual(len(frames), 4)
         self.assertEqual(len({frame.read_bytes() for frame in frames}), 4)

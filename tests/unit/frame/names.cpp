@@ -69,6 +69,15 @@ TEST_CASE("frames: lists, ranges and steps of frames are parsed") {
   }
 }
 
+TEST_CASE("frames: the word last is the scene's last frame") {
+  CHECK(parseFrames("last", "--frames", 29) == std::vector{29});
+  CHECK(parseFrames("0,last", "--frames", 29) == std::vector{0, 29});
+  CHECK(parseFrames("0-lastx10", "--frames", 29) == std::vector{0, 10, 20});
+  for (const char* wrong : {"lastly", "las", "40-last"})
+    CHECK(errorOf([&] { (void)parseFrames(wrong, "--frames", 29); }).first == ExitCode::usage);
+  CHECK(errorOf([&] { (void)parseFrames("last"); }).first == ExitCode::usage);
+}
+
 TEST_CASE("progress: progress texts show frames and time left") {
   CHECK(formatDuration(9.84) == "9.8 s");
   CHECK(formatDuration(185.2) == "3 min 05 s");
