@@ -3,6 +3,7 @@
 #include "base/file.hpp"
 #include "base/log.hpp"
 #include "base/version.hpp"
+#include "batch/plan/shared_camera.hpp"
 #include "batch/plan/sweep_plan.hpp"
 #include "batch/plan/vary.hpp"
 #include "batch/sweep/sweep_job.hpp"
@@ -61,6 +62,10 @@ batch::SweepPlan planOf(const SweepOptions& o, const std::string& text) {
   for (auto& values : batch::combine(varied, how, o.sample.value_or(0), seed))
     plan.jobs.push_back({std::move(values), {}});
   batch::checkJobs(plan, text);
+  if (const std::vector<scene::Override> camera = batch::sharedCamera(plan, text); !camera.empty()) {
+    plan.overrides.insert(plan.overrides.end(), camera.begin(), camera.end());
+    batch::checkJobs(plan, text);  // the camera is part of the jobs' hashes
+  }
   return plan;
 }
 

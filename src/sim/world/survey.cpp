@@ -161,8 +161,9 @@ void frameSeen(const Traveller& traveller, const ParticleParameters* particles, 
   framed.box = *box;
 }
 
-/// Returns the changes from `before` to `camera` in the syntax of the option -D.
-std::vector<std::string> placing(const scene::Camera& camera, const scene::Camera& before) {
+}  // namespace
+
+std::vector<std::string> cameraOverrides(const scene::Camera& camera, const scene::Camera& before) {
   const auto value = [](float number) { return scene::shortest(number).dump(); };
   const auto vector = [&](const glm::vec3& v) {
     return fmt::format("[{},{},{}]", value(v.x), value(v.y), value(v.z));
@@ -181,8 +182,6 @@ std::vector<std::string> placing(const scene::Camera& camera, const scene::Camer
   if (camera.far != before.far) given.push_back("camera.far=" + value(camera.far));
   return given;
 }
-
-}  // namespace
 
 bool needsSurvey(const scene::Scene& scene) {
   return !scene.surveyed && (!scene.camera.placed || scene.staged) &&
@@ -250,7 +249,7 @@ MotionFraming frameMotion(scene::Scene& scene, const SurveyWatch& watch) {
   detail("simreel: the first run stepped through {:.1f} MiB of state in {:.2f} s", survey.work / (1 << 20),
          secondsSince(began));
   if (placed) return {};
-  MotionFraming framing{placing(scene.camera, before)};
+  MotionFraming framing{cameraOverrides(scene.camera, before)};
   framing.remark = fmt::format("simreel: a first run of {} frames placed the camera; to keep it there: {}",
                                survey.frames, scene::asArguments(framing.camera));
   return framing;

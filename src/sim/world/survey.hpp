@@ -39,6 +39,11 @@ using SurveyWatch = std::function<void()>;
 /// camera as placed.
 void frameSurvey(scene::Scene& scene, const Survey& survey);
 
+/// Returns overrides "path=value" that place `camera`: its position or orbit, its target and angle, and
+/// near and far if they differ from those of `before`.
+[[nodiscard]] std::vector<std::string> cameraOverrides(const scene::Camera& camera,
+                                                       const scene::Camera& before);
+
 struct MotionFraming {
   std::vector<std::string> camera = {};  ///< overrides "path=value" that reproduce the camera; empty if the
                                          ///< scene places its camera

@@ -97,6 +97,24 @@ class Sweep(Case):
         self.assertTrue(all((self.folder / "sw" / j["file"]).exists() for j in data["jobs"]))
         self.assertNotIn("http", page.replace("http-equiv", ""))
 
+    def test_one_camera_frames_the_objects_of_all_jobs(self):
+        ball = {"version": 1, "render": {"size": [64, 36], "samples": 1}, "time": {"fps": 30, "duration": 0.03},
+                "objects": {"b": {"sphere": {}}}}
+        def cameras(scene, *vary):
+            self.write("ball.json", scene)
+            self.good("sweep", "ball.json", *vary, "-o", "sw/", "--plan-only", "--overwrite")
+            return dict(change.split("=", 1) for change in json.loads((self.folder / "sw/plan.json").read_text())["overrides"])
+        radii = ("--vary", "objects.b.sphere.radius=0.5,1,2")
+        shared = cameras(ball, *radii)
+        self.assertIn("camera.position", shared)
+        self.assertEqual(shared["camera.position"], cameras(ball, "--vary", "objects.b.sphere.radius=2,1,0.5")["camera.position"])
+        self.assertNotEqual(shared["camera.position"], cameras(ball, "--vary", "objects.b.sphere.radius=0.5,1")["camera.position"])
+        placed = {**ball, "camera": {"position": [0, 1, 5], "target": [0, 0, 0]}}
+        self.assertEqual(cameras(placed, *radii), {})
+        self.assertEqual(cameras(ball, "--vary", "camera.fieldOfView=20,40"), {})
+        # The largest ball has the camera that it has alone.
+        self.assertIn(shared["camera.position"], self.good("explain", "ball.json", "-D", "objects.b.sphere.radius=2", "camera.position").stdout.decode())
+
     def test_failed_aborted_and_missing(self):
         self.write("slow.json", with_values(SLOW | {"time.duration": 3000}))  # a scene that would take hours
         self.good("sweep", "slow.json", "--vary", "objects.flag.cloth.air.velocity=[1,0,0],[2,0,0],[3,0,0]", "-o", "sw/", "--plan-only",
