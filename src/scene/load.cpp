@@ -6,6 +6,7 @@
 #include "scene/framing.hpp"
 #include "scene/json/json_node.hpp"
 #include "scene/json/words.hpp"
+#include "scene/kind_hint.hpp"
 #include "scene/override.hpp"
 #include "scene/scene_source.hpp"
 #include "scene/sections.hpp"
@@ -26,12 +27,6 @@ namespace simreel::scene {
 
 namespace {
 
-std::vector<std::string> kindNames(std::span<const Kind> kinds) {
-  std::vector<std::string> names;
-  for (const Kind& kind : kinds) names.emplace_back(kind.name);
-  return names;
-}
-
 /// Reads one object: exactly one member that names its kind, and an optional material.
 Object readObject(const Node& node, ReadContext context, std::span<const Kind> kinds) {
   Object object;
@@ -50,11 +45,9 @@ Object readObject(const Node& node, ReadContext context, std::span<const Kind> k
     const auto kind =
         std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return member.key == k.name; });
     if (kind == kinds.end()) {
-      std::vector<std::string> names = kindNames(kinds);
-      names.emplace_back("material");
       context.diagnostics.add(member.headPlace(),
                               fmt::format("unknown kind of object {}; {}", inQuotes(member.key),
-                                          suggestion(member.key, names)));
+                                          hintForKind(member.key, kinds)));
       unknown = true;
     } else if (object.parameters != nullptr && object.kind != kind->name) {
       context.diagnostics.add(

@@ -100,9 +100,10 @@ void Material::describe(Fields& fields) {
   if (std::max({color.x, color.y, color.z}) > 1)
     fields.idle(
         "color", "",
-        fmt::format("a \"color\" above 1 sends back more light than comes in, found {:g}; parts of 255 are "
-                    "to be divided by that, and made linear",
-                    std::max({color.x, color.y, color.z})));
+        fmt::format(
+            "a \"color\" above 1 sends back more light than comes in, found {:g}; give colours of 0 to 255 "
+            "as text, for example \"#ff8800\"",
+            std::max({color.x, color.y, color.z})));
   fields.idleUnless(finish.alpha == Alpha::opaque || finish.opacity < 1 || !texture.empty(), "opacity",
                     {"alpha"}, "a material with an \"opacity\" or a \"texture\" that has one");
   const bool mapped = !texture.empty() || finish.hasMaps();

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 using namespace simreel::scene;
 using namespace simreel::scene::toy;
@@ -87,6 +88,18 @@ TEST_CASE("all errors of a scene are reported at once, ordered by position") {
     REQUIRE(found != std::string::npos);
     at = found;
   }
+}
+
+TEST_CASE(
+    "an unknown key of an object is explained if it belongs to a material or names a kind otherwise") {
+  const auto report = [](const char* key) {
+    return mistakes(
+        fmt::format(R"({{"version": 1, "objects": {{"a": {{"cloth": {{}}, "{}": 1}}}}}})", key));
+  };
+  CHECK(report("color").find("it is part of a material: \"material\": {\"color\": ...}") !=
+        std::string::npos);
+  CHECK(report("cube").find("did you mean \"box\"?") != std::string::npos);
+  CHECK(report("sheet").find("did you mean \"cloth\"?") != std::string::npos);
 }
 
 TEST_CASE("a wrong type error names the expected type") {
