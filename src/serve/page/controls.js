@@ -66,7 +66,7 @@ function severalControl(schema, on, color) {
     const known = Array.isArray(value) && value.length === count;
     now = known ? [...value] : now.map(() => 0);
     boxes.forEach((box, i) => { box.value = known ? number(value[i]) : ""; });
-    if (picker) picker.value = hex(known ? value : [0, 0, 0]);
+    if (picker) picker.value = /^#[0-9a-f]{6}$/i.test(value) ? value : hex(known ? value : [0, 0, 0]);
   } };
 }
 

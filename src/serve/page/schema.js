@@ -24,10 +24,13 @@ export class Schema {
 
 const without = (object, key) => Object.fromEntries(Object.entries(object).filter(([name]) => name !== key));
 
+// Returns the forms of a schema as one list; forms may have forms of their own.
+const flat = (schema) => (schema.anyOf ?? schema.oneOf)?.flatMap(flat) ?? [schema];
+
 // Splits a schema with several forms into {plain, moving, group}: plain value, keyframes, group.
 export function forms(schema) {
-  const several = schema.anyOf ?? schema.oneOf;
-  const all = several?.some((form) => form.type || form.enum || form.const !== undefined) ? several : [schema];
+  const several = flat(schema);
+  const all = several.some((form) => form.type || form.enum || form.const !== undefined) ? several : [schema];
   const moving = all.find((form) => form.properties?.keys);
   const group = all.find((form) => form.type === "object" && form !== moving && form.properties);
   const plain = all.find((form) => form !== moving && form !== group) ?? group;
