@@ -208,6 +208,7 @@ std::optional<glm::vec3> colorOf(std::string_view text) {
 
 std::vector<std::string> colorNames() {
   std::vector<std::string> names;
+  names.reserve(namedColors.size());
   for (const NamedColor& one : namedColors) names.emplace_back(one.name);
   return names;
 }
