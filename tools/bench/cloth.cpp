@@ -1,5 +1,5 @@
-// Measures cloth substeps on the device and by the CPU twin, on one thread and on all threads. Items are
-// particles, so items_per_second is particle-steps/s. A substep with springs moves 64 bytes per particle:
+// Measures cloth substeps on the device and by the CPU twin, on one thread and on all threads. One item
+// is one particle in one step. A substep with springs moves 64 bytes per particle:
 // it reads position (those of neighbours come from the cache) and velocity and writes both.
 #include "gl/context.hpp"
 #include "reference/cloth_twin.hpp"

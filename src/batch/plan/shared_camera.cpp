@@ -19,7 +19,7 @@ bool changesView(const std::string& path) {
   return path == camera || path.starts_with("camera.") || path == "render" || path == "render.size";
 }
 
-/// Extends the extents `all` by those of another job, object by object.
+/// Extends each object's extents in `all` by the same object's extents in `more`, which is another job.
 void merge(std::vector<scene::Framed>& all, const std::vector<scene::Framed>& more) {
   for (std::size_t i = 0; i < more.size(); ++i) {
     if (i == all.size()) {

@@ -55,8 +55,8 @@ struct Block {
   std::vector<Member> members;
 };
 
-/// A place in a kernel where an invocation can cause a fault. The block `Kernel::report` has four words for
-/// each place, in the order of `Kernel::places`:
+/// Source position in a kernel at which an invocation can cause a fault. The block `Kernel::report` has
+/// four words for each place, in the order of `Kernel::places`:
 ///
 ///   0  number of invocations whose first fault is here (uint)            initially 0
 ///   1  the lowest of these invocations, x first, then y, then z (uint)   0xFFFFFFFF

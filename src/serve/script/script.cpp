@@ -150,8 +150,8 @@ bool standsAlike(const scene::Light& a, const scene::Light& b) {
          a.intensity.at(0) == b.intensity.at(0) && a.radius.at(0) == b.radius.at(0);
 }
 
-/// True if two objects have the same name and kind, and the same values of those material fields that a
-/// stage sets if the scene does not: colour, roughness and translucency.
+/// True if two objects have the same name, kind, colour, roughness and translucency. A stage may set the
+/// last three.
 bool dressedAlike(const scene::Object& a, const scene::Object& b) {
   const scene::Parameters &one = *a.parameters, &other = *b.parameters;
   return a.name == b.name && a.kind == b.kind && typeid(one) == typeid(other) &&

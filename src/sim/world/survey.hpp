@@ -39,8 +39,8 @@ using SurveyWatch = std::function<void()>;
 /// camera as placed.
 void frameSurvey(scene::Scene& scene, const Survey& survey);
 
-/// Returns overrides "path=value" that place `camera`: its position or orbit, its target and angle, and
-/// near and far if they differ from those of `before`.
+/// Returns overrides "path=value" that place `camera`: position or orbit distance, target, and field of
+/// view or height. Adds near and far if they differ from the values of `before`.
 [[nodiscard]] std::vector<std::string> cameraOverrides(const scene::Camera& camera,
                                                        const scene::Camera& before);
 
