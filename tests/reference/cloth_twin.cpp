@@ -216,8 +216,8 @@ void ClothTwin::predict(const ClothStep& data, int threads, int index) {
   if (walls) wallGrid = walls->grid({plan_.parameters().margin, 0.0F, plan_.substepSeconds()});
   const WallsTwin* solid = walls ? &*walls : nullptr;
   const bool constraints = plan_.parameters().constrained();
-  const bool fabric = plan_.parameters().hasFabric;
-  const bool air = plan_.parameters().hasAir;
+  const bool fabric = plan_.parameters().fabric.has_value();
+  const bool air = plan_.parameters().air.has_value();
   const ivec2 size = plan_.parameters().size;
   forRows(size.y, threads, [&](int y) {
     Kernel kernel{{}, size, data, positions.data()};
@@ -328,7 +328,7 @@ void ClothTwin::constrain(const ClothStep& data) {
       kernel.lineRest = kernel.springLength(0);
       if (damped) kernel.lineKept = data.dampedPart;
       kernel.lineCompliance =
-          plan_.parameters().hasFabric ? kernel.fabricCompliance(rows, line) : kernel.scaledCompliance(0);
+          plan_.parameters().fabric ? kernel.fabricCompliance(rows, line) : kernel.scaledCompliance(0);
       solveLine(kernel, next, velocities);
     }
 }

@@ -120,12 +120,12 @@ inline simreel::sim::ClothParameters silk(glm::ivec2 size, float spacing, glm::v
   p.position = position;
   p.rotation = rotation;
   p.jitter = 1e-4F;
-  p.hasFabric = true;
-  p.fabric.material = simreel::sim::FabricMaterial::cotton;
+  p.fabric.emplace();
+  p.fabric->material = simreel::sim::FabricMaterial::cotton;
   p.wind = glm::vec3(0);
   p.substeps = 16;
   p.damping = 0.5F;
-  p.hasContact = true;
+  p.contact.emplace();
   p.pins.clear();
   return p;
 }

@@ -83,7 +83,7 @@ void GarmentTwin::substep(const ClothStep& data, int index) {
     kernel.meshData = meshes->steps[static_cast<std::size_t>(index)];
     kernel.fieldCells = meshes->cells.data();
   }
-  const bool air = plan_.parameters().hasAir;
+  const bool air = plan_.parameters().air.has_value();
   for (std::size_t f = 0; air && f < arrays.corners.size(); ++f) {
     const uvec4 face = arrays.corners[f];
     const vec3 velocity =

@@ -139,7 +139,7 @@ void ParticlesTwin::predict(int index, int threads) {
     });
     for (int e = 0; e < data.emitterCount; ++e)
       for (int k = 0; k < data.emitters[e].newborns; ++k) {
-        const auto m = kernel.newbornMoved(e, k, p.hasAttractor, p.turbulence.strength > 0);
+        const auto m = kernel.newbornMoved(e, k, p.attractor.has_value(), p.turbulence.strength > 0);
         out(static_cast<std::size_t>(kernel.newbornSlot(e, k)), m.position, m.velocity, nullptr);
       }
   });
@@ -175,8 +175,8 @@ void ParticlesTwin::kick(const ParticleStep& data, int threads) {
       pace = paceOf(kernel.livedSeconds(place.x, place.y), p.slowing());
       if (pairs) m = kernel.pulledSinceBirth(m, pull, pace);
     }
-    const vec3 field =
-        kernel.fieldAcceleration(data.fields, vec3(m.position), p.hasAttractor, p.turbulence.strength > 0);
+    const vec3 field = kernel.fieldAcceleration(data.fields, vec3(m.position), p.attractor.has_value(),
+                                                p.turbulence.strength > 0);
     const vec3 acceleration = pairs ? pull + field : field;
     positions[i] = m.position;
     accelerations[i] = vec4(acceleration, 0);

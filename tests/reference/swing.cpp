@@ -56,7 +56,7 @@ Case springs(double degrees, double spacing) {
 Case fabric(double degrees, double spacing) {
   Case made = sheet(degrees, spacing);
   made.name = "fabric";
-  made.parameters.hasFabric = true;
+  made.parameters.fabric.emplace();
   made.parameters.substeps.reset();
   return made;
 }
@@ -67,17 +67,17 @@ Case strip(double degrees, double spacing) {
   made.degrees = degrees;
   sim::ClothParameters& p = made.parameters;
   p = quiet(degrees);
-  p.hasFabric = p.hasMesh = true;
+  p.fabric.emplace();
+  p.mesh.emplace();
   p.substeps.reset();
   const int rows = static_cast<int>(std::lround(1 / spacing)) + 1;
-  p.mesh.size = glm::vec3(0.5F, 0, 1);
-  p.mesh.resolution = {(rows + 1) / 2, rows};
+  p.mesh->size = glm::vec3(0.5F, 0, 1);
+  p.mesh->resolution = {(rows + 1) / 2, rows};
   sim::PinGroup& top = p.pins.emplace_back();
-  top.hasBox = true;
   // The sheet's upper border after the rotation by `degrees`.
   const double angle = degrees * 3.14159265358979 / 180;
   const auto y = static_cast<float>(0.5 * std::cos(angle)), z = static_cast<float>(-0.5 * std::sin(angle));
-  top.box = {glm::vec3(-1, y - 1e-3F, z - 1e-3F), glm::vec3(1, y + 1e-3F, z + 1e-3F)};
+  top.box = sim::PinBox{glm::vec3(-1, y - 1e-3F, z - 1e-3F), glm::vec3(1, y + 1e-3F, z + 1e-3F)};
   made.length = 1;
   return made;
 }
@@ -119,7 +119,7 @@ class Swinging {
 template <class Use>
 auto withTwin(const Case& given, const Use& use) {
   const sim::ClothParameters& p = given.parameters;
-  if (p.hasMesh)
+  if (p.mesh)
     return use(
         Swinging(GarmentTwin(sim::GarmentPlan("strip", p, 1, frameSeconds, {})), sim::measureGarment));
   return use(

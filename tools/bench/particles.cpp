@@ -204,7 +204,7 @@ void freeParticles(int count, bool turbulence) {
   p.method = sim::GravityMethod::none;
   p.groups.emplace_back().count = count;
   p.groups[0].totalMass = 1000;
-  p.hasAttractor = true;
+  p.attractor.emplace();
   p.turbulence.strength = turbulence ? 1.0F : 0.0F;
   p.substeps = 8;
   scene::Object object;

@@ -71,12 +71,12 @@ class Cloth : public Simulation, public LockStep {
   }
 
   void connect(Outlets& outlets) override {
-    if (plan_.parameters().hasContact) outlets.provide<LockStep>(this);
+    if (plan_.parameters().contact) outlets.provide<LockStep>(this);
   }
   [[nodiscard]] ContactPart contactPart() const override {
     const ClothParameters& p = plan_.parameters();
     const std::vector<unsigned> corners = gridIndices(size_);
-    ContactPart part{plan_.firstPositions(), {}, p.contactThickness(p.spacing), p.contact.friction, {}};
+    ContactPart part{plan_.firstPositions(), {}, p.contactThickness(p.spacing), p.contact->friction, {}};
     for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
       part.faces.emplace_back(corners[i], corners[i + 1], corners[i + 2]);
     part.name = name_;
@@ -156,7 +156,7 @@ class Cloth : public Simulation, public LockStep {
   }
   [[nodiscard]] std::string explainLoss(unsigned step, unsigned element) const override {
     const auto width = static_cast<unsigned>(size_.x);
-    const bool fabric = plan_.parameters().hasFabric;
+    const bool fabric = plan_.parameters().fabric.has_value();
     return fmt::format(
         "cloth \"{}\" blew up in substep {} at particle ({}, {}): its position or velocity is no longer a "
         "sensible number; use more substeps ({} per frame now, or \"auto\"){}, {}",

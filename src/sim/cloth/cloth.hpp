@@ -17,7 +17,7 @@ template <class Plan>
 Touch::Wanted touchedBy(const Plan& plan) {
   const auto& p = plan.parameters();
   return {.walls = p.walls,
-          .wind = p.hasAir ? p.air.fluid : "",
+          .wind = p.air ? p.air->fluid : "",
           .margin = p.margin,
           .colliders = plan.colliderCount(),
           .substeps = plan.substeps(),

@@ -30,7 +30,7 @@ std::optional<scene::Box> ClothParameters::framedMesh() const {
 }
 
 std::optional<scene::Box> ClothParameters::framed() const {
-  if (hasMesh) return framedMesh();
+  if (mesh) return framedMesh();
   const glm::mat4 turn = rotationMatrix(rotation);
   const glm::vec2 half = 0.5F * glm::vec2(size - 1);
   const auto restAt = [&](glm::ivec2 at) {

@@ -134,7 +134,7 @@ ClothKernels::ClothKernels(const std::string& name, const ClothPlan& plan, const
     trends_ = gl::Vec4Array(name + " trends", count);
     if (bends() && !inLines_) between_ = gl::Vec4Array(name + " between", count);
   }
-  if (plan.parameters().hasContact) left_ = gl::Vec4Array(name + " left", count);
+  if (plan.parameters().contact) left_ = gl::Vec4Array(name + " left", count);
   makeKernels(touch, fast);
 }
 
@@ -146,7 +146,7 @@ void ClothKernels::predict(int substep, const ClothPart& part) {
     dispatchStep(part);
   predicted_ = true;
   fendThin(part);
-  if (!plan_->parameters().hasContact) return;
+  if (!plan_->parameters().contact) return;
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   left_.copyFrom(positions_[1]);
 }
@@ -169,13 +169,13 @@ void ClothKernels::finish() {
 void ClothKernels::makeKernels(const TouchVariant& touch, bool fast) {
   const ClothParameters& p = plan_->parameters();
   const gl::Defines defines = gl::kernelDefines(fast);
-  const ClothForces forces = {.air = p.hasAir, .fabric = p.hasFabric};
+  const ClothForces forces = {.air = p.air.has_value(), .fabric = p.fabric.has_value()};
   if (constrained_) {
     rows_ = lineSolver(defines, touch, true);
     columns_ = lineSolver(defines, touch, false);
   }
   if (thin_.there()) findThin_ = gl::Kernel<ClothThinKernel>(defines);
-  if (p.hasContact) settle_ = gl::Kernel<ClothSettleKernel>(defines, {.touch = touch, .keeps = keeps_});
+  if (p.contact) settle_ = gl::Kernel<ClothSettleKernel>(defines, {.touch = touch, .keeps = keeps_});
   if (!hasTrends()) {
     step_ = gl::Kernel<ClothStepKernel>(
         defines,
@@ -203,7 +203,7 @@ gl::Kernel<ClothSolveKernel> ClothKernels::lineSolver(const gl::Defines& defines
       defines, {.touch = touch,
                 .keeps = keeps_,
                 .damped = plan_->parameters().damped(),
-                .fabric = plan_->parameters().hasFabric,
+                .fabric = plan_->parameters().fabric.has_value(),
                 .rows = rows,
                 .last = !rows,
                 .lines = std::clamp(ClothSolveKernel::groupSize / segments, 1, ClothSolveKernel::vector),

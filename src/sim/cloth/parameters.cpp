@@ -42,8 +42,7 @@ ClothParameters::ClothParameters() {
 
 /// Describes "mesh" and "seams". A cloth with a mesh is a fabric and has no pins by default.
 void ClothParameters::describeMesh(scene::Fields& f) {
-  f.optionalGroup("mesh", hasMesh, "Triangles that the cloth is made of, instead of a grid; a fabric.",
-                  [&](scene::Fields& g) { mesh.describe(g); });
+  f.optionalGroup("mesh", mesh, "Triangles that the cloth is made of, instead of a grid; a fabric.");
   f.list("seams", seams, "Vertices that are sewn together in pairs; for a cloth with a \"mesh\".",
          [](scene::Fields& s, Seam& seam) {
            s.integers(
@@ -56,8 +55,8 @@ void ClothParameters::describeMesh(scene::Fields& f) {
              s.error("to", fmt::format("{} vertices are sewn to {}; each needs one", seam.from.size(),
                                        seam.to.size()));
          });
-  if (!seams.empty() && !hasMesh) f.error("seams", "a grid has no seams; give \"mesh\"");
-  if (!hasMesh) return;
+  if (!seams.empty() && !mesh) f.error("seams", "a grid has no seams; give \"mesh\"");
+  if (!mesh) return;
   for (const char* name : {"size", "spacing"})
     if (f.given(name)) f.error(name, fmt::format("\"mesh\" says it; leave out \"{}\"", name));
   if (!f.given("pins")) pins.clear();
@@ -85,19 +84,18 @@ void ClothParameters::describe(scene::Fields& f) {
   f.number("bendCompliance", bendCompliance, {0, 1e6}, "m/N",
            "Compliance of constraints between particles two steps apart.");
   f.shorthand("fabric", "material");
-  f.optionalGroup("fabric", hasFabric,
+  f.optionalGroup("fabric", fabric,
                   "A material by its properties per area and length, whatever the spacing, instead of "
-                  "\"mass\", springs and their constraints; lengths are kept by XPBD.",
-                  [&](scene::Fields& g) { fabric.describe(g); });
-  hasFabric = hasFabric || hasMesh;
-  if (hasFabric) {
+                  "\"mass\", springs and their constraints; lengths are kept by XPBD.");
+  if (mesh && !fabric) fabric.emplace();
+  if (fabric) {
     for (const char* name :
          {"mass", "stiffness", "shear", "bend", "compliance", "shearCompliance", "bendCompliance"})
       if (f.given(name)) f.error(name, fmt::format("\"fabric\" says it; leave out \"{}\"", name));
     if (f.given("solver") && solver == ClothSolver::springs)
       f.error("solver", "a fabric is solved by constraints; leave out \"solver\"");
   }
-  if (!hasFabric) {
+  if (!fabric) {
     const bool springs = solver == ClothSolver::springs;
     f.idleUnless(springs, "solver", {"stiffness", "shear", "bend"}, "\"solver\": \"springs\"");
     f.idleUnless(!springs, "solver", {"compliance", "shearCompliance", "bendCompliance"},
@@ -109,10 +107,10 @@ void ClothParameters::describe(scene::Fields& f) {
       "their energy, which takes more substeps.");
   f.vector("gravity", gravity, scene::anyNumber, "m/s^2", "Acceleration of every particle.");
   f.vector("wind", wind, scene::anyNumber, "N", "Constant force on every particle.");
-  f.leftOut("wind", hasFabric ? "none on a fabric" : "[0.5,0,0.3], or none on a fabric");
-  if (hasFabric && !f.given("wind")) wind = glm::vec3(0);
-  f.optionalGroup("air", hasAir, "Moving air that drags and lifts the cloth's faces.",
-                  [&](scene::Fields& a) {
+  f.leftOut("wind", fabric ? "none on a fabric" : "[0.5,0,0.3], or none on a fabric");
+  if (fabric && !f.given("wind")) wind = glm::vec3(0);
+  f.optionalGroup("air", air, "Moving air that drags and lifts the cloth's faces.",
+                  [](scene::Fields& a, Air& air) {
                     a.vector("velocity", air.velocity, {-200, 200}, "m/s", "Velocity of the air.");
                     a.number("density", air.density, {0, 1e4}, "kg/m^3", "Density of the air.");
                     a.number("drag", air.drag, {0, 100}, "", "Drag coefficient.");
@@ -131,38 +129,38 @@ void ClothParameters::describe(scene::Fields& f) {
   f.number("margin", margin, {0, 10}, "m", "Distance kept from colliders.");
   f.switchable("contact");
   f.optionalGroup(
-      "contact", hasContact,
+      "contact", contact,
       "Faces and edges keep a distance from each other, from other cloths with \"contact\", and from "
       "meshes and bodies with \"collides\": \"faces\".",
-      [&](scene::Fields& c) {
-        c.optionalNumber("thickness", contact.thickness, {1e-6, 10}, "m",
+      [&](scene::Fields& c, ClothContact& own) {
+        c.optionalNumber("thickness", own.thickness, {1e-6, 10}, "m",
                          "Distance that is kept between the middles of two layers, and from meshes and "
                          "bodies; around small triangles of a mesh it is less.");
         c.leftOut("thickness",
                   "the fabric's, but of the way between neighbours at least 0.125 and at most 0.35");
-        c.number("friction", contact.friction, {0, 10}, "",
+        c.number("friction", own.friction, {0, 10}, "",
                  "Coulomb's coefficient; between cloths the mean of theirs, and of a mesh or body that has "
                  "one.");
-        if (contact.thickness && !hasMesh && *contact.thickness > 0.35 * static_cast<double>(spacing))
+        if (own.thickness && !mesh && *own.thickness > 0.35 * static_cast<double>(spacing))
           c.error("thickness",
                   fmt::format("thickness {} is more than 0.35 of the spacing of {} m, which the cloth's "
                               "own neighbours could not keep; take at most {:.4g}",
-                              *contact.thickness, spacing, 0.35 * static_cast<double>(spacing)));
+                              *own.thickness, spacing, 0.35 * static_cast<double>(spacing)));
       });
   f.text("walls", walls, "Name of the cave or contour whose walls, floor and tops it meets.");
   f.integerOr("substeps", substeps, "auto", {1, maxSubsteps}, "per frame",
               "Steps that a frame is divided into; \"auto\" takes as many as the springs need to be "
               "stable, and as undamped constraints need to keep their energy.");
-  f.leftOut("substeps", hasFabric ? "\"auto\" of a fabric" : "4, or \"auto\" of a fabric");
-  if (hasFabric && !f.given("substeps")) substeps.reset();
+  f.leftOut("substeps", fabric ? "\"auto\" of a fabric" : "4, or \"auto\" of a fabric");
+  if (fabric && !f.given("substeps")) substeps.reset();
   f.list("pins", pins, "Particles that are held, and how they move; [] holds none.",
-         [&](scene::Fields& p, PinGroup& group) { group.describe(p, size, hasMesh); });
+         [&](scene::Fields& p, PinGroup& group) { group.describe(p, size, mesh.has_value()); });
   pinsByDefault = !f.given("pins");
   if (pins.size() > shader::maxPinFrames)
     f.error("pins", fmt::format("at most {} groups of pins", shader::maxPinFrames));
   for (const PinGroup& group : pins) {
-    if (!group.clamp || hasMesh) continue;
-    if (!hasFabric)
+    if (!group.clamp || mesh) continue;
+    if (!fabric)
       f.error("pins", "\"clamp\" is of a fabric, which has a bending stiffness; give \"fabric\"");
     bool border = false;
     for (int side = 0; side < 4; ++side) border = border || pinsBorder(group, side);
@@ -172,13 +170,13 @@ void ClothParameters::describe(scene::Fields& f) {
 
 void ClothParameters::ports(Ports& ports) const {
   ports.want<Walls>(walls, {"walls"});
-  if (hasAir) ports.want<FluidWind>(air.fluid, {"air", "fluid"});
+  if (air) ports.want<FluidWind>(air->fluid, {"air", "fluid"});
   for (std::size_t i = 0; i < pins.size(); ++i)
     ports.want<SkinnedSurface>(pins[i].to, {"pins", std::to_string(i), "to"});
   ports.wantAll<HeightField>();
-  ports.provide<ContactCloth>(hasContact, " without \"contact\", which lets particles through");
-  ports.provide<Touchable>(hasContact);
-  if (!hasContact) return;
+  ports.provide<ContactCloth>(contact.has_value(), " without \"contact\", which lets particles through");
+  ports.provide<Touchable>(contact.has_value());
+  if (!contact) return;
   ports.wantAll<ContactSolid>();
   ports.join<LockStep>(true);
 }
@@ -198,38 +196,37 @@ int ClothParameters::clampOf(int border) const {
 }
 
 float ClothParameters::massAt(glm::ivec2 at) const {
-  if (!hasFabric) return mass;
+  if (!fabric) return mass;
   const auto share = [](int i, int count) { return i == 0 || i == count - 1 ? 0.5F : 1.0F; };
-  return fabric.constants().density * spacing * spacing * share(at.x, size.x) * share(at.y, size.y);
+  return fabric->constants().density * spacing * spacing * share(at.x, size.x) * share(at.y, size.y);
 }
 
 float ClothParameters::contactThickness(float between) const {
-  if (contact.thickness) return static_cast<float>(*contact.thickness);
-  const float own = hasFabric ? fabric.constants().thickness : 0.0F;
+  if (contact && contact->thickness) return static_cast<float>(*contact->thickness);
+  const float own = fabric ? fabric->constants().thickness : 0.0F;
   return std::clamp(own, 0.125F * between, 0.35F * between);
 }
 
 ClothParameters ClothParameters::inStep(int contactSubsteps) const {
   ClothParameters all = *this;
-  if (hasContact && contactSubsteps > 0) all.substeps = contactSubsteps;
+  if (contact && contactSubsteps > 0) all.substeps = contactSubsteps;
   return all;
 }
 
 int ClothParameters::fewestSubsteps(double frameSeconds, int otherwise) const {
-  return hasContact ? std::max(otherwise, static_cast<int>(substepsFor(frameSeconds, 1.0 / 960)))
-                    : otherwise;
+  return contact ? std::max(otherwise, static_cast<int>(substepsFor(frameSeconds, 1.0 / 960))) : otherwise;
 }
 
 double ClothParameters::fastestAir() const {
-  if (!hasAir) return 0;
+  if (!air) return 0;
   // Between two keys the velocity is linear, so its maximum is at a key. Each component of a gust is at
   // most `gusts` times the speed, hence sqrt(3).
   double fastest = 0;
-  for (const auto& key : air.velocity.keys()) {
+  for (const auto& key : air->velocity.keys()) {
     const glm::dvec3 v(key.value);
     fastest = std::max(fastest, std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z));
   }
-  return fastest * (1.0 + std::sqrt(3.0) * air.gusts) + (air.fluid.empty() ? 0.0 : air.fluidSpeed);
+  return fastest * (1.0 + std::sqrt(3.0) * air->gusts) + (air->fluid.empty() ? 0.0 : air->fluidSpeed);
 }
 
 double ClothParameters::greatestLoad(double each) const {
@@ -246,7 +243,7 @@ double ClothParameters::greatestLoad(double each) const {
 
 // Breadth-first search from all pinned particles at once.
 int ClothParameters::mostOnOnePin() const {
-  if (hasMesh) return 0;
+  if (mesh) return 0;
   constexpr int nobody = -1;
   std::vector<int> pinOf(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), nobody);
   std::vector<int> reached;
@@ -297,9 +294,9 @@ double ClothParameters::stableSeconds(double lines) const {
   const double each = massAt({1, 1});
   const double area = static_cast<double>(spacing) * spacing;
   const double fastest = fastestAir();
-  const double streaming = hasAir ? 0.1 * 0.5 * air.density * static_cast<double>(air.drag + air.lift) *
-                                        fastest * fastest * area / each * lines
-                                  : 0.0;
+  const double streaming = air ? 0.1 * 0.5 * air->density * static_cast<double>(air->drag + air->lift) *
+                                     fastest * fastest * area / each * lines
+                               : 0.0;
   // If the constraints keep energy, the softening times w^2 dt^2 must be below 1, and the tension in a
   // swing exceeds that at rest. Evaluated only for constraints, because mostOnOnePin() visits every
   // particle.
@@ -309,23 +306,22 @@ double ClothParameters::stableSeconds(double lines) const {
            4.0 * std::max(size.x, size.y) * streaming / spacing;
   };
   // The bending of a fabric has w^2 <= 64 D / (L^2 m): 16 along each axis and 32 for twisting.
-  const double bending = hasFabric ? 64.0 * fabric.constants().bending / (area * each) : 0.0;
+  const double bending = fabric ? 64.0 * fabric->constants().bending / (area * each) : 0.0;
   const double w2 = constrained() ? hanging() + bending
                                   : 4.0 * static_cast<double>(stiffness) * (1.0 + shear + bend) / each;
   const double c =
-      hasAir ? air.density * static_cast<double>(air.drag + air.lift) * area * fastest / each : 0.0;
+      air ? air->density * static_cast<double>(air->drag + air->lift) * area * fastest / each : 0.0;
   const double rate = c + std::sqrt(c * c + 4.0 * w2);
   return rate > 0 ? 4.0 / rate : std::numeric_limits<double>::infinity();
 }
 
 std::string ClothParameters::steadierWay(double frameSeconds) const {
   ClothParameters other = *this;
-  std::string milder = hasFabric
-                           ? "take a wider spacing, or a material that is heavier or bends more easily"
-                           : "lower the stiffness or raise the mass";
+  std::string milder = fabric ? "take a wider spacing, or a material that is heavier or bends more easily"
+                              : "lower the stiffness or raise the mass";
   if (substeps && substepsFor(frameSeconds, safety * stableSeconds()) <= maxSubsteps)
     return "set \"substeps\": \"auto\", " + milder;
-  if (hasFabric) return milder;
+  if (fabric) return milder;
   other.solver = ClothSolver::constraints;
   if (!constrained() && substepsFor(frameSeconds, safety * other.stableSeconds()) <= maxSubsteps)
     return "set \"solver\": \"constraints\" (XPBD), which is stable at any stiffness, lower the stiffness "
@@ -335,16 +331,16 @@ std::string ClothParameters::steadierWay(double frameSeconds) const {
 }
 
 std::string ClothParameters::instability(double frameSeconds) const {
-  if (hasMesh) return "";  // GarmentPlan checks cloth of a mesh, because the limit depends on its faces
+  if (mesh) return "";  // GarmentPlan checks cloth of a mesh, because the limit depends on its faces
   const double stable = stableSeconds();
   if (!substeps || frameSeconds / *substeps <= stable) return "";
   return fmt::format(
       "{} {} fewer than the {} that its {} need to be stable (substep {:.3g} s, limit {:.3g} s); {}",
       *substeps, *substeps == 1 ? "substep is" : "substeps are", substepsFor(frameSeconds, stable),
       std::string(!constrained() ? "springs"
-                  : hasFabric    ? "bending and hanging rows"
+                  : fabric       ? "bending and hanging rows"
                                  : "hanging rows") +
-          (hasAir ? " and the fastest air" : ""),
+          (air ? " and the fastest air" : ""),
       frameSeconds / *substeps, stable, steadierWay(frameSeconds));
 }
 

@@ -17,6 +17,11 @@ namespace simreel::sim {
 /// Part of a body that pins are attached to.
 enum class PinPlace { bone, skin };
 
+/// Opposite corners of a box in metres, world space.
+struct PinBox {
+  glm::vec3 min{-1}, max{1};
+};
+
 /// Group of held particles, with the animated frame that moves them.
 struct PinGroup {
   std::vector<int> rows;  ///< indices of rows; negative ones count from the end
@@ -24,11 +29,8 @@ struct PinGroup {
   std::vector<int> corners;        ///< corners: 0 top-left, 1 top-right, 2 bottom-left, 3 bottom-right
   std::vector<glm::ivec2> points;  ///< particles as (x, y)
   std::vector<int> vertices;       ///< for a mesh: vertex indices in the mesh's order
-  bool hasBox = false;
-  scene::Box box{glm::vec3(-1), glm::vec3(1)};  ///< box in metres, world space: holds the vertices of a
-                                                ///< mesh that lie inside it at rest
-  std::filesystem::path map;                    ///< image over a mesh's uv that marks pinned vertices;
-                                                ///< empty: none
+  std::optional<PinBox> box;       ///< holds the vertices of a mesh that lie inside it at rest
+  std::filesystem::path map;       ///< image over a mesh's uv that marks pinned vertices; empty: none
   bool clamp = false;  ///< for a fabric: the pinned border also keeps the direction in which the sheet
                        ///< leaves it
   int every = 1;       ///< pins only every n-th particle of a row or column, and its last one
@@ -67,8 +69,7 @@ struct Seam {
 };
 
 struct ClothParameters : ObjectParameters, TouchesMeshes, shader::ClothConstants {
-  bool hasMesh = false;  ///< true: a triangle mesh rather than a grid
-  ClothMesh mesh;
+  std::optional<ClothMesh> mesh;  ///< triangle mesh; nullopt: a grid
   std::vector<Seam> seams;
   glm::ivec2 size{32, 32};      ///< number of particles along x and y
   glm::vec3 position{0, 0, 0};  ///< centre of the sheet at rest in metres
@@ -76,19 +77,17 @@ struct ClothParameters : ObjectParameters, TouchesMeshes, shader::ClothConstants
   float jitter = 0.0F;          ///< maximum random displacement at the start in metres
   float mass = 1.0F;            ///< mass of a particle in kg
   ClothSolver solver = ClothSolver::springs;
-  bool hasFabric = false;  ///< true: a fabric's properties replace masses, springs and compliances
-  Fabric fabric;
+  /// Fabric whose properties replace masses, springs and compliances; a mesh always has one.
+  std::optional<Fabric> fabric;
   float damping = 4.85F;  ///< rate in 1/s at which velocity decays
   scene::Animated<glm::vec3> gravity = glm::vec3(0, -9.8F, 0);
   scene::Animated<glm::vec3> wind = glm::vec3(0.5F, 0, 0.3F);  ///< constant force on each particle in
                                                                ///< newtons
-  bool hasAir = false;
-  Air air;
+  std::optional<Air> air;
   std::optional<int> substeps = 4;
   std::vector<PinGroup> pins;
   bool pinsByDefault = false;  ///< true if the scene gives no "pins"
-  bool hasContact = false;
-  ClothContact contact;
+  std::optional<ClothContact> contact;
   std::string walls;  ///< name of the solid whose walls the cloth collides with; empty: none
 
   ClothParameters();
@@ -96,14 +95,14 @@ struct ClothParameters : ObjectParameters, TouchesMeshes, shader::ClothConstants
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   void ports(Ports& ports) const override;
   [[nodiscard]] double touchMargin() const override {
-    return margin + (hasFabric ? 0.5F * fabric.constants().thickness : 0);
+    return margin + (fabric ? 0.5F * fabric->constants().thickness : 0);
   }
   /// Returns the bounds for the camera: the cloth at rest and where it ends up hanging from the particles
   /// pinned at the start. A cloth without pins counts as falling by its own size.
   [[nodiscard]] std::optional<scene::Box> framed() const override;
 
   [[nodiscard]] std::int64_t leastBlockBytes() const override {
-    return hasMesh ? 0 : std::int64_t{24} * (size.x - 1) * (size.y - 1);
+    return mesh ? 0 : std::int64_t{24} * (size.x - 1) * (size.y - 1);
   }
   [[nodiscard]] Looks looks() const override { return Looks::cloth; }
   [[nodiscard]] bool wanders() const override { return true; }
@@ -119,13 +118,13 @@ struct ClothParameters : ObjectParameters, TouchesMeshes, shader::ClothConstants
   [[nodiscard]] float contactThickness(float between) const;
 
   /// True if XPBD constraints keep the lengths; otherwise springs apply forces.
-  [[nodiscard]] bool constrained() const { return hasFabric || solver == ClothSolver::constraints; }
+  [[nodiscard]] bool constrained() const { return fabric || solver == ClothSolver::constraints; }
   /// True if changes of length are damped.
-  [[nodiscard]] bool damped() const { return hasFabric && fabric.stretchDamping > 0; }
+  [[nodiscard]] bool damped() const { return fabric && fabric->stretchDamping > 0; }
   /// True if the constraints keep energy (glsl/cloth/keeping.glsl): no damping, no air, no contact and no
   /// seams.
   [[nodiscard]] bool keepsEnergy() const {
-    return constrained() && damping == 0 && !hasAir && !damped() && !hasContact && seams.empty();
+    return constrained() && damping == 0 && !air && !damped() && !contact && seams.empty();
   }
   /// Returns the number of particles that hang on the most loaded pinned particle. Each particle hangs on
   /// the nearest pinned one along rows and columns. 0 if nothing is pinned or the cloth is a mesh.

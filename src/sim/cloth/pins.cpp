@@ -29,8 +29,8 @@ void PinGroup::describe(scene::Fields& f, const glm::ivec2& grid, bool onMesh) {
   f.integers(
       "vertices", vertices, {0, 1e7}, "",
       "Vertices of a mesh to pin, counted from 0, in the order in which \"simreel bake\" writes them.");
-  f.optionalGroup("box", hasBox, "For a mesh: pins every vertex that lies in this box at the start.",
-                  [&](scene::Fields& b) {
+  f.optionalGroup("box", box, "For a mesh: pins every vertex that lies in this box at the start.",
+                  [](scene::Fields& b, PinBox& box) {
                     b.vector("min", box.min, scene::anyNumber, "m",
                              "Least corner of the box, in world space.");
                     b.vector("max", box.max, scene::anyNumber, "m", "Greatest corner of the box.");
@@ -73,7 +73,7 @@ void PinGroup::describe(scene::Fields& f, const glm::ivec2& grid, bool onMesh) {
                                                   {"points", !points.empty()},
                                                   {"every", every != 1}};
   const std::pair<const char*, bool> ofMeshes[] = {
-      {"vertices", !vertices.empty()}, {"box", hasBox}, {"map", !map.empty()}};
+      {"vertices", !vertices.empty()}, {"box", box.has_value()}, {"map", !map.empty()}};
   if (onMesh) {
     for (const auto& [name, used] : ofGrids)
       if (used)

@@ -69,8 +69,8 @@ ClothPlan::ClothPlan(const ClothParameters& parameters, int seed, double frameSe
       edge_(edge > 0 ? edge : parameters.spacing) {
   if (const std::string problem = parameters_.instability(frameSeconds); !problem.empty())
     warn("cloth: {}", problem);
-  if (parameters_.hasFabric) {
-    const shader::FabricConstants fabric = parameters_.fabric.constants();
+  if (parameters_.fabric) {
+    const shader::FabricConstants fabric = parameters_.fabric->constants();
     parameters_.shearCompliance = 1.0F / fabric.shear;
     parameters_.margin += 0.5F * fabric.thickness;
   }
@@ -88,7 +88,7 @@ ClothPlan::ClothPlan(const ClothParameters& parameters, int seed, double frameSe
   origin_ = parameters_.position - alongX_ * (0.5F * static_cast<float>(parameters_.size.x - 1)) -
             alongY_ * (0.5F * static_cast<float>(parameters_.size.y - 1));
   const auto& pins = parameters_.pins;
-  if (parameters_.hasMesh ||
+  if (parameters_.mesh ||
       std::none_of(pins.begin(), pins.end(), [](const PinGroup& g) { return g.onSkin(); }))
     return;
   std::vector<glm::vec3> rest;
@@ -147,7 +147,7 @@ std::vector<std::array<glm::dmat4, 2>> ClothPlan::pinsAround(double time) const 
 }
 
 Softness ClothPlan::softness() const {
-  if (!parameters_.keepsEnergy() || parameters_.hasMesh) return {};
+  if (!parameters_.keepsEnergy() || parameters_.mesh) return {};
   // A straight line with the frequency w of its tension is stable up to a softening of 1 / (w dt)^2. In a
   // swing the tension is three times the hanging weight.
   const double squared = substepSeconds_ * substepSeconds_;
@@ -159,7 +159,7 @@ Softness ClothPlan::softness() const {
 // of the inverse masses of both ends. The factor 2/3 on w is measured: rubber sheets that hang, with 4 to
 // 64 substeps. Constraints that keep energy have their own softening instead.
 double ClothPlan::diagonalStiffness() const {
-  const double shear = parameters_.fabric.constants().shear;
+  const double shear = parameters_.fabric.value_or(Fabric{}).constants().shear;
   if (parameters_.keepsEnergy()) return shear;
   const double reach = constraintPart * substepSeconds_;
   const double inverseMasses = 2.0 / parameters_.massAt({1, 1});
@@ -169,7 +169,9 @@ double ClothPlan::diagonalStiffness() const {
 std::vector<shader::ClothStep> ClothPlan::frame(double time) {
   std::vector<shader::ClothStep> steps(static_cast<std::size_t>(substeps_));
   const ClothParameters& p = parameters_;
-  const shader::FabricConstants fabric = p.fabric.ofLinks(diagonalStiffness());
+  const Fabric cloth = p.fabric.value_or(Fabric{});
+  const Air moved = p.air.value_or(Air{});
+  const shader::FabricConstants fabric = cloth.ofLinks(diagonalStiffness());
   const auto colliders = colliders_.frame(time);
   const auto pins = pinsAround(time);
   for (int i = 0; i < substeps_; ++i) {
@@ -178,7 +180,7 @@ std::vector<shader::ClothStep> ClothPlan::frame(double time) {
     shader::ClothStep& s = steps[static_cast<std::size_t>(i)];
     s.gravity = glm::vec4(p.gravity.at(start), 0);
     s.wind = glm::vec4(p.wind.at(start), 0);
-    const glm::vec3 air = p.hasAir ? p.air.velocity.at(start) : glm::vec3(0);
+    const glm::vec3 air = p.air ? p.air->velocity.at(start) : glm::vec3(0);
     const auto speed = static_cast<float>(std::sqrt(static_cast<double>(air.x) * air.x +
                                                     static_cast<double>(air.y) * air.y +
                                                     static_cast<double>(air.z) * air.z));
@@ -190,18 +192,18 @@ std::vector<shader::ClothStep> ClothPlan::frame(double time) {
     s.alongY = glm::vec4(alongY_, 0);
     s.dt = static_cast<float>(substepSeconds_);
     s.perDt = static_cast<float>(1.0 / substepSeconds_);
-    const double damped = p.fabric.stretchDamping / (p.fabric.stretchDamping + substepSeconds_);
+    const double damped = cloth.stretchDamping / (cloth.stretchDamping + substepSeconds_);
     s.dampedPart = static_cast<float>(damped);
     const double reach = p.keepsEnergy() ? substepSeconds_ : constraintPart * substepSeconds_;
     s.perReach = static_cast<float>(1.0 / reach);
     s.trendDt = static_cast<float>(substepSeconds_ / 18);
     // The faces of a mesh are relaxed twice, in forward and in reverse order.
-    const double rounds = p.hasMesh && !p.keepsEnergy() ? 2.0 : 1.0;
+    const double rounds = p.mesh && !p.keepsEnergy() ? 2.0 : 1.0;
     s.complianceScale = static_cast<float>(rounds * (1.0 - damped) / (reach * reach));
     s.softening = softness().lines > 0 ? static_cast<float>(softness().lines) : 1.0F;
     s.kept = keptOf(p.damping, substepSeconds_);
-    s.gustSpeed = p.air.gusts * speed;
-    s.perGustSize = 1.0F / p.air.gustSize;
+    s.gustSpeed = moved.gusts * speed;
+    s.perGustSize = 1.0F / moved.gustSize;
     s.colliderCount = colliderCount();
     s.thinCount = thinCount_;
     s.thinRoom = static_cast<float>(3 * edge_);
@@ -210,7 +212,7 @@ std::vector<shader::ClothStep> ClothPlan::frame(double time) {
     s.constants = p;
     s.fabric = fabric;
     s.perBend = fabric.bending / (p.spacing * p.spacing);
-    s.air = p.air;
+    s.air = moved;
     std::ranges::copy(colliders[static_cast<std::size_t>(i)], s.colliders);
     for (std::size_t g = 0; g < p.pins.size(); ++g) {
       s.frames[g] = pinFrame(p.pins[g], end);

@@ -29,7 +29,7 @@ inline constexpr SpringFamily springFamilies[] = {{{1, 0}, 0},  {{0, 1}, 0}, {{1
 /// Returns the families that are relaxed pair by pair. A fabric omits the bending families, because it
 /// bends by forces.
 inline std::span<const SpringFamily> relaxedFamilies(const ClothParameters& parameters) {
-  return std::span(springFamilies).subspan(2, parameters.hasFabric ? 2 : 4);
+  return std::span(springFamilies).subspan(2, parameters.fabric ? 2 : 4);
 }
 
 /// Everything about a cloth that the CPU decides: the initial state and the uniform data of each substep.

@@ -42,7 +42,7 @@ double share(int line, int count) {
 /// Returns the stiffness (N/m) of the fabric link that starts at `from`. A link along a border has half the
 /// stiffness.
 double linkStiffness(const ClothParameters& p, const SpringFamily& family, glm::ivec2 from) {
-  const shader::FabricConstants fabric = p.fabric.ofLinks(p.fabric.constants().shear);
+  const shader::FabricConstants fabric = p.fabric->ofLinks(p.fabric->constants().shear);
   if (family.kind != 0) return family.kind == 1 ? fabric.shear : 0;
   return family.reach.x != 0 ? fabric.weft * share(from.y, p.size.y)
                              : fabric.warp * share(from.x, p.size.x);
@@ -66,7 +66,7 @@ double bendingEnergy(const ClothParameters& p, std::span<const glm::vec4> positi
       if (x + 1 < p.size.x && y + 1 < p.size.y)
         sum += 2 * squared(at(x, y) - at(x + 1, y) - at(x, y + 1) + at(x + 1, y + 1));
     }
-  return 0.5 * p.fabric.constants().bending / (static_cast<double>(p.spacing) * p.spacing) * sum;
+  return 0.5 * p.fabric->constants().bending / (static_cast<double>(p.spacing) * p.spacing) * sum;
 }
 
 /// Adds a family's energy E = sum 1/2 k (|d| - L0)^2 and, for structural springs, its maximum stretch to
@@ -85,7 +85,7 @@ void addFamily(const ClothParameters& p, const SpringFamily& family, double stif
       const glm::dvec3 d = glm::dvec3(at(x + family.reach.x, y + family.reach.y)) - here;
       const double length = std::sqrt(glm::dot(d, d));
       const double beyond = length - restLength;
-      const double k = p.hasFabric ? linkStiffness(p, family, {x, y}) : stiffness;
+      const double k = p.fabric ? linkStiffness(p, family, {x, y}) : stiffness;
       sum.energy += 0.5 * k * beyond * beyond;
       if (family.kind == 0) sum.stretch = larger(sum.stretch, length / restLength);
     }
@@ -94,7 +94,7 @@ void addFamily(const ClothParameters& p, const SpringFamily& family, double stif
 /// Returns the compliance of a constraint in m/N: 1 / stiffness, or 0 if rigid.
 double complianceOf(const ClothParameters& p, const SpringFamily& family, double stiffness,
                     glm::ivec2 from) {
-  if (p.hasFabric) return 1 / linkStiffness(p, family, from);
+  if (p.fabric) return 1 / linkStiffness(p, family, from);
   return stiffness > 0 ? 1 / stiffness : 0;
 }
 
@@ -230,11 +230,11 @@ std::vector<double> measureCloth(const ClothParameters& parameters, std::span<co
   if (softness.lines > 0) {
     springs.energy = 0;
     for (const SpringFamily& family : springFamilies)
-      if (!parameters.hasFabric || family.kind < 2)
+      if (!parameters.fabric || family.kind < 2)
         springs.energy += keptEnergy(parameters, family, stiffness[static_cast<std::size_t>(family.kind)],
                                      positions, softness);
   }
-  if (parameters.hasFabric) springs.energy += bendingEnergy(parameters, positions);
+  if (parameters.fabric) springs.energy += bendingEnergy(parameters, positions);
   const auto count = static_cast<double>(positions.size());
   return {count,           total,
           kinetic,         potential,

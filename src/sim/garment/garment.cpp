@@ -38,7 +38,7 @@ class Garment : public Simulation, public LockStep {
         topology_(name_, plan_.mesh()),
         looks_(object, plan_.mesh()) {
     if (const std::string ignored = ignoredLooks(object, plan_.mesh()); !ignored.empty())
-      warn("cloth \"{}\": {} has what is not drawn: {}", name_, plan_.parameters().mesh.file.string(),
+      warn("cloth \"{}\": {} has what is not drawn: {}", name_, plan_.parameters().mesh->file.string(),
            ignored);
     kernels_.show(steps_.at(0));
   }
@@ -54,11 +54,11 @@ class Garment : public Simulation, public LockStep {
   }
 
   void connect(Outlets& outlets) override {
-    if (plan_.parameters().hasContact) outlets.provide<LockStep>(this);
+    if (plan_.parameters().contact) outlets.provide<LockStep>(this);
   }
   [[nodiscard]] ContactPart contactPart() const override {
     const ClothParameters& p = plan_.parameters();
-    ContactPart part{plan_.firstPositions(), {}, 0, p.contact.friction, plan_.contactRooms()};
+    ContactPart part{plan_.firstPositions(), {}, 0, p.contact->friction, plan_.contactRooms()};
     part.positions.resize(part.rooms.size());  // without the ghosts of clamped edges
     part.name = name_;
     for (const glm::uvec4& face : plan_.arrays().corners) part.faces.emplace_back(face);
@@ -180,13 +180,13 @@ SimulationKind clothKind() {
       "A sheet of particles held together by springs, or a mesh of fabric, in wind and over colliders.",
       [](const scene::Object& object, const Setting& setting) {
         const auto& parameters = parametersOf<ClothParameters>(object);
-        if (!parameters.hasMesh) return checkSheet(object, setting);
+        if (!parameters.mesh) return checkSheet(object, setting);
         static_cast<void>(GarmentPlan(object.name, parameters, setting.seed, setting.frameSeconds,
                                       *setting.colliders, boneNamedIn(setting), setting.startTime,
                                       heldBySkinIn(setting)));
       },
       [](const scene::Object& object, const Setting& setting) {
-        if (parametersOf<ClothParameters>(object).hasMesh) return makeSimulation<Garment>(object, setting);
+        if (parametersOf<ClothParameters>(object).mesh) return makeSimulation<Garment>(object, setting);
         return makeSheet(object, setting);
       });
 }

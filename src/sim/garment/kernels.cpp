@@ -144,7 +144,7 @@ void GarmentKernels::predict(int substep, const Step& step, std::size_t bending,
   attach(step);
   sew(step);
   meet(settle_, step, touch);
-  if (!plan_->parameters().hasContact) return;
+  if (!plan_->parameters().contact) return;
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   left_.copyFrom(positions_[1]);
 }
@@ -155,7 +155,7 @@ void GarmentKernels::makeArrays(const std::string& name) {
   positions_[1] = gl::Vec4Array(name + " next positions", positions);
   velocities_ = gl::Vec4Array(name + " velocities", plan_->firstVelocities());
   trends_ = gl::Vec4Array(name + " trends", plan_->firstTrends());
-  if (plan_->parameters().hasContact) left_ = gl::Vec4Array(name + " left", vertices_);
+  if (plan_->parameters().contact) left_ = gl::Vec4Array(name + " left", vertices_);
   const GarmentArrays& arrays = plan_->arrays();
   const auto words = [&](const char* what, const std::vector<glm::uvec4>& items) {
     return gl::WordsArray(name + what, items);
@@ -170,7 +170,7 @@ void GarmentKernels::makeArrays(const std::string& name) {
   }
   copies_ = words(" copies", arrays.copies);
   elements_ = gl::Vec4Array(name + " elements", arrays.elements);
-  const int faces = plan_->parameters().hasAir ? static_cast<int>(arrays.corners.size()) : 1;
+  const int faces = plan_->parameters().air ? static_cast<int>(arrays.corners.size()) : 1;
   faceForces_ = gl::Vec4Array(name + " air", faces);
   const int drawn = static_cast<int>(arrays.copies.size());
   drawnPositions_ = gl::Vec4Array(name + " drawn positions", drawn);
@@ -183,8 +183,8 @@ void GarmentKernels::makeKernels(const TouchVariant& touch, bool fast) {
   const ClothParameters& p = plan_->parameters();
   const gl::Defines defines = gl::kernelDefines(fast);
   const bool keeps = p.keepsEnergy();
-  if (p.hasAir) air_ = gl::Kernel<GarmentAir>(defines, {.wind = touch.wind});
-  predict_ = gl::Kernel<GarmentPredict>(defines, {.keeps = keeps, .air = p.hasAir});
+  if (p.air) air_ = gl::Kernel<GarmentAir>(defines, {.wind = touch.wind});
+  predict_ = gl::Kernel<GarmentPredict>(defines, {.keeps = keeps, .air = p.air.has_value()});
   stretch_ = gl::Kernel<GarmentStretch>(defines, {.damped = p.damped()});
   if (!plan_->arrays().attachments.empty()) attach_ = gl::Kernel<GarmentAttach>(defines, {.keeps = keeps});
   if (!plan_->arrays().stitches.empty()) sew_ = gl::Kernel<GarmentSew>(defines);
@@ -192,7 +192,7 @@ void GarmentKernels::makeKernels(const TouchVariant& touch, bool fast) {
     return gl::Kernel<GarmentSettle>(defines, {.touch = touch, .keeps = keeps, .again = again});
   };
   settle_ = settling(false);
-  if (p.hasContact) settleAgain_ = settling(true);
+  if (p.contact) settleAgain_ = settling(true);
   if (thin_.there()) findThin_ = gl::Kernel<GarmentThin>(defines);
   show_ = gl::Kernel<GarmentShow>(defines);
 }
@@ -203,7 +203,7 @@ GarmentRings GarmentKernels::around(std::size_t bending) const {
 
 // Computes the air's forces on the faces.
 void GarmentKernels::push(const Step& step, const FluidWindPart& wind) const {
-  if (!plan_->parameters().hasAir) return;
+  if (!plan_->parameters().air) return;
   const auto faces = static_cast<int>(plan_->arrays().corners.size());
   air_.dispatch(faces, {.garment = {faces, step},
                         .wind = wind,

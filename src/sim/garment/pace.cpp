@@ -98,7 +98,7 @@ GarmentPace::GarmentPace(const ClothParameters& parameters, const ClothTriangles
   spread(cloth, {}, own, pins);
   for (std::size_t i = 0; i < ways.size(); ++i)
     hanging = std::max(hanging, own[i] < unreached ? attachedPart * own[i] : ways[i]);
-  const double density = parameters.fabric.constants().density;
+  const double density = parameters.fabric->constants().density;
   double area = 0;
   double sum = 0;
   double total = 0;
@@ -114,8 +114,8 @@ GarmentPace::GarmentPace(const ClothParameters& parameters, const ClothTriangles
     sum += e.area * e.area * weight;
   }
   const double fastest = parameters.fastestAir();
-  const double pushed =
-      parameters.air.density * static_cast<double>(parameters.air.drag + parameters.air.lift);
+  const Air air = parameters.air.value_or(Air{});
+  const double pushed = air.density * static_cast<double>(air.drag + air.lift);
   drag = pushed * fastest / density;
   const double streaming = 0.1 * 0.5 * pushed * fastest * fastest / density;
   const double load = parameters.greatestLoad(total / static_cast<double>(masses.size())) + streaming;

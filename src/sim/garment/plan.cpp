@@ -23,7 +23,7 @@ namespace simreel::sim {
 namespace {
 
 std::string placeOf(const std::string& name, const ClothParameters& parameters) {
-  return fmt::format("cloth \"{}\" ({})", name, parameters.mesh.text());
+  return fmt::format("cloth \"{}\" ({})", name, parameters.mesh->text());
 }
 
 std::vector<double> vertexMasses(const ClothTriangles& cloth, double density) {
@@ -60,7 +60,7 @@ GarmentPlan::GarmentPlan(const std::string& name, const ClothParameters& paramet
                          double frameSeconds, const std::vector<ColliderShape>& colliders,
                          const BoneNamed& boneNamed, double startTime, const HeldBySkin& heldBySkin)
     : GarmentPlan(name, parameters, seed, frameSeconds, colliders, boneNamed, startTime, heldBySkin,
-                  parameters.mesh.make()) {}
+                  parameters.mesh->make()) {}
 
 GarmentPlan::GarmentPlan(const std::string& name, const ClothParameters& parameters, int seed,
                          double frameSeconds, const std::vector<ColliderShape>& colliders,
@@ -68,9 +68,9 @@ GarmentPlan::GarmentPlan(const std::string& name, const ClothParameters& paramet
                          Mesh mesh)
     : seed_(seed),
       mesh_(std::move(mesh)),
-      cloth_(placeOf(name, parameters), mesh_, parameters.mesh.scale, parameters.mesh.weld),
+      cloth_(placeOf(name, parameters), mesh_, parameters.mesh->scale, parameters.mesh->weld),
       membrane_(membraneElements(cloth_, mesh_)),
-      masses_(vertexMasses(cloth_, parameters.fabric.constants().density)),
+      masses_(vertexMasses(cloth_, parameters.fabric->constants().density)),
       steps_(settled(placeOf(name, parameters), parameters, frameSeconds, colliders), seed, frameSeconds,
              colliders, boneNamed, startTime, {}, longestEdge(cloth_)) {
   skinPins_.attach(parameters.pins, groups_, rest_, heldBySkin, startTime);
@@ -102,11 +102,11 @@ void GarmentPlan::pinGroup(const std::string& name, const PinGroup& group, int n
     ++held;
   };
   for (const int vertex : group.vertices) hold(vertexNamed(name, fmt::format("pins[{}]", number), vertex));
-  if (group.hasBox)
+  if (group.box)
     for (std::size_t i = 0; i < rest_.size(); ++i) {
       bool inside = true;
       for (int k = 0; k < 3; ++k)
-        inside = inside && rest_[i][k] >= group.box.min[k] && rest_[i][k] <= group.box.max[k];
+        inside = inside && rest_[i][k] >= group.box->min[k] && rest_[i][k] <= group.box->max[k];
       if (inside) hold(i);
     }
   if (!group.map.empty()) {
@@ -226,7 +226,7 @@ ClothParameters GarmentPlan::settled(const std::string& name, ClothParameters pa
     links.emplace(stitch.y, stitch.x);
   }
   const GarmentPace pace(parameters, cloth_, membrane_, masses_, pinned, links);
-  const double bending = parameters.fabric.constants().bending;
+  const double bending = parameters.fabric->constants().bending;
   double bendingSquared = 0;
   for (const auto& plate : plates_)
     bendingSquared =
@@ -234,7 +234,7 @@ ClothParameters GarmentPlan::settled(const std::string& name, ClothParameters pa
                                           25 * plateFrequencySquared(plate, bending, inverse, 0.5)));
   const bool given = parameters.substeps.has_value();
   if (!given) {
-    const double reach = parameters.margin + 0.5 * parameters.fabric.constants().thickness;
+    const double reach = parameters.margin + 0.5 * parameters.fabric->constants().thickness;
     const double edge = longestEdge(cloth_);
     const bool thin = std::any_of(colliders.begin(), colliders.end(), [&](const ColliderShape& shape) {
       return ColliderPlan::isThin(shape, edge, reach);
@@ -256,7 +256,7 @@ ClothParameters GarmentPlan::settled(const std::string& name, ClothParameters pa
     warn("{}: with {} substeps it stretches by {:.1f}% more than its fabric; take a coarser mesh", name,
          *parameters.substeps, 100 * pace.stretchError(seconds));
   for (const Attachment& a :
-       attachmentsOf(cloth_, pinned, membrane_, masses_, parameters.fabric.constants(),
+       attachmentsOf(cloth_, pinned, membrane_, masses_, parameters.fabric->constants(),
                      softeningSeconds(parameters, seconds)))
     arrays_.attachments.emplace_back(
         a.vertex, a.pin, bitsOf(a.length),
@@ -282,7 +282,7 @@ void GarmentPlan::bend(const std::string& name, const ClothParameters& parameter
     GarmentBending bending;
     // Starts at the first substep after the seam is closed.
     if (!arrays_.bendings.empty()) bending.from = static_cast<int>(std::ceil((shut++)->first / seconds));
-    const PlateMatrix matrix(plate, parameters.fabric.constants().bending, inverseMasses(),
+    const PlateMatrix matrix(plate, parameters.fabric->constants().bending, inverseMasses(),
                              mostBending(seconds));
     softened = std::max(softened, matrix.softened);
     bending.fans.resize(rest_.size());
@@ -316,7 +316,7 @@ std::size_t GarmentPlan::bendingAt(int substep) const {
 }
 
 void GarmentPlan::makeArrays() {
-  const shader::FabricConstants fabric = parameters().fabric.constants();
+  const shader::FabricConstants fabric = parameters().fabric->constants();
   const std::vector<double> inverseMasses = this->inverseMasses();
   const std::vector<int> colours = colourFaces(cloth_);
   const int last = *std::max_element(colours.begin(), colours.end());

@@ -22,7 +22,7 @@ std::vector<double> measureGarment(const GarmentPlan& plan, std::span<const glm:
   const std::vector<glm::vec4> positions =
       beforeHalf(left, velocities, plan.parameters().keepsEnergy() ? plan.substepSeconds() : 0.0);
   const glm::dvec3 gravity(plan.parameters().gravity.at(time));
-  const shader::FabricConstants fabric = plan.parameters().fabric.constants();
+  const shader::FabricConstants fabric = plan.parameters().fabric->constants();
   std::vector<glm::dvec3> points;
   double total = 0;
   double kinetic = 0;

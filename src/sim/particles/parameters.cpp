@@ -136,10 +136,10 @@ void ParticleParameters::describe(scene::Fields& f) {
            "Length below which the attraction between particles fades.");
   f.number("opening", opening, {0, 1.15}, "rad",
            "Angle below which \"tree\" counts a cell as one body; smaller is more exact.");
-  f.optionalGroup("attractor", hasAttractor, "A heavy body that moves along keyframes and is not moved.",
-                  [&](scene::Fields& a) {
-                    a.vector("position", attractorPosition, {-1e7, 1e7}, "m", "Place of the attractor.");
-                    a.number("mass", attractorMass, {-1e8, 1e8}, "kg", "Negative ones push away.");
+  f.optionalGroup("attractor", attractor, "A heavy body that moves along keyframes and is not moved.",
+                  [&](scene::Fields& a, Attractor& body) {
+                    a.vector("position", body.position, {-1e7, 1e7}, "m", "Place of the attractor.");
+                    a.number("mass", body.mass, {-1e8, 1e8}, "kg", "Negative ones push away.");
                     a.number("softening", attractorSoftening, {1e-6, 1e4}, "m",
                              "Length below which its attraction fades.");
                   });
@@ -153,12 +153,12 @@ void ParticleParameters::describe(scene::Fields& f) {
     t.number("speed", turbulence.speed, {0, 1e5}, "m/s", "Speed at which they drift through the scene.");
     t.idleUnless(turbulence.strength != 0, "strength", {"size", "speed"}, "turbulence with a \"strength\"");
   });
-  f.optionalGroup("wind", hasWind, "Wind that carries them along.", [&](scene::Fields& w) {
-    w.text("fluid", windFluid,
+  f.optionalGroup("wind", wind, "Wind that carries them along.", [](scene::Fields& w, ParticleWind& blown) {
+    w.text("fluid", blown.fluid,
            "Name of the fluid whose flow is the wind, where its \"plane\" lies in the world; outside its "
            "rectangle the air is still. The flow at the end of a frame counts for all of it.");
-    w.number("drag", windDrag, {0, 1e4}, "1/s", "Rate at which their velocity becomes the wind's.");
-    if (windFluid.empty()) w.error("fluid", "whose wind? Give \"fluid\", the name of one of this scene");
+    w.number("drag", blown.drag, {0, 1e4}, "1/s", "Rate at which their velocity becomes the wind's.");
+    if (blown.fluid.empty()) w.error("fluid", "whose wind? Give \"fluid\", the name of one of this scene");
   });
   f.integer("substeps", substeps, {1, 1024}, "per frame", "Steps a frame is divided into.");
   f.boolean("collides", collides,
@@ -190,7 +190,7 @@ void ParticleParameters::remarkForces(scene::Fields& f) const {
   });
   f.idleUnless(method == GravityMethod::tree, "method", {"opening"}, "\"method\": \"tree\"");
   f.idleUnless(attracts || orbits, "method", {"softening"}, "particles that attract each other");
-  f.idleUnless(attracts || orbits || hasAttractor, "method", {"gravity"},
+  f.idleUnless(attracts || orbits || attractor.has_value(), "method", {"gravity"},
                "particles that attract each other (weight is an \"acceleration\")");
 }
 
@@ -248,7 +248,7 @@ ParticleParameters ParticleParameters::inStep(int contactSubsteps) const {
 
 void ParticleParameters::ports(Ports& ports) const {
   ports.want<Walls>(walls, {"walls"});
-  ports.want<FluidWind>(windFluid, {"wind", "fluid"});
+  if (wind) ports.want<FluidWind>(wind->fluid, {"wind", "fluid"});
   if (collides) {
     ports.wantAll<HeightField>();
     ports.wantAll<Touchable>(true);

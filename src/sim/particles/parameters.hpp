@@ -6,6 +6,7 @@
 #include "sim/core/kind.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,18 @@ struct Turbulence : shader::TurbulenceConstants {
   float speed = 0.3F;  ///< speed in m/s at which the field drifts
 };
 
+/// Heavy body that moves along keyframes and attracts the particles.
+struct Attractor {
+  scene::Animated<glm::vec3> position = glm::vec3(0);  ///< position in metres
+  scene::Animated<float> mass = 100.0F;                ///< mass in kg
+};
+
+/// Wind that carries the particles along.
+struct ParticleWind {
+  std::string fluid;  ///< name of the fluid whose flow is the wind
+  float drag = 4;     ///< rate in 1/s at which velocity approaches the wind's
+};
+
 enum class GravityMethod { none, allPairs, tree };  ///< named "none", "all-pairs" and "tree" in scenes
 
 struct ParticleParameters : ObjectParameters, TouchesMeshes, shader::ParticleConstants {
@@ -66,16 +79,12 @@ struct ParticleParameters : ObjectParameters, TouchesMeshes, shader::ParticleCon
   float gravity = 0.01F;   ///< gravitational constant G in m^3/(kg s^2)
   float softening = 0.1F;  ///< softening length eps in metres
   float opening = 0.5F;    ///< for "tree": maximum angle (rad) at which a cell counts as one body
-  bool hasAttractor = false;
-  scene::Animated<glm::vec3> attractorPosition = glm::vec3(0);  ///< position in metres
-  scene::Animated<float> attractorMass = 100.0F;                ///< mass in kg
-  scene::Animated<glm::vec3> acceleration = glm::vec3(0);       ///< uniform acceleration in m/s^2
+  std::optional<Attractor> attractor;
+  scene::Animated<glm::vec3> acceleration = glm::vec3(0);  ///< uniform acceleration in m/s^2
   Turbulence turbulence;
   int substeps = 1;
   bool collides = false;
-  bool hasWind = false;
-  std::string windFluid;       ///< name of the fluid whose flow is the wind
-  float windDrag = 4;          ///< rate in 1/s at which velocity approaches the wind's
+  std::optional<ParticleWind> wind;
   std::string walls;           ///< name of the solid whose walls the particles collide with; empty: none
   std::string cloths = "all";  ///< cloths in contact to collide with: "all", "none", or a name
 
@@ -107,7 +116,7 @@ struct ParticleParameters : ObjectParameters, TouchesMeshes, shader::ParticleCon
   [[nodiscard]] double touchMargin() const override { return collides ? margin : -1; }
   /// Returns the rate in 1/s at which particles lose velocity relative to the surroundings: damping plus
   /// wind drag.
-  [[nodiscard]] float slowing() const { return damping + (hasWind ? windDrag : 0.0F); }
+  [[nodiscard]] float slowing() const { return damping + (wind ? wind->drag : 0.0F); }
   [[nodiscard]] bool meetsCloths() const { return collides && cloths != "none"; }
   /// Returns a copy with `contactSubsteps` substeps per frame if the particles collide with cloths; 0 keeps
   /// the own number.

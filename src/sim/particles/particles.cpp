@@ -121,7 +121,7 @@ class Particles : public Simulation, public LockStep {
     const ParticleParameters& p = plan_.parameters();
     touch_ = Touch(name_, setting,
                    {.walls = p.walls,
-                    .wind = p.windFluid,
+                    .wind = p.wind ? p.wind->fluid : "",
                     .solids = p.collides,
                     .margin = p.margin,
                     .bounce = p.bounce,
@@ -267,7 +267,8 @@ class Particles : public Simulation, public LockStep {
   void makeKernels(bool fast) {
     const ParticleParameters& p = plan_.parameters();
     const gl::Defines defines = gl::kernelDefines(fast);
-    const ParticleFields fields = {.attractor = p.hasAttractor, .turbulence = p.turbulence.strength > 0};
+    const ParticleFields fields = {.attractor = p.attractor.has_value(),
+                                   .turbulence = p.turbulence.strength > 0};
     const bool shapes = plan_.colliderCount() > 0;
     const ParticleSolids solids = {.touch = touch_.variant(), .solids = shapes || touch_.meshCount() > 0};
     kick_ = gl::Kernel<ParticleKick>(defines, {.wind = solids.touch.wind, .fields = fields});

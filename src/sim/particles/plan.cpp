@@ -88,8 +88,8 @@ std::vector<Companion> ParticlePlan::companionsOf(std::size_t group) const {
         other.shape == ParticleGroup::Shape::plummer || other.shape == ParticleGroup::Shape::ball;
     if (i != group && round && near(other.position)) found.push_back({other.totalMass, other.radius});
   }
-  if (parameters_.hasAttractor && near(parameters_.attractorPosition.at(0)))
-    found.push_back({parameters_.attractorMass.at(0), parameters_.attractorSoftening});
+  if (parameters_.attractor && near(parameters_.attractor->position.at(0)))
+    found.push_back({parameters_.attractor->mass.at(0), parameters_.attractorSoftening});
   return found;
 }
 
@@ -121,7 +121,8 @@ shader::ParticleFields ParticlePlan::fields(double time) const {
   const ParticleParameters& p = parameters_;
   shader::ParticleFields f{};
   f.acceleration = glm::vec4(p.acceleration.at(time), 0.0F);
-  f.attractor = glm::vec4(p.attractorPosition.at(time), p.gravity * p.attractorMass.at(time));
+  if (p.attractor)
+    f.attractor = glm::vec4(p.attractor->position.at(time), p.gravity * p.attractor->mass.at(time));
   // The field drifts along a fixed direction that is not a coordinate axis.
   const glm::dvec3 way = glm::dvec3(0.36, 0.48, 0.8) * (p.turbulence.speed * time);
   f.turbulenceDrift = glm::vec4(way.x, way.y, way.z, 0);
@@ -141,7 +142,7 @@ shader::ParticleStep ParticlePlan::between(double start, double end) const {
   s.substep = done_;
   s.seed = seed_;
   s.emitterCount = static_cast<int>(rings_.size());
-  s.windDrag = p.hasWind ? p.windDrag : 0.0F;
+  s.windDrag = p.wind ? p.wind->drag : 0.0F;
   s.constants = p;
   s.constants.damping = p.slowing();
   s.turbulence = p.turbulence;

@@ -69,7 +69,7 @@ double weightOf(const scene::Object& object) {
     return particles->method == GravityMethod::tree ? tree : 1;
   const auto* cloth = dynamic_cast<const ClothParameters*>(object.parameters.get());
   if (cloth == nullptr) return 1;
-  return cloth->hasContact ? contact : cloth->hasMesh ? ofMesh : 1;
+  return cloth->contact ? contact : cloth->mesh ? ofMesh : 1;
 }
 
 /// Returns an estimate of the cost of simulating the scene: the sum over all objects of the bytes of state,

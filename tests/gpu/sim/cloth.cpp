@@ -66,9 +66,9 @@ TEST_CASE("cloth equals its CPU twin on 131x97") {
 
 TEST_CASE("cloth in gusting air equals its CPU twin") {
   auto p = sheet(33, 21);
-  p.hasAir = true;
-  p.air.velocity = glm::vec3(6, 0.5F, 2);
-  p.air.gusts = 0.6F;
+  p.air.emplace();
+  p.air->velocity = glm::vec3(6, 0.5F, 2);
+  p.air->gusts = 0.6F;
   p.mass = 0.02F;
   p.stiffness = 80;
   p.spacing = 0.05F;
@@ -114,7 +114,7 @@ TEST_CASE("constraints of a sheet in many tiles equal their CPU twin") {
   for (const bool fabric : {false, true}) {
     auto p = sheet(93, 79);
     p.solver = sim::ClothSolver::constraints;
-    p.hasFabric = fabric;
+    if (fabric) p.fabric.emplace();
     p.spacing = 0.1F;
     p.substeps = 16;
     p.mass = 1e-3F;
@@ -149,7 +149,7 @@ TEST_CASE("energy-conserving constraints equal their CPU twin, on lines of any l
       CAPTURE(size.x);
       auto p = sheet(size.x, size.y);
       p.solver = sim::ClothSolver::constraints;
-      p.hasFabric = fabric;
+      if (fabric) p.fabric.emplace();
       p.spacing = 0.05F;
       p.mass = 1e-3F;
       p.wind = glm::vec3(1e-4F, 0, 2e-4F);
@@ -184,11 +184,11 @@ TEST_CASE("cloth with friction on moving colliders equals its CPU twin") {
 TEST_CASE("fabric equals its CPU twin, clamped on all sides or on one") {
   for (const bool all : {true, false}) {
     auto p = sheet(33, 21);
-    p.hasFabric = true;
+    p.fabric.emplace();
     p.spacing = 0.03F;
-    p.fabric.material = all ? sim::FabricMaterial::canvas : sim::FabricMaterial::rubber;
-    p.hasAir = true;
-    p.air.gusts = 0.5F;
+    p.fabric->material = all ? sim::FabricMaterial::canvas : sim::FabricMaterial::rubber;
+    p.air.emplace();
+    p.air->gusts = 0.5F;
     p.wind = glm::vec3(0);
     p.substeps = 12;
     p.pins.clear();
@@ -201,7 +201,7 @@ TEST_CASE("fabric equals its CPU twin, clamped on all sides or on one") {
           {{0.0, glm::vec3(0)}, {0.5, glm::vec3(20, 10.0F * side, 5)}}, scene::Ease::linear);
     }
     compare(p, 40);
-    p.fabric.stretchDamping = 0.01;
+    p.fabric->stretchDamping = 0.01;
     compare(p, 25);
   }
 }

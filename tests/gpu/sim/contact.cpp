@@ -32,12 +32,12 @@ sim::ClothParameters contactSheet(glm::ivec2 size, glm::vec3 position, glm::vec3
   p.position = position;
   p.rotation = rotation;
   p.jitter = 2e-4F;
-  p.hasFabric = true;
+  p.fabric.emplace();
   p.wind = glm::vec3(0);
   p.damping = 0.3F;
   p.substeps = 9;
   p.pins.clear();
-  p.hasContact = true;
+  p.contact.emplace();
   return p;
 }
 
@@ -239,9 +239,9 @@ TEST_CASE("cloths in contact equal their CPU twins, which try every pair") {
 
 TEST_CASE("a cloth in contact with itself equals its CPU twin") {
   auto p = contactSheet({5, 45}, {0, 0.9F, 0}, {85, 0, 0});
-  p.contact.friction = 0.6F;
-  p.contact.thickness = 0.012;
-  p.fabric.material = sim::FabricMaterial::silk;
+  p.contact->friction = 0.6F;
+  p.contact->thickness = 0.012;
+  p.fabric->material = sim::FabricMaterial::silk;
   sim::ColliderShape floor;
   floor.kind = sim::ColliderShape::Kind::plane;
   floor.friction = 0.4;
@@ -298,7 +298,7 @@ TEST_CASE("cloths in contact with moving and static solids equal their CPU twins
   testContext();
   auto held = contactSheet({13, 11}, {0, 0.1F, 0}, {90, 0, 0});
   held.pins.emplace_back().rows = {0};
-  held.contact.friction = 0.4F;
+  held.contact->friction = 0.4F;
   MovedSolid ball(sim::sphereMesh(0.09F, {13, 8}), [](double time) {
     glm::mat4 m = sim::rotationMatrix({0, 0, static_cast<float>(700 * time)});
     m[3] = glm::vec4(0.02F, 0.05F, static_cast<float>(-0.2 + 6 * time), 1);

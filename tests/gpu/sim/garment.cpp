@@ -63,13 +63,13 @@ void compareGarment(const sim::ClothParameters& parameters, int frames,
 
 TEST_CASE("garment: a disc in gusting air that falls onto moving colliders equals its CPU twin") {
   sim::ClothParameters p = test::freeCloth();
-  p.mesh.shape = sim::ClothShape::disc;
-  p.mesh.radius = 0.6F;
-  p.mesh.resolution = {27, 3};
+  p.mesh->shape = sim::ClothShape::disc;
+  p.mesh->radius = 0.6F;
+  p.mesh->resolution = {27, 3};
   p.gravity = glm::vec3(0, -9.8F, 0);
-  p.hasAir = true;
-  p.air.velocity = glm::vec3(2, 0.5F, 1);
-  p.air.gusts = 0.6F;
+  p.air.emplace();
+  p.air->velocity = glm::vec3(2, 0.5F, 1);
+  p.air->gusts = 0.6F;
   p.jitter = 0.002F;
   p.position = glm::vec3(0.1F, 0.7F, 0);
   sim::ColliderShape ball;
@@ -87,10 +87,10 @@ TEST_CASE("garment: a random mesh on moving pins equals its CPU twin") {
   const test::TemporaryFile file("twin.obj",
                                  test::objOf(test::rectangle(test::Kind::random, {23, 17}, 0.03)));
   sim::ClothParameters p = test::freeCloth();
-  p.mesh.shape = sim::ClothShape::file;
-  p.mesh.file = file.path();
-  p.mesh.scale = 1.25F;
-  p.fabric.material = sim::FabricMaterial::denim;
+  p.mesh->shape = sim::ClothShape::file;
+  p.mesh->file = file.path();
+  p.mesh->scale = 1.25F;
+  p.fabric->material = sim::FabricMaterial::denim;
   p.gravity = glm::vec3(0, -9.8F, 0);
   p.rotation = glm::vec3(70, 20, 0);
   p.damping = 1;
@@ -98,15 +98,15 @@ TEST_CASE("garment: a random mesh on moving pins equals its CPU twin") {
   p.pins[0].rotate =
       scene::Animated<glm::vec3>({{0.0, glm::vec3(0)}, {0.5, glm::vec3(30, 40, -5)}}, scene::Ease::linear);
   compareGarment(p, 30);
-  p.fabric.stretchDamping = 0.01;
+  p.fabric->stretchDamping = 0.01;
   compareGarment(p, 20);
 }
 
 TEST_CASE("garment: clamped borders equal their CPU twin") {
   sim::ClothParameters p = test::freeCloth();
-  p.mesh.size = glm::vec3(0.5F, 0, 0.4F);
-  p.mesh.resolution = {13, 11};
-  p.fabric.material = sim::FabricMaterial::canvas;
+  p.mesh->size = glm::vec3(0.5F, 0, 0.4F);
+  p.mesh->resolution = {13, 11};
+  p.fabric->material = sim::FabricMaterial::canvas;
   p.gravity = glm::vec3(0, -9.8F, 0);
   test::pinBox(p, glm::vec3(-9), glm::vec3(-0.24F, 9, 9));
   p.pins[0].clamp = true;
@@ -120,10 +120,10 @@ TEST_CASE("garment: clamped borders equal their CPU twin") {
 
 TEST_CASE("garment: attachments equal their CPU twin") {
   sim::ClothParameters p = test::freeCloth();
-  p.mesh.size = glm::vec3(1, 0, 0.8F);
-  p.mesh.resolution = {37, 31};
+  p.mesh->size = glm::vec3(1, 0, 0.8F);
+  p.mesh->resolution = {37, 31};
   p.gravity = glm::vec3(0, -9.8F, 0);
-  p.fabric.bending = 1e-7;
+  p.fabric->bending = 1e-7;
   p.substeps = 8;
   p.pins.emplace_back().vertices = {0, 36, 700};
   for (const float damping : {0.0F, 0.1F}) {  // undamped garments use the energy-conserving solver
@@ -136,9 +136,9 @@ TEST_CASE("garment: attachments equal their CPU twin") {
 TEST_CASE("garment: closed shapes equal their CPU twin") {
   for (const auto shape : {sim::ClothShape::sphere, sim::ClothShape::torus, sim::ClothShape::cylinder}) {
     sim::ClothParameters p = test::freeCloth();
-    p.mesh.shape = shape;
-    p.mesh.resolution = {9, 7};
-    p.fabric.material = sim::FabricMaterial::rubber;
+    p.mesh->shape = shape;
+    p.mesh->resolution = {9, 7};
+    p.fabric->material = sim::FabricMaterial::rubber;
     p.gravity = glm::vec3(0, -9.8F, 0);
     sim::ColliderShape floor;
     floor.kind = sim::ColliderShape::Kind::plane;
@@ -152,8 +152,8 @@ TEST_CASE("garment: closed shapes equal their CPU twin") {
 
 TEST_CASE("garment: seams equal their CPU twin") {
   sim::ClothParameters p = test::freeCloth();
-  p.mesh.shape = sim::ClothShape::disc;
-  p.mesh.resolution = {15, 3};
+  p.mesh->shape = sim::ClothShape::disc;
+  p.mesh->resolution = {15, 3};
   p.gravity = glm::vec3(0, -9.8F, 0);
   test::pinBox(p, glm::vec3(-0.1F), glm::vec3(0.1F));
   // Sews vertices of the outermost ring (127 to 168); one vertex is in two seams.

@@ -60,10 +60,10 @@ sim::ParticleParameters cloud(sim::ParticleGroup::Shape shape, int count, float 
 }
 
 void addFields(sim::ParticleParameters& p) {
-  p.hasAttractor = true;
-  p.attractorPosition = scene::Animated<glm::vec3>({{0.0, glm::vec3(2, 0, 0)}, {0.5, glm::vec3(0, 1, -1)}},
-                                                   scene::Ease::smooth);
-  p.attractorMass = scene::Animated<float>({{0.0, 50.0F}, {0.3, 300.0F}}, scene::Ease::linear);
+  p.attractor.emplace();
+  p.attractor->position = scene::Animated<glm::vec3>(
+      {{0.0, glm::vec3(2, 0, 0)}, {0.5, glm::vec3(0, 1, -1)}}, scene::Ease::smooth);
+  p.attractor->mass = scene::Animated<float>({{0.0, 50.0F}, {0.3, 300.0F}}, scene::Ease::linear);
   p.turbulence.strength = 0.7F;
   p.turbulence.size = 0.4F;
   p.damping = 0.3F;

@@ -107,7 +107,7 @@ TEST_CASE("energy: energy-conserving constraint forces are the gradient of the m
     p.size = {21, 5};
     p.spacing = 0.05F;
     p.solver = sim::ClothSolver::constraints;
-    p.hasFabric = fabric;
+    if (fabric) p.fabric.emplace();
     p.mass = 1e-3F;
     p.compliance = 2e-4F;
     p.shearCompliance = 1e-3F;
@@ -128,9 +128,10 @@ TEST_CASE("energy: energy-conserving constraint forces are the gradient of the m
 
 TEST_CASE("energy: energy-conserving face and attachment forces are the gradient of the measured energy") {
   sim::ClothParameters p = crumpled();
-  p.hasFabric = p.hasMesh = true;
-  p.mesh.size = glm::vec3(0.35F, 0, 0.5F);
-  p.mesh.resolution = {6, 9};
+  p.fabric.emplace();
+  p.mesh.emplace();
+  p.mesh->size = glm::vec3(0.35F, 0, 0.5F);
+  p.mesh->resolution = {6, 9};
   p.jitter = 0.012F;
   p.pins.emplace_back().vertices = {0, 1, 2};
   REQUIRE(p.keepsEnergy());

@@ -26,7 +26,7 @@ sim::ClothParameters freeFabric(glm::ivec2 size, float spacing) {
   p.wind = glm::vec3(0);
   p.damping = 0;
   p.pins.clear();
-  p.hasFabric = true;
+  p.fabric.emplace();
   return p;
 }
 
@@ -71,10 +71,10 @@ TEST_CASE("fabric: the bending force is the gradient of a plate's energy, includ
     const glm::ivec2 size(7, 6);
     sim::ClothParameters p = freeFabric(size, 0.02F);
     p.rotation = glm::vec3(20, -35, 50);
-    p.fabric.bending = 4e-4;  // bending stiffness of 1 N/m divided by the square of the spacing
-    p.fabric.density = 0.2;
-    p.fabric.weft = p.fabric.warp = 0.1;  // negligible compared with the bending stiffness
-    p.fabric.shear = 1e-3;
+    p.fabric->bending = 4e-4;  // bending stiffness of 1 N/m divided by the square of the spacing
+    p.fabric->density = 0.2;
+    p.fabric->weft = p.fabric->warp = 0.1;  // negligible compared with the bending stiffness
+    p.fabric->shear = 1e-3;
     if (clamped)
       for (const int side : {0, 1, 2, 3}) {
         sim::PinGroup& group = p.pins.emplace_back();
@@ -129,7 +129,7 @@ TEST_CASE("fabric: a clamped strip bends by q L^4 / 8 D at any spacing") {
     sim::ClothParameters p = freeFabric({cells + 1, 4}, static_cast<float>(length / cells));
     p.gravity = glm::vec3(0, -0.098F, 0);
     p.damping = 10;
-    p.fabric.bending = bending;
+    p.fabric->bending = bending;
     p.substeps.reset();
     sim::PinGroup& end = p.pins.emplace_back();
     end.columns = {0};
@@ -151,9 +151,9 @@ TEST_CASE(
   };
   const glm::ivec2 size(61, 45);
   sim::ClothParameters p = freeFabric(size, 0.01F);
-  p.fabric.bending = 1000;  // bending is so stiff that stretching is negligible
-  p.fabric.weft = p.fabric.warp = 0.1;
-  p.fabric.shear = 1e-3;
+  p.fabric->bending = 1000;  // bending is so stiff that stretching is negligible
+  p.fabric->weft = p.fabric->warp = 0.1;
+  p.fabric->shear = 1e-3;
   for (const Shape s :
        {Shape{0.02, 0, 0}, Shape{0, 0.02, 0}, Shape{0, 0, -0.02}, Shape{0.01, -0.02, 0.015}}) {
     std::vector<glm::vec4> positions;
@@ -183,7 +183,7 @@ TEST_CASE(
 
 TEST_CASE("fabric: mass is density times area") {
   sim::ClothParameters p = freeFabric({9, 5}, 0.25F);
-  p.fabric.density = 0.5;
+  p.fabric->density = 0.5;
   double sum = 0;
   for (const glm::vec4& particle : sim::ClothPlan(p, 1, 0.01, {}).firstPositions())
     sum += 1 / static_cast<double>(particle.w);
@@ -199,9 +199,9 @@ TEST_CASE("fabric: a hanging fabric stretches by rho g H / 2 k, at borders as in
   p.rotation = glm::vec3(90, 0, 0);
   p.damping = 6;
   p.substeps.reset();
-  p.fabric.material = sim::FabricMaterial::denim;
-  p.fabric.warp = 60;
-  p.fabric.shear = 0.01;
+  p.fabric->material = sim::FabricMaterial::denim;
+  p.fabric->warp = 60;
+  p.fabric->shear = 0.01;
   p.pins.emplace_back().rows = {0};
   ClothTwin twin(sim::ClothPlan(p, 3, 1.0 / 60, {}));
   for (int frame = 0; frame < 400; ++frame) twin.step(frame / 60.0);
@@ -218,7 +218,7 @@ TEST_CASE("fabric: a hanging grid of rubber stretches by rho g H / 2 k, for any 
   for (const int substeps : {6, 24}) {
     sim::ClothParameters p = freeFabric({9, 21}, 0.05F);
     p.fabric = {};
-    p.fabric.material = sim::FabricMaterial::rubber;
+    p.fabric->material = sim::FabricMaterial::rubber;
     p.gravity = glm::vec3(0, -9.8F, 0);
     p.rotation = glm::vec3(90, 0, 0);
     p.damping = 6;
@@ -249,9 +249,9 @@ TEST_CASE("fabric: bending is stable up to the declared limit and unstable soon 
   };
   sim::ClothParameters p = freeFabric({23, 21}, 0.01F);
   p.jitter = 1e-6F;
-  p.fabric.bending = 1e-4;
-  p.fabric.weft = p.fabric.warp = 0.1;
-  p.fabric.shear = 1e-3;
+  p.fabric->bending = 1e-4;
+  p.fabric->weft = p.fabric->warp = 0.1;
+  p.fabric->shear = 1e-3;
   const double declared = p.stableSeconds();
   CHECK(fastestAfter(p, 0.98 * declared) < 2e-5);
   CHECK(fastestAfter(p, 1.1 * declared) > 1e-3);

@@ -185,7 +185,7 @@ TEST_CASE(
     CAPTURE(damped);
     sim::ClothParameters p = oracleSheet(5, 41, 0.025F);
     if (damped) p.damping = 1e-6F;
-    p.hasFabric = true;
+    p.fabric.emplace();
     p.substeps = 16;
     p.rotation = glm::vec3(88, 0, 0);
     p.pins.emplace_back().rows = {0};
@@ -236,10 +236,10 @@ double missesFall(Twin twin, double terminal) {
 TEST_CASE("oracle: flat cloth falls through air at its terminal velocity") {
   const auto terminalOf = [](double density) { return std::sqrt(2 * density * 9.8 / (1.2 * 0.9)); };
   sim::ClothParameters p = oracleSheet(2, 2, 0.1F);
-  p.hasAir = true;
-  p.air.velocity = glm::vec3(0);
-  p.air.drag = 0.9F;
-  p.air.gusts = 0;
+  p.air.emplace();
+  p.air->velocity = glm::vec3(0);
+  p.air->drag = 0.9F;
+  p.air->gusts = 0;
   // Springs: each of four masses has a quarter of a square.
   p.mass = 0.00025F;
   p.stiffness = 1;
@@ -248,16 +248,16 @@ TEST_CASE("oracle: flat cloth falls through air at its terminal velocity") {
   for (const auto material : {sim::FabricMaterial::silk, sim::FabricMaterial::canvas}) {
     p.size = {9, 7};
     p.spacing = 0.05F;
-    p.hasFabric = true;
-    p.hasMesh = false;
-    p.fabric.material = material;
+    p.fabric.emplace();
+    p.mesh.reset();
+    p.fabric->material = material;
     p.substeps = 8;
-    const double terminal = terminalOf(p.fabric.constants().density);
+    const double terminal = terminalOf(p.fabric->constants().density);
     CAPTURE(terminal);
     CHECK(missesFall(oracleTwin(p), terminal) < 0.01);
-    p.hasMesh = true;
-    p.mesh.size = glm::vec3(0.4F, 0, 0.3F);
-    p.mesh.resolution = {9, 7};
+    p.mesh.emplace();
+    p.mesh->size = glm::vec3(0.4F, 0, 0.3F);
+    p.mesh->resolution = {9, 7};
     CHECK(missesFall(GarmentTwin(sim::GarmentPlan("cloth", p, 1, oracleFrame, {})), terminal) < 0.01);
   }
 }

@@ -341,9 +341,9 @@ TEST_CASE("friction: cloth sticks below the friction angle and slides by Coulomb
 
 TEST_CASE("air drag on a flat face is half rho Cd A v^2 without lift, and an inclined face has lift") {
   auto p = freeSheet(5, 5);
-  p.hasAir = true;
-  p.air.velocity = glm::vec3(0, 3, 0);
-  p.air.gusts = 0;
+  p.air.emplace();
+  p.air->velocity = glm::vec3(0, 3, 0);
+  p.air->gusts = 0;
   p.substeps = 1;
   ClothTwin twin = makeTwin(p);
   twin.substep(twin.plan().frame(0).front());
@@ -352,8 +352,8 @@ TEST_CASE("air drag on a flat face is half rho Cd A v^2 without lift, and an inc
   CHECK(std::abs(v.x) < 1e-6);
   // At 45 degrees, lift is perpendicular to the flow: half rho Cl A sin cos v^2, upwards for air from
   // below.
-  p.air.velocity = glm::vec3(3, 3, 0);
-  p.air.drag = 0;
+  p.air->velocity = glm::vec3(3, 3, 0);
+  p.air->drag = 0;
   ClothTwin inclined = makeTwin(p);
   inclined.substep(inclined.plan().frame(0).front());
   const glm::vec3 w(inclined.velocities[12]);

@@ -56,18 +56,19 @@ TEST_CASE("\"auto\" for a fabric in gusts scales with 1 / L^1.5 for long lines")
   // flag.json at several resolutions, as in bench_studies resolution.
   const auto substeps = [](int columns, bool gusts) {
     sim::ClothParameters p;
-    p.hasFabric = true;
-    p.fabric.material = sim::FabricMaterial::nylon;
+    p.fabric.emplace();
+    p.fabric->material = sim::FabricMaterial::nylon;
     p.substeps.reset();
     p.damping = 0.2F;
     p.wind = glm::vec3(0);
     p.spacing = 95 * 0.0215F / static_cast<float>(columns - 1);
     p.size = {columns, 2 * columns / 3};
-    p.hasAir = gusts;
-    p.air.velocity = glm::vec3(9.5F, 0.5F, 1.6F);
-    p.air.drag = 0.8F;
-    p.air.lift = 0.15F;
-    p.air.gusts = 0.36F;
+    p.air.emplace();
+    p.air->velocity = glm::vec3(9.5F, 0.5F, 1.6F);
+    p.air->drag = 0.8F;
+    p.air->lift = 0.15F;
+    p.air->gusts = 0.36F;
+    if (!gusts) p.air.reset();
     return p.substepsPerFrame(1.0 / 60);
   };
   CHECK(substeps(48, true) == 13);
@@ -99,8 +100,8 @@ TEST_CASE("fabric: scene parameters of fabric are read, and errors are named") {
       CHECK(p.constrained());
       CHECK(!p.substeps);                   // no value means "auto"
       CHECK(p.wind.at(0) == glm::vec3(0));  // a material has no wind unless wind is given
-      CHECK(p.fabric.constants().density == 0.4F);
-      CHECK(p.fabric.constants().bending == 1e-3F);
+      CHECK(p.fabric->constants().density == 0.4F);
+      CHECK(p.fabric->constants().bending == 1e-3F);
     } catch (const UserError& error) {
       CHECK(error.code() == ExitCode::usage);
       return error.what();
@@ -123,11 +124,11 @@ TEST_CASE("fabric: scene parameters of fabric are read, and errors are named") {
 
 TEST_CASE("contact thickness is the fabric's, clamped to 1/8 to 0.35 of the vertex spacing") {
   sim::ClothParameters p;
-  p.hasFabric = true;
-  p.fabric.thickness = 0.004;
+  p.fabric.emplace();
+  p.fabric->thickness = 0.004;
   CHECK(p.contactThickness(0.02F) == doctest::Approx(0.004));
   CHECK(p.contactThickness(0.1F) == doctest::Approx(0.0125));   // an eighth of the edge length
   CHECK(p.contactThickness(0.01F) == doctest::Approx(0.0035));  // 0.35 of the edge length
-  p.contact.thickness = 0.003;
+  p.contact.emplace().thickness = 0.003;
   CHECK(p.contactThickness(0.1F) == doctest::Approx(0.003));
 }

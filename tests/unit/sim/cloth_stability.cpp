@@ -146,9 +146,9 @@ TEST_CASE("springs and drag together are stable up to the declared limit only") 
   for (const double speed : {0.5, 20.0, 150.0})
     for (const float stiffness : {0.0F, 10.0F, 5000.0F}) {
       auto p = springs({8, 8}, stiffness, 1, 0.3F, 0.01F);
-      p.hasAir = true;
-      p.air.velocity = glm::vec3(0, static_cast<float>(speed), 0);
-      p.air.gusts = 0;
+      p.air.emplace();
+      p.air->velocity = glm::vec3(0, static_cast<float>(speed), 0);
+      p.air->gusts = 0;
       const double w2 = 4.0 * static_cast<double>(stiffness) * (1.0 + p.shear + p.bend) / p.mass;
       // drag coefficient for the default values of the air
       const double c = 1.2 * (1.0 + 0.6) * 0.1 * 0.1 * speed / p.mass;
@@ -161,11 +161,11 @@ TEST_CASE("springs and drag together are stable up to the declared limit only") 
 
 TEST_CASE("stability uses the max air speed of the whole run, including gusts") {
   auto p = springs({8, 8}, 10, 1, 0.3F, 0.001F);
-  p.hasAir = true;
-  p.air.gusts = 0;
+  p.air.emplace();
+  p.air->gusts = 0;
   p.substeps = 4;
   const auto limit = [&](const scene::Animated<glm::vec3>& velocity) {
-    p.air.velocity = velocity;
+    p.air->velocity = velocity;
     return p.stableSeconds();
   };
   using Moving = scene::Animated<glm::vec3>;
@@ -174,12 +174,12 @@ TEST_CASE("stability uses the max air speed of the whole run, including gusts") 
   CHECK(limit(Moving({{0, glm::vec3(0)}, {2, glm::vec3(0, 60, 80)}, {4, glm::vec3(1)}},
                      scene::Ease::smooth)) == storm);
   CHECK(p.instability(1 / 60.0) != "");
-  p.air.velocity = Moving({{0, glm::vec3(0)}, {2, glm::vec3(0.1F)}}, scene::Ease::linear);
+  p.air->velocity = Moving({{0, glm::vec3(0)}, {2, glm::vec3(0.1F)}}, scene::Ease::linear);
   CHECK(p.instability(1 / 60.0) == "");
   // Each of a gust's three components is at most the given fraction, so the wind is at most (1 + 3 sqrt 3)
   // times as fast.
   const double gusty = limit(glm::vec3(0, 10.0F * (1.0F + 3.0F * std::sqrt(3.0F)), 0));
-  p.air.gusts = 3;
+  p.air->gusts = 3;
   CHECK(limit(glm::vec3(0, 10, 0)) == doctest::Approx(gusty).epsilon(1e-6));
 }
 
@@ -223,9 +223,9 @@ TEST_CASE("\"auto\" is refused if it would need more than the max number of subs
   p.solver = sim::ClothSolver::constraints;
   CHECK(refusal(p, 1 / 60.0).empty());
   // Drag limits both solvers.
-  p.hasAir = true;
-  p.air.velocity = glm::vec3(200, 0, 0);
-  p.air.density = 1e4F;
+  p.air.emplace();
+  p.air->velocity = glm::vec3(200, 0, 0);
+  p.air->density = 1e4F;
   p.mass = 1e-4F;
   for (const auto solver : {sim::ClothSolver::springs, sim::ClothSolver::constraints}) {
     p.solver = solver;
@@ -239,7 +239,7 @@ TEST_CASE("a damped sheet hanging by two corners comes to rest with speed 0") {
   // The lines alone would need 8 substeps, but 8 never come to rest, because half of the sheet hangs from
   // each corner.
   sim::ClothParameters p;
-  p.hasFabric = true;
+  p.fabric.emplace();
   p.size = {24, 24};
   p.spacing = 0.01F;
   p.rotation = {90, 0, 0};

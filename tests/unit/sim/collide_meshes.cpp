@@ -181,18 +181,18 @@ TEST_CASE("collide: cloth of any material does not sink into a mesh torus") {
     settle(ClothTwin(sim::ClothPlan(p, 5, meshFrame, {})), 0.01);
   }
   SUBCASE("constraints") {
-    p.hasFabric = true;
+    p.fabric.emplace();
     p.solver = sim::ClothSolver::constraints;
-    const double thickness = p.fabric.constants().thickness;
+    const double thickness = p.fabric->constants().thickness;
     settle(ClothTwin(sim::ClothPlan(p, 5, meshFrame, {})), 0.01 + 0.5 * thickness);
   }
   SUBCASE("a mesh of fabric") {
-    p.hasMesh = true;
-    p.hasFabric = true;
-    p.mesh.shape = sim::ClothShape::disc;
-    p.mesh.radius = 0.8F;
-    p.mesh.resolution = {21, 3};
-    const double thickness = p.fabric.constants().thickness;
+    p.mesh.emplace();
+    p.fabric.emplace();
+    p.mesh->shape = sim::ClothShape::disc;
+    p.mesh->radius = 0.8F;
+    p.mesh->resolution = {21, 3};
+    const double thickness = p.fabric->constants().thickness;
     settle(GarmentTwin(sim::GarmentPlan("disc", p, 5, meshFrame, {})), 0.01 + 0.5 * thickness);
   }
 }

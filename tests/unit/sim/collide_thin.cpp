@@ -31,17 +31,16 @@ sim::ClothParameters hangingSheet(ThinCloth kind) {
     p.mass = 0.002F;
     p.stiffness = 300;
   } else {
-    p.hasFabric = true;
+    p.fabric.emplace();
     p.solver = sim::ClothSolver::constraints;
   }
   sim::PinGroup top;
   if (kind == ThinCloth::mesh) {
-    p.hasMesh = true;
-    p.mesh.shape = sim::ClothShape::plane;
-    p.mesh.size = glm::vec3(1, 0, 1);
-    p.mesh.resolution = {21, 21};
-    top.hasBox = true;
-    top.box = {glm::vec3(-1, 0.49F, -1), glm::vec3(1, 1, 1)};
+    p.mesh.emplace();
+    p.mesh->shape = sim::ClothShape::plane;
+    p.mesh->size = glm::vec3(1, 0, 1);
+    p.mesh->resolution = {21, 21};
+    top.box = sim::PinBox{glm::vec3(-1, 0.49F, -1), glm::vec3(1, 1, 1)};
   } else {
     top.rows = {0};
   }

@@ -127,7 +127,7 @@ TEST_CASE("contact between cloths conserves momentum") {
     p->damping = 0;
     p->gravity = glm::vec3(0);
   }
-  lower.fabric.material = sim::FabricMaterial::denim;
+  lower.fabric->material = sim::FabricMaterial::denim;
   Pile pile({lower, upper}, {}, 0.005F, 0.5F);
   for (glm::vec4& v : pile.cloths[1]->velocities) v = glm::vec4(0.3F, -1.0F, 0.1F, 0);
   const glm::dvec3 before = momentumOf(*pile.cloths[0]) + momentumOf(*pile.cloths[1]);
@@ -281,8 +281,8 @@ TEST_CASE("a ball hangs in a strip: the tension on both sides carries its weight
   const double half = 0.3, width = 0.03, stiffness = 500, mass = 0.03, density = 0.3;
   auto strip = silk({21, 2}, 0.03F, {0, 0, 0}, {0, 0, 0});
   strip.pins.emplace_back().columns = {0, -1};
-  strip.fabric.weft = stiffness;
-  strip.fabric.density = density;
+  strip.fabric->weft = stiffness;
+  strip.fabric->density = density;
   strip.damping = 8;
   auto ball = oneBall(static_cast<float>(mass), 0.02F, {0.004F, 0.03F, 0}, {0, 0, 0});
   ball.acceleration = glm::vec3(0, -9.8F, 0);

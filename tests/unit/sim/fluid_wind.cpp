@@ -33,9 +33,9 @@ ParticlesTwin seedsIn(const WindTwin& wind, const std::vector<glm::vec3>& places
   sim::ParticleParameters p;
   p.method = sim::GravityMethod::none;
   p.damping = damping;
-  p.hasWind = true;
-  p.windFluid = "storm";
-  p.windDrag = drag;
+  p.wind.emplace();
+  p.wind->fluid = "storm";
+  p.wind->drag = drag;
   p.groups.resize(1);
   p.groups[0].count = static_cast<int>(places.size());
   ParticlesTwin twin(sim::ParticlePlan(p, 1, 1.0 / 60));
@@ -118,10 +118,10 @@ TEST_CASE("fluid wind: a free sheet is carried along as in the closed form") {
   p.stiffness = 20;
   p.damping = 0;
   p.substeps = 40;
-  p.hasAir = true;
-  p.air.gusts = 0;
-  p.air.velocity = glm::vec3(0);
-  p.air.fluid = "storm";
+  p.air.emplace();
+  p.air->gusts = 0;
+  p.air->velocity = glm::vec3(0);
+  p.air->fluid = "storm";
   p.pins.clear();
   plane.rotation = {0, 90, 0};  // rotated so that the plane's x axis is the scene's -z
   ClothTwin twin(sim::ClothPlan(p, 1, 1.0 / 60, {}));

@@ -112,8 +112,8 @@ TEST_CASE("framed: unreadable files do not change the camera") {
 
 TEST_CASE("framed: framing contains mesh cloth at rest and where it falls or hangs") {
   sim::ClothParameters cloth;
-  cloth.hasMesh = true;
-  cloth.mesh.size = glm::vec3(3, 0, 1);
+  cloth.mesh.emplace();
+  cloth.mesh->size = glm::vec3(3, 0, 1);
   cloth.position = glm::vec3(0, 2, 0);
   cloth.pins.clear();
   checkFramed(cloth, {-1.5F, 0, -0.5F}, {1.5F, 2, 0.5F});

@@ -28,14 +28,14 @@ constexpr std::size_t energyValue = 5;
 /// upper border.
 double dropOf(bool corner, int substeps, std::size_t& attachments) {
   sim::ClothParameters p = test::freeCloth();
-  p.mesh.size = glm::vec3(0.6F, 0, 0.6F);
-  p.mesh.resolution = {17, 17};
+  p.mesh->size = glm::vec3(0.6F, 0, 0.6F);
+  p.mesh->resolution = {17, 17};
   p.rotation = glm::vec3(90, 0, corner ? 45 : 0);
   p.gravity = glm::vec3(0, -9.8F, 0);
   p.damping = 8;
-  p.fabric.weft = p.fabric.warp = 60;
-  p.fabric.shear = 8;
-  p.fabric.bending = 1e-6;
+  p.fabric->weft = p.fabric->warp = 60;
+  p.fabric->shear = 8;
+  p.fabric->bending = 1e-6;
   p.substeps = substeps;
   p.pins.emplace_back().vertices = {0};
   if (!corner) p.pins[0].vertices.push_back(16);
@@ -94,9 +94,9 @@ TEST_CASE("garment: 256 rows swing from their border and stretch by less than 1%
     CAPTURE(damped);
     sim::ClothParameters p = test::freeCloth();
     if (damped) p.damping = 1e-6F;
-    p.mesh.size = glm::vec3(0.012F, 0, 1);
-    p.mesh.resolution = {4, 256};
-    p.fabric.bending = 1e-8;  // bending so weak that it needs no further substeps
+    p.mesh->size = glm::vec3(0.012F, 0, 1);
+    p.mesh->resolution = {4, 256};
+    p.fabric->bending = 1e-8;  // bending so weak that it needs no further substeps
     p.gravity = glm::vec3(0, -9.8F, 0);
     test::pinBox(p, glm::vec3(-9), glm::vec3(9, 9, -0.499F));
     GarmentTwin twin(sim::GarmentPlan("strip", p, 1, 1.0 / 60, {}));
@@ -122,7 +122,7 @@ TEST_CASE("garment: 256 rows swing from their border and stretch by less than 1%
 
 TEST_CASE("garment: attachments are slack without stretch, and free cloth has none") {
   sim::ClothParameters p = test::freeCloth();
-  p.mesh.resolution = {33, 33};
+  p.mesh->resolution = {33, 33};
   CHECK(sim::GarmentPlan("a", p, 1, 1.0 / 60, {}).arrays().attachments.empty());
   test::pinBox(p, glm::vec3(-9), glm::vec3(9, 9, -0.99F));
   p.substeps = 8;

@@ -70,8 +70,8 @@ enum class Kind { right, equilateral, random };
 /// Cloth of a mesh, without gravity, wind, damping or pins.
 [[nodiscard]] inline sim::ClothParameters freeCloth() {
   sim::ClothParameters p;
-  p.hasMesh = true;
-  p.hasFabric = true;
+  p.mesh.emplace();
+  p.fabric.emplace();
   p.gravity = glm::vec3(0);
   p.wind = glm::vec3(0);
   p.damping = 0;
@@ -83,8 +83,7 @@ enum class Kind { right, equilateral, random };
 /// Pins all vertices in the box.
 inline void pinBox(sim::ClothParameters& parameters, const glm::vec3& min, const glm::vec3& max) {
   sim::PinGroup& group = parameters.pins.emplace_back();
-  group.hasBox = true;
-  group.box = {min, max};
+  group.box = sim::PinBox{min, max};
 }
 
 }  // namespace simreel::test

@@ -25,8 +25,8 @@ namespace {
 /// A plane of 1 x 1 m with 11 x 11 vertices.
 sim::ClothParameters unitPlane() {
   sim::ClothParameters p = test::freeCloth();
-  p.mesh.size = glm::vec3(1, 0, 1);
-  p.mesh.resolution = {11, 11};
+  p.mesh->size = glm::vec3(1, 0, 1);
+  p.mesh->resolution = {11, 11};
   return p;
 }
 
@@ -78,16 +78,16 @@ TEST_CASE("garment: pins and seams without vertices are refused") {
   p.pins.clear();
   test::pinBox(p, glm::vec3(2), glm::vec3(3));
   test::checkHas(refusedPins(p), "pins[0] holds no vertex");
-  p.pins[0].box = {glm::vec3(-0.01F), glm::vec3(0.01F)};
+  p.pins[0].box = sim::PinBox{glm::vec3(-0.01F), glm::vec3(0.01F)};
   p.pins[0].clamp = true;
   test::checkHas(refusedPins(p), "pins[0] has \"clamp\", but holds no edge of a border");
   p.pins.clear();
   p.seams.push_back({{0}, {500}, 1});
   test::checkHas(refusedPins(p), "seams[0] names vertex 500");
   p.seams.clear();
-  p.mesh.shape = sim::ClothShape::file;
+  p.mesh->shape = sim::ClothShape::file;
   const test::TemporaryFile file("bare.obj", "v 0 0 0\nv 0 0 1\nv 1 0 0\nf 1 2 3\n");
-  p.mesh.file = file.path();
+  p.mesh->file = file.path();
   p.pins.emplace_back().map = "nothing.png";
   test::checkHas(refusedPins(p), "has no uv");
   p.pins[0].map.clear();
@@ -105,10 +105,10 @@ TEST_CASE("garment: a seam closes two pieces in its time without moving their ce
   for (const unsigned i : other.indices) mesh.indices.push_back(i + first);
   const test::TemporaryFile file("pieces.obj", test::objOf(mesh));
   sim::ClothParameters p = test::freeCloth();
-  p.mesh.shape = sim::ClothShape::file;
-  p.mesh.file = file.path();
+  p.mesh->shape = sim::ClothShape::file;
+  p.mesh->file = file.path();
   p.damping = 3;
-  const sim::Mesh read = p.mesh.make();
+  const sim::Mesh read = p.mesh->make();
   sim::Seam seam;
   seam.seconds = 0.5;
   // compares by position, because readers may reorder vertices
@@ -152,8 +152,8 @@ TEST_CASE("garment: scene parameters of garments are read, and errors are named"
     try {
       const auto scene = scene::parseScene(text, sourceFolder() + "/assets/sheet.json", {}, sim::kinds());
       const auto& p = sim::parametersOf<sim::ClothParameters>(scene.objects.front());
-      CHECK(p.hasMesh);
-      CHECK(p.hasFabric);
+      CHECK(p.mesh.has_value());
+      CHECK(p.fabric.has_value());
       CHECK(!p.substeps);
       CHECK(p.pins.empty());
       CHECK(p.wind.at(0) == glm::vec3(0));

@@ -101,11 +101,11 @@ TEST_CASE("garment: a clamped strip of any mesh bends by q L^4 / 8 D") {
       const double cell = length / (cells - 0.5);
       const test::TemporaryFile file("strip.obj", test::objOf(test::rectangle(kind, {cells, 3}, cell, 2)));
       sim::ClothParameters p = test::freeCloth();
-      p.mesh.shape = sim::ClothShape::file;
-      p.mesh.file = file.path();
+      p.mesh->shape = sim::ClothShape::file;
+      p.mesh->file = file.path();
       p.gravity = glm::vec3(0, -0.098F, 0);
       p.damping = 10;
-      p.fabric.bending = bending;
+      p.fabric->bending = bending;
       test::pinBox(p, glm::vec3(-9), glm::vec3(static_cast<float>(cell * (1.2 - 0.5 * cells)), 9, 9));
       GarmentTwin twin(sim::GarmentPlan("strip", p, 1, 1.0 / 60, {}));
       for (int frame = 0; frame < 150; ++frame) twin.step(frame / 60.0);
@@ -158,11 +158,11 @@ TEST_CASE("garment: a clamped border bends by q L^4 / 8 D and rotates with its p
       const double cell = length / cells;
       const test::TemporaryFile file("strip.obj", test::objOf(test::rectangle(kind, {cells, 3}, cell)));
       sim::ClothParameters p = test::freeCloth();
-      p.mesh.shape = sim::ClothShape::file;
-      p.mesh.file = file.path();
+      p.mesh->shape = sim::ClothShape::file;
+      p.mesh->file = file.path();
       p.gravity = glm::vec3(0, -0.098F, 0);
       p.damping = 10;
-      p.fabric.bending = bending;
+      p.fabric->bending = bending;
       test::pinBox(p, glm::vec3(-9), glm::vec3(static_cast<float>(cell * (0.2 - 0.5 * cells)), 9, 9));
       p.pins[0].clamp = true;
       GarmentTwin twin(sim::GarmentPlan("strip", p, 1, 1.0 / 60, {}));
@@ -181,10 +181,10 @@ TEST_CASE("garment: a clamped border bends by q L^4 / 8 D and rotates with its p
     }
   // Clamped at an angle of two degrees and weightless, the strip continues straight in that direction.
   sim::ClothParameters p = test::freeCloth();
-  p.mesh.size = glm::vec3(0.2F, 0, 0.06F);
-  p.mesh.resolution = {9, 4};
+  p.mesh->size = glm::vec3(0.2F, 0, 0.06F);
+  p.mesh->resolution = {9, 4};
   p.damping = 10;
-  p.fabric.bending = bending;
+  p.fabric->bending = bending;
   test::pinBox(p, glm::vec3(-9), glm::vec3(-0.099F, 9, 9));
   p.pins[0].clamp = true;
   p.pins[0].pivot = glm::vec3(-0.1F, 0, 0);

@@ -60,12 +60,12 @@ TEST_CASE("garment: a strip sewn from two pieces bends by q L^4 / 8 D like one p
         length / (2 * seamCells - 0.5);  // the strip is clamped between the first two columns
     const test::TemporaryFile file("sewn.obj", test::objOf(twoPieces(kind, cell)));
     sim::ClothParameters p = test::freeCloth();
-    p.mesh.shape = sim::ClothShape::file;
-    p.mesh.file = file.path();
+    p.mesh->shape = sim::ClothShape::file;
+    p.mesh->file = file.path();
     p.gravity = glm::vec3(0, -0.098F, 0);
     p.damping = 10;
-    p.fabric.bending = bending;
-    p.seams.push_back(seamOf(p.mesh.make(), 0.5 * seamCells * cell));
+    p.fabric->bending = bending;
+    p.seams.push_back(seamOf(p.mesh->make(), 0.5 * seamCells * cell));
     REQUIRE(p.seams[0].from.size() == 4);
     test::pinBox(p, glm::vec3(-9), glm::vec3(static_cast<float>(cell * (1.2 - 0.5 * seamCells)), 9, 9));
     GarmentTwin twin(sim::GarmentPlan("strip", p, 1, 1.0 / 60, {}));

@@ -36,11 +36,11 @@ struct RandomCloth {
   test::TemporaryFile file{"random.obj", test::objOf(test::rectangle(test::Kind::random, {20, 15}, 0.01))};
   sim::ClothParameters p = test::freeCloth();
   RandomCloth() {
-    p.mesh.shape = sim::ClothShape::file;
-    p.mesh.file = file.path();
-    p.fabric.weft = 300;
-    p.fabric.warp = 500;
-    p.fabric.shear = 40;
+    p.mesh->shape = sim::ClothShape::file;
+    p.mesh->file = file.path();
+    p.fabric->weft = 300;
+    p.fabric->warp = 500;
+    p.fabric->shear = 40;
   }
 };
 
@@ -57,7 +57,7 @@ TEST_CASE("garment: a uniform strain stores A / 2 (weft e^2 + warp f^2 + shear g
         return moved(plan.cloth().points[plan.cloth().faces[f].corners[k]]);
       };
       const sim::FaceStiffness k =
-          sim::stiffnessOf(element, plan.parameters().fabric.constants(), glm::dvec3(1e6), 0);
+          sim::stiffnessOf(element, plan.parameters().fabric->constants(), glm::dvec3(1e6), 0);
       sum += sim::membraneEnergy(element, k, sim::strainOf(element, corner(0), corner(1), corner(2)));
     }
     return sum;
@@ -81,8 +81,8 @@ TEST_CASE("garment: a strip swinging from its end never gains energy and hardly 
     CAPTURE(damped);
     sim::ClothParameters p = test::freeCloth();
     if (damped) p.damping = hardlyDamped;
-    p.mesh.size = glm::vec3(0.25F, 0, 1);
-    p.mesh.resolution = {9, 33};
+    p.mesh->size = glm::vec3(0.25F, 0, 1);
+    p.mesh->resolution = {9, 33};
     p.gravity = glm::vec3(0, -9.8F, 0);
     test::pinBox(p, glm::vec3(-9), glm::vec3(9, 9, -0.499F));
     GarmentTwin twin(sim::GarmentPlan("strip", p, 1, 1.0 / 60, {}));
@@ -107,10 +107,10 @@ TEST_CASE("garment: a strip swinging from its end never gains energy and hardly 
 TEST_CASE("garment: a random mesh stretched at its ends comes to rest evenly stretched") {
   RandomCloth cloth;
   cloth.p.damping = 20;
-  cloth.p.fabric.weft = 3;  // soft, so that the compliance dominates at this substep length
-  cloth.p.fabric.warp = 5;
-  cloth.p.fabric.shear = 0.4;
-  cloth.p.fabric.bending = 0;
+  cloth.p.fabric->weft = 3;  // soft, so that the compliance dominates at this substep length
+  cloth.p.fabric->warp = 5;
+  cloth.p.fabric->shear = 0.4;
+  cloth.p.fabric->bending = 0;
   cloth.p.substeps = 40;
   test::pinBox(cloth.p, glm::vec3(-9, -9, -9), glm::vec3(-0.099F, 9, 9));
   test::pinBox(cloth.p, glm::vec3(0.099F, -9, -9), glm::vec3(9));
@@ -136,13 +136,13 @@ TEST_CASE("garment: hanging rows, 16 to 256, stretch by rho g H / 2 k within 0.1
             "rows.obj", test::objOf(test::rectangle(random ? test::Kind::random : test::Kind::right,
                                                     {rows == 256 ? 4 : 3 + rows / 8, rows - 1}, cell)));
         sim::ClothParameters p = test::freeCloth();
-        p.mesh.shape = sim::ClothShape::file;
-        p.mesh.file = file.path();
+        p.mesh->shape = sim::ClothShape::file;
+        p.mesh->file = file.path();
         p.rotation = glm::vec3(90, 0, 0);
         p.gravity = glm::vec3(0, -9.8F, 0);
         p.damping = 6;
-        p.fabric.warp = warp;
-        if (rows == 256) p.fabric.bending = 1e-8;  // bending so weak that it needs no further substeps
+        p.fabric->warp = warp;
+        if (rows == 256) p.fabric->bending = 1e-8;  // bending so weak that it needs no further substeps
         test::pinBox(p, glm::vec3(-9, 0.499F, -9), glm::vec3(9));
         GarmentTwin twin(sim::GarmentPlan("rows", p, 1, 1.0 / 60, {}));
         for (int frame = 0; frame < (rows == 16 ? 300 : 150); ++frame) twin.step(frame / 60.0);
@@ -158,9 +158,9 @@ TEST_CASE("garment: hanging rows, 16 to 256, stretch by rho g H / 2 k within 0.1
 TEST_CASE("garment: \"auto\" takes more substeps the finer the unpinned mesh is") {
   sim::ClothParameters p = test::freeCloth();
   p.gravity = glm::vec3(0, -9.8F, 0);
-  p.mesh.size = glm::vec3(1, 0, 1);
+  p.mesh->size = glm::vec3(1, 0, 1);
   const auto substeps = [&](int count) {
-    p.mesh.resolution = {count, count};
+    p.mesh->resolution = {count, count};
     return sim::GarmentPlan("a", p, 1, 1.0 / 60, {}).substeps();
   };
   const int coarse = substeps(65);
@@ -170,9 +170,9 @@ TEST_CASE("garment: \"auto\" takes more substeps the finer the unpinned mesh is"
   CHECK(substeps(129) ==
         // attachments take a part of the load
         doctest::Approx(fine * std::sqrt(0.1 / 0.5 / std::sqrt(2.0))).epsilon(0.2));
-  p.mesh.resolution = {65, 65};
+  p.mesh->resolution = {65, 65};
   std::vector<bool> pinned(65 * 65, false);
-  const sim::ClothTriangles cloth("a", p.mesh.make(), 1, 0);
+  const sim::ClothTriangles cloth("a", p.mesh->make(), 1, 0);
   pinned[0] = true;
   CHECK(sim::hangingLength(cloth, pinned, {}) ==
         doctest::Approx(2).epsilon(0.001));  // no diagonal edge shortens this path
@@ -204,10 +204,10 @@ TEST_CASE("garment: the hanging length is measured for each connected piece, als
 
 TEST_CASE("garment: air drag on a flat sheet across the flow is rho Cd A v^2 / 2") {
   RandomCloth cloth;
-  cloth.p.hasAir = true;
-  cloth.p.air.velocity = glm::vec3(0, 3, 0);
-  cloth.p.air.gusts = 0;
-  cloth.p.air.lift = 0.7F;  // has no effect on a sheet perpendicular to the flow
+  cloth.p.air.emplace();
+  cloth.p.air->velocity = glm::vec3(0, 3, 0);
+  cloth.p.air->gusts = 0;
+  cloth.p.air->lift = 0.7F;  // has no effect on a sheet perpendicular to the flow
   cloth.p.substeps = 64;
   GarmentTwin twin(sim::GarmentPlan("a", cloth.p, 1, 1.0 / 60, {}));
   twin.substep(twin.plan().frame(0).front());

@@ -182,11 +182,11 @@ TEST_CASE("a moving, rotating emitter emits from its place at each birth, with t
 TEST_CASE("new particles near a moving attractor are as accurate as leapfrog") {
   auto p = jet(17.3);
   p.gravity = 1;
-  p.hasAttractor = true;
-  p.attractorMass = 12.0F;
+  p.attractor.emplace();
+  p.attractor->mass = 12.0F;
   p.attractorSoftening = 0.5F;
-  p.attractorPosition = scene::Animated<glm::vec3>({{0.0, glm::vec3(0, 2, 0)}, {1.0, glm::vec3(3, 2, 1)}},
-                                                   scene::Ease::linear);
+  p.attractor->position = scene::Animated<glm::vec3>({{0.0, glm::vec3(0, 2, 0)}, {1.0, glm::vec3(3, 2, 1)}},
+                                                     scene::Ease::linear);
   checkSecondOrder(p, 5e-3, [](dvec3 x, double t) { return pull({3 * t, 2, t}, x, 12, 0.5); });
 }
 

@@ -255,7 +255,7 @@ TEST_CASE("damping is a rate independent of substeps, and weight falls g t^2 / 2
 TEST_CASE("a particle circles the attractor with Kepler's period") {
   sim::ParticleParameters p;
   p.method = sim::GravityMethod::none;
-  p.hasAttractor = true;
+  p.attractor.emplace();
   p.attractorSoftening = 1e-5F;
   p.groups.emplace_back().count = 1;
   const double period =

@@ -325,8 +325,8 @@ TEST_CASE("particle scenes are read and their errors reported") {
   CHECK(p.groups[0].shape == sim::ParticleGroup::Shape::plummer);
   CHECK(p.emitters[0].velocity.moves());
   CHECK(p.method == sim::GravityMethod::none);
-  CHECK(p.hasAttractor);
-  CHECK(p.attractorMass.at(0) == 100.0F);
+  CHECK(p.attractor.has_value());
+  CHECK(p.attractor->mass.at(0) == 100.0F);
   CHECK(p.turbulence.strength == 2.0F);
   CHECK(p.colorBy == sim::Instances::ColorBy::age);
   CHECK(p.colorRange == glm::vec2(0, 0.5F));

@@ -32,7 +32,7 @@ constexpr double faceOperations = 198, vertexOperations = 27, entryOperations = 
 constexpr double pairOperations = 185, nearOperations = 305;
 
 plain::Fabric::Numbers numbersOf(const sim::ClothParameters& p) {
-  const auto f = p.fabric.constants();
+  const auto f = p.fabric->constants();
   return {p.spacing, f.density, f.weft, f.warp, f.shear, f.bending, 9.8F, 1 - p.damping * dt, dt};
 }
 
@@ -40,7 +40,7 @@ sim::ClothParameters sheet(glm::ivec2 size, float spacing) {
   sim::ClothParameters p;
   p.size = size;
   p.spacing = spacing;
-  p.hasFabric = true;
+  p.fabric.emplace();
   p.wind = glm::vec3(0);
   p.damping = 0.5F;
   p.substeps = substeps;
@@ -73,12 +73,11 @@ Subject fabricSheet() {
 
 Subject meshCloth() {
   sim::ClothParameters p = sheet({2, 2}, 1);
-  p.hasMesh = true;
-  p.mesh.resolution = {129, 129};
+  p.mesh.emplace();
+  p.mesh->resolution = {129, 129};
   p.rotation = glm::vec3(90, 0, 0);
   sim::PinGroup& top = p.pins.emplace_back();
-  top.hasBox = true;
-  top.box = {glm::vec3(-2, 0.999F, -1), glm::vec3(2, 1.1F, 1)};
+  top.box = sim::PinBox{glm::vec3(-2, 0.999F, -1), glm::vec3(2, 1.1F, 1)};
   const sim::GarmentPlan plan("cloth", p, 1, frameSeconds, {});
   const sim::GarmentArrays& from = plan.arrays();
   auto own = std::make_shared<plain::Garment>();
@@ -153,7 +152,7 @@ struct Pile {
       p.position = glm::vec3(0.003F * static_cast<float>(i), 0.007F * static_cast<float>(i), 0);
       p.rotation = glm::vec3(0, static_cast<float>(i) * 25, 0);
       p.jitter = 2e-4F;
-      p.hasContact = true;
+      p.contact.emplace();
       if (i == 0) {
         p.pins.emplace_back().rows = {0, -1};
         p.pins.back().columns = {0, -1};

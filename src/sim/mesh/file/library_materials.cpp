@@ -5,6 +5,7 @@
 #include "scene/finish.hpp"
 #include "sim/grid/picture_file.hpp"
 #include "sim/mesh/file/builder.hpp"
+#include "sim/mesh/file/library_numbers.hpp"
 #include "sim/mesh/file/texture_place.hpp"
 #include "sim/polygons/words.hpp"
 
@@ -56,51 +57,6 @@ std::vector<std::string> libraryNames(const std::filesystem::path& mesh, std::st
   return name.empty() ? byEnd : words;
 }
 
-/// Returns the first three numbers of a text, clamped to 0..`most`; a missing number repeats the previous
-/// one.
-std::array<float, 3> numbersIn(std::string_view text, float most) {
-  std::array<float, 3> numbers{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::optional<double> value = doubleIn(takeWord(text));
-    numbers[i] = !value                  ? (i == 0 ? 0.0F : numbers[i - 1])
-                 : std::isfinite(*value) ? static_cast<float>(std::clamp(*value, 0.0, double{most}))
-                                         : 0.0F;
-  }
-  return numbers;
-}
-
-/// Numeric key of a material: the maximum count of its numbers and their largest meaningful value.
-struct NumberKey {
-  std::string_view key;
-  int numbers;
-  double most;
-};
-
-constexpr double unbounded = 1e30;
-constexpr std::array<NumberKey, 16> numberKeys = {{{"Kd", 3, 1},
-                                                   {"Ke", 3, 1e6},
-                                                   {"Pr", 1, 1},
-                                                   {"Pm", 1, 1},
-                                                   {"Ns", 1, unbounded},
-                                                   {"Pc", 1, 1},
-                                                   {"Pcr", 1, 1},
-                                                   {"d", 1, 1},
-                                                   {"Tr", 1, 1},
-                                                   {"Tf", 3, unbounded},
-                                                   {"aniso", 1, unbounded},
-                                                   {"Ps", 1, unbounded},
-                                                   {"Ka", 3, unbounded},
-                                                   {"Ks", 3, unbounded},
-                                                   {"Ni", 1, unbounded},
-                                                   {"illum", 1, unbounded}}};
-
-/// Returns the first word of a text as a number, clamped to +-1e6; empty if it is not a number.
-std::optional<float> numberIn(std::string_view text) {
-  const std::optional<double> value = doubleIn(takeWord(text));
-  if (!value || !std::isfinite(*value)) return std::nullopt;
-  return static_cast<float>(std::clamp(*value, -1e6, 1e6));
-}
-
 /// Removes the first word and the blanks after it from a text and returns the word.
 std::string_view takeFirst(std::string_view& text) {
   const std::string_view word = takeWord(text);
@@ -109,11 +65,6 @@ std::string_view takeFirst(std::string_view& text) {
 }
 
 constexpr MapNames libraryMapNames = {"map_Kd", "map_d", "map_Pr", "norm", "map_Ka", "map_Ke"};
-
-glm::vec3 colorIn(std::string_view text, float most) {
-  const std::array<float, 3> v = numbersIn(text, most);
-  return {v[0], v[1], v[2]};
-}
 
 class LibraryReader {
  public:
@@ -209,13 +160,13 @@ class LibraryReader {
         ignore(inQuotes(fmt::format("{} {}", key, rest)));
         return false;
       }
-      const bool signless = known.most < unbounded || key == "Ns";
-      held = held || *value > known.most + hair || (signless && *value < -hair);
+      const bool signless = known.max < unboundedKey || key == "Ns";
+      held = held || *value > known.max + hair || (signless && *value < -hair);
     }
     if (held)
       mesh_.ignored.push_back(fmt::format(
           "{} of material {} (held to {})", inQuotes(fmt::format("{} {}", key, rest)), inQuotes(name_),
-          known.most < unbounded ? fmt::format("0 to {}", known.most) : std::string("0 and above")));
+          known.max < unboundedKey ? fmt::format("0 to {}", known.max) : std::string("0 and above")));
     return true;
   }
 
@@ -224,9 +175,8 @@ class LibraryReader {
       takeFirst(rest);
       ignore("-halo of d");
     }
-    const auto* const known = std::find_if(numberKeys.begin(), numberKeys.end(),
-                                           [&](const NumberKey& k) { return k.key == key; });
-    if (known != numberKeys.end() && !hasNumbers(*known, key, rest)) return;
+    const NumberKey* const known = findNumberKey(key);
+    if (known && !hasNumbers(*known, key, rest)) return;
     if (key == "Kd") {
       material.color = colorIn(rest, 1);
     } else if (key == "Ke") {
