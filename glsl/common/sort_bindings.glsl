@@ -1,4 +1,4 @@
-// Binding points of the arrays of a radix sort pass. Compiles as GLSL and as C++ (src/gl/radix_sort.cpp).
+// Binding points of the arrays of a radix sort pass.
 #ifndef SORT_BINDINGS
 #define SORT_BINDINGS
 

@@ -1,13 +1,9 @@
 #include "gl/radix_sort.hpp"
 
 #include "base/error.hpp"
-#include "gl/element_array.hpp"
+#include "gl/kernel/kernel.hpp"
 
 #include <utility>
-
-namespace simreel::shader::sort {
-#include "glsl/common/sort_bindings.glsl"
-}
 
 namespace simreel::gl {
 
@@ -31,7 +27,44 @@ int tileFor(int capacity) {
   return tilesOf(capacity, texelTile) > maxTexelTiles ? maxTexelTile : texelTile;
 }
 
+// The three kernels of a pass (sort_tile.glsl).
+
+struct SortArguments {
+  Uniform<"count", int> count;
+  Uniform<"tiles", int> tiles;
+  Uniform<"tileRecords", int> tileRecords;
+  Uniform<"word", int> word;
+  Uniform<"shift", int> shift;
+};
+
+struct SortCount {
+  static constexpr auto file = "common/sort_count.comp";
+  SortArguments arguments;
+  In<"records"> records;
+  Out<"digits"> digits;
+};
+
+struct SortScan {
+  static constexpr auto file = "common/sort_scan.comp";
+  SortArguments arguments;
+  InOut<"digits"> digits;
+};
+
+struct SortScatter {
+  static constexpr auto file = "common/sort_scatter.comp";
+  SortArguments arguments;
+  In<"records"> records;
+  In<"digits"> digits;
+  Out<"nextRecords"> next;
+};
+
 }  // namespace
+
+struct RadixSort::Kernels {
+  Kernel<SortCount> count = Kernel<SortCount>(kernelDefines(false));
+  Kernel<SortScan> scan = Kernel<SortScan>(kernelDefines(false));
+  Kernel<SortScatter> scatter = Kernel<SortScatter>(kernelDefines(false));
+};
 
 RadixSort::RadixSort(const std::string& label, int capacity)
     : capacity_(capacity), texels_(memoryPath() == MemoryPath::texel), tile_(tileFor(capacity)) {
@@ -42,10 +75,7 @@ RadixSort::RadixSort(const std::string& label, int capacity)
   records_ = WordsArray(label + " records", capacity);
   next_ = WordsArray(label + " next records", capacity);
   digits_ = WordsArray(label + " digits", 4 * (tilesOf(capacity, tile_) + 1));
-  const Defines defines = kernelDefines(false);
-  count_ = Program::compute("common/sort_count.comp", defines);
-  scan_ = Program::compute("common/sort_scan.comp", defines);
-  scatter_ = Program::compute("common/sort_scatter.comp", defines);
+  kernels_ = std::make_unique<Kernels>();
 }
 
 void RadixSort::sort(int count, int lowBits, int highBits) {
@@ -53,30 +83,21 @@ void RadixSort::sort(int count, int lowBits, int highBits) {
   if (count <= 0) return;
   for (int shift = 0; shift < lowBits; shift += 4) pass(count, 0, shift);
   for (int shift = 0; shift < highBits; shift += 4) pass(count, 1, shift);
-  barrier();
 }
 
 void RadixSort::pass(int count, int word, int shift) {
   const int tiles = tilesOf(count, tile_);
-  for (const Program* program : {&count_, &scan_, &scatter_}) {
-    program->set("count", count);
-    program->set("tiles", tiles);
-    program->set("tileRecords", tile_);
-    program->set("word", word);
-    program->set("shift", shift);
-  }
+  const SortArguments arguments = {
+      .count = count, .tiles = tiles, .tileRecords = tile_, .word = word, .shift = shift};
   // One tile is processed by one invocation (texels) or by a workgroup of 256 (storage).
   const int invocations = texels_ ? tiles : tiles * 256;
-  records_.bindInput(shader::sort::recordsBinding);
-  next_.bindState(shader::sort::nextRecordsBinding);
-  digits_.bindState(shader::sort::digitsBinding);
-  barrier();
-  count_.dispatch(invocations);
-  barrier();
-  scan_.dispatch(1);
-  barrier();
-  scatter_.dispatch(invocations);
+  kernels_->count.dispatch(invocations, {.arguments = arguments, .records = records_, .digits = digits_});
+  kernels_->scan.dispatch(1, {.arguments = arguments, .digits = digits_});
+  kernels_->scatter.dispatch(
+      invocations, {.arguments = arguments, .records = records_, .digits = digits_, .next = next_});
   std::swap(records_, next_);
 }
+
+RadixSort::~RadixSort() = default;
 
 }  // namespace simreel::gl

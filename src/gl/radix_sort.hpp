@@ -1,12 +1,8 @@
 #pragma once
-#include "gl/buffer.hpp"
 #include "gl/element_array.hpp"
-#include "gl/program.hpp"
 
-#include <span>
+#include <memory>
 #include <string>
-
-#include <glm/vec4.hpp>
 
 namespace simreel::gl {
 
@@ -18,10 +14,11 @@ class RadixSort {
   /// Creates a sorter for up to `capacity` records. Throws UserError(device) that names the device's limit
   /// if it is exceeded.
   RadixSort(const std::string& label, int capacity);
+  ~RadixSort();
 
   /// Sorts records 0..count-1. The key consists of the lower `highBits` bits of the second word and, less
   /// significant, the lower `lowBits` bits of the first word; both counts are multiples of 4 up to 32.
-  /// Issues the barriers before and after.
+  /// Waits for earlier kernels, and later kernels wait for it; other readers need gl::barrier().
   void sort(int count, int lowBits, int highBits);
 
   /// Records: input of sort(), and its output. Must be bound again after each sort, because the buffers are
@@ -30,6 +27,8 @@ class RadixSort {
   [[nodiscard]] const WordsArray& records() const { return records_; }
 
  private:
+  struct Kernels;
+
   void pass(int count, int word, int shift);
 
   int capacity_;
@@ -37,7 +36,7 @@ class RadixSort {
   int tile_;  ///< number of records of a tile
   WordsArray records_, next_;
   WordsArray digits_;  ///< four elements per tile: the tile's record count for each digit; then the totals
-  Program count_, scan_, scatter_;
+  std::unique_ptr<Kernels> kernels_;
 };
 
 }  // namespace simreel::gl

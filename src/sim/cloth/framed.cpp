@@ -15,7 +15,7 @@ std::optional<scene::Box> ClothParameters::framedMesh() const {
   std::optional<scene::Box> box;
   try {
     const glm::mat4 turn = rotationMatrix(rotation);
-    for (const glm::vec3& at : mesh.make().positions)
+    for (const glm::vec3& at : mesh->make().positions)
       scene::include(box, position + glm::vec3(turn * glm::vec4(at, 0)));
   } catch (const UserError&) {
     return std::nullopt;  // the simulation's constructor reports the error

@@ -217,7 +217,7 @@ TEST_CASE("fabric: a hanging grid of rubber stretches by rho g H / 2 k, for any 
   // The diagonals, a third as stiff as the links, contribute to k.
   for (const int substeps : {6, 24}) {
     sim::ClothParameters p = freeFabric({9, 21}, 0.05F);
-    p.fabric = {};
+    p.fabric.emplace();
     p.fabric->material = sim::FabricMaterial::rubber;
     p.gravity = glm::vec3(0, -9.8F, 0);
     p.rotation = glm::vec3(90, 0, 0);
