@@ -45,7 +45,7 @@ struct RenderOptions {
   bool overwrite = false;
   bool resume = false;
   bool skipExisting = false;
-  bool noCounts = false;
+  bool noCounts = false, noManifest = false;
   std::optional<double> checkpoint;
   std::optional<std::string> checkpointAt;
   std::string from;
@@ -104,6 +104,7 @@ batch::RenderRequest requestOf(const RenderOptions& o) {
       .existing = existingPolicy(o),
       .fields = o.fields,
       .counts = !o.noCounts,
+      .manifest = !o.noManifest,
       .checkpoint = o.checkpoint,
       .checkpointAt = checkpointFrames(o.checkpointAt),
       .from = o.from,
@@ -116,6 +117,9 @@ batch::RenderRequest requestOf(const RenderOptions& o) {
 
 void render(const RenderOptions& o) {
   const auto began = Clock::now();
+  if (o.pieces && o.noManifest)
+    fail(ExitCode::usage,
+         "--no-manifest: --pieces joins its pieces by their manifests; leave out one of both");
   if (o.pieces) return renderInPieces({requestOf(o), *o.pieces, o.jobs, o.cluster, o.on, o.progress});
   if (o.cluster.slurm || !o.cluster.scratch.empty())
     fail(ExitCode::usage, "--slurm and --scratch go with --pieces");
@@ -213,6 +217,10 @@ void addRender(CLI::App& app) {
   command->add_flag("--skip-existing", o->skipExisting,
                     "Keep every whole picture of a frame, and draw empty or damaged ones again; frames of "
                     "another scene or size are an error");
+  command->add_flag(
+      "--no-manifest", o->noManifest,
+      "Write the pictures without manifest.json, run.json and as-run.json beside them; the run "
+      "cannot be resumed");
   command->add_flag(
       "--no-counts", o->noCounts,
       "Do not write the counts of epidemics, fires, fluids and water (NAME.counts.csv beside the frames)");

@@ -19,7 +19,7 @@ void describeDamping(Fields& fields, double& damping, const char* what) {
 /// Warns if the target of a stationary camera lies outside its near and far distance, because it is not
 /// drawn.
 void remarkReach(Fields& fields, const Camera& camera) {
-  const bool placed = fields.given("position") || fields.given("target");
+  const bool placed = fields.given("position") || (fields.given("target") && fields.version() == 1);
   if (camera.follow || camera.track || camera.gltf || camera.orbit || !placed || camera.position.moves() ||
       camera.target.moves())
     return;
@@ -183,6 +183,9 @@ void Camera::describe(Fields& fields) {
   hasAngle = fields.given("fieldOfView");
   placed = follow || track || gltf || fields.given("position") || fields.given("target") ||
            (orbit && orbit->distanced);
+  aimed = fields.version() > 1 && fields.given("target") && !fields.given("position") && !follow &&
+          !track && !gltf && !orbit;
+  if (aimed) placed = false;
   for (const char* name : {"position", "target"})
     if (follow && fields.given(name))
       fields.error(name, fmt::format("\"follow\" says where the camera is; leave out \"{}\"", name));
@@ -194,7 +197,8 @@ void Camera::describe(Fields& fields) {
     fields.error(fields.given("near") ? "near" : "far",
                  fmt::format("\"near\" ({} m) must be less than \"far\" ({} m)", near, far));
   remarkReach(fields, *this);
-  if (!orbit && !track && !gltf && !position.moves() && !target.moves() && position.at(0) == target.at(0))
+  if (!aimed && !orbit && !track && !gltf && !position.moves() && !target.moves() &&
+      position.at(0) == target.at(0))
     fields.error(fields.given("target") ? "target" : "position",
                  "\"position\" and \"target\" are the same point; the camera looks nowhere");
 }

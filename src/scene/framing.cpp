@@ -171,6 +171,10 @@ std::vector<Framed> framedObjects(const Scene& scene) {
   std::vector<Framed> framed;
   for (const Object& object : scene.objects)
     if (std::optional<Framed> one = framedOf(object)) framed.push_back(std::move(*one));
+  if (!framed.empty()) return framed;
+  for (const Object& object : scene.objects)
+    if (object.parameters)
+      if (const std::optional<Box> box = object.parameters->framedAlone()) framed.push_back({*box});
   return framed;
 }
 
@@ -193,18 +197,18 @@ void frameObjects(Scene& scene, const std::vector<Framed>& framed) {
   if (scene.staged && !camera.hasAngle) camera.fieldOfView = stageLens;
   const Box box = boxAround(framed);
   const Look look = lookFrom(scene.staged ? stageBack(box) : backFrom(box), scene);
-  glm::vec3 target = 0.5F * (box.min + box.max);
+  glm::vec3 target = camera.aimed ? camera.target.at(0) : 0.5F * (box.min + box.max);
   std::vector<glm::vec3> points;
   if (scene.staged || hasPoints(framed)) {
     points = pointsOf(framed);
-    target = centred(look, target, points);
+    if (!camera.aimed) target = centred(look, target, points);
   } else {
     addCorners(box, points);
   }
   float nearest = 0;  // largest extent of the points from the target towards the camera, in metres
   for (const glm::vec3& point : points) nearest = std::max(nearest, glm::dot(point - target, look.back));
   const float distance = distanceOf(look, target, points);
-  camera.target = target;
+  if (!camera.aimed) camera.target = target;
   camera.position = target + distance * look.back;
   showAsMuch(camera, distance);
   reach(camera, distance, nearest, scene.staged);

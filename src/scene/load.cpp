@@ -34,7 +34,9 @@ Object readObject(const Node& node, ReadContext context, std::span<const Kind> k
   if (!isPlainName(node.key))
     context.diagnostics.add(node.headPlace(),
                             fmt::format("object name {} {}", inQuotes(node.key), plainNameText));
-  if (!ValueReader("", context.diagnostics).expect(node, Node::Kind::object, "an object")) return object;
+  if (!ValueReader("", context.diagnostics)
+           .expect(node, Node::Kind::object, "an object, such as {\"sphere\": {}}"))
+    return object;
   bool unknown = false;
   for (const Node& member : node.children) {
     if (member.key == "material") {
@@ -102,7 +104,9 @@ PathEnd endOf(const Node& object, const std::vector<std::string>& path) {
 }
 
 void readObjects(const Node& node, ReadContext context, const Kinds& kinds, std::vector<Object>& objects) {
-  if (!ValueReader("", context.diagnostics).expect(node, Node::Kind::object, "an object")) return;
+  if (!ValueReader("", context.diagnostics)
+           .expect(node, Node::Kind::object, "objects by name, such as {\"ball\": {\"sphere\": {}}}"))
+    return;
   if (node.children.size() > maxObjects) {
     context.diagnostics.add(node.headPlace(), fmt::format("more than {} objects", maxObjects));
     return;
@@ -125,19 +129,20 @@ void readObjects(const Node& node, ReadContext context, const Kinds& kinds, std:
               });
 }
 
-/// Returns false, with an error, if this program cannot read the scene's version. A missing version is an
-/// error, too, but reading goes on.
-bool checkVersion(const Node* version, const Node& root, Diagnostics& diagnostics) {
+/// Returns the scene's version; nullopt, with an error, if this program cannot read it. A missing version
+/// is an error, too, but reading goes on.
+std::optional<int> versionOf(const Node* version, const Node& root, Diagnostics& diagnostics) {
   if (version == nullptr) {
     diagnostics.add(root.headPlace(),
                     fmt::format("the scene has no version; add \"version\": {}", sceneVersion));
-    return true;
+    return sceneVersion;
   }
   const auto number = ValueReader("version", diagnostics).integer(*version);
-  if (!number || *number == sceneVersion) return true;
-  diagnostics.add(version->place(),
-                  fmt::format("unknown version {}; this program reads version {}", *number, sceneVersion));
-  return false;
+  if (!number) return sceneVersion;
+  if (*number >= oldestSceneVersion && *number <= sceneVersion) return static_cast<int>(*number);
+  diagnostics.add(version->place(), fmt::format("unknown version {}; this program reads versions {} to {}",
+                                                *number, oldestSceneVersion, sceneVersion));
+  return std::nullopt;
 }
 
 /// Files that a scene's text and its sidecar's text come from.
@@ -278,9 +283,13 @@ void noteSurroundings(const Node& root, Stage& stage) {
 /// Reads a scene from its JSON tree. `heldToLength`: test frames beyond the scene's end are errors.
 void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool heldToLength, Scene& scene) {
   if (!ValueReader("", context.diagnostics).expect(root, Node::Kind::object, "a scene in { }")) return;
-  Reader fields(&root, root.headPlace(), context);
+  const Node* versionNode = root.find("version");
   // In another version the other members may have other meanings.
-  if (!checkVersion(fields.take("version"), root, context.diagnostics)) return;
+  const std::optional<int> version = versionOf(versionNode, root, context.diagnostics);
+  if (!version) return;
+  context.version = *version;
+  Reader fields(&root, root.headPlace(), context);
+  static_cast<void>(fields.take("version"));  // read above
   const std::size_t errorsBefore = context.diagnostics.count();
   describeScene(fields, scene);
   // If a value had an error, the scene's length is not reliable, so frames are not checked against it.
@@ -291,6 +300,10 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
   const bool namesKnown = objects == nullptr || (objects->kind == Node::Kind::object &&
                                                  objects->children.size() == scene.objects.size());
   if (namesKnown) checkFollowed(root, scene, context.diagnostics);
+  if (context.diagnostics.count() == 0 && scene.objects.empty())
+    context.diagnostics.remark(root.headPlace(),
+                               "the scene has no objects, so the picture is empty; add for example "
+                               "\"objects\": {\"ball\": {\"sphere\": {}}}");
   if (context.diagnostics.count() == 0) openCamera(root, context, kinds, scene.camera);
   if (context.diagnostics.count() == 0) {
     noteSurroundings(root, scene.stage);
@@ -299,6 +312,9 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
     std::vector<Framed> framed;
     if (staged || !scene.camera.placed) framed = framedObjects(scene);
     if (staged) setStage(scene, framed);
+    if (const std::string advice = stageAdvice(scene); !advice.empty())
+      context.diagnostics.remark(
+          root.find("stage") != nullptr ? root.find("stage")->headPlace() : root.headPlace(), advice);
     frameObjects(scene, framed);
   }
   fields.idleUnless(scene.render.quality == Quality::standard, "render.quality", {"render.occlusionRadius"},

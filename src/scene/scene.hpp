@@ -195,6 +195,9 @@ struct Camera {
   std::optional<Orbit> orbit;      ///< orbit around the target; replaces position
   std::optional<CameraFile> gltf;  ///< camera of a glTF file; replaces position and target
   bool placed = false;             ///< true if the scene determines the camera's position or target
+  /// True if the scene gives the target alone; the position follows from the extents of the objects. Since
+  /// version 2 of scenes.
+  bool aimed = false;
   bool hasAngle = false;           ///< true if the scene gives the field of view
   std::optional<Lens> lens;        ///< depth of field; nullopt: everything is sharp
   std::optional<Shutter> shutter;  ///< motion blur; nullopt: each picture shows one moment

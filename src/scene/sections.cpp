@@ -276,6 +276,7 @@ void describeScene(Fields& fields, Scene& scene) {
     scene.sun.intensity = 0.0F;
     scene.sun.shadow = false;
   }
+  fields.switchable("ground");
   fields.optionalGroup("ground", scene.ground, groundDoc);
   if (scene.ground) scene.ground->solid = true;
   describeLights(fields, scene);

@@ -8,7 +8,6 @@
 
 namespace simreel::scene {
 
-inline constexpr int sceneVersion = 1;
 inline constexpr std::size_t maxObjects = 1000;
 
 /// Declares all members of a scene except "$schema", "version", "objects", "test" and "checks".

@@ -1,5 +1,6 @@
 #include "scene/stage.hpp"
 
+#include "scene/dressed.hpp"
 #include "scene/stage_presets.hpp"
 #include "scene/tinted.hpp"
 
@@ -31,12 +32,44 @@ StageLook lookOf(const Scene& scene) {
   return look;
 }
 
+/// Returns the height of a ground that the scene gives, which objects collide with: below everything at the
+/// start.
+std::optional<float> groundBelow(const Scene& scene) {
+  std::optional<float> lowest;
+  for (const Object& object : scene.objects) {
+    std::optional<float> foot = object.parameters->footing();
+    if (const auto box = object.parameters->framed(); box && !foot) foot = box->min.y;
+    if (foot) lowest = std::min(lowest.value_or(*foot), *foot);
+  }
+  return lowest;
+}
+
 /// Returns the height of a floor that nothing touches.
 float floorBelow(const std::vector<Framed>& framed) {
   const Box box = boxAround(framed);
   const float radius = std::max(0.5F * glm::length(box.max - box.min), 1e-3F);
   const bool flat = box.max.y - box.min.y < 0.02F * radius;
   return box.min.y - (flat ? 0.1F : 1e-3F) * radius;
+}
+
+/// Gives a material the parts of an object's own look that it leaves out. `pictured`: true if it has a
+/// picture, which would share the scale of the look's normals.
+template <class Leaves>
+void wear(const Material& own, const Leaves& leaves, bool pictured, Material& material) {
+  Finish& finish = material.finish;
+  if (leaves("roughness")) material.roughness = own.roughness;
+  if (leaves("translucency")) material.translucency = own.translucency;
+  if (leaves("sheen")) {
+    finish.sheen = own.finish.sheen;
+    if (leaves("sheenRoughness")) finish.sheenRoughness = own.finish.sheenRoughness;
+  }
+  if (leaves("clearCoat")) {
+    finish.coat = own.finish.coat;
+    if (leaves("clearCoatRoughness")) finish.coatRoughness = own.finish.coatRoughness;
+  }
+  if (pictured || finish.hasMaps() || !leaves("textureScale") || !leaves("bump")) return;
+  finish.normals = own.finish.normals;
+  material.textureScale = own.textureScale;
 }
 
 /// Gives an object the colour and finish that its material leaves out.
@@ -58,6 +91,9 @@ void dress(Object& object, std::size_t number, const Stage& stage, const StageLo
                                                            : colors[number % colors.size()];
   if (leaves("roughness")) material.roughness = clear ? 0.02F : cloth || tint ? 0.7F : 0.38F;
   if (leaves("translucency")) material.translucency = tint ? 0.3F : cloth ? 0.2F : 0.0F;
+  const auto* dressed = dynamic_cast<const Dressed*>(object.parameters.get());
+  if (const auto own = dressed != nullptr ? dressed->look() : std::nullopt; own && !material.skin && !clear)
+    wear(*own, leaves, pictured, material);
 }
 
 }  // namespace
@@ -88,11 +124,18 @@ void setStage(Scene& scene, const std::vector<Framed>& framed) {
   const bool hasSun = scene.sky.picture.empty() || !stage.leaves("sun");
   if (hasSun && stage.leaves("sun.diameter")) scene.sun.diameter = look.keyDiameter;
   if (hasSun && stage.leaves("sun.shadowSize")) scene.sun.shadowSize = 2048;
-  if (!scene.ground && look.hasFloor && !landscape) scene.ground.emplace();
+  if (!scene.ground && stage.leaves("ground") && look.hasFloor && !landscape) scene.ground.emplace();
   if (scene.ground) {
     // A transparent picture leaves the background out, and the floor is background.
     if (stage.leaves("ground")) scene.ground->visible = !scene.render.transparent;
-    if (stage.leaves("ground.height")) scene.ground->height = floorBelow(framed);
+    if (stage.leaves("ground.height")) {
+      const bool flows = std::any_of(scene.objects.begin(), scene.objects.end(), [](const Object& object) {
+        return object.parameters->footing().has_value();
+      });
+      const std::optional<float> ground =
+          stage.leaves("ground") || !flows ? std::nullopt : groundBelow(scene);
+      scene.ground->height = ground.value_or(floorBelow(framed));
+    }
   }
   if (stage.leaves("lights.rim") && scene.lights.size() < maxLights) {
     Light& rim = scene.lights.emplace_back();
@@ -102,6 +145,16 @@ void setStage(Scene& scene, const std::vector<Framed>& framed) {
   }
   moveStage(scene, framed);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) dress(scene.objects[i], i, stage, look);
+}
+
+std::string stageAdvice(const Scene& scene) {
+  constexpr float bright = 0.3F;  // luminance of a background on which added light is hardly seen
+  if (!scene.staged || !anyIs(Parameters::Looks::shining, scene)) return {};
+  const glm::vec3 behind = lookOf(scene).floor;
+  if (glm::dot(behind, glm::vec3(0.2126F, 0.7152F, 0.0722F)) < bright) return {};
+  return "\"additive\" particles are light, which is hardly seen on a bright stage; leave out "
+         "\"additive\", "
+         "or take \"stage\": \"night\"";
 }
 
 void moveStage(Scene& scene, const std::vector<Framed>& framed) {

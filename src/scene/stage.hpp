@@ -2,6 +2,7 @@
 #include "scene/framing.hpp"
 #include "scene/scene.hpp"
 
+#include <string>
 #include <vector>
 
 namespace simreel::scene {
@@ -13,6 +14,9 @@ namespace simreel::scene {
 /// framedObjects(scene); without any (pictures of fields), and for landscapes unless the scene gives a
 /// preset, nothing changes.
 void setStage(Scene& scene, const std::vector<Framed>& framed);
+
+/// Returns advice for a staged scene whose objects are hard to see on its stage; empty: none.
+[[nodiscard]] std::string stageAdvice(const Scene& scene);
 
 /// Moves the stage of a staged scene to these objects. A ground that the scene gives stays.
 void moveStage(Scene& scene, const std::vector<Framed>& framed);

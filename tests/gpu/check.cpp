@@ -276,6 +276,7 @@ TEST_CASE("checks: every object kind measures as many quantities as it declares"
       {"particles", R"("groups": [{}])"},
       {"body", R"("file": "meshes/walker.gltf")"},
       {"chart", R"("curves": [{"of": "cells.population"}])"},
+      {"colorBar", R"("of": "cells")"},
       {"contour", R"("field": "cells")"},
       {"epidemic", R"("infected": 0.01)"},
       {"image", R"("file": "kernels/Folds.frag", "size": [8, 8])"},

@@ -28,6 +28,7 @@ RenderJob::RenderJob(RenderRequest request)
       asRun_(scene::sceneAsRun(request_.scene, request_.overrides, sim::kinds())) {
   chooseFrames();
   output_ = frame::parseOutput(request_.output, frames_.size());
+  chooseManifest();
   const bool stream = output_.kind == frame::OutputName::Kind::stream;
   if (scene_.render.transparent &&
       (output_.kind == frame::OutputName::Kind::video || (stream && request_.streamFormat != "rgba")))
@@ -41,6 +42,20 @@ RenderJob::RenderJob(RenderRequest request)
   chooseCheckpoints();
   // Checks the output before a device starts and before a simulation for the camera's placement.
   frame::checkOutput(output_, request_.existing, frames_);
+}
+
+void RenderJob::chooseManifest() {
+  output_.manifest = request_.manifest;
+  if (request_.manifest) return;
+  if (request_.existing == frame::Existing::resume || request_.existing == frame::Existing::skip)
+    fail(ExitCode::usage, "--no-manifest: {} needs the manifest; leave out one of both",
+         request_.existing == frame::Existing::resume ? "--resume" : "--skip-existing");
+  if (const fs::path old = output_.manifestFile(); !old.empty() && pathExists(old))
+    fail(
+        ExitCode::inputOutput,
+        "--no-manifest: {} lists earlier frames and would no longer be true; delete it first, or leave out "
+        "--no-manifest",
+        old.string());
 }
 
 void RenderJob::chooseLayers() {
@@ -90,8 +105,10 @@ void RenderJob::chooseFrames() {
 void RenderJob::chooseCheckpoints() {
   const bool none = output_.checkpointFile().empty();
   if (none && (request_.checkpoint || !request_.checkpointAt.empty()))
-    fail(ExitCode::usage, "{}: a video or stream cannot be resumed; render a folder of pictures",
-         request_.checkpoint ? "--checkpoint" : "--checkpoint-at");
+    fail(ExitCode::usage, "{}: {} cannot be resumed; {}",
+         request_.checkpoint ? "--checkpoint" : "--checkpoint-at",
+         output_.manifest ? "a video or stream" : "a run without a manifest",
+         output_.manifest ? "render a folder of pictures" : "leave out --no-manifest");
   for (const int frame : request_.checkpointAt) {
     const fs::path file = output_.checkpointFile(frame);
     if (request_.existing == frame::Existing::error && pathExists(file))

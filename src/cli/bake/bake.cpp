@@ -8,6 +8,7 @@
 #include "cli/bake/files.hpp"
 #include "cli/bake/maps.hpp"
 #include "cli/bake/sequences.hpp"
+#include "cli/bake/series.hpp"
 #include "cli/commands.hpp"
 #include "cli/options/device_options.hpp"
 #include "cli/options/scene_options.hpp"
@@ -81,6 +82,7 @@ fs::path fileOf(const BakeOptions& o, const BakedFile& baked, int frame) {
 /// Checks --sequence against --format: a sequence format implies --sequence, and --sequence without
 /// --format picks the first sequence format.
 void settleSequence(BakeOptions& o) {
+  if (o.format == "csv") return void(o.sequence = false);  // always one table for all frames
   const auto& formats = frame::sequenceFormats;
   const bool known = std::find(formats.begin(), formats.end(), o.format) != formats.end();
   if (o.sequence && o.format.empty()) o.format = formats.front();
@@ -138,6 +140,7 @@ void bake(BakeOptions o) {
   sim::World world(scene);
   static_cast<void>(
       world.grow());  // allocates whole meshes, so that each object reports all that it can write
+  if (o.format == "csv") return bakeSeries(scene, world, o.output, o.object, frames, o.overwrite);
   const auto all = bakedFiles(world, o);
   if (!o.sequence) return bakeFrames(o, scene, world, all, frames);
   std::vector<std::size_t> objects;
@@ -162,7 +165,7 @@ void addBake(CLI::App& app) {
   command->add_option("-o,--output", o->output, "Folder for NAME_000000.ply, NAME_000000_albedo.png ...")
       ->required();
   std::vector<std::string> formats(stateFormats.begin(), stateFormats.end());
-  for (const char* more : {"pc2", "mdd", "maps"}) formats.emplace_back(more);
+  for (const char* more : {"csv", "pc2", "mdd", "maps"}) formats.emplace_back(more);
   command
       ->add_option(
           "--format", o->format,
@@ -170,8 +173,9 @@ void addBake(CLI::App& app) {
           "point "
           "cache, its first as obj beside it; svg, geojson: contours, and of caves the "
           "path and rooms; npy, pfm: values of fields, of caves the steps from the entrance too; rle: "
-          "cells of "
-          "automata; maps: of skins, textures that tile (albedo, normal with +y up, 16-bit height, "
+          "cells of automata; csv: what objects measure (`simreel list KIND`), all frames in a table; "
+          "maps: of "
+          "skins, textures that tile (albedo, normal with +y up, 16-bit height, "
           "roughness, occlusion; --size sets theirs). None given: rle, ply or npy, what there is")
       ->check(CLI::IsMember(formats));
   command->add_option(

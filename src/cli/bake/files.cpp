@@ -22,7 +22,7 @@ namespace {
 /// Returns the published field with this name, or null.
 const sim::Field* fieldOf(const sim::Drawables& drawables, const std::string& name) {
   for (const sim::Field& field : drawables.fields)
-    if (*field.name == name) return &field;
+    if (*field.name == name && !field.decoration) return &field;
   return nullptr;
 }
 

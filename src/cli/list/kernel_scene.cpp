@@ -133,7 +133,7 @@ std::string sceneOf(const kernels::Shader& shader, const std::filesystem::path& 
   }
   if (!constants.empty()) object["constants"] = constants;
   object["step"] = step;
-  const Json scene = {{"version", 1}, {"objects", {{"mine", {{"kernels", object}}}}}};
+  const Json scene = {{"version", 2}, {"objects", {{"mine", {{"kernels", object}}}}}};
   return scene.dump(2) + "\n";
 }
 

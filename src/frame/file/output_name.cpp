@@ -139,7 +139,7 @@ std::filesystem::path OutputName::countFile() const {
 }
 
 std::filesystem::path OutputName::checkpointFile() const {
-  return kind == Kind::video ? std::filesystem::path() : besideFrames("checkpoint");
+  return kind == Kind::video || !manifest ? std::filesystem::path() : besideFrames("checkpoint");
 }
 
 std::filesystem::path OutputName::checkpointFile(int frame) const {

@@ -18,6 +18,9 @@ struct OutputName {
   std::string suffix;            ///< sequence: text after the frame number, including ".png" or ".exr"
   int digits = 0;                ///< sequence: min number of digits, zero padded
   bool wholeFolder = false;      ///< sequence: true if the output was given as a folder, not as a pattern
+  /// True if manifest.json, run.json and as-run.json are written beside the frames. Without them, a run
+  /// cannot be resumed.
+  bool manifest = true;
 
   /// True if pictures are OpenEXR files with linear light before lens and film effects; false if they are
   /// display-referred bytes.
@@ -34,8 +37,8 @@ struct OutputName {
   [[nodiscard]] std::filesystem::path sceneFile() const;
   /// Returns the path of the table of counts, beside the manifest. Empty for standard output.
   [[nodiscard]] std::filesystem::path countFile() const;
-  /// Returns the path of the checkpoint, beside the manifest. Empty for videos and standard output, which
-  /// cannot be resumed.
+  /// Returns the path of the checkpoint, beside the manifest. Empty for outputs that cannot be resumed:
+  /// videos, standard output, frames without a manifest.
   [[nodiscard]] std::filesystem::path checkpointFile() const;
   /// Returns the path of a kept checkpoint of one frame: "checkpoint.000500".
   [[nodiscard]] std::filesystem::path checkpointFile(int frame) const;

@@ -84,11 +84,11 @@ void SharedManifest::write(Manifest manifest, std::string_view counts) {
     failure = std::current_exception();
   }
   try {
-    storeRuns(manifest);
+    if (output_.manifest) storeRuns(manifest);
   } catch (const UserError&) {
     if (!failure) failure = std::current_exception();
   }
-  store(std::move(manifest));
+  if (output_.manifest) store(std::move(manifest));
   if (failure) std::rethrow_exception(failure);
 }
 

@@ -32,7 +32,8 @@ class SharedManifest {
   [[nodiscard]] std::string otherMachineOf(int frame) const;
   /// Writes the manifest, after syncing the folder so that the names of its frames are durable. Merges
   /// entries that other programs have added meanwhile. Writes nothing if there are no frames, because an
-  /// empty manifest would only block the next scene. `counts` is the table of counts, if any; an existing
+  /// empty manifest would only block the next scene. Writes the table of counts alone if the output has no
+  /// manifest. `counts` is the table of counts, if any; an existing
   /// longer table that starts with it and matches its stored hash is kept. Throws UserError(inputOutput).
   void write(Manifest manifest, std::string_view counts = {});
   [[nodiscard]] bool ownsCheckpoint() const { return lock_.ownsCheckpoint(); }

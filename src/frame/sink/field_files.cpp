@@ -26,7 +26,8 @@ std::string FieldFiles::fileName(int frame, const std::string& field) const {
 }
 
 void FieldFiles::begin(const std::vector<sim::Field>& fields) {
-  for (const sim::Field& field : fields) names_.push_back(*field.name);
+  for (const sim::Field& field : fields)
+    if (!field.decoration) names_.push_back(*field.name);
   if (names_.empty()) fail(ExitCode::usage, "--fields: no object of the scene is a field");
   if (existing_ != Existing::error) return;
   for (const int frame : frames_)
@@ -51,7 +52,7 @@ std::vector<FrameFile> FieldFiles::read(int frame, const std::vector<sim::Field>
                                         const FrameSink& sink) const {
   std::vector<FrameFile> files;
   for (const sim::Field& field : fields)
-    if (misses(frame, *field.name, sink))
+    if (!field.decoration && misses(frame, *field.name, sink))
       files.push_back(
           {fileName(frame, *field.name), encodeField(format_, field.size, sim::fieldValues(field))});
   return files;

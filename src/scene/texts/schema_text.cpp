@@ -39,7 +39,10 @@ std::string schemaText(std::span<const Kind> kinds) {
   Scene scene;
   SchemaWriter writer;
   writer.add("$schema", {{"type", "string"}});
-  writer.add("version", {{"const", sceneVersion}, {"description", "Version of the scene format."}});
+  writer.add("version", {{"type", "integer"},
+                         {"minimum", oldestSceneVersion},
+                         {"maximum", sceneVersion},
+                         {"description", "Version of the scene format."}});
   describeScene(writer, scene);
   writer.add("objects", objectsSchema(kinds));
   describeTests(writer, scene, std::nullopt);

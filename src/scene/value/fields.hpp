@@ -21,6 +21,9 @@
 
 namespace simreel::scene {
 
+/// Versions of the scene format that this program reads.
+inline constexpr int oldestSceneVersion = 1, sceneVersion = 2;
+
 /// Closed interval of allowed values.
 struct Range {
   double min = -std::numeric_limits<double>::infinity();
@@ -113,6 +116,8 @@ class Fields {
   }
   /// True if the scene gives this field. False while the schema or the help is written.
   [[nodiscard]] virtual bool given(const char* /*name*/) const { return false; }
+  /// Returns the version of the scene that is read; the newest while the schema or the help is written.
+  [[nodiscard]] virtual int version() const { return sceneVersion; }
 
   void boolean(const char* name, bool& value, const char* doc) { field(name, &value, {doc}); }
   void integer(const char* name, int& value, Range range, const char* unit, const char* doc) {
@@ -281,6 +286,11 @@ struct Parameters {
   /// Returns the extent that an automatically placed camera must show; nullopt if the kind does not place
   /// the camera. May read files that the parameters name; ignores files that cannot be read.
   [[nodiscard]] virtual std::optional<Box> framed() const { return std::nullopt; }
+  /// Returns the extent to show if no object of the scene has one; nullopt if there is none.
+  [[nodiscard]] virtual std::optional<Box> framedAlone() const { return std::nullopt; }
+  /// Returns the height in metres of the ground that the object stands on or flows from, for a scene whose
+  /// ground has no height; nullopt: the lowest point of framed().
+  [[nodiscard]] virtual std::optional<float> footing() const { return std::nullopt; }
   /// Look of the object on a stage without a material (stage.hpp). Objects that shine need dark
   /// surroundings; a landscape needs no stage.
   enum class Looks { solid, cloth, shining, landscape };

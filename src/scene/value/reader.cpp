@@ -2,6 +2,7 @@
 
 #include "base/log.hpp"
 #include "scene/json/words.hpp"
+#include "scene/value/group_example.hpp"
 #include "scene/value/value_reader.hpp"
 
 #include <algorithm>
@@ -257,7 +258,7 @@ Reader::Reader(const Node* object, Place place, ReadContext context)
 
 void Reader::readObject(const Node& node, ReadContext context,
                         const std::function<void(Reader&)>& describe) {
-  if (!ValueReader("", context.diagnostics).expect(node, Node::Kind::object, "an object")) return;
+  if (!ValueReader("", context.diagnostics).expect(node, Node::Kind::object, expectedGroup(node.key).c_str())) return;
   Reader reader(&node, node.headPlace(), context);
   describe(reader);
   reader.finish();

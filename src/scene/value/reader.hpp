@@ -19,6 +19,7 @@ namespace simreel::scene {
 struct ReadContext {
   Diagnostics& diagnostics;
   const AssetFolders& assets;
+  int version = sceneVersion;  ///< version of the scene
 };
 
 /// Fields that read one object of a scene. A value with an error is reported and keeps its default, so that
@@ -55,6 +56,7 @@ class Reader final : public Fields {
                const std::string& message) override;
   void idle(const char* name, const char* ruler, const std::string& message) override;
   [[nodiscard]] bool given(const char* name) const override;
+  [[nodiscard]] int version() const override { return context_.version; }
 
  private:
   /// Returns the member `name`, or its former name's; null if it is not given.

@@ -1,5 +1,6 @@
 // Groups and lists that a Reader reads.
 #include "scene/json/words.hpp"
+#include "scene/value/group_example.hpp"
 #include "scene/value/reader.hpp"
 #include "scene/value/value_reader.hpp"
 
@@ -54,7 +55,10 @@ void Reader::section(const char* name, bool* present, const char* /*doc*/,
     }
     if (node->kind != Node::Kind::object && !shorthands_.contains(name))
       return context_.diagnostics.add(
-          node->place(), fmt::format("expected an object or true, found {}", node->kindText()));
+          node->place(),
+          fmt::format("expected {}, found {}",
+                      std::string_view(name) == "ground" ? expectedGroup(name) : "an object or true",
+                      node->kindText()));
   }
   if (const auto word = shorthands_.find(name); node != nullptr && word != shorthands_.end()) {
     if (node->kind == Node::Kind::text)
@@ -101,7 +105,7 @@ void Reader::namedGroups(const char* name, const char* /*doc*/, const char* one,
   const Node* node = take(name);
   if (node == nullptr) return;
   Diagnostics& diagnostics = context_.diagnostics;
-  if (!ValueReader(name, diagnostics).expect(*node, Node::Kind::object, "an object")) return;
+  if (!ValueReader(name, diagnostics).expect(*node, Node::Kind::object, expectedGroup(name).c_str())) return;
   if (node->children.size() > maxItems)
     return diagnostics.add(node->headPlace(), fmt::format("a scene has at most {} {}, found {}", maxItems,
                                                           name, node->children.size()));

@@ -99,7 +99,7 @@ std::optional<PixelAnswer> cellAt(const scene::Scene& scene, sim::World& world, 
   const sim::Drawables drawables = world.drawables();
   std::optional<PixelAnswer> answer;
   for (const sim::Field& field : drawables.fields) {
-    if (field.display == nullptr || field.display->layer != layer) continue;
+    if (field.decoration || field.display == nullptr || field.display->layer != layer) continue;
     const draw::FieldView view =
         draw::fieldView(*field.display, field.size, scene.render.size, world.time());
     if (pixel.x < view.part.x || pixel.y < view.part.y || pixel.x >= view.part.z || pixel.y >= view.part.w)
@@ -126,7 +126,9 @@ std::optional<FieldPoint> fieldAt(const scene::Scene& scene, const sim::World& w
   const sim::Drawables drawables = world.drawables();
   std::optional<FieldPoint> found;
   for (const sim::Field& field : drawables.fields) {
-    if (field.display == nullptr || field.display->layer == sim::FieldDisplay::Layer::none) continue;
+    if (field.decoration || field.display == nullptr ||
+        field.display->layer == sim::FieldDisplay::Layer::none)
+      continue;
     const draw::FieldView view =
         draw::fieldView(*field.display, field.size, scene.render.size, world.time());
     if (pixel.x < view.part.x || pixel.y < view.part.y || pixel.x >= view.part.z || pixel.y >= view.part.w)

@@ -126,7 +126,12 @@ void ClothParameters::describe(scene::Fields& f) {
                     a.idleUnless(air.gusts > 0, "gusts", {"gustSize"}, "air with \"gusts\"");
                     a.idleUnless(!air.fluid.empty(), "fluid", {"fluidSpeed"}, "air with a \"fluid\"");
                   });
-  f.number("margin", margin, {0, 10}, "m", "Distance kept from colliders.");
+  f.number(
+      "margin", margin, {0, 10}, "m",
+      "Distance kept from colliders. Vertices collide; a third of \"spacing\" keeps their faces off sharp "
+      "edges.");
+  f.leftOut("margin", "a third of \"spacing\", at least 0.01; in a scene of version 1 0.01");
+  if (!f.given("margin") && f.version() > 1 && !mesh) margin = std::max(margin, 0.35F * spacing);
   f.switchable("contact");
   f.optionalGroup(
       "contact", contact,
@@ -153,9 +158,11 @@ void ClothParameters::describe(scene::Fields& f) {
               "stable, and as undamped constraints need to keep their energy.");
   f.leftOut("substeps", fabric ? "\"auto\" of a fabric" : "4, or \"auto\" of a fabric");
   if (fabric && !f.given("substeps")) substeps.reset();
+  if (!f.given("pins") && f.version() > 1) pins.clear();
   f.list("pins", pins, "Particles that are held, and how they move; [] holds none.",
          [&](scene::Fields& p, PinGroup& group) { group.describe(p, size, mesh.has_value()); });
-  pinsByDefault = !f.given("pins");
+  f.leftOut("pins", "none; in a scene of version 1 the last row");
+  pinsByDefault = !f.given("pins") && !pins.empty();
   if (pins.size() > shader::maxPinFrames)
     f.error("pins", fmt::format("at most {} groups of pins", shader::maxPinFrames));
   for (const PinGroup& group : pins) {

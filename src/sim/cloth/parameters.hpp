@@ -1,4 +1,5 @@
 #pragma once
+#include "scene/dressed.hpp"
 #include "scene/value/fields.hpp"
 #include "sim/cloth/fabric.hpp"
 #include "sim/cloth/mesh_source.hpp"
@@ -68,7 +69,7 @@ struct Seam {
   double seconds = 1;         ///< seconds until the seam is closed
 };
 
-struct ClothParameters : ObjectParameters, TouchesMeshes, shader::ClothConstants {
+struct ClothParameters : ObjectParameters, scene::Dressed, TouchesMeshes, shader::ClothConstants {
   std::optional<ClothMesh> mesh;  ///< triangle mesh; nullopt: a grid
   std::vector<Seam> seams;
   glm::ivec2 size{32, 32};      ///< number of particles along x and y
@@ -105,6 +106,7 @@ struct ClothParameters : ObjectParameters, TouchesMeshes, shader::ClothConstants
     return mesh ? 0 : std::int64_t{24} * (size.x - 1) * (size.y - 1);
   }
   [[nodiscard]] Looks looks() const override { return Looks::cloth; }
+  [[nodiscard]] std::optional<scene::Material> look() const override;
   [[nodiscard]] bool wanders() const override { return true; }
   /// Returns a copy with `contactSubsteps` substeps per frame, which all cloths in contact share; 0 keeps
   /// the cloth's own number.

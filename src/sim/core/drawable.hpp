@@ -142,6 +142,7 @@ struct Field {
       nullptr;  ///< Linear RGB: evenly spaced stops, or one colour per category.
   const FieldDisplay* display =
       nullptr;  ///< Overlay settings; null: the field is not drawn over the picture.
+  bool decoration = false;  ///< True for a part of the layout, whose values are not written to files.
 };
 
 /// Line chart drawn over the picture: counts of a simulation for each step so far.

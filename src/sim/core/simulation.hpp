@@ -34,6 +34,7 @@ struct Setting {
       0;  ///< Scene time of the initial state in seconds: minus the duration simulated before frame 0.
   /// Progress callback for the steps before the first frame; may throw to stop them. May be empty.
   std::function<void(long done, long total)> presteps = {};
+  float aspect = 16.0F / 9;  ///< Width of the picture divided by its height.
 
   /// Returns the result of Links::get; null if the setting has no links.
   template <class T>

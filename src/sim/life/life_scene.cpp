@@ -25,7 +25,7 @@ std::string sceneAroundPattern(const std::filesystem::path& file) {
        {color(0.004, 0.006, 0.016), color(0.016, 0.014, 0.070), color(0.100, 0.018, 0.140),
         color(0.360, 0.050, 0.100), color(0.600, 0.190, 0.050), color(2.600, 1.900, 0.900)}}};
   const Json scene = {
-      {"version", 1},
+      {"version", 2},
       {"title", name},
       {"render",
        {{"exposure", 0.2}, {"bloom", {{"strength", 0.25}, {"threshold", 0.8}, {"radius", 0.05}}}}},

@@ -152,7 +152,7 @@ std::string sceneAroundMesh(const std::filesystem::path& file) {
   if (!isOneOf(read)) return {};
   using Json = nlohmann::ordered_json;
   const std::string name = file.filename().string();
-  const Json scene = {{"version", 1},
+  const Json scene = {{"version", 2},
                       {"title", name},
                       {"time", {{"fps", 30}, {"duration", 0.03}}},  // one frame
                       {"objects", {{"model", {{"mesh", {{"file", name}}}}}}}};

@@ -10,6 +10,7 @@
 #include "sim/particles/file.hpp"
 #include "sim/particles/plan.hpp"
 #include "sim/particles/start.hpp"
+#include "sim/ports/color_scale.hpp"
 #include "sim/ports/markers.hpp"
 
 #include <algorithm>
@@ -248,6 +249,8 @@ ParticleParameters ParticleParameters::inStep(int contactSubsteps) const {
 
 void ParticleParameters::ports(Ports& ports) const {
   ports.want<Walls>(walls, {"walls"});
+  ports.provide<ColorScale>(colorBy != Instances::ColorBy::material,
+                            " whose \"look\" has no \"colorBy\": \"speed\", \"mass\" or \"age\"");
   if (wind) ports.want<FluidWind>(wind->fluid, {"wind", "fluid"});
   if (collides) {
     ports.wantAll<HeightField>();
@@ -267,6 +270,15 @@ std::span<const scene::Quantity> ParticleParameters::quantities() const {
                                           {"momentum", "kg m/s", "Size of the sum of mass times velocity."},
                                           {"kineticEnergy", "J", "Sum of m v^2 / 2."}};
   return table;
+}
+
+// Particles of emitters may fall without end, so only the emitters count.
+std::optional<float> ParticleParameters::footing() const {
+  std::optional<float> lowest;
+  for (const Emitter& emitter : emitters)
+    for (const auto& key : emitter.position.keys())
+      lowest = std::min(lowest.value_or(key.value.y), key.value.y - emitter.radius);
+  return lowest;
 }
 
 std::optional<scene::Box> ParticleParameters::framed() const {

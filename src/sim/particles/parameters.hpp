@@ -104,6 +104,7 @@ struct ParticleParameters : ObjectParameters, TouchesMeshes, shader::ParticleCon
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] std::optional<scene::Box> framed() const override;
+  [[nodiscard]] std::optional<float> footing() const override;
   [[nodiscard]] Looks looks() const override { return additive ? Looks::shining : Looks::solid; }
   [[nodiscard]] bool wanders() const override { return true; }
   void ports(Ports& ports) const override;

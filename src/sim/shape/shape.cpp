@@ -71,6 +71,18 @@ std::optional<scene::Box> ShapeParameters::framed() const {
   return box;
 }
 
+std::optional<scene::Box> ShapeParameters::framedAlone() const {
+  if (!visible || shape.kind != ColliderShape::Kind::plane) return std::nullopt;
+  constexpr float most = 3;  // metres from the middle; a larger plane is not shown to its ends
+  const glm::mat3 turn(rotationMatrix(shape.rotation.at(0)));
+  const glm::vec3 middle = shape.position.at(0);
+  const float wide = std::min(0.5F * size.x, most), deep = std::min(0.5F * size.z, most);
+  std::optional<scene::Box> box;
+  for (const float x : {-wide, wide})
+    for (const float z : {-deep, deep}) scene::include(box, middle + turn * glm::vec3(x, 0, z));
+  return box;
+}
+
 void ShapeParameters::describe(scene::Fields& f) {
   using Kind = ColliderShape::Kind;
   f.vector("position", shape.position, scene::anyNumber, "m",

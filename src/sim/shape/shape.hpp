@@ -25,6 +25,7 @@ struct ShapeParameters : ObjectParameters {
   /// Returns the bounds of spheres and capsules at every position key; planes have none, because they serve
   /// as ground.
   [[nodiscard]] std::optional<scene::Box> framed() const override;
+  [[nodiscard]] std::optional<scene::Box> framedAlone() const override;
   void ports(Ports& ports) const override;
 };
 

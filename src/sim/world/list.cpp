@@ -4,6 +4,7 @@
 #include "sim/body/body.hpp"
 #include "sim/cave/cave.hpp"
 #include "sim/chart/chart.hpp"
+#include "sim/color_bar/color_bar.hpp"
 #include "sim/contour/contour.hpp"
 #include "sim/fluid/fluid.hpp"
 #include "sim/garment/garment.hpp"
@@ -37,7 +38,7 @@ std::span<const SimulationKind> simulations() {
         clothKind(),    particlesKind(), lifeKind(),   leniaKind(),   grayScottKind(), reactionKind(),
         epidemicKind(), wildfireKind(),  fluidKind(),  waterKind(),   caveKind(),      contourKind(),
         meshKind(),     bodyKind(),      sphereKind(), capsuleKind(), planeKind(),     textKind(),
-        chartKind(),    kernelsKind(),   imageKind(),
+        chartKind(),    colorBarKind(),  kernelsKind(),   imageKind(),
     };
     std::vector<SimulationKind> solids = solidKinds();
     const auto shapes = std::find_if(all.begin(), all.end(), [](const SimulationKind& one) {

@@ -81,6 +81,7 @@ std::vector<UserError> findProblems(const scene::Scene& scene) {
   Bones bones(scene);
   std::vector<ColliderShape> colliders;
   Setting setting{scene.numerics == scene::Numerics::fast, scene.seed, 1.0 / scene.time.fps, &colliders};
+  setting.aspect = static_cast<float>(scene.render.size.x) / static_cast<float>(scene.render.size.y);
   setting.startTime = startOf(scene);
   ObjectLinks links(scene.objects, [&] { return setting.startTime; });
   links.provide(&bones);

@@ -27,6 +27,7 @@ World::State::State(const scene::Scene& scene, bool timing, const std::function<
     throw UserError(ExitCode::usage, mistakes.front());
   Setting setting{scene.numerics == scene::Numerics::fast, scene.seed, 1.0 / scene.time.fps, &colliders,
                   timing};
+  setting.aspect = static_cast<float>(scene.render.size.x) / static_cast<float>(scene.render.size.y);
   for (const std::string& remark : scene.remarks) warnLinesOnce(remark);
   for (const std::string& remark : portRemarks(scene)) warn("{}", remark);
   setting.links = &links;

@@ -198,8 +198,8 @@ class SceneMistakes(Case):
         self.only('1:27: error: key "seed" is given twice in this object', " " * 28 + "^~~~~~",
                   '{"version": 1, "seed": 1, "seed": 2}')
         self.only("1:1: error: expected a scene in { }, found a list", "  ^~", "[]")
-        self.only('1:1: error: the scene has no version; add "version": 1', "  ^", "{}")
-        self.only("1:13: error: unknown version 2; this program reads version 1", " " * 14 + "^", '{"version": 2}')
+        self.only('1:1: error: the scene has no version; add "version": 2', "  ^", "{}")
+        self.only("1:13: error: unknown version 3; this program reads versions 1 to 2", " " * 14 + "^", '{"version": 3}')
 
     def test_binary(self):
         err = self.mistake(["bad.json:3:1: error: zero byte; is this a text file?"],

@@ -73,7 +73,7 @@ TEST_CASE("all errors of a scene are reported at once, ordered by position") {
   "objects": {"flag": {"cloth": {"wnd": [1, 2, 3], "threads": 11}}, "b": {"clothh": {}}}
 })");
   const std::vector<std::string> expected = {
-      "s.json:1:1: error: the scene has no version; add \"version\": 1\n",
+      "s.json:1:1: error: the scene has no version; add \"version\": 2\n",
       "s.json:2:19: error: expected a number, found a string\n",
       "s.json:2:39: error: \"duration\" must be at least 0 s, found -1\n",
       "s.json:3:23: error: \"size\" must be between 1 and 16384 pixels, found 0\n",
@@ -144,9 +144,9 @@ TEST_CASE("an unknown key without a similar name lists the known keys") {
 }
 
 TEST_CASE("unsupported scene versions are refused") {
-  CHECK(has(mistakes("{\"version\": 2, \"new\": 1}"),
-            "s.json:1:13: error: unknown version 2; this program reads version 1"));
-  CHECK(!has(mistakes("{\"version\": 2, \"new\": 1}"), "unknown key"));
+  CHECK(has(mistakes("{\"version\": 3, \"new\": 1}"),
+            "s.json:1:13: error: unknown version 3; this program reads versions 1 to 2"));
+  CHECK(!has(mistakes("{\"version\": 3, \"new\": 1}"), "unknown key"));
   CHECK(has(mistakes("{\"version\": \"1\"}"), "expected a whole number, found a string"));
 }
 

@@ -1,0 +1,81 @@
+#include "sim/color_bar/parameters.hpp"
+
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "sim/ports/color_scale.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace simreel::sim {
+
+void ColorBarParameters::describe(scene::Fields& f) {
+  f.text("of", of,
+         "Object whose colours it explains: a field, NAME or NAME.PART, or particles with \"colorBy\".");
+  f.text("title", title, "Text above the bar.");
+  f.leftOut("title", "the value of \"of\"");
+  f.text("unit", unit, "Unit of the numbers, after the title.");
+  f.shorthand("labels", "text");
+  f.list("labels", labels,
+         "For fields of categories, such as life: the categories to show, each with its word.",
+         [](scene::Fields& l, BarLabel& label) {
+           l.text("text", label.text, "Word beside the colour.");
+           l.integer("value", label.value, {-1, 1e6}, "", "Value of the cells that have this colour.");
+           l.leftOut("value", "the label's place in the list, from 0");
+         });
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (labels[i].value < 0) labels[i].value = static_cast<int>(i);
+  f.integer("ticks", ticks, {2, 20}, "", "Approximate number of ticks; they stand at round numbers.");
+  f.boolean("horizontal", horizontal, "Lays the bar down; its numbers are below it.");
+  f.vector("corner", corner, {-10, 10}, "",
+           "Top left corner of the bar as fractions of the picture, [x, y, 0].");
+  f.leftOut("corner", "[0.88, 0.22, 0], or [0.3, 0.88, 0] if horizontal");
+  f.vector("extent", extent, {0, 10}, "",
+           "Width and height of the bar as fractions of the picture, [x, y, 0].");
+  f.leftOut("extent", "[0.02, 0.56, 0], or [0.4, 0.025, 0] if horizontal");
+  f.number("height", height, {0.001, 1}, "",
+           "Height of capital letters, as a fraction of the picture's height.");
+  f.asset("font", font, "A TrueType or OpenType file.");
+  f.leftOut("font", "Open Sans, which ships with simreel");
+  f.color("color", color, scene::notNegative, "Colour of text and ticks, linear RGB.");
+  f.number("backdrop", backdrop, scene::fraction, "", "Opacity of the dark panel behind it.");
+  if (horizontal && !f.given("corner")) corner = {0.3F, 0.88F, 0};
+  if (horizontal && !f.given("extent")) extent = {0.4F, 0.025F, 0};
+  if (title.empty()) title = of;
+  if (of.empty()) f.error("of", "whose colours? Give \"of\", the name of a field or of particles");
+  for (const std::string* text : {&title, &unit})
+    if (!isUtf8(*text)) f.error(text == &unit ? "unit" : "title", "the text is not UTF-8");
+}
+
+std::filesystem::path ColorBarParameters::fontFile() const {
+  return font.empty() ? assetFolder() / "fonts" / "OpenSans-Regular.ttf" : font;
+}
+
+void ColorBarParameters::ports(Ports& ports) const {
+  if (!of.empty()) ports.mustWant<ColorScale>(of, {"of"}, When::afterFrame);
+}
+
+std::vector<BarTick> barTicks(double first, double last, int count) {
+  const double span = std::abs(last - first);
+  if (!(span > 0) || !std::isfinite(span)) return {{0, fmt::format("{:g}", first)}};
+  const double rough = span / count;
+  const double power = std::pow(10.0, std::floor(std::log10(rough)));
+  const double ratio = rough / power;
+  const double step = power * (ratio < 1.5 ? 1 : ratio < 3.5 ? 2 : ratio < 7.5 ? 5 : 10);
+  const double low = std::min(first, last);
+  // A tick may lie beyond the end by the rounding of its position.
+  const double slack = 1e-6 * step;
+  const bool scientific = std::max(std::abs(first), std::abs(last)) >= 1e5 || step < 1e-4;
+  const int digits = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
+  std::vector<BarTick> ticks;
+  for (double i = std::ceil((low - slack) / step); i * step <= low + span + slack; ++i) {
+    const double value = i == 0 ? 0 : i * step;  // no negative zero
+    ticks.push_back({(value - first) / (last - first),
+                     scientific ? fmt::format("{:.3g}", value) : fmt::format("{:.{}f}", value, digits)});
+  }
+  return ticks;
+}
+
+}  // namespace simreel::sim

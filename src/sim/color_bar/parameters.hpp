@@ -1,0 +1,51 @@
+#pragma once
+#include "scene/value/fields.hpp"
+#include "sim/core/kind.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace simreel::sim {
+
+/// Mark beside a colour bar.
+struct BarTick {
+  double at;         ///< position along the bar, 0 to 1
+  std::string text;  ///< label
+};
+
+/// Word for a category.
+struct BarLabel {
+  std::string text;
+  int value = -1;  ///< index of the category; -1: the label's place in the list
+};
+
+/// Parameters of the object kind "colorBar".
+struct ColorBarParameters : ObjectParameters {
+  std::string of;                ///< name of a field or of particles, OBJECT or OBJECT.PART
+  std::string title;             ///< text above the bar
+  std::string unit;              ///< appended to the title in parentheses
+  std::vector<BarLabel> labels;  ///< the categories that the bar shows; empty: all of them
+  int ticks = 5;                 ///< approximate number of ticks
+  bool horizontal = false;
+  glm::vec3 corner{0.88F, 0.22F, 0};  ///< top left corner of the bar, as fractions of the picture
+  glm::vec3 extent{0.02F, 0.56F, 0};  ///< width and height of the bar, as fractions of the picture
+  float height = 0.02F;               ///< height of capitals, as a fraction of the picture's height
+  glm::vec3 color{1};                 ///< colour of text and ticks, linear RGB
+  std::filesystem::path font;         ///< font file; empty: the bundled font
+  float backdrop = 0.45F;             ///< opacity of the dark panel behind the bar
+
+  void describe(scene::Fields& fields) override;
+  void ports(Ports& ports) const override;
+  [[nodiscard]] std::filesystem::path fontFile() const;
+  [[nodiscard]] const char* drawnWith() const override { return "its \"color\""; }
+};
+
+/// Returns ticks at round numbers (1, 2 or 5 times a power of ten apart) within a range, about `count` of
+/// them. The ends of the range may be in any order.
+[[nodiscard]] std::vector<BarTick> barTicks(double first, double last, int count);
+
+}  // namespace simreel::sim

@@ -1,0 +1,40 @@
+#include "sim/ports/color_scale.hpp"
+
+#include "base/error.hpp"
+#include "sim/core/drawable.hpp"
+#include "sim/core/kind.hpp"
+#include "sim/ports/field_source.hpp"
+
+namespace simreel::sim {
+
+const PortInfo ColorScale::port = {
+    .name = "colour scale",
+    .lacks = ", which is not drawn in colours of a scale",
+    .none = "the scene has no field and no particles with \"colorBy\"",
+    .when = When::afterFrame,
+    .part = "field",
+    .implied =
+        [](const scene::Object& provider, std::vector<std::string>& parts) {
+          for (const Ports::Offer& offer : portsOf(provider).offers)
+            if (offer.port == &FieldSource::port && offer.given) {
+              parts = offer.parts;
+              return true;
+            }
+          return false;
+        },
+};
+
+ColorScale colorScaleOf(const Links& links, const std::string& name) {
+  const std::string object(PartName(name).object);
+  Drawables drawables;
+  if (const Simulation* owner = links.simulation(object)) owner->publish(links.now(), drawables);
+  for (const Field& field : drawables.fields)
+    if (*field.name == name && field.colors != nullptr)
+      return {*field.colors, field.range, field.categories};
+  for (const Instances& instances : drawables.instances)
+    if (instances.colors != nullptr && instances.colorBy != Instances::ColorBy::material)
+      return {*instances.colors, instances.colorRange};
+  fail(ExitCode::usage, "\"{}\" is not drawn in colours of a scale", name);
+}
+
+}  // namespace simreel::sim

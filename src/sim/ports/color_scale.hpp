@@ -1,0 +1,25 @@
+#pragma once
+#include "sim/core/port.hpp"
+
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace simreel::sim {
+
+/// Port of objects that are drawn in colours of a scale: fields, and particles with "colorBy".
+struct ColorScale {
+  static const PortInfo port;
+
+  std::vector<glm::vec3> colors;  ///< linear RGB: evenly spaced stops, or one colour per category
+  glm::vec2 range{0, 1};          ///< values of the first and the last stop
+  bool categories = false;        ///< true if a value is the index of a colour
+};
+
+/// Returns the current scale of the field OBJECT or OBJECT.PART, or of the particles OBJECT. Throws
+/// UserError(usage) for an object that is not drawn in colours of a scale.
+[[nodiscard]] ColorScale colorScaleOf(const Links& links, const std::string& name);
+
+}  // namespace simreel::sim
