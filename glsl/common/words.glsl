@@ -1,4 +1,4 @@
-// The macros of common/memory.glsl for elements of four unsigned words. src/gl/radix_sort.hpp binds the arrays
+// The macros of common/memory.glsl for elements of four unsigned words. src/gl/sort/radix_sort.hpp binds the arrays
 // accordingly.
 #ifdef TEXEL_PATH
 #define INPUT_WORDS(unit, block, name) layout(binding = unit) uniform usamplerBuffer name;

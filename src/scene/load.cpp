@@ -300,10 +300,6 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
   const bool namesKnown = objects == nullptr || (objects->kind == Node::Kind::object &&
                                                  objects->children.size() == scene.objects.size());
   if (namesKnown) checkFollowed(root, scene, context.diagnostics);
-  if (context.diagnostics.count() == 0 && scene.objects.empty())
-    context.diagnostics.remark(root.headPlace(),
-                               "the scene has no objects, so the picture is empty; add for example "
-                               "\"objects\": {\"ball\": {\"sphere\": {}}}");
   if (context.diagnostics.count() == 0) openCamera(root, context, kinds, scene.camera);
   if (context.diagnostics.count() == 0) {
     noteSurroundings(root, scene.stage);

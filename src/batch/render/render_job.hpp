@@ -29,7 +29,7 @@ struct RenderRequest {
   frame::Existing existing = frame::Existing::error;
   std::optional<std::string> fields;  ///< format of field files: "npy" or "pfm"
   bool counts = true;
-  bool manifest = true;  ///< false: no manifest.json, run.json and as-run.json
+  bool manifest = true;              ///< false: no manifest.json, run.json and as-run.json
   std::optional<double> checkpoint;  ///< seconds between two checkpoints; nullopt: default
   std::set<int> checkpointAt;        ///< frames whose checkpoints are kept after the run
   std::filesystem::path from;        ///< checkpoint to start from; empty: the scene's start

@@ -258,7 +258,9 @@ Reader::Reader(const Node* object, Place place, ReadContext context)
 
 void Reader::readObject(const Node& node, ReadContext context,
                         const std::function<void(Reader&)>& describe) {
-  if (!ValueReader("", context.diagnostics).expect(node, Node::Kind::object, expectedGroup(node.key).c_str())) return;
+  if (!ValueReader("", context.diagnostics)
+           .expect(node, Node::Kind::object, expectedGroup(node.key).c_str()))
+    return;
   Reader reader(&node, node.headPlace(), context);
   describe(reader);
   reader.finish();

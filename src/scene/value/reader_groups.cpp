@@ -105,7 +105,8 @@ void Reader::namedGroups(const char* name, const char* /*doc*/, const char* one,
   const Node* node = take(name);
   if (node == nullptr) return;
   Diagnostics& diagnostics = context_.diagnostics;
-  if (!ValueReader(name, diagnostics).expect(*node, Node::Kind::object, expectedGroup(name).c_str())) return;
+  if (!ValueReader(name, diagnostics).expect(*node, Node::Kind::object, expectedGroup(name).c_str()))
+    return;
   if (node->children.size() > maxItems)
     return diagnostics.add(node->headPlace(), fmt::format("a scene has at most {} {}, found {}", maxItems,
                                                           name, node->children.size()));

@@ -141,7 +141,7 @@ struct Field {
   const std::vector<glm::vec3>* colors =
       nullptr;  ///< Linear RGB: evenly spaced stops, or one colour per category.
   const FieldDisplay* display =
-      nullptr;  ///< Overlay settings; null: the field is not drawn over the picture.
+      nullptr;              ///< Overlay settings; null: the field is not drawn over the picture.
   bool decoration = false;  ///< True for a part of the layout, whose values are not written to files.
 };
 

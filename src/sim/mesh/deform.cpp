@@ -3,7 +3,7 @@
 #include "base/error.hpp"
 #include "gl/element_array.hpp"
 #include "gl/kernel/kernel.hpp"
-#include "gl/radix_sort.hpp"
+#include "gl/sort/radix_sort.hpp"
 #include "sim/contact/solid.hpp"
 #include "sim/core/position_readback.hpp"
 #include "sim/core/stage_times.hpp"

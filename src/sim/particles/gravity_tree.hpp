@@ -1,7 +1,7 @@
 #pragma once
 #include "gl/element_array.hpp"
 #include "gl/kernel/kernel.hpp"
-#include "gl/radix_sort.hpp"
+#include "gl/sort/radix_sort.hpp"
 #include "sim/core/shader_code.hpp"
 
 #include <string>

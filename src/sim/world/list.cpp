@@ -35,10 +35,10 @@ namespace simreel::sim {
 std::span<const SimulationKind> simulations() {
   static const std::vector<SimulationKind> list = [] {
     std::vector<SimulationKind> all = {
-        clothKind(),    particlesKind(), lifeKind(),   leniaKind(),   grayScottKind(), reactionKind(),
-        epidemicKind(), wildfireKind(),  fluidKind(),  waterKind(),   caveKind(),      contourKind(),
-        meshKind(),     bodyKind(),      sphereKind(), capsuleKind(), planeKind(),     textKind(),
-        chartKind(),    colorBarKind(),  kernelsKind(),   imageKind(),
+        clothKind(),    particlesKind(), lifeKind(),    leniaKind(),   grayScottKind(), reactionKind(),
+        epidemicKind(), wildfireKind(),  fluidKind(),   waterKind(),   caveKind(),      contourKind(),
+        meshKind(),     bodyKind(),      sphereKind(),  capsuleKind(), planeKind(),     textKind(),
+        chartKind(),    colorBarKind(),  kernelsKind(), imageKind(),
     };
     std::vector<SimulationKind> solids = solidKinds();
     const auto shapes = std::find_if(all.begin(), all.end(), [](const SimulationKind& one) {

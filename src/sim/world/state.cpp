@@ -30,6 +30,9 @@ World::State::State(const scene::Scene& scene, bool timing, const std::function<
   setting.aspect = static_cast<float>(scene.render.size.x) / static_cast<float>(scene.render.size.y);
   for (const std::string& remark : scene.remarks) warnLinesOnce(remark);
   for (const std::string& remark : portRemarks(scene)) warn("{}", remark);
+  if (scene.objects.empty())
+    warn("the scene has no objects, so the picture is empty; add for example \"objects\": {\"ball\": "
+         "{\"sphere\": {}}}");
   setting.links = &links;
   setting.startTime = startOf(scene);
   setting.presteps = presteps;

@@ -109,7 +109,7 @@ class Data(Case):
             self.write("a.json", {"version": 2, "objects": ball, **more})
             self.bad_scene(expected, *SHORT)
         self.write("a.json", {"version": 2})
-        self.assertIn("the scene has no objects", self.good("validate", "a.json").err)
+        self.assertIn("the scene has no objects", self.good("render", "a.json", "-o", "b/", "--frames", "0", "--size", "32x18").err)
         self.write("a.json", {"version": 2, "stage": "paper", "objects": {"dust": {"particles": {"groups": [{}], "look": {"additive": True}}}}})
         self.assertIn('take "stage": "night"', self.good("validate", "a.json").err)
 

@@ -95,7 +95,7 @@ TEST_CASE("lights: errors are reported at their place with a suggestion") {
   CHECK(says(R"("a": {"follow": {"progress": 1.5}})", "\"progress\" must be between 0 and 1, found 1.5"));
   CHECK(says(R"("a b": {})", "light name \"a b\" must be 1 to 64 letters, digits, '-' or '_'"));
   CHECK(says(R"("a": 3)", "expected an object, found a number"));
-  CHECK(has(mistakes(R"({"version": 1, "lights": [{}]})"), "expected an object, found a list"));
+  CHECK(has(mistakes(R"({"version": 1, "lights": [{}]})"), "expected lamps by name"));
   CHECK(has(mistakes(R"({"version": 1, "light": {}})"), "did you mean \"lights\"?"));
 }
 

@@ -158,8 +158,8 @@ TEST_CASE("an object without exactly one kind, or with an invalid name, is refus
             "s.json:2:13: error: object \"a\" has no kind; give it one of: cloth, capsule"));
   CHECK(has(withObjects(R"({"a": {"cloth": {}, "capsule": {}}})"), "object \"a\" is a \"cloth\" already"));
   CHECK(has(withObjects(R"({"a b": {"cloth": {}}})"), "object name \"a b\" must be"));
-  CHECK(has(withObjects(R"({"a": 3})"), "expected an object, found a number"));
-  CHECK(has(withObjects("[]"), "expected an object, found a list"));
+  CHECK(has(withObjects(R"({"a": 3})"), "expected an object, such as {\"sphere\": {}}, found a number"));
+  CHECK(has(withObjects("[]"), "expected objects by name"));
   std::string many = "{\"a0\": {\"capsule\": {}}";
   for (int i = 1; i <= 1000; ++i) many += ", \"a" + std::to_string(i) + "\": {\"capsule\": {}}";
   CHECK(has(withObjects(many + "}"), "more than 1000 objects"));

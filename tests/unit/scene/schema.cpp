@@ -21,7 +21,8 @@ TEST_CASE("the schema states what the reader checks") {
   CHECK(schema["required"] == nlohmann::json::array({"version"}));
   CHECK(schema["additionalProperties"] == false);
   CHECK(schema["properties"].contains("$schema"));
-  CHECK(schema["properties"]["version"]["const"] == 1);
+  CHECK(schema["properties"]["version"]["minimum"] == 1);
+  CHECK(schema["properties"]["version"]["maximum"] == 2);
   const auto& cloth = schema["$defs"]["cloth"]["properties"];
   CHECK(cloth["stretch"]["minimum"] == 0);
   CHECK(cloth["stretch"]["maximum"] == 1);

@@ -5,8 +5,8 @@
 
 #include <doctest/doctest.h>
 
-using simreel::sim::barTicks;
 using simreel::sim::BarTick;
+using simreel::sim::barTicks;
 
 namespace {
 

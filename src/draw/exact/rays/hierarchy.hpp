@@ -1,7 +1,7 @@
 #pragma once
 #include "gl/buffer.hpp"
 #include "gl/kernel/kernel.hpp"
-#include "gl/radix_sort.hpp"
+#include "gl/sort/radix_sort.hpp"
 #include "gl/texture.hpp"
 
 #include <optional>

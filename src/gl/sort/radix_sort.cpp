@@ -1,4 +1,4 @@
-#include "gl/radix_sort.hpp"
+#include "gl/sort/radix_sort.hpp"
 
 #include "base/error.hpp"
 #include "gl/kernel/kernel.hpp"
