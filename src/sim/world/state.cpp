@@ -31,8 +31,8 @@ World::State::State(const scene::Scene& scene, bool timing, const std::function<
   for (const std::string& remark : scene.remarks) warnLinesOnce(remark);
   for (const std::string& remark : portRemarks(scene)) warn("{}", remark);
   if (scene.objects.empty())
-    warn("the scene has no objects, so the picture is empty; add for example \"objects\": {\"ball\": "
-         "{\"sphere\": {}}}");
+    warn("the scene has no objects, so the picture is empty; add for example {}",
+         R"("objects": {"ball": {"sphere": {}}})");
   setting.links = &links;
   setting.startTime = startOf(scene);
   setting.presteps = presteps;
