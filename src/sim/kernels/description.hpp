@@ -1,6 +1,7 @@
 #pragma once
 #include "scene/value/formula.hpp"
 #include "sim/core/drawable.hpp"
+#include "sim/fluid/wind.hpp"
 #include "sim/grid/field_display.hpp"
 
 #include <filesystem>
@@ -76,6 +77,28 @@ struct KernelField {
   FieldDisplay display;
 };
 
+/// Ground whose heights are the elements of a 2-D texture or of a buffer.
+struct KernelTerrain {
+  std::string of, height;  ///< member or channel that holds the height; empty: the first number
+  glm::vec3 position{0};   ///< middle of the ground at the height 0, in metres
+  float width = 4;         ///< width along x in metres
+  float scale = 1;         ///< metres of the height 1
+  bool collides = false;
+  float grip = 25.3F;  ///< rate in 1/s at which sliding objects lose speed
+
+  /// Returns the distance between elements for `count` of them along x.
+  [[nodiscard]] float cell(int count) const { return width / static_cast<float>(count - 1); }
+};
+
+/// Velocities in a plane of the world, as the wind of other objects.
+struct KernelWind {
+  std::string of,
+      velocity;      ///< member of at least two numbers; empty: the first two channels, or the element
+  float scale = 1;   ///< m/s of the velocity 1
+  float speed = 10;  ///< expected maximum speed in m/s
+  FluidPlane plane;
+};
+
 /// A statistic over a buffer member, for checks and charts.
 struct KernelMeasure {
   enum class What { mean, sum, min, max };
@@ -100,6 +123,8 @@ struct KernelDescription {
   std::optional<KernelSurface> surface;
   std::optional<KernelPoints> points;
   std::optional<KernelField> field;
+  std::optional<KernelTerrain> terrain;
+  std::optional<KernelWind> wind;
   std::vector<KernelMeasure> measured;
 };
 

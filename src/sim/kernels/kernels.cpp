@@ -11,11 +11,13 @@
 #include "sim/kernels/programs.hpp"
 #include "sim/kernels/races.hpp"
 #include "sim/kernels/reports.hpp"
+#include "sim/kernels/wind.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -52,20 +54,30 @@ class Kernels : public Simulation, public RaceChecked {
         seed_(setting.seed),
         plan_((checkKernels(object, setting), parameters_.plan)),
         store_(name_, *plan_, static_cast<unsigned>(setting.seed)),
-        drawn_(name_, *plan_, object.material),
+        drawn_(name_, *plan_, object.material, setting.frameSeconds),
         reports_(name_, *plan_, parameters_.bounds == KernelDescription::Bounds::ignore),
         programs_(name_, plan_->shaderPointer()),
         kind_(object.kind) {
     checkLoops();
     run(plan_->first(), nowAt(setting.startTime, 0), true);
+    if (plan_->drawn().wind) wind_.emplace(name_, *plan_);
     finish(setting.startTime);
+    endFrame();
   }
 
+  void connect(Outlets& outlets) override {
+    if (wind_) outlets.provide(wind_->outlet());
+    if (KernelGround* ground = drawn_.ground(); ground != nullptr && ground->outlet() != nullptr)
+      outlets.provide(ground->outlet());
+  }
   void step(double time, const StepWatch& watch) override {
     advance(time, watch);
     finish(time + frameSeconds_);
+    endFrame();
   }
+  /// Others may take the wind and the ground of this frame, so these are updated too.
   void pass(double time) override {
+    if (wind_ || drawn_.ground() != nullptr) return step(time, {});
     advance(time, {});
     store_.settle();
     reports_.collect(frameAt(time) + 1);
@@ -89,6 +101,7 @@ class Kernels : public Simulation, public RaceChecked {
       carry.array(plan_->buffers()[i].name.c_str(), store_.buffer(static_cast<int>(i)));
     for (std::size_t i = 0; i < plan_->textures().size(); ++i)
       carry.array(plan_->textures()[i].name.c_str(), store_.words(static_cast<int>(i)));
+    if (KernelGround* ground = drawn_.ground()) ground->carryOver(carry);
   }
   [[nodiscard]] std::vector<StateArray> state() const override {
     std::vector<StateArray> arrays;
@@ -152,7 +165,11 @@ class Kernels : public Simulation, public RaceChecked {
   void finish(double time) {
     store_.settle();
     drawn_.update(store_);
+    if (wind_) wind_->update(store_);
     reports_.collect(frameAt(time));
+  }
+  void endFrame() {
+    if (KernelGround* ground = drawn_.ground()) ground->endFrame();
   }
 
   void run(const std::vector<PlannedEntry>& entries, const KernelPlan::Now& now, bool first) {
@@ -213,6 +230,7 @@ class Kernels : public Simulation, public RaceChecked {
   std::shared_ptr<const KernelPlan> plan_;
   KernelStore store_;
   KernelDrawn drawn_;
+  std::optional<KernelWindSource> wind_;
   KernelReports reports_;
   KernelPrograms programs_;
   std::string kind_;

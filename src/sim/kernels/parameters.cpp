@@ -6,7 +6,9 @@
 #include "scene/value/implied_shape.hpp"
 #include "sim/grid/color_map.hpp"
 #include "sim/kernels/plan.hpp"
+#include "sim/mesh/height_field.hpp"
 #include "sim/ports/field_source.hpp"
+#include "sim/ports/markers.hpp"
 
 #include <algorithm>
 #include <mutex>
@@ -117,6 +119,32 @@ void describe(scene::Fields& f, KernelPoints& points) {
   if (points.colorRange.x == points.colorRange.y) f.error("colorTo", "colorFrom and colorTo must differ");
 }
 
+void describe(scene::Fields& f, KernelTerrain& terrain) {
+  f.text("of", terrain.of, "2D texture, or buffer of a grid, whose elements are the heights.");
+  f.text("height", terrain.height, "Channel (r, g, b, a) or member that holds the height.");
+  f.leftOut("height", "the first number");
+  f.vector("position", terrain.position, scene::anyNumber, "m",
+           "Middle of the ground, where the height is 0.");
+  f.number("width", terrain.width, {1e-3, 1e5}, "m", "Width along x; y of the texture grows along z.");
+  f.number("scale", terrain.scale, scene::anyNumber, "m", "Height of the value 1.");
+  f.boolean("collides", terrain.collides, "Cloth and particles fall onto it.");
+  f.number("grip", terrain.grip, {0, 1e6}, "1/s",
+           "Rate at which sliding objects lose speed, if it collides.");
+  f.idleUnless(terrain.collides, "collides", {"grip"}, "\"collides\": true");
+}
+
+void describe(scene::Fields& f, KernelWind& wind) {
+  f.text("of", wind.of, "2D texture, or buffer of a grid, whose elements are velocities.");
+  f.text("velocity", wind.velocity,
+         "Member whose first two numbers are the velocity towards growing x and y.");
+  f.leftOut("velocity", "r and g of a texture, or the element itself");
+  f.number("scale", wind.scale, scene::anyNumber, "m/s", "Speed of the velocity 1.");
+  f.number("speed", wind.speed, {1e-3, 1e6}, "m/s",
+           "Greatest speed that is expected: a wildfire's \"strength\" of wind.");
+  f.group("plane", "Rectangle in the world where the velocities are the wind of other objects.",
+          [&](scene::Fields& p) { wind.plane.describe(p); });
+}
+
 }  // namespace
 
 void KernelsParameters::describe(scene::Fields& f) {
@@ -175,6 +203,10 @@ void KernelsParameters::describeDrawn(scene::Fields& f) {
                     g.group("display", "Placement over the picture.",
                             [&](scene::Fields& d) { group.display.describe(d); });
                   });
+  f.optionalGroup("terrain", terrain, "Draws heights as ground, onto which others may fall.",
+                  [](scene::Fields& g, KernelTerrain& group) { sim::describe(g, group); });
+  f.optionalGroup("wind", wind, "Makes velocities the wind of cloth, particles and wildfires.",
+                  [](scene::Fields& g, KernelWind& group) { sim::describe(g, group); });
   f.named(
       "measures", measured, "Numbers of the state, for checks and charts.", "measure",
       [](scene::Fields& m, KernelMeasure& measure) {
@@ -237,11 +269,14 @@ void KernelsParameters::keepProblem(const UserError& error) {
 
 void KernelsParameters::ports(Ports& ports) const {
   if (plan != nullptr && plan->drawn().field) ports.provide<FieldSource>();
+  ports.provide<FluidWind>(wind.has_value(), " without \"wind\"");
+  const bool collides = terrain && terrain->collides;
+  ports.provide<Touchable>(collides);
+  ports.provide<HeightField>(collides).path = {"terrain", "collides"};
 }
 
 const char* KernelsParameters::drawnWith() const {
-  const bool onlyField =
-      plan != nullptr && plan->drawn().field && !plan->drawn().surface && !plan->drawn().points;
+  const bool onlyField = plan != nullptr && plan->drawn().field && !plan->drawn().inSpace();
   return onlyField ? "its \"field\"" : nullptr;
 }
 
@@ -256,7 +291,7 @@ scene::Parameters::Looks KernelsParameters::looks() const {
 }
 
 bool KernelsParameters::wanders() const {
-  return plan != nullptr && (plan->drawn().surface || plan->drawn().points);
+  return plan != nullptr && (plan->drawn().surface || plan->drawn().points || plan->drawn().terrain);
 }
 
 }  // namespace simreel::sim

@@ -55,6 +55,9 @@ struct PlannedTexture {
   /// Returns the sampler state (bits as in simreel_Samplers) for reads of this texture with `sampler`.
   [[nodiscard]] unsigned samplerState(std::string_view sampler) const;
   [[nodiscard]] bool integers() const { return format.ends_with("i"); }
+  [[nodiscard]] bool singleChannel() const {
+    return format.starts_with("r") && !format.starts_with("rg") && !format.starts_with("r11");
+  }
 };
 
 /// A component of a constant or of a thread count.
@@ -79,6 +82,11 @@ struct PlannedDrawing {
   std::optional<KernelSurface> surface;
   std::optional<KernelPoints> points;
   std::optional<KernelField> field;
+  std::optional<KernelTerrain> terrain;
+  std::optional<KernelWind> wind;
+
+  /// Returns true if something is drawn in the world, not only over the picture.
+  [[nodiscard]] bool inSpace() const { return surface || points || terrain; }
 };
 
 /// A scene's description of its kernels, checked against the contents of their file. Needs no device.
@@ -110,6 +118,8 @@ class KernelPlan {
   [[nodiscard]] const PlannedDrawing& drawn() const { return drawn_; }
   [[nodiscard]] int bufferNamed(std::string_view name) const;
   [[nodiscard]] int textureNamed(std::string_view name) const;
+  /// Returns the size of the buffer or texture of that name.
+  [[nodiscard]] glm::ivec3 sizeOf(const std::string& memory) const;
   /// Returns the values that can be set in one element of the buffer named `memory` (its members), or in
   /// one texel of the texture of that name (its channels); empty if there is neither.
   [[nodiscard]] std::vector<KernelSlot> slots(const std::string& memory) const;
@@ -160,6 +170,11 @@ class KernelPlan {
   void planStarts();
   void planDrawing(const KernelDescription& parameters);
   void chooseDrawing();
+  void planGrids();
+  [[nodiscard]] scene::Box boxOfTerrain() const;
+  /// Reports a grid `of` that does not have `axes` axes, or a member of it that has too few numbers.
+  bool holdGrid(const char* group, const char* key, const std::string& of, const std::string& member,
+                std::size_t numbers, int axes);
   bool holdMember(const char* group, const char* key, const std::string& of, const std::string& member,
                   bool needed, std::size_t least);
   void planMeasures(const KernelDescription& parameters);

@@ -40,8 +40,9 @@ bool isPosition(const KernelSlot& slot, const std::string& buffer) {
 }  // namespace
 
 void KernelPlan::planDrawing(const KernelDescription& parameters) {
-  drawn_ = {parameters.surface, parameters.points, parameters.field};
-  if (!drawn_.surface && !drawn_.points && !drawn_.field) chooseDrawing();
+  drawn_ = {parameters.surface, parameters.points, parameters.field, parameters.terrain, parameters.wind};
+  if (!drawn_.inSpace() && !drawn_.field && !drawn_.wind) chooseDrawing();
+  planGrids();
   std::vector<std::string> buffers, all;
   for (const PlannedBuffer& buffer : buffers_)
     if (buffer.counterOf.empty()) buffers.push_back(buffer.name);
@@ -178,6 +179,7 @@ std::vector<KernelSlot> KernelPlan::slots(const std::string& memory) const {
 }
 
 std::optional<scene::Box> KernelPlan::box() const {
+  if (drawn_.terrain && !drawn_.surface && !drawn_.points) return boxOfTerrain();
   const std::string of = drawn_.surface  ? drawn_.surface->of
                          : drawn_.points ? drawn_.points->of
                                          : std::string();
