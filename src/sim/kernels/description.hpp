@@ -25,6 +25,9 @@ struct KernelMemory {
   bool upward = false;    ///< true if the first row of its file is the last row of the texture
   double counter = 0;     ///< initial counter value, for append and consume buffers
   // Only for textures:
+  std::string field;  ///< field of another object that it takes, OBJECT or OBJECT.PART
+  enum class Taken { everyFrame, start };
+  Taken taken = Taken::everyFrame;
   std::string format;  ///< GLSL image format; empty: format in the shader, or 32 bits per channel
   enum class Filter { shader, point, linear };
   enum class Wrap { shader, repeat, clamp, mirror };

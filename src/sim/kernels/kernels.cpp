@@ -1,10 +1,12 @@
 #include "sim/kernels/kernels.hpp"
 
 #include "base/error.hpp"
+#include "sim/core/frame_observer.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/core/numerics.hpp"
 #include "sim/core/race_checked.hpp"
 #include "sim/kernels/drawn.hpp"
+#include "sim/kernels/inputs.hpp"
 #include "sim/kernels/memory.hpp"
 #include "sim/kernels/parameters.hpp"
 #include "sim/kernels/plan.hpp"
@@ -45,7 +47,7 @@ std::vector<std::filesystem::path> shaderFiles(const scene::Scene& scene) {
 
 namespace {
 
-class Kernels : public Simulation, public RaceChecked {
+class Kernels : public Simulation, public RaceChecked, public FrameStarter {
  public:
   Kernels(const scene::Object& object, const Setting& setting)
       : name_(object.name),
@@ -57,12 +59,18 @@ class Kernels : public Simulation, public RaceChecked {
         drawn_(name_, *plan_, object.material, setting.frameSeconds),
         reports_(name_, *plan_, parameters_.bounds == KernelDescription::Bounds::ignore),
         programs_(name_, plan_->shaderPointer()),
+        inputs_(*plan_, object, setting.links),
+        startTime_(setting.startTime),
         kind_(object.kind) {
     checkLoops();
-    run(plan_->first(), nowAt(setting.startTime, 0), true);
     if (plan_->drawn().wind) wind_.emplace(name_, *plan_);
-    finish(setting.startTime);
-    endFrame();
+    if (!inputs_.any()) begin();
+  }
+
+  /// Kernels that take something from other objects begin once all objects exist.
+  void frameStarts() override {
+    inputs_.take(store_, !begun_);
+    if (!begun_) begin();
   }
 
   void connect(Outlets& outlets) override {
@@ -150,7 +158,14 @@ class Kernels : public Simulation, public RaceChecked {
   [[nodiscard]] KernelPlan::Now nowAt(double time, int step) const {
     const double dt = frameSeconds_ / std::max(1, parameters_.steps);
     const long frame = frameAt(time);
-    return {dt, time + step * dt, frame, frame * parameters_.steps + step, seed_};
+    return {dt, time + step * dt, frame, frame * parameters_.steps + step, seed_, inputs_.quantities()};
+  }
+
+  void begin() {
+    begun_ = true;
+    run(plan_->first(), nowAt(startTime_, 0), true);
+    finish(startTime_);
+    endFrame();
   }
 
   void advance(double time, const StepWatch& watch) {
@@ -233,6 +248,9 @@ class Kernels : public Simulation, public RaceChecked {
   std::optional<KernelWindSource> wind_;
   KernelReports reports_;
   KernelPrograms programs_;
+  KernelInputs inputs_;
+  double startTime_;
+  bool begun_ = false;  ///< true once `first` has run
   std::string kind_;
   std::unique_ptr<KernelRaces> races_;  ///< null unless a search for races is running
 };

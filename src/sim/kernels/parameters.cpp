@@ -9,6 +9,7 @@
 #include "sim/mesh/height_field.hpp"
 #include "sim/ports/field_source.hpp"
 #include "sim/ports/markers.hpp"
+#include "sim/ports/measured.hpp"
 
 #include <algorithm>
 #include <mutex>
@@ -39,6 +40,13 @@ void describe(scene::Fields& f, KernelMemory& memory, bool texture) {
               : "Table with first values: CSV (a column is called as its first line says), npy (c0, c1, "
                 "...), or OBJ, PLY, glTF (vertices: x, y, z, nx, ny, nz, u, v).");
   if (texture) {
+    f.text("field", memory.field,
+           "Field of another object that a 2D texture takes: OBJECT, or OBJECT.PART such as \"smoke.u\".");
+    f.choice("taken", memory.taken, {"everyFrame", "start"},
+             "Takes the field as it is at the beginning of each frame, or only at the start.");
+    f.idleUnless(!memory.field.empty(), "field", {"taken"}, "a texture with a \"field\"");
+    if (!memory.field.empty() && (f.given("file") || f.given("start")))
+      f.error("field", "a texture has a \"field\", a \"file\" or a \"start\"");
     f.text("format", memory.format, "Format of a texel, such as \"rgba32f\" or \"r32ui\".");
     f.leftOut("format", "the shader's, or of 32 bits a channel");
     if (f.given("format") && memory.format.empty())
@@ -155,7 +163,8 @@ void KernelsParameters::describe(scene::Fields& f) {
   f.formulas(
       "constants", constants,
       "Values of the shader's constants: numbers, lists of them, keyframes, or expressions of dt, time, "
-      "frame, steps, seed, count(BUFFER), width(TEXTURE), height(TEXTURE), depth(TEXTURE).");
+      "frame, steps, seed, count(BUFFER), width(TEXTURE), height(TEXTURE), depth(TEXTURE), and "
+      "quantity(OBJECT.QUANTITY), a quantity of another object at the beginning of the frame.");
   f.integer("steps", steps, {0, 100000}, "per frame", "Steps a frame takes; dt is their length.");
   f.shorthand("first", "kernel");
   f.list("first", first, "What runs once, before the first frame.",
@@ -269,6 +278,12 @@ void KernelsParameters::keepProblem(const UserError& error) {
 
 void KernelsParameters::ports(Ports& ports) const {
   if (plan != nullptr && plan->drawn().field) ports.provide<FieldSource>();
+  for (const KernelMemory& texture : textures)
+    if (!texture.field.empty())
+      ports.mustWant<FieldSource>(texture.field, {"textures", texture.name, "field"}, When::frameStart);
+  if (plan != nullptr)
+    for (const KernelPlan::Quantity& quantity : plan->quantities())
+      ports.mustWant<Measured>(quantity.name, quantity.path, When::frameStart);
   ports.provide<FluidWind>(wind.has_value(), " without \"wind\"");
   const bool collides = terrain && terrain->collides;
   ports.provide<Touchable>(collides);

@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -135,8 +136,15 @@ class KernelPlan {
     double dt = 0, time = 0;
     long frame = 0, step = 0;
     int seed = 1;
+    std::span<const double> quantities = {};  ///< values of quantities(); zeros if it is shorter
   };
   [[nodiscard]] std::vector<double> values(const Now& now) const;
+  /// A quantity of another object that constants use: OBJECT.QUANTITY, and JSON path of the constant.
+  struct Quantity {
+    std::string name;
+    std::vector<std::string> path;
+  };
+  [[nodiscard]] const std::vector<Quantity>& quantities() const { return quantities_; }
   /// Returns the contents of a uniform block.
   [[nodiscard]] std::vector<std::byte> blockBytes(const kernels::Block& block, const Now& now) const;
   [[nodiscard]] glm::uvec3 groups(const PlannedEntry& entry, const Now& now) const;
@@ -195,6 +203,9 @@ class KernelPlan {
   std::map<std::string, Constant> constants_;
   std::vector<std::pair<std::string, double>>
       lookups_;  ///< values of count(NAME) and similar functions, in order after the plain variables
+  std::vector<Quantity> quantities_;
+  std::vector<std::size_t> quantityPlaces_;  ///< index of each quantity among lookups_
+  bool takesQuantities_ = false;             ///< true while constants are planned
   PlannedDrawing drawn_;
   std::vector<Mistake> mistakes_;
   KernelTables tables_;

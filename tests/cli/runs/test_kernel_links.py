@@ -20,6 +20,17 @@ class KernelLinks(Case):
         width = head.count(b"property float")
         return [struct.unpack_from(f"<{width}f", rows, 4 * width * i) for i in range(count)]
 
+    def field(self, name, frame):
+        """Returns the values of the npy file of an object's field at a frame, in rows."""
+        self.good("bake", "k.json", "--object", name, "--format", "npy", "--frames", str(frame), "-o", "b", "--overwrite")
+        (file,) = [path for path in (self.folder / "b").glob(f"{name}_*{frame:06}.npy")]
+        data = file.read_bytes()
+        length = int.from_bytes(data[8:10], "little")
+        self.assertIn(b"'<f4'", data[10:10 + length])
+        rows, columns = (int(part) for part in data[10:10 + length].split(b"(")[1].split(b")")[0].split(b",")[:2])
+        values = struct.unpack(f"<{rows * columns}f", data[10 + length:])
+        return [values[columns * row:columns * (row + 1)] for row in range(rows)]
+
     def test_velocities_of_a_kernel_are_the_wind_of_particles(self):
         # A linear field, which interpolation does not change: exact in the whole rectangle up to half a cell from its edges.
         self.kernel("""RWTexture2D<float2> _Velocity;
@@ -52,6 +63,57 @@ class KernelLinks(Case):
         for i, vertex in enumerate(vertices):
             for found, wanted in zip(vertex, (0.5 * (i % 9) - 2, 1, 0.5 * (i // 9) - 0.5)):
                 self.assertAlmostEqual(found, wanted, delta=1e-6)
+
+    def test_textures_take_the_field_of_another_object_at_the_beginning_of_a_frame(self):
+        self.kernel("""RWTexture2D<float> _Out; float _Now;
+            [numthreads(8, 8, 1)] void Make(uint3 id : SV_DispatchThreadID) { if (id.x < 12) _Out[id.xy] = id.x + 100*id.y + 10000*_Now; }""")
+        self.kernel("""Texture2D<float> _In, _Once; RWTexture2D<float4> _Seen; Texture2D<uint> _Whole;
+            [numthreads(8, 8, 1)] void See(uint3 id : SV_DispatchThreadID) {
+                if (id.x < 12) _Seen[id.xy] = _In[id.xy] + 0.5*_Once[id.xy]; else _Seen[id.xy] = _Whole[uint2(id.x - 12, id.y)]; }""", "b.compute")
+        make = {"file": "a.compute", "textures": {"_Out": [12, 8]}, "constants": {"_Now": "frame + 1"}, "first": ["Make"]}
+        see = {"file": "b.compute", "step": [{"kernel": "See", "threads": [24, 8]}], "field": {"of": "_Seen", "show": "r"},
+               "textures": {"_In": {"size": [12, 8], "field": "source"}, "_Once": {"size": [12, 8], "field": "source", "taken": "start"},
+                            "_Whole": {"size": [12, 8], "field": "source"}, "_Seen": [24, 8]}}
+        for order in (("source", "reader"), ("reader", "source")):  # the order of the objects does not matter
+            self.scene({name: {"kernels": make if name == "source" else see} for name in order})
+            for y, row in enumerate(self.field("reader", 3)):
+                # In frame 3 it reads what frame 2 made; at the start there is what "first" made.
+                self.assertEqual(list(row[:12]), [x + 100 * y + 20000 + 0.5 * (x + 100 * y + 10000) for x in range(12)])
+                self.assertEqual(list(row[12:]), [x + 100 * y + 20000 for x in range(12)])
+        # A texture of another size is interpolated between the middles of cells.
+        see |= {"bounds": "ignore"}
+        see["textures"]["_In"]["size"], see["textures"]["_Once"] = [24, 4], {"size": [12, 8]}
+        self.scene({"source": {"kernels": make}, "reader": {"kernels": see}})
+        for y, row in enumerate(self.field("reader", 1)[:4]):
+            self.assertEqual(list(row[:12]), [min(max(0.5 * x - 0.25, 0), 11) + 100 * (2 * y + 0.5) + 10000 for x in range(12)])
+
+    def test_constants_use_quantities_of_other_objects(self):
+        self.kernel("""RWStructuredBuffer<float> _Sum; float _Given;
+            [numthreads(1, 1, 1)] void Add(uint3 id : SV_DispatchThreadID) { _Sum[0] += _Given; }""")
+        kernel = {"file": "a.compute", "buffers": {"_Sum": {"size": 1, "start": 1}}, "constants": {"_Given": 1}, "measures": {"total": {"of": "_Sum", "what": "sum"}}}
+        self.scene({"first": {"kernels": kernel | {"constants": {"_Given": "2*quantity(second-one.total)"}}}, "second-one": {"kernels": kernel}},
+                   checks=[{"what": "total", "object": "first", "min": 1 + 2 * (1 + 2 + 3), "max": 13}], test={"frames": [3], "size": [16, 9]})
+        self.good("test", "k.json", "--update")
+        for constant, message in (
+            ("quantity(second.total)", 'no object is named "second"'),
+            ("quantity(first.totals)", 'object "first" has no quantity "first.totals"; did you mean "first.total"?'),
+            ("quantity(total)", "a quantity has the name of an object and its own: quantity(OBJECT.QUANTITY)"),
+        ):
+            self.scene({"first": {"kernels": kernel | {"constants": {"_Given": constant}}}})
+            self.bad(2, message, "validate", "k.json")
+        self.scene({"first": {"kernels": kernel | {"buffers": {"_Sum": "quantity(first.total)"}}}})
+        self.bad(2, "only constants use quantities of objects", "validate", "k.json")
+
+    def test_an_image_reads_the_field_of_another_object(self):
+        self.kernel("""RWTexture2D<float> _Out;
+            [numthreads(8, 8, 1)] void Make(uint3 id : SV_DispatchThreadID) { _Out[id.xy] = id.y < 8 ? 1 : 0; }""")
+        (self.folder / "a.frag").write_text("void mainImage(out vec4 c, in vec2 at) { c = vec4(texelFetch(iChannel0, ivec2(at), 0).xyz, 1.0); }\n")
+        self.scene({"picture": {"image": {"file": "a.frag", "size": [32, 16], "channels": {"0": {"field": "half"}}}},
+                    "half": {"kernels": {"file": "a.compute", "textures": {"_Out": [32, 16]}, "first": ["Make"]}}})
+        rows = self.field("picture", 0)
+        self.assertEqual([set(row) for row in rows], [{1.0}] * 8 + [{0.0}] * 8)  # y of ShaderToy points up, so the picture is as the field is shown
+        self.scene({"picture": {"image": {"file": "a.frag", "size": [32, 16], "channels": {"0": {"field": "hal"}}}}})
+        self.bad(2, 'no object is named "hal"', "validate", "k.json")
 
     def test_grids_that_are_no_wind_or_terrain_are_refused(self):
         self.kernel("""struct Cell { float2 flow; float height; };
