@@ -93,6 +93,20 @@ struct KernelTerrain {
   [[nodiscard]] float cell(int count) const { return width / static_cast<float>(count - 1); }
 };
 
+/// Surface where the numbers of a 3-D texture, or of a buffer with three axes, reach a level.
+struct KernelVolume {
+  enum class Draw { isosurface, cubes };
+  std::string of, show;  ///< member or channel that has the level; empty: the first number
+  Draw draw = Draw::isosurface;
+  scene::Animated<float> level = 0.5F;
+  std::string color;  ///< member or channel that the colour map colours; empty: the material's colour
+  std::string map = "inferno";
+  glm::vec2 colorRange{0, 1};
+  glm::vec3 position{0};  ///< middle of the volume in metres
+  float width = 2;        ///< width along x in metres; cells are cubes
+  bool closed = true;     ///< true: the surface is closed where it reaches the border
+};
+
 /// Velocities in a plane of the world, as the wind of other objects.
 struct KernelWind {
   std::string of,
@@ -127,6 +141,7 @@ struct KernelDescription {
   std::optional<KernelPoints> points;
   std::optional<KernelField> field;
   std::optional<KernelTerrain> terrain;
+  std::optional<KernelVolume> volume;
   std::optional<KernelWind> wind;
   std::vector<KernelMeasure> measured;
 };

@@ -27,6 +27,7 @@ KernelDrawn::KernelDrawn(const std::string& name, const KernelPlan& plan, const 
     : name_(name), plan_(plan), material_(material), normal_(gl::kernelDefines(false)) {
   const PlannedDrawing& drawn = plan.drawn();
   if (drawn.points) pointColors_ = colorMapStops(drawn.points->map);
+  if (drawn.volume) level_.emplace(name, plan);
   if (drawn.terrain) ground_.emplace(name, plan, frameSeconds);
   if (drawn.field) fieldColors_ = drawn.field->display.colors();
 }
@@ -89,7 +90,7 @@ void KernelDrawn::makeSurface(const KernelStore& store) {
   makeFaces(triangles_, vertices);
 }
 
-void KernelDrawn::update(const KernelStore& store) {
+void KernelDrawn::update(const KernelStore& store, double time) {
   const PlannedDrawing& drawn = plan_.drawn();
   if (drawn.surface) {
     if (!made_) makeSurface(store);
@@ -119,6 +120,7 @@ void KernelDrawn::update(const KernelStore& store) {
         speeds_);
   }
   if (ground_) ground_->update(store);
+  if (level_) level_->update(store, time);
   if (drawn.field) updateField(store);
   made_ = true;
   gl::barrier();
@@ -187,6 +189,10 @@ void KernelDrawn::publish(Drawables& drawables) const {
     drawables.surfaces.push_back(ground_->surface());
     drawables.surfaces.back().material = &material_;
   }
+  if (level_) {
+    drawables.surfaces.push_back(level_->surface());
+    drawables.surfaces.back().material = &material_;
+  }
   if (drawn.points) {
     const KernelPoints& points = *drawn.points;
     Instances instances;
@@ -232,7 +238,9 @@ PointTable KernelDrawn::points() const {
 std::optional<MeshTable> KernelDrawn::mesh() const {
   if (!plan_.drawn().surface && ground_)
     return sheetMesh(ground_->size(), ground_->vertices().buffer().readAll<glm::vec4>());
-  if (!plan_.drawn().surface) return std::nullopt;
+  // A mesh beside points would have to consist of these points.
+  if (!plan_.drawn().surface)
+    return level_ && !plan_.drawn().points ? std::optional(level_->mesh()) : std::nullopt;
   const auto at = vertices_.buffer().readAll<glm::vec4>();
   if (normals_.buffer().bytes() == 0) {
     const glm::ivec2 grid = plan_.drawn().surface->grid;

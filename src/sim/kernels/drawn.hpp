@@ -4,6 +4,7 @@
 #include "sim/core/simulation.hpp"
 #include "sim/kernels/gather.hpp"
 #include "sim/kernels/ground.hpp"
+#include "sim/kernels/level.hpp"
 #include "sim/kernels/memory.hpp"
 
 #include <optional>
@@ -23,8 +24,10 @@ class KernelDrawn {
   KernelDrawn(const KernelDrawn&) = delete;
   KernelDrawn& operator=(const KernelDrawn&) = delete;
 
-  /// Copies from memory. Call after KernelStore::settle().
-  void update(const KernelStore& store);
+  /// Copies from memory at `time` (seconds). Call after KernelStore::settle().
+  void update(const KernelStore& store, double time);
+  /// Enlarges the level surface if it was too small (Simulation::grow).
+  bool grow() { return level_ && level_->grow(); }
   void publish(Drawables& drawables) const;
   /// Returns the terrain; null if nothing of that kind is drawn.
   [[nodiscard]] KernelGround* ground() { return ground_ ? &*ground_ : nullptr; }
@@ -48,6 +51,7 @@ class KernelDrawn {
   gl::Texture uvView_, words_;
   int indexCount_ = 0;
   std::optional<KernelGround> ground_;
+  std::optional<KernelLevel> level_;
   std::vector<unsigned> triangles_;
   std::vector<glm::vec2> textureCoordinates_;
   std::vector<glm::vec3> pointColors_, fieldColors_;

@@ -135,6 +135,7 @@ class Kernels : public Simulation, public RaceChecked, public FrameStarter {
     races_.reset();
     return found;
   }
+  bool grow() override { return drawn_.grow(); }
   [[nodiscard]] PointTable points() const override { return drawn_.points(); }
   [[nodiscard]] std::optional<MeshTable> mesh() const override { return drawn_.mesh(); }
   [[nodiscard]] std::vector<double> measure() const override {
@@ -179,7 +180,7 @@ class Kernels : public Simulation, public RaceChecked, public FrameStarter {
 
   void finish(double time) {
     store_.settle();
-    drawn_.update(store_);
+    drawn_.update(store_, time);
     if (wind_) wind_->update(store_);
     reports_.collect(frameAt(time));
   }

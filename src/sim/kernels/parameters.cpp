@@ -94,6 +94,16 @@ void describe(scene::Fields& f, KernelSurface& surface) {
   f.boolean("doubleSided", surface.doubleSided, "Shows both sides.");
 }
 
+void describeMap(scene::Fields& f, std::string& chosen) {
+  const auto& names = colorMapNames();
+  int map = static_cast<int>(std::find(names.begin(), names.end(), chosen) - names.begin());
+  std::vector<const char*> words;
+  words.reserve(names.size());
+  for (const std::string& name : names) words.push_back(name.c_str());
+  f.oneOf("colors", map, words, "Colour map.");
+  chosen = names[static_cast<std::size_t>(map)];
+}
+
 void describe(scene::Fields& f, KernelPoints& points) {
   f.text("of", points.of, "Buffer whose elements are drawn.");
   f.text("position", points.position, "Member that holds an element's place (m).");
@@ -114,13 +124,7 @@ void describe(scene::Fields& f, KernelPoints& points) {
            "Speed (m/s) or mass (kg) at the start of the colour map.");
   f.number("colorTo", points.colorRange.y, scene::anyNumber, "",
            "Speed (m/s) or mass (kg) at the end of the colour map.");
-  const auto& names = colorMapNames();
-  int map = static_cast<int>(std::find(names.begin(), names.end(), points.map) - names.begin());
-  std::vector<const char*> words;
-  words.reserve(names.size());
-  for (const std::string& name : names) words.push_back(name.c_str());
-  f.oneOf("colors", map, words, "Colour map.");
-  points.map = names[static_cast<std::size_t>(map)];
+  describeMap(f, points.map);
   f.boolean("additive", points.additive, "Light that adds up and casts no shadow, for sparks and stars.");
   f.number("brightness", points.brightness, {0, 1e5}, "", "Factor on the colours of additive elements.");
   f.idleUnless(points.additive, "additive", {"brightness"}, "points that are \"additive\"");
@@ -139,6 +143,30 @@ void describe(scene::Fields& f, KernelTerrain& terrain) {
   f.number("grip", terrain.grip, {0, 1e6}, "1/s",
            "Rate at which sliding objects lose speed, if it collides.");
   f.idleUnless(terrain.collides, "collides", {"grip"}, "\"collides\": true");
+}
+
+void describe(scene::Fields& f, KernelVolume& volume) {
+  f.text("of", volume.of, "3D texture, or buffer with a size of three numbers.");
+  f.text("show", volume.show, "Channel (r, g, b, a) or member that has the level.");
+  f.leftOut("show", "the first number");
+  f.choice(
+      "draw", volume.draw, {"isosurface", "cubes"},
+      "isosurface: a smooth surface where the number passes \"level\"; cubes: a cube for every cell at "
+      "that level or above.");
+  f.number("level", volume.level, scene::anyNumber, "",
+           "Number at the surface; inside it is at least this.");
+  f.text("color", volume.color, "Channel or member whose numbers \"colors\" maps.");
+  f.leftOut("color", "nothing: the surface has its material's colour");
+  f.number("colorFrom", volume.colorRange.x, scene::anyNumber, "",
+           "Number at the start of the colour map.");
+  f.number("colorTo", volume.colorRange.y, scene::anyNumber, "", "Number at the end of the colour map.");
+  describeMap(f, volume.map);
+  f.idleUnless(!volume.color.empty(), "color", {"colors", "colorFrom", "colorTo"},
+               "a volume with \"color\"");
+  f.vector("position", volume.position, scene::anyNumber, "m", "Middle of the volume.");
+  f.number("width", volume.width, {1e-3, 1e4}, "m", "Width along x; its cells are cubes.");
+  f.boolean("closed", volume.closed, "Closes the surface where it reaches the border; else it ends there.");
+  if (volume.colorRange.x == volume.colorRange.y) f.error("colorTo", "colorFrom and colorTo must differ");
 }
 
 void describe(scene::Fields& f, KernelWind& wind) {
@@ -214,6 +242,8 @@ void KernelsParameters::describeDrawn(scene::Fields& f) {
                   });
   f.optionalGroup("terrain", terrain, "Draws heights as ground, onto which others may fall.",
                   [](scene::Fields& g, KernelTerrain& group) { sim::describe(g, group); });
+  f.optionalGroup("volume", volume, "Draws a volume as the surface where its numbers reach a level.",
+                  [](scene::Fields& g, KernelVolume& group) { sim::describe(g, group); });
   f.optionalGroup("wind", wind, "Makes velocities the wind of cloth, particles and wildfires.",
                   [](scene::Fields& g, KernelWind& group) { sim::describe(g, group); });
   f.named(

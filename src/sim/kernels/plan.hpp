@@ -84,10 +84,11 @@ struct PlannedDrawing {
   std::optional<KernelPoints> points;
   std::optional<KernelField> field;
   std::optional<KernelTerrain> terrain;
+  std::optional<KernelVolume> volume;
   std::optional<KernelWind> wind;
 
   /// Returns true if something is drawn in the world, not only over the picture.
-  [[nodiscard]] bool inSpace() const { return surface || points || terrain; }
+  [[nodiscard]] bool inSpace() const { return surface || points || terrain || volume; }
 };
 
 /// A scene's description of its kernels, checked against the contents of their file. Needs no device.
@@ -180,6 +181,7 @@ class KernelPlan {
   void chooseDrawing();
   void planGrids();
   [[nodiscard]] scene::Box boxOfTerrain() const;
+  [[nodiscard]] scene::Box boxOfVolume() const;
   /// Reports a grid `of` that does not have `axes` axes, or a member of it that has too few numbers.
   bool holdGrid(const char* group, const char* key, const std::string& of, const std::string& member,
                 std::size_t numbers, int axes);

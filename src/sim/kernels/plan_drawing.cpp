@@ -40,7 +40,8 @@ bool isPosition(const KernelSlot& slot, const std::string& buffer) {
 }  // namespace
 
 void KernelPlan::planDrawing(const KernelDescription& parameters) {
-  drawn_ = {parameters.surface, parameters.points, parameters.field, parameters.terrain, parameters.wind};
+  drawn_ = {parameters.surface, parameters.points, parameters.field,
+            parameters.terrain, parameters.volume, parameters.wind};
   if (!drawn_.inSpace() && !drawn_.field && !drawn_.wind) chooseDrawing();
   planGrids();
   std::vector<std::string> buffers, all;
@@ -179,6 +180,7 @@ std::vector<KernelSlot> KernelPlan::slots(const std::string& memory) const {
 }
 
 std::optional<scene::Box> KernelPlan::box() const {
+  if (drawn_.volume) return boxOfVolume();
   if (drawn_.terrain && !drawn_.surface && !drawn_.points) return boxOfTerrain();
   const std::string of = drawn_.surface  ? drawn_.surface->of
                          : drawn_.points ? drawn_.points->of

@@ -1,4 +1,4 @@
-// The part of KernelPlan that plans grids of the world: terrain and wind.
+// The part of KernelPlan that plans grids of the world: terrain, wind and volumes.
 #include "scene/json/words.hpp"
 #include "sim/kernels/plan.hpp"
 
@@ -58,9 +58,18 @@ scene::Box KernelPlan::boxOfTerrain() const {
   return {terrain.position - half, terrain.position + half};
 }
 
+scene::Box KernelPlan::boxOfVolume() const {
+  const KernelVolume& volume = *drawn_.volume;
+  const glm::vec3 size(sizeOf(volume.of));
+  const glm::vec3 half = 0.5F * volume.width / size.x * size;
+  return {volume.position - half, volume.position + half};
+}
+
 void KernelPlan::planGrids() {
   if (drawn_.terrain) holdGrid("terrain", "height", drawn_.terrain->of, drawn_.terrain->height, 1, 2);
   if (drawn_.wind) holdGrid("wind", "velocity", drawn_.wind->of, drawn_.wind->velocity, 2, 2);
+  if (drawn_.volume && holdGrid("volume", "show", drawn_.volume->of, drawn_.volume->show, 1, 3))
+    holdMember("volume", "color", drawn_.volume->of, drawn_.volume->color, false, 1);
 }
 
 }  // namespace simreel::sim

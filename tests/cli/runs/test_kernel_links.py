@@ -115,6 +115,31 @@ class KernelLinks(Case):
         self.scene({"picture": {"image": {"file": "a.frag", "size": [32, 16], "channels": {"0": {"field": "hal"}}}}})
         self.bad(2, 'no object is named "hal"', "validate", "k.json")
 
+    def obj(self, name, frame):
+        """Returns (vertices, normals, triangles) of the OBJ file of an object at a frame."""
+        self.good("bake", "k.json", "--object", name, "--format", "obj", "--frames", str(frame), "-o", "b", "--overwrite")
+        lines = [line.split() for line in (self.folder / f"b/{name}_{frame:06}.obj").read_text().splitlines()]
+        numbers = {kind: [[float(x) for x in line[1:]] for line in lines if line and line[0] == kind] for kind in ("v", "vn")}
+        return numbers["v"], numbers["vn"], [[int(corner.split("/")[0]) - 1 for corner in line[1:]] for line in lines if line and line[0] == "f"]
+
+    def test_the_level_surface_of_a_volume_is_a_sphere(self):
+        self.kernel("""RWTexture3D<float2> _Inside; RWStructuredBuffer<float> _Also;
+            [numthreads(4, 4, 4)] void Fill(uint3 id : SV_DispatchThreadID) {
+                float3 p = float3(id) - 11.5; p.x += 1;
+                if (id.x < 22) { _Inside[id] = float2(0, 12 - length(p)); _Also[(id.z*24 + id.y)*22 + id.x] = 12 - length(p); } }""")
+        for of in ({"of": "_Inside", "show": "g"}, {"of": "_Also"}):
+            self.scene({"k": {"kernels": {"file": "a.compute", "textures": {"_Inside": [22, 24, 24]}, "buffers": {"_Also": [22, 24, 24]}, "step": [{"kernel": "Fill", "threads": [24, 24, 24]}],
+                                          "volume": {**of, "width": 11, "level": 4, "position": [1, 2, 3]}}}})
+            vertices, normals, triangles = self.obj("k", 1)
+            self.assertGreater(len(vertices), 500)
+            for at, normal in zip(vertices, normals):
+                out = [x - middle for x, middle in zip(at, (1, 2, 3))]
+                self.assertAlmostEqual(math.hypot(*out), 4, delta=0.02)  # cells of 0.5 m: radius 8 cells
+                self.assertGreater(sum(a * b for a, b in zip(out, normal)), 0.98 * 4)
+            edges = {(face[i], face[(i + 1) % 3]) for face in triangles for i in range(3)}
+            self.assertEqual(len(edges), 3 * len(triangles))
+            self.assertTrue(all((b, a) in edges for a, b in edges))  # it is closed
+
     def test_grids_that_are_no_wind_or_terrain_are_refused(self):
         self.kernel("""struct Cell { float2 flow; float height; };
             RWStructuredBuffer<Cell> _Cells; RWTexture2D<float> _Red;
