@@ -59,7 +59,7 @@ struct KernelSurface {
 
 /// Draws the elements of a buffer as spheres, discs or meshes.
 struct KernelPoints {
-  std::string of, position = "position", velocity, mass, alive;
+  std::string of, position = "position", velocity, mass, alive, rotation;
   Instances::Shape shape = Instances::Shape::sprite;
   std::filesystem::path mesh;
   bool alongVelocity = false;

@@ -3,10 +3,12 @@
 #include "base/error.hpp"
 #include "sim/grid/color_map.hpp"
 #include "sim/grid/sheet_mesh.hpp"
+#include "sim/kernels/copies.hpp"
 #include "sim/mesh/file/mesh_file.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -111,6 +113,12 @@ void KernelDrawn::update(const KernelStore& store, double time) {
     if (!made_) {
       places_ = gl::Vec4Array(name_ + " places", from.count);
       speeds_ = gl::Vec4Array(name_ + " velocities", from.count);
+      if (!points.rotation.empty()) turns_ = gl::Vec4Array(name_ + " rotations", from.count);
+    }
+    if (!points.rotation.empty()) {
+      const KernelNumbers turning = numbersOf(store, points.of, points.rotation, 4);
+      quaternions_ = turning.slots[0].offsets.size() == 4;
+      gather_.run(turning, {.member = KernelNumbers::chosen, .components = 4}, turns_);
     }
     gather_.run(from, {.member = points.position, .fourth = points.mass, .fill = glm::vec4(0, 0, 0, 1)},
                 places_);
@@ -166,6 +174,30 @@ void KernelDrawn::updateField(const KernelStore& store) {
   field_.display = &field.display;
 }
 
+Instances KernelDrawn::instances() const {
+  const KernelPoints& points = *plan_.drawn().points;
+  Instances instances;
+  instances.positions = &places_.view();
+  instances.velocities = &speeds_.view();
+  instances.capacity = static_cast<int>(places_.buffer().bytes() / 16);
+  instances.shape = points.shape;
+  instances.mesh = points.mesh;
+  if (points.alongVelocity) instances.turning = Instances::Turning::velocity;
+  if (!points.rotation.empty()) {
+    instances.turning = quaternions_ ? Instances::Turning::quaternion : Instances::Turning::direction;
+    instances.turns = &turns_.view();
+  }
+  instances.size = points.size;
+  instances.massExponent = points.massExponent;
+  instances.colorBy = points.colorBy;
+  instances.colorRange = points.colorRange;
+  instances.colors = &pointColors_;
+  instances.additive = points.additive;
+  instances.brightness = points.brightness;
+  instances.material = &material_;
+  return instances;
+}
+
 void KernelDrawn::publish(Drawables& drawables) const {
   const PlannedDrawing& drawn = plan_.drawn();
   if (drawn.surface) {
@@ -193,25 +225,7 @@ void KernelDrawn::publish(Drawables& drawables) const {
     drawables.surfaces.push_back(level_->surface());
     drawables.surfaces.back().material = &material_;
   }
-  if (drawn.points) {
-    const KernelPoints& points = *drawn.points;
-    Instances instances;
-    instances.positions = &places_.view();
-    instances.velocities = &speeds_.view();
-    instances.capacity = static_cast<int>(places_.buffer().bytes() / 16);
-    instances.shape = points.shape;
-    instances.mesh = points.mesh;
-    instances.alongVelocity = points.alongVelocity;
-    instances.size = points.size;
-    instances.massExponent = points.massExponent;
-    instances.colorBy = points.colorBy;
-    instances.colorRange = points.colorRange;
-    instances.colors = &pointColors_;
-    instances.additive = points.additive;
-    instances.brightness = points.brightness;
-    instances.material = &material_;
-    drawables.instances.push_back(instances);
-  }
+  if (drawn.points) drawables.instances.push_back(instances());
   if (drawn.field) drawables.fields.push_back(field_);
 }
 
@@ -235,12 +249,7 @@ PointTable KernelDrawn::points() const {
   return table;
 }
 
-std::optional<MeshTable> KernelDrawn::mesh() const {
-  if (!plan_.drawn().surface && ground_)
-    return sheetMesh(ground_->size(), ground_->vertices().buffer().readAll<glm::vec4>());
-  // A mesh beside points would have to consist of these points.
-  if (!plan_.drawn().surface)
-    return level_ && !plan_.drawn().points ? std::optional(level_->mesh()) : std::nullopt;
+MeshTable KernelDrawn::surfaceMesh() const {
   const auto at = vertices_.buffer().readAll<glm::vec4>();
   if (normals_.buffer().bytes() == 0) {
     const glm::ivec2 grid = plan_.drawn().surface->grid;
@@ -254,6 +263,25 @@ std::optional<MeshTable> KernelDrawn::mesh() const {
   table.indices = triangles_;
   table.doubleSided = plan_.drawn().surface->doubleSided;
   return table;
+}
+
+std::optional<MeshTable> KernelDrawn::mesh() const {
+  const PlannedDrawing& drawn = plan_.drawn();
+  std::optional<MeshTable> all;
+  const auto add = [&](MeshTable part) {
+    if (all)
+      append(*all, part);
+    else
+      all = std::move(part);
+  };
+  if (drawn.surface) add(surfaceMesh());
+  if (ground_) add(sheetMesh(ground_->size(), ground_->vertices().buffer().readAll<glm::vec4>()));
+  if (level_) add(level_->mesh());
+  if (drawn.points && drawn.points->shape == Instances::Shape::mesh)
+    add(copiesOf(
+        instances(), places_.buffer().readAll<glm::vec4>(), speeds_.buffer().readAll<glm::vec4>(),
+        drawn.points->rotation.empty() ? std::vector<glm::vec4>() : turns_.buffer().readAll<glm::vec4>()));
+  return all;
 }
 
 }  // namespace simreel::sim

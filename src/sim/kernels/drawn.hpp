@@ -31,11 +31,14 @@ class KernelDrawn {
   void publish(Drawables& drawables) const;
   /// Returns the terrain; null if nothing of that kind is drawn.
   [[nodiscard]] KernelGround* ground() { return ground_ ? &*ground_ : nullptr; }
-  /// Reads the drawn points or mesh back from the GPU.
+  /// Reads back from the GPU: the drawn points, else the vertices; and all that is drawn as one mesh, which
+  /// includes copies of a mesh file.
   [[nodiscard]] PointTable points() const;
   [[nodiscard]] std::optional<MeshTable> mesh() const;
 
  private:
+  [[nodiscard]] Instances instances() const;
+  [[nodiscard]] MeshTable surfaceMesh() const;
   void makeSurface(const KernelStore& store);
   void makeFaces(const std::vector<unsigned>& indices, std::size_t vertices);
   void updateField(const KernelStore& store);
@@ -46,10 +49,11 @@ class KernelDrawn {
   KernelGather gather_;
   gl::Kernel<NormalKernel> normal_;
   bool made_ = false;
-  gl::Vec4Array vertices_, normals_, places_, speeds_, cells_;
+  gl::Vec4Array vertices_, normals_, places_, speeds_, turns_, cells_;
   gl::Buffer indices_, uvs_, ranges_, faces_;
   gl::Texture uvView_, words_;
   int indexCount_ = 0;
+  bool quaternions_ = false;  ///< true if `turns_` has quaternions, false if it has directions
   std::optional<KernelGround> ground_;
   std::optional<KernelLevel> level_;
   std::vector<unsigned> triangles_;

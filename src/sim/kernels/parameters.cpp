@@ -115,6 +115,13 @@ void describe(scene::Fields& f, KernelPoints& points) {
            "Discs that face the camera, lit as balls or glowing; spheres; or a mesh.");
   f.asset("mesh", points.mesh, "OBJ, PLY or glTF file of shape \"mesh\".");
   scene::implyShape(f, points.shape, Instances::Shape::mesh, "mesh", points.mesh, "mesh", "sprite");
+  f.text(
+      "rotation", points.rotation,
+      "Member that turns a mesh: a quaternion (four numbers: x, y, z, w), or the direction of the mesh's "
+      "z axis (three).");
+  f.leftOut("rotation", "no turn, unless \"alongVelocity\"");
+  f.idleUnless(points.shape == Instances::Shape::mesh, "shape", {"rotation", "alongVelocity"},
+               "shape \"mesh\"");
   f.boolean("alongVelocity", points.alongVelocity, "Turns a mesh's z axis along the velocity.");
   f.number("size", points.size, {1e-5, 1e5}, "m", "Diameter; for a mesh, a factor on its coordinates.");
   f.number("massExponent", points.massExponent, {0, 2}, "", "Size grows with mass to this power.");

@@ -83,6 +83,9 @@ void KernelPlan::planDrawing(const KernelDescription& parameters) {
     holdMember("points", "velocity", points.of, points.velocity, false, 2);
     holdMember("points", "mass", points.of, points.mass, false, 1);
     holdMember("points", "alive", points.of, points.alive, false, 1);
+    holdMember("points", "rotation", points.of, points.rotation, false, 3);
+    if (points.alongVelocity && !points.rotation.empty())
+      mistake({"points", "rotation"}, "give \"rotation\" or \"alongVelocity\", not both");
     if (points.colorBy == Instances::ColorBy::speed && points.velocity.empty())
       mistake({"points", "colorBy"}, "colours by speed need \"velocity\", a member");
     if (points.colorBy == Instances::ColorBy::mass && points.mass.empty())

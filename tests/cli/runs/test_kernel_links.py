@@ -23,8 +23,7 @@ class KernelLinks(Case):
     def field(self, name, frame):
         """Returns the values of the npy file of an object's field at a frame, in rows."""
         self.good("bake", "k.json", "--object", name, "--format", "npy", "--frames", str(frame), "-o", "b", "--overwrite")
-        (file,) = [path for path in (self.folder / "b").glob(f"{name}_*{frame:06}.npy")]
-        data = file.read_bytes()
+        data = (self.folder / f"b/{name}_{frame:06}.npy").read_bytes()
         length = int.from_bytes(data[8:10], "little")
         self.assertIn(b"'<f4'", data[10:10 + length])
         rows, columns = (int(part) for part in data[10:10 + length].split(b"(")[1].split(b")")[0].split(b",")[:2])
@@ -139,6 +138,67 @@ class KernelLinks(Case):
             edges = {(face[i], face[(i + 1) % 3]) for face in triangles for i in range(3)}
             self.assertEqual(len(edges), 3 * len(triangles))
             self.assertTrue(all((b, a) in edges for a, b in edges))  # it is closed
+
+    def test_a_quaternion_or_a_direction_turns_copies_of_a_mesh(self):
+        self.kernel("""struct Copy { float3 position; float4 turn; float3 along; };
+            RWStructuredBuffer<Copy> _Copies;
+            [numthreads(64, 1, 1)] void Keep(uint3 id : SV_DispatchThreadID) { if (id.x < 2) _Copies[id.x].position.y += 0; }""")
+        corners = [(0, 0, 0), (1, 0, 0), (0, 0.6, 0), (0, 0, 1.4)]
+        (self.folder / "t.obj").write_text("".join("v {} {} {}\n".format(*at) for at in corners) + "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
+
+        def product(a, b):
+            return [a[3] * b[0] + a[0] * b[3] + a[1] * b[2] - a[2] * b[1], a[3] * b[1] - a[0] * b[2] + a[1] * b[3] + a[2] * b[0],
+                    a[3] * b[2] + a[0] * b[1] - a[1] * b[0] + a[2] * b[3], a[3] * b[3] - a[0] * b[0] - a[1] * b[1] - a[2] * b[2]]
+
+        def about(axis, degrees):
+            return [math.sin(math.radians(degrees / 2)) * (i == axis) for i in range(3)] + [math.cos(math.radians(degrees / 2))]
+
+        turn = product(about(2, -40), product(about(1, 25), about(0, 70)))
+        along = (0.3, -0.5, 0.8)
+
+        def objects(**points):
+            return {"k": {"kernels": {"file": "a.compute", "buffers": {"_Copies": {"size": 2, "start": {"position": ["0.3 + 2*i", 0.1, -0.2], "turn": [2 * x for x in turn], "along": list(along)}}},
+                                      "points": {"of": "_Copies", "mesh": "t.obj", "size": 0.5, **points}}, "material": {"color": "tomato"}}}
+        self.scene(objects(rotation="turn"))
+        vertices, _, triangles = self.obj("k", 0)
+        self.assertEqual(len(triangles), 8)
+
+        def turned(v):
+            return product(product(turn, [*v, 0]), [-turn[0], -turn[1], -turn[2], turn[3]])[:3]
+
+        def cross(a, b):
+            return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+        def unit(a):
+            return [x / math.hypot(*a) for x in a]
+
+        z = unit(along)
+        x = unit(cross((0, 1, 0), z))
+        y = cross(z, x)
+        for member, placed in (("turn", turned), ("along", lambda v: [v[0] * x[i] + v[1] * y[i] + v[2] * z[i] for i in range(3)])):
+            self.scene(objects(rotation=member))
+            found = {tuple(round(c, 4) for c in at) for at in self.obj("k", 0)[0]}
+            wanted = {tuple(round(c, 4) for c in (0.3 + 2 * copy + 0.5 * at[0], 0.1 + 0.5 * at[1], -0.2 + 0.5 * at[2])) for copy in (0, 1) for at in map(placed, corners)}
+            for at in wanted:
+                self.assertTrue(any(math.dist(at, other) < 2e-4 for other in found), (member, at, found))
+        # The pictures are those of two meshes with that rotation.
+        look = {"stage": False, "camera": {"position": [1.2, 1, 4], "target": [1.2, 0.2, 0], "fieldOfView": 40}}
+        self.scene(objects(rotation="turn"), **look)
+        self.good("render", "k.json", "-o", "copies.png", "--frames", "0", "--size", "160x90")
+        self.scene({f"m{i}": {"mesh": {"file": "t.obj", "scale": 0.5, "position": [0.3 + 2 * i, 0.1, -0.2], "rotation": [70, 25, -40]}, "material": {"color": "tomato"}} for i in (0, 1)}, **look)
+        self.good("render", "k.json", "-o", "meshes.png", "--frames", "0", "--size", "160x90")
+        self.good("diff", "copies.png", "meshes.png", "--max-channel-diff", "4", "--max-diff-ratio", "0.005")
+        for points, message in (({"rotation": "spin"}, '"_Copies" has no member "spin"'), ({"rotation": "turn", "alongVelocity": True}, 'give "rotation" or "alongVelocity", not both')):
+            self.scene(objects(**points))
+            self.bad(2, message, "validate", "k.json")
+
+    def test_points_are_baked_as_rows_of_numbers(self):
+        self.kernel("""struct Fly { float3 position; float3 velocity; };
+            RWStructuredBuffer<Fly> _Flies;
+            [numthreads(64, 1, 1)] void Move(uint3 id : SV_DispatchThreadID) { if (id.x < 3) _Flies[id.x].position += 0.5*_Flies[id.x].velocity; }""")
+        self.scene({"k": {"kernels": {"file": "a.compute", "buffers": {"_Flies": {"size": 3, "start": {"position": ["i", 2, 3], "velocity": [0, "1 + i", 0]}}},
+                                      "points": {"of": "_Flies", "position": "position", "velocity": "velocity"}}}})
+        self.assertEqual([list(row) for row in self.field("k", 2)], [[i, 2 + 1 + i, 3, 0, 1 + i, 0, 1] for i in range(3)])
 
     def test_grids_that_are_no_wind_or_terrain_are_refused(self):
         self.kernel("""struct Cell { float2 flow; float height; };
