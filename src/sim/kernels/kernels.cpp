@@ -8,6 +8,7 @@
 #include "sim/kernels/drawn.hpp"
 #include "sim/kernels/inputs.hpp"
 #include "sim/kernels/memory.hpp"
+#include "sim/kernels/pace.hpp"
 #include "sim/kernels/parameters.hpp"
 #include "sim/kernels/plan.hpp"
 #include "sim/kernels/programs.hpp"
@@ -192,7 +193,10 @@ class Kernels : public Simulation, public RaceChecked, public FrameStarter {
     for (const PlannedEntry& entry : entries) {
       if (!first && now.step % entry.every != 0) continue;
       for (int i = 0; i < entry.repeat; ++i) {
-        if (entry.kernel >= 0) dispatch(entry, now);
+        if (entry.kernel >= 0) {
+          dispatch(entry, now);
+          pace_.dispatched();
+        }
         if (entry.count >= 0) store_.copyCounter(entry);
         if (!entry.clear.empty()) store_.clear(entry.clear);
         if (!entry.swapA.empty()) store_.swap(entry.swapA, entry.swapB);
@@ -249,6 +253,7 @@ class Kernels : public Simulation, public RaceChecked, public FrameStarter {
   std::optional<KernelWindSource> wind_;
   KernelReports reports_;
   KernelPrograms programs_;
+  DispatchPace pace_;
   KernelInputs inputs_;
   double startTime_;
   bool begun_ = false;  ///< true once `first` has run
