@@ -127,6 +127,7 @@ void render(const RenderOptions& o) {
   // Throws for an invalid output name before a device starts.
   batch::RenderJob job(requestOf(o));
   frame::catchInterrupts();
+  frame::interruptFrames();
   frame::ignoreBrokenPipes();
 
   const gl::Context context(o.on);

@@ -6,6 +6,7 @@
 #include "cli/help/help_format.hpp"
 #include "cli/help/mistyped.hpp"
 #include "cli/stack_room.hpp"
+#include "frame/interrupt.hpp"
 
 #include <cstdio>
 #include <exception>
@@ -124,6 +125,9 @@ int explained(int argc, char** argv) {
     return runCommand(argc, argv);
   } catch (const UserError& error) {
     return print(error);
+  } catch (const frame::Interrupted& interrupted) {  // while a command made its world
+    info("simreel: interrupted");
+    return 128 + interrupted.signal;
   } catch (const std::bad_alloc&) {
     return print("not enough memory", ExitCode::device);
   } catch (const std::exception& error) {

@@ -1,5 +1,6 @@
 #include "frame/interrupt.hpp"
 
+#include "base/frame_check.hpp"
 #include "base/log.hpp"
 #include "base/process.hpp"
 
@@ -83,6 +84,10 @@ int interruptSignal() {
 
 void throwIfInterrupted() {
   if (const int signal = interruptSignal()) throw Interrupted{signal};
+}
+
+void interruptFrames() {
+  setFrameCheck(throwIfInterrupted);
 }
 
 void ignoreBrokenPipes() {

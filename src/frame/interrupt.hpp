@@ -18,6 +18,9 @@ void catchInterrupts();
 /// and exit with 128 + the signal.
 [[nodiscard]] int interruptSignal();
 void throwIfInterrupted();
+/// Makes long frames end with Interrupted after a signal, where they call checkFrame(); catchInterrupts()
+/// must have been called.
+void interruptFrames();
 
 /// Ignores SIGPIPE, so that writing to a closed pipe fails with EPIPE instead of ending the process.
 void ignoreBrokenPipes();

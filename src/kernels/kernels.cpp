@@ -40,6 +40,8 @@ Module prepared(Files& files, const Unit& unit, const Request& request, Report* 
   if (auto mistakes = beyondLimits(compiled, files, unit.entry, unit.line); !mistakes.empty())
     files.fail(mistakes);
   const bool hlsl = unit.language == Language::hlsl;
+  if (hlsl)
+    if (auto mistakes = withoutGroups(files, unit.entry); !mistakes.empty()) files.fail(mistakes);
   const auto made = [&](bool unrolled) {
     Module module = compiled;
     if (report != nullptr || !request.previous.empty() || request.race == Race::check) repeatLines(module);

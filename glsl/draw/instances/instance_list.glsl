@@ -20,11 +20,13 @@ float brightness_ = once(brightness);
 uniform float fade;  // fraction of an instance's life during which it fades in and during which it fades out
 float fade_ = once(fade);
 
+int listedSlot = 0;  // slot of the instance that listed() read last
 // Reads visible instance number `at` of the current level of detail. Returns false if the level has fewer instances.
 bool listed(uint at, out vec4 position, out vec4 velocity) {
   position = velocity = vec4(0);
   if (at >= texelFetch(arguments, level * 8 + 6).x) return false;
   int slot = int(texelFetch(list, int(texelFetch(arguments, level * 8 + 5).x + at)).x);
+  listedSlot = slot;
   position = texelFetch(positions, slot);
   velocity = texelFetch(velocities, slot);
   return true;

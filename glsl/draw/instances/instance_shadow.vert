@@ -19,7 +19,7 @@ void main() {
   vec2 corner = squareCorner() * (scale * shapeRadius);
   vec3 world = position.xyz + corner.x * frame.lightRight.xyz + corner.y * frame.lightUp.xyz;
 #else
-  vec3 world = position.xyz + turned(velocity.xyz) * (scale * texelFetch(shape, vertexOfShape() * 2).xyz);
+  vec3 world = position.xyz + turned(listedSlot, velocity.xyz) * (scale * texelFetch(shape, vertexOfShape() * 2).xyz);
 #endif
   gl_Position = vec4(shadowPlace(world) * 2.0 - 1.0, 1.0);
 }

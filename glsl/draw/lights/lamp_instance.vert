@@ -26,7 +26,7 @@ void main() {
   vec2 corner = squareCorner() * outlineRadius(radius, distance);
   vec3 world = position.xyz + corner.x * right + corner.y * cross(to / distance, right);
 #else
-  vec3 world = position.xyz + turned(velocity.xyz) * (scale * texelFetch(shape, vertexOfShape() * 2).xyz);
+  vec3 world = position.xyz + turned(listedSlot, velocity.xyz) * (scale * texelFetch(shape, vertexOfShape() * 2).xyz);
 #endif
   gl_Position = clipOnFace(cell, world);
 }

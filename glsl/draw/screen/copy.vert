@@ -21,7 +21,7 @@ void main() {
   onRound = vec3(0);
 #endif
   if (!pulled(position, velocity)) return;
-  mat3 axes = turned(velocity.xyz);
+  mat3 axes = turned(listedSlot, velocity.xyz);
   worldPosition = position.xyz + axes * (instanceSize(position.w) * texelFetch(shape, vertexOfShape() * 2).xyz);
   worldNormal = axes * texelFetch(shape, vertexOfShape() * 2 + 1).xyz;
   tint = tintOf(position, velocity);

@@ -136,6 +136,7 @@ void bake(BakeOptions o) {
   const scene::Scene scene = o.scene.load();
   const std::vector<int> frames = batch::chosenFrames(o.frames, scene);
   frame::catchInterrupts();
+  frame::interruptFrames();
   const gl::Context context(o.on);
   sim::World world(scene);
   static_cast<void>(

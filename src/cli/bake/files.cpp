@@ -39,6 +39,12 @@ bool isFieldFormat(const std::string& format) {
   return format == "npy" || format == "pfm";
 }
 
+/// Returns the numbers of columns and rows.
+glm::ivec2 shapeOf(const sim::PointTable& table) {
+  const std::size_t columns = std::max<std::size_t>(1, table.columns.size());
+  return {static_cast<int>(columns), static_cast<int>(table.values.size() / columns)};
+}
+
 std::vector<std::byte> bytesOf(const std::string& text) {
   const auto bytes = std::as_bytes(std::span(text));
   return {bytes.begin(), bytes.end()};
@@ -53,7 +59,6 @@ std::vector<std::byte> meshPly(const sim::MeshTable& mesh, const sim::PointTable
   if (!mesh.uvs.empty()) columns.insert(columns.end(), {"s", "t"});
   const std::size_t width = points.columns.size();
   if (width > own) {
-    SIMREEL_CHECK_EQ(points.values.size(), mesh.positions.size() * width);
     columns.insert(columns.end(), points.columns.begin() + own, points.columns.end());
   }
   std::vector<float> values;
@@ -71,7 +76,9 @@ std::vector<std::byte> meshPly(const sim::MeshTable& mesh, const sim::PointTable
 
 bool has(const sim::World& world, std::size_t object, const std::string& format) {
   const sim::Simulation& simulation = world.object(object);
-  if (isFieldFormat(format)) return fieldOf(world.drawables(), world.objectName(object)) != nullptr;
+  if (isFieldFormat(format) && fieldOf(world.drawables(), world.objectName(object)) != nullptr) return true;
+  if (format == "npy") return !simulation.points().columns.empty();
+  if (format == "pfm") return false;
   if (isContourFormat(format)) return simulation.lines().has_value();
   if (isMeshFormat(format)) return simulation.mesh().has_value();
   if (format == "ply") return !simulation.points().columns.empty() || simulation.mesh();
@@ -93,6 +100,7 @@ const char* contentsOf(const std::string& format) {
   if (isMeshFormat(format)) return "a mesh";
   if (isContourFormat(format)) return "contours";
   if (format == "rle") return "cells";
+  if (format == "npy") return "a field or points";
   return format.empty() ? "state" : "a field";
 }
 
@@ -103,18 +111,16 @@ std::vector<std::string> fileNames(const sim::World& world, std::size_t object, 
   const sim::Drawables drawables = world.drawables();
   for (const sim::Field& field : drawables.fields)
     if (*field.name == name || field.name->starts_with(name + ".")) names.push_back(*field.name);
+  if (fieldOf(drawables, name) == nullptr) return {name};  // its points
   return names;
 }
 
 std::vector<std::byte> stateFile(const sim::World& world, std::size_t object, const std::string& name,
                                  const std::string& format, std::span<const std::string> comments) {
   const sim::Simulation& simulation = world.object(object);
-  if (isFieldFormat(format)) {
-    const sim::Drawables drawables = world.drawables();
-    const sim::Field* field = fieldOf(drawables, name);
-    SIMREEL_CHECK(field != nullptr);
+  const sim::Drawables drawables = world.drawables();
+  if (const sim::Field* field = fieldOf(drawables, name); field != nullptr && isFieldFormat(format))
     return frame::encodeField(frame::parseFieldFormat(format), field->size, sim::fieldValues(*field));
-  }
   if (const sim::StateFile own = simulation.stateFile(); own.suffix != nullptr && format == own.suffix) {
     std::string lines;
     for (const std::string& line : comments) lines += line + "\n";
@@ -125,29 +131,37 @@ std::vector<std::byte> stateFile(const sim::World& world, std::size_t object, co
     return bytesOf(format == "svg" ? frame::encodeSvg(lines, lines.size, comments)
                                    : frame::encodeGeoJson(lines, lines.path, comments));
   }
+  if (format == "npy") {
+    const sim::PointTable table = simulation.points();
+    return frame::encodeField(frame::FieldFormat::npy, shapeOf(table), table.values);
+  }
   const std::optional<sim::MeshTable> mesh = simulation.mesh();
   if (format == "glb") return frame::encodeGlb(*mesh, name, comments);
   if (format == "obj") return bytesOf(frame::encodeObj(*mesh, comments));
   const sim::PointTable table = simulation.points();
-  if (mesh) return meshPly(*mesh, table, comments);
+  const bool vertices =
+      table.columns.size() <= 3 || (mesh && shapeOf(table).y == static_cast<int>(mesh->positions.size()));
+  if (mesh && vertices) return meshPly(*mesh, table, comments);
   return frame::encodePly(table.columns, table.values, comments);
 }
 
 bool simulateTo(sim::World& world, int frame, int files) {
-  for (int next = std::min(world.frame() + 1, frame); next <= frame; ++next) {
-    if (const int signal = frame::interruptSignal()) {
-      if (files > 0)
-        info("simreel: interrupted; the {} files written so far are whole", files);
+  try {
+    for (int next = std::min(world.frame() + 1, frame); next <= frame; ++next) {
+      frame::throwIfInterrupted();
+      if (next < frame)
+        world.passTo(next);
       else
-        info("simreel: interrupted; no file was written");
-      setExitCode(128 + signal);
-      return false;
+        world.advanceTo(next);
+      frame::checkState(world);
     }
-    if (next < frame)
-      world.passTo(next);
+  } catch (const frame::Interrupted& interrupted) {
+    if (files > 0)
+      info("simreel: interrupted; the {} files written so far are whole", files);
     else
-      world.advanceTo(next);
-    frame::checkState(world);
+      info("simreel: interrupted; no file was written");
+    setExitCode(128 + interrupted.signal);
+    return false;
   }
   static_cast<void>(world.grow());
   return true;

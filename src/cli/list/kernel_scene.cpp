@@ -1,5 +1,8 @@
 #include "cli/list/kernel_scene.hpp"
 
+#include "sim/kernels/slots.hpp"
+#include "sim/kernels/threads.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <set>
@@ -48,38 +51,34 @@ std::size_t componentsOf(const std::string& type) {
 }
 
 /// True for Unity's time constants, which the program sets itself.
-bool isStandard(const kernels::Member& member) {
-  const bool time = member.name == "_Time" || member.name == "_SinTime" || member.name == "_CosTime" ||
-                    member.name == "unity_DeltaTime";
-  return time && componentsOf(member.type) == 4;
+bool isStandard(const sim::KernelSlot& constant) {
+  const bool time = constant.path == "_Time" || constant.path == "_SinTime" ||
+                    constant.path == "_CosTime" || constant.path == "unity_DeltaTime";
+  return time && constant.offsets.size() == 4;
 }
 
-/// Returns a default value guessed from the name: time, a size, a seed and so on, else 1.
-Json valueOf(const kernels::Member& member, const Memory& memory) {
-  const std::string name = lowered(member.name);
+/// Returns a default value guessed from the name: time, a size, a seed and so on, else 1. One number or
+/// expression sets all components.
+Json valueOf(const sim::KernelSlot& constant, const Memory& memory) {
+  const std::string name = lowered(constant.path);
   const auto has = [&](const char* word) { return name.find(word) != std::string::npos; };
-  const std::size_t count = componentsOf(member.type);
-  const bool whole = member.type.find("int") != std::string::npos;
-  Json value = 1;
-  if (has("delta") || name == "dt" || name == "_dt")
-    value = "dt";
-  else if (has("time"))
-    value = "time";
-  else if (has("frame"))
-    value = "frame";
-  else if (has("seed"))
-    value = "seed";
-  else if (!memory.textures.empty() && (has("width") || has("resolution") || has("size")) && whole)
-    value = fmt::format("width({})", memory.textures[0]->name);
-  else if (!memory.textures.empty() && has("height"))
-    value = fmt::format("height({})", memory.textures[0]->name);
-  else if (!memory.buffers.empty() && whole && (has("count") || has("num") || has("length")))
-    value = fmt::format("count({})", memory.buffers[0]->name);
-  else if (has("gravity") && count == 3)
-    return {0, -9.81, 0};
-  if (count == 16) return {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-  if (value != 1 || count == 1) return value;  // one expression sets all components
-  return std::vector<int>(count, 0);
+  const std::size_t count = constant.offsets.size();
+  const bool whole = constant.number != sim::KernelSlot::Number::real;
+  const std::string own = name.substr(name.rfind('.') + 1);
+  if (has("delta") || own == "dt" || own == "_dt") return "dt";
+  if (has("time")) return "time";
+  if (has("frame") && !has("frust")) return "frame";
+  if (has("seed")) return "seed";
+  if (!memory.textures.empty() && (has("width") || has("resolution") || has("size")) && whole)
+    return fmt::format("width({})", memory.textures[0]->name);
+  if (!memory.textures.empty() && has("height")) return fmt::format("height({})", memory.textures[0]->name);
+  if (!memory.buffers.empty() && whole && (has("count") || has("num") || has("length")))
+    return fmt::format("count({})", memory.buffers[0]->name);
+  if (has("gravity") && count == 3) return {0, -9.81, 0};
+  if (count == 16 && constant.type.find('[') == std::string::npos)
+    return {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  if (count == 1) return 1;
+  return count <= 4 ? Json(std::vector<int>(count, 0)) : Json(0);
 }
 
 /// Returns the names of buffers that have a counter.
@@ -90,22 +89,55 @@ std::set<std::string> countedOf(const kernels::Shader& shader) {
   return counted;
 }
 
+constexpr int guessedCount = 1024, guessedSide = 256, guessedDepth = 64;
+
+bool isOpen(const kernels::Buffer& buffer) {
+  return !buffer.members.empty() && !buffer.members.back().array.empty() &&
+         buffer.members.back().array[0] == 0;
+}
+
 Json buffersOf(const Memory& memory, const std::set<std::string>& counted) {
   Json buffers = Json::object();
   for (const kernels::Buffer* buffer : memory.buffers) {
-    const bool open = !buffer->members.empty() && !buffer->members.back().array.empty() &&
-                      buffer->members.back().array[0] == 0;
-    if (!open) continue;
+    if (!isOpen(*buffer)) continue;
     Json start = Json::object();
     for (const kernels::Member& member : buffer->members.back().members)
       if (lowered(member.name).find("pos") != std::string::npos && componentsOf(member.type) == 3)
         start[member.name] = {"random(1)", "random(2)", "random(3)"};
     if (start.empty() || counted.contains(buffer->name))
-      buffers[buffer->name] = 1024;
+      buffers[buffer->name] = guessedCount;
     else
-      buffers[buffer->name] = {{"size", 1024}, {"start", start}};
+      buffers[buffer->name] = {{"size", guessedCount}, {"start", start}};
   }
   return buffers;
+}
+
+/// Returns the entry of a kernel in the schedule: with a guess of its threads if the sizes of its memory do
+/// not determine them.
+Json entryOf(const kernels::Kernel& kernel, const std::set<std::string>& counted) {
+  const sim::KernelSizes sizes = {
+      .texture =
+          [](const kernels::Texture& texture) {
+            return texture.type == "2D" ? glm::ivec3(guessedSide, guessedSide, 1)
+                                        : glm::ivec3(guessedDepth);
+          },
+      .buffer =
+          [](const kernels::Buffer& buffer) { return glm::ivec3(isOpen(buffer) ? guessedCount : 1, 1, 1); },
+      .counted = [&](const kernels::Buffer& buffer) { return counted.contains(buffer.name); }};
+  if (sim::usualThreads(kernel, sizes)) return kernel.name;
+  const auto used = [](const auto& list) {
+    const auto found = std::find_if(list.begin(), list.end(), [](const auto& one) { return one.writes; });
+    return found == list.end() ? list.begin() : found;
+  };
+  Json threads = Json::array();
+  if (const auto buffer = used(kernel.buffers); sim::isRow(kernel) && buffer != kernel.buffers.end())
+    threads.push_back(fmt::format("count({})", buffer->name));
+  else if (const auto texture = used(kernel.textures); texture != kernel.textures.end())
+    for (const char* axis : {"width", "height"})
+      threads.push_back(fmt::format("{}({})", axis, texture->name));
+  else
+    for (const unsigned size : kernel.threads) threads.push_back(size);
+  return {{"kernel", kernel.name}, {"threads", threads}};
 }
 
 }  // namespace
@@ -117,19 +149,21 @@ std::string sceneOf(const kernels::Shader& shader, const std::filesystem::path& 
     object["buffers"] = buffers;
   Json textures = Json::object();
   for (const kernels::Texture* texture : memory.textures)
-    textures[texture->name] = texture->type == "2D" ? Json{256, 256} : Json{64, 64, 64};
+    textures[texture->name] = texture->type == "2D" ? Json{guessedSide, guessedSide}
+                                                    : Json{guessedDepth, guessedDepth, guessedDepth};
   if (!textures.empty()) object["textures"] = textures;
   Json constants = Json::object();
   Json step = Json::array();
-  for (const std::string& name : countedOf(shader))
+  const std::set<std::string> counted = countedOf(shader);
+  for (const std::string& name : counted)
     if (!name.empty()) step.push_back({{"clear", name + ".counter"}});
   for (const kernels::Kernel& kernel : shader.kernels) {
-    step.push_back(kernel.name);
-    for (const kernels::Block& block : kernel.blocks)
-      for (const kernels::Member& member : block.members)
-        if (block.name != "simreel_Samplers" && member.members.empty() && member.used &&
-            !isStandard(member))
-          constants[member.name] = valueOf(member, memory);
+    step.push_back(entryOf(kernel, counted));
+    for (const kernels::Block& block : kernel.blocks) {
+      if (block.name == "simreel_Samplers") continue;
+      for (const sim::KernelSlot& constant : sim::slotsOf(block.members))
+        if (constant.used && !isStandard(constant)) constants[constant.path] = valueOf(constant, memory);
+    }
   }
   if (!constants.empty()) object["constants"] = constants;
   object["step"] = step;

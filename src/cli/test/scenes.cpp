@@ -97,6 +97,7 @@ class SceneRun {
     }
     o_.outputs.prepare();
     frame::catchInterrupts();
+    frame::interruptFrames();
     frame::ignoreBrokenPipes();
     const Clock::time_point begin = Clock::now();
     options_.orphans =

@@ -15,6 +15,10 @@ namespace simreel::draw {
   return instances.shape == sim::Instances::Shape::sprite;
 }
 
+/// Returns the view that glsl/draw/screen/copy_vertex.glsl takes as `turns`; any view if it is not read.
+[[nodiscard]] inline const gl::Texture& turnsOf(const sim::Instances& instances) {
+  return instances.turns != nullptr ? *instances.turns : *instances.velocities;
+}
 /// Returns the min radius (pixels) with which sprites are drawn; 0 for other shapes.
 [[nodiscard]] float minPixelsOf(const sim::Instances& instances);
 

@@ -148,7 +148,8 @@ void InstancesPass::drawLevel(const gl::Program& program, const sim::Instances& 
                               const VisibleList& list, std::size_t level) {
   const InstanceShape& form = shape(instances);
   program.set("vertexBits", form.vertexBits());
-  program.set("alongVelocity", static_cast<int>(instances.alongVelocity));
+  program.set("turning", static_cast<int>(instances.turning));
+  turnsOf(instances).bind(turnUnit);
   gl::give(program, list.fields(static_cast<int>(level)));
   program.set("batch", form.levels()[level].batch);
   program.set("swell", form.levels()[level].swell);

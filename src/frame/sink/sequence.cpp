@@ -86,7 +86,7 @@ class Run {
 
   /// Stores all earlier frames, then the state. Call it between two frames.
   void saveCheckpoint() {
-    if (!started_ || world_.frame() < 0 || !keeper_.writes()) return;
+    if (!started_ || world_.frame() < 0 || !keeper_.writes() || !world_.isWhole()) return;
     lookAtPresent();
     const Stopwatch time = timers_.watch(&StageTimes::wait);
     sink_.settle();

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <initializer_list>
+#include <sstream>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -108,7 +110,51 @@ std::vector<Mistake> beyondThreads(const Instruction& mode, Mistake place) {
                            mostThreads, mostAlong[0], mostAlong[2]))};
 }
 
+/// Returns the words from the last of ";", "{" and "}" to `end`, without lines of the preprocessor.
+std::string leadOf(const std::string& code, std::size_t end) {
+  const std::size_t last = code.find_last_of(";{}", end), begin = last == std::string::npos ? 0 : last + 1;
+  std::istringstream lines(code.substr(begin, end - begin));
+  std::string lead;
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    for (std::string word; words >> word && word[0] != '#';) lead += (lead.empty() ? "" : " ") + word;
+  }
+  return lead;
+}
+
+bool isWordAt(const std::string& code, std::size_t begin, std::size_t length) {
+  const auto part = [&](std::size_t i) {
+    return i < code.size() && (std::isalnum(static_cast<unsigned char>(code[i])) != 0 || code[i] == '_');
+  };
+  return (begin == 0 || !part(begin - 1)) && !part(begin + length);
+}
+
 }  // namespace
+
+std::vector<Mistake> withoutGroups(const Files& files, const std::string& entry) {
+  std::vector<Mistake> mistakes;
+  for (std::size_t file = 0; file < files.count(); ++file) {
+    const std::string code = withoutComments(files.text(file));
+    for (std::size_t at = code.find(entry); at != std::string::npos; at = code.find(entry, at + 1)) {
+      const std::size_t behind = code.find_first_not_of(" \t\r\n", at + entry.size());
+      if (!isWordAt(code, at, entry.size()) || behind == std::string::npos || code[behind] != '(') continue;
+      const std::string lead = leadOf(code, at);
+      // A macro before "void" may have the attribute.
+      if (lead.find("numthreads") != std::string::npos) return {};
+      if (lead == "void" && mistakes.empty())
+        mistakes.push_back(
+            {file,
+             1 + static_cast<int>(
+                     std::count(code.begin(), code.begin() + static_cast<std::ptrdiff_t>(at), '\n')),
+             entry,
+             fmt::format(
+                 "kernel {} has no [numthreads(x, y, z)] before it, the size of its groups; write one, "
+                 "such as [numthreads(64, 1, 1)]",
+                 scene::inQuotes(entry))});
+    }
+  }
+  return mistakes;
+}
 
 std::vector<Mistake> beyondLimits(const Module& module, const Files& files, const std::string& entry,
                                   int line) {

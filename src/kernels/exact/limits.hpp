@@ -12,6 +12,10 @@ namespace simreel::kernels {
 [[nodiscard]] std::vector<Mistake> beyondLimits(const Module& module, const Files& files,
                                                 const std::string& entry, int line);
 
+/// Returns a mistake if the kernel `entry` of HLSL is a function without [numthreads(x, y, z)], for which
+/// the compiler takes groups of one thread.
+[[nodiscard]] std::vector<Mistake> withoutGroups(const Files& files, const std::string& entry);
+
 /// Returns a mistake where the groups of a module that keeps only what it uses share more memory than
 /// OpenGL grants.
 [[nodiscard]] std::vector<Mistake> beyondShared(const Module& module, const Files& files, int line);

@@ -241,7 +241,7 @@ class Parser {
   /// Parses the argument of a lookup function such as count(NAME), after its opening parenthesis.
   int lookup(const std::string& function, std::size_t begin) {
     std::size_t end = at_;
-    while (end < text_.size() && (isWord(text_[end]) || text_[end] == '.')) ++end;
+    while (end < text_.size() && (isWord(text_[end]) || text_[end] == '.' || text_[end] == '-')) ++end;
     ExpressionNode node;
     node.operation = Operation::name;
     node.name = fmt::format("{}({})", function, text_.substr(at_, end - at_));

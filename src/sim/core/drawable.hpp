@@ -75,6 +75,9 @@ struct Surface {
 struct Instances {
   enum class Shape { sprite, sphere, mesh };
   enum class ColorBy { material, speed, mass, age };
+  /// Rotation of a mesh: none; its z axis along the velocity or along a direction, with its x axis
+  /// horizontal; or a quaternion.
+  enum class Turning { none, velocity, direction, quaternion };
   const std::string* object = nullptr;  ///< Name of the object in the scene, or null if none was published.
   const gl::Texture* positions = nullptr;  ///< RGBA32F texel view: xyz position in metres, w mass in kg.
   const gl::Texture* velocities =
@@ -83,10 +86,12 @@ struct Instances {
   int capacity = 0;             ///< Number of elements in `positions` and in `velocities`.
   Shape shape = Shape::sprite;  ///< Opaque sprites are shaded as spheres, additive sprites glow.
   std::filesystem::path mesh;   ///< OBJ, PLY or glTF file for Shape::mesh.
-  bool alongVelocity = false;   ///< True if the mesh's z axis is turned along the velocity.
-  float size = 0.1F;            ///< Diameter in metres; for a mesh, a factor on its coordinates.
-  float massExponent = 0.0F;    ///< Exponent e: the size is multiplied by (mass / massReference)^e.
-  float massReference = 1.0F;   ///< Reference mass in kg.
+  Turning turning = Turning::none;
+  const gl::Texture* turns = nullptr;  ///< RGBA32F texel view, one texel per element: direction (xyz), or
+                                       ///< quaternion (x, y, z, w); null unless `turning` reads it.
+  float size = 0.1F;                   ///< Diameter in metres; for a mesh, a factor on its coordinates.
+  float massExponent = 0.0F;           ///< Exponent e: the size is multiplied by (mass / massReference)^e.
+  float massReference = 1.0F;          ///< Reference mass in kg.
   ColorBy colorBy = ColorBy::material;
   glm::vec2 colorRange{0, 1};  ///< Range of speed (m/s), mass (kg) or age that the colour map spans.
   const std::vector<glm::vec3>* colors = nullptr;  ///< Evenly spaced linear RGB stops of the colour map.

@@ -155,7 +155,8 @@ class Simulation {
   /// Returns the counts per step; no columns if the object counts nothing.
   [[nodiscard]] virtual CountTable counts() const { return {}; }
   /// Returns the mesh that `simreel bake` writes, or nothing if the object is no surface. If the object
-  /// also has points(), they are the mesh's vertices in the same order.
+  /// also has as many points() as the mesh has vertices, they are these vertices in the same order; else
+  /// they are something else that it draws.
   [[nodiscard]] virtual std::optional<MeshTable> mesh() const { return std::nullopt; }
   /// Returns the contours that `simreel bake` writes; empty for objects without contours. Call after
   /// grow().

@@ -168,13 +168,7 @@ void FluidParameters::describe(scene::Fields& f) {
          describeStroke);
   f.leftOut("strokes", "jets of dye from five sides");
   f.group("plane", "Rectangle in the world where the flow is the wind of other objects.",
-          [&](scene::Fields& p) {
-            p.vector("position", plane.position, scene::anyNumber, "m", "Middle of its rectangle.");
-            p.vector("rotation", plane.rotation, scene::anyNumber, "degrees",
-                     "About x, then y, then z; unrotated it stands upright, and seen along -z it looks as "
-                     "in the picture.");
-            p.number("cell", plane.cell, {1e-4, 1e3}, "m", "Width of a cell.");
-          });
+          [&](scene::Fields& p) { plane.describe(p); });
   f.switchable("tracers");
   f.optionalGroup("tracers", tracers, "Specks that the flow carries along and that draw streaks.");
   f.choice("show", show, {"dye", "speed", "vorticity", "temperature", "pressure", "lines"},

@@ -13,6 +13,14 @@
 
 namespace simreel::sim {
 
+void FluidPlane::describe(scene::Fields& f) {
+  f.vector("position", position, scene::anyNumber, "m", "Middle of its rectangle.");
+  f.vector("rotation", rotation, scene::anyNumber, "degrees",
+           "About x, then y, then z; unrotated it stands upright, and seen along -z it looks as "
+           "in the picture.");
+  f.number("cell", cell, {1e-4, 1e3}, "m", "Width of a cell.");
+}
+
 // Grid coordinates of point p: x = (p - c) . ex / h + W / 2 and y = H / 2 - (p - c) . ey / h, for centre c,
 // cell width h and a grid of W x H cells.
 shader::WindGrid fluidWindGrid(const FluidPlane& plane, glm::ivec2 size) {

@@ -1,6 +1,7 @@
 #pragma once
 #include "gl/kernel/fields.hpp"
 #include "glsl/common/cpp.hpp"
+#include "scene/value/fields.hpp"
 #include "sim/core/port.hpp"
 #include "sim/fluid/array.hpp"
 
@@ -23,6 +24,8 @@ struct FluidPlane {
   glm::vec3 position{0};  ///< Centre of the rectangle in metres.
   glm::vec3 rotation{0};  ///< Rotation of the rectangle in degrees about x, then y, then z.
   float cell = 0.05F;     ///< Cell width in metres.
+
+  void describe(scene::Fields& fields);
 };
 
 /// Returns the data that lets other simulations sample a fluid of `size` cells as their wind

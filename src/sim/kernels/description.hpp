@@ -1,6 +1,7 @@
 #pragma once
 #include "scene/value/formula.hpp"
 #include "sim/core/drawable.hpp"
+#include "sim/fluid/wind.hpp"
 #include "sim/grid/field_display.hpp"
 
 #include <filesystem>
@@ -24,6 +25,9 @@ struct KernelMemory {
   bool upward = false;    ///< true if the first row of its file is the last row of the texture
   double counter = 0;     ///< initial counter value, for append and consume buffers
   // Only for textures:
+  std::string field;  ///< field of another object that it takes, OBJECT or OBJECT.PART
+  enum class Taken { everyFrame, start };
+  Taken taken = Taken::everyFrame;
   std::string format;  ///< GLSL image format; empty: format in the shader, or 32 bits per channel
   enum class Filter { shader, point, linear };
   enum class Wrap { shader, repeat, clamp, mirror };
@@ -55,7 +59,7 @@ struct KernelSurface {
 
 /// Draws the elements of a buffer as spheres, discs or meshes.
 struct KernelPoints {
-  std::string of, position = "position", velocity, mass, alive;
+  std::string of, position = "position", velocity, mass, alive, rotation;
   Instances::Shape shape = Instances::Shape::sprite;
   std::filesystem::path mesh;
   bool alongVelocity = false;
@@ -74,6 +78,42 @@ struct KernelField {
                          ///< numbers, else its first number
   bool encoded = false;  ///< true if colours are sRGB values instead of linear ones
   FieldDisplay display;
+};
+
+/// Ground whose heights are the elements of a 2-D texture or of a buffer.
+struct KernelTerrain {
+  std::string of, height;  ///< member or channel that holds the height; empty: the first number
+  glm::vec3 position{0};   ///< middle of the ground at the height 0, in metres
+  float width = 4;         ///< width along x in metres
+  float scale = 1;         ///< metres of the height 1
+  bool collides = false;
+  float grip = 25.3F;  ///< rate in 1/s at which sliding objects lose speed
+
+  /// Returns the distance between elements for `count` of them along x.
+  [[nodiscard]] float cell(int count) const { return width / static_cast<float>(count - 1); }
+};
+
+/// Surface where the numbers of a 3-D texture, or of a buffer with three axes, reach a level.
+struct KernelVolume {
+  enum class Draw { isosurface, cubes };
+  std::string of, show;  ///< member or channel that has the level; empty: the first number
+  Draw draw = Draw::isosurface;
+  scene::Animated<float> level = 0.5F;
+  std::string color;  ///< member or channel that the colour map colours; empty: the material's colour
+  std::string map = "inferno";
+  glm::vec2 colorRange{0, 1};
+  glm::vec3 position{0};  ///< middle of the volume in metres
+  float width = 2;        ///< width along x in metres; cells are cubes
+  bool closed = true;     ///< true: the surface is closed where it reaches the border
+};
+
+/// Velocities in a plane of the world, as the wind of other objects.
+struct KernelWind {
+  std::string of,
+      velocity;      ///< member of at least two numbers; empty: the first two channels, or the element
+  float scale = 1;   ///< m/s of the velocity 1
+  float speed = 10;  ///< expected maximum speed in m/s
+  FluidPlane plane;
 };
 
 /// A statistic over a buffer member, for checks and charts.
@@ -100,6 +140,9 @@ struct KernelDescription {
   std::optional<KernelSurface> surface;
   std::optional<KernelPoints> points;
   std::optional<KernelField> field;
+  std::optional<KernelTerrain> terrain;
+  std::optional<KernelVolume> volume;
+  std::optional<KernelWind> wind;
   std::vector<KernelMeasure> measured;
 };
 

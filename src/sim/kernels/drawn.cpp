@@ -3,30 +3,17 @@
 #include "base/error.hpp"
 #include "sim/grid/color_map.hpp"
 #include "sim/grid/sheet_mesh.hpp"
+#include "sim/kernels/copies.hpp"
 #include "sim/mesh/file/mesh_file.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 namespace simreel::sim {
-
-struct GatherKernel {
-  static constexpr auto file = "kernels/run/gather.comp";
-  gl::Uniform<"count", int> count;
-  gl::Uniform<"start", int> start;
-  gl::Uniform<"stride", int> stride;
-  gl::Uniform<"places", glm::ivec4> places;
-  gl::Uniform<"fill", glm::vec4> fill;
-  gl::Uniform<"number", int> number;
-  gl::Uniform<"alive", int> alive;
-  gl::Uniform<"aliveNumber", int> aliveNumber;
-  gl::Uniform<"encoded", bool> encoded;
-  gl::In<"words"> words;
-  gl::Out<"drawn"> drawn;
-};
 
 struct NormalKernel {
   static constexpr auto file = "kernels/run/normals.comp";
@@ -37,72 +24,17 @@ struct NormalKernel {
   gl::Out<"normals"> normals;
 };
 
-namespace {
-
-int typeOf(const KernelSlot& slot) {
-  return slot.number == KernelSlot::Number::signedInteger     ? 1
-         : slot.number == KernelSlot::Number::unsignedInteger ? 2
-                                                              : 0;
-}
-
-/// Returns the slot called `name`. An element without members is a single unnamed slot, which is returned
-/// for any name.
-const KernelSlot* slotOf(const std::vector<KernelSlot>& slots, const std::string& name) {
-  const KernelSlot* found = slotNamed(slots, name);
-  return found == nullptr && slots.size() == 1 ? slots.data() : found;
-}
-
-}  // namespace
-
-KernelDrawn::KernelDrawn(const std::string& name, const KernelPlan& plan, const scene::Material& material)
-    : name_(name),
-      plan_(plan),
-      material_(material),
-      gather_(gl::kernelDefines(false)),
-      normal_(gl::kernelDefines(false)) {
+KernelDrawn::KernelDrawn(const std::string& name, const KernelPlan& plan, const scene::Material& material,
+                         double frameSeconds)
+    : name_(name), plan_(plan), material_(material), normal_(gl::kernelDefines(false)) {
   const PlannedDrawing& drawn = plan.drawn();
   if (drawn.points) pointColors_ = colorMapStops(drawn.points->map);
+  if (drawn.volume) level_.emplace(name, plan);
+  if (drawn.terrain) ground_.emplace(name, plan, frameSeconds);
   if (drawn.field) fieldColors_ = drawn.field->display.colors();
 }
 
 KernelDrawn::~KernelDrawn() = default;
-
-KernelDrawn::Source KernelDrawn::source(const KernelStore& store, const std::string& of) const {
-  const std::vector<KernelSlot> slots = plan_.slots(of);
-  if (const int place = plan_.bufferNamed(of); place >= 0) {
-    const PlannedBuffer& buffer = plan_.buffers()[static_cast<std::size_t>(place)];
-    return {&store.buffer(place), static_cast<int>(buffer.header / 4), static_cast<int>(buffer.stride / 4),
-            static_cast<int>(buffer.count()), slots};
-  }
-  const int place = plan_.textureNamed(of);
-  return {&store.words(place), 0, 4,
-          static_cast<int>(plan_.textures()[static_cast<std::size_t>(place)].count()), slots};
-}
-
-void KernelDrawn::gather(const Source& from, const std::string& member, const std::string& fourth,
-                         const std::string& alive, const glm::vec4& fill, gl::Vec4Array& to) const {
-  glm::ivec4 places(-1);
-  int number = 0;
-  if (const KernelSlot* slot = slotOf(from.slots, member); slot != nullptr) {
-    for (std::size_t c = 0; c < std::min<std::size_t>(slot->offsets.size(), 3); ++c)
-      places[static_cast<int>(c)] = static_cast<int>(slot->offsets[c] / 4);
-    number = typeOf(*slot);
-  }
-  const KernelSlot* last = fourth.empty() ? nullptr : slotNamed(from.slots, fourth);
-  const KernelSlot* living = alive.empty() ? nullptr : slotNamed(from.slots, alive);
-  if (last != nullptr) places.w = static_cast<int>(last->offsets[0] / 4);
-  gather_.dispatch(from.count, {.count = from.count,
-                                .start = from.start,
-                                .stride = from.stride,
-                                .places = places,
-                                .fill = fill,
-                                .number = number,
-                                .alive = living == nullptr ? -1 : static_cast<int>(living->offsets[0] / 4),
-                                .aliveNumber = living == nullptr ? 0 : typeOf(*living),
-                                .encoded = from.encoded,
-                                .words = *from.words,
-                                .drawn = to});
-}
 
 void KernelDrawn::makeFaces(const std::vector<unsigned>& indices, std::size_t vertices) {
   std::vector<glm::ivec2> ranges(vertices), faces(std::max<std::size_t>(1, indices.size()));
@@ -126,7 +58,7 @@ void KernelDrawn::makeFaces(const std::vector<unsigned>& indices, std::size_t ve
 
 void KernelDrawn::makeSurface(const KernelStore& store) {
   const KernelSurface& surface = *plan_.drawn().surface;
-  const Source from = source(store, surface.of);
+  const KernelNumbers from = numbersOf(store, surface.of);
   const auto vertices = static_cast<std::size_t>(from.count);
   vertices_ = gl::Vec4Array(name_ + " vertices", from.count);
   if (!surface.mesh.empty()) {
@@ -160,14 +92,14 @@ void KernelDrawn::makeSurface(const KernelStore& store) {
   makeFaces(triangles_, vertices);
 }
 
-void KernelDrawn::update(const KernelStore& store) {
+void KernelDrawn::update(const KernelStore& store, double time) {
   const PlannedDrawing& drawn = plan_.drawn();
   if (drawn.surface) {
     if (!made_) makeSurface(store);
-    const Source from = source(store, drawn.surface->of);
-    gather(from, drawn.surface->position, "", "", glm::vec4(0, 0, 0, 1), vertices_);
+    const KernelNumbers from = numbersOf(store, drawn.surface->of);
+    gather_.run(from, {.member = drawn.surface->position, .fill = glm::vec4(0, 0, 0, 1)}, vertices_);
     if (normals_.buffer().bytes() > 0 && !drawn.surface->normal.empty())
-      gather(from, drawn.surface->normal, "", "", glm::vec4(0, 1, 0, 0), normals_);
+      gather_.run(from, {.member = drawn.surface->normal, .fill = glm::vec4(0, 1, 0, 0)}, normals_);
     else if (normals_.buffer().bytes() > 0)
       normal_.dispatch(from.count, {.count = from.count,
                                     .positions = vertices_,
@@ -177,18 +109,26 @@ void KernelDrawn::update(const KernelStore& store) {
   }
   if (drawn.points) {
     const KernelPoints& points = *drawn.points;
-    const Source from = source(store, points.of);
+    const KernelNumbers from = numbersOf(store, points.of);
     if (!made_) {
       places_ = gl::Vec4Array(name_ + " places", from.count);
       speeds_ = gl::Vec4Array(name_ + " velocities", from.count);
+      if (!points.rotation.empty()) turns_ = gl::Vec4Array(name_ + " rotations", from.count);
     }
-    gather(from, points.position, points.mass, "", glm::vec4(0, 0, 0, 1), places_);
-    // Without a velocity only the `alive` member is copied.
-    Source moving = from;
-    if (points.velocity.empty())
-      std::erase_if(moving.slots, [&](const KernelSlot& slot) { return slot.path != points.alive; });
-    gather(moving, points.velocity, "", points.alive, glm::vec4(0), speeds_);
+    if (!points.rotation.empty()) {
+      const KernelNumbers turning = numbersOf(store, points.of, points.rotation, 4);
+      quaternions_ = turning.slots[0].offsets.size() == 4;
+      gather_.run(turning, {.member = KernelNumbers::chosen, .components = 4}, turns_);
+    }
+    gather_.run(from, {.member = points.position, .fourth = points.mass, .fill = glm::vec4(0, 0, 0, 1)},
+                places_);
+    gather_.run(
+        from,
+        {.member = points.velocity, .alive = points.alive, .components = points.velocity.empty() ? 0 : 3},
+        speeds_);
   }
+  if (ground_) ground_->update(store);
+  if (level_) level_->update(store, time);
   if (drawn.field) updateField(store);
   made_ = true;
   gl::barrier();
@@ -196,11 +136,8 @@ void KernelDrawn::update(const KernelStore& store) {
 
 void KernelDrawn::updateField(const KernelStore& store) {
   const KernelField& field = *plan_.drawn().field;
-  const Source from = source(store, field.of);
+  const KernelNumbers from = numbersOf(store, field.of);
   const int place = plan_.bufferNamed(field.of);
-  const glm::ivec3 size =
-      place >= 0 ? plan_.buffers()[static_cast<std::size_t>(place)].size
-                 : plan_.textures()[static_cast<std::size_t>(plan_.textureNamed(field.of))].size;
   if (!made_) {
     cells_ = gl::Vec4Array(name_ + " cells", from.count);
     words_ = gl::Texture::view(name_ + " cells", GL_RGBA32UI, cells_.buffer());
@@ -208,10 +145,8 @@ void KernelDrawn::updateField(const KernelStore& store) {
   const bool texture = place < 0;
   const KernelSlot* slot = field.show.empty() ? nullptr : slotNamed(from.slots, field.show);
   const bool red =
-      texture &&
-      plan_.textures()[static_cast<std::size_t>(plan_.textureNamed(field.of))].format.starts_with("r") &&
-      !plan_.textures()[static_cast<std::size_t>(plan_.textureNamed(field.of))].format.starts_with("rg");
-  Source shown = from;
+      texture && plan_.textures()[static_cast<std::size_t>(plan_.textureNamed(field.of))].singleChannel();
+  KernelNumbers shown = from;
   if (texture && slot == nullptr && !red) {
     KernelSlot color = from.slots[0];
     color.path = "color";
@@ -226,18 +161,41 @@ void KernelDrawn::updateField(const KernelStore& store) {
   one.path = "first";
   one.offsets.resize(1);
   shown.slots = {*slot, one};
-  shown.encoded = field.encoded;
-  gather(shown, slot->path, "first", "", glm::vec4(0), cells_);
+  gather_.run(shown, {.member = slot->path, .fourth = "first", .encoded = field.encoded}, cells_);
   field_ = {};
   field_.name = &name_;
   field_.words = &words_;
   field_.cells = colors ? Field::Cells::colors : Field::Cells::floats;
-  field_.size = {size.x, size.y};
-  field_.rowWords = 4 * size.x;
+  field_.size = {from.size.x, from.size.y};
+  field_.rowWords = 4 * from.size.x;
   field_.cellWords = 4;
   field_.range = {static_cast<float>(field.display.low), static_cast<float>(field.display.high)};
   field_.colors = &fieldColors_;
   field_.display = &field.display;
+}
+
+Instances KernelDrawn::instances() const {
+  const KernelPoints& points = *plan_.drawn().points;
+  Instances instances;
+  instances.positions = &places_.view();
+  instances.velocities = &speeds_.view();
+  instances.capacity = static_cast<int>(places_.buffer().bytes() / 16);
+  instances.shape = points.shape;
+  instances.mesh = points.mesh;
+  if (points.alongVelocity) instances.turning = Instances::Turning::velocity;
+  if (!points.rotation.empty()) {
+    instances.turning = quaternions_ ? Instances::Turning::quaternion : Instances::Turning::direction;
+    instances.turns = &turns_.view();
+  }
+  instances.size = points.size;
+  instances.massExponent = points.massExponent;
+  instances.colorBy = points.colorBy;
+  instances.colorRange = points.colorRange;
+  instances.colors = &pointColors_;
+  instances.additive = points.additive;
+  instances.brightness = points.brightness;
+  instances.material = &material_;
+  return instances;
 }
 
 void KernelDrawn::publish(Drawables& drawables) const {
@@ -259,46 +217,39 @@ void KernelDrawn::publish(Drawables& drawables) const {
     surface.material = &material_;
     drawables.surfaces.push_back(surface);
   }
-  if (drawn.points) {
-    const KernelPoints& points = *drawn.points;
-    Instances instances;
-    instances.positions = &places_.view();
-    instances.velocities = &speeds_.view();
-    instances.capacity = static_cast<int>(places_.buffer().bytes() / 16);
-    instances.shape = points.shape;
-    instances.mesh = points.mesh;
-    instances.alongVelocity = points.alongVelocity;
-    instances.size = points.size;
-    instances.massExponent = points.massExponent;
-    instances.colorBy = points.colorBy;
-    instances.colorRange = points.colorRange;
-    instances.colors = &pointColors_;
-    instances.additive = points.additive;
-    instances.brightness = points.brightness;
-    instances.material = &material_;
-    drawables.instances.push_back(instances);
+  if (ground_) {
+    drawables.surfaces.push_back(ground_->surface());
+    drawables.surfaces.back().material = &material_;
   }
+  if (level_) {
+    drawables.surfaces.push_back(level_->surface());
+    drawables.surfaces.back().material = &material_;
+  }
+  if (drawn.points) drawables.instances.push_back(instances());
   if (drawn.field) drawables.fields.push_back(field_);
 }
 
 PointTable KernelDrawn::points() const {
   PointTable table;
-  const bool surface = plan_.drawn().surface.has_value();
-  if (!surface && !plan_.drawn().points) return table;
+  const PlannedDrawing& drawn = plan_.drawn();
+  const gl::Vec4Array* meshed = drawn.surface ? &vertices_ : ground_ ? &ground_->vertices() : nullptr;
+  if (meshed == nullptr && !drawn.points) return table;
   table.columns = {"x", "y", "z"};
-  const auto at = (surface ? vertices_ : places_).buffer().readAll<glm::vec4>();
-  const auto speeds = surface ? std::vector<glm::vec4>() : speeds_.buffer().readAll<glm::vec4>();
-  if (!surface) table.columns.insert(table.columns.end(), {"vx", "vy", "vz", "mass"});
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    if (!surface && speeds[i].w < 0) continue;
-    table.values.insert(table.values.end(), {at[i].x, at[i].y, at[i].z});
-    if (!surface) table.values.insert(table.values.end(), {speeds[i].x, speeds[i].y, speeds[i].z, at[i].w});
+  if (meshed != nullptr) {
+    for (const glm::vec4& at : meshed->buffer().readAll<glm::vec4>())
+      table.values.insert(table.values.end(), {at.x, at.y, at.z});
+    return table;
   }
+  const auto at = places_.buffer().readAll<glm::vec4>(), speeds = speeds_.buffer().readAll<glm::vec4>();
+  table.columns.insert(table.columns.end(), {"vx", "vy", "vz", "mass"});
+  for (std::size_t i = 0; i < at.size(); ++i)
+    if (!(speeds[i].w < 0))
+      table.values.insert(table.values.end(),
+                          {at[i].x, at[i].y, at[i].z, speeds[i].x, speeds[i].y, speeds[i].z, at[i].w});
   return table;
 }
 
-std::optional<MeshTable> KernelDrawn::mesh() const {
-  if (!plan_.drawn().surface) return std::nullopt;
+MeshTable KernelDrawn::surfaceMesh() const {
   const auto at = vertices_.buffer().readAll<glm::vec4>();
   if (normals_.buffer().bytes() == 0) {
     const glm::ivec2 grid = plan_.drawn().surface->grid;
@@ -312,6 +263,25 @@ std::optional<MeshTable> KernelDrawn::mesh() const {
   table.indices = triangles_;
   table.doubleSided = plan_.drawn().surface->doubleSided;
   return table;
+}
+
+std::optional<MeshTable> KernelDrawn::mesh() const {
+  const PlannedDrawing& drawn = plan_.drawn();
+  std::optional<MeshTable> all;
+  const auto add = [&](MeshTable part) {
+    if (all)
+      append(*all, part);
+    else
+      all = std::move(part);
+  };
+  if (drawn.surface) add(surfaceMesh());
+  if (ground_) add(sheetMesh(ground_->size(), ground_->vertices().buffer().readAll<glm::vec4>()));
+  if (level_) add(level_->mesh());
+  if (drawn.points && drawn.points->shape == Instances::Shape::mesh)
+    add(copiesOf(
+        instances(), places_.buffer().readAll<glm::vec4>(), speeds_.buffer().readAll<glm::vec4>(),
+        drawn.points->rotation.empty() ? std::vector<glm::vec4>() : turns_.buffer().readAll<glm::vec4>()));
+  return all;
 }
 
 }  // namespace simreel::sim

@@ -2,6 +2,9 @@
 #include "gl/element_array.hpp"
 #include "gl/kernel/kernel.hpp"
 #include "sim/core/simulation.hpp"
+#include "sim/kernels/gather.hpp"
+#include "sim/kernels/ground.hpp"
+#include "sim/kernels/level.hpp"
 #include "sim/kernels/memory.hpp"
 
 #include <optional>
@@ -10,35 +13,32 @@
 
 namespace simreel::sim {
 
-struct GatherKernel;
 struct NormalKernel;
 
 /// Draws the memory of a user's kernels: copies members into the layout of drawables.
 class KernelDrawn {
  public:
-  KernelDrawn(const std::string& name, const KernelPlan& plan, const scene::Material& material);
+  KernelDrawn(const std::string& name, const KernelPlan& plan, const scene::Material& material,
+              double frameSeconds);
   ~KernelDrawn();
   KernelDrawn(const KernelDrawn&) = delete;
   KernelDrawn& operator=(const KernelDrawn&) = delete;
 
-  /// Copies from memory. Call after KernelStore::settle().
-  void update(const KernelStore& store);
+  /// Copies from memory at `time` (seconds). Call after KernelStore::settle().
+  void update(const KernelStore& store, double time);
+  /// Enlarges the level surface if it was too small (Simulation::grow).
+  bool grow() { return level_ && level_->grow(); }
   void publish(Drawables& drawables) const;
-  /// Reads the drawn points or mesh back from the GPU.
+  /// Returns the terrain; null if nothing of that kind is drawn.
+  [[nodiscard]] KernelGround* ground() { return ground_ ? &*ground_ : nullptr; }
+  /// Reads back from the GPU: the drawn points, else the vertices; and all that is drawn as one mesh, which
+  /// includes copies of a mesh file.
   [[nodiscard]] PointTable points() const;
   [[nodiscard]] std::optional<MeshTable> mesh() const;
 
  private:
-  /// The words of one buffer or texture, with the layout of its elements.
-  struct Source {
-    const gl::Buffer* words;
-    int start, stride, count;
-    std::vector<KernelSlot> slots;
-    bool encoded = false;  ///< true if the first three numbers are sRGB
-  };
-  [[nodiscard]] Source source(const KernelStore& store, const std::string& of) const;
-  void gather(const Source& from, const std::string& member, const std::string& fourth,
-              const std::string& alive, const glm::vec4& fill, gl::Vec4Array& to) const;
+  [[nodiscard]] Instances instances() const;
+  [[nodiscard]] MeshTable surfaceMesh() const;
   void makeSurface(const KernelStore& store);
   void makeFaces(const std::vector<unsigned>& indices, std::size_t vertices);
   void updateField(const KernelStore& store);
@@ -46,13 +46,16 @@ class KernelDrawn {
   std::string name_;
   const KernelPlan& plan_;
   scene::Material material_;
-  gl::Kernel<GatherKernel> gather_;
+  KernelGather gather_;
   gl::Kernel<NormalKernel> normal_;
   bool made_ = false;
-  gl::Vec4Array vertices_, normals_, places_, speeds_, cells_;
+  gl::Vec4Array vertices_, normals_, places_, speeds_, turns_, cells_;
   gl::Buffer indices_, uvs_, ranges_, faces_;
   gl::Texture uvView_, words_;
   int indexCount_ = 0;
+  bool quaternions_ = false;  ///< true if `turns_` has quaternions, false if it has directions
+  std::optional<KernelGround> ground_;
+  std::optional<KernelLevel> level_;
   std::vector<unsigned> triangles_;
   std::vector<glm::vec2> textureCoordinates_;
   std::vector<glm::vec3> pointColors_, fieldColors_;

@@ -22,7 +22,7 @@ namespace {
 struct ImageChannel {
   std::string name;  ///< "0" to "3"
   std::filesystem::path file;
-  std::string buffer;
+  std::string buffer, field;
   KernelMemory::Filter filter = KernelMemory::Filter::linear;
   KernelMemory::Wrap wrap = KernelMemory::Wrap::clamp;
 };
@@ -42,6 +42,8 @@ struct ImagePass {
           c.asset("file", channel.file, "Picture.");
           c.text("buffer", channel.buffer,
                  "Name of a buffer: what it wrote last; of itself, in the step before.");
+          c.text("field", channel.field,
+                 "Field of another object at the beginning of the frame: OBJECT or OBJECT.PART.");
           c.choice("filter", channel.filter, {"shader", "point", "linear"}, "Reads between texels.");
           c.choice("wrap", channel.wrap, {"shader", "repeat", "clamp", "mirror"},
                    "Reads beyond the edges.");
@@ -72,11 +74,16 @@ struct ImageParameters : KernelsParameters {
     f.group("display", "Placement over the picture.", [&](scene::Fields& d) { display.describe(d); });
     if (!image.file.empty() && f.given("file")) build(f);
   }
-  void ports(Ports& ports) const override { ports.provide<FieldSource>(); }
+  void ports(Ports& ports) const override {
+    ports.provide<FieldSource>();
+    for (const ImagePass& pass : passes) wantFields(ports, pass, {"buffers", pass.name});
+    wantFields(ports, image, {});
+  }
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
 
  private:
   void build(scene::Fields& f);
+  static void wantFields(Ports& ports, const ImagePass& pass, const std::vector<std::string>& path);
   void addPass(scene::Fields& f, const ImagePass& pass);
   void holdChannels(scene::Fields& f, const kernels::Shader& shader, const std::vector<ImagePass>& all);
   std::map<std::string, std::string> aliases_;
@@ -94,6 +101,16 @@ scene::Formula formulaOf(std::initializer_list<scene::Formula::Part> parts) {
   scene::Formula formula;
   formula.parts = parts;
   return formula;
+}
+
+void ImageParameters::wantFields(Ports& ports, const ImagePass& pass,
+                                 const std::vector<std::string>& path) {
+  for (const ImageChannel& channel : pass.channels) {
+    if (channel.field.empty()) continue;
+    std::vector<std::string> whole = path;
+    whole.insert(whole.end(), {"channels", channel.name, "field"});
+    ports.mustWant<FieldSource>(channel.field, std::move(whole), When::frameStart);
+  }
 }
 
 void ImageParameters::addPass(scene::Fields& f, const ImagePass& pass) {
@@ -121,14 +138,17 @@ void ImageParameters::addPass(scene::Fields& f, const ImagePass& pass) {
                             names.empty() ? "there is none" : scene::suggestion(channel.buffer, names)));
       continue;
     }
-    if (channel.buffer.empty() == channel.file.empty()) {
-      f.errorIn(path, 0, 1, "a channel reads a \"file\" or a \"buffer\"");
+    if ((channel.buffer.empty() ? 0 : 1) + (channel.file.empty() ? 0 : 1) +
+            (channel.field.empty() ? 0 : 1) !=
+        1) {
+      f.errorIn(path, 0, 1, "a channel reads a \"file\", a \"buffer\" or a \"field\"");
       continue;
     }
     if (channel.buffer.empty()) {
       KernelMemory& picture = textures.emplace_back(textureOf(memory, pixels));
-      picture.size = {};
+      if (channel.field.empty()) picture.size = {};
       picture.file = channel.file;
+      picture.field = channel.field;
       picture.upward = true;
       picture.filter = channel.filter;
       picture.wrap = channel.wrap;

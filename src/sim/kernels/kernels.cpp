@@ -1,21 +1,26 @@
 #include "sim/kernels/kernels.hpp"
 
 #include "base/error.hpp"
+#include "sim/core/frame_observer.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/core/numerics.hpp"
 #include "sim/core/race_checked.hpp"
 #include "sim/kernels/drawn.hpp"
+#include "sim/kernels/inputs.hpp"
 #include "sim/kernels/memory.hpp"
+#include "sim/kernels/pace.hpp"
 #include "sim/kernels/parameters.hpp"
 #include "sim/kernels/plan.hpp"
 #include "sim/kernels/programs.hpp"
 #include "sim/kernels/races.hpp"
 #include "sim/kernels/reports.hpp"
+#include "sim/kernels/wind.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -43,7 +48,7 @@ std::vector<std::filesystem::path> shaderFiles(const scene::Scene& scene) {
 
 namespace {
 
-class Kernels : public Simulation, public RaceChecked {
+class Kernels : public Simulation, public RaceChecked, public FrameStarter {
  public:
   Kernels(const scene::Object& object, const Setting& setting)
       : name_(object.name),
@@ -52,20 +57,36 @@ class Kernels : public Simulation, public RaceChecked {
         seed_(setting.seed),
         plan_((checkKernels(object, setting), parameters_.plan)),
         store_(name_, *plan_, static_cast<unsigned>(setting.seed)),
-        drawn_(name_, *plan_, object.material),
+        drawn_(name_, *plan_, object.material, setting.frameSeconds),
         reports_(name_, *plan_, parameters_.bounds == KernelDescription::Bounds::ignore),
         programs_(name_, plan_->shaderPointer()),
+        inputs_(*plan_, object, setting.links),
+        startTime_(setting.startTime),
         kind_(object.kind) {
     checkLoops();
-    run(plan_->first(), nowAt(setting.startTime, 0), true);
-    finish(setting.startTime);
+    if (plan_->drawn().wind) wind_.emplace(name_, *plan_);
+    if (!inputs_.any()) begin();
   }
 
+  /// Kernels that take something from other objects begin once all objects exist.
+  void frameStarts() override {
+    inputs_.take(store_, !begun_);
+    if (!begun_) begin();
+  }
+
+  void connect(Outlets& outlets) override {
+    if (wind_) outlets.provide(wind_->outlet());
+    if (KernelGround* ground = drawn_.ground(); ground != nullptr && ground->outlet() != nullptr)
+      outlets.provide(ground->outlet());
+  }
   void step(double time, const StepWatch& watch) override {
     advance(time, watch);
     finish(time + frameSeconds_);
+    endFrame();
   }
+  /// Others may take the wind and the ground of this frame, so these are updated too.
   void pass(double time) override {
+    if (wind_ || drawn_.ground() != nullptr) return step(time, {});
     advance(time, {});
     store_.settle();
     reports_.collect(frameAt(time) + 1);
@@ -89,6 +110,7 @@ class Kernels : public Simulation, public RaceChecked {
       carry.array(plan_->buffers()[i].name.c_str(), store_.buffer(static_cast<int>(i)));
     for (std::size_t i = 0; i < plan_->textures().size(); ++i)
       carry.array(plan_->textures()[i].name.c_str(), store_.words(static_cast<int>(i)));
+    if (KernelGround* ground = drawn_.ground()) ground->carryOver(carry);
   }
   [[nodiscard]] std::vector<StateArray> state() const override {
     std::vector<StateArray> arrays;
@@ -114,6 +136,7 @@ class Kernels : public Simulation, public RaceChecked {
     races_.reset();
     return found;
   }
+  bool grow() override { return drawn_.grow(); }
   [[nodiscard]] PointTable points() const override { return drawn_.points(); }
   [[nodiscard]] std::optional<MeshTable> mesh() const override { return drawn_.mesh(); }
   [[nodiscard]] std::vector<double> measure() const override {
@@ -137,7 +160,14 @@ class Kernels : public Simulation, public RaceChecked {
   [[nodiscard]] KernelPlan::Now nowAt(double time, int step) const {
     const double dt = frameSeconds_ / std::max(1, parameters_.steps);
     const long frame = frameAt(time);
-    return {dt, time + step * dt, frame, frame * parameters_.steps + step, seed_};
+    return {dt, time + step * dt, frame, frame * parameters_.steps + step, seed_, inputs_.quantities()};
+  }
+
+  void begin() {
+    begun_ = true;
+    run(plan_->first(), nowAt(startTime_, 0), true);
+    finish(startTime_);
+    endFrame();
   }
 
   void advance(double time, const StepWatch& watch) {
@@ -151,15 +181,22 @@ class Kernels : public Simulation, public RaceChecked {
 
   void finish(double time) {
     store_.settle();
-    drawn_.update(store_);
+    drawn_.update(store_, time);
+    if (wind_) wind_->update(store_);
     reports_.collect(frameAt(time));
+  }
+  void endFrame() {
+    if (KernelGround* ground = drawn_.ground()) ground->endFrame();
   }
 
   void run(const std::vector<PlannedEntry>& entries, const KernelPlan::Now& now, bool first) {
     for (const PlannedEntry& entry : entries) {
       if (!first && now.step % entry.every != 0) continue;
       for (int i = 0; i < entry.repeat; ++i) {
-        if (entry.kernel >= 0) dispatch(entry, now);
+        if (entry.kernel >= 0) {
+          dispatch(entry, now);
+          pace_.dispatched();
+        }
         if (entry.count >= 0) store_.copyCounter(entry);
         if (!entry.clear.empty()) store_.clear(entry.clear);
         if (!entry.swapA.empty()) store_.swap(entry.swapA, entry.swapB);
@@ -213,8 +250,13 @@ class Kernels : public Simulation, public RaceChecked {
   std::shared_ptr<const KernelPlan> plan_;
   KernelStore store_;
   KernelDrawn drawn_;
+  std::optional<KernelWindSource> wind_;
   KernelReports reports_;
   KernelPrograms programs_;
+  DispatchPace pace_;
+  KernelInputs inputs_;
+  double startTime_;
+  bool begun_ = false;  ///< true once `first` has run
   std::string kind_;
   std::unique_ptr<KernelRaces> races_;  ///< null unless a search for races is running
 };

@@ -140,6 +140,11 @@ void KernelStore::putBack(std::size_t texture) {
   glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
 }
 
+void KernelStore::putBackOne(std::size_t texture) {
+  everythingVisible();
+  putBack(texture);
+}
+
 void KernelStore::putBack() {
   everythingVisible();
   for (std::size_t i = 0; i < textures_.size(); ++i) putBack(i);

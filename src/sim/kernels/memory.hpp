@@ -52,6 +52,10 @@ class KernelStore {
   [[nodiscard]] gl::Buffer& words(int texture) {
     return words_[static_cast<std::size_t>(texture)].buffer();
   }
+  /// Returns the array of words() with its views.
+  [[nodiscard]] gl::WordsArray& texels(std::size_t texture) { return words_[texture]; }
+  /// Fills one texture from words().
+  void putBackOne(std::size_t texture);
   [[nodiscard]] const KernelPlan& plan() const { return plan_; }
 
  private:

@@ -6,7 +6,10 @@
 #include "scene/value/implied_shape.hpp"
 #include "sim/grid/color_map.hpp"
 #include "sim/kernels/plan.hpp"
+#include "sim/mesh/height_field.hpp"
 #include "sim/ports/field_source.hpp"
+#include "sim/ports/markers.hpp"
+#include "sim/ports/measured.hpp"
 
 #include <algorithm>
 #include <mutex>
@@ -37,6 +40,13 @@ void describe(scene::Fields& f, KernelMemory& memory, bool texture) {
               : "Table with first values: CSV (a column is called as its first line says), npy (c0, c1, "
                 "...), or OBJ, PLY, glTF (vertices: x, y, z, nx, ny, nz, u, v).");
   if (texture) {
+    f.text("field", memory.field,
+           "Field of another object that a 2D texture takes: OBJECT, or OBJECT.PART such as \"smoke.u\".");
+    f.choice("taken", memory.taken, {"everyFrame", "start"},
+             "Takes the field as it is at the beginning of each frame, or only at the start.");
+    f.idleUnless(!memory.field.empty(), "field", {"taken"}, "a texture with a \"field\"");
+    if (!memory.field.empty() && (f.given("file") || f.given("start")))
+      f.error("field", "a texture has a \"field\", a \"file\" or a \"start\"");
     f.text("format", memory.format, "Format of a texel, such as \"rgba32f\" or \"r32ui\".");
     f.leftOut("format", "the shader's, or of 32 bits a channel");
     if (f.given("format") && memory.format.empty())
@@ -84,6 +94,16 @@ void describe(scene::Fields& f, KernelSurface& surface) {
   f.boolean("doubleSided", surface.doubleSided, "Shows both sides.");
 }
 
+void describeMap(scene::Fields& f, std::string& chosen) {
+  const auto& names = colorMapNames();
+  int map = static_cast<int>(std::find(names.begin(), names.end(), chosen) - names.begin());
+  std::vector<const char*> words;
+  words.reserve(names.size());
+  for (const std::string& name : names) words.push_back(name.c_str());
+  f.oneOf("colors", map, words, "Colour map.");
+  chosen = names[static_cast<std::size_t>(map)];
+}
+
 void describe(scene::Fields& f, KernelPoints& points) {
   f.text("of", points.of, "Buffer whose elements are drawn.");
   f.text("position", points.position, "Member that holds an element's place (m).");
@@ -95,6 +115,13 @@ void describe(scene::Fields& f, KernelPoints& points) {
            "Discs that face the camera, lit as balls or glowing; spheres; or a mesh.");
   f.asset("mesh", points.mesh, "OBJ, PLY or glTF file of shape \"mesh\".");
   scene::implyShape(f, points.shape, Instances::Shape::mesh, "mesh", points.mesh, "mesh", "sprite");
+  f.text(
+      "rotation", points.rotation,
+      "Member that turns a mesh: a quaternion (four numbers: x, y, z, w), or the direction of the mesh's "
+      "z axis (three).");
+  f.leftOut("rotation", "no turn, unless \"alongVelocity\"");
+  f.idleUnless(points.shape == Instances::Shape::mesh, "shape", {"rotation", "alongVelocity"},
+               "shape \"mesh\"");
   f.boolean("alongVelocity", points.alongVelocity, "Turns a mesh's z axis along the velocity.");
   f.number("size", points.size, {1e-5, 1e5}, "m", "Diameter; for a mesh, a factor on its coordinates.");
   f.number("massExponent", points.massExponent, {0, 2}, "", "Size grows with mass to this power.");
@@ -104,17 +131,61 @@ void describe(scene::Fields& f, KernelPoints& points) {
            "Speed (m/s) or mass (kg) at the start of the colour map.");
   f.number("colorTo", points.colorRange.y, scene::anyNumber, "",
            "Speed (m/s) or mass (kg) at the end of the colour map.");
-  const auto& names = colorMapNames();
-  int map = static_cast<int>(std::find(names.begin(), names.end(), points.map) - names.begin());
-  std::vector<const char*> words;
-  words.reserve(names.size());
-  for (const std::string& name : names) words.push_back(name.c_str());
-  f.oneOf("colors", map, words, "Colour map.");
-  points.map = names[static_cast<std::size_t>(map)];
+  describeMap(f, points.map);
   f.boolean("additive", points.additive, "Light that adds up and casts no shadow, for sparks and stars.");
   f.number("brightness", points.brightness, {0, 1e5}, "", "Factor on the colours of additive elements.");
   f.idleUnless(points.additive, "additive", {"brightness"}, "points that are \"additive\"");
   if (points.colorRange.x == points.colorRange.y) f.error("colorTo", "colorFrom and colorTo must differ");
+}
+
+void describe(scene::Fields& f, KernelTerrain& terrain) {
+  f.text("of", terrain.of, "2D texture, or buffer of a grid, whose elements are the heights.");
+  f.text("height", terrain.height, "Channel (r, g, b, a) or member that holds the height.");
+  f.leftOut("height", "the first number");
+  f.vector("position", terrain.position, scene::anyNumber, "m",
+           "Middle of the ground, where the height is 0.");
+  f.number("width", terrain.width, {1e-3, 1e5}, "m", "Width along x; y of the texture grows along z.");
+  f.number("scale", terrain.scale, scene::anyNumber, "m", "Height of the value 1.");
+  f.boolean("collides", terrain.collides, "Cloth and particles fall onto it.");
+  f.number("grip", terrain.grip, {0, 1e6}, "1/s",
+           "Rate at which sliding objects lose speed, if it collides.");
+  f.idleUnless(terrain.collides, "collides", {"grip"}, "\"collides\": true");
+}
+
+void describe(scene::Fields& f, KernelVolume& volume) {
+  f.text("of", volume.of, "3D texture, or buffer with a size of three numbers.");
+  f.text("show", volume.show, "Channel (r, g, b, a) or member that has the level.");
+  f.leftOut("show", "the first number");
+  f.choice(
+      "draw", volume.draw, {"isosurface", "cubes"},
+      "isosurface: a smooth surface where the number passes \"level\"; cubes: a cube for every cell at "
+      "that level or above.");
+  f.number("level", volume.level, scene::anyNumber, "",
+           "Number at the surface; inside it is at least this.");
+  f.text("color", volume.color, "Channel or member whose numbers \"colors\" maps.");
+  f.leftOut("color", "nothing: the surface has its material's colour");
+  f.number("colorFrom", volume.colorRange.x, scene::anyNumber, "",
+           "Number at the start of the colour map.");
+  f.number("colorTo", volume.colorRange.y, scene::anyNumber, "", "Number at the end of the colour map.");
+  describeMap(f, volume.map);
+  f.idleUnless(!volume.color.empty(), "color", {"colors", "colorFrom", "colorTo"},
+               "a volume with \"color\"");
+  f.vector("position", volume.position, scene::anyNumber, "m", "Middle of the volume.");
+  f.number("width", volume.width, {1e-3, 1e4}, "m", "Width along x; its cells are cubes.");
+  f.boolean("closed", volume.closed, "Closes the surface where it reaches the border; else it ends there.");
+  if (volume.colorRange.x == volume.colorRange.y) f.error("colorTo", "colorFrom and colorTo must differ");
+}
+
+void describe(scene::Fields& f, KernelWind& wind) {
+  f.text("of", wind.of, "2D texture, or buffer of a grid, whose elements are velocities.");
+  f.text("velocity", wind.velocity,
+         "Member whose first two numbers are the velocity towards growing x and y.");
+  f.leftOut("velocity", "r and g of a texture, or the element itself");
+  f.number("scale", wind.scale, scene::anyNumber, "m/s", "Speed of the velocity 1.");
+  f.number("speed", wind.speed, {1e-3, 1e6}, "m/s",
+           "Greatest speed that is expected: a wildfire's \"strength\" of wind.");
+  f.group("plane", "Rectangle in the world where the velocities are the wind of other objects.",
+          [&](scene::Fields& p) { wind.plane.describe(p); });
 }
 
 }  // namespace
@@ -127,7 +198,8 @@ void KernelsParameters::describe(scene::Fields& f) {
   f.formulas(
       "constants", constants,
       "Values of the shader's constants: numbers, lists of them, keyframes, or expressions of dt, time, "
-      "frame, steps, seed, count(BUFFER), width(TEXTURE), height(TEXTURE), depth(TEXTURE).");
+      "frame, steps, seed, count(BUFFER), width(TEXTURE), height(TEXTURE), depth(TEXTURE), and "
+      "quantity(OBJECT.QUANTITY), a quantity of another object at the beginning of the frame.");
   f.integer("steps", steps, {0, 100000}, "per frame", "Steps a frame takes; dt is their length.");
   f.shorthand("first", "kernel");
   f.list("first", first, "What runs once, before the first frame.",
@@ -175,6 +247,12 @@ void KernelsParameters::describeDrawn(scene::Fields& f) {
                     g.group("display", "Placement over the picture.",
                             [&](scene::Fields& d) { group.display.describe(d); });
                   });
+  f.optionalGroup("terrain", terrain, "Draws heights as ground, onto which others may fall.",
+                  [](scene::Fields& g, KernelTerrain& group) { sim::describe(g, group); });
+  f.optionalGroup("volume", volume, "Draws a volume as the surface where its numbers reach a level.",
+                  [](scene::Fields& g, KernelVolume& group) { sim::describe(g, group); });
+  f.optionalGroup("wind", wind, "Makes velocities the wind of cloth, particles and wildfires.",
+                  [](scene::Fields& g, KernelWind& group) { sim::describe(g, group); });
   f.named(
       "measures", measured, "Numbers of the state, for checks and charts.", "measure",
       [](scene::Fields& m, KernelMeasure& measure) {
@@ -237,11 +315,20 @@ void KernelsParameters::keepProblem(const UserError& error) {
 
 void KernelsParameters::ports(Ports& ports) const {
   if (plan != nullptr && plan->drawn().field) ports.provide<FieldSource>();
+  for (const KernelMemory& texture : textures)
+    if (!texture.field.empty())
+      ports.mustWant<FieldSource>(texture.field, {"textures", texture.name, "field"}, When::frameStart);
+  if (plan != nullptr)
+    for (const KernelPlan::Quantity& quantity : plan->quantities())
+      ports.mustWant<Measured>(quantity.name, quantity.path, When::frameStart);
+  ports.provide<FluidWind>(wind.has_value(), " without \"wind\"");
+  const bool collides = terrain && terrain->collides;
+  ports.provide<Touchable>(collides);
+  ports.provide<HeightField>(collides).path = {"terrain", "collides"};
 }
 
 const char* KernelsParameters::drawnWith() const {
-  const bool onlyField =
-      plan != nullptr && plan->drawn().field && !plan->drawn().surface && !plan->drawn().points;
+  const bool onlyField = plan != nullptr && plan->drawn().field && !plan->drawn().inSpace();
   return onlyField ? "its \"field\"" : nullptr;
 }
 
@@ -256,7 +343,7 @@ scene::Parameters::Looks KernelsParameters::looks() const {
 }
 
 bool KernelsParameters::wanders() const {
-  return plan != nullptr && (plan->drawn().surface || plan->drawn().points);
+  return plan != nullptr && (plan->drawn().surface || plan->drawn().points || plan->drawn().terrain);
 }
 
 }  // namespace simreel::sim

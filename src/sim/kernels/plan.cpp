@@ -19,7 +19,7 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr const char* lookups[] = {"count", "width", "height", "depth"};
+constexpr const char* lookups[] = {"count", "width", "height", "depth", "quantity"};
 constexpr const char* plainNames[] = {"dt", "time", "frame", "steps", "seed", "pi"};
 
 }  // namespace
@@ -205,6 +205,13 @@ int KernelPlan::placeOf(const std::string& name) {
   const std::size_t open = name.find('(');
   if (open == std::string::npos) return -1;
   const std::string function = name.substr(0, open), memory = name.substr(open + 1, name.size() - open - 2);
+  if (function == "quantity") {
+    if (!takesQuantities_ || memory.find('.') == std::string::npos) return -1;
+    quantities_.push_back({memory, {}});
+    quantityPlaces_.push_back(lookups_.size());
+    lookups_.emplace_back(name, 0.0);
+    return static_cast<int>(std::size(plainNames) + lookups_.size()) - 1;
+  }
   const int buffer = bufferNamed(memory), texture = textureNamed(memory);
   if (buffer < 0 && texture < 0) return -1;
   const bool sized = buffer >= 0 ? buffers_[static_cast<std::size_t>(buffer)].sized
@@ -231,10 +238,22 @@ PlannedNumber KernelPlan::compiled(const scene::Formula::Part& part, std::vector
   std::vector<std::string> known(std::begin(plainNames), std::end(plainNames));
   for (const PlannedBuffer& buffer : buffers_) known.push_back(fmt::format("count({})", buffer.name));
   for (const PlannedTexture& texture : textures_) known.push_back(fmt::format("width({})", texture.name));
+  const std::size_t quantitiesBefore = quantities_.size();
   try {
-    return {0, std::make_shared<Expression>(
-                   part.text, [this](const std::string& name) { return placeOf(name); }, known, lookups)};
+    PlannedNumber made{
+        0, std::make_shared<Expression>(
+               part.text, [this](const std::string& name) { return placeOf(name); }, known, lookups)};
+    for (std::size_t i = quantitiesBefore; i < quantities_.size(); ++i) quantities_[i].path = path;
+    return made;
   } catch (const scene::ExpressionMistake& wrong) {
+    if (part.text.substr(wrong.begin).starts_with("quantity(")) {
+      mistake(std::move(path),
+              takesQuantities_
+                  ? "a quantity has the name of an object and its own: quantity(OBJECT.QUANTITY)"
+                  : "only constants use quantities of objects, which change from frame to frame",
+              wrong.begin, wrong.end);
+      return {};
+    }
     const std::string circle = unsizedIn(part.text.substr(wrong.begin, wrong.end - wrong.begin));
     mistake(
         std::move(path),
@@ -255,6 +274,8 @@ std::vector<double> KernelPlan::values(const Now& now) const {
                              static_cast<double>(now.seed),
                              3.14159265358979323846};
   for (const auto& [name, value] : lookups_) all.push_back(value);
+  for (std::size_t i = 0; i < std::min(now.quantities.size(), quantityPlaces_.size()); ++i)
+    all[std::size(plainNames) + quantityPlaces_[i]] = now.quantities[i];
   return all;
 }
 

@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,6 +56,9 @@ struct PlannedTexture {
   /// Returns the sampler state (bits as in simreel_Samplers) for reads of this texture with `sampler`.
   [[nodiscard]] unsigned samplerState(std::string_view sampler) const;
   [[nodiscard]] bool integers() const { return format.ends_with("i"); }
+  [[nodiscard]] bool singleChannel() const {
+    return format.starts_with("r") && !format.starts_with("rg") && !format.starts_with("r11");
+  }
 };
 
 /// A component of a constant or of a thread count.
@@ -79,6 +83,12 @@ struct PlannedDrawing {
   std::optional<KernelSurface> surface;
   std::optional<KernelPoints> points;
   std::optional<KernelField> field;
+  std::optional<KernelTerrain> terrain;
+  std::optional<KernelVolume> volume;
+  std::optional<KernelWind> wind;
+
+  /// Returns true if something is drawn in the world, not only over the picture.
+  [[nodiscard]] bool inSpace() const { return surface || points || terrain || volume; }
 };
 
 /// A scene's description of its kernels, checked against the contents of their file. Needs no device.
@@ -110,6 +120,8 @@ class KernelPlan {
   [[nodiscard]] const PlannedDrawing& drawn() const { return drawn_; }
   [[nodiscard]] int bufferNamed(std::string_view name) const;
   [[nodiscard]] int textureNamed(std::string_view name) const;
+  /// Returns the size of the buffer or texture of that name.
+  [[nodiscard]] glm::ivec3 sizeOf(const std::string& memory) const;
   /// Returns the values that can be set in one element of the buffer named `memory` (its members), or in
   /// one texel of the texture of that name (its channels); empty if there is neither.
   [[nodiscard]] std::vector<KernelSlot> slots(const std::string& memory) const;
@@ -125,8 +137,15 @@ class KernelPlan {
     double dt = 0, time = 0;
     long frame = 0, step = 0;
     int seed = 1;
+    std::span<const double> quantities = {};  ///< values of quantities(); zeros if it is shorter
   };
   [[nodiscard]] std::vector<double> values(const Now& now) const;
+  /// A quantity of another object that constants use: OBJECT.QUANTITY, and JSON path of the constant.
+  struct Quantity {
+    std::string name;
+    std::vector<std::string> path;
+  };
+  [[nodiscard]] const std::vector<Quantity>& quantities() const { return quantities_; }
   /// Returns the contents of a uniform block.
   [[nodiscard]] std::vector<std::byte> blockBytes(const kernels::Block& block, const Now& now) const;
   [[nodiscard]] glm::uvec3 groups(const PlannedEntry& entry, const Now& now) const;
@@ -160,6 +179,12 @@ class KernelPlan {
   void planStarts();
   void planDrawing(const KernelDescription& parameters);
   void chooseDrawing();
+  void planGrids();
+  [[nodiscard]] scene::Box boxOfTerrain() const;
+  [[nodiscard]] scene::Box boxOfVolume() const;
+  /// Reports a grid `of` that does not have `axes` axes, or a member of it that has too few numbers.
+  bool holdGrid(const char* group, const char* key, const std::string& of, const std::string& member,
+                std::size_t numbers, int axes);
   bool holdMember(const char* group, const char* key, const std::string& of, const std::string& member,
                   bool needed, std::size_t least);
   void planMeasures(const KernelDescription& parameters);
@@ -180,6 +205,9 @@ class KernelPlan {
   std::map<std::string, Constant> constants_;
   std::vector<std::pair<std::string, double>>
       lookups_;  ///< values of count(NAME) and similar functions, in order after the plain variables
+  std::vector<Quantity> quantities_;
+  std::vector<std::size_t> quantityPlaces_;  ///< index of each quantity among lookups_
+  bool takesQuantities_ = false;             ///< true while constants are planned
   PlannedDrawing drawn_;
   std::vector<Mistake> mistakes_;
   KernelTables tables_;

@@ -34,6 +34,7 @@ bool isSamplerBlock(const kernels::Block& block) {
 }  // namespace
 
 void KernelPlan::planConstants(const KernelDescription& parameters) {
+  takesQuantities_ = true;
   for (const scene::Formulas::Named& given : parameters.constants.list) {
     Constant constant;
     constant.moving = given.formula.moving;
@@ -45,6 +46,7 @@ void KernelPlan::planConstants(const KernelDescription& parameters) {
     }
     constants_[given.name] = std::move(constant);
   }
+  takesQuantities_ = false;
   holdConstants();
 }
 

@@ -40,8 +40,10 @@ bool isPosition(const KernelSlot& slot, const std::string& buffer) {
 }  // namespace
 
 void KernelPlan::planDrawing(const KernelDescription& parameters) {
-  drawn_ = {parameters.surface, parameters.points, parameters.field};
-  if (!drawn_.surface && !drawn_.points && !drawn_.field) chooseDrawing();
+  drawn_ = {parameters.surface, parameters.points, parameters.field,
+            parameters.terrain, parameters.volume, parameters.wind};
+  if (!drawn_.inSpace() && !drawn_.field && !drawn_.wind) chooseDrawing();
+  planGrids();
   std::vector<std::string> buffers, all;
   for (const PlannedBuffer& buffer : buffers_)
     if (buffer.counterOf.empty()) buffers.push_back(buffer.name);
@@ -81,6 +83,9 @@ void KernelPlan::planDrawing(const KernelDescription& parameters) {
     holdMember("points", "velocity", points.of, points.velocity, false, 2);
     holdMember("points", "mass", points.of, points.mass, false, 1);
     holdMember("points", "alive", points.of, points.alive, false, 1);
+    holdMember("points", "rotation", points.of, points.rotation, false, 3);
+    if (points.alongVelocity && !points.rotation.empty())
+      mistake({"points", "rotation"}, "give \"rotation\" or \"alongVelocity\", not both");
     if (points.colorBy == Instances::ColorBy::speed && points.velocity.empty())
       mistake({"points", "colorBy"}, "colours by speed need \"velocity\", a member");
     if (points.colorBy == Instances::ColorBy::mass && points.mass.empty())
@@ -178,6 +183,8 @@ std::vector<KernelSlot> KernelPlan::slots(const std::string& memory) const {
 }
 
 std::optional<scene::Box> KernelPlan::box() const {
+  if (drawn_.volume) return boxOfVolume();
+  if (drawn_.terrain && !drawn_.surface && !drawn_.points) return boxOfTerrain();
   const std::string of = drawn_.surface  ? drawn_.surface->of
                          : drawn_.points ? drawn_.points->of
                                          : std::string();

@@ -43,6 +43,10 @@ void KernelPlan::holdNames(const KernelDescription& /*parameters*/) {
     }
     PlannedTexture& texture = textures_[static_cast<std::size_t>(place)];
     texture.given = &given;
+    if (!given.field.empty() && texture.type != "2D")
+      mistake({"textures", given.name, "field"},
+              fmt::format("{} is a texture of the kind {}; only those of the kind 2D take a field",
+                          texture.name, texture.type));
     holdFormat(texture, given.format);
   }
 }

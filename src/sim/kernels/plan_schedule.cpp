@@ -3,6 +3,7 @@
 #include "kernels/source/files.hpp"
 #include "scene/json/words.hpp"
 #include "sim/kernels/plan.hpp"
+#include "sim/kernels/threads.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,50 +13,6 @@
 #include <fmt/format.h>
 
 namespace simreel::sim {
-
-namespace {
-
-/// Returns the default number of invocations of a kernel: the size of the first texture that it writes,
-/// else of the first buffer that it writes, else of the first memory that it reads. A group of one thread
-/// that does not read its index runs once. Returns nullopt if the size is ambiguous: a kernel with groups
-/// along one axis that writes a texture and a buffer, or a buffer of one axis and groups with several axes.
-/// Groups of one thread count as one axis if they read only x.
-std::optional<glm::ivec3> usualThreads(const KernelPlan& plan, const kernels::Kernel& kernel) {
-  const bool single = kernel.threads[0] * kernel.threads[1] * kernel.threads[2] == 1;
-  if (single && kernel.axes == 0) return glm::ivec3(1);
-  const bool row = single ? kernel.axes == 1 : kernel.threads[1] == 1 && kernel.threads[2] == 1;
-  const auto written = [](const auto& memory) { return memory.writes; };
-  if (row && std::any_of(kernel.textures.begin(), kernel.textures.end(), written) &&
-      std::any_of(kernel.buffers.begin(), kernel.buffers.end(), written))
-    return std::nullopt;
-  for (const bool writes : {true, false}) {
-    for (const kernels::Texture& texture : kernel.textures) {
-      if (texture.writes != writes) continue;
-      const PlannedTexture& planned =
-          plan.textures()[static_cast<std::size_t>(plan.textureNamed(texture.name))];
-      // Ambiguous, because the kernel may loop over the layers itself.
-      if (planned.type == "2DArray" && planned.size.z > 1 && kernel.threads[2] == 1) return std::nullopt;
-      if (single && row) return std::nullopt;
-      return planned.size;
-    }
-    for (const kernels::Buffer& buffer : kernel.buffers) {
-      const bool counted =
-          plan.bufferNamed(buffer.name + ".counter") >= 0;  // the number of elements is not known yet
-      if (buffer.writes != writes || (writes && counted) || !buffer.counterOf.empty() ||
-          !buffer.previousOf.empty())
-        continue;
-      const PlannedBuffer& planned =
-          plan.buffers()[static_cast<std::size_t>(plan.bufferNamed(buffer.name))];
-      // One-dimensional groups process the elements of a grid as a flat array.
-      if (row) return glm::ivec3(static_cast<int>(planned.count()), 1, 1);
-      if (planned.size.y == 1 && planned.count() > 1) return std::nullopt;
-      return planned.size;
-    }
-  }
-  return single ? std::nullopt : std::optional(glm::ivec3(1));
-}
-
-}  // namespace
 
 void KernelPlan::everyKernel() {
   for (std::size_t i = 0; i < shader_->kernels.size(); ++i) {
@@ -68,7 +25,12 @@ void KernelPlan::everyKernel() {
 
 void KernelPlan::useUsualThreads(std::vector<std::string> path, PlannedEntry& entry) {
   const kernels::Kernel& kernel = shader_->kernels[static_cast<std::size_t>(entry.kernel)];
-  const std::optional<glm::ivec3> threads = usualThreads(*this, kernel);
+  const KernelSizes sizes = {
+      .texture = [this](const kernels::Texture& texture) { return sizeOf(texture.name); },
+      .buffer = [this](const kernels::Buffer& buffer) { return sizeOf(buffer.name); },
+      .counted =
+          [this](const kernels::Buffer& buffer) { return bufferNamed(buffer.name + ".counter") >= 0; }};
+  const std::optional<glm::ivec3> threads = usualThreads(kernel, sizes);
   if (!threads)
     return mistake(std::move(path), fmt::format("kernel {} has groups of {} x {} x {}, and what it writes "
                                                 "does not tell how many threads it needs; give "

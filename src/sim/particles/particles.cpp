@@ -198,7 +198,7 @@ class Particles : public Simulation, public LockStep {
     instances.capacity = plan_.count();
     instances.shape = p.shape;
     instances.mesh = p.mesh;
-    instances.alongVelocity = p.alongVelocity;
+    if (p.alongVelocity) instances.turning = Instances::Turning::velocity;
     instances.size = p.size;
     instances.massExponent = p.massExponent;
     instances.massReference = massReference();

@@ -37,7 +37,8 @@ struct World::State {
   std::vector<std::size_t> observed;      ///< indices of the objects that the observers or the lags read
   std::unique_ptr<SummaryQueue> summaries;
   std::function<void(const Drawables& before)> hearBefore;
-  bool passed = false;  ///< true if the current frame is passed and its state must not be read
+  bool stepping = false;  ///< true within a frame, and after an exception ended it
+  bool passed = false;    ///< true if the current frame is passed and its state must not be read
 
   State(const scene::Scene& scene, bool timing, const std::function<void(long, long)>& presteps);
   void makeLags(double frameSeconds);

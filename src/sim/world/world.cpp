@@ -25,6 +25,7 @@ void World::advanceTo(int frame, const Watch& watch, const Stepped& stepped) {
     if (state_->hearBefore && state_->done + 1 == frame + state_->preroll) tellBefore();
     state_->passed = false;
     const double time = (state_->done - state_->preroll) / state_->fps;
+    state_->stepping = true;
     state_->startFrame();
     for (std::size_t n = 0; n < state_->groups.size(); ++n) {
       const std::vector<std::size_t>& members = state_->links.order()[n].objects;
@@ -39,6 +40,7 @@ void World::advanceTo(int frame, const Watch& watch, const Stepped& stepped) {
         if (stepped) stepped(i);
     }
     ++state_->done;
+    state_->stepping = false;
     state_->observe();
   }
 }
@@ -56,6 +58,7 @@ void World::tellBefore() {
 void World::passTo(int frame) {
   if (state_->done < frame + state_->preroll) state_->passed = true;
   while (state_->done < frame + state_->preroll) {
+    state_->stepping = true;
     state_->startFrame();
     for (std::size_t n = 0; n < state_->groups.size(); ++n) {
       const std::size_t first = state_->links.order()[n].objects[0];
@@ -67,8 +70,13 @@ void World::passTo(int frame) {
         state_->objects[first]->pass(time());
     }
     ++state_->done;
+    state_->stepping = false;
     state_->observe();
   }
+}
+
+bool World::isWhole() const {
+  return !state_->stepping;
 }
 
 void World::show() {

@@ -48,6 +48,9 @@ class World {
   /// Simulates up to `frame` as advanceTo() does but skips work needed only for display. The state must not
   /// be drawn, read or hashed until advanceTo() goes further or show() is called.
   void passTo(int frame);
+  /// Returns false if an exception ended a frame before all objects had stepped. The world is then of no
+  /// further use.
+  [[nodiscard]] bool isWhole() const;
   /// Completes the state of a passed frame to what advanceTo() would have left.
   void show();
   /// Saves or restores the state that the next frame depends on, object by object; calls `begin` with the

@@ -1,5 +1,6 @@
 """Tests simreel kernels and scenes that run a user's compute shaders."""
 import json
+import signal
 
 from common import Case, main, png_rows
 
@@ -21,6 +22,20 @@ class Kernels(Case):
         kernels = {"file": "a.compute", "buffers": {"_Data": {"size": 32, "start": "i^2"}}, "constants": {"_Share": 0.5}, **more}
         scene = {"version": 1, "render": {"size": [64, 36]}, "objects": {"k": {"kernels": kernels}}}
         (self.folder / "k.json").write_text(json.dumps(scene))
+
+    def test_printed_scenes_are_accepted(self):
+        for shader in (
+            # Rows that write a texture and a buffer; groups of two axes that write a buffer.
+            "RWStructuredBuffer<float> _Sum; RWTexture2D<float4> _Seen; [numthreads(64, 1, 1)] void A(uint3 id : SV_DispatchThreadID) { _Sum[id.x] = 1; _Seen[id.xy] = 1; }",
+            "RWStructuredBuffer<float> _Sum; Texture2D<float4> _Seen; [numthreads(8, 8, 1)] void A(uint3 id : SV_DispatchThreadID) { _Sum[id.x] = _Seen[id.xy].x; }",
+            "RWStructuredBuffer<float> _Sum; [numthreads(8, 8, 1)] void A(uint3 id : SV_DispatchThreadID) { _Sum[id.x] = 1; }",
+            # Constants in structs and arrays.
+            "struct Light { float3 at; float4x4 view; }; cbuffer Given { Light light; float4 planes[6]; float deltaT; }; RWStructuredBuffer<float4> _Sum;"
+            "[numthreads(8, 1, 1)] void A(uint3 id : SV_DispatchThreadID) { _Sum[id.x] = mul(light.view, float4(light.at, 1)) + planes[id.x % 6] * deltaT; }",
+        ):
+            (self.folder / "a.compute").write_text("#pragma kernel A\n" + shader + "\n")
+            (self.folder / "k.json").write_bytes(self.good("kernels", "a.compute", "--scene").stdout)
+            self.good("validate", "k.json")
 
     def test_the_printed_scene_runs(self):
         (self.folder / "a.compute").write_text(BLUR)
@@ -141,6 +156,14 @@ class Kernels(Case):
             self.good("render", "k.json", "-o", f"{count}.png", "--frames", "0", "--size", "64x36")
             pictures.append(png_rows((self.folder / f"{count}.png").read_bytes()))
         self.assertEqual(*pictures)
+
+    def test_a_signal_ends_a_long_frame_between_dispatches(self):
+        slow = BLUR.replace("    _Data[id.x] =", "    for (int i = 0; i < 20000; i++) left = left * 0.999 + 0.001;\n    _Data[id.x] =")
+        self.scene(slow, buffers={"_Data": {"size": [32, 16], "start": "i^2", "previous": True}}, step=[{"kernel": "Blur", "repeat": 100000}])
+        # Frame 0 takes no step and is written at once; frame 1 takes hours.
+        code, messages = self.signal_when((self.folder / "out/k_000000.npy").exists, "out", signal.SIGTERM, "bake", "k.json", "-o", "out/", "--frames", "0-9", "--format", "npy")
+        self.assertEqual(code, 128 + signal.SIGTERM, messages)
+        self.assertIn("interrupted; the 1 files written so far are whole", messages)
 
     def test_an_image_is_drawn(self):
         (self.folder / "a.frag").write_text("void mainImage(out vec4 c, in vec2 at) { c = vec4(at / iResolution.xy, 0.5, 1.0); }\n")

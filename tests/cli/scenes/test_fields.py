@@ -122,7 +122,7 @@ class Fields(Case):
         self.bad(2, "tiff", *self.render("--fields", "tiff"))
         self.write("cloth.json", SCENE)
         self.bad(2, "no object of the scene is a field", "render", "cloth.json", "-o", "out/", "--fields", "npy")
-        self.bad(2, "no object of the scene has a field", "bake", "cloth.json", "-o", "out", "--format", "npy")
+        self.bad(2, "no object of the scene has a field", "bake", "cloth.json", "-o", "out", "--format", "pfm")
         self.bad(2, ["nobody", "dish"], "bake", "scene.json", "-o", "out", "--format", "pfm", "--object", "nobody")
         # A folder with the file's name prevents writing.
         (self.folder / "out/000001.dish.npy").mkdir(parents=True)

@@ -84,6 +84,12 @@ TEST_CASE("groups without threads, large arrays and too much shared memory are r
     checkHas(grouped(threads), "o.hlsl:2:2: error: a group has 1 to 1024 threads");
   }
   CHECK(grouped("1024, 1, 1") == "no error");
+  const std::string buffer = "RWStructuredBuffer<float> _Out;\n";
+  checkHas(report("o.compute",
+                  "#pragma kernel K\n" + buffer + "// [numthreads(1, 1, 1)]\nvoid K() { _Out[0] = 1; }\n"),
+           "o.compute:4:6: error: kernel \"K\" has no [numthreads(x, y, z)] before it");
+  CHECK(report("o.compute", "#pragma kernel K\n#define ROW [numthreads(8, 1, 1)]\n" + buffer +
+                                "ROW\nvoid K() { _Out[0] = 1; }\n") == "no error");
   checkHas(report("p.hlsl",
                   std::string(head) + "void K() {\n  float a[1000000000]; a[0] = 1; _Out[0] = a[0];\n}\n"),
            "p.hlsl:4:9: error: \"a\" takes more than 1048576 bytes in each invocation; use a buffer");

@@ -15,7 +15,7 @@ struct Copy {
 
 Copy copyOf(int slot) {
   vec4 position = texelFetch(positions, slot), velocity = texelFetch(velocities, slot);
-  return Copy(position.xyz, turned(velocity.xyz), instanceSize(position.w));
+  return Copy(position.xyz, turned(slot, velocity.xyz), instanceSize(position.w));
 }
 
 ivec3 cornersOf(uint triangle) {

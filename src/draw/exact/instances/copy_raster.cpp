@@ -115,7 +115,8 @@ CopySource CopyRaster::source(const Copies& copies, unsigned firstId) {
   return {.source = instanceSource(*copies.instances, copies.shape->radius(), 0, firstId),
           .indices = indices,
           .shape = copies.shape->vertices(),
-          .alongVelocity = copies.instances->alongVelocity,
+          .turns = turnsOf(*copies.instances),
+          .turning = static_cast<int>(copies.instances->turning),
           .triangles = copies.triangles()};
 }
 

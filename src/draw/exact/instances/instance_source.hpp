@@ -25,7 +25,8 @@ struct CopySource {
   InstanceSource source;
   gl::In<"indices"> indices;
   gl::In<"shape"> shape;
-  gl::Uniform<"alongVelocity", bool> alongVelocity;
+  gl::In<"turns"> turns;
+  gl::Uniform<"turning", int> turning;
   gl::Uniform<"triangles", unsigned> triangles;
 };
 

@@ -1,0 +1,18 @@
+// Computes the vertices of a terrain from the heights of a user's grid. One invocation per vertex.
+#include "common/memory.glsl"
+layout(local_size_x = 64) in;
+INPUT_ARRAY(0, HeightBlock, heights)  // x: height
+STATE_ARRAY(1, VertexBlock, vertices)
+uniform ivec2 size;   // number of vertices along x and z
+uniform vec3 corner;  // position of vertex (0, 0) at the height 0, m
+uniform float cell;   // distance between vertices, m
+uniform float scale;  // metres of the height 1
+
+void main() {
+  int i = int(gl_GlobalInvocationID.x);
+  if (i >= size.x * size.y) return;
+  precise float x = corner.x + float(i % size.x) * cell;
+  precise float y = corner.y + LOAD_INPUT(heights, i).x * scale;
+  precise float z = corner.z + float(i / size.x) * cell;
+  STORE_STATE(vertices, i, vec4(x, y, z, 1.0));
+}

@@ -1,0 +1,35 @@
+// Converts the velocities of a user's grid into the flow that objects in the wind read (fluid/wind_array.glsl): u at the
+// middle of each cell's left face, v at the middle of its top face, as the mean of the two adjacent cells. A ring of one
+// cell surrounds the grid; cells outside have the velocity of the nearest cell inside. One invocation per element of the
+// ring and the grid.
+#include "common/memory.glsl"
+layout(local_size_x = 64) in;
+INPUT_ARRAY(0, CellBlock, cells)  // x and y: velocity towards growing x and y
+#ifdef TEXEL_PATH
+layout(std430, binding = 1) writeonly buffer WindBlock { vec4 wind[]; };
+#else
+layout(std430, binding = 1) writeonly buffer WindBlock { float wind[]; };  // all u, then all v
+#endif
+uniform ivec2 size;   // number of cells per axis
+uniform float scale;  // cells/s of the velocity 1
+
+vec2 velocityAt(int x, int y) {
+  x = clamp(x, 0, size.x - 1);
+  y = clamp(y, 0, size.y - 1);
+  return LOAD_INPUT(cells, y * size.x + x).xy;
+}
+
+void main() {
+  int i = int(gl_GlobalInvocationID.x), width = size.x + 2, count = width * (size.y + 2);
+  if (i >= count) return;
+  int x = i % width - 1, y = i / width - 1;
+  vec2 here = velocityAt(x, y);
+  precise float u = (velocityAt(x - 1, y).x + here.x) * 0.5 * scale;
+  precise float v = (velocityAt(x, y - 1).y + here.y) * 0.5 * scale;
+#ifdef TEXEL_PATH
+  wind[i] = vec4(u, v, 0.0, 0.0);
+#else
+  wind[i] = u;
+  wind[count + i] = v;
+#endif
+}

@@ -1,0 +1,57 @@
+#pragma once
+#include "gl/element_array.hpp"
+#include "gl/kernel/kernel.hpp"
+#include "sim/kernels/memory.hpp"
+
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+namespace simreel::sim {
+
+struct GatherKernel;
+
+/// The words of one buffer or texture of a user's kernels, with the layout of its elements.
+struct KernelNumbers {
+  const gl::Buffer* words;
+  int start, stride, count;
+  glm::ivec3 size;
+  std::vector<KernelSlot> slots;
+
+  static constexpr const char* chosen = "chosen";  ///< name of the only slot that a choice leaves
+};
+
+/// Returns the numbers of the buffer or texture `of`. Call after KernelStore::settle().
+[[nodiscard]] KernelNumbers numbersOf(const KernelStore& store, const std::string& of);
+
+/// Returns the numbers of `of` with one slot, KernelNumbers::chosen: the first `components` numbers of
+/// `member`, or if that is empty of the texel or element.
+[[nodiscard]] KernelNumbers numbersOf(const KernelStore& store, const std::string& of,
+                                      const std::string& member, std::size_t components);
+
+/// Copies members of the elements of a buffer, or channels of a texture, into an array of vec4.
+class KernelGather {
+ public:
+  KernelGather();
+  ~KernelGather();
+  KernelGather(const KernelGather&) = delete;
+  KernelGather& operator=(const KernelGather&) = delete;
+
+  /// Numbers to copy. An element without members is a single unnamed slot, which any name selects.
+  struct Chosen {
+    std::string member;             ///< slot of the first three numbers
+    std::string fourth = {};        ///< slot of w; empty: `fill`
+    std::string alive = {};         ///< slot that is above 0 in live elements; w of the others becomes -1
+    glm::vec4 fill = glm::vec4(0);  ///< value of numbers that the slots do not have
+    bool encoded = false;           ///< true if the first three numbers are sRGB, which become linear
+    int components = 3;             ///< number of components that `member` gives
+  };
+  void run(const KernelNumbers& from, const Chosen& chosen, const gl::Vec4Array& to) const;
+
+ private:
+  gl::Kernel<GatherKernel> kernel_;
+};
+
+}  // namespace simreel::sim

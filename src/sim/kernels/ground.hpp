@@ -1,0 +1,46 @@
+#pragma once
+#include "sim/core/carry_over.hpp"
+#include "sim/kernels/gather.hpp"
+#include "sim/mesh/height_field.hpp"
+
+#include <optional>
+#include <string>
+
+namespace simreel::sim {
+
+struct GroundKernel;
+
+/// Ground whose heights are a texture or buffer of a user's kernels: draws it, and lets others fall onto
+/// it.
+class KernelGround {
+ public:
+  KernelGround(const std::string& name, const KernelPlan& plan, double frameSeconds);
+  ~KernelGround();
+  KernelGround(const KernelGround&) = delete;
+  KernelGround& operator=(const KernelGround&) = delete;
+
+  /// Takes the heights from memory. Call after KernelStore::settle().
+  void update(const KernelStore& store);
+  /// Makes the present heights those at the end of a frame.
+  void endFrame();
+  void carryOver(CarryOver& carry);
+  /// Returns the outlet of a terrain that collides; null for any other.
+  [[nodiscard]] HeightField* outlet() { return field_ ? &*field_ : nullptr; }
+  /// Returns a surface without material.
+  [[nodiscard]] Surface surface() const;
+  [[nodiscard]] glm::ivec2 size() const { return size_; }
+  [[nodiscard]] const gl::Vec4Array& vertices() const { return vertices_; }
+
+ private:
+  const KernelTerrain& given_;
+  glm::ivec2 size_;
+  float cell_;
+  KernelGather gather_;
+  gl::Kernel<GroundKernel> kernel_;
+  gl::Vec4Array heights_, vertices_;
+  gl::Buffer indices_;
+  int indexCount_ = 0;
+  std::optional<HeightField> field_;
+};
+
+}  // namespace simreel::sim

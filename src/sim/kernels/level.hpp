@@ -1,0 +1,38 @@
+#pragma once
+#include "sim/kernels/gather.hpp"
+#include "sim/volume/isosurface.hpp"
+
+#include <string>
+
+namespace simreel::sim {
+
+struct PackKernel;
+
+/// Level surface of a volume of a user's kernels.
+class KernelLevel {
+ public:
+  KernelLevel(const std::string& name, const KernelPlan& plan);
+  ~KernelLevel();
+  KernelLevel(const KernelLevel&) = delete;
+  KernelLevel& operator=(const KernelLevel&) = delete;
+
+  /// Takes the values from memory and computes the surface at `time` (seconds). Call after
+  /// KernelStore::settle().
+  void update(const KernelStore& store, double time);
+  bool grow() { return surface_.grow(); }
+  /// Returns a surface without material.
+  [[nodiscard]] Surface surface() const { return surface_.surface(); }
+  [[nodiscard]] MeshTable mesh() const { return surface_.mesh(); }
+
+ private:
+  const KernelVolume& given_;
+  glm::ivec3 size_;
+  int columns_;
+  KernelGather gather_;
+  gl::Kernel<PackKernel> pack_;
+  gl::Vec4Array cells_;
+  gl::WordsArray packed_;
+  Isosurface surface_;
+};
+
+}  // namespace simreel::sim

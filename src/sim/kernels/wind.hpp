@@ -1,0 +1,35 @@
+#pragma once
+#include "sim/fluid/wind.hpp"
+#include "sim/kernels/gather.hpp"
+
+#include <memory>
+#include <string>
+
+namespace simreel::sim {
+
+struct KernelWindKernel;
+
+/// Wind that other objects take from a grid of velocities of a user's kernels.
+class KernelWindSource {
+ public:
+  KernelWindSource(const std::string& name, const KernelPlan& plan);
+  ~KernelWindSource();
+  KernelWindSource(const KernelWindSource&) = delete;
+  KernelWindSource& operator=(const KernelWindSource&) = delete;
+
+  /// Takes the velocities from memory. Call after KernelStore::settle().
+  void update(const KernelStore& store);
+  [[nodiscard]] FluidWind* outlet() { return &wind_; }
+
+ private:
+  const KernelWind& given_;
+  glm::ivec2 size_;
+  KernelGather gather_;
+  gl::Kernel<KernelWindKernel> kernel_;
+  gl::Vec4Array cells_;
+  gl::Buffer flow_;
+  FluidArray flowViews_;
+  FluidWind wind_;
+};
+
+}  // namespace simreel::sim
