@@ -86,7 +86,7 @@ class CommandLine(Case):
         self.override("a name is missing in this path", "     ^", "time..fps=3")
         self.override('"time.fps" is a number, which holds nothing named "x"', "         ^", "time.fps.x=3")
         self.override("expected a whole number, found 1.5", "               ^~~", "render.samples=1.5")
-        self.override("expected an object, found a number", "       ^", "render=3")
+        self.override('expected an object, such as {"size": [640, 360]}, found a number', "       ^", "render=3")
         self.override("no item 2; the list has 2, counted from 0", "            ^", "render.size.2=3")
         self.override("expected ',' or ']'; is a comma missing?", "               ^", "render.size=[3 4]")
 
