@@ -165,7 +165,7 @@ float xAsinh(const float x) {
 float xAcosh(const float x) {
   precise float square = xMul(x, x) - 1.0;
   precise float sum = x + xSqrt(square);
-  return xLog(sum);
+  return mix(xLog(sum), xNan(), floatBitsToInt(x) < 0);
 }
 float xAtanh(const float x) {
   precise float more = 1.0 + x, less = 1.0 - x;

@@ -50,6 +50,11 @@ void setOptions(const Cross& cross) {
   cross.check(spvc_compiler_install_compiler_options(cross.compiler, options));
 }
 
+/// Tells NVIDIA's compiler, and no other, to select values without branches. The many selections of exact
+/// functions are otherwise branches: on an H200, gravity takes 1.3 times as long with them. Not for sines,
+/// whose reduction of large angles must stay behind a branch.
+constexpr const char* selectNotBranch = "#pragma optionNV(ifcvt all)\n";
+
 Texture texture(const Module& module, Id variable) {
   Texture made;
   made.name = module.name(variable);
@@ -99,13 +104,15 @@ void joinSamplers(const Module& module, const Cross& cross, Kernel& kernel) {
 
 }  // namespace
 
-void writeGlsl(const Module& module, Kernel& kernel) {
+void writeGlsl(const Module& module, Kernel& kernel, bool exact) {
   const Cross cross(module.words());
   setOptions(cross);
   joinSamplers(module, cross, kernel);
   const char* text = nullptr;
   cross.check(spvc_compiler_compile(cross.compiler, &text));
   kernel.glsl = text;
+  if (exact && kernel.glsl.find("xFarAngle(") == std::string::npos)
+    kernel.glsl.insert(kernel.glsl.find('\n') + 1, selectNotBranch);
 }
 
 }  // namespace simreel::kernels
