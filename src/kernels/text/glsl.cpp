@@ -7,6 +7,7 @@
 #include <spirv_cross_c.h>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace simreel::kernels {
 
@@ -66,6 +67,14 @@ Texture texture(const Module& module, Id variable) {
   return made;
 }
 
+/// Orders shared memory at barriers explicitly: Mesa moves reads of it behind a bare barrier().
+void orderShared(std::string& text) {
+  constexpr std::string_view bare = " barrier();",
+                             ordered = " memoryBarrierShared(); barrier(); memoryBarrierShared();";
+  for (auto at = text.find(bare); at != std::string::npos; at = text.find(bare, at + ordered.size()))
+    text.replace(at, bare.size(), ordered);
+}
+
 /// Collects the textures: combined GLSL samplers, and pairs of separate textures and samplers, which are
 /// combined here.
 void joinSamplers(const Module& module, const Cross& cross, Kernel& kernel) {
@@ -111,6 +120,7 @@ void writeGlsl(const Module& module, Kernel& kernel, bool exact) {
   const char* text = nullptr;
   cross.check(spvc_compiler_compile(cross.compiler, &text));
   kernel.glsl = text;
+  orderShared(kernel.glsl);
   if (exact && kernel.glsl.find("xFarAngle(") == std::string::npos)
     kernel.glsl.insert(kernel.glsl.find('\n') + 1, selectNotBranch);
 }
