@@ -89,6 +89,8 @@ class Splitting {
 }  // namespace
 
 void splitLoopExits(Module& module) {
+  for (Instruction& one : module.globals)
+    if (one.op == SpvOpUndef) one.op = SpvOpConstantNull;
   Splitting(module).run();
 }
 

@@ -267,6 +267,6 @@ TEST_CASE("a value that a loop leaves behind is also set where its test ends it"
   for (const bool fast : {true, false}) {
     const std::string glsl = loaded("left.hlsl", text, {}, {}, fast).kernels.at(0).glsl;
     checkHas(glsl, "= false;");
-    CHECK(isGlsl(glsl));
+    CHECK(simreel::test::isGlsl(glsl));
   }
 }
