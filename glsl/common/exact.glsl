@@ -62,8 +62,9 @@ FUNCTION float exactSin(float x) {
   precise float turns = x * 0.15915494f + 0.5f;
   precise float n = floor(turns);
   precise float r = x - n * 6.28125f - n * 1.9350052e-3f - n * 3.0199159e-7f;
-  r = r > 1.57079633f ? 3.14159265f - r : r;
-  r = r < -1.57079633f ? -3.14159265f - r : r;
+  int bits = floatBitsToInt(r), magnitude = bits & 0x7fffffff;
+  precise float folded = intBitsToFloat((bits ^ magnitude) | 0x40490fdb) - r;  // pi or -pi
+  r = magnitude > 0x3fc90fdb ? folded : r;                                     // pi / 2
   precise float s = r * r;
   precise float q = ((s * -2.5052108e-8f + 2.7557319e-6f) * s - 1.9841270e-4f) * s + 8.3333333e-3f;
   q = (q * s - 0.16666667f) * s * r + r;

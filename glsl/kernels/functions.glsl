@@ -48,10 +48,12 @@ float xTan(const float x) {
 // exactExp is valid up to 69; above that, squares e^(x / 2).
 float xExp(const float x) {
   precise float half_ = 0.5 * x;
-  float e = exactExp(mix(x, half_, x > 69.0));
+  int bits = floatBitsToInt(x);
+  bool far = bits > 0x428a0000;
+  float e = exactExp(mix(x, half_, far));
   precise float square = e * e;
-  e = mix(e, square, x > 69.0);
-  e = mix(e, intBitsToFloat(xInfinity), x > 88.7228394);
+  e = mix(e, square, far);
+  e = mix(e, intBitsToFloat(xInfinity), bits > 0x42b17218);  // 88.7228394
   return mix(e, x, xIsNan(x));
 }
 // 2^x = 2^n e^(r ln 2) with integer n; exact for integer x.
@@ -71,7 +73,7 @@ float xLogEnds(const float inside, const float x) {
   int m = xMagnitude(x);
   float l = mix(inside, intBitsToFloat(int(0xff800000)), m < xTiny);
   l = mix(l, intBitsToFloat(xInfinity), m == xInfinity);
-  return mix(l, xNan(), (floatBitsToInt(x) < 0 && m >= xTiny) || m > xInfinity);
+  return mix(mix(l, xNan(), floatBitsToUint(x) >= 0x8da24260u), xNan(), m > xInfinity);
 }
 float xLog(const float x) {
   float l = exactLog(intBitsToFloat(max(xMagnitude(x), xTiny)));
@@ -99,15 +101,15 @@ float xPow(const float x, const float y) {
   int m = xMagnitude(x);
   p = mix(p, mix(intBitsToFloat(xInfinity), 0.0, y > 0.0), m < xTiny);
   p = mix(p, mix(0.0, intBitsToFloat(xInfinity), y > 0.0), m == xInfinity);
-  p = mix(p, xNan(), floatBitsToInt(x) < 0 && m >= xTiny);
+  p = mix(p, xNan(), floatBitsToUint(x) >= 0x8da24260u);
   p = mix(p, 1.0, y == 0.0);
-  return mix(p, xNan(), m > xInfinity || xIsNan(y));
+  return mix(mix(p, xNan(), m > xInfinity), xNan(), xIsNan(y));
 }
 
 // atanf of the Cephes library: argument reduction in three ranges.
 float xAtan(const float x) {
   float a = abs(x);
-  bool far = a > 2.41421356, middle = a > 0.41421356;
+  bool far = xMagnitude(x) > 0x401a827a, middle = xMagnitude(x) > 0x3ed413cd;  // 1 + sqrt(2), sqrt(2) - 1
   precise float less = a - 1.0, more = a + 1.0;
   float t = xDiv(mix(mix(a, less, middle), -1.0, far), mix(mix(1.0, more, middle), a, far));
   precise float z = t * t;
@@ -163,7 +165,7 @@ float xAsinh(const float x) {
 float xAcosh(const float x) {
   precise float square = xMul(x, x) - 1.0;
   precise float sum = x + xSqrt(square);
-  return xLog(sum);
+  return mix(xLog(sum), xNan(), floatBitsToInt(x) < 0);
 }
 float xAtanh(const float x) {
   precise float more = 1.0 + x, less = 1.0 - x;

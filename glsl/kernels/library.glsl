@@ -32,27 +32,25 @@ EACH_1(xToInt, ivec, vec) EACH_1(xToUint, uvec, vec) EACH_1(xIsNan, bvec, vec) E
 EACH_2(xUdiv, uvec, uvec, uvec) EACH_2(xUmod, uvec, uvec, uvec) EACH_2(xSdiv, ivec, ivec, ivec)
 EACH_2(xSrem, ivec, ivec, ivec) EACH_2(xSmod, ivec, ivec, ivec) EACH_2(xLdexp, vec, vec, ivec)
 
+// Sums of products are flushed once: a product that is subnormal changes no sum above 1e-30.
 float xDot(const float a, const float b) {
   return xMul(a, b);
 }
 float xDot(const vec2 a, const vec2 b) {
-  vec2 p = xMul(a, b);
-  precise float sum = p.x + p.y;
-  return sum;
+  precise float sum = a.x * b.x + a.y * b.y;
+  return xFlush(sum);
 }
 float xDot(const vec3 a, const vec3 b) {
-  vec3 p = xMul(a, b);
-  precise float sum = p.x + p.y + p.z;
-  return sum;
+  precise float sum = a.x * b.x + a.y * b.y + a.z * b.z;
+  return xFlush(sum);
 }
 float xDot(const vec4 a, const vec4 b) {
-  vec4 p = xMul(a, b);
-  precise float sum = p.x + p.y + p.z + p.w;
-  return sum;
+  precise float sum = a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
+  return xFlush(sum);
 }
 vec3 xCross(const vec3 a, const vec3 b) {
-  precise vec3 c = xMul(a.yzx, b.zxy) - xMul(a.zxy, b.yzx);
-  return c;
+  precise vec3 c = a.yzx * b.zxy - a.zxy * b.yzx;
+  return xFlush(c);
 }
 
 float xLength(const float v) {
@@ -91,9 +89,9 @@ REFLECTION(float) REFLECTION(vec2) REFLECTION(vec3) REFLECTION(vec4)
 // Matrices with C columns and R rows, stored by columns.
 #define MATRIX(M, R, C) \
   R xTimes(const M m, const vec##C v) { \
-    precise R sum = xMul(m[0], R(v[0])) + xMul(m[1], R(v[1])); \
-    for (int i = 2; i < C; ++i) sum = sum + xMul(m[i], R(v[i])); \
-    return sum; \
+    precise R sum = m[0] * R(v[0]) + m[1] * R(v[1]); \
+    for (int i = 2; i < C; ++i) sum = sum + m[i] * R(v[i]); \
+    return xFlush(sum); \
   } \
   vec##C xTimes(const R v, const M m) { \
     vec##C sums; \

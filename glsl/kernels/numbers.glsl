@@ -1,7 +1,8 @@
 // Arithmetic of users' kernels (products, quotients, roots, conversions) with the same bits on every driver.
 // Each function replaces one SPIR-V operation (src/kernels/exact/calls.cpp). Parameters are const, because
 // glslang then passes them by value. `mix` with a bool selects without a branch. NaN and infinities are
-// detected by their bits, because compilers may assume that comparisons never involve NaN.
+// detected by their bits, because compilers may assume that comparisons never involve NaN. Magnitudes are
+// compared as integers, too: NVIDIA's compiler converts the result of a comparison of floats before it selects by it.
 #include "common/exact.glsl"
 
 const int xTiny = 0x0da24260;      // bits of 1e-30
@@ -24,6 +25,15 @@ float xNan() {
 float xFlush(const float x) {
   return mix(x, 0.0, xMagnitude(x) < xTiny);
 }
+vec2 xFlush(const vec2 x) {
+  return mix(x, vec2(0.0), lessThan(floatBitsToInt(x) & 0x7fffffff, ivec2(xTiny)));
+}
+vec3 xFlush(const vec3 x) {
+  return mix(x, vec3(0.0), lessThan(floatBitsToInt(x) & 0x7fffffff, ivec3(xTiny)));
+}
+vec4 xFlush(const vec4 x) {
+  return mix(x, vec4(0.0), lessThan(floatBitsToInt(x) & 0x7fffffff, ivec4(xTiny)));
+}
 
 float xMul(const float a, const float b) {
   precise float p = a * b;
@@ -31,50 +41,49 @@ float xMul(const float a, const float b) {
 }
 vec2 xMul(const vec2 a, const vec2 b) {
   precise vec2 p = a * b;
-  return mix(p, vec2(0.0), lessThan(floatBitsToInt(p) & 0x7fffffff, ivec2(xTiny)));
+  return xFlush(p);
 }
 vec3 xMul(const vec3 a, const vec3 b) {
   precise vec3 p = a * b;
-  return mix(p, vec3(0.0), lessThan(floatBitsToInt(p) & 0x7fffffff, ivec3(xTiny)));
+  return xFlush(p);
 }
 vec4 xMul(const vec4 a, const vec4 b) {
   precise vec4 p = a * b;
-  return mix(p, vec4(0.0), lessThan(floatBitsToInt(p) & 0x7fffffff, ivec4(xTiny)));
+  return xFlush(p);
 }
 
 // Returns a / b with a relative error below 3e-7, as a times exactReciprocal(b). Zeros, infinities and NaN
-// follow IEEE 754; |b| below 1e-30 counts as zero.
+// follow IEEE 754; |b| below 1e-30 counts as zero. The Newton steps keep the sign of b, and NaN.
 float xDiv(const float a, const float b) {
   int m = xMagnitude(b);
-  float scale = mix(1.0, 5.42101086e-20, m > 0x7149f2ca);  // 2^-64 if |b| > 1e30: 1 / b is subnormal
-  precise float c = intBitsToFloat(m) * scale;
+  float scale = mix(1.0, 5.42101086e-20, m > 0x7149f2ca);  // 2^-64 if |b| > 1e30: 1 / b may be subnormal
+  precise float c = b * scale;
   precise float y = intBitsToFloat(0x7ef311c7 - floatBitsToInt(c));
   y = y * (2.0 - c * y);
   y = y * (2.0 - c * y);
   y = y * (2.0 - c * y);
-  int bits = mix(floatBitsToInt(y), xInfinity, m < xTiny);
-  bits = mix(bits, 0, m == xInfinity);
-  bits = mix(bits, m, m > xInfinity);
-  precise float q = a * intBitsToFloat(bits | (floatBitsToInt(b) & int(0x80000000)));
+  y = mix(y, 0.0, m == xInfinity);
+  y = mix(y, intBitsToFloat(xInfinity | (floatBitsToInt(b) & int(0x80000000))), m < xTiny);
+  precise float q = a * y;
   q = q * scale;
   return xFlush(q);
 }
 
+// Returns NaN for x <= -1e-30, `zero` for |x| < 1e-30, else `root`.
+float xRootEnds(const float x, const float root, const float zero) {
+  float r = mix(root, zero, floatBitsToInt(x) < xTiny);
+  return mix(r, xNan(), floatBitsToUint(x) >= 0x8da24260u);
+}
 // Returns 1 / sqrt(x): infinity for zero, NaN for negative x.
 float xInverseSqrt(const float x) {
-  int m = xMagnitude(x);
-  float y = exactInverseSqrt(intBitsToFloat(max(m, xTiny)));
-  y = mix(y, intBitsToFloat(xInfinity), m < xTiny);
-  y = mix(y, 0.0, m == xInfinity);
-  return mix(y, xNan(), (floatBitsToInt(x) < 0 && m >= xTiny) || m > xInfinity);
+  float y = exactInverseSqrt(x);
+  y = mix(y, 0.0, floatBitsToInt(x) == xInfinity);
+  return xRootEnds(x, y, intBitsToFloat(xInfinity));
 }
+// The Newton steps make -infinity of infinity.
 float xSqrt(const float x) {
-  int m = xMagnitude(x);
-  float a = intBitsToFloat(max(m, xTiny));
-  precise float root = a * exactInverseSqrt(a);
-  root = mix(root, 0.0, m < xTiny);
-  root = mix(root, intBitsToFloat(xInfinity), m == xInfinity);
-  return mix(root, xNan(), (floatBitsToInt(x) < 0 && m >= xTiny) || m > xInfinity);
+  precise float root = x * exactInverseSqrt(x);
+  return xRootEnds(x, abs(root), 0.0);
 }
 
 // xMod: a - b floor(a / b), with the sign of b. xRem: a - b trunc(a / b), with the sign of a. If rounding moves
@@ -83,8 +92,8 @@ float xMod(const float a, const float b) {
   float q = floor(xDiv(a, b));
   precise float r = a - xMul(b, q);
   precise float more = r + b, less = r - b;
-  r = mix(r, more, (b > 0.0 && r < 0.0) || (b < 0.0 && r > 0.0));
-  return mix(r, less, (b > 0.0 && r >= b) || (b < 0.0 && r <= b));
+  r = mix(r, more, mix(r, -r, b < 0.0) < 0.0);
+  return mix(r, less, mix(less, -less, b < 0.0) >= 0.0);
 }
 float xRem(const float a, const float b) {
   float c = intBitsToFloat(xMagnitude(b)), d = intBitsToFloat(xMagnitude(a));
@@ -111,10 +120,12 @@ int xOrder(const float x) {
   return bits ^ ((bits >> 31) & 0x7fffffff);
 }
 float xMin(const float a, const float b) {
-  return mix(a, b, xIsNan(a) || (!xIsNan(b) && xOrder(b) < xOrder(a)));
+  float least = mix(a, b, xOrder(b) < xOrder(a));
+  return mix(mix(least, a, xIsNan(b)), b, xIsNan(a));
 }
 float xMax(const float a, const float b) {
-  return mix(a, b, xIsNan(a) || (!xIsNan(b) && xOrder(a) < xOrder(b)));
+  float greatest = mix(a, b, xOrder(a) < xOrder(b));
+  return mix(mix(greatest, a, xIsNan(b)), b, xIsNan(a));
 }
 float xClamp(const float x, const float low, const float high) {
   return xMin(xMax(x, low), high);
@@ -132,7 +143,8 @@ float xSmoothstep(const float a, const float b, const float x) {
   return xMul(xMul(t, t), slope);
 }
 float xSign(const float x) {
-  return mix(mix(1.0, -1.0, floatBitsToInt(x) < 0), 0.0, xMagnitude(x) == 0 || xIsNan(x));
+  float one = intBitsToFloat(0x3f800000 | (floatBitsToInt(x) & int(0x80000000)));
+  return mix(one, 0.0, uint(xMagnitude(x) - 1) >= uint(xInfinity));
 }
 float xRound(const float x) {
   return roundEven(x);
@@ -157,8 +169,8 @@ int xToInt(const float x) {
   return mix(mix(i, end, xMagnitude(x) >= 0x4f000000), 0, xIsNan(x));
 }
 uint xToUint(const float x) {
-  uint i = uint(mix(x, 0.0, floatBitsToInt(x) < 0 || xMagnitude(x) >= 0x4f800000));
-  return mix(i, 0xffffffffu, floatBitsToInt(x) >= 0x4f800000 && !xIsNan(x));
+  uint i = uint(mix(x, 0.0, floatBitsToUint(x) >= 0x4f800000u));
+  return mix(i, 0xffffffffu, uint(floatBitsToInt(x) - 0x4f800000) <= uint(xInfinity - 0x4f800000));
 }
 
 // Division by zero gives all bits set, as in Direct3D. The lowest integer divided by -1 gives itself.

@@ -20,6 +20,7 @@
 #include "kernels/spirv/layout.hpp"
 #include "kernels/spirv/module.hpp"
 #include "kernels/spirv/optimize.hpp"
+#include "kernels/text/exits.hpp"
 #include "kernels/text/glsl.hpp"
 #include "kernels/text/reflect.hpp"
 #include "scene/json/words.hpp"
@@ -101,7 +102,8 @@ Kernel lowered(Files& files, const Unit& unit, const Request& request) {
   kernel.axes = axes;
   describeGuards(kernel, request.fast);
   kernel.places = reporting.places();
-  writeGlsl(module, kernel);
+  splitLoopExits(module);
+  writeGlsl(module, kernel, !request.fast);
   kernel.name = unit.entry;
   kernel.line = unit.line;
   return kernel;

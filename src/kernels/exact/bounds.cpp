@@ -1,11 +1,14 @@
 #include "kernels/exact/bounds.hpp"
 
+#include "kernels/exact/room.hpp"
 #include "kernels/exact/texels.hpp"
+#include "kernels/spirv/facts.hpp"
 #include "kernels/spirv/resource.hpp"
 #include "kernels/spirv/writing.hpp"
 
 #include <GLSL.std.450.h>
 #include <algorithm>
+#include <map>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -32,21 +35,32 @@ struct Guarded {
 
 class Bounds {
  public:
-  Bounds(Module& module, Report* report) : module_(module), set_(module.extendedSet()), report_(report) {}
+  Bounds(Module& module, Report* report)
+      : module_(module), set_(module.extendedSet()), report_(report), facts_(module) {}
 
   void run() {
-    enlargeShared();
+    shared_ = enlargeShared(module_);
     std::vector<Instruction> body = std::move(module_.body);
     module_.body.clear();
     for (const Instruction& one : body) noteUse(one);
     for (Instruction& one : body) {
       if (report_ != nullptr) at_.follow(module_, report_->files(), one);
-      place(one);
+      if (one.op == SpvOpFunction) ours_ = (one.operands[0] & SpvFunctionControlDontInlineMask) != 0;
+      if (one.op == SpvOpLabel) block_ = one.result;
+      if (ours_) {
+        module_.body.push_back(std::move(one));
+      } else {
+        place(one);
+      }
     }
     module_.index();
   }
 
  private:
+  /// A comparison that was emitted in a block.
+  struct Known {
+    Id block, inside, length;
+  };
   struct Use {
     bool reads = false, writes = false;
   };
@@ -58,8 +72,8 @@ class Bounds {
   /// The indices of an access chain.
   struct Walk {
     Words held;                    ///< clamped indices, except the index of a buffer's element
-    std::vector<Checked> checked;  ///< indices that are not constants
-    Id inside;                     ///< bool: the clamped indices were in bounds; 0 if all are constants
+    std::vector<Checked> checked;  ///< indices that may be out of bounds
+    Id inside;                     ///< bool: the clamped indices were in bounds; 0 if none is clamped
     Id length, runtime,
         among;  ///< of a buffer: its length, the element index, and the bool "index < length"
     std::size_t runtimeAt;
@@ -89,71 +103,6 @@ class Bounds {
   }
   Id select(Id condition, Id type, Id a, Id b, Id result = 0) {
     return Writing(module_, module_.body).select(condition, type, a, b, result);
-  }
-
-  /// Adds an element for dropped writes to arrays in shared memory, as long as memory is left.
-  void enlargeShared() {
-    constexpr std::uint32_t most = 32768;
-    std::uint32_t bytes = 0;
-    std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < module_.globals.size(); ++i) {
-      const Instruction& one = module_.globals[i];
-      if (one.op != SpvOpVariable || one.operands[0] != SpvStorageClassWorkgroup) continue;
-      const Id type = typeMaking(one.type).operands[1];
-      bytes += sizeOf(type);
-      if (typeMaking(type).op == SpvOpTypeArray) found.push_back(i);
-    }
-    for (const std::size_t i : found) {
-      const Instruction variable = module_.globals[i];
-      const Instruction array = typeMaking(typeMaking(variable.type).operands[1]);
-      const auto length = module_.constant(array.operands[1]);
-      const std::uint32_t element = sizeOf(array.operands[0]);
-      if (!length || bytes + element > most || usedWhole(variable.result)) continue;
-      bytes += element;
-      const Id longer =
-          module_.addGlobal(SpvOpTypeArray, 0, {array.operands[0], module_.uintConstant(*length + 1)});
-      const Id pointer = module_.globalOf(SpvOpTypePointer, 0, {SpvStorageClassWorkgroup, longer});
-      shared_[variable.result] = *length;
-      retyped_.emplace_back(variable.result, pointer);
-    }
-    // Moves variables to the end, because types must precede their uses.
-    for (const auto& one : retyped_) {
-      const Id variable = one.first, pointer = one.second;
-      const auto at = std::find_if(module_.globals.begin(), module_.globals.end(),
-                                   [&](const Instruction& made) { return made.result == variable; });
-      Instruction moved = *at;
-      moved.type = pointer;
-      module_.globals.erase(at);
-      module_.globals.push_back(std::move(moved));
-      module_.index();
-    }
-  }
-
-  bool usedWhole(Id variable) const {
-    return std::any_of(module_.body.begin(), module_.body.end(), [&](const Instruction& one) {
-      if (one.op == SpvOpAccessChain || one.op == SpvOpInBoundsAccessChain) return false;
-      for (std::size_t i = 0; i < one.operands.size(); ++i)
-        if (one.operands[i] == variable && isId(one, i)) return true;
-      return false;
-    });
-  }
-
-  std::uint32_t sizeOf(Id type) const {
-    const Instruction& made = typeMaking(type);
-    switch (made.op) {
-      case SpvOpTypeVector:
-      case SpvOpTypeMatrix:
-        return made.operands[1] * sizeOf(made.operands[0]);
-      case SpvOpTypeArray:
-        return module_.constant(made.operands[1]).value_or(1) * sizeOf(made.operands[0]);
-      case SpvOpTypeStruct: {
-        std::uint32_t sum = 0;
-        for (const Id member : made.operands) sum += sizeOf(member);
-        return sum;
-      }
-      default:
-        return 4;
-    }
   }
 
   /// Records reads and writes through each pointer, except by further access chains.
@@ -208,7 +157,43 @@ class Bounds {
     }
   }
 
-  /// Emits comparisons of the non-constant indices of a chain with their lengths.
+  /// Returns the length of an array, a vector or a matrix that index `i` of a chain selects from.
+  std::uint32_t countOf(const Chain& flat, std::size_t i, const Instruction& type) const {
+    if (const auto enlarged = shared_.find(flat.base); enlarged != shared_.end() && i == 0)
+      return enlarged->second;
+    return type.op == SpvOpTypeArray ? module_.constant(type.operands[1]).value_or(1) : type.operands[1];
+  }
+
+  /// Returns the comparison of an index with a length, emitted here or in a block that leads here.
+  template <class Emit>
+  const Known& comparison(const Words& key, Emit emitted) {
+    std::vector<Known>& all = known_[key];
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](const Known& one) { return facts_.dominates(one.block, block_); });
+    if (found != all.end()) return *found;
+    all.push_back(emitted());
+    return all.back();
+  }
+  const Known& amongElements(const Chain& flat, std::size_t i, Id index) {
+    const std::uint32_t member = *module_.constant(flat.indices[i - 1]);
+    return comparison({flat.base, member, flat.indices[i]}, [&] {
+      const Id whole = emit(SpvOpArrayLength, module_.uintType(), {flat.base, member});
+      const Id length = emit(SpvOpISub, module_.uintType(), {whole, module_.uintConstant(guardElements)});
+      return Known{block_, emit(SpvOpULessThan, module_.boolType(), {index, length}), length};
+    });
+  }
+  Id belowCount(Id value, Id index, std::uint32_t count) {
+    return comparison({value, count},
+                      [&] {
+                        return Known{
+                            block_,
+                            emit(SpvOpULessThan, module_.boolType(), {index, module_.uintConstant(count)}),
+                            0};
+                      })
+        .inside;
+  }
+
+  /// Emits comparisons of the indices of a chain with their lengths, if they may be out of bounds.
   Walk walk(const Chain& flat) {
     Walk found{flat.indices, {}, 0, 0, 0, 0, 0};
     Id type = typeMaking(module_.typeOf(flat.base)).operands[1];
@@ -220,20 +205,16 @@ class Bounds {
         continue;
       }
       if (made.op == SpvOpTypeRuntimeArray) {
-        const Id whole =
-            emit(SpvOpArrayLength, module_.uintType(), {flat.base, *module_.constant(flat.indices[i - 1])});
-        found.length = emit(SpvOpISub, module_.uintType(), {whole, module_.uintConstant(guardElements)});
         found.runtime = asUint(flat.indices[i]);
         found.runtimeAt = i;
-        found.among = emit(SpvOpULessThan, module_.boolType(), {found.runtime, found.length});
+        const Known& known = amongElements(flat, i, found.runtime);
+        found.length = known.length;
+        found.among = known.inside;
         found.checked.push_back({i, found.among, found.runtime});
-      } else if (!constant) {
-        std::uint32_t count =
-            made.op == SpvOpTypeArray ? module_.constant(made.operands[1]).value_or(1) : made.operands[1];
-        if (const auto enlarged = shared_.find(flat.base); enlarged != shared_.end() && i == 0)
-          count = enlarged->second;
+      } else if (const std::uint32_t count = countOf(flat, i, made);
+                 !constant && facts_.atMost(flat.indices[i], block_) >= count) {
         const Id index = asUint(flat.indices[i]);
-        const Id below = emit(SpvOpULessThan, module_.boolType(), {index, module_.uintConstant(count)});
+        const Id below = belowCount(flat.indices[i], index, count);
         found.inside = both(found.inside, below);
         found.held[i] = least(index, module_.uintConstant(count - 1));
         found.checked.push_back({i, below, index});
@@ -290,7 +271,8 @@ class Bounds {
     note(index.inside, use.writes ? "write" : "read", name, index.index);
   }
   void note(Id inside, const char* kind, const std::string& name, Id index) {
-    if (report_ != nullptr && at_.line != 0)
+    // An invocation keeps its first fault, so a second test of the same condition would change nothing.
+    if (report_ != nullptr && at_.line != 0 && std::exchange(noted_[inside], true) == false)
       report_->note(module_, module_.body, inside, report_->place(kind, name, at_), index, index);
   }
 
@@ -340,7 +322,7 @@ class Bounds {
     const bool insert = one.op == SpvOpVectorInsertDynamic;
     const std::size_t at = insert ? 2 : 1;
     const std::uint32_t count = typeMaking(module_.typeOf(one.operands[0])).operands[1];
-    if (module_.constant(one.operands[at])) {
+    if (module_.constant(one.operands[at]) || facts_.atMost(one.operands[at], block_) < count) {
       module_.body.push_back(std::move(one));
       return;
     }
@@ -355,13 +337,17 @@ class Bounds {
   Module& module_;
   Id set_;
   Report* report_;
+  Facts facts_;
   Position at_;
+  Id block_ = 0;       ///< label of the current block
+  bool ours_ = false;  ///< in a library function, which keeps its own bounds
 
+  std::map<Words, std::vector<Known>> known_;  ///< comparisons by what they compare
+  std::unordered_map<Id, bool> noted_;         ///< conditions that reports have tested
   std::unordered_map<Id, Use> uses_;
   std::unordered_map<Id, Chain> chains_;
   std::unordered_map<Id, Guarded> guarded_;
   std::unordered_map<Id, std::uint32_t> shared_;  ///< array lengths before enlargeShared()
-  std::vector<std::pair<Id, Id>> retyped_;
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "kernels/guards/loops.hpp"
 
+#include "kernels/guards/counted.hpp"
 #include "kernels/spirv/writing.hpp"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ class Limiting {
 
   void run() {
     findLoops();
-    if (loops_.empty()) return;
+    if (loops_.empty() && (counted_.empty() || report_ == nullptr)) return;
     const Id number = module_.uintType();
     left_ = module_.addGlobal(SpvOpVariable,
                               module_.globalOf(SpvOpTypePointer, 0, {SpvStorageClassPrivate, number}),
@@ -43,12 +44,23 @@ class Limiting {
     Position at;
   };
 
-  /// The loops by the labels of their headers.
+  /// A loop that needs no limit.
+  struct Counted {
+    CountedLoop shape;
+    Position at;
+  };
+
+  /// Collects the loops by the labels of their headers, and counted ones by the labels behind them.
   void findLoops() {
+    const auto counted = countedLoops(module_, most_);
     Id header = 0;
     for (const Instruction& one : module_.body) {
       if (one.op == SpvOpLabel) header = one.result;
       if (one.op != SpvOpLoopMerge || (!unrolled_ && isUnrolled(one))) continue;
+      if (const auto found = counted.find(header); found != counted.end()) {
+        counted_[one.operands[0]] = {found->second, {}};
+        continue;
+      }
       loops_[header] = {module_.fresh(), static_cast<std::uint32_t>(loops_.size()), {}};
       behind_[one.operands[0]] = header;
     }
@@ -66,7 +78,7 @@ class Limiting {
         if (!declared_) return declare(body, i);
         begun_.push_back(label_);
         module_.body.push_back(std::move(one));
-        return compare();
+        return counted_.contains(label_) ? compareCount() : compare();
       case SpvOpBranch:
         enter(one.operands[0]);
         leave(one.operands[0]);
@@ -82,6 +94,8 @@ class Limiting {
         break;
       case SpvOpLoopMerge:
         if (loops_.contains(label_)) return count(body, i);
+        if (const auto counted = counted_.find(one.operands[0]); counted != counted_.end())
+          counted->second.at = at_;
         break;
       case SpvOpUnreachable:  // behind a loop that no break leaves
         return finish();
@@ -185,6 +199,18 @@ class Limiting {
     report_->note(module_, module_.body, fine, report_->place("loops", "", loop.at), ended, ended);
   }
 
+  /// Behind a counted loop: notes that its condition still holds, because the driver ended it.
+  void compareCount() {
+    if (report_ == nullptr) return;
+    const Counted& loop = counted_[label_];
+    Writing writing(module_, module_.body);
+    const Id value =
+        writing.load(module_.global(module_.typeOf(loop.shape.variable))->operands[1], loop.shape.variable);
+    const Id more = writing.emit(loop.shape.compare, module_.boolType(), {value, loop.shape.end});
+    const Id fine = writing.emit(SpvOpLogicalNot, module_.boolType(), {more});
+    report_->note(module_, module_.body, fine, report_->place("loops", "", loop.at), value, value);
+  }
+
   void count(std::vector<Instruction>& body, std::size_t& i) {
     Instruction merge = std::move(body[i]);
     do ++i;
@@ -226,9 +252,10 @@ class Limiting {
   Report* report_;
   Position at_;
   std::unordered_map<Id, Loop> loops_;
-  std::unordered_map<Id, Id> behind_;  ///< headers of loops by the labels behind them
-  std::vector<Id> begun_;              ///< labels of this function so far
-  Id ended_ = 0;                       ///< the array that says which loops have ended
+  std::unordered_map<Id, Id> behind_;        ///< headers of loops by the labels behind them
+  std::unordered_map<Id, Counted> counted_;  ///< counted loops by the labels behind them
+  std::vector<Id> begun_;                    ///< labels of this function so far
+  Id ended_ = 0;                             ///< the array that says which loops have ended
   Id left_ = 0;      ///< the variable of what any loop may still do: nothing after one at its limit
   Id function_ = 0;  ///< the type that the function returns
   Id label_ = 0;

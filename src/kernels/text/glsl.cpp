@@ -7,6 +7,7 @@
 #include <spirv_cross_c.h>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace simreel::kernels {
 
@@ -50,6 +51,11 @@ void setOptions(const Cross& cross) {
   cross.check(spvc_compiler_install_compiler_options(cross.compiler, options));
 }
 
+/// Tells NVIDIA's compiler, and no other, to select values without branches. The many selections of exact
+/// functions are otherwise branches: on an H200, gravity takes 1.3 times as long with them. Not for sines,
+/// whose reduction of large angles must stay behind a branch.
+constexpr const char* selectNotBranch = "#pragma optionNV(ifcvt all)\n";
+
 Texture texture(const Module& module, Id variable) {
   Texture made;
   made.name = module.name(variable);
@@ -59,6 +65,14 @@ Texture texture(const Module& module, Id variable) {
   if (type->op == SpvOpTypeSampledImage) type = module.global(type->operands[0]);
   if (type->op == SpvOpTypeImage) describeImage(module, *type, made);
   return made;
+}
+
+/// Orders shared memory at barriers explicitly: Mesa moves reads of it behind a bare barrier().
+void orderShared(std::string& text) {
+  constexpr std::string_view bare = " barrier();",
+                             ordered = " memoryBarrierShared(); barrier(); memoryBarrierShared();";
+  for (auto at = text.find(bare); at != std::string::npos; at = text.find(bare, at + ordered.size()))
+    text.replace(at, bare.size(), ordered);
 }
 
 /// Collects the textures: combined GLSL samplers, and pairs of separate textures and samplers, which are
@@ -99,13 +113,16 @@ void joinSamplers(const Module& module, const Cross& cross, Kernel& kernel) {
 
 }  // namespace
 
-void writeGlsl(const Module& module, Kernel& kernel) {
+void writeGlsl(const Module& module, Kernel& kernel, bool exact) {
   const Cross cross(module.words());
   setOptions(cross);
   joinSamplers(module, cross, kernel);
   const char* text = nullptr;
   cross.check(spvc_compiler_compile(cross.compiler, &text));
   kernel.glsl = text;
+  orderShared(kernel.glsl);
+  if (exact && kernel.glsl.find("xFarAngle(") == std::string::npos)
+    kernel.glsl.insert(kernel.glsl.find('\n') + 1, selectNotBranch);
 }
 
 }  // namespace simreel::kernels

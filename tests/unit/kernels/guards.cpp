@@ -83,7 +83,47 @@ TEST_CASE("a loop that was to be unrolled and cannot be is limited, too") {
               "  [unroll] for (uint i = 0; i < _N; ++i) _A[0] += i;\n}\n",
               request)
           .kernels.at(0);
-  CHECK(places(kernel) == "loop :3; loops :3; read _A:3; write _A:3; ");
+  CHECK(places(kernel) == "loop :3; loops :3; read _A:3; ");
+}
+
+TEST_CASE("loops that count to a constant, indices in range and a second access at an index cost nothing") {
+  kernels::Request request;
+  request.report = true;
+  request.maxIterations = 1000;
+  const auto with = [&](const std::string& name, const std::string& code) {
+    return guarded(name,
+                   "RWStructuredBuffer<uint> _A; uint _N; groupshared uint s[64];\n"
+                   "[numthreads(8, 8, 1)] void K(uint i : SV_DispatchThreadID, uint l : SV_GroupIndex, "
+                   "uint3 t : "
+                   "SV_GroupThreadID) {\n" +
+                       code + "\n  GroupMemoryBarrierWithGroupSync(); _A[0] = s[l];\n}\n",
+                   request)
+        .kernels.at(0);
+  };
+  const kernels::Kernel counted = with("c.hlsl", "for (uint k = 0; k < 64; ++k) s[k] += k;");
+  CHECK(places(counted) == "loops :3; write _A:4; ");
+  CHECK(!has(counted.glsl, "simreel_left"));
+  CHECK(places(with("d.hlsl", "for (int k = 63; k >= 0; k -= 3) s[_N] += k;")) ==
+        "loops :3; read s:3; write _A:4; ");
+  CHECK(places(with("e.hlsl", "for (int k = 0; k < 60; ++k) s[k + 4] += k;")) == "loops :3; write _A:4; ");
+  CHECK(places(with("f.hlsl", "for (int k = 0; k < 60; ++k) s[k + 5] += k;")) ==
+        "loops :3; read s:3; write _A:4; ");
+  CHECK(places(with("g.hlsl", "for (int k = 0; k < 2000; ++k) _A[0] += k;")) ==
+        "loop :3; loops :3; read _A:3; write _A:4; ");
+  CHECK(places(with("h.hlsl", "for (uint k = 0; k < 64; ++k) { if (_A[0] == k) k += 2; }")) ==
+        "loop :3; loops :3; read _A:3; write _A:4; ");
+  CHECK(places(with("i.hlsl", "for (uint k = 0; k < 64; ++k) { if (_A[0] == k) break; }")) ==
+        "loop :3; loops :3; read _A:3; write _A:4; ");
+  CHECK(
+      places(with("j.hlsl",
+                  "s[l] = 1; s[t.y * 8 + t.x] = 2; s[_N & 63] = 3; s[min(_N, 63)] = 4; s[_N % 64] = 5;")) ==
+      "write _A:4; ");
+  CHECK(places(with("k.hlsl", "s[t.y * 9 + t.x] = 2;")) == "write s:3; write _A:4; ");
+  CHECK(places(with("l.hlsl", "if (_N < 64) s[_N] = 1; else if (_N == 64) s[_N] = 2;")) ==
+        "write s:3; write _A:4; ");
+  CHECK(places(with("m.hlsl", "int k = (int)_N; if (k < 64) s[k] = 1;")) == "write s:3; write _A:4; ");
+  CHECK(places(with("n.hlsl", "_A[i] = 1;\n if (i > 3) _A[i] += 2;\n _A[l] = 3;")) ==
+        "write _A:3; write _A:5; write _A:6; ");
 }
 
 TEST_CASE("a buffer read as it was before the dispatch is two buffers, and counts no atomic operations") {

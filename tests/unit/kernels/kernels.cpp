@@ -258,3 +258,15 @@ TEST_CASE(
   CHECK(shader.kernels[0].blocks.at(0).members.at(0).name == "Resolution");
   CHECK(simreel::test::isGlsl(shader.kernels[0].glsl));
 }
+TEST_CASE("a value that a loop leaves behind is also set where its test ends it") {
+  const std::string text =
+      "RWStructuredBuffer<float> _A; uint _N;\n"
+      "float f(float a, uint n) { for (uint i = 0; i < n; ++i) { if (a > 3) return a; a += 1.5; } return "
+      "7; }\n"
+      "[numthreads(8, 1, 1)] void K(uint i : SV_DispatchThreadID) { _A[i] = f(_A[i], _N); }\n";
+  for (const bool fast : {true, false}) {
+    const std::string glsl = loaded("left.hlsl", text, {}, {}, fast).kernels.at(0).glsl;
+    checkHas(glsl, "= false;");
+    CHECK(simreel::test::isGlsl(glsl));
+  }
+}
