@@ -181,7 +181,7 @@ TEST_CASE("mesh instances align their z axis with the velocity") {
     needle.instances.shape = Shape::mesh;
     needle.instances.mesh = file;
     needle.instances.size = 0.5F;
-    needle.instances.alongVelocity = along;
+    if (along) needle.instances.turning = sim::Instances::Turning::velocity;
     const Picture p = drawn(scene, {{}, {needle.instances}}, {65, 65}, 1);
     glm::ivec2 low(65);
     glm::ivec2 high(-1);

@@ -291,7 +291,7 @@ TEST_CASE("instances of every kind look alike in both rasterizers") {
       group.instances.shape = shape;
       group.instances.mesh = file;
       group.instances.additive = additive;
-      group.instances.alongVelocity = true;
+      group.instances.turning = sim::Instances::Turning::velocity;
       group.instances.size = 0.3F;
       group.instances.massExponent = 1.0F / 3;
       group.instances.colorBy = sim::Instances::ColorBy::speed;

@@ -84,7 +84,7 @@ TEST_CASE("exact parts: instances in one group, in several or in the other order
         group.instances.shape = shape;
         group.instances.mesh = file;
         group.instances.additive = shape == Shape::sprite;
-        group.instances.alongVelocity = true;
+        group.instances.turning = sim::Instances::Turning::velocity;
         group.instances.size = 0.25F;
         group.instances.massExponent = 1.0F / 3;
         group.instances.colorBy = sim::Instances::ColorBy::speed;
