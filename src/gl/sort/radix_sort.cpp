@@ -47,6 +47,7 @@ struct SortCount {
 struct SortScan {
   static constexpr auto file = "common/sort_scan.comp";
   SortArguments arguments;
+  In<"records"> records;  // declared by sort_tile.glsl; NVIDIA's driver reports it although nothing reads it
   InOut<"digits"> digits;
 };
 
@@ -92,7 +93,7 @@ void RadixSort::pass(int count, int word, int shift) {
   // One tile is processed by one invocation (texels) or by a workgroup of 256 (storage).
   const int invocations = texels_ ? tiles : tiles * 256;
   kernels_->count.dispatch(invocations, {.arguments = arguments, .records = records_, .digits = digits_});
-  kernels_->scan.dispatch(1, {.arguments = arguments, .digits = digits_});
+  kernels_->scan.dispatch(1, {.arguments = arguments, .records = records_, .digits = digits_});
   kernels_->scatter.dispatch(
       invocations, {.arguments = arguments, .records = records_, .digits = digits_, .next = next_});
   std::swap(records_, next_);

@@ -1,6 +1,7 @@
 #include "kernels/text/glsl.hpp"
 
 #include "kernels/spirv/resource.hpp"
+#include "kernels/text/loops.hpp"
 #include "kernels/text/reflect.hpp"
 
 #include <memory>
@@ -121,6 +122,7 @@ void writeGlsl(const Module& module, Kernel& kernel, bool exact) {
   cross.check(spvc_compiler_compile(cross.compiler, &text));
   kernel.glsl = text;
   orderShared(kernel.glsl);
+  moveIncrements(kernel.glsl);
   if (exact && kernel.glsl.find("xFarAngle(") == std::string::npos)
     kernel.glsl.insert(kernel.glsl.find('\n') + 1, selectNotBranch);
 }
