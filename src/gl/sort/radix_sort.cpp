@@ -47,7 +47,7 @@ struct SortCount {
 struct SortScan {
   static constexpr auto file = "common/sort_scan.comp";
   SortArguments arguments;
-  In<"records"> records;  // declared by sort_tile.glsl; NVIDIA's driver reports it although nothing reads it
+  In<"records"> records;  // declared, but not read; NVIDIA's driver reports it as active
   InOut<"digits"> digits;
 };
 

@@ -44,7 +44,6 @@ bool beginsLoop(std::string_view text) {
 struct Body {
   std::size_t end = 0;                 ///< line of the closing brace
   std::vector<std::size_t> continues;  ///< lines `continue;` of this loop, not of loops within
-  bool leaves = false;                 ///< true if the body has a `break` or `return`
 };
 
 /// Returns the body that begins with a brace in line `open`.
@@ -59,7 +58,6 @@ Body bodyAt(const std::vector<std::string_view>& lines, std::size_t open) {
       body.end = i;
       if (loops.empty()) return body;
     }
-    body.leaves = body.leaves || text.starts_with("break;") || text.starts_with("return");
     if (text.starts_with("continue;") && std::count(loops.begin(), loops.end(), true) == 1)
       body.continues.push_back(i);
   }
@@ -81,11 +79,11 @@ void moveIncrements(std::string& glsl) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     out += before[i];
     const Increments increments = incrementsOf(lines[i]);
-    const Body body = increments.all.size() > 1 && i + 1 < lines.size() ? bodyAt(lines, i + 1) : Body();
-    if (!body.leaves) {
+    if (increments.all.size() < 2) {
       out.append(lines[i]).push_back('\n');
       continue;
     }
+    const Body body = bodyAt(lines, i + 1);
     out.append(lines[i].substr(0, increments.at - 1)).append(")\n");
     const auto put = [&](std::size_t line, std::size_t indent) {
       for (const std::string_view one : increments.all)

@@ -3,8 +3,8 @@
 
 namespace simreel::kernels {
 
-/// Moves the increments of a loop into its body if there are several and the body may leave the loop. In
-/// `for (; test; x = next, ++i)` with a `break`, NVIDIA's compiler (580.159) makes the first increments
+/// Moves the increments of a loop into its body if there are several. In `for (; test; x = next, ++i)` with
+/// a `break`, NVIDIA's compiler (580.159) makes the first increments
 /// before it leaves. Assignments in the body are safe.
 void moveIncrements(std::string& glsl);
 
