@@ -72,7 +72,7 @@ class ColorBar : public Simulation {
     drawables.fields.push_back(ramp);
     Writing writing;
     writing.outlines = &outlines_;
-    writing.place = parameters_.corner;
+    writing.place = corner_;
     writing.height = parameters_.height;
     writing.color = parameters_.color;
     drawables.writings.push_back(writing);
@@ -106,7 +106,6 @@ class ColorBar : public Simulation {
     ramp_.buffer().write(0, std::as_bytes(std::span(values)));
     rampDisplay_.fit = panelDisplay_.fit = FieldDisplay::Fit::stretch;
     rampDisplay_.smooth = !scale_.categories;
-    rampDisplay_.corner = parameters_.corner;
     rampDisplay_.extent = parameters_.extent;
     write();
   }
@@ -187,7 +186,14 @@ class ColorBar : public Simulation {
     const glm::vec2 unit(parameters_.height / aspect_, parameters_.height);
     low -= margin;
     high += margin;
-    panelDisplay_.corner = parameters_.corner + glm::vec3(low.x * unit.x, -high.y * unit.y, 0);
+    constexpr float border = 0.985F;  // of the picture, for a bar without a corner
+    corner_ = parameters_.corner;
+    if (!parameters_.placed) {
+      corner_.x = std::min(corner_.x, border - high.x * unit.x);
+      corner_.y = std::min(corner_.y, border + low.y * unit.y);
+    }
+    rampDisplay_.corner = corner_;
+    panelDisplay_.corner = corner_ + glm::vec3(low.x * unit.x, -high.y * unit.y, 0);
     panelDisplay_.extent = glm::vec3((high - low) * unit, 0);
     panelDisplay_.opacity = parameters_.backdrop;
   }
@@ -199,6 +205,7 @@ class ColorBar : public Simulation {
   mutable Font font_;
   mutable gl::WordsArray panel_, ramp_;
   mutable glm::ivec2 rampSize_{1, 1};
+  mutable glm::vec3 corner_{0};  ///< top left corner of the bar, as fractions of the picture
   std::vector<glm::vec3> panelColors_;
   mutable FieldDisplay panelDisplay_, rampDisplay_;
   mutable ColorScale scale_;

@@ -31,7 +31,9 @@ void ColorBarParameters::describe(scene::Fields& f) {
   f.boolean("horizontal", horizontal, "Lays the bar down; its numbers are below it.");
   f.vector("corner", corner, {-10, 10}, "",
            "Top left corner of the bar as fractions of the picture, [x, y, 0].");
-  f.leftOut("corner", "[0.88, 0.22, 0], or [0.3, 0.88, 0] if horizontal");
+  f.leftOut(
+      "corner",
+      "[0.88, 0.22, 0], or [0.3, 0.88, 0] if horizontal, moved so that the numbers stay in the picture");
   f.vector("extent", extent, {0, 10}, "",
            "Width and height of the bar as fractions of the picture, [x, y, 0].");
   f.leftOut("extent", "[0.02, 0.56, 0], or [0.4, 0.025, 0] if horizontal");
@@ -41,7 +43,8 @@ void ColorBarParameters::describe(scene::Fields& f) {
   f.leftOut("font", "Open Sans, which ships with simreel");
   f.color("color", color, scene::notNegative, "Colour of text and ticks, linear RGB.");
   f.number("backdrop", backdrop, scene::fraction, "", "Opacity of the dark panel behind it.");
-  if (horizontal && !f.given("corner")) corner = {0.3F, 0.88F, 0};
+  placed = f.given("corner");
+  if (horizontal && !placed) corner = {0.3F, 0.88F, 0};
   if (horizontal && !f.given("extent")) extent = {0.4F, 0.025F, 0};
   if (title.empty()) title = of;
   if (of.empty()) f.error("of", "whose colours? Give \"of\", the name of a field or of particles");

@@ -31,6 +31,7 @@ struct ColorBarParameters : ObjectParameters {
   std::vector<BarLabel> labels;  ///< the categories that the bar shows; empty: all of them
   int ticks = 5;                 ///< approximate number of ticks
   bool horizontal = false;
+  bool placed = false;  ///< true if the scene gives the corner; else the bar moves to stay in the picture
   glm::vec3 corner{0.88F, 0.22F, 0};  ///< top left corner of the bar, as fractions of the picture
   glm::vec3 extent{0.02F, 0.56F, 0};  ///< width and height of the bar, as fractions of the picture
   float height = 0.02F;               ///< height of capitals, as a fraction of the picture's height
