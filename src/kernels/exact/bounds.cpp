@@ -164,6 +164,12 @@ class Bounds {
     return type.op == SpvOpTypeArray ? module_.constant(type.operands[1]).value_or(1) : type.operands[1];
   }
 
+  /// True unless an index is provably less than `count`. Optimizing may leave constants that are not.
+  bool mayExceed(Id index, std::uint32_t count) const {
+    const auto constant = module_.constant(index);
+    return constant ? *constant >= count : facts_.atMost(index, block_) >= count;
+  }
+
   /// Returns the comparison of an index with a length, emitted here or in a block that leads here.
   template <class Emit>
   const Known& comparison(const Words& key, Emit emitted) {
@@ -211,8 +217,7 @@ class Bounds {
         found.length = known.length;
         found.among = known.inside;
         found.checked.push_back({i, found.among, found.runtime});
-      } else if (const std::uint32_t count = countOf(flat, i, made);
-                 !constant && facts_.atMost(flat.indices[i], block_) >= count) {
+      } else if (const std::uint32_t count = countOf(flat, i, made); mayExceed(flat.indices[i], count)) {
         const Id index = asUint(flat.indices[i]);
         const Id below = belowCount(flat.indices[i], index, count);
         found.inside = both(found.inside, below);
@@ -252,7 +257,8 @@ class Bounds {
       }
       found.held[found.runtimeAt] = inside == 0 ? least(found.runtime, found.length)
                                                 : select(all, number, found.runtime, found.length);
-    } else if (use.writes && shared_.contains(flat.base) && !module_.constant(flat.indices[0])) {
+    } else if (use.writes && shared_.contains(flat.base) &&
+               mayExceed(flat.indices[0], shared_[flat.base])) {
       Words writes = found.held;
       writes[0] = select(inside, number, found.held[0], module_.uintConstant(shared_[flat.base]));
       made.write = append(one, module_.fresh(), flat.base, writes);
@@ -322,7 +328,7 @@ class Bounds {
     const bool insert = one.op == SpvOpVectorInsertDynamic;
     const std::size_t at = insert ? 2 : 1;
     const std::uint32_t count = typeMaking(module_.typeOf(one.operands[0])).operands[1];
-    if (module_.constant(one.operands[at]) || facts_.atMost(one.operands[at], block_) < count) {
+    if (!mayExceed(one.operands[at], count)) {
       module_.body.push_back(std::move(one));
       return;
     }

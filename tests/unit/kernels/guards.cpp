@@ -63,6 +63,21 @@ TEST_CASE("a kernel that reports lists its places by kind, name and line, and ha
   CHECK(kernels::fromJson(kernels::toJson(shader)).kernels.at(0).places == kernel.places);
 }
 
+TEST_CASE("an index that optimizing makes a constant out of bounds is guarded like any other") {
+  kernels::Request request;
+  request.report = true;
+  const kernels::Kernel kernel = guarded("c.hlsl",
+                                         "RWStructuredBuffer<int> _Out;\n"
+                                         "[numthreads(1, 1, 1)] void K(uint3 id : SV_DispatchThreadID) {\n"
+                                         "  int own[4] = {1, 2, 3, 4}; int k = 31;\n"
+                                         "  own[k & 7] = (int)id.x;\n"
+                                         "  _Out[id.x] = own[id.x & 3];\n}\n",
+                                         request)
+                                     .kernels.at(0);
+  CHECK(kernel.glsl.find("[7]") == std::string::npos);
+  CHECK(places(kernel) == "write an array:4; write _Out:5; ");
+}
+
 TEST_CASE("a limit of iterations alone needs no block, and a kernel without either has none") {
   kernels::Request request;
   CHECK(guarded("n.hlsl", careless, request).kernels.at(0).report == -1);
