@@ -15,6 +15,10 @@ class RadixSort {
   /// if it is exceeded.
   RadixSort(const std::string& label, int capacity);
   ~RadixSort();
+  RadixSort(const RadixSort&) = delete;
+  RadixSort& operator=(const RadixSort&) = delete;
+  RadixSort(RadixSort&&) = delete;
+  RadixSort& operator=(RadixSort&&) = delete;
 
   /// Sorts records 0..count-1. The key consists of the lower `highBits` bits of the second word and, less
   /// significant, the lower `lowBits` bits of the first word; both counts are multiples of 4 up to 32.

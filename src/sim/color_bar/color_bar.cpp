@@ -135,6 +135,7 @@ class ColorBar : public Simulation {
            "\"text\": \"...\"}}]",
            name_, parameters_.of, count);
     std::vector<BarLabel> all;
+    all.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) all.push_back({fmt::format("{}", i), i});
     return all;
   }

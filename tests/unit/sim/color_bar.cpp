@@ -12,6 +12,7 @@ namespace {
 
 std::vector<std::string> texts(const std::vector<BarTick>& ticks) {
   std::vector<std::string> all;
+  all.reserve(ticks.size());
   for (const BarTick& tick : ticks) all.push_back(tick.text);
   return all;
 }
