@@ -141,8 +141,22 @@ class ColorBar : public Simulation {
   }
 
   [[nodiscard]] std::vector<BarTick> ticks() const {
-    if (!scale_.categories) return barTicks(scale_.range.x, scale_.range.y, parameters_.ticks);
     std::vector<BarTick> all;
+    if (!scale_.categories && parameters_.labels.empty())
+      return barTicks(scale_.range.x, scale_.range.y, parameters_.ticks);
+    if (!scale_.categories) {
+      for (const BarLabel& label : parameters_.labels) {
+        const float at =
+            (static_cast<float>(label.value) - scale_.range.x) / (scale_.range.y - scale_.range.x);
+        if (!(at >= 0 && at <= 1))
+          fail(ExitCode::usage,
+               "colorBar \"{}\": the label \"{}\" is of value {}, and the colours of \"{}\" go from {:g} "
+               "to {:g}",
+               name_, label.text, label.value, parameters_.of, scale_.range.x, scale_.range.y);
+        all.push_back({at, label.text});
+      }
+      return all;
+    }
     const std::vector<BarLabel> labels = categories();
     for (std::size_t i = 0; i < labels.size(); ++i)
       all.push_back({(static_cast<double>(i) + 0.5) / static_cast<double>(labels.size()), labels[i].text});

@@ -19,7 +19,7 @@ void ColorBarParameters::describe(scene::Fields& f) {
   f.text("unit", unit, "Unit of the numbers, after the title.");
   f.shorthand("labels", "text");
   f.list("labels", labels,
-         "For fields of categories, such as life: the categories to show, each with its word.",
+         "Words in place of numbers, each at its value; for a field of categories, the categories to show.",
          [](scene::Fields& l, BarLabel& label) {
            l.text("text", label.text, "Word beside the colour.");
            l.integer("value", label.value, {-1, 1e6}, "", "Value of the cells that have this colour.");
@@ -45,6 +45,7 @@ void ColorBarParameters::describe(scene::Fields& f) {
   f.number("backdrop", backdrop, scene::fraction, "", "Opacity of the dark panel behind it.");
   placed = f.given("corner");
   if (horizontal && !placed) corner = {0.3F, 0.88F, 0};
+  if (!(extent.x > 0 && extent.y > 0)) f.error("extent", "\"extent\" needs a width and a height above 0");
   if (horizontal && !f.given("extent")) extent = {0.4F, 0.025F, 0};
   if (title.empty()) title = of;
   if (of.empty()) f.error("of", "whose colours? Give \"of\", the name of a field or of particles");

@@ -28,7 +28,7 @@ struct ColorBarParameters : ObjectParameters {
   std::string of;                ///< name of a field or of particles, OBJECT or OBJECT.PART
   std::string title;             ///< text above the bar
   std::string unit;              ///< appended to the title in parentheses
-  std::vector<BarLabel> labels;  ///< the categories that the bar shows; empty: all of them
+  std::vector<BarLabel> labels;  ///< words in place of numbers; empty: numbers, or all categories
   int ticks = 5;                 ///< approximate number of ticks
   bool horizontal = false;
   bool placed = false;  ///< true if the scene gives the corner; else the bar moves to stay in the picture

@@ -48,6 +48,10 @@ class Data(Case):
         self.bad_scene('Give "of"', *SHORT)
         bar({"of": "dish", "title": "\u4e2d"})
         self.bad(2, "colorBar \"bar\": the font has no", *SHORT)
+        bar({"of": "dish", "extent": [0, 0.5, 0]})
+        self.bad_scene("needs a width and a height above 0", *SHORT)
+        bar({"of": "dish", "labels": ["low", {"text": "high", "value": 9}]})
+        self.bad(2, "the colours of \"dish\" go from 1 to 5", *SHORT)
         bar({"of": "cells", "labels": [{"text": "x", "value": 2000}]}, cells={"epidemic": {"size": [8, 8], "infected": 0.1}})
         self.bad(2, 'the label "x" is of value 2000', *SHORT)
 
