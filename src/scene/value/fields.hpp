@@ -286,7 +286,7 @@ struct Parameters {
   /// Returns the extent that an automatically placed camera must show; nullopt if the kind does not place
   /// the camera. May read files that the parameters name; ignores files that cannot be read.
   [[nodiscard]] virtual std::optional<Box> framed() const { return std::nullopt; }
-  /// Returns the extent to show if no object of the scene has one; nullopt if there is none.
+  /// Returns the extent that the camera shows if framed() is empty for every object; nullopt: none.
   [[nodiscard]] virtual std::optional<Box> framedAlone() const { return std::nullopt; }
   /// Returns the height in metres of the ground that the object stands on or flows from, for a scene whose
   /// ground has no height; nullopt: the lowest point of framed().

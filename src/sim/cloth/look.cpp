@@ -25,7 +25,7 @@ struct FabricLook {
 };
 
 FabricLook lookOf(FabricMaterial material) {
-  // Threads are two to three times as wide as those of the cloths in fabricOf(), so that a weave shows from
+  // Threads are two to three times as wide as in the fabrics of fabricOf(), so that a weave is visible from
   // half a metre away.
   constexpr FabricLook table[] = {
       {0.8F, 0.22F, 0.06F, 0, 0.5F, Weave::plain, 1800},      // cotton

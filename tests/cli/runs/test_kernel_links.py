@@ -181,7 +181,7 @@ class KernelLinks(Case):
             wanted = {tuple(round(c, 4) for c in (0.3 + 2 * copy + 0.5 * at[0], 0.1 + 0.5 * at[1], -0.2 + 0.5 * at[2])) for copy in (0, 1) for at in map(placed, corners)}
             for at in wanted:
                 self.assertTrue(any(math.dist(at, other) < 2e-4 for other in found), (member, at, found))
-        # The pictures are those of two meshes with that rotation.
+        # Two meshes with that rotation give the same pictures.
         look = {"stage": False, "camera": {"position": [1.2, 1, 4], "target": [1.2, 0.2, 0], "fieldOfView": 40}}
         self.scene(objects(rotation="turn"), **look)
         self.good("render", "k.json", "-o", "copies.png", "--frames", "0", "--size", "160x90")
