@@ -128,9 +128,9 @@ void ClothParameters::describe(scene::Fields& f) {
                   });
   f.number(
       "margin", margin, {0, 10}, "m",
-      "Distance kept from colliders. Vertices collide; a third of \"spacing\" keeps their faces off sharp "
+      "Distance kept from colliders. Vertices collide; 0.35 of \"spacing\" keeps their faces off sharp "
       "edges.");
-  f.leftOut("margin", "a third of \"spacing\", at least 0.01; in a scene of version 1 0.01");
+  f.leftOut("margin", "0.35 of \"spacing\", at least 0.01; in a scene of version 1 0.01");
   if (!f.given("margin") && f.version() > 1 && !mesh) margin = std::max(margin, 0.35F * spacing);
   f.switchable("contact");
   f.optionalGroup(

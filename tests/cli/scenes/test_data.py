@@ -85,6 +85,13 @@ class Data(Case):
         self.assertIn("its last row is pinned", self.good("render", "one.json", "-o", "a/", "--frames", "0", "--size", "32x18").err)
         self.assertNotIn("pinned", self.good("render", "two.json", "-o", "b/", "--frames", "0", "--size", "32x18").err)
 
+    def test_the_margin_of_a_sheet_follows_its_spacing_in_version_2(self):
+        for version, margin in ((1, 0.01), (2, 0.07)):
+            self.write("a.json", {"version": version, "objects": {"sheet": {"cloth": {"size": [5, 5], "spacing": 0.2}}}})
+            said = self.good("explain", "a.json").stdout.decode()
+            line = next(line for line in said.splitlines() if line.startswith("objects.sheet.cloth.margin"))
+            self.assertAlmostEqual(float(line.split()[1]), margin, 6)
+
     def test_a_camera_with_a_target_alone_keeps_its_distance(self):
         ball = {"objects": {"ball": {"sphere": {"radius": 40}}}, "camera": {"target": [0, 5, 0]}}
         self.write("a.json", {"version": 2, **ball})
