@@ -110,21 +110,21 @@ void ClothParameters::describe(scene::Fields& f) {
   f.leftOut("wind", fabric ? "none on a fabric" : "[0.5,0,0.3], or none on a fabric");
   if (fabric && !f.given("wind")) wind = glm::vec3(0);
   f.optionalGroup("air", air, "Moving air that drags and lifts the cloth's faces.",
-                  [](scene::Fields& a, Air& air) {
-                    a.vector("velocity", air.velocity, {-200, 200}, "m/s", "Velocity of the air.");
-                    a.number("density", air.density, {0, 1e4}, "kg/m^3", "Density of the air.");
-                    a.number("drag", air.drag, {0, 100}, "", "Drag coefficient.");
-                    a.number("lift", air.lift, {0, 100}, "", "Lift coefficient.");
-                    a.number("gusts", air.gusts, {0, 10}, "",
+                  [](scene::Fields& a, Air& moving) {
+                    a.vector("velocity", moving.velocity, {-200, 200}, "m/s", "Velocity of the air.");
+                    a.number("density", moving.density, {0, 1e4}, "kg/m^3", "Density of the air.");
+                    a.number("drag", moving.drag, {0, 100}, "", "Drag coefficient.");
+                    a.number("lift", moving.lift, {0, 100}, "", "Lift coefficient.");
+                    a.number("gusts", moving.gusts, {0, 10}, "",
                              "Variation of the velocity, as a fraction of its magnitude.");
-                    a.number("gustSize", air.gustSize, {1e-2, 1e3}, "m", "Size of the gusts.");
-                    a.text("fluid", air.fluid,
+                    a.number("gustSize", moving.gustSize, {1e-2, 1e3}, "m", "Size of the gusts.");
+                    a.text("fluid", moving.fluid,
                            "Name of a fluid whose wind is added to the air's velocity where its \"plane\" "
                            "lies; its flow at the end of the frame counts.");
-                    a.number("fluidSpeed", air.fluidSpeed, {0, 200}, "m/s",
+                    a.number("fluidSpeed", moving.fluidSpeed, {0, 200}, "m/s",
                              "Greatest wind speed that is expected of the fluid, for \"auto\" substeps.");
-                    a.idleUnless(air.gusts > 0, "gusts", {"gustSize"}, "air with \"gusts\"");
-                    a.idleUnless(!air.fluid.empty(), "fluid", {"fluidSpeed"}, "air with a \"fluid\"");
+                    a.idleUnless(moving.gusts > 0, "gusts", {"gustSize"}, "air with \"gusts\"");
+                    a.idleUnless(!moving.fluid.empty(), "fluid", {"fluidSpeed"}, "air with a \"fluid\"");
                   });
   f.number(
       "margin", margin, {0, 10}, "m",
