@@ -44,6 +44,10 @@ struct PinGroup {
   PinPlace at = PinPlace::bone;
   [[nodiscard]] bool onSkin() const { return at == PinPlace::skin; }
   void describe(scene::Fields& fields, const glm::ivec2& grid, bool onMesh);
+
+ private:
+  void checkCarrier(scene::Fields& f) const;
+  void checkTargets(scene::Fields& f, const glm::ivec2& grid, bool onMesh) const;
 };
 
 /// Air around the cloth.

@@ -30,12 +30,12 @@ void PinGroup::describe(scene::Fields& f, const glm::ivec2& grid, bool onMesh) {
       "vertices", vertices, {0, 1e7}, "",
       "Vertices of a mesh to pin, counted from 0, in the order in which \"simreel bake\" writes them.");
   f.optionalGroup("box", box, "For a mesh: pins every vertex that lies in this box at the start.",
-                  [](scene::Fields& b, PinBox& box) {
-                    b.vector("min", box.min, scene::anyNumber, "m",
+                  [](scene::Fields& b, PinBox& limits) {
+                    b.vector("min", limits.min, scene::anyNumber, "m",
                              "Least corner of the box, in world space.");
-                    b.vector("max", box.max, scene::anyNumber, "m", "Greatest corner of the box.");
+                    b.vector("max", limits.max, scene::anyNumber, "m", "Greatest corner of the box.");
                     for (int i = 0; i < 3; ++i)
-                      if (box.max[i] < box.min[i])
+                      if (limits.max[i] < limits.min[i])
                         b.error("max", "the greatest corner lies below the least one");
                   });
   f.asset("map", map, "Picture over the uv of a mesh; vertices are pinned where it is brighter than half.");
@@ -57,6 +57,11 @@ void PinGroup::describe(scene::Fields& f, const glm::ivec2& grid, bool onMesh) {
            "pin, at the distance that it has at the start.");
   f.idleUnless(!rows.empty() || !columns.empty(), "rows", {"every"}, "\"rows\" and \"columns\"");
   f.idleUnless(f.given("rotate") || f.given("scale"), "rotate", {"pivot"}, "\"rotate\" and \"scale\"");
+  checkCarrier(f);
+  checkTargets(f, grid, onMesh);
+}
+
+void PinGroup::checkCarrier(scene::Fields& f) const {
   if (at == PinPlace::skin) {
     if (to.empty()) f.error("at", "pins at the nearest place of a skin need \"to\": the body");
     if (!bone.empty())
@@ -67,6 +72,9 @@ void PinGroup::describe(scene::Fields& f, const glm::ivec2& grid, bool onMesh) {
     f.error(to.empty() ? "bone" : "to",
             "pins are carried by both: \"to\" a body and its \"bone\", or \"at\": \"nearest\"");
   }
+}
+
+void PinGroup::checkTargets(scene::Fields& f, const glm::ivec2& grid, bool onMesh) const {
   const std::pair<const char*, bool> ofGrids[] = {{"rows", !rows.empty()},
                                                   {"columns", !columns.empty()},
                                                   {"corners", !corners.empty()},

@@ -166,11 +166,39 @@ double ClothPlan::diagonalStiffness() const {
   return 1 / (1 / shear + 2.0 / 3 * inverseMasses * reach * reach);
 }
 
+// Sets the values of the moving air at the start of a substep, and moves the gusts.
+void ClothPlan::setAir(shader::ClothStep& s, double start) {
+  const Air moved = parameters_.air.value_or(Air{});
+  const glm::vec3 air = parameters_.air ? moved.velocity.at(start) : glm::vec3(0);
+  const auto speed =
+      static_cast<float>(std::sqrt(static_cast<double>(air.x) * air.x + static_cast<double>(air.y) * air.y +
+                                   static_cast<double>(air.z) * air.z));
+  for (int axis = 0; axis < 3; ++axis) drift_[axis] += air[axis] * substepSeconds_;
+  s.airVelocity = glm::vec4(air, 0);
+  s.gustDrift = glm::vec4(drift_[0], drift_[1], drift_[2], 0);
+  s.gustSpeed = moved.gusts * speed;
+  s.perGustSize = 1.0F / moved.gustSize;
+  s.air = moved;
+}
+
+// Sets the frames of the pins at the end of a substep, and the directions of clamped borders.
+void ClothPlan::setPins(shader::ClothStep& s, double end,
+                        const std::vector<std::array<glm::dmat4, 2>>& pins, double part) const {
+  const ClothParameters& p = parameters_;
+  for (std::size_t g = 0; g < p.pins.size(); ++g) {
+    s.frames[g] = pinFrame(p.pins[g], end);
+    if (carriers_[g].at) s.frames[g] = carriedFrame(s.frames[g], betweenEnds(pins[g], part));
+  }
+  const glm::vec3 inwards[4] = {alongX_, -alongX_, alongY_, -alongY_};
+  for (int border = 0; border < 4; ++border)
+    if (const int group = p.clampOf(border); group >= 0)
+      s.clamped[border] = turned(s.frames[group], inwards[border]);
+}
+
 std::vector<shader::ClothStep> ClothPlan::frame(double time) {
   std::vector<shader::ClothStep> steps(static_cast<std::size_t>(substeps_));
   const ClothParameters& p = parameters_;
   const Fabric cloth = p.fabric.value_or(Fabric{});
-  const Air moved = p.air.value_or(Air{});
   const shader::FabricConstants fabric = cloth.ofLinks(diagonalStiffness());
   const auto colliders = colliders_.frame(time);
   const auto pins = pinsAround(time);
@@ -180,13 +208,7 @@ std::vector<shader::ClothStep> ClothPlan::frame(double time) {
     shader::ClothStep& s = steps[static_cast<std::size_t>(i)];
     s.gravity = glm::vec4(p.gravity.at(start), 0);
     s.wind = glm::vec4(p.wind.at(start), 0);
-    const glm::vec3 air = p.air ? p.air->velocity.at(start) : glm::vec3(0);
-    const auto speed = static_cast<float>(std::sqrt(static_cast<double>(air.x) * air.x +
-                                                    static_cast<double>(air.y) * air.y +
-                                                    static_cast<double>(air.z) * air.z));
-    for (int axis = 0; axis < 3; ++axis) drift_[axis] += air[axis] * substepSeconds_;
-    s.airVelocity = glm::vec4(air, 0);
-    s.gustDrift = glm::vec4(drift_[0], drift_[1], drift_[2], 0);
+    setAir(s, start);
     s.origin = glm::vec4(origin_, 0);
     s.alongX = glm::vec4(alongX_, 0);
     s.alongY = glm::vec4(alongY_, 0);
@@ -202,8 +224,6 @@ std::vector<shader::ClothStep> ClothPlan::frame(double time) {
     s.complianceScale = static_cast<float>(rounds * (1.0 - damped) / (reach * reach));
     s.softening = softness().lines > 0 ? static_cast<float>(softness().lines) : 1.0F;
     s.kept = keptOf(p.damping, substepSeconds_);
-    s.gustSpeed = moved.gusts * speed;
-    s.perGustSize = 1.0F / moved.gustSize;
     s.colliderCount = colliderCount();
     s.thinCount = thinCount_;
     s.thinRoom = static_cast<float>(3 * edge_);
@@ -212,18 +232,8 @@ std::vector<shader::ClothStep> ClothPlan::frame(double time) {
     s.constants = p;
     s.fabric = fabric;
     s.perBend = fabric.bending / (p.spacing * p.spacing);
-    s.air = moved;
     std::ranges::copy(colliders[static_cast<std::size_t>(i)], s.colliders);
-    for (std::size_t g = 0; g < p.pins.size(); ++g) {
-      s.frames[g] = pinFrame(p.pins[g], end);
-      if (carriers_[g].at)
-        s.frames[g] =
-            carriedFrame(s.frames[g], betweenEnds(pins[g], static_cast<double>(i + 1) / substeps_));
-    }
-    const glm::vec3 inwards[4] = {alongX_, -alongX_, alongY_, -alongY_};
-    for (int border = 0; border < 4; ++border)
-      if (const int group = p.clampOf(border); group >= 0)
-        s.clamped[border] = turned(s.frames[group], inwards[border]);
+    setPins(s, end, pins, static_cast<double>(i + 1) / substeps_);
     ++done_;
   }
   return steps;

@@ -81,6 +81,9 @@ class ClothPlan {
   /// Returns each pin group's carrier transform at the beginning and at the end of the frame that starts at
   /// `time`, relative to the start of the run.
   [[nodiscard]] std::vector<std::array<glm::dmat4, 2>> pinsAround(double time) const;
+  void setAir(shader::ClothStep& s, double start);
+  void setPins(shader::ClothStep& s, double end, const std::vector<std::array<glm::dmat4, 2>>& pins,
+               double part) const;
 
   ClothParameters parameters_;
   int seed_;

@@ -76,19 +76,18 @@ DistancePlan::DistancePlan(const std::string& name, const Mesh& mesh, float scal
   plantTree(closed.faces);
 }
 
-void DistancePlan::plantTree(const std::vector<ClosedMesh::Face>& from) {
-  constexpr std::size_t leafFaces = shader::distance::leafFaces;
-  std::size_t leaves = 1;
-  while (leaves * leafFaces < from.size()) leaves *= 2;
-  firstLeaf = static_cast<int>(leaves);
-  std::vector<unsigned> order(from.size());
-  std::iota(order.begin(), order.end(), 0U);
+namespace {
+
+using FaceRange = std::pair<std::size_t, std::size_t>;
+
+/// Orders the faces by a tree of boxes. Each box's faces are split at the median along the longest side of
+/// their centroids' bounds. Returns the range of faces of each box, in breadth-first order from 1.
+std::vector<FaceRange> splitFaces(const std::vector<ClosedMesh::Face>& from, std::size_t leaves,
+                                  std::vector<unsigned>& order) {
   std::vector<glm::vec3> middles;  // sums of the corners: three times the centroids
   middles.reserve(from.size());
   for (const ClosedMesh::Face& f : from) middles.push_back(f.corners[0] + f.corners[1] + f.corners[2]);
-  // Splits each box's faces at the median along the longest side of their centroids' bounds, in the tree's
-  // breadth-first order.
-  std::vector<std::pair<std::size_t, std::size_t>> ranges(2 * leaves);
+  std::vector<FaceRange> ranges(2 * leaves);
   ranges[1] = {0, from.size()};
   for (std::size_t box = 1; box < leaves; ++box) {
     const auto [begin, end] = ranges[box];
@@ -108,6 +107,19 @@ void DistancePlan::plantTree(const std::vector<ClosedMesh::Face>& from) {
     ranges[2 * box] = {begin, middle};
     ranges[2 * box + 1] = {middle, end};
   }
+  return ranges;
+}
+
+}  // namespace
+
+void DistancePlan::plantTree(const std::vector<ClosedMesh::Face>& from) {
+  constexpr std::size_t leafFaces = shader::distance::leafFaces;
+  std::size_t leaves = 1;
+  while (leaves * leafFaces < from.size()) leaves *= 2;
+  firstLeaf = static_cast<int>(leaves);
+  std::vector<unsigned> order(from.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const std::vector<FaceRange> ranges = splitFaces(from, leaves, order);
   boxes.assign(4 * leaves, glm::vec4(0));
   const auto add = [&](const glm::vec3& corner) { faces.emplace_back(corner, 0); };
   for (std::size_t leaf = 0; leaf < leaves; ++leaf) {

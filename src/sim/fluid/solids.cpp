@@ -344,13 +344,18 @@ void FluidSolids::balance(const FluidParameters& p, const shader::FluidStep& sid
                         (y + 1 == size_.y && !wraps.y && face(x, size_.y).y > 0);
       if (lets) open[i] = true;
     }
-  std::vector<std::uint32_t> number(out.size());
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = open[i] || area[i] <= 0 ? 0 : out[i] / area[i];
+  growPockets(out);
+}
+
+// Assigns a number to each pocket that absorbs volume, and notes it in the pocket's cells.
+void FluidSolids::growPockets(const std::vector<double>& each) {
+  std::vector<std::uint32_t> number(each.size());
   std::uint32_t used = 0;
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    const double each = area[i] > 0 ? out[i] / area[i] : 0;
-    if (open[i] || std::abs(each) < 1e-9 || used == shader::maxPockets) continue;
+  for (std::size_t i = 0; i < each.size(); ++i) {
+    if (std::abs(each[i]) < 1e-9 || used == shader::maxPockets) continue;
     number[i] = ++used;
-    set_.growth[used / 4][static_cast<int>(used % 4)] = static_cast<float>(each);
+    set_.growth[used / 4][static_cast<int>(used % 4)] = static_cast<float>(each[i]);
   }
   grows_ = used > 0;
   if (!grows_) return;

@@ -80,6 +80,7 @@ class FluidSolids {
   void findSolid();
   void findPockets(glm::bvec2 wraps);
   void balance(const FluidParameters& p, const shader::FluidStep& sides);
+  void growPockets(const std::vector<double>& each);
   [[nodiscard]] std::size_t cell(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x) + static_cast<std::size_t>(x);
   }

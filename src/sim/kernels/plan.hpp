@@ -177,7 +177,16 @@ class KernelPlan {
   /// True if a file of the shader contains the word, even if no scheduled kernel uses it.
   [[nodiscard]] bool mentioned(const std::string& word) const;
   void planStarts();
+  void planStart(const PlannedBuffer& buffer);
+  void planStart(const PlannedTexture& texture);
+  void holdStart(const char* list, const KernelMemory& given, const scene::Formulas::Named& named,
+                 const KernelSlot& slot, glm::ivec3 size);
   void planDrawing(const KernelDescription& parameters);
+  [[nodiscard]] std::vector<std::string> bufferNames() const;
+  bool holdBuffer(const char* group, const std::string& of);
+  void planSurface(KernelSurface& surface);
+  void planPoints(const KernelPoints& points);
+  void planField(const KernelField& field);
   void chooseDrawing();
   void planGrids();
   [[nodiscard]] scene::Box boxOfTerrain() const;

@@ -44,63 +44,75 @@ void KernelPlan::planDrawing(const KernelDescription& parameters) {
             parameters.terrain, parameters.volume, parameters.wind};
   if (!drawn_.inSpace() && !drawn_.field && !drawn_.wind) chooseDrawing();
   planGrids();
-  std::vector<std::string> buffers, all;
+  if (drawn_.surface && holdBuffer("surface", drawn_.surface->of)) planSurface(*drawn_.surface);
+  if (drawn_.points && holdBuffer("points", drawn_.points->of)) planPoints(*drawn_.points);
+  if (drawn_.field) planField(*drawn_.field);
+}
+
+/// Returns the names of the buffers of elements, which leaves out counters.
+std::vector<std::string> KernelPlan::bufferNames() const {
+  std::vector<std::string> names;
   for (const PlannedBuffer& buffer : buffers_)
-    if (buffer.counterOf.empty()) buffers.push_back(buffer.name);
-  all = buffers;
+    if (buffer.counterOf.empty()) names.push_back(buffer.name);
+  return names;
+}
+
+/// Returns true if the group names a buffer that exists.
+bool KernelPlan::holdBuffer(const char* group, const std::string& of) {
+  if (of.empty())
+    mistake({group},
+            fmt::format("\"{}\" needs \"of\", a buffer: {}", group, scene::suggestion("", bufferNames())));
+  else if (bufferNamed(of) < 0)
+    unknown({group, "of"}, of, bufferNames(), "buffer");
+  return bufferNamed(of) >= 0;
+}
+
+void KernelPlan::planSurface(KernelSurface& surface) {
+  holdMember("surface", "position", surface.of, surface.position, true, 3);
+  holdMember("surface", "normal", surface.of, surface.normal, false, 3);
+  const PlannedBuffer& buffer = buffers_[static_cast<std::size_t>(bufferNamed(surface.of))];
+  if (surface.mesh.empty() && surface.indices.empty() && surface.grid.x == 0)
+    surface.grid = {buffer.size.x, buffer.size.y};
+  if (surface.mesh.empty() && surface.indices.empty()) {
+    if (surface.grid.x < 2 || surface.grid.y < 2)
+      mistake({"surface"}, fmt::format("the {} vertices of {} are no grid; give \"grid\": [width, "
+                                       "height], \"indices\" or \"mesh\"",
+                                       buffer.count(), scene::inQuotes(surface.of)));
+    else if (static_cast<std::size_t>(surface.grid.x) * static_cast<std::size_t>(surface.grid.y) >
+             buffer.count())
+      mistake({"surface", "grid"},
+              fmt::format("{} x {} vertices are more than the {} of {}", surface.grid.x, surface.grid.y,
+                          buffer.count(), scene::inQuotes(surface.of)));
+  }
+  if (!surface.indices.empty() && bufferNamed(surface.indices) < 0)
+    unknown({"surface", "indices"}, surface.indices, bufferNames(), "buffer");
+}
+
+void KernelPlan::planPoints(const KernelPoints& points) {
+  holdMember("points", "position", points.of, points.position, true, 2);
+  holdMember("points", "velocity", points.of, points.velocity, false, 2);
+  holdMember("points", "mass", points.of, points.mass, false, 1);
+  holdMember("points", "alive", points.of, points.alive, false, 1);
+  holdMember("points", "rotation", points.of, points.rotation, false, 3);
+  if (points.alongVelocity && !points.rotation.empty())
+    mistake({"points", "rotation"}, "give \"rotation\" or \"alongVelocity\", not both");
+  if (points.colorBy == Instances::ColorBy::speed && points.velocity.empty())
+    mistake({"points", "colorBy"}, "colours by speed need \"velocity\", a member");
+  if (points.colorBy == Instances::ColorBy::mass && points.mass.empty())
+    mistake({"points", "colorBy"}, "colours by mass need \"mass\", a member");
+}
+
+void KernelPlan::planField(const KernelField& field) {
+  std::vector<std::string> all = bufferNames();
   for (const PlannedTexture& texture : textures_) all.push_back(texture.name);
-  const auto holdBuffer = [&](const char* group, const std::string& of) {
-    if (of.empty())
-      mistake({group},
-              fmt::format("\"{}\" needs \"of\", a buffer: {}", group, scene::suggestion("", buffers)));
-    if (!of.empty() && bufferNamed(of) < 0) unknown({group, "of"}, of, buffers, "buffer");
-    return bufferNamed(of) >= 0;
-  };
-  if (drawn_.surface && holdBuffer("surface", drawn_.surface->of)) {
-    KernelSurface& surface = *drawn_.surface;
-    holdMember("surface", "position", surface.of, surface.position, true, 3);
-    holdMember("surface", "normal", surface.of, surface.normal, false, 3);
-    const PlannedBuffer& buffer = buffers_[static_cast<std::size_t>(bufferNamed(surface.of))];
-    if (surface.mesh.empty() && surface.indices.empty() && surface.grid.x == 0)
-      surface.grid = {buffer.size.x, buffer.size.y};
-    if (surface.mesh.empty() && surface.indices.empty()) {
-      if (surface.grid.x < 2 || surface.grid.y < 2)
-        mistake({"surface"}, fmt::format("the {} vertices of {} are no grid; give \"grid\": [width, "
-                                         "height], \"indices\" or \"mesh\"",
-                                         buffer.count(), scene::inQuotes(surface.of)));
-      else if (static_cast<std::size_t>(surface.grid.x) * static_cast<std::size_t>(surface.grid.y) >
-               buffer.count())
-        mistake({"surface", "grid"},
-                fmt::format("{} x {} vertices are more than the {} of {}", surface.grid.x, surface.grid.y,
-                            buffer.count(), scene::inQuotes(surface.of)));
-    }
-    if (!surface.indices.empty() && bufferNamed(surface.indices) < 0)
-      unknown({"surface", "indices"}, surface.indices, buffers, "buffer");
-  }
-  if (drawn_.points && holdBuffer("points", drawn_.points->of)) {
-    const KernelPoints& points = *drawn_.points;
-    holdMember("points", "position", points.of, points.position, true, 2);
-    holdMember("points", "velocity", points.of, points.velocity, false, 2);
-    holdMember("points", "mass", points.of, points.mass, false, 1);
-    holdMember("points", "alive", points.of, points.alive, false, 1);
-    holdMember("points", "rotation", points.of, points.rotation, false, 3);
-    if (points.alongVelocity && !points.rotation.empty())
-      mistake({"points", "rotation"}, "give \"rotation\" or \"alongVelocity\", not both");
-    if (points.colorBy == Instances::ColorBy::speed && points.velocity.empty())
-      mistake({"points", "colorBy"}, "colours by speed need \"velocity\", a member");
-    if (points.colorBy == Instances::ColorBy::mass && points.mass.empty())
-      mistake({"points", "colorBy"}, "colours by mass need \"mass\", a member");
-  }
-  if (drawn_.field) {
-    const std::string& of = drawn_.field->of;
-    if (of.empty()) {
-      mistake({"field"},
-              fmt::format("\"field\" needs \"of\", a texture or buffer: {}", scene::suggestion("", all)));
-    } else if (std::find(all.begin(), all.end(), of) == all.end()) {
-      unknown({"field", "of"}, of, all, "texture or buffer");
-    } else {
-      holdMember("field", "show", of, drawn_.field->show, false, 1);
-    }
+  const std::string& of = field.of;
+  if (of.empty()) {
+    mistake({"field"},
+            fmt::format("\"field\" needs \"of\", a texture or buffer: {}", scene::suggestion("", all)));
+  } else if (std::find(all.begin(), all.end(), of) == all.end()) {
+    unknown({"field", "of"}, of, all, "texture or buffer");
+  } else {
+    holdMember("field", "show", of, field.show, false, 1);
   }
 }
 

@@ -132,85 +132,90 @@ std::optional<KernelSlot> slotFor(const std::vector<KernelSlot>& slots, const st
 }  // namespace
 
 void KernelPlan::planStarts() {
-  const auto hold = [&](const char* list, const KernelMemory& given, const scene::Formulas::Named& named,
-                        const KernelSlot& slot, glm::ivec3 size) {
-    std::vector<std::string> path = {list, given.name, "start"};
-    if (!named.name.empty()) path.push_back(named.name);
-    if (named.formula.moving) return mistake(path, "a first value does not move");
-    if (named.formula.components() != slot.offsets.size() && named.formula.components() != 1)
-      return mistake(path, fmt::format("{} is a {}: expected {} numbers, found {}",
-                                       named.name.empty() ? "an element" : scene::inQuotes(named.name),
-                                       slot.type, slot.offsets.size(), named.formula.components()));
-    const Starts starts(tables_.read(given.file), size);
-    for (std::size_t i = 0; i < named.formula.parts.size(); ++i) {
-      std::vector<std::string> part = path;
-      if (named.formula.parts.size() > 1) part.push_back(std::to_string(i));
-      try {
-        if (!named.formula.parts[i].text.empty())
-          static_cast<void>(starts.compiled(named.formula.parts[i].text));
-      } catch (const scene::ExpressionMistake& wrong) {
-        mistake(part, wrong.message, wrong.begin, wrong.end);
-      }
+  for (const PlannedBuffer& buffer : buffers_)
+    if (buffer.given != nullptr) planStart(buffer);
+  for (const PlannedTexture& texture : textures_)
+    if (texture.given != nullptr) planStart(texture);
+}
+
+/// Checks the formulas of one member or channel.
+void KernelPlan::holdStart(const char* list, const KernelMemory& given, const scene::Formulas::Named& named,
+                           const KernelSlot& slot, glm::ivec3 size) {
+  std::vector<std::string> path = {list, given.name, "start"};
+  if (!named.name.empty()) path.push_back(named.name);
+  if (named.formula.moving) return mistake(path, "a first value does not move");
+  if (named.formula.components() != slot.offsets.size() && named.formula.components() != 1)
+    return mistake(path, fmt::format("{} is a {}: expected {} numbers, found {}",
+                                     named.name.empty() ? "an element" : scene::inQuotes(named.name),
+                                     slot.type, slot.offsets.size(), named.formula.components()));
+  const Starts starts(tables_.read(given.file), size);
+  for (std::size_t i = 0; i < named.formula.parts.size(); ++i) {
+    std::vector<std::string> part = path;
+    if (named.formula.parts.size() > 1) part.push_back(std::to_string(i));
+    try {
+      if (!named.formula.parts[i].text.empty())
+        static_cast<void>(starts.compiled(named.formula.parts[i].text));
+    } catch (const scene::ExpressionMistake& wrong) {
+      mistake(part, wrong.message, wrong.begin, wrong.end);
     }
-  };
-  for (const PlannedBuffer& buffer : buffers_) {
-    if (buffer.given == nullptr) continue;
-    std::vector<std::string> known;
-    for (const auto* slots : {&buffer.element, &buffer.fixed})
-      for (const KernelSlot& slot : *slots) known.push_back(slot.path);
-    for (const scene::Formulas::Named& named : buffer.given->start.list) {
-      auto slot = slotFor(buffer.element, named.name);
-      if (!slot) slot = slotFor(buffer.fixed, named.name);
-      if (slot)
-        hold("buffers", *buffer.given, named, *slot, buffer.size);
-      else if (named.name.empty())
-        mistake({"buffers", buffer.name, "start"},
-                fmt::format("an element has the members {}; say which: {{\"{}\": ...}}",
-                            scene::inQuotes(known.front()), known.front()));
-      else if (known.size() == 1 && known.front().empty())
-        mistake({"buffers", buffer.name, "start", named.name},
-                fmt::format("an element of {} is a {} without members: give {}", buffer.name,
-                            buffer.element.front().type,
-                            buffer.element.front().offsets.size() == 1
-                                ? "\"start\": FORMULA"
-                                : fmt::format("\"start\": a list of {} formulas",
-                                              buffer.element.front().offsets.size())));
-      else
-        unknown({"buffers", buffer.name, "start", named.name}, named.name, known, "member");
-    }
-    const KernelTable* table = tables_.read(buffer.given->file);
-    if (table != nullptr && buffer.given->start.list.empty() &&
-        columnsFor(*table, buffer.element).list.empty())
-      mistake({"buffers", buffer.name, "file"},
-              fmt::format(
-                  "no column is called as a member of {}; give \"start\", with formulas of the columns {}",
-                  buffer.name, firstOf(table->columns)));
   }
-  for (const PlannedTexture& texture : textures_) {
-    if (texture.given == nullptr) continue;
-    const KernelTable* table = tables_.read(texture.given->file);
-    if (table != nullptr && texture.given->start.list.empty() &&
-        std::none_of(std::begin(channels), std::end(channels), [&](const char* channel) {
-          return std::find(table->columns.begin(), table->columns.end(), channel) != table->columns.end();
-        }))
-      mistake(
-          {"textures", texture.name, "file"},
-          fmt::format("no column is called r, g, b or a; give \"start\", with formulas of the columns {}",
-                      firstOf(table->columns)));
-    for (const scene::Formulas::Named& named : texture.given->start.list) {
-      KernelSlot slot{named.name, "texel", KernelSlot::Number::real, true, {0, 4, 8, 12}};
-      const std::vector<std::string> known(std::begin(channels), std::end(channels));
-      if (!named.name.empty()) {
-        if (std::find(known.begin(), known.end(), named.name) == known.end()) {
-          unknown({"textures", texture.name, "start", named.name}, named.name, known, "channel");
-          continue;
-        }
-        slot.offsets.resize(1);
-      } else {
-        slot.offsets.resize(std::max<std::size_t>(1, std::min<std::size_t>(4, named.formula.components())));
+}
+
+void KernelPlan::planStart(const PlannedBuffer& buffer) {
+  std::vector<std::string> known;
+  for (const auto* slots : {&buffer.element, &buffer.fixed})
+    for (const KernelSlot& slot : *slots) known.push_back(slot.path);
+  for (const scene::Formulas::Named& named : buffer.given->start.list) {
+    auto slot = slotFor(buffer.element, named.name);
+    if (!slot) slot = slotFor(buffer.fixed, named.name);
+    if (slot)
+      holdStart("buffers", *buffer.given, named, *slot, buffer.size);
+    else if (named.name.empty())
+      mistake({"buffers", buffer.name, "start"},
+              fmt::format("an element has the members {}; say which: {{\"{}\": ...}}",
+                          scene::inQuotes(known.front()), known.front()));
+    else if (known.size() == 1 && known.front().empty())
+      mistake({"buffers", buffer.name, "start", named.name},
+              fmt::format("an element of {} is a {} without members: give {}", buffer.name,
+                          buffer.element.front().type,
+                          buffer.element.front().offsets.size() == 1
+                              ? "\"start\": FORMULA"
+                              : fmt::format("\"start\": a list of {} formulas",
+                                            buffer.element.front().offsets.size())));
+    else
+      unknown({"buffers", buffer.name, "start", named.name}, named.name, known, "member");
+  }
+  const KernelTable* table = tables_.read(buffer.given->file);
+  if (table != nullptr && buffer.given->start.list.empty() &&
+      columnsFor(*table, buffer.element).list.empty())
+    mistake({"buffers", buffer.name, "file"},
+            fmt::format(
+                "no column is called as a member of {}; give \"start\", with formulas of the columns {}",
+                buffer.name, firstOf(table->columns)));
+}
+
+void KernelPlan::planStart(const PlannedTexture& texture) {
+  const KernelTable* table = tables_.read(texture.given->file);
+  if (table != nullptr && texture.given->start.list.empty() &&
+      std::none_of(std::begin(channels), std::end(channels), [&](const char* channel) {
+        return std::find(table->columns.begin(), table->columns.end(), channel) != table->columns.end();
+      }))
+    mistake({"textures", texture.name, "file"},
+            fmt::format("no column is called r, g, b or a; give \"start\", with formulas of the columns {}",
+                        firstOf(table->columns)));
+  for (const scene::Formulas::Named& named : texture.given->start.list) {
+    KernelSlot slot{named.name, "texel", KernelSlot::Number::real, true, {0, 4, 8, 12}};
+    const std::vector<std::string> known(std::begin(channels), std::end(channels));
+    if (!named.name.empty()) {
+      if (std::find(known.begin(), known.end(), named.name) == known.end()) {
+        unknown({"textures", texture.name, "start", named.name}, named.name, known, "channel");
+        continue;
       }
-      hold("textures", *texture.given, named, slot, texture.size);
+      slot.offsets.resize(1);
+    } else {
+      slot.offsets.resize(std::max<std::size_t>(1, std::min<std::size_t>(4, named.formula.components())));
     }
+    holdStart("textures", *texture.given, named, slot, texture.size);
   }
 }
 

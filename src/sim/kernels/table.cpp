@@ -88,29 +88,18 @@ KernelTable tableOfCsv(std::string_view text, const std::string& name) {
   return table;
 }
 
-/// Parses an npy file with a little-endian array of one or two axes in C order.
-KernelTable tableOfNpy(const std::string& bytes, const std::string& name) {
-  const auto header = [&]() -> std::string {
-    if (bytes.size() < 12 || !bytes.starts_with("\x93NUMPY")) broken(name, "this is no npy file");
-    const bool old = bytes[6] == 1;
-    std::uint32_t length = 0;
-    std::memcpy(&length, bytes.data() + 8, old ? 2 : 4);
-    if (std::size_t{length} + (old ? 10 : 12) > bytes.size())
-      broken(name, "the header of this npy file is cut off");
-    return bytes.substr(old ? 10 : 12, length);
-  }();
-  const std::size_t begin = (bytes[6] == 1 ? 10 : 12) + header.size();
-  const auto has = [&](const char* text) { return header.find(text) != std::string::npos; };
-  if (has("'fortran_order': True"))
-    broken(name, "the array is in Fortran's order; save numpy.ascontiguousarray(a)");
-  const char kind = has("'<f4'")   ? 'f'
-                    : has("'<f8'") ? 'd'
-                    : has("'<i4'") ? 'i'
-                    : has("'<u4'") ? 'u'
-                    : has("'<i8'") ? 'l'
-                    : has("'|u1'") ? 'b'
-                                   : '?';
-  if (kind == '?') broken(name, "expected float32, float64, int32, int64, uint32 or uint8, little-endian");
+/// Returns the header's text; the numbers begin where it ends.
+std::string_view npyHeader(std::string_view bytes, const std::string& name) {
+  if (bytes.size() < 12 || !bytes.starts_with("\x93NUMPY")) broken(name, "this is no npy file");
+  const bool old = bytes[6] == 1;
+  std::uint32_t length = 0;
+  std::memcpy(&length, bytes.data() + 8, old ? 2 : 4);
+  if (std::size_t{length} + (old ? 10 : 12) > bytes.size())
+    broken(name, "the header of this npy file is cut off");
+  return bytes.substr(old ? 10 : 12, length);
+}
+
+std::vector<std::size_t> npyShape(std::string_view header, const std::string& name) {
   std::vector<std::size_t> shape;
   const std::size_t at = header.find("'shape'");
   for (std::size_t i = header.find('(', at) + 1;
@@ -127,6 +116,25 @@ KernelTable tableOfNpy(const std::string& bytes, const std::string& name) {
   }
   if (shape.empty() || shape.size() > 2)
     broken(name, fmt::format("expected an array of one or two axes, found {}", shape.size()));
+  return shape;
+}
+
+/// Parses an npy file with a little-endian array of one or two axes in C order.
+KernelTable tableOfNpy(const std::string& bytes, const std::string& name) {
+  const std::string_view header = npyHeader(bytes, name);
+  const std::size_t begin = static_cast<std::size_t>(header.data() - bytes.data()) + header.size();
+  const auto has = [&](const char* text) { return header.find(text) != std::string::npos; };
+  if (has("'fortran_order': True"))
+    broken(name, "the array is in Fortran's order; save numpy.ascontiguousarray(a)");
+  const char kind = has("'<f4'")   ? 'f'
+                    : has("'<f8'") ? 'd'
+                    : has("'<i4'") ? 'i'
+                    : has("'<u4'") ? 'u'
+                    : has("'<i8'") ? 'l'
+                    : has("'|u1'") ? 'b'
+                                   : '?';
+  if (kind == '?') broken(name, "expected float32, float64, int32, int64, uint32 or uint8, little-endian");
+  const std::vector<std::size_t> shape = npyShape(header, name);
   const std::size_t rows = shape[0], columns = shape.size() == 2 ? shape[1] : 1;
   const std::size_t width = kind == 'd' || kind == 'l' ? 8 : kind == 'b' ? 1 : 4;
   if (rows == 0 || columns == 0 || rows > mostBytes / columns / width ||

@@ -111,20 +111,10 @@ void checkAttributes(std::string_view bytes, bool severalParts) {
   }
 }
 
-LightFile read(ExrStream& stream) {
-  Imf::MultiPartInputFile file(stream);
+/// Reads the chosen channels of the data window as RGBA, row by row. A grey image has equal R, G and B; a
+/// missing alpha is 1.
+std::vector<float> readPixels(Imf::MultiPartInputFile& file, const Chosen& chosen, const Window& data) {
   const Imf::Header& header = file.header(0);
-  if (header.hasType() && header.type() != Imf::SCANLINEIMAGE && header.type() != Imf::TILEDIMAGE)
-    throw std::runtime_error("deep pixels, which are not read");
-  const Window data = windowOf(header.dataWindow()), shown = windowOf(header.displayWindow());
-  if (double(data.width) * data.height > mostPixels || double(shown.width) * shown.height > mostPixels)
-    throw std::runtime_error("more than 100 million pixels");
-  constexpr double leastShare = 1.0 / 64, smallArea = 1e6;
-  if (double(shown.width) * shown.height > smallArea &&
-      double(data.width) * data.height < leastShare * shown.width * shown.height)
-    throw std::runtime_error(fmt::format("a display window of {}x{} pixels around {}x{} that there are",
-                                         shown.width, shown.height, data.width, data.height));
-  const Chosen chosen = choose(header.channels());
   Imf::InputPart part(file, 0);
   std::vector<float> pixels(4 * std::size_t(data.width) * std::size_t(data.height), 0.0F);
   Imf::FrameBuffer buffer;
@@ -146,6 +136,29 @@ LightFile read(ExrStream& stream) {
     if (grey) pixels[i + 1] = pixels[i + 2] = pixels[i];
     if (chosen.names[3] == nullptr) pixels[i + 3] = 1;
   }
+  return pixels;
+}
+
+/// Throws if the windows are too large, or the data far too small for the display.
+void checkSizes(const Window& data, const Window& shown) {
+  if (double(data.width) * data.height > mostPixels || double(shown.width) * shown.height > mostPixels)
+    throw std::runtime_error("more than 100 million pixels");
+  constexpr double leastShare = 1.0 / 64, smallArea = 1e6;
+  if (double(shown.width) * shown.height > smallArea &&
+      double(data.width) * data.height < leastShare * shown.width * shown.height)
+    throw std::runtime_error(fmt::format("a display window of {}x{} pixels around {}x{} that there are",
+                                         shown.width, shown.height, data.width, data.height));
+}
+
+LightFile read(ExrStream& stream) {
+  Imf::MultiPartInputFile file(stream);
+  const Imf::Header& header = file.header(0);
+  if (header.hasType() && header.type() != Imf::SCANLINEIMAGE && header.type() != Imf::TILEDIMAGE)
+    throw std::runtime_error("deep pixels, which are not read");
+  const Window data = windowOf(header.dataWindow()), shown = windowOf(header.displayWindow());
+  checkSizes(data, shown);
+  const Chosen chosen = choose(header.channels());
+  const std::vector<float> pixels = readPixels(file, chosen, data);
   LightFile picture;
   picture.size = {shown.width, shown.height};
   picture.values.assign(4 * std::size_t(shown.width) * std::size_t(shown.height), 0.0F);

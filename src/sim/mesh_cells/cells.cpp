@@ -119,37 +119,33 @@ MeshCells cellsOf(const Mesh& mesh, const std::string& whose) {
   return cells;
 }
 
-Mesh refined(const Mesh& mesh) {
-  std::vector<glm::dvec3> places;
-  const std::vector<CellTriangle> triangles = cellTriangles(mesh, weldedNumbers(mesh, places));
-  struct Edge {
-    int middle = 0;
-    glm::dvec3 opposite{0};  ///< sum of the positions of the opposite corners
-    int faces = 0;
-  };
-  std::map<std::pair<int, int>, Edge> edges;
-  const auto at = [&](int i) { return places[static_cast<std::size_t>(i)]; };
-  for (const CellTriangle& t : triangles)
-    for (std::size_t i = 0; i < 3; ++i) {
-      Edge& edge = edges[std::minmax(t[(i + 1) % 3], t[(i + 2) % 3])];
-      edge.opposite += at(t[i]);
-      ++edge.faces;
-    }
-  // New vertex positions: weight 1 - n b for the vertex and b for each of its n neighbours; at borders 3/4,
-  // and 1/8 for each of the two border neighbours.
+namespace {
+
+struct RefinedEdge {
+  int middle = 0;          ///< number of the new vertex
+  glm::dvec3 opposite{0};  ///< sum of the positions of the opposite corners
+  int faces = 0;
+};
+
+using RefinedEdges = std::map<std::pair<int, int>, RefinedEdge>;
+
+/// Returns the new positions of the vertices: weight 1 - n b for the vertex and b for each of its n
+/// neighbours; at borders 3/4, and 1/8 for each of the two border neighbours.
+std::vector<glm::dvec3> movedVertices(const std::vector<glm::dvec3>& places, const RefinedEdges& edges) {
   std::vector<glm::dvec3> around(places.size(), glm::dvec3(0)), border(places.size(), glm::dvec3(0));
   std::vector<int> neighbours(places.size(), 0), borders(places.size(), 0);
   for (const auto& [ends, edge] : edges)
     for (const auto& [from, to] :
          {std::pair(ends.first, ends.second), std::pair(ends.second, ends.first)}) {
       const auto i = static_cast<std::size_t>(from);
-      around[i] += at(to);
+      around[i] += places[static_cast<std::size_t>(to)];
       ++neighbours[i];
       if (edge.faces == 2) continue;
-      border[i] += at(to);
+      border[i] += places[static_cast<std::size_t>(to)];
       ++borders[i];
     }
   std::vector<glm::dvec3> moved;
+  moved.reserve(places.size() + edges.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
     const int n = neighbours[i];
     const double c = 0.375 + 0.25 * ieee::cos(2 * std::numbers::pi / std::max(n, 1));
@@ -159,6 +155,41 @@ Mesh refined(const Mesh& mesh) {
     else
       moved.push_back(borders[i] == 2 ? 0.75 * places[i] + 0.125 * border[i] : places[i]);
   }
+  return moved;
+}
+
+/// Returns the normal of each vertex: the sum of its faces' normals, weighted by their areas.
+std::vector<glm::vec3> normalsAt(const std::vector<glm::dvec3>& places,
+                                 const std::vector<unsigned>& indices) {
+  std::vector<glm::dvec3> sums(places.size(), glm::dvec3(0));
+  for (std::size_t i = 0; i < indices.size(); i += 3) {
+    const unsigned* t = &indices[i];
+    const glm::dvec3 normal = glm::cross(places[t[1]] - places[t[0]], places[t[2]] - places[t[0]]);
+    for (int k = 0; k < 3; ++k) sums[t[k]] += normal;
+  }
+  std::vector<glm::vec3> normals;
+  normals.reserve(sums.size());
+  for (const glm::dvec3& sum : sums) {
+    const double length = glm::length(sum);
+    normals.emplace_back(length > 0 ? sum / length : glm::dvec3(0, 1, 0));
+  }
+  return normals;
+}
+
+}  // namespace
+
+Mesh refined(const Mesh& mesh) {
+  std::vector<glm::dvec3> places;
+  const std::vector<CellTriangle> triangles = cellTriangles(mesh, weldedNumbers(mesh, places));
+  RefinedEdges edges;
+  const auto at = [&](int i) { return places[static_cast<std::size_t>(i)]; };
+  for (const CellTriangle& t : triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      RefinedEdge& edge = edges[std::minmax(t[(i + 1) % 3], t[(i + 2) % 3])];
+      edge.opposite += at(t[i]);
+      ++edge.faces;
+    }
+  std::vector<glm::dvec3> moved = movedVertices(places, edges);
   for (auto& [ends, edge] : edges) {
     edge.middle = static_cast<int>(moved.size());
     const glm::dvec3 both = at(ends.first) + at(ends.second);
@@ -174,16 +205,7 @@ Mesh refined(const Mesh& mesh) {
       fine.indices.push_back(static_cast<unsigned>(corner));
   }
   for (const glm::dvec3& place : moved) fine.positions.emplace_back(place);
-  std::vector<glm::dvec3> normals(moved.size(), glm::dvec3(0));
-  for (std::size_t i = 0; i < fine.indices.size(); i += 3) {
-    const unsigned* t = &fine.indices[i];
-    const glm::dvec3 normal = glm::cross(moved[t[1]] - moved[t[0]], moved[t[2]] - moved[t[0]]);
-    for (int k = 0; k < 3; ++k) normals[t[k]] += normal;
-  }
-  for (const glm::dvec3& normal : normals) {
-    const double length = glm::length(normal);
-    fine.normals.emplace_back(length > 0 ? normal / length : glm::dvec3(0, 1, 0));
-  }
+  fine.normals = normalsAt(moved, fine.indices);
   return fine;
 }
 

@@ -138,6 +138,40 @@ glm::ivec3 cuboidsOf(const glm::dvec3& extent) {
   return counts;
 }
 
+/// Part of a body inside one cuboid.
+struct Part {
+  double volume = 0;
+  glm::dvec3 moment{0};  ///< volume times centre
+};
+
+/// Integrates the body over each cuboid, along vertical rays. Each line lists where a ray enters and leaves
+/// the body.
+std::vector<Part> partsOf(const Rays& rays, const std::vector<std::vector<double>>& lines,
+                          const glm::ivec3& counts, const glm::dvec3& grain) {
+  std::vector<Part> parts(static_cast<std::size_t>(counts.x) * static_cast<std::size_t>(counts.y) *
+                          static_cast<std::size_t>(counts.z));
+  for (int j = 0; j < rays.down; ++j)
+    for (int i = 0; i < rays.across; ++i) {
+      const auto& line = lines[static_cast<std::size_t>(j) * static_cast<std::size_t>(rays.across) +
+                               static_cast<std::size_t>(i)];
+      for (std::size_t k = 0; k + 1 < line.size(); k += 2)
+        for (int y = 0; y < counts.y; ++y) {
+          const double bottom = std::max(line[k], rays.low.y + y * grain.y);
+          const double top = std::min(line[k + 1], rays.low.y + (y + 1) * grain.y);
+          if (top <= bottom) continue;
+          const std::size_t at =
+              (static_cast<std::size_t>(j / raysAcross) * static_cast<std::size_t>(counts.y) +
+               static_cast<std::size_t>(y)) *
+                  static_cast<std::size_t>(counts.x) +
+              static_cast<std::size_t>(i / raysAcross);
+          const double part = (top - bottom) * rays.step.x * rays.step.z;
+          parts[at].volume += part;
+          parts[at].moment += part * glm::dvec3(rays.x(i), 0.5 * (bottom + top), rays.z(j));
+        }
+    }
+  return parts;
+}
+
 }  // namespace
 
 Hull::Hull(const WaterFloat& body, const std::string& name) : mesh(meshOf(body)) {
@@ -155,32 +189,9 @@ Hull::Hull(const WaterFloat& body, const std::string& name) : mesh(meshOf(body))
   const Rays rays{
       low, {grain.x / raysAcross, 0, grain.z / raysAcross}, counts.x * raysAcross, counts.z * raysAcross};
   const auto lines = ball ? crossedBall(rays, radius) : crossed(rays, closed);
-  struct Part {
-    double volume = 0;
-    glm::dvec3 moment{0};
-  };
-  std::vector<Part> parts(static_cast<std::size_t>(counts.x) * static_cast<std::size_t>(counts.y) *
-                          static_cast<std::size_t>(counts.z));
-  for (int j = 0; j < rays.down; ++j)
-    for (int i = 0; i < rays.across; ++i) {
-      const auto& line = lines[static_cast<std::size_t>(j) * static_cast<std::size_t>(rays.across) +
-                               static_cast<std::size_t>(i)];
-      if (line.size() > 1) outline += rays.step.x * rays.step.z;
-      for (std::size_t k = 0; k + 1 < line.size(); k += 2)
-        for (int y = 0; y < counts.y; ++y) {
-          const double bottom = std::max(line[k], low.y + y * grain.y);
-          const double top = std::min(line[k + 1], low.y + (y + 1) * grain.y);
-          if (top <= bottom) continue;
-          const std::size_t at =
-              (static_cast<std::size_t>(j / raysAcross) * static_cast<std::size_t>(counts.y) +
-               static_cast<std::size_t>(y)) *
-                  static_cast<std::size_t>(counts.x) +
-              static_cast<std::size_t>(i / raysAcross);
-          const double part = (top - bottom) * rays.step.x * rays.step.z;
-          parts[at].volume += part;
-          parts[at].moment += part * glm::dvec3(rays.x(i), 0.5 * (bottom + top), rays.z(j));
-        }
-    }
+  for (const auto& line : lines)
+    if (line.size() > 1) outline += rays.step.x * rays.step.z;
+  const std::vector<Part> parts = partsOf(rays, lines, counts, grain);
   double found = 0;
   for (const Part& part : parts) {
     found += part.volume;

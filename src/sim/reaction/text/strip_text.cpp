@@ -141,6 +141,16 @@ class StripWriter {
   }
 
   void writeMain() {
+    writeLoad();
+    writeStart();
+    // Unrolled by three rows, so that the roles of above, here and below rotate without copies.
+    line("  for (int i = 0; i < count; i += 3) {{");
+    for (int turn = 0; turn < 3; ++turn) writeTurn(turn);
+    line("  }}");
+    line("}}");
+  }
+
+  void writeLoad() {
     line("Row loadRow(int columnsOf[ELEMENTS], bool back[ELEMENTS], int unfolded) {{");
     line("  Row loaded;");
     line("  int row = folded(unfolded, size.y);");
@@ -153,6 +163,9 @@ class StripWriter {
     line("  }}");
     line("  return loaded;");
     line("}}");
+  }
+
+  void writeStart() {
     line("void main() {{");
     line("#ifdef TEXEL_PATH");
     line("  int strip = int(gl_GlobalInvocationID.x);");
@@ -181,30 +194,27 @@ class StripWriter {
     for (int s = 0; s < cut_.stepsPerPass; ++s) line("  Level level{} = empty;", s);
     line("  int row = wrapped(top - STEPS, folds * size.y);");
     line("  Row pending = loadRow(columnsOf, back, row);");
-    // Unrolled by three rows, so that the roles of above, here and below rotate without copies.
-    line("  for (int i = 0; i < count; i += 3) {{");
-    for (int turn = 0; turn < 3; ++turn) {
-      line("    {{");
-      line("      int now = i + {};", turn);
-      line("      Row made = pending;");
-      line("      row = row + 1 < folds * size.y ? row + 1 : 0;");
-      line("      pending = loadRow(columnsOf, back, row);");
-      for (int s = 0; s < cut_.stepsPerPass; ++s) {
-        line("      int at{0} = now - STEPS - {1};", s, s + 1);
-        line("      made = advanced(level{0}, made, top + at{0}, {0}, at{0} >= 0 && at{0} < rows);", s);
-      }
-      line("      if (now >= 2 * STEPS && now < count) {{");
-      line("        int to = top + now - 2 * STEPS;");
-      line("        for (int k = 0; k < ELEMENTS; ++k)");
-      line("          if (sound[k]) {{");
-      for (int p = 0; p < planes_; ++p)
-        line("            STORE_STATE(next, ({0} * size.y + to) * columns + x + k, made.p{0}[k]);", p);
-      line("          }}");
-      line("      }}");
-      line("    }}");
+  }
+
+  void writeTurn(int turn) {
+    line("    {{");
+    line("      int now = i + {};", turn);
+    line("      Row made = pending;");
+    line("      row = row + 1 < folds * size.y ? row + 1 : 0;");
+    line("      pending = loadRow(columnsOf, back, row);");
+    for (int s = 0; s < cut_.stepsPerPass; ++s) {
+      line("      int at{0} = now - STEPS - {1};", s, s + 1);
+      line("      made = advanced(level{0}, made, top + at{0}, {0}, at{0} >= 0 && at{0} < rows);", s);
     }
-    line("  }}");
-    line("}}");
+    line("      if (now >= 2 * STEPS && now < count) {{");
+    line("        int to = top + now - 2 * STEPS;");
+    line("        for (int k = 0; k < ELEMENTS; ++k)");
+    line("          if (sound[k]) {{");
+    for (int p = 0; p < planes_; ++p)
+      line("            STORE_STATE(next, ({0} * size.y + to) * columns + x + k, made.p{0}[k]);", p);
+    line("          }}");
+    line("      }}");
+    line("    }}");
   }
 
   const Rule& rule_;
