@@ -1,5 +1,6 @@
 #include "base/clock.hpp"
 #include "base/error.hpp"
+#include "base/file.hpp"
 #include "base/log.hpp"
 #include "batch/render/render_job.hpp"
 #include "batch/sweep/measurements.hpp"
@@ -15,6 +16,7 @@
 #include "gl/context.hpp"
 #include "sim/automata/rule/cell_rule.hpp"
 #include "sim/life/cell_pattern.hpp"
+#include "sim/mesh/file/mesh_file.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -95,12 +97,16 @@ void changeRule(const RenderOptions& o, std::vector<scene::Override>& changes) {
 batch::RenderRequest requestOf(const RenderOptions& o) {
   std::vector<scene::Override> changes = o.scene.changes();
   if (o.rule) changeRule(o, changes);
+  // A model with an animation is still one picture if the output has one name.
+  const std::string ending = lowerExtension(o.output);
+  const bool onePicture = sim::isMeshFile(o.scene.file) && !o.frames && !o.scene.turn &&
+                          (ending == ".png" || ending == ".exr") && o.output.find('#') == std::string::npos;
   return {
       .scene = o.scene.file,
       .overrides = std::move(changes),
       .assets = assetFolders(o.scene.assets),
       .output = o.output,
-      .frames = o.frames,
+      .frames = onePicture ? "0" : o.frames,
       .existing = existingPolicy(o),
       .fields = o.fields,
       .counts = !o.noCounts,

@@ -19,11 +19,15 @@ struct Image {
   std::vector<std::uint8_t> rgba;
 };
 
+/// Behaviour of a texture outside uv 0 to 1, as in glTF: it repeats, its border texels extend, or every
+/// other copy is mirrored. Numbered as in glsl/draw/surface/footprint.glsl.
+enum class Wrap { repeat, clamp, mirror };
+
 /// Texture map of a surface: an image file or an embedded image. If both are empty, there is no map.
 struct Map {
   std::filesystem::path file;
   std::shared_ptr<const Image> image;
-  bool repeats = true;  ///< true: texture repeats outside uv 0..1; false: clamps to the edge
+  Wrap wrapU = Wrap::repeat, wrapV = Wrap::repeat;
   [[nodiscard]] bool empty() const { return file.empty() && image == nullptr; }
 };
 

@@ -1,4 +1,4 @@
-// OBJ, PLY, glTF and GLB, distinguished by their first bytes.
+// OBJ, PLY, STL, glTF and GLB, distinguished by their first bytes.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "fuzz/reader.hpp"
@@ -10,10 +10,16 @@
 namespace simreel::fuzz {
 namespace {
 
+/// True for a text that starts with "solid", and for bytes with a zero where a binary STL has its count.
+bool isStl(std::string_view bytes) {
+  return bytes.starts_with("solid") || (bytes.size() > 84 && bytes[83] == '\0');
+}
+
 const char* extensionOf(std::string_view bytes) {
   return bytes.starts_with("ply")    ? ".ply"
          : bytes.starts_with("glTF") ? ".glb"
          : bytes.starts_with("{")    ? ".gltf"
+         : isStl(bytes)              ? ".stl"
                                      : ".obj";
 }
 

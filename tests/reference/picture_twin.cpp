@@ -82,7 +82,8 @@ vec3 textureOn(Kernel& kernel, const TwinTexture& texture, const unsigned* corne
   };
   const vec2 here = uv(weight);
   const Kernel::Seen seen = {here, beside({1, 0}) - here, beside({0, -1}) - here};
-  const Kernel::TextureShape shape = {texture.size, static_cast<int>(texture.levels.size()), true};
+  const Kernel::TextureShape shape = {texture.size, static_cast<int>(texture.levels.size()),
+                                      glm::ivec2(WRAP_REPEAT)};
   return kernel.albedoAt(here, kernel.footprintOf(seen, shape), shape);
 }
 

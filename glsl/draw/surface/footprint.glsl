@@ -13,8 +13,11 @@ struct Seen {
 struct TextureShape {
   ivec2 size;
   int levels;
-  bool repeats;  // true if the texture repeats; else its border texels extend
+  ivec2 wrap;  // behaviour beyond 0 to 1 along u and v: a value of scene::Wrap
 };
+#define WRAP_REPEAT 0
+#define WRAP_CLAMP 1
+#define WRAP_MIRROR 2
 
 struct Footprint {
   vec2 along;     // longer side of the pixel's footprint in uv
@@ -65,19 +68,30 @@ struct Around {
   vec2 part;
 };
 
+// Returns the coordinate between 0 and 1 at which the texture is read.
+FUNCTION float wrapped(float u, int wrap) {
+  precise float whole = floor(u);
+  precise float turn = u - whole;
+  precise float back = 1.0f - turn;
+  precise float pairs = whole * 0.5f;
+  bool odd = floor(pairs) != pairs;
+  return wrap == WRAP_CLAMP ? clamp(u, 0.0f, 1.0f) : wrap == WRAP_MIRROR && odd ? back : turn;
+}
+
 FUNCTION Around texelsAround(vec2 uv, int level, TextureShape shape) {
   ivec2 size = max(shape.size >> level, ivec2(1));
-  precise vec2 whole = floor(uv);
-  precise vec2 turn = uv - whole;
-  vec2 place = shape.repeats ? turn : clamp(uv, vec2(0), vec2(1));
+  vec2 place = vec2(wrapped(uv.x, shape.wrap.x), wrapped(uv.y, shape.wrap.y));
   precise vec2 corner = place * vec2(size) - 0.5f;
   precise vec2 first = floor(corner);
   precise vec2 part = corner - first;
   ivec2 a = ivec2(first), b = a + 1;
   ivec2 before = ivec2(a.x < 0 ? size.x : 0, a.y < 0 ? size.y : 0);
   ivec2 beyond = ivec2(b.x >= size.x ? size.x : 0, b.y >= size.y ? size.y : 0);
-  a = shape.repeats ? a + before : max(a, ivec2(0));
-  b = shape.repeats ? b - beyond : min(b, size - 1);
+  // Beyond the border lies the opposite one, or the border texel itself, also where the texture is mirrored.
+  a = ivec2(shape.wrap.x == WRAP_REPEAT ? a.x + before.x : max(a.x, 0),
+            shape.wrap.y == WRAP_REPEAT ? a.y + before.y : max(a.y, 0));
+  b = ivec2(shape.wrap.x == WRAP_REPEAT ? b.x - beyond.x : min(b.x, size.x - 1),
+            shape.wrap.y == WRAP_REPEAT ? b.y - beyond.y : min(b.y, size.y - 1));
   Around around;
   around.texels = ivec4(a, b);
   around.part = part;

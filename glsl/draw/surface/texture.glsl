@@ -7,7 +7,7 @@ layout(binding = albedoUnit) uniform sampler2D albedo;
 // rasterizer because drivers differ in their anisotropic filtering, or lack it.
 vec3 textureAt(vec2 place, vec2 shift) {
   Seen seen = Seen(place, dFdx(place), dFdy(place));
-  TextureShape shape = TextureShape(textureSize(albedo, 0), textureQueryLevels(albedo), true);
+  TextureShape shape = TextureShape(textureSize(albedo, 0), textureQueryLevels(albedo), ivec2(WRAP_REPEAT));
   Footprint print = footprintOf(seen, shape);
   vec2 middle = place + seen.across * shift.x + seen.up * shift.y;
   vec3 sum = vec3(0);

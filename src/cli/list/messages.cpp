@@ -18,7 +18,7 @@ std::span<const Message> messages() {
        "the names."},
       {"2", "NAME is a mesh, not a scene, and of a format that is not read; export it as glTF (.glb)",
        "is a mesh, not a scene, and of a format that is not read; export it as glTF (.glb)",
-       "Export the mesh as .glb, .obj or .ply, and render that file."},
+       "Export the mesh as .glb, .obj, .ply or .stl, and render that file."},
       {"2", "FILE:LINE:COLUMN: error: unknown key KEY; did you mean KEY?", "unknown key {}; {}",
        "Correct the key. `simreel list KIND` names all keys of a kind of object."},
       {"2", "FILE:LINE:COLUMN: error: unknown kind of object KIND", "unknown kind of object {}; {}",

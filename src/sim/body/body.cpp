@@ -1,6 +1,7 @@
 #include "sim/body/body.hpp"
 
 #include "base/log.hpp"
+#include "sim/body/model_scene.hpp"
 #include "sim/body/motion.hpp"
 #include "sim/body/skinned_surface.hpp"
 #include "sim/contact/solid.hpp"
@@ -97,15 +98,16 @@ class Body : public Simulation, public ContactSolid {
 }  // namespace
 
 SimulationKind bodyKind() {
-  return kindOf<BodyParameters>(
+  SimulationKind body = kindOf<BodyParameters>(
       "body",
-      "A figure of a glTF file whose skin follows bones: a motion of the file, and bones that the scene "
-      "moves.",
+      "A figure or machine of a glTF file that moves: skins follow bones, and other meshes their nodes.",
       [](const scene::Object& object, const Setting& /*setting*/) {
         const BodyMotion motion(object.name, parametersOf<BodyParameters>(object));
         static_cast<void>(looksOf(object, motion.figure().mesh));
       },
       makeSimulation<Body>);
+  body.kind.sceneAround = sceneAroundModel;
+  return body;
 }
 
 }  // namespace simreel::sim

@@ -49,9 +49,9 @@ struct Figure {
 
 /// Reads glTF 2.0 or GLB: the skinned meshes of the default scene (meshes without a skin follow their
 /// node), at most 1024 joints and 4 joints per vertex, and all animations of translation, rotation and
-/// scale. Missing names become "node 3" or "animation 0"; morph targets are ignored. Throws UserError as
-/// loadMesh() does, and also for a file without a skin, missing weights or weights whose sum is not about
-/// 1, an invalid joint, and key times that do not increase.
+/// scale. Missing names become "node 3" or "animation 0"; morph targets have their first weights. Throws
+/// UserError as loadMesh() does, and also for a file without a skin or a moving mesh, missing weights or
+/// weights whose sum is not about 1, an invalid joint, and key times that do not increase.
 [[nodiscard]] Figure loadFigure(const std::filesystem::path& file);
 
 /// Parses a figure from text as loadFigure() does, but within this process.

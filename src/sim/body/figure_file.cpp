@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -28,8 +29,10 @@ class FigureReader {
 
   Figure read() {
     walk();
-    if (skinned_ == 0)
-      document().refuse("has no skin in its default scene; without bones it is a \"mesh\", not a \"body\"");
+    figure_.animations = nodes_.animations();
+    if (skinned_ == 0 && !movesMesh())
+      document().refuse(
+          "has neither a skin nor a moving mesh in its default scene; it is a \"mesh\", not a \"body\"");
     for (const Placed& placed : placed_) parts_.count(placed.mesh);
     for (const Placed& placed : placed_) add(placed);
     figure_.mesh = builder_.finish();
@@ -41,7 +44,6 @@ class FigureReader {
     if (fades_) figure_.mesh.ignored.emplace_back("the opacity in COLOR_0");
     if (figure_.mesh.materials.empty()) figure_.mesh.materialOf.clear();
     placeTextures(figure_.mesh);
-    figure_.animations = nodes_.animations();
     return std::move(figure_);
   }
 
@@ -52,6 +54,7 @@ class FigureReader {
     std::size_t firstJoint;
     std::size_t joints;  ///< number of joints of its skin
     bool skinned;
+    std::vector<float> morphs;
   };
 
   [[nodiscard]] const GltfDocument& document() const { return parts_.document(); }
@@ -74,7 +77,7 @@ class FigureReader {
         std::tie(first, count) = jointsOf(GltfDocument::number(node, "skin"));
       else
         figure_.joints.push_back({here, false, glm::dmat4(1)});
-      placed_.push_back({mesh, first, count, skinned});
+      placed_.push_back({mesh, first, count, skinned, morphsOf(node)});
       skinned_ += skinned ? 1 : 0;
       if (figure_.joints.size() > maxJoints)
         document().refuse(fmt::format("has more than {} joints", maxJoints));
@@ -114,8 +117,21 @@ class FigureReader {
     return skins_[skin] = {first, nodes.size()};
   }
 
+  /// True if an animation moves the node of a mesh, or one of its ancestors.
+  [[nodiscard]] bool movesMesh() const {
+    std::set<int> moved;
+    for (const FigureAnimation& animation : figure_.animations)
+      for (const FigureChannel& channel : animation.channels) moved.insert(channel.node);
+    return std::any_of(figure_.joints.begin(), figure_.joints.end(), [&](const FigureJoint& joint) {
+      int node = joint.node;
+      while (node >= 0 && !moved.contains(node))
+        node = figure_.nodes[static_cast<std::size_t>(node)].parent;
+      return node >= 0;
+    });
+  }
+
   void add(const Placed& placed) {
-    parts_.eachPart(placed.mesh, {placed.skinned, {}}, [&](const GltfPart& part) {
+    parts_.eachPart(placed.mesh, {placed.skinned, {}, placed.morphs}, [&](const GltfPart& part) {
       builder_.begin(part.vertices.size(), part.triangles.size(), glm::mat4(1), part.hasUvs, part.material);
       for (const GltfVertex& vertex : part.vertices) {
         addVertex(builder_, part, vertex);

@@ -8,7 +8,8 @@
 namespace simreel::sim {
 
 void BodyParameters::describe(scene::Fields& f) {
-  f.asset("file", file, "glTF or GLB with a skin: a mesh whose vertices follow bones.");
+  f.asset("file", file,
+          "glTF or GLB with a skin, whose vertices follow bones, or with an animation that moves meshes.");
   f.text("animation", animation,
          "Name of the file's motion that it goes through; without one it stands as the file has it.");
   f.number("speed", speed, {-100, 100}, "", "Speed of the motion; 2 is twice as fast, -1 backwards.");

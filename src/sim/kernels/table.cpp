@@ -190,16 +190,16 @@ KernelTable readKernelTable(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return std::tolower(c); });
-  for (const char* mesh : {".obj", ".ply", ".gltf", ".glb"})
-    if (ending == mesh) return tableOfMesh(file);
+  if (isMeshFile(file)) return tableOfMesh(file);
   const std::string bytes = readFile(file, "table", mostBytes);
   const std::string name = file.filename().string();
   if (ending == ".csv" || ending == ".txt" || ending == ".tsv") return tableOfCsv(bytes, name);
   if (ending == ".npy") return tableOfNpy(bytes, name);
   if (beginsAsPicture(bytes)) return tableOfPicture(bytes, name);
-  fail(ExitCode::usage,
-       "{}: expected a table (.csv, .npy), a mesh (.obj, .ply, .gltf, .glb) or a picture (.png, .jpg)",
-       name);
+  fail(
+      ExitCode::usage,
+      "{}: expected a table (.csv, .npy), a mesh (.obj, .ply, .stl, .gltf, .glb) or a picture (.png, .jpg)",
+      name);
 }
 
 const KernelTable& KernelTables::of(const std::filesystem::path& file) {

@@ -30,7 +30,7 @@ Images decoded(const Mesh& mesh) {
 
 scene::Map mapOf(const MeshMap& map, const Images& images) {
   if (map.image < 0) return {};
-  return {{}, images.at(static_cast<std::size_t>(map.image)), map.repeats};
+  return {{}, images.at(static_cast<std::size_t>(map.image)), map.wrapU, map.wrapV};
 }
 
 /// Returns the colour map with the opacity of another image: its alpha channel if it has one, else its
@@ -54,7 +54,7 @@ scene::Map withOpacity(const scene::Map& color, const scene::Image& from) {
       image.rgba[here + 3] =
           itsOwn ? from.rgba[there + 3] : static_cast<std::uint8_t>(opacity.level(fromX, fromY));
     }
-  return {{}, std::make_shared<const scene::Image>(std::move(image)), color.repeats};
+  return {{}, std::make_shared<const scene::Image>(std::move(image)), color.wrapU, color.wrapV};
 }
 
 scene::Material materialOf(const MeshMaterial& from, const Images& images, bool castsShadow) {

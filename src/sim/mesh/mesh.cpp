@@ -137,19 +137,15 @@ std::unique_ptr<Simulation> makeMesh(const scene::Object& object, const Setting&
 /// Returns a scene of one frame that draws a mesh file; empty for other files. Throws UserError(usage) for
 /// mesh formats that are not read.
 std::string sceneAroundMesh(const std::filesystem::path& file) {
-  constexpr std::array<std::string_view, 4> read = {".obj", ".ply", ".gltf", ".glb"};
-  constexpr std::array<std::string_view, 8> others = {".stl", ".fbx",  ".dae", ".3ds",
-                                                      ".usd", ".usdz", ".off", ".blend"};
+  constexpr std::array<std::string_view, 7> others = {".fbx",  ".dae", ".3ds",  ".usd",
+                                                      ".usdz", ".off", ".blend"};
   const std::string extension = lowerExtension(file);
-  const auto isOneOf = [&](const auto& list) {
-    return std::find(list.begin(), list.end(), extension) != list.end();
-  };
   if (!pathExists(file)) return {};
-  if (isOneOf(others))
+  if (std::find(others.begin(), others.end(), extension) != others.end())
     fail(ExitCode::usage,
          "{} is a mesh, not a scene, and of a format that is not read; export it as glTF (.glb)",
          file.string());
-  if (!isOneOf(read)) return {};
+  if (!isMeshFile(file) || isGltf(file)) return {};  // bodies make scenes around glTF
   using Json = nlohmann::ordered_json;
   const std::string name = file.filename().string();
   const Json scene = {{"version", 2},

@@ -34,7 +34,7 @@ glm::ivec2 minResolution(MeshShape shape) {
 void MeshParameters::describe(scene::Fields& f) {
   f.choice("shape", shape, {"plane", "sphere", "torus", "grass", "file", "box", "cylinder", "cone", "disc"},
            "Shape that is generated, or \"file\": read from a file.");
-  f.asset("file", file, "OBJ, PLY, glTF or GLB, in m, for the shape \"file\".");
+  f.asset("file", file, "OBJ, PLY, STL, glTF or GLB, in m, for the shape \"file\".");
   scene::implyShape(f, shape, MeshShape::file, "file", file, "file", "plane");
   f.vector(
       "size", size, {0, 1e4}, "m",

@@ -198,7 +198,7 @@ void ParticleParameters::remarkForces(scene::Fields& f) const {
 void ParticleParameters::describeLook(scene::Fields& l) {
   l.choice("shape", shape, {"sprite", "sphere", "mesh"},
            "Discs that face the camera, lit as balls or glowing; spheres; or a mesh.");
-  l.asset("mesh", mesh, "OBJ or PLY file of shape \"mesh\".");
+  l.asset("mesh", mesh, "OBJ, PLY, STL, glTF or GLB file of shape \"mesh\".");
   scene::implyShape(l, shape, Instances::Shape::mesh, "mesh", mesh, "mesh", "sprite");
   l.boolean("alongVelocity", alongVelocity, "Turns a mesh's z axis along the velocity.");
   l.number("size", size, {1e-5, 1e5}, "m", "Diameter; for a mesh, a factor on its coordinates.");
@@ -224,7 +224,7 @@ void ParticleParameters::describeLook(scene::Fields& l) {
   l.number("fade", fade, {0, 0.5}, "",
            "Fraction of life over which additive particles of an emitter fade in and out.");
   if (shape == Instances::Shape::mesh && mesh.empty())
-    l.error("shape", "shape \"mesh\" needs \"mesh\", an OBJ or PLY file");
+    l.error("shape", "shape \"mesh\" needs \"mesh\", a mesh file");
   if (colorRange.x == colorRange.y) l.error("colorTo", "colorFrom and colorTo must differ");
   if (stops.size() == 1) l.error("colorStops", "a colour map needs at least two stops");
   l.idleUnless(shape == Instances::Shape::mesh, "shape", {"alongVelocity"}, "shape \"mesh\"");

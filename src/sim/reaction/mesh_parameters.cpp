@@ -24,7 +24,7 @@ int geodesicParts(double vertices) {
 
 void ReactionMesh::describe(scene::Fields& f) {
   f.choice("shape", shape, {"file", "plane", "sphere", "torus"}, "Read from \"file\", or generated.");
-  f.asset("file", file, "OBJ, PLY, glTF or GLB, in m; open or closed.");
+  f.asset("file", file, "OBJ, PLY, STL, glTF or GLB, in m; open or closed.");
   f.vector("size", size, {0, 1e4}, "m", "Width and depth of a plane (x and z).");
   f.number("radius", radius, {1e-4, 1e4}, "m",
            "Radius of a sphere; of a torus, the distance to the middle of its tube.");

@@ -1,4 +1,5 @@
 """Tests meshes given as scenes, and files that mesh files refer to: pictures, libraries, unsupported features."""
+import base64
 import json
 import struct
 
@@ -37,9 +38,28 @@ class MeshFiles(Case):
         self.assertEqual(len({frame.read_bytes() for frame in frames}), 4)
         self.bad(2, ["--turn takes seconds above 0"], "render", "m.obj", "--turn=0", "-o", "no/")
 
+    def test_a_model_with_an_animation_is_one_picture_or_all_its_frames(self):
+        data = struct.pack("<9f2f6f", 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0.1, 0, 0, 0, 3, 0, 0)
+        place = lambda count, kind, view: {"bufferView": view, "componentType": 5126, "count": count, "type": kind}
+        self.write("m.gltf", json.dumps({
+            "asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+            "accessors": [place(3, "VEC3", 0), place(2, "SCALAR", 1), place(2, "VEC3", 2)],
+            "bufferViews": [{"buffer": 0, "byteOffset": at, "byteLength": size} for at, size in ((0, 36), (36, 8), (44, 24))],
+            "buffers": [{"byteLength": 68, "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}],
+            "animations": [{"samplers": [{"input": 1, "output": 2}],
+                            "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}]}]}))
+        self.good("render", "m.gltf", "--size=48x27", "-o", "one.png")
+        self.good("render", "m.gltf", "--size=48x27", "-o", "all/")
+        frames = [png_rows(frame.read_bytes()) for frame in sorted((self.folder / "all").glob("*.png"))]
+        self.assertEqual(len(frames), 3)
+        self.assertEqual(png_rows((self.folder / "one.png").read_bytes()), frames[0])
+        self.assertNotEqual(frames[0], frames[1])
+        self.bad(2, ["one name for 8 frames"], "render", "m.gltf", "--turn=0.25", "-o", "two.png")
+
     def test_unsupported_mesh_formats_are_refused(self):
-        self.write("m.stl", "solid\n")
-        self.bad(2, ["m.stl is a mesh, not a scene, and of a format that is not read"], "render", "m.stl", "-o", "out/")
+        self.write("m.fbx", "Kaydara")
+        self.bad(2, ["m.fbx is a mesh, not a scene, and of a format that is not read"], "render", "m.fbx", "-o", "out/")
 
     def test_lines_and_points_are_reported_as_not_drawn_for_any_material(self):
         for material in (None, {"color": [1, 0, 0]}):

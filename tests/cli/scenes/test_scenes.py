@@ -109,7 +109,7 @@ class ValidateAndRender(Case):
         files = {
             "good.png": good, "cut.png": good[:40], "text.png": b"hello", "black.png": png(4, 4, (0, 0, 0, 255)),
             "clear.png": png(4, 4, (200, 100, 50, 128)), "one.png": png(4, 4, (9, 9, 9, 254)),
-            "m.stl": "solid x\nendsolid x\n", "empty.obj": "", "nan.obj": "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+            "m.stl": "solid x\nendsolid x\n", "m.fbx": "x", "empty.obj": "", "nan.obj": "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
             "good.obj": "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "cut.glb": b"glTF\2\0\0\0", "x.gltf": "{",
             "no.csv": "a,b\n1,2\n", "bad.csv": "x,y,z\n1,2,three\n", "good.csv": "x,y,z\n1,2,3\n",
             "bad.ply": "ply\nformat ascii 1.0\n", "bad.rle": "x = 3, y = 3\nqqq!", "wide.rle": "x = 99, y = 1\n99o!",
@@ -149,7 +149,7 @@ class ValidateAndRender(Case):
         self.both({"a": {"wildfire": {"size": [16, 16], "strokes": stroke, "fuel": "black.png"}}}, 2, "can burn")
 
     def test_meshes(self):
-        for name, code in (("good.obj", 0), ("m.stl", 2), ("empty.obj", 6), ("nan.obj", 6), ("cut.glb", 6), ("x.gltf", 6)):
+        for name, code in (("good.obj", 0), ("m.fbx", 2), ("m.stl", 6), ("empty.obj", 6), ("nan.obj", 6), ("cut.glb", 6), ("x.gltf", 6)):
             self.both({"a": {"mesh": {"shape": "file", "file": name}}}, code, "" if code == 0 else name)
         fine = {"size": [10000, 0, 10000], "deform": [{"waves": [{"length": 1e-3}]}]}
         self.both({"a": {"mesh": fine}}, 2, "too short for a mesh")
@@ -177,7 +177,7 @@ class ValidateAndRender(Case):
 
     def test_every_object_and_every_scene_is_reported(self):
         self.write("s.json", self.scene({"a": {"sphere": {}, "material": {"texture": "cut.png"}},
-                                         "b": {"mesh": {"shape": "file", "file": "m.stl"}}}))
+                                         "b": {"mesh": {"shape": "file", "file": "m.fbx"}}}))
         checked = self.run_program("validate", "s.json", "scene.json", "none.json")
         self.assertEqual(checked.returncode, 2)
         self.assertEqual(checked.stdout, b"scene.json: ok\n")

@@ -31,13 +31,17 @@ struct TextureReads {
 #undef precise
 #undef FUNCTION
 
-/// Interpolates between texel centres, which are at halves; repeats or clamps at the border.
-double between(const TextureReads& texture, double u, double v, int level, bool repeats) {
+/// Returns the texel that is read for a texel number of any size (OpenGL 4.5, table 8.20).
+int wrappedTexel(double at, int count, int wrap) {
+  if (wrap == WRAP_CLAMP) return static_cast<int>(std::clamp(at, 0.0, count - 1.0));
+  if (wrap == WRAP_REPEAT) return static_cast<int>(at - count * std::floor(at / count));
+  const double fromMiddle = at - 2 * count * std::floor(at / (2 * count)) - count;
+  return static_cast<int>(count - 1 - (fromMiddle >= 0 ? fromMiddle : -1 - fromMiddle));
+}
+
+/// Interpolates between texel centres, which are at halves.
+double between(const TextureReads& texture, double u, double v, int level, glm::ivec2 wrap) {
   const glm::ivec2 side = glm::max(texture.size >> level, glm::ivec2(1));
-  if (!repeats) {
-    u = std::clamp(u, 0.0, 1.0);
-    v = std::clamp(v, 0.0, 1.0);
-  }
   const double x = u * side.x - 0.5;
   const double y = v * side.y - 0.5;
   double sum = 0;
@@ -45,19 +49,16 @@ double between(const TextureReads& texture, double u, double v, int level, bool 
     for (int i = 0; i < 2; ++i) {
       const double column = std::floor(x) + i;
       const double row = std::floor(y) + j;
-      const auto inside = [&](double at, int count) {
-        return static_cast<int>(repeats ? at - count * std::floor(at / count)
-                                        : std::clamp(at, 0.0, count - 1.0));
-      };
       sum += (1 - std::abs(x - column)) * (1 - std::abs(y - row)) *
-             static_cast<double>(texture.texel(inside(column, side.x), inside(row, side.y), level));
+             static_cast<double>(texture.texel(wrappedTexel(column, side.x, wrap.x),
+                                               wrappedTexel(row, side.y, wrap.y), level));
     }
   return sum;
 }
 
 /// Filters trilinearly at the width of the shorter side, or a quarter of the longer side, with taps along
 /// the longer side.
-double seen(const TextureReads& texture, glm::dvec2 at, glm::dvec2 across, glm::dvec2 up, bool repeats) {
+double seen(const TextureReads& texture, glm::dvec2 at, glm::dvec2 across, glm::dvec2 up, glm::ivec2 wrap) {
   const auto texels = [&](glm::dvec2 d) { return std::hypot(d.x * texture.size.x, d.y * texture.size.y); };
   const bool wide = texels(across) >= texels(up);
   const double longer = std::max(texels(across), texels(up));
@@ -71,8 +72,8 @@ double seen(const TextureReads& texture, glm::dvec2 at, glm::dvec2 across, glm::
   double sum = 0;
   for (int i = 0; i < taps; ++i) {
     const glm::dvec2 place = at + (wide ? across : up) * ((i + 0.5) / taps - 0.5);
-    const double fine = between(texture, place.x, place.y, level, repeats);
-    const double coarse = between(texture, place.x, place.y, std::min(level + 1, last), repeats);
+    const double fine = between(texture, place.x, place.y, level, wrap);
+    const double coarse = between(texture, place.x, place.y, std::min(level + 1, last), wrap);
     sum += fine + (coarse - fine) * part;
   }
   return sum / taps;
@@ -106,13 +107,13 @@ TEST_CASE("footprints: texels, mip levels and taps equal double precision") {
       const TextureReads::Seen at = {glm::vec2(number(2), number(2)),
                                      glm::vec2(number(reach), number(reach)),
                                      glm::vec2(number(reach), number(reach))};
-      const bool repeats = i % 3 != 0;
-      const TextureReads::TextureShape shape = {size, static_cast<int>(texture.levels.size()), repeats};
+      const glm::ivec2 wrap(i % 3, i / 3 % 3);
+      const TextureReads::TextureShape shape = {size, static_cast<int>(texture.levels.size()), wrap};
       const auto print = texture.footprintOf(at, shape);
       levels += print.level > 0 ? 1 : 0;
       several += print.taps > 1 ? 1 : 0;
       const auto found = static_cast<double>(texture.readAt(at.at, print, shape));
-      const double wanted = seen(texture, at.at, at.across, at.up, repeats);
+      const double wanted = seen(texture, at.at, at.across, at.up, wrap);
       // Occasionally the last digit changes the number of taps.
       far += std::abs(found - wanted) > 2e-4 ? 1 : 0;
     }

@@ -4,10 +4,11 @@
 #include "sim/body/figure.hpp"
 #include "sim/mesh/file/mesh_file.hpp"
 #include "unit/help.hpp"
+#include "unit/polygons/float_gltf.hpp"
 
-#include <bit>
-#include <cstdint>
+#include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -20,70 +21,7 @@ namespace simreel::test::polygons_gltf {
 namespace {
 
 using Json = nlohmann::json;
-
-/// A file made from lists of floats, each with an accessor.
-class Document {
- public:
-  Document() {
-    json = {{"asset", {{"version", "2.0"}}},
-            {"scene", 0},
-            {"scenes", {{{"nodes", {0}}}}},
-            {"nodes", {{{"mesh", 0}}}}};
-  }
-
-  int add(const std::vector<float>& values, const char* type, std::size_t each) {
-    json["accessors"].push_back(
-        {{"bufferView", views_}, {"componentType", 5126}, {"count", values.size() / each}, {"type", type}});
-    json["bufferViews"].push_back(
-        {{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", 4 * values.size()}});
-    for (const float value : values)
-      for (unsigned shift = 0; shift < 32; shift += 8)
-        bytes_ += static_cast<char>(std::bit_cast<std::uint32_t>(value) >> shift & 255U);
-    return views_++;
-  }
-
-  [[nodiscard]] std::string text() {
-    json["buffers"] = {
-        {{"byteLength", bytes_.size()}, {"uri", "data:application/octet-stream;base64," + base64()}}};
-    if (!fallback.empty()) json["buffers"].push_back(fallback);
-    return json.dump();
-  }
-  [[nodiscard]] sim::Mesh mesh() {
-    const TemporaryFile file("polygons.gltf", text());
-    return sim::importMesh(file.path());
-  }
-  [[nodiscard]] std::string refusal() {
-    try {
-      static_cast<void>(mesh());
-    } catch (const UserError& error) {
-      return error.what();
-    }
-    return "nothing was refused";
-  }
-
-  Json json;
-  Json fallback;  ///< a second buffer of the document
-
- private:
-  [[nodiscard]] std::string base64() const {
-    std::string out;
-    for (std::size_t i = 0; i < bytes_.size(); i += 3) {
-      std::uint32_t bits = 0;
-      for (std::size_t k = 0; k < 3; ++k)
-        bits = bits << 8U | (i + k < bytes_.size() ? static_cast<unsigned char>(bytes_[i + k]) : 0U);
-      for (unsigned k = 0; k < 4; ++k)
-        out +=
-            i + k > bytes_.size()
-                ? '='
-                : "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"[bits >> (18 - 6 * k) &
-                                                                                     63U];
-    }
-    return out;
-  }
-
-  std::string bytes_;
-  int views_ = 0;
-};
+using Document = FloatGltf;
 
 /// A roof of two triangles that share an edge, as a strip.
 const std::vector<float> roof = {1, 0, 0, 0, 0, 1, 0, 1, 1, -1, 1, 0};
@@ -271,6 +209,57 @@ TEST_CASE("GLB: a header length that differs from the file size is refused or re
            fmt::format("its header promises {} bytes, and it has {}", whole + 4, whole));
   checkHas(refusal(whole - 4, 2), "is cut off");
   checkHas(refusal(whole, 1), "is a binary glTF of version 1");
+}
+
+TEST_CASE("glTF morph targets have the weights of their node, or else of their mesh") {
+  for (const bool ofNode : {false, true}) {
+    Document d;
+    const int place = d.add(triangle, "VEC3", 3), normal = d.add(up, "VEC3", 3);
+    const int lift = d.add({0, 0, 4, 0, 0, 0, 0, 0, 0}, "VEC3", 3);
+    const int shift = d.add({8, 0, 0, 8, 0, 0, 8, 0, 0}, "VEC3", 3);
+    const int lean = d.add({0, 1, -1, 0, 1, -1, 0, 1, -1}, "VEC3", 3);
+    d.json["meshes"] = {
+        {{"weights", {0.25, 0}},
+         {"primitives",
+          {{{"attributes", {{"POSITION", place}, {"NORMAL", normal}}},
+            {"targets", {{{"POSITION", lift}, {"NORMAL", lean}}, {{"POSITION", shift}}}}}}}}};
+    if (ofNode) d.json["nodes"][0]["weights"] = {1, 0.5};
+    const sim::Mesh mesh = d.mesh();
+    CHECK(mesh.ignored.empty());
+    CHECK(mesh.positions[0] == (ofNode ? glm::vec3(4, 0, 4) : glm::vec3(0, 0, 1)));
+    CHECK(mesh.positions[1] == (ofNode ? glm::vec3(5, 0, 0) : glm::vec3(1, 0, 0)));
+    // (0, 0, 1) + weight (0, 1, -1), normalized
+    CHECK(mesh.normals[0].y == doctest::Approx(ofNode ? 1.0 : 0.25 / std::hypot(0.25, 0.75)));
+  }
+}
+
+TEST_CASE("glTF morph targets of another size are refused") {
+  Document d;
+  const int place = d.add(triangle, "VEC3", 3), one = d.add({1, 0, 0}, "VEC3", 3);
+  d.json["meshes"] = {
+      {{"weights", {1}},
+       {"primitives", {{{"attributes", {{"POSITION", place}}}, {"targets", {{{"POSITION", one}}}}}}}}};
+  checkHas(d.refusal(), "has a morph target with a POSITION for 1 of 3 vertices");
+  d.json["nodes"][0]["weights"] = {1, 1};
+  checkHas(d.refusal(), "has 2 weights for the 1 morph targets of its mesh 0");
+}
+
+TEST_CASE("glTF samplers wrap along each axis on its own") {
+  Document d;
+  d.json["meshes"] = {
+      {{"primitives", {{{"attributes", {{"POSITION", d.add(triangle, "VEC3", 3)}}}, {"material", 0}}}}}};
+  d.json["materials"] = {{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
+  d.json["textures"] = {{{"source", 0}, {"sampler", 0}}};
+  d.json["images"] = {{{"uri", "data:image/png;base64,"}}};
+  const auto wraps = [&](const Json& sampler) {
+    d.json["samplers"] = Json::array({sampler});
+    const sim::Mesh mesh = d.mesh();
+    CHECK(mesh.ignored.empty());
+    return std::pair(mesh.materials.at(0).colorMap.wrapU, mesh.materials.at(0).colorMap.wrapV);
+  };
+  CHECK(wraps(Json::object()) == std::pair(scene::Wrap::repeat, scene::Wrap::repeat));
+  CHECK(wraps({{"wrapS", 33071}, {"wrapT", 33648}}) == std::pair(scene::Wrap::clamp, scene::Wrap::mirror));
+  CHECK(wraps({{"wrapS", 10497}, {"wrapT", 33071}}) == std::pair(scene::Wrap::repeat, scene::Wrap::clamp));
 }
 
 }  // namespace simreel::test::polygons_gltf

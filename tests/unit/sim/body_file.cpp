@@ -99,7 +99,7 @@ TEST_CASE("body: byte and short weights are read, and a mesh without a skin foll
 }
 
 TEST_CASE("body: each file error is one line with its place") {
-  checkHas(figureFailure(TubeFaults{.noSkin = true}), "no skin");
+  checkHas(figureFailure(TubeFaults{.noSkin = true}), "neither a skin nor a moving mesh");
   checkHas(figureFailure(TubeFaults{.noWeights = true}), "mesh 0, which has no WEIGHTS_0");
   checkHas(figureFailure(TubeFaults{.noJoints = true}), "mesh 0, which has no JOINTS_0");
   checkHas(figureFailure(TubeFaults{.weightSum = 0.9F}), "vertex 0 has weights with the sum 0.9");

@@ -123,7 +123,7 @@ TEST_CASE("mesh: each invalid line of a PLY header is reported") {
 
 TEST_CASE("an unusable mesh is reported in one line") {
   CHECK(failure("/nowhere/ball.obj", ExitCode::usage) != "no failure");
-  CHECK(failure("/nowhere/ball.fbx", ExitCode::usage).find(".obj, .ply, .gltf and .glb") !=
+  CHECK(failure("/nowhere/ball.fbx", ExitCode::usage).find(".obj, .ply, .stl, .gltf and .glb") !=
         std::string::npos);
   CHECK(failure("points.obj", "v 0 0 0\nv 1 0 0\n") != "no failure");
   CHECK(failure("empty.obj", "") != "no failure");

@@ -7,10 +7,10 @@
 #include "draw/surface/footprint.glsl"
 layout(binding = mapTexelUnit) uniform usamplerBuffer texelsOfMaps;
 
-// `map`: width, height, number of levels (negative: clamped at the border instead of repeated), index of the map's
-// level table.
+// `map`: width, height, number of levels with the wraps along u and v from bits 8 and 10 on, index of the map's level
+// table.
 TextureShape mapShape(ivec4 map) {
-  return TextureShape(map.xy, abs(map.z), map.z > 0);
+  return TextureShape(map.xy, map.z & 255, ivec2(map.z >> 8 & 3, map.z >> 10));
 }
 
 vec4 mapTexel(int at) {

@@ -82,7 +82,7 @@ SkinTexel skinAt(vec2 uv, Footprint print, TextureShape shape) {
 }
 
 SkinArea skinArea(Seen seen) {
-  TextureShape shape = TextureShape(reliefSize_, reliefLevels_, true);
+  TextureShape shape = TextureShape(reliefSize_, reliefLevels_, ivec2(WRAP_REPEAT));
   Footprint print = footprintOf(seen, shape);
   SkinTexel found = skinAt(seen.at, print, shape);
   vec4 mean = found.relief;

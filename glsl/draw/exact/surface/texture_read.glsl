@@ -49,7 +49,7 @@ vec3 albedoAt(vec2 uv, Footprint print, TextureShape shape) {
 }
 
 TextureShape albedoShape() {
-  return TextureShape(albedoSize_, albedoLevels_, albedoRepeats_);
+  return TextureShape(albedoSize_, albedoLevels_, ivec2(albedoRepeats_ ? WRAP_REPEAT : WRAP_CLAMP));
 }
 
 float texelsAPixel(Seen seen) {

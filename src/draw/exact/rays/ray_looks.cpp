@@ -88,7 +88,9 @@ void RayLooks::putMaps(const sim::Surface& surface, glm::uvec4* look) {
     look[which] = glm::uvec4(maps_.place(map, holds));
   };
   scene::Map color = SurfaceShading::colorMapOf(material);
-  color.repeats = finish.used() ? color.repeats : SurfaceShading::textureRepeats(surface);
+  if (!finish.used())
+    color.wrapU = color.wrapV =
+        SurfaceShading::textureRepeats(surface) ? scene::Wrap::repeat : scene::Wrap::clamp;
   place(colorMapLook, color, Holds::color);
   if (!finish.used()) return;
   place(normalMapLook, finish.normals, Holds::numbers);

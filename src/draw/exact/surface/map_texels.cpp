@@ -112,7 +112,7 @@ glm::ivec4 MapTexels::place(const scene::Map& map, Holds holds) {
     found = places_.emplace(std::pair(name, holds), place).first;
   }
   glm::ivec4 place = found->second;
-  if (!map.repeats) place.z = -place.z;
+  place.z |= static_cast<int>(map.wrapU) << 8 | static_cast<int>(map.wrapV) << 10;
   return place;
 }
 

@@ -176,7 +176,7 @@ bool SurfaceShading::textureRepeats(const sim::Surface& surface) {
 
 scene::Map SurfaceShading::colorMapOf(const scene::Material& material) {
   if (!material.finish.color.empty()) return material.finish.color;
-  return {material.texture, nullptr, true};
+  return {material.texture, nullptr};
 }
 
 SurfaceShading::SurfaceShading(const scene::Scene& scene, Lighting lighting)

@@ -157,12 +157,17 @@ std::uint64_t GltfDocument::number(const JsonValue& object, const char* key,
   return static_cast<std::uint64_t>(object.at(key).integer<std::int64_t>(0, maxNumber));
 }
 
-std::vector<float> GltfDocument::numbers(const JsonValue& object, const char* key, std::size_t count) {
+std::vector<float> GltfDocument::numbers(const JsonValue& object, const char* key) {
   std::vector<float> all;
-  const auto found = object.find(key);
-  if (!found) return all;
-  found->eachItem([&](const JsonValue& item) { all.push_back(static_cast<float>(item.number())); });
-  if (all.size() != count) found->wrong(fmt::format("must be a list of {} numbers", count));
+  if (const auto found = object.find(key))
+    found->eachItem([&](const JsonValue& item) { all.push_back(static_cast<float>(item.number())); });
+  return all;
+}
+
+std::vector<float> GltfDocument::numbers(const JsonValue& object, const char* key, std::size_t count) {
+  std::vector<float> all = numbers(object, key);
+  if (const auto found = object.find(key); found && all.size() != count)
+    found->wrong(fmt::format("must be a list of {} numbers", count));
   return all;
 }
 

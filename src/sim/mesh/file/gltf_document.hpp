@@ -37,6 +37,8 @@ class GltfDocument {
   /// Returns a list of numbers that must have `count` elements; empty if the member is missing.
   [[nodiscard]] static std::vector<float> numbers(const JsonValue& object, const char* key,
                                                   std::size_t count);
+  /// Returns a list of any number of numbers; empty if the member is missing.
+  [[nodiscard]] static std::vector<float> numbers(const JsonValue& object, const char* key);
   /// Returns a list of unsigned integers; empty if the member is missing.
   [[nodiscard]] static std::vector<std::uint64_t> wholeNumbers(const JsonValue& object, const char* key);
   /// Returns a node's rotation as a normalized quaternion x, y, z, w.

@@ -24,6 +24,7 @@ struct Placed {
   std::size_t mesh;
   glm::mat4 transform;
   std::optional<std::uint64_t> skin;
+  std::vector<float> morphs;
 };
 
 class GltfReader {
@@ -37,6 +38,7 @@ class GltfReader {
     int flat = 0;
     for (const Placed& mesh : placed) {
       GltfSkin skin;
+      skin.morphs = mesh.morphs;
       if (mesh.skin) skin.pose = parts_.poseOf(*mesh.skin, nodes_);
       // The joints determine the vertices' positions, whatever the node's transform (glTF 2.0, 3.7.3.2).
       const glm::mat4 transform = mesh.skin ? glm::mat4(1) : mesh.transform;
@@ -52,7 +54,7 @@ class GltfReader {
     mesh.ignored = std::move(looks.ignored);
     if (fades_) mesh.ignored.emplace_back("the opacity in COLOR_0");
     if (parts_.document().size("animations") > 0)
-      mesh.ignored.emplace_back("animations (a \"body\" has those of its bones)");
+      mesh.ignored.emplace_back("animations (a \"body\" shows those of nodes)");
     if (mesh.materials.empty()) mesh.materialOf.clear();
     placeTextures(mesh);
     return mesh;
@@ -91,7 +93,7 @@ class GltfReader {
     nodes_.resize(parts_.document().size("nodes"));
     if (nodes_.empty())
       for (std::size_t i = 0; i < parts_.document().size("meshes"); ++i)
-        placed.push_back({i, glm::mat4(1), std::nullopt});
+        placed.push_back({i, glm::mat4(1), std::nullopt, {}});
     while (!open.empty()) {
       const Step step = open.back();
       open.pop_back();
@@ -103,7 +105,7 @@ class GltfReader {
       const glm::mat4 transform = step.parent * transformOf(node);
       nodes_[step.node] = transform;
       if (node.has("mesh")) {
-        placed.push_back({GltfDocument::number(node, "mesh"), transform, std::nullopt});
+        placed.push_back({GltfDocument::number(node, "mesh"), transform, std::nullopt, morphsOf(node)});
         if (node.has("skin")) placed.back().skin = GltfDocument::number(node, "skin");
       }
       for (const std::uint64_t child : GltfDocument::wholeNumbers(node, "children"))

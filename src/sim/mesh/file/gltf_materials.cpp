@@ -15,8 +15,8 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr std::uint64_t repeatWrap = 10497, mirrorWrap = 33648;  // values of GL_REPEAT and
-                                                                 // GL_MIRRORED_REPEAT
+// Values of GL_REPEAT, GL_CLAMP_TO_EDGE and GL_MIRRORED_REPEAT.
+constexpr std::uint64_t repeatWrap = 10497, clampWrap = 33071, mirrorWrap = 33648;
 constexpr std::uint64_t nearestFilter = 9728, linearFilter = 9729;
 constexpr std::size_t maxMaterials = 4096;
 constexpr const char* transformName = "KHR_texture_transform";
@@ -93,7 +93,7 @@ class MaterialReader {
   }
 
   /// Reports unsupported features outside of materials: used extensions that are neither supported nor
-  /// reported elsewhere, colours of unlit meshes, and morph targets.
+  /// reported elsewhere, and colours of unlit meshes.
   void ignoreElse() {
     if (const auto used = document_.root().find("extensionsUsed"))
       for (const std::string& extension : used->texts())
@@ -101,10 +101,9 @@ class MaterialReader {
             (!extension.starts_with("KHR_materials_") && !extension.starts_with("KHR_texture_") &&
              !extension.starts_with("EXT_texture_") && extension != "KHR_mesh_quantization"))
           all_.ignored.push_back(extension);
-    bool morphs = false, tinted = false;
+    bool tinted = false;
     for (std::size_t i = 0; i < document_.size("meshes"); ++i)
       document_.item("meshes", i).at("primitives").eachItem([&](const JsonValue& primitive) {
-        morphs = morphs || primitive.has("targets");
         const std::uint64_t material =
             GltfDocument::number(primitive, "material", document_.size("materials"));
         tinted = tinted ||
@@ -112,7 +111,6 @@ class MaterialReader {
                   isUnlit(document_.item("materials", material)));
       });
     if (tinted) all_.ignored.emplace_back("COLOR_0 of what is unlit");
-    if (morphs) all_.ignored.emplace_back("morph targets");
   }
 
   static float number(const JsonValue& object, const char* key, float otherwise) {
@@ -229,6 +227,12 @@ class MaterialReader {
     material.attenuationDistance = distance;
   }
 
+  static scene::Wrap wrapOf(const JsonValue& sampler, const char* key) {
+    const std::uint64_t wrap = GltfDocument::number(sampler, key, repeatWrap);
+    if (wrap == mirrorWrap) return scene::Wrap::mirror;
+    return wrap == clampWrap ? scene::Wrap::clamp : scene::Wrap::repeat;
+  }
+
   /// Returns the texture that an object refers to, and keeps its image.
   MeshMap map(const JsonValue& object, const char* key) {
     const auto found = object.find(key);
@@ -252,10 +256,8 @@ class MaterialReader {
     map.image = imageNumber(GltfDocument::number(texture, "source"));
     if (!texture.has("sampler")) return map;
     const JsonValue sampler = document_.item("samplers", GltfDocument::number(texture, "sampler"));
-    const std::uint64_t s = GltfDocument::number(sampler, "wrapS", repeatWrap);
-    const std::uint64_t t = GltfDocument::number(sampler, "wrapT", repeatWrap);
-    if (s == mirrorWrap || t == mirrorWrap || s != t) ignore(fmt::format("wrapS, wrapT of {}", key));
-    map.repeats = s == repeatWrap || s == mirrorWrap;
+    map.wrapU = wrapOf(sampler, "wrapS");
+    map.wrapV = wrapOf(sampler, "wrapT");
     if (GltfDocument::number(sampler, "magFilter", linearFilter) == nearestFilter)
       ignore(fmt::format("magFilter NEAREST of {}", key));
     return map;

@@ -151,6 +151,7 @@ GltfPart GltfParts::part(std::size_t mesh, const JsonValue& primitive, const Glt
       if (k < 2 && !uvs.empty()) all[i].values[6 + k] = uvs[2 * i + k];
       if (!colors.empty()) all[i].values[8 + k] = colors[each * i + k];
     }
+  morph(mesh, primitive, skin.morphs, all);
   if (skin.kept) addBones(mesh, primitive, all);
   if (!skin.pose.empty()) poseVertices(mesh, primitive, skin.pose, all);
   GltfPart part;
@@ -209,6 +210,35 @@ std::vector<glm::mat4> GltfParts::poseOf(std::uint64_t skin,
     pose.push_back(binds.empty() ? *nodes[joints[i]] : *nodes[joints[i]] * glm::make_mat4(&binds[16 * i]));
   }
   return pose;
+}
+
+/// Adds the displacements of morph targets, times their weights (glTF 2.0, 3.7.2.2). Weights of a node take
+/// the place of those of its mesh.
+void GltfParts::morph(std::size_t mesh, const JsonValue& primitive, const std::vector<float>& weights,
+                      std::vector<GltfVertex>& vertices) const {
+  const auto targets = primitive.find("targets");
+  if (!targets) return;
+  std::vector<float> used = weights;
+  if (used.empty())
+    used = GltfDocument::numbers(document_.item("meshes", mesh), "weights", targets->size());
+  if (!used.empty() && used.size() != targets->size())
+    document_.refuse(fmt::format("has {} weights for the {} morph targets of its mesh {}", used.size(),
+                                 targets->size(), mesh));
+  for (std::size_t target = 0; target < used.size(); ++target) {
+    if (used[target] == 0) continue;
+    const JsonValue attributes = targets->at(target);
+    for (const auto& [name, first] : {std::pair("POSITION", std::size_t{0}), {"NORMAL", std::size_t{3}}}) {
+      if (!attributes.has(name)) continue;
+      const std::size_t accessor = GltfDocument::number(attributes, name);
+      if (document_.count(accessor) != vertices.size())
+        document_.refuse(fmt::format("has a morph target with a {} for {} of {} vertices", name,
+                                     document_.count(accessor), vertices.size()));
+      const std::vector<float> moved = document_.floats(accessor, 3);
+      for (std::size_t i = 0; i < vertices.size(); ++i)
+        for (std::size_t k = 0; k < 3; ++k)
+          vertices[i].values[first + k] += used[target] * moved[3 * i + k];
+    }
+  }
 }
 
 /// Moves vertices by a pose, using all sets of joints and weights. A vertex without weights does not move.
@@ -304,6 +334,10 @@ std::vector<std::array<unsigned, 3>> GltfParts::trianglesOf(const JsonValue& pri
       triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
   }
   return triangles;
+}
+
+std::vector<float> morphsOf(const JsonValue& node) {
+  return GltfDocument::numbers(node, "weights");
 }
 
 void addVertex(MeshBuilder& builder, const GltfPart& part, const GltfVertex& vertex) {

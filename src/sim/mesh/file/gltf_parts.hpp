@@ -37,11 +37,16 @@ struct GltfPart {
 };
 
 /// Handling of a skinned mesh: ignored by default; `kept` stores joints and weights per vertex, for a body
-/// that animates them; a non-empty `pose` (one matrix per joint) moves the vertices.
+/// that animates them; a non-empty `pose` (one matrix per joint) moves the vertices. `morphs` are the
+/// node's weights of morph targets; empty: those of the mesh.
 struct GltfSkin {
   bool kept = false;
   std::vector<glm::mat4> pose;
+  std::vector<float> morphs;
 };
+
+/// Returns a node's weights of morph targets; empty if it has none.
+[[nodiscard]] std::vector<float> morphsOf(const JsonValue& node);
 
 class MeshBuilder;
 /// Passes a vertex of a part on to the builder as its next vertex.
@@ -81,6 +86,8 @@ class GltfParts {
                                              std::size_t components, std::size_t vertices) const;
   [[nodiscard]] GltfPart part(std::size_t mesh, const JsonValue& primitive, const GltfSkin& skin) const;
   void checkCompression(const JsonValue& primitive) const;
+  void morph(std::size_t mesh, const JsonValue& primitive, const std::vector<float>& weights,
+             std::vector<GltfVertex>& vertices) const;
   void poseVertices(std::size_t mesh, const JsonValue& primitive, const std::vector<glm::mat4>& pose,
                     std::vector<GltfVertex>& vertices) const;
   void addBones(std::size_t mesh, const JsonValue& primitive, std::vector<GltfVertex>& vertices) const;

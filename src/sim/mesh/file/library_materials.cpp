@@ -270,7 +270,7 @@ class LibraryReader {
       if (!strength) ignore(fmt::format("-bm {} of {}", inQuotes(word), key));
       named.strength = strength.value_or(1);
     } else if (option == "-clamp") {
-      named.map.repeats = takeFirst(after) != "on";
+      if (takeFirst(after) == "on") named.map.wrapU = named.map.wrapV = scene::Wrap::clamp;
     } else if (option == "-imfchan" || option == "-cc" || option == "-colorspace") {
       const std::string_view word = takeFirst(after);
       if (word != "off") ignore(fmt::format("{} {} of {}", option, word, key));

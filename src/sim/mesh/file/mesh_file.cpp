@@ -19,12 +19,17 @@ bool isGltf(const std::filesystem::path& file) {
   return extension == ".gltf" || extension == ".glb";
 }
 
-Mesh importMesh(const std::filesystem::path& file, MeshNormals normals) {
+bool isMeshFile(const std::filesystem::path& file) {
   const std::string extension = lowerExtension(file);
-  if (extension != ".obj" && extension != ".ply" && !isGltf(file))
-    fail(ExitCode::usage, "the mesh {} is none of .obj, .ply, .gltf and .glb", file.string());
+  return extension == ".obj" || extension == ".ply" || extension == ".stl" || isGltf(file);
+}
+
+Mesh importMesh(const std::filesystem::path& file, MeshNormals normals) {
+  if (!isMeshFile(file)) fail(ExitCode::usage, "the mesh {} is none of {}", file.string(), meshEndings);
+  const std::string extension = lowerExtension(file);
   const std::string text = readFile(file, "mesh");  // throws if the file is unreadable or too large
   if (isGltf(file)) return readGltf(file, text, normals);
+  if (extension == ".stl") return readStl(file, text, normals);
   return extension == ".obj" ? readObj(file, text, normals) : readPly(file, text);
 }
 

@@ -1,4 +1,6 @@
 #pragma once
+#include "scene/finish.hpp"
+
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -31,7 +33,7 @@ struct TexturePlace {
 /// Texture map of a material.
 struct MeshMap {
   int image = -1;  ///< index into the mesh's images; -1: none
-  bool repeats = true;
+  scene::Wrap wrapU = scene::Wrap::repeat, wrapV = scene::Wrap::repeat;
   TexturePlace place = {};
 };
 
@@ -94,9 +96,15 @@ struct Mesh {
 /// vertices.
 enum class MeshNormals { shown, shared };
 
-/// Reads OBJ, PLY, glTF or GLB: every mesh of the file with its node's transform, polygons as triangles;
-/// points and lines are ignored. Without normals, glTF is flat, OBJ follows its smoothing groups, and PLY
-/// is smooth. Throws UserError:
+/// Extensions of the mesh files that are read, for messages.
+inline constexpr const char* meshEndings = ".obj, .ply, .stl, .gltf and .glb";
+
+/// True if the file name has the extension of a mesh file that is read.
+[[nodiscard]] bool isMeshFile(const std::filesystem::path& file);
+
+/// Reads OBJ, PLY, STL, glTF or GLB: every mesh of the file with its node's transform, polygons as
+/// triangles; points and lines are ignored. Without normals, glTF is flat, OBJ follows its smoothing
+/// groups, PLY is smooth, and STL is smooth up to an angle of 30 degrees. Throws UserError:
 /// - usage for another extension
 /// - the errors of readFile() for an unreadable file
 /// - inputOutput for content that is malformed, promises more than its bytes hold, names a file outside its

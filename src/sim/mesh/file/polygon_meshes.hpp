@@ -11,6 +11,10 @@ namespace simreel::sim {
 /// MeshNormals::shared all are smooth.
 [[nodiscard]] Mesh readObj(const std::filesystem::path& file, std::string_view text, MeshNormals normals);
 
+/// Reads a mesh from an STL's bytes, binary or text. Equal corners are one vertex. Neighbouring faces are
+/// smooth up to an angle of 30 degrees, except at vertices with more than 256 faces.
+[[nodiscard]] Mesh readStl(const std::filesystem::path& file, std::string_view bytes, MeshNormals normals);
+
 /// Reads a mesh from a PLY's bytes: faces and triangle strips. Without normals it is smooth, with vertices
 /// matched by index.
 [[nodiscard]] Mesh readPly(const std::filesystem::path& file, std::string_view text);
