@@ -312,6 +312,7 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
       context.diagnostics.remark(
           root.find("stage") != nullptr ? root.find("stage")->headPlace() : root.headPlace(), advice);
     frameObjects(scene, framed);
+    openFloor(scene);
   }
   fields.idleUnless(scene.render.quality == Quality::standard, "render.quality", {"render.occlusionRadius"},
                     "\"quality\": \"standard\"");

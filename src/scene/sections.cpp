@@ -79,9 +79,10 @@ void Material::describe(Fields& fields) {
   fields.color("color", color, notNegative, "Base colour, linear RGB.");
   fields.leftOut("color", "the stage's, else [0.8, 0.7, 0.6]");
   fields.asset("texture", texture, "sRGB image multiplied with the colour.");
-  fields.vector("textureScale", textureScale, anyNumber, "",
-                "Repeats of the texture along u and v, or in a metre of surfaces without uv, which are "
-                "textured from three sides; the third is unused.");
+  fields.flatVector("textureScale", textureScale, anyNumber, "",
+                    "Repeats of the texture along u and v, [u, v], or in a metre of surfaces without uv, "
+                    "which are textured from three sides; a third number is unused.",
+                    {2, 1});
   fields.number("bump", bump, {-100, 100}, "m",
                 "Height of the texture's white over its black, as the light shows it.");
   fields.number("roughness", roughness, fraction, "", "0 mirrors, 1 is matt.");

@@ -1,10 +1,12 @@
 #include "scene/stage.hpp"
 
+#include "base/ieee.hpp"
 #include "scene/dressed.hpp"
 #include "scene/stage_presets.hpp"
 #include "scene/tinted.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <optional>
 
 #include <glm/common.hpp>
@@ -155,6 +157,19 @@ std::string stageAdvice(const Scene& scene) {
   return "\"additive\" particles are light, which is hardly seen on a bright stage; leave out "
          "\"additive\", "
          "or take \"stage\": \"night\"";
+}
+
+void openFloor(Scene& scene) {
+  const Camera& camera = scene.camera;
+  if (!scene.staged || !scene.ground || !scene.stage.leaves("ground") || camera.follow || camera.gltf)
+    return;
+  double eye = camera.position.at(0).y;
+  if (camera.orbit) {
+    constexpr double radian = std::numbers::pi / 180;
+    eye = camera.target.at(0).y +
+          camera.orbit->distance.at(0) * ieee::sin(camera.orbit->elevation.at(0) * radian);
+  }
+  if (eye < scene.ground->height) scene.ground->visible = false;
 }
 
 void moveStage(Scene& scene, const std::vector<Framed>& framed) {

@@ -21,4 +21,8 @@ void setStage(Scene& scene, const std::vector<Framed>& framed);
 /// Moves the stage of a staged scene to these objects. A ground that the scene gives stays.
 void moveStage(Scene& scene, const std::vector<Framed>& framed);
 
+/// Leaves the stage's own floor out if the camera is below it at the start, where the floor would hide
+/// everything. A ground that the scene gives stays.
+void openFloor(Scene& scene);
+
 }  // namespace simreel::scene

@@ -124,6 +124,21 @@ std::string valueless(const CLI::App& command, const std::string& what) {
   return "";
 }
 
+/// Returns the message about a value that is no number, from "Could not convert: --turn = x"; empty if the
+/// error is another.
+std::string unconverted(const CLI::App& command, const std::string& what) {
+  const std::size_t colon = what.find(": "), equals = what.find(" = ");
+  if (colon == std::string::npos || equals == std::string::npos) return "";
+  const std::string name = what.substr(colon + 2, equals - colon - 2);
+  for (const CLI::App* one = &command; one != nullptr; one = one->get_parent())
+    for (const CLI::Option* option : one->get_options())
+      if (option->check_name(name))
+        return fmt::format("{} takes a number, not {}\n{}see `{} --help`", name,
+                           oneLine(what.substr(equals + 3)), optionEntry(*option, textWidth()),
+                           wordsOf(command));
+  return "";
+}
+
 }  // namespace
 
 std::string explainMistake(const CLI::App& app, const CLI::ParseError& error) {
@@ -149,6 +164,8 @@ std::string explainMistake(const CLI::App& app, const CLI::ParseError& error) {
   }
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr)
     if (std::string text = valueless(command, error.what()); !text.empty()) return text;
+  if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr)
+    if (std::string text = unconverted(command, error.what()); !text.empty()) return text;
   if (!unknown.empty())
     return fmt::format("`{}` takes no {}; usage: {}{}", wordsOf(command), oneLine(unknown.front()),
                        usageOf(command), page);

@@ -42,6 +42,12 @@ using Member =
                  glm::ivec2*, Animated<float>*, Animated<glm::vec3>*, std::optional<int>*,
                  std::optional<double>*, std::vector<int>*, std::vector<glm::ivec2>*, Formula*, Formulas*>;
 
+/// Three numbers of a flat thing, which a scene may also give as two: the number of this axis is left out.
+struct Flat {
+  int axis = -1;  ///< -1: three numbers are needed
+  float value = 0;
+};
+
 /// Properties of a field besides its name.
 struct Spec {
   const char* doc = "";   ///< description in one sentence
@@ -50,6 +56,7 @@ struct Spec {
   std::span<const char* const> words = {};
   const char* none = nullptr;  ///< word in scenes for the empty value of a std::optional<int>
   bool color = false;          ///< true: a vector is a linear RGB colour and may be given as text (colorOf)
+  Flat flat = {};
 
   /// True if the first two words are "false" and "true".
   [[nodiscard]] bool isSwitch() const {
@@ -137,6 +144,14 @@ class Fields {
   template <class Vector>
   void vector(const char* name, Vector& value, Range range, const char* unit, const char* doc) {
     field(name, &value, {doc, unit, range});
+  }
+  /// Declares three numbers of a thing that may be flat, so that two are enough.
+  template <class Vector>
+  void flatVector(const char* name, Vector& value, Range range, const char* unit, const char* doc,
+                  Flat flat) {
+    Spec spec{doc, unit, range};
+    spec.flat = flat;
+    field(name, &value, spec);
   }
   /// Declares a colour of three numbers (linear RGB), which may move if `Vector` is Animated. A scene may
   /// also give it as "#rrggbb" or by its name.

@@ -176,7 +176,7 @@ class MemberReader {
   }
 
   [[nodiscard]] std::optional<glm::vec3> vector(const Node& node) const {
-    return spec_.color ? one_.color(node) : one_.vector(node);
+    return spec_.color ? one_.color(node) : one_.vector(node, spec_.flat);
   }
   [[nodiscard]] std::optional<int> whole(const Node& node) const {
     return spec_.words.empty() ? one_.integer(node) : one_.oneOf(node, spec_.words);

@@ -66,6 +66,7 @@ class Types {
   Json operator()(const std::filesystem::path*) const { return {{"type", "string"}}; }
   Json operator()(const glm::vec3*) const {
     Json numbers = tuple(numberSchema("number", spec_.range), 3);
+    if (spec_.flat.axis >= 0) numbers["minItems"] = 2;
     if (!spec_.color) return numbers;
     return {{"anyOf", Json::array({std::move(numbers), {{"type", "string"}, {"description", colorText}}})}};
   }

@@ -84,17 +84,21 @@ std::optional<std::string> ValueReader::text(const Node& node) const {
   return node.text;
 }
 
-std::optional<glm::vec3> ValueReader::vector(const Node& node) const {
-  if (!expect(node, Node::Kind::list, "a list of three numbers")) return std::nullopt;
-  if (node.children.size() != 3) {
+std::optional<glm::vec3> ValueReader::vector(const Node& node, Flat flat) const {
+  const char* const wanted = flat.axis < 0 ? "a list of three numbers" : "a list of two or three numbers";
+  if (!expect(node, Node::Kind::list, wanted)) return std::nullopt;
+  const bool two = flat.axis >= 0 && node.children.size() == 2;
+  if (node.children.size() != 3 && !two) {
     diagnostics_.add(node.place(),
-                     fmt::format("expected a list of three numbers, found {} items", node.children.size()));
+                     fmt::format("expected {}, found {} items", wanted, node.children.size()));
     return std::nullopt;
   }
-  glm::vec3 value(0);
+  glm::vec3 value(flat.value);
   bool good = true;
+  std::size_t next = 0;
   for (int i = 0; i < 3; ++i) {
-    const auto part = number(node.children[static_cast<std::size_t>(i)]);
+    if (two && i == flat.axis) continue;
+    const auto part = number(node.children[next++]);
     good = good && part.has_value();
     value[i] = static_cast<float>(part.value_or(0.0));
   }

@@ -27,7 +27,7 @@ class ValueReader {
   [[nodiscard]] std::optional<double> number(const Node& node) const;
   [[nodiscard]] std::optional<int> integer(const Node& node) const;
   [[nodiscard]] std::optional<std::string> text(const Node& node) const;
-  [[nodiscard]] std::optional<glm::vec3> vector(const Node& node) const;
+  [[nodiscard]] std::optional<glm::vec3> vector(const Node& node, Flat flat = {}) const;
   /// Reads a list of three numbers, or the text of a colour (colorOf).
   [[nodiscard]] std::optional<glm::vec3> color(const Node& node) const;
   [[nodiscard]] std::optional<glm::ivec2> pair(const Node& node) const;

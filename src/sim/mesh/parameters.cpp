@@ -36,9 +36,11 @@ void MeshParameters::describe(scene::Fields& f) {
            "Shape that is generated, or \"file\": read from a file.");
   f.asset("file", file, "OBJ, PLY, STL, glTF or GLB, in m, for the shape \"file\".");
   scene::implyShape(f, shape, MeshShape::file, "file", file, "file", "plane");
-  f.vector(
-      "size", size, {0, 1e4}, "m",
-      "Width, height and depth of a box; width and depth of a plane or of a field of grass (x and z).");
+  const bool flat = shape == MeshShape::plane || shape == MeshShape::grass;
+  f.flatVector("size", size, {0, 1e4}, "m",
+               "Width, height and depth of a box; width and depth of a plane or of a field of grass, as "
+               "[x, z] or [x, 0, z].",
+               flat ? scene::Flat{1, 0} : scene::Flat{});
   f.number(
       "radius", radius, {1e-4, 1e4}, "m",
       "Radius of a sphere, cylinder, cone or disc; of a torus, the distance to the middle of its tube.");

@@ -93,8 +93,9 @@ void ShapeParameters::describe(scene::Fields& f) {
     f.number("length", shape.length, {0, 1e4}, "m",
              "Distance between the centres of the two ends, along local y.");
   if (shape.kind == Kind::plane)
-    f.vector("size", size, {0, 1e4}, "m",
-             "Width and depth of the drawn part (x and z); it collides without end.");
+    f.flatVector("size", size, {0, 1e4}, "m",
+                 "Width and depth of the drawn part, as [x, z] or [x, 0, z]; it collides without end.",
+                 {1, 0});
   f.boolean("collides", collides, "Makes simulations touch it.");
   f.boolean("visible", visible, "Draws it.");
   f.number("grip", shape.grip, {0, 1e6}, "1/s",

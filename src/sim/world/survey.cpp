@@ -222,6 +222,7 @@ void frameSurvey(scene::Scene& scene, const Survey& survey) {
   if (survey.frames == 0 || survey.framed.empty()) return;
   if (scene.staged) scene::moveStage(scene, survey.framed);
   scene::frameObjects(scene, survey.framed);
+  scene::openFloor(scene);
   scene.camera.placed = true;
   scene.surveyed = true;
 }

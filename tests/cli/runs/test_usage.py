@@ -46,6 +46,7 @@ class CommandLine(Case):
         self.usage(["`simreel render` needs --output\n  -o, --output", "see `simreel render --help`"], "render", "scene.json")
         self.usage(["`simreel diff` needs B\n  B ", "usage: simreel diff A B"], "diff", "a.png")
         self.usage(["--frames needs a value\n  --frames"], "render", "scene.json", "-o", "out/", "--frames")
+        self.usage(["--turn takes a number, not fast\n  --turn"], "render", "scene.json", "-o", "out/", "--turn", "fast")
         self.usage(["`simreel report` needs a command: merge"], "report")
         self.usage(["simreel needs a command, for example: simreel render "])
         self.usage(["`simreel render` takes no other.json", "see `simreel render --help`"], "render", "scene.json", "other.json", "-o", "out/")

@@ -91,6 +91,19 @@ TEST_CASE("stage: a sky picture replaces the light of the sun and keeps the floo
   CHECK(scene.ground.has_value());
 }
 
+TEST_CASE("stage: its floor is left out if the camera is below it, and a ground of the scene stays") {
+  const auto visible = [](const std::string& members) {
+    const scene::Scene scene = parsed(ball, members);
+    REQUIRE(scene.ground);
+    return scene.ground->visible;
+  };
+  CHECK(visible(R"("camera": {"position": [0, 0.4, 6]}, )"));
+  CHECK_FALSE(visible(R"("camera": {"position": [0, -3, 6]}, )"));
+  CHECK_FALSE(visible(R"("camera": {"orbit": {"elevation": -30}}, )"));
+  CHECK(visible(R"("camera": {"orbit": {"elevation": 30}}, )"));
+  CHECK(visible(R"("camera": {"position": [0, -3, 6]}, "ground": {}, )"));
+}
+
 TEST_CASE("stage: false gives the plain defaults") {
   const scene::Scene scene = parsed(ball, R"("stage": false, )");
   CHECK_FALSE(scene.staged);

@@ -1,9 +1,15 @@
 // Generated meshes: counts, index ranges, outward orientation, areas.
 #include "base/hash.hpp"
+#include "scene/load.hpp"
+#include "sim/core/kind.hpp"
+#include "sim/mesh/parameters.hpp"
 #include "sim/mesh/shapes.hpp"
+#include "sim/world/list.hpp"
 
+#include <filesystem>
 #include <numbers>
 #include <span>
+#include <string>
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
@@ -68,4 +74,24 @@ TEST_CASE("round meshes have the same bits on every machine") {
         "478ae616effaab302cb1f800b0532844984f37a55bac0e2ad34640a887ead859");
   CHECK(bitsOf(sim::torusMesh(1.1F, 0.3F, {41, 19})) ==
         "2f1c970898a196908d8731a43d3d52efa43a8c0e0c65099dd1657bfb437365d3");
+}
+
+TEST_CASE("mesh: two numbers are enough for the size of a plane and the scale of a texture") {
+  const auto parsed = [](const std::string& object) {
+    return scene::parseScene(R"({"version": 2, "objects": {"m": {)" + object + "}}}",
+                             std::filesystem::temp_directory_path() / "test.json", {}, sim::kinds());
+  };
+  const auto sizeOf = [&](const std::string& shape, const std::string& size) {
+    const scene::Scene scene = parsed(R"("mesh": {"shape": ")" + shape + R"(", "size": )" + size + "}");
+    return sim::parametersOf<sim::MeshParameters>(scene.objects.at(0)).size;
+  };
+  CHECK(sizeOf("plane", "[4, 3]") == glm::vec3(4, 0, 3));
+  CHECK(sizeOf("plane", "[4, 0, 3]") == glm::vec3(4, 0, 3));
+  CHECK(sizeOf("grass", "[4, 3]") == glm::vec3(4, 0, 3));
+  CHECK_THROWS_WITH(sizeOf("box", "[4, 3]"),
+                    doctest::Contains("expected a list of three numbers, found 2"));
+  CHECK_THROWS_WITH(sizeOf("plane", "[4]"),
+                    doctest::Contains("expected a list of two or three numbers, found 1"));
+  const scene::Scene scene = parsed(R"("box": {}, "material": {"textureScale": [5, 2]})");
+  CHECK(scene.objects.at(0).material.textureScale == glm::vec3(5, 2, 1));
 }

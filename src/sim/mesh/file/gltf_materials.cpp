@@ -99,7 +99,8 @@ class MaterialReader {
       for (const std::string& extension : used->texts())
         if (extension == "KHR_materials_variants" ||
             (!extension.starts_with("KHR_materials_") && !extension.starts_with("KHR_texture_") &&
-             !extension.starts_with("EXT_texture_") && extension != "KHR_mesh_quantization"))
+             !extension.starts_with("EXT_texture_") && extension != "KHR_mesh_quantization" &&
+             extension != "KHR_lights_punctual"))
           all_.ignored.push_back(extension);
     bool tinted = false;
     for (std::size_t i = 0; i < document_.size("meshes"); ++i)
