@@ -76,7 +76,7 @@ def run_golly(folder, file, generations, rules=None):
     """Returns the cells of a pattern after some generations. Larger than Life can only be written as RLE, so its cells
     are relative to the upper left of all living cells."""
     rule = re.search(r"(?:rule *= *|#R +)([^\s:]+)", (folder / file).read_text(encoding="latin-1"))[1]
-    algorithm = ("Larger than Life" if "," in rule else "Generations" if rule.count("/") == 2 else
+    algorithm = ("JvN" if rule in SIGNALS else "Larger than Life" if "," in rule else "Generations" if rule.count("/") == 2 else
                  "HashLife" if "/" in rule or re.match(r"MAP|W\d", rule) else "RuleLoader")
     output = "golly.rle" if "," in rule else "golly.mc"
     (folder / output).unlink(missing_ok=True)
@@ -118,6 +118,7 @@ def digits(most, rng, first=1):
     return "".join(str(n) for n in range(first, most + 1) if rng.random() < 0.35)
 
 
+SIGNALS = ["JvN29", "Nobili32", "Hutton32"]
 BORDERS = ["torus", "dead", "klein", "kleinSideways", "crossSurface", "sphere"]
 
 
@@ -162,6 +163,8 @@ def random_case(family, rng):
         case["rule"] = (f"R{reach},C{rng.choice([0, 0, 3, 6])},M{rng.randrange(2)},S{low}..{high},"
                         f"B{born}..{min(born + most // 8 + 1, most)},N{shape}")
         case["fill"] = 0.5
+    elif family == "signals":
+        case["rule"] = rng.choice(SIGNALS)
     elif family == "wolfram":
         case["rule"] = f"W{2 * rng.randrange(128)}"
         case["fill"] = rng.choice([0.003, 0.01, 0.05])
@@ -249,7 +252,7 @@ def random_table(rng):
     return f"{name}.rule", "\n".join(lines) + "\n"
 
 
-FAMILIES = ["life", "hensel", "shapes", "map", "wolfram", "generations", "borders", "wide", "far", "farthest", "tables"]
+FAMILIES = ["life", "hensel", "shapes", "map", "wolfram", "signals", "generations", "borders", "wide", "far", "farthest", "tables"]
 NEWER = ["shaped"]  # families that Golly 3 does not support
 
 

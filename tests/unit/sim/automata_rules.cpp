@@ -3,12 +3,17 @@
 #include "sim/automata/file/rule_file.hpp"
 #include "sim/automata/rule/arrangements.hpp"
 #include "sim/automata/rule/cell_rule.hpp"
+#include "sim/automata/rule/signal_rules.hpp"
 #include "unit/help.hpp"
 #include "unit/sim/notation_help.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <random>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include <doctest/doctest.h>
 
@@ -85,6 +90,50 @@ TEST_CASE("every preset is a valid rule") {
     CHECK(written(preset.rule).find(": ") == std::string::npos);
     CHECK(written(preset.name) == written(preset.rule));
   }
+}
+
+TEST_CASE("rules of signals: the diagram equals the rule in random neighbourhoods") {
+  std::mt19937 random(5);
+  for (const auto& [name, kind] : {std::pair("JvN29", sim::SignalRule::jvn29),
+                                   {"Nobili32", sim::SignalRule::nobili32},
+                                   {"Hutton32", sim::SignalRule::hutton32}}) {
+    sim::CellRule rule;
+    REQUIRE(sim::parseCellRule(name, rule).message.empty());
+    CHECK(rule.states == sim::statesOf(kind));
+    CHECK(rule.colors.size() == static_cast<std::size_t>(rule.states));
+    int wrong = 0;
+    for (int i = 0; i < 50000; ++i) {
+      const auto state = [&] { return static_cast<int>(random() % static_cast<unsigned>(rule.states)); };
+      const std::array<int, 4> around = {state(), state(), state(), state()};
+      const int middle = state();
+      std::uint32_t at = rule.tree->root;
+      for (const int next : {around[1], around[2], around[0], around[3], middle})
+        at = rule.tree->items[at + static_cast<std::uint32_t>(next)];
+      wrong += static_cast<int>(at) == sim::signalOutcome(kind, middle, around) ? 0 : 1;
+    }
+    CHECK(wrong == 0);
+  }
+}
+
+TEST_CASE("rules of signals: bits write each cell of von Neumann's, and crossed wires keep their signals") {
+  using sim::SignalRule;
+  const auto cellAfter = [](const std::vector<int>& bits) {
+    int cell = 0;
+    for (const int bit : bits)
+      cell = sim::signalOutcome(SignalRule::jvn29, cell, {0, 0, bit == 1 ? 13 : 9, 0});
+    return cell;
+  };
+  CHECK(cellAfter({1, 0, 0, 0, 0}) == 9);
+  CHECK(cellAfter({1, 0, 0, 0, 1}) == 10);
+  CHECK(cellAfter({1, 0, 0, 1}) == 11);
+  CHECK(cellAfter({1, 1, 1, 1}) == 25);
+  CHECK(cellAfter({1, 1, 1, 0}) == 20);
+  // Inputs from the west and south, outputs to the east and north.
+  CHECK(sim::signalOutcome(SignalRule::nobili32, 25, {9, 10, 13, 14}) == 31);
+  CHECK(sim::signalOutcome(SignalRule::nobili32, 25, {9, 10, 13, 10}) == 29);
+  CHECK(sim::signalOutcome(SignalRule::nobili32, 29, {9, 10, 9, 14}) == 30);
+  CHECK(sim::signalOutcome(SignalRule::nobili32, 9, {0, 0, 29, 0}) == 13);
+  CHECK(sim::signalOutcome(SignalRule::nobili32, 9, {0, 0, 30, 0}) == 9);
 }
 
 TEST_CASE("MAP rules equal the letter notation") {

@@ -2,8 +2,10 @@
 
 #include "base/text.hpp"
 #include "sim/automata/rule/notation.hpp"
+#include "sim/automata/rule/signal_rules.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 #include <fmt/format.h>
@@ -38,7 +40,33 @@ const char* otherKind(std::string_view text) {
   return nullptr;
 }
 
+/// Sets a rule of signals by its name or a former one of Golly. Returns false for other texts.
+bool setSignalRule(std::string_view text, CellRule& rule) {
+  struct Name {
+    const char *bare, *name;
+    SignalRule rule;
+  };
+  constexpr std::array<Name, 5> names = {{{"jvn29", "JvN29", SignalRule::jvn29},
+                                          {"nobili32", "Nobili32", SignalRule::nobili32},
+                                          {"jvn32", "Nobili32", SignalRule::nobili32},
+                                          {"hutton32", "Hutton32", SignalRule::hutton32},
+                                          {"modjvn32", "Hutton32", SignalRule::hutton32}}};
+  const std::string bare = bareName(text);
+  for (const Name& name : names) {
+    if (bare != name.bare) continue;
+    rule = {};
+    rule.family = CellRule::Family::tree;
+    rule.states = statesOf(name.rule);
+    rule.tree = signalTree(name.rule);
+    rule.colors = signalColors(name.rule);
+    rule.name = name.name;
+    return true;
+  }
+  return false;
+}
+
 RuleProblem parseAnyNotation(std::string_view text, const std::string& low, CellRule& rule) {
+  if (setSignalRule(text, rule)) return {};
   const bool digit = isDigit(low[0]);
   if (low.starts_with("map")) return parseMap(text, rule);
   if (low.size() > 1 && low[0] == 'w' && isDigit(low[1])) return parseWolfram(text, rule);
@@ -68,6 +96,9 @@ const std::vector<RulePreset>& rulePresets() {
       {"Cyclic", "R1/T1/C14/NN", "spirals of fourteen states (Griffeath 1988)"},
       {"313", "R1/T3/C3/NM", "cyclic, three states: turbulent spirals (Griffeath)"},
       {"Cubism", "R2/T5/C3/NN", "cyclic: blocks that meet (Griffeath)"},
+      {"JvN29", "JvN29", "self-reproducing machines of 29 states (von Neumann 1966)"},
+      {"Nobili32", "Nobili32", "JvN29 with signals that cross (Nobili 1996)"},
+      {"Hutton32", "Hutton32", "JvN29 with wires that are retracted (Hutton 2008)"},
   };
   return list;
 }

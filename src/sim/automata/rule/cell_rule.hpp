@@ -127,6 +127,7 @@ struct RuleProblem {
 ///                        triangular, NG Gaussian; N@ and hexadecimal digits: one bit per cell; NW:
 ///                        weights of cells, then optionally ",012A": weights of states
 ///   R1/T3/C3/NM          cyclic: range, threshold, states, neighbourhood
+///   JvN29, Nobili32, Hutton32      signals on wires (signal_rules.hpp)
 /// and the names of rulePresets().
 [[nodiscard]] RuleProblem parseCellRule(std::string_view text, CellRule& rule);
 
