@@ -6,6 +6,7 @@
 #include "kernels/compile/front_end.hpp"
 #include "kernels/exact/bounds.hpp"
 #include "kernels/exact/calls.hpp"
+#include "kernels/exact/copies_back.hpp"
 #include "kernels/exact/limits.hpp"
 #include "kernels/exact/refuse.hpp"
 #include "kernels/exact/sampling.hpp"
@@ -36,7 +37,8 @@ namespace {
 /// Compiles a kernel, adds loop limits, replaces inexact operations, and optimizes the module with
 /// SPIRV-Tools.
 Module prepared(Files& files, const Unit& unit, const Request& request, Report* report) {
-  const Module compiled(compile(files, unit));
+  Module compiled(compile(files, unit));
+  if (auto mistakes = copyBack(compiled, files); !mistakes.empty()) files.fail(mistakes);
   if (auto mistakes = refused(compiled, files, request.fast); !mistakes.empty()) files.fail(mistakes);
   if (auto mistakes = beyondLimits(compiled, files, unit.entry, unit.line); !mistakes.empty())
     files.fail(mistakes);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <filesystem>
 #include <initializer_list>
 #include <sstream>
 #include <string_view>
@@ -110,11 +111,20 @@ std::vector<Mistake> beyondThreads(const Instruction& mode, Mistake place) {
                            mostThreads, mostAlong[0], mostAlong[2]))};
 }
 
-/// Returns the words from the last of ";", "{" and "}" to `end`, without lines of the preprocessor.
-std::string leadOf(const std::string& code, std::size_t end) {
+/// Returns the words from the last of ";", "{" and "}" to `end`, without lines of the preprocessor. The
+/// lead of a file's first words begins before the #include of the file.
+std::string leadOf(const Files& files, std::size_t file, std::size_t end) {
+  const std::string code = withoutComments(files.text(file));
   const std::size_t last = code.find_last_of(";{}", end), begin = last == std::string::npos ? 0 : last + 1;
   std::istringstream lines(code.substr(begin, end - begin));
   std::string lead;
+  const std::string own = std::filesystem::path(files.name(file)).filename().string();
+  for (std::size_t i = 0; begin == 0 && file > 0 && i < file && lead.empty(); ++i) {
+    const std::string& other = files.text(i);
+    const std::size_t name = other.find(own + "\"");
+    const std::size_t sharp = name == std::string::npos ? name : other.rfind('#', name);
+    if (sharp != std::string::npos && sharp > 0) lead = leadOf(files, i, sharp - 1);
+  }
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
     for (std::string word; words >> word && word[0] != '#';) lead += (lead.empty() ? "" : " ") + word;
@@ -138,7 +148,7 @@ std::vector<Mistake> withoutGroups(const Files& files, const std::string& entry)
     for (std::size_t at = code.find(entry); at != std::string::npos; at = code.find(entry, at + 1)) {
       const std::size_t behind = code.find_first_not_of(" \t\r\n", at + entry.size());
       if (!isWordAt(code, at, entry.size()) || behind == std::string::npos || code[behind] != '(') continue;
-      const std::string lead = leadOf(code, at);
+      const std::string lead = leadOf(files, file, at);
       // A macro before "void" may have the attribute.
       if (lead.find("numthreads") != std::string::npos) return {};
       if (lead == "void" && mistakes.empty())
