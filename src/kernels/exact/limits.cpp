@@ -1,11 +1,13 @@
 #include "kernels/exact/limits.hpp"
 
 #include "kernels/source/plain.hpp"
+#include "kernels/source/scan.hpp"
 #include "scene/json/words.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstring>
 #include <filesystem>
 #include <initializer_list>
 #include <sstream>
@@ -164,6 +166,53 @@ std::vector<Mistake> withoutGroups(const Files& files, const std::string& entry)
     }
   }
   return mistakes;
+}
+
+std::vector<Mistake> variableGroups(const Files& files) {
+  const std::string code = withoutComments(files.text(0));
+  const std::vector<Token> all = tokens(code);
+  std::vector<Mistake> mistakes;
+  for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+    if (all[i].text != "numthreads" || all[i].directive) continue;
+    for (std::size_t k = i + 2; k < all.size() && all[k].text != ")"; ++k)
+      for (std::size_t d = 1; all[k].isWord() && d + 1 < all.size(); ++d) {
+        if (all[d].text != all[k].text || all[d + 1].text != ";" || !numeric(all[d - 1].text)) continue;
+        const auto begin = code.begin();
+        mistakes.push_back(
+            {0,
+             1 + static_cast<int>(std::count(begin, begin + static_cast<std::ptrdiff_t>(all[k].at), '\n')),
+             std::string(all[k].text),
+             fmt::format("the size of groups is a number, a macro or a static const, and {} is a constant "
+                         "that a scene sets",
+                         scene::inQuotes(all[k].text))});
+        break;
+      }
+  }
+  return mistakes;
+}
+
+std::vector<Mistake> withoutLocalSize(const Files& files) {
+  std::size_t file = 0, id = std::string::npos, idFile = 0;
+  for (; file < files.count(); ++file) {
+    const std::string code = withoutComments(files.text(file));
+    for (const char* axis : {"local_size_x", "local_size_y", "local_size_z"})
+      for (std::size_t at = code.find(axis); at != std::string::npos; at = code.find(axis, at + 1)) {
+        if (isWordAt(code, at, std::strlen(axis))) return {};
+        id = at;
+        idFile = file;
+      }
+  }
+  if (id == std::string::npos)
+    return {{0,
+             1,
+             {},
+             "the shader has no size of its groups; write one, such as layout(local_size_x = 64) in;"}};
+  const std::string& text = files.text(idFile);
+  const auto begin = text.begin();
+  return {
+      {idFile, 1 + static_cast<int>(std::count(begin, begin + static_cast<std::ptrdiff_t>(id), '\n')),
+       "local_size_x_id",
+       "a scene does not set the size of groups; write it here, such as layout(local_size_x = 64) in;"}};
 }
 
 std::vector<Mistake> beyondLimits(const Module& module, const Files& files, const std::string& entry,

@@ -1,6 +1,7 @@
 """Tests simreel kernels and scenes that run a user's compute shaders."""
 import json
 import signal
+import struct
 
 from common import Case, main, png_rows
 
@@ -56,6 +57,31 @@ class Kernels(Case):
         # A changed file is compiled again.
         self.scene(BLUR.replace("lerp(", "lrp("))
         self.bad(2, "a.compute:8:19: error: ", "validate", "k.json", env=env)
+
+    def test_a_cube_map_is_read_by_a_direction_across_its_edges(self):
+        # Texel (x, y) of face z holds x + 10 y + 100 z. Directions: the middle of two texels; an edge of +x and +z; a place nearest to a texel.
+        shader = """#pragma kernel K
+TextureCube<float4> _Sky; SamplerState sampler_linear_clamp, sampler_point_clamp; RWTexture2D<float> _Out;
+[numthreads(1, 1, 1)] void K(uint3 id : SV_DispatchThreadID) {
+    uint w, h;
+    _Sky.GetDimensions(w, h);
+    _Out[uint2(0, 0)] = _Sky.SampleLevel(sampler_linear_clamp, float3(2, 0.5, 0), 0).r;
+    _Out[uint2(1, 0)] = _Sky.SampleLevel(sampler_linear_clamp, float3(1, -0.25, 1), 0).r;
+    _Out[uint2(2, 0)] = _Sky.SampleLevel(sampler_point_clamp, float3(0.3, -0.22, -0.4), 0).r;
+    _Out[uint2(3, 0)] = _Sky.SampleLevel(sampler_point_clamp, float3(-0.1, -3, 0.8), 0).r;
+    _Out[uint2(4, 0)] = w + 10*h;
+}
+"""
+        sky = {"size": [4, 4], "start": {"r": "x + 10*y + 100*z"}}
+        for numerics in ({}, {"fast": True}):
+            self.scene(shader, buffers={}, textures={"_Sky": sky, "_Out": {"size": [5, 1], "format": "r32f"}}, constants={},
+                       step=[{"kernel": "K", "threads": [1]}], field={"of": "_Out", "show": "r"}, **numerics)
+            self.good("bake", "k.json", "-o", "out", "--format", "npy", "--frames", "1", "--overwrite")
+            values = struct.unpack("<5f", (self.folder / "out/k_000001.npy").read_bytes()[-20:])
+            for value, right in zip(values, (11.5, 221.5, 530, 311, 44)):
+                self.assertAlmostEqual(value, right, places=3)
+        self.scene(shader, buffers={}, textures={"_Sky": {"size": [4, 8]}, "_Out": [5, 1]}, constants={})
+        self.bad(2, "the faces of a cube are squares, found 4 x 8", "validate", "k.json")
 
     def test_a_race_exits_with_1(self):
         self.scene()
