@@ -187,7 +187,12 @@ void KernelPlan::collectTexture(const kernels::Texture& from) {
   texture.written = from.writes;
   texture.values = from.values;
   texture.formatted = !from.format.empty();
-  if (from.type != "2D" && from.type != "3D" && from.type != "2DArray" && from.type != "Cube")
+  if (from.type.ends_with(']'))
+    mistake({"file"},
+            fmt::format("{} is an array of textures, {}; a scene sets single ones: give each a name, "
+                        "or use a Texture2DArray",
+                        scene::inQuotes(from.name), from.type));
+  else if (from.type != "2D" && from.type != "3D" && from.type != "2DArray" && from.type != "Cube")
     mistake({"file"},
             fmt::format(
                 "the texture {} is of the kind {}; scenes have those of the kinds 2D, 3D, 2DArray and Cube",

@@ -83,6 +83,13 @@ TextureCube<float4> _Sky; SamplerState sampler_linear_clamp, sampler_point_clamp
         self.scene(shader, buffers={}, textures={"_Sky": {"size": [4, 8]}, "_Out": [5, 1]}, constants={})
         self.bad(2, "the faces of a cube are squares, found 4 x 8", "validate", "k.json")
 
+    def test_an_array_of_textures_is_refused(self):
+        # A scene would set the first texture only.
+        self.scene("#pragma kernel K\nTexture2D<float4> _Seen[3]; RWStructuredBuffer<float4> _Data;\n"
+                   "[numthreads(8, 1, 1)] void K(uint3 id : SV_DispatchThreadID) { _Data[id.x] = _Seen[id.x % 3][uint2(0, 0)]; }\n",
+                   textures={"_Seen": [4, 4]}, constants={}, buffers={"_Data": 8})
+        self.bad(2, '"_Seen" is an array of textures, 2D[3]; a scene sets single ones', "validate", "k.json")
+
     def test_a_race_exits_with_1(self):
         self.scene()
         done = self.bad(1, "k.json: 1 place of its kernels races", "kernels", "a.compute", "--check", "k.json")
