@@ -16,6 +16,7 @@
 #include "kernels/guards/race.hpp"
 #include "kernels/guards/report.hpp"
 #include "kernels/guards/shared.hpp"
+#include "kernels/source/derivatives.hpp"
 #include "kernels/source/files.hpp"
 #include "kernels/source/pragmas.hpp"
 #include "kernels/source/toy.hpp"
@@ -163,8 +164,8 @@ Shader loadToy(Files& files, const Request& request) {
   if (!isToy(files.text(0)))
     fail(ExitCode::usage, "{} has no function mainImage(out vec4, in vec2)", request.file.string());
   Unit unit{Language::glsl, "main", {}, 1};
-  unit.before = textBefore(request.pass);
-  unit.behind = textBehind(request.pass, request.upsideDown);
+  unit.before = textBefore(request.pass, usesDerivatives(files.text(0)));
+  unit.behind = textBehind(files.text(0), request.pass, request.upsideDown);
   Shader shader;
   shader.language = "GLSL";
   shader.kernels.push_back(lowered(files, unit, request));

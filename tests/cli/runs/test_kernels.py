@@ -205,5 +205,28 @@ TextureCube<float4> _Sky; SamplerState sampler_linear_clamp, sampler_point_clamp
         self.good("render", "k.json", "-o", "out.png", "--frames", "0", "--size", "64x36")
 
 
+    def test_derivatives_of_an_image_are_differences_within_two_by_two_pixels(self):
+        # The global variable has its first value in each run; the branch is taken by odd columns only.
+        (self.folder / "a.frag").write_text("""float seed = 2.0;
+void mainImage(out vec4 c, in vec2 at) {
+    seed += 1.0;
+    float wide = fwidth(at.x * at.y), along = dFdxFine(at.x * at.x * seed);
+    c = vec4(vec3(along + 1000.0 * wide + 100000.0 * dFdy(vec2(at.y, 0.0)).x), 1.0);
+    if (mod(at.x, 2.0) > 1.0) c.rgb += dFdx(at).x;
+}
+""")
+        scene = {"version": 1, "objects": {"k": {"image": {"file": "a.frag", "size": [4, 2]}}}}
+        (self.folder / "k.json").write_text(json.dumps(scene))
+        self.good("bake", "k.json", "-o", "out", "--format", "npy", "--frames", "1", "--overwrite")
+        values = struct.unpack("<8f", (self.folder / "out/k_000001.npy").read_bytes()[-32:])
+        right = []
+        for y in (1, 0):
+            for x in range(4):
+                first = x // 2 * 2  # of the two columns
+                slope = 3 * ((first + 1.5)**2 - (first + 0.5)**2)
+                right.append(slope + 1000 * ((y + 0.5) + (x + 0.5)) + 100000)
+        self.assertEqual(values, tuple(right))
+
+
 if __name__ == "__main__":
     main()
