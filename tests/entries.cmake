@@ -134,6 +134,15 @@ endif()
 if(Python3_FOUND AND TARGET simreel)
   add_subdirectory(faults)
 endif()
+# Random programs in both languages of kernels, executed on the device and by Python.
+if(Python3_FOUND AND TARGET simreel)
+  foreach(language hlsl glsl)
+    add_test(NAME "kernels: random programs of ${language}"
+             COMMAND Python3::Interpreter ${CMAKE_SOURCE_DIR}/tools/programs --count 60 --seed 12 --language ${language})
+    set_tests_properties("kernels: random programs of ${language}" PROPERTIES LABELS gpu TIMEOUT ${PATIENCE} ENVIRONMENT "SIMREEL=$<TARGET_FILE:simreel>")
+  endforeach()
+endif()
+
 # Tests of the report's page in Chromium and Firefox; skipped with a message if a browser or Selenium is not installed.
 # Debian's own Python is tried first, because python3-selenium belongs to it.
 find_program(SYSTEM_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH)

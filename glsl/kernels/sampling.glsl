@@ -66,3 +66,44 @@ SAMPLE_LAYER(texture2DArray) SAMPLE_LAYER(sampler2DArray)
     return xBetween(SHEET_3D(0), SHEET_3D(1), shareZ); \
   }
 SAMPLE_3D(texture3D) SAMPLE_3D(sampler3D)
+
+// Cube maps as array textures of the faces +x, -x, +y, -y, +z, -z, with the places and directions of OpenGL and
+// Direct3D. Returns the place on a face, from 0 to 1, and the face.
+vec3 xFace(const vec3 d) {
+  vec3 size = abs(d);
+  bool alongX = size.x >= size.y && size.x >= size.z, alongY = !alongX && size.y >= size.z;
+  vec4 face = alongX   ? d.x < 0.0 ? vec4(d.z, -d.y, size.x, 1.0) : vec4(-d.z, -d.y, size.x, 0.0)
+              : alongY ? d.y < 0.0 ? vec4(d.x, -d.z, size.y, 3.0) : vec4(d.x, d.z, size.y, 2.0)
+              : d.z < 0.0 ? vec4(-d.x, -d.y, size.z, 5.0) : vec4(d.x, -d.y, size.z, 4.0);
+  precise float s = 0.5 * xDiv(face.x, face.z) + 0.5, t = 0.5 * xDiv(face.y, face.z) + 0.5;
+  return vec3(s, t, face.w);
+}
+// Returns the direction of a place on a face.
+vec3 xDirection(const int face, const float s, const float t) {
+  precise float x = 2.0 * s - 1.0, y = 2.0 * t - 1.0;
+  return face == 0   ? vec3(1.0, -y, -x)
+         : face == 1 ? vec3(-1.0, -y, x)
+         : face == 2 ? vec3(x, 1.0, y)
+         : face == 3 ? vec3(x, -1.0, -y)
+         : face == 4 ? vec3(x, -y, 1.0)
+                     : vec3(-x, -y, -1.0);
+}
+// Returns the texel at (x, y) of a face; outside the face, the nearest one of its neighbour.
+ivec3 xCubeTexel(const int face, const int x, const int y, const int n) {
+  if (min(x, y) >= 0 && max(x, y) < n) return ivec3(x, y, face);
+  precise float s = xDiv(float(x) + 0.5, float(n)), t = xDiv(float(y) + 0.5, float(n));
+  vec3 other = xFace(xDirection(face, s, t));
+  return ivec3(clamp(xToInt(floor(xMul(other.x, float(n)))), 0, n - 1),
+               clamp(xToInt(floor(xMul(other.y, float(n)))), 0, n - 1), int(other.z));
+}
+#define TEXEL_CUBE(T, U) texelFetch(t, xCubeTexel(face, x + T, y + U, n), level)
+#define SAMPLE_CUBE(TEXTURE) \
+  vec4 xCube(TEXTURE t, const vec3 at, const float lod, const uint state) { \
+    int level = xLevel(lod, textureQueryLevels(t)), n = textureSize(t, level).x, x, y; \
+    vec3 place = xFace(at); \
+    int face = int(place.z); \
+    float shareX = xPlace(place.x, n, state, x), shareY = xPlace(place.y, n, state, y); \
+    if ((state & 1u) == 0u) return texelFetch(t, ivec3(clamp(x, 0, n - 1), clamp(y, 0, n - 1), face), level); \
+    return xBetween(xBetween(TEXEL_CUBE(0, 0), TEXEL_CUBE(1, 0), shareX), xBetween(TEXEL_CUBE(0, 1), TEXEL_CUBE(1, 1), shareX), shareY); \
+  }
+SAMPLE_CUBE(texture2DArray) SAMPLE_CUBE(sampler2DArray)

@@ -6,6 +6,8 @@
 #include "kernels/compile/front_end.hpp"
 #include "kernels/exact/bounds.hpp"
 #include "kernels/exact/calls.hpp"
+#include "kernels/exact/copies_back.hpp"
+#include "kernels/exact/cubes.hpp"
 #include "kernels/exact/limits.hpp"
 #include "kernels/exact/refuse.hpp"
 #include "kernels/exact/sampling.hpp"
@@ -14,6 +16,7 @@
 #include "kernels/guards/race.hpp"
 #include "kernels/guards/report.hpp"
 #include "kernels/guards/shared.hpp"
+#include "kernels/source/derivatives.hpp"
 #include "kernels/source/files.hpp"
 #include "kernels/source/pragmas.hpp"
 #include "kernels/source/toy.hpp"
@@ -26,6 +29,7 @@
 #include "scene/json/words.hpp"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -36,13 +40,19 @@ namespace {
 /// Compiles a kernel, adds loop limits, replaces inexact operations, and optimizes the module with
 /// SPIRV-Tools.
 Module prepared(Files& files, const Unit& unit, const Request& request, Report* report) {
-  const Module compiled(compile(files, unit));
+  const bool hlsl = unit.language == Language::hlsl;
+  if (hlsl)
+    if (auto mistakes = variableGroups(files); !mistakes.empty()) files.fail(mistakes);
+  Module compiled(compile(files, unit));
+  if (auto mistakes = copyBack(compiled, files); !mistakes.empty()) files.fail(mistakes);
   if (auto mistakes = refused(compiled, files, request.fast); !mistakes.empty()) files.fail(mistakes);
   if (auto mistakes = beyondLimits(compiled, files, unit.entry, unit.line); !mistakes.empty())
     files.fail(mistakes);
-  const bool hlsl = unit.language == Language::hlsl;
-  if (hlsl)
-    if (auto mistakes = withoutGroups(files, unit.entry); !mistakes.empty()) files.fail(mistakes);
+  if (auto mistakes = hlsl                  ? withoutGroups(files, unit.entry)
+                      : unit.before.empty() ? withoutLocalSize(files)
+                                            : std::vector<Mistake>{};
+      !mistakes.empty())
+    files.fail(mistakes);
   const auto made = [&](bool unrolled) {
     Module module = compiled;
     if (report != nullptr || !request.previous.empty() || request.race == Race::check) repeatLines(module);
@@ -85,10 +95,11 @@ Kernel lowered(Files& files, const Unit& unit, const Request& request) {
   const unsigned axes = numberedAxes(module);
   if (auto mistakes = readPrevious(module, files, hlsl, request.previous); !mistakes.empty())
     files.fail(mistakes);
-  if (!request.fast) {
-    keepInside(module, report);
-    filterExactly(module);
-  }
+  if (!request.fast) keepInside(module, report);
+  const std::set<Id> cubes = flattenCubes(module);
+  std::set<std::string> cubeNames;
+  for (const Id cube : cubes) cubeNames.insert(module.name(cube));
+  if (!request.fast || !cubes.empty()) filterExactly(module, cubes, request.fast);
   layOut(module, hlsl);
   const std::uint32_t guards = request.fast ? 0 : guardElements;
   if (request.race == Race::record) recordWrites(module, hlsl, guards);
@@ -104,6 +115,8 @@ Kernel lowered(Files& files, const Unit& unit, const Request& request) {
   kernel.places = reporting.places();
   splitLoopExits(module);
   writeGlsl(module, kernel, !request.fast);
+  for (Texture& texture : kernel.textures)
+    if (cubeNames.contains(texture.name)) texture.type = "Cube";
   kernel.name = unit.entry;
   kernel.line = unit.line;
   return kernel;
@@ -151,8 +164,8 @@ Shader loadToy(Files& files, const Request& request) {
   if (!isToy(files.text(0)))
     fail(ExitCode::usage, "{} has no function mainImage(out vec4, in vec2)", request.file.string());
   Unit unit{Language::glsl, "main", {}, 1};
-  unit.before = textBefore(request.pass);
-  unit.behind = textBehind(request.pass, request.upsideDown);
+  unit.before = textBefore(request.pass, usesDerivatives(files.text(0)));
+  unit.behind = textBehind(files.text(0), request.pass, request.upsideDown);
   Shader shader;
   shader.language = "GLSL";
   shader.kernels.push_back(lowered(files, unit, request));

@@ -149,8 +149,9 @@ std::string sceneOf(const kernels::Shader& shader, const std::filesystem::path& 
     object["buffers"] = buffers;
   Json textures = Json::object();
   for (const kernels::Texture* texture : memory.textures)
-    textures[texture->name] = texture->type == "2D" ? Json{guessedSide, guessedSide}
-                                                    : Json{guessedDepth, guessedDepth, guessedDepth};
+    textures[texture->name] = texture->type == "2D" || texture->type == "Cube"
+                                  ? Json{guessedSide, guessedSide}
+                                  : Json{guessedDepth, guessedDepth, guessedDepth};
   if (!textures.empty()) object["textures"] = textures;
   Json constants = Json::object();
   Json step = Json::array();

@@ -76,6 +76,8 @@ constexpr const char* unityNames = R"(#define SHADER_API_D3D11 1
 #define UNITY_VERSION 202230
 #define UNITY_UV_STARTS_AT_TOP 1
 #define UNITY_REVERSED_Z 1
+#define UNITY_NEAR_CLIP_VALUE 1.0
+#define UNITY_RAW_FAR_CLIP_VALUE 0.0
 #define CBUFFER_START(name) cbuffer name {
 #define CBUFFER_END };
 #define GROUPSHARED groupshared
@@ -166,7 +168,9 @@ std::optional<std::vector<std::uint32_t>> attempt(Files& files, const Unit& unit
   if (hlsl) messages = static_cast<EShMessages>(messages | EShMsgReadHlsl);
   Includer includer(files);
   const bool parsed = shader.parse(GetDefaultResources(), hlsl ? 500 : 450, false, messages, includer);
-  if (!parsed && hlsl && learn(files, shader.getInfoLog())) return std::nullopt;
+  const bool learned =
+      hlsl && ((!parsed && learn(files, shader.getInfoLog())) || learnStarts(files, unit.entry));
+  if (learned) return std::nullopt;
   if (!parsed) files.fail(explained(shader.getInfoLog(), files, includer.failed(), unit));
   compiled.program = std::make_unique<glslang::TProgram>();
   compiled.program->addShader(&shader);

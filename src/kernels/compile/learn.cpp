@@ -1,6 +1,10 @@
 #include "kernels/compile/learn.hpp"
 
 #include "kernels/compile/messages.hpp"
+#include "kernels/source/initializers.hpp"
+#include "kernels/source/loop_variables.hpp"
+#include "kernels/source/overloads.hpp"
+#include "kernels/source/scan.hpp"
 
 #include <algorithm>
 #include <deque>
@@ -9,28 +13,11 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
 namespace simreel::kernels {
 
 namespace {
-
-/// A file's tokens, and its global variables.
-struct Scan {
-  explicit Scan(const std::string& text)
-      : code(withoutComments(text)), all(tokens(code)), declared(globals(code, all)) {}
-  ~Scan() = default;
-  Scan(const Scan&) = delete;
-  Scan& operator=(const Scan&) = delete;
-
-  std::string code;
-  std::vector<Token> all;
-  std::vector<Declaration> declared;
-};
-
-std::deque<Scan> scans(const Files& files) {
-  std::deque<Scan> made;
-  for (std::size_t i = 0; i < files.count(); ++i) made.emplace_back(files.text(i));
-  return made;
-}
 
 bool isResource(const Declaration& one) {
   return !lengthFunction(one.type, "x").empty() || one.type.starts_with("Sampler") ||
@@ -86,11 +73,42 @@ void learnMeasured(Files& files) {
         files.remedies.measured.emplace(scan.all[i].text);
 }
 
-void learnNamespaces(Files& files) {
+/// Returns true if a namespace is new.
+bool learnNamespaces(Files& files) {
+  const std::size_t before = files.remedies.dissolved.size();
   for (const Scan& scan : scans(files))
     for (std::size_t i = 0; i + 2 < scan.all.size(); ++i)
       if (scan.all[i].text == "namespace" && scan.all[i + 2].text == "{")
         files.remedies.dissolved.emplace(scan.all[i + 1].text);
+  return files.remedies.dissolved.size() > before;
+}
+
+/// Nests the flat initializers of a file, once.
+void learnInitializers(Files& files, const Mistake& mistake) {
+  if (files.remedies.nested.contains(mistake.file)) return;
+  files.remedies.nested.insert(mistake.file);
+  files.remedies.edits[mistake.file].add(nestedInitializers(scans(files), mistake.file));
+}
+
+/// Adds overloads of a user's function.
+void learnOverloads(Files& files, const std::string& name) {
+  if (files.remedies.shortened.contains(name)) return;
+  const std::deque<Scan> all = scans(files);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (const Edits more = shorteningOverloads(all[i], name); !more.empty()) {
+      files.remedies.edits[i].add(more);
+      files.remedies.shortened.insert(name);
+    }
+}
+
+/// Declares a variable before the last loop that declares it.
+void learnLoopVariable(Files& files, const Mistake& mistake) {
+  const std::string key = mistake.token + std::to_string(mistake.line);
+  if (files.remedies.outliving.contains(key)) return;
+  const Edits more = declaredBeforeLoop(Scan(files.text(mistake.file)), mistake.token, mistake.line);
+  if (more.empty()) return;
+  files.remedies.edits[mistake.file].add(more);
+  files.remedies.outliving.insert(key);
 }
 
 bool asksForLength(const Files& files, const Mistake& mistake) {
@@ -99,7 +117,58 @@ bool asksForLength(const Files& files, const Mistake& mistake) {
   return std::any_of(tokens.begin(), tokens.end(), [](const Token& one) { return one.text == "Length"; });
 }
 
+/// True if an initializer, from token `i` to the semicolon, calls a function of the user's.
+bool callsFunction(const std::deque<Scan>& all, const Scan& scan, std::size_t i) {
+  for (; i + 1 < scan.all.size() && scan.all[i].text != ";"; ++i) {
+    const Token& name = scan.all[i];
+    if (!name.isWord() || scan.all[i + 1].text != "(" || numeric(name.text)) continue;
+    for (const Scan& other : all)
+      if (bodyOf(other, name.text) != 0) return true;
+  }
+  return false;
+}
+
+/// Takes the initializer from "static T x = f();" and adds it to `starts` as a statement.
+void takeStart(const std::deque<Scan>& all, const Scan& scan, const Declaration& one, Edits& edits,
+               std::string& starts) {
+  const Declarator& name = one.names[0];
+  std::size_t i = 0;
+  while (scan.all[i].at != name.at) ++i;
+  std::size_t type = i;
+  while (scan.all[type].text.data() != one.type.data()) --type;
+  while (i < scan.all.size() && scan.all[i].text != "=" && scan.all[i].text != ";") ++i;
+  if (scan.all[i].text != "=" || !callsFunction(all, scan, i + 1)) return;
+  const std::size_t begin = scan.all[i].at, end = one.end - 1;
+  starts += fmt::format(" {} {};", name.name, scan.code.substr(begin, end - begin));
+  edits.replace(begin, end, "");
+  for (std::size_t k = type; k-- > 0 && (scan.all[k].text == "const" || scan.all[k].text == "static");)
+    if (scan.all[k].text == "const") edits.replace(scan.all[k].at, scan.all[k].end(), "");
+}
+
 }  // namespace
+
+bool learnStarts(Files& files, const std::string& entry) {
+  Remedies& remedies = files.remedies;
+  std::string& starts = remedies.starts;
+  const bool done = starts.empty() || remedies.started.contains(entry);
+  if (done && remedies.searched.size() == files.count()) return false;
+  const std::deque<Scan> all = scans(files);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (remedies.searched.contains(i)) continue;
+    remedies.searched.insert(i);
+    Edits edits;
+    for (const Declaration& one : all[i].declared)
+      if (one.constant && one.names.size() == 1 && one.names[0].lengths.empty())
+        takeStart(all, all[i], one, edits, starts);
+    if (!edits.empty()) remedies.edits[i].add(edits);
+  }
+  std::replace(starts.begin(), starts.end(), '\n', ' ');
+  if (starts.empty() || remedies.started.contains(entry)) return false;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (const std::size_t body = bodyOf(all[i], entry); body != 0) remedies.edits[i].insert(body, starts);
+  remedies.started.insert(entry);
+  return true;
+}
 
 bool learn(Files& files, std::string_view log) {
   const std::size_t before = files.remedies.count();
@@ -114,13 +183,22 @@ bool learn(Files& files, std::string_view log) {
     else if (says("no matching overloaded function found") &&
              (mistake.token == "select" || mistake.token == "and" || mistake.token == "or"))
       files.remedies.functions.insert(mistake.token);
+    else if (says("no matching overloaded function found") && mistake.token == "NonUniformResourceIndex")
+      files.remedies.functions.insert(mistake.token);
+    else if (says("no matching overloaded function found") && !learnNamespaces(files))
+      learnOverloads(files, mistake.token);
+    else if (mistake.token == "constructor" || mistake.token == "initializer list")
+      learnInitializers(files, mistake);
+    else if (says("undeclared identifier") || says("unknown variable"))
+      learnLoopVariable(files, mistake);
+    else if (says("already has a body") && !files.remedies.dissolved.empty())
+      files.remedies.prefixed.insert(mistake.token);
     else if (says("DX9"))
       files.remedies.functions.insert("tex2D");
     else if (mistake.line > 0 && asksForLength(files, mistake))
       learnMeasured(files);
   }
-  if (files.remedies.count() == before) learnNamespaces(files);
-  return files.remedies.count() > before;
+  return files.remedies.count() > before || learnNamespaces(files);
 }
 
 }  // namespace simreel::kernels

@@ -152,6 +152,7 @@ class Placing {
 
  private:
   void place(Instruction& one) {
+    if (one.op == SpvOpExtInst && one.operands[0] == set_ && splitColumns(one)) return;
     if (one.op == SpvOpShiftLeftLogical || one.op == SpvOpShiftRightLogical ||
         one.op == SpvOpShiftRightArithmetic)
       holdShift(one);
@@ -167,6 +168,31 @@ class Placing {
     if (function != nullptr && one.op == SpvOpVectorTimesScalar)
       arguments[1] = spread(one.type, arguments[1]);
     if (function == nullptr || !call(one, function, arguments)) module_.body.push_back(std::move(one));
+  }
+
+  /// Splits a function such as min of matrices, which SPIR-V has for vectors only, into its columns.
+  /// Returns false for other instructions.
+  bool splitColumns(const Instruction& one) {
+    const Instruction* known = module_.global(one.type);
+    const bool whole = one.operands[1] == GLSLstd450MatrixInverse;
+    if (whole || known == nullptr || known->op != SpvOpTypeMatrix) return false;
+    const Id column = known->operands[0];
+    const std::uint32_t count = known->operands[1];
+    Words columns;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      Instruction part{SpvOpExtInst, column, module_.fresh(), {one.operands[0], one.operands[1]}};
+      for (std::size_t k = 2; k < one.operands.size(); ++k) {
+        const Id taken = module_.fresh();
+        module_.noteType(taken, column);
+        module_.body.push_back({SpvOpCompositeExtract, column, taken, {one.operands[k], i}});
+        part.operands.push_back(taken);
+      }
+      columns.push_back(part.result);
+      module_.noteType(part.result, column);
+      place(part);
+    }
+    module_.body.push_back({SpvOpCompositeConstruct, one.type, one.result, columns});
+    return true;
   }
 
   /// Replaces an instruction by a library call. Returns false for types that the library does not support.

@@ -1,11 +1,14 @@
 #include "kernels/exact/limits.hpp"
 
 #include "kernels/source/plain.hpp"
+#include "kernels/source/scan.hpp"
 #include "scene/json/words.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstring>
+#include <filesystem>
 #include <initializer_list>
 #include <sstream>
 #include <string_view>
@@ -110,11 +113,20 @@ std::vector<Mistake> beyondThreads(const Instruction& mode, Mistake place) {
                            mostThreads, mostAlong[0], mostAlong[2]))};
 }
 
-/// Returns the words from the last of ";", "{" and "}" to `end`, without lines of the preprocessor.
-std::string leadOf(const std::string& code, std::size_t end) {
+/// Returns the words from the last of ";", "{" and "}" to `end`, without lines of the preprocessor. The
+/// lead of a file's first words begins before the #include of the file.
+std::string leadOf(const Files& files, std::size_t file, std::size_t end) {
+  const std::string code = withoutComments(files.text(file));
   const std::size_t last = code.find_last_of(";{}", end), begin = last == std::string::npos ? 0 : last + 1;
   std::istringstream lines(code.substr(begin, end - begin));
   std::string lead;
+  const std::string own = std::filesystem::path(files.name(file)).filename().string();
+  for (std::size_t i = 0; begin == 0 && file > 0 && i < file && lead.empty(); ++i) {
+    const std::string& other = files.text(i);
+    const std::size_t name = other.find(own + "\"");
+    const std::size_t sharp = name == std::string::npos ? name : other.rfind('#', name);
+    if (sharp != std::string::npos && sharp > 0) lead = leadOf(files, i, sharp - 1);
+  }
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
     for (std::string word; words >> word && word[0] != '#';) lead += (lead.empty() ? "" : " ") + word;
@@ -138,7 +150,7 @@ std::vector<Mistake> withoutGroups(const Files& files, const std::string& entry)
     for (std::size_t at = code.find(entry); at != std::string::npos; at = code.find(entry, at + 1)) {
       const std::size_t behind = code.find_first_not_of(" \t\r\n", at + entry.size());
       if (!isWordAt(code, at, entry.size()) || behind == std::string::npos || code[behind] != '(') continue;
-      const std::string lead = leadOf(code, at);
+      const std::string lead = leadOf(files, file, at);
       // A macro before "void" may have the attribute.
       if (lead.find("numthreads") != std::string::npos) return {};
       if (lead == "void" && mistakes.empty())
@@ -154,6 +166,53 @@ std::vector<Mistake> withoutGroups(const Files& files, const std::string& entry)
     }
   }
   return mistakes;
+}
+
+std::vector<Mistake> variableGroups(const Files& files) {
+  const std::string code = withoutComments(files.text(0));
+  const std::vector<Token> all = tokens(code);
+  std::vector<Mistake> mistakes;
+  for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+    if (all[i].text != "numthreads" || all[i].directive) continue;
+    for (std::size_t k = i + 2; k < all.size() && all[k].text != ")"; ++k)
+      for (std::size_t d = 1; all[k].isWord() && d + 1 < all.size(); ++d) {
+        if (all[d].text != all[k].text || all[d + 1].text != ";" || !numeric(all[d - 1].text)) continue;
+        const auto begin = code.begin();
+        mistakes.push_back(
+            {0,
+             1 + static_cast<int>(std::count(begin, begin + static_cast<std::ptrdiff_t>(all[k].at), '\n')),
+             std::string(all[k].text),
+             fmt::format("the size of groups is a number, a macro or a static const, and {} is a constant "
+                         "that a scene sets",
+                         scene::inQuotes(all[k].text))});
+        break;
+      }
+  }
+  return mistakes;
+}
+
+std::vector<Mistake> withoutLocalSize(const Files& files) {
+  std::size_t file = 0, id = std::string::npos, idFile = 0;
+  for (; file < files.count(); ++file) {
+    const std::string code = withoutComments(files.text(file));
+    for (const char* axis : {"local_size_x", "local_size_y", "local_size_z"})
+      for (std::size_t at = code.find(axis); at != std::string::npos; at = code.find(axis, at + 1)) {
+        if (isWordAt(code, at, std::strlen(axis))) return {};
+        id = at;
+        idFile = file;
+      }
+  }
+  if (id == std::string::npos)
+    return {{0,
+             1,
+             {},
+             "the shader has no size of its groups; write one, such as layout(local_size_x = 64) in;"}};
+  const std::string& text = files.text(idFile);
+  const auto begin = text.begin();
+  return {
+      {idFile, 1 + static_cast<int>(std::count(begin, begin + static_cast<std::ptrdiff_t>(id), '\n')),
+       "local_size_x_id",
+       "a scene does not set the size of groups; write it here, such as layout(local_size_x = 64) in;"}};
 }
 
 std::vector<Mistake> beyondLimits(const Module& module, const Files& files, const std::string& entry,

@@ -12,6 +12,12 @@ namespace simreel::kernels {
 [[nodiscard]] std::vector<Mistake> beyondLimits(const Module& module, const Files& files,
                                                 const std::string& entry, int line);
 
+/// Returns mistakes of an HLSL file's [numthreads(x, y, z)] that name constants, for which glslang crashes.
+[[nodiscard]] std::vector<Mistake> variableGroups(const Files& files);
+
+/// Returns a mistake if a GLSL shader gives its groups no size, or a specialization constant alone.
+[[nodiscard]] std::vector<Mistake> withoutLocalSize(const Files& files);
+
 /// Returns a mistake if the kernel `entry` of HLSL is a function without [numthreads(x, y, z)], for which
 /// the compiler takes groups of one thread.
 [[nodiscard]] std::vector<Mistake> withoutGroups(const Files& files, const std::string& entry);

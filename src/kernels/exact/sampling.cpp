@@ -17,7 +17,8 @@ namespace {
 
 class Filtering {
  public:
-  explicit Filtering(Module& module) : module_(module) {}
+  Filtering(Module& module, const std::set<Id>& cubes, bool only)
+      : module_(module), cubes_(cubes), only_(only) {}
 
   void run() {
     std::vector<Instruction> body = std::move(module_.body);
@@ -41,7 +42,7 @@ class Filtering {
   };
   struct Read {
     Pair pair;
-    std::string kind;  ///< type code in glslang's mangled function names
+    std::string kind;  ///< the filter, with its type code in glslang's mangled function names
   };
 
   /// Returns the texture of a read if the library has a filter for it.
@@ -67,9 +68,13 @@ class Filtering {
         module_.signature(module_.typeOf(one.operands[3])) != "f1" || place != (flat ? "vf2" : "vf3"))
       return std::nullopt;
     const char* letter = withSampler ? "s" : "t";
+    if (cubes_.contains(pair.image)) return Read{pair, fmt::format("xCube({}A21;vf3;", letter)};
+    if (only_) return std::nullopt;
     if (type->operands[1] == SpvDim2D)
-      return Read{pair, fmt::format("{}{}21;{}", letter, layers ? "A" : "", layers ? "vf3;" : "vf2;")};
-    if (type->operands[1] == SpvDim3D && !layers) return Read{pair, fmt::format("{}31;vf3;", letter)};
+      return Read{pair,
+                  fmt::format("xSample({}{}21;{}", letter, layers ? "A" : "", layers ? "vf3;" : "vf2;")};
+    if (type->operands[1] == SpvDim3D && !layers)
+      return Read{pair, fmt::format("xSample({}31;vf3;", letter)};
     return std::nullopt;
   }
 
@@ -121,7 +126,7 @@ class Filtering {
     const Id at = module_.fresh(), state = module_.fresh();
     module_.body.push_back({SpvOpAccessChain, member_, at, {block_, index}});
     module_.body.push_back({SpvOpLoad, module_.uintType(), state, {at}});
-    calls_.push_back({module_.body.size(), "xSample(" + read->kind + "f1;u1;"});
+    calls_.push_back({module_.body.size(), read->kind + "f1;u1;"});
     module_.body.push_back({SpvOpFunctionCall,
                             one.type,
                             one.result,
@@ -146,6 +151,8 @@ class Filtering {
   }
 
   Module& module_;
+  const std::set<Id>& cubes_;
+  bool only_;
   std::unordered_map<Id, Id> loaded_;
   std::unordered_map<Id, Pair> joined_;  ///< pairs of image and sampler, by the id of the sampled image
   std::unordered_map<std::uint64_t, std::uint32_t> members_;
@@ -155,8 +162,8 @@ class Filtering {
 
 }  // namespace
 
-void filterExactly(Module& module) {
-  Filtering(module).run();
+void filterExactly(Module& module, const std::set<Id>& cubes, bool only) {
+  Filtering(module, cubes, only).run();
 }
 
 }  // namespace simreel::kernels

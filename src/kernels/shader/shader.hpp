@@ -38,7 +38,7 @@ struct Buffer {
 /// A texture or image with its own binding.
 struct Texture {
   std::string name;
-  std::string type;     ///< "2D", "3D", "2DArray", "Cube", "Buffer", "1D"
+  std::string type;     ///< "2D", "3D", "2DArray", "Cube", "Buffer", "1D"; "2D[4]" for an array
   std::string values;   ///< "float", "int", "uint"
   std::string format;   ///< format of an image, such as "rgba32f"; empty for a texture
   std::string sampler;  ///< name of the sampler; empty if only texelFetch reads it

@@ -4,6 +4,7 @@
 #include "kernels/source/tokens.hpp"
 
 #include <cstddef>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -19,6 +20,13 @@ void shortenUnsigned(const std::vector<Token>& all, Edits& edits) {
     edits.replace(all[i].at, all[i].end(), withType ? "" : "uint");
     if (withType) edits.insert(all[i + 1].at, "u");
   }
+}
+
+/// Makes structured buffers of typed buffers, "Buffer<float4>". Both read and write whole elements.
+void restructure(const std::vector<Token>& all, Edits& edits) {
+  for (std::size_t i = 0; i + 1 < all.size(); ++i)
+    if ((all[i].text == "Buffer" || all[i].text == "RWBuffer") && all[i + 1].text == "<")
+      edits.insert(all[i].at + all[i].text.size() - std::string_view("Buffer").size(), "Structured");
 }
 
 /// Returns the index of the token that closes the braces at or after token `i`; the token count if the
@@ -69,17 +77,41 @@ void takeOutShared(std::string_view code, const std::vector<Token>& all, Edits& 
   }
 }
 
+/// Blanks "interface I {...};" and ": I" behind the name of a class or struct that implements it.
+void takeOutInterfaces(const std::vector<Token>& all, Edits& edits) {
+  std::set<std::string_view> interfaces;
+  const auto blank = [&](std::size_t first, std::size_t last) {
+    edits.replace(all[first].at, all[last].end(), "");
+  };
+  for (std::size_t i = 0; i + 3 < all.size(); ++i) {
+    if (all[i].text == "interface") {
+      const std::size_t close = closing(all, i);
+      if (close == all.size()) return;
+      interfaces.insert(all[i + 1].text);
+      const bool semicolon = close + 1 < all.size() && all[close + 1].text == ";";
+      blank(i, semicolon ? close + 1 : close);
+    } else if ((all[i].text == "class" || all[i].text == "struct") && all[i + 2].text == ":" &&
+               interfaces.contains(all[i + 3].text)) {
+      std::size_t last = i + 3;
+      while (last + 2 < all.size() && all[last + 1].text == "," && interfaces.contains(all[last + 2].text))
+        last += 2;
+      blank(i + 2, last);
+    }
+  }
+}
+
 }  // namespace
 
 std::string dialect(const std::string& text) {
-  const bool asks =
-      text.find("unsigned") != std::string::npos || text.find("groupshared") != std::string::npos;
-  if (!asks) return text;
+  const auto has = [&](const char* word) { return text.find(word) != std::string::npos; };
+  if (!has("unsigned") && !has("groupshared") && !has("interface") && !has("Buffer")) return text;
   const std::string code = withoutComments(text);
   const std::vector<Token> all = tokens(code);
   Edits edits;
   shortenUnsigned(all, edits);
   takeOutShared(code, all, edits);
+  takeOutInterfaces(all, edits);
+  restructure(all, edits);
   return edits.applied(text);
 }
 

@@ -67,6 +67,14 @@ void undefineFirst(const std::string& text, std::size_t file, const Remedies& re
   }
 }
 
+/// Writes "N_" before names of functions in the namespace N between two tokens.
+void prefix(const std::vector<Token>& all, std::size_t first, std::size_t last, const Remedies& remedies,
+            Edits& edits) {
+  for (std::size_t i = first + 3; i < last; ++i)
+    if (remedies.prefixed.contains(all[i].text) && all[i - 1].text != "." && all[i - 1].text != "::")
+      edits.insert(all[i].at, std::string(all[first + 1].text) + "_");
+}
+
 /// Blanks "namespace N {" with its "}", and "N::".
 void dissolve(const std::vector<Token>& all, const Remedies& remedies, Edits& edits) {
   const auto blank = [&](std::size_t first, std::size_t last) {
@@ -79,9 +87,13 @@ void dissolve(const std::vector<Token>& all, const Remedies& remedies, Edits& ed
           [&](const Token& one) { return one.text == "}" && one.depth <= all[i + 2].depth + 1; });
       if (end == all.end()) continue;
       blank(i, i + 2);
-      blank(static_cast<std::size_t>(end - all.begin()), static_cast<std::size_t>(end - all.begin()));
+      const auto close = static_cast<std::size_t>(end - all.begin());
+      blank(close, close);
+      prefix(all, i, close, remedies, edits);
     } else if (all[i + 1].text == "::" && remedies.dissolved.contains(all[i].text)) {
       blank(i, i + 1);
+      if (remedies.prefixed.contains(all[i + 2].text))
+        edits.insert(all[i + 2].at, std::string(all[i].text) + "_");
     }
   }
 }
@@ -147,10 +159,12 @@ std::string functionMacros(const Remedies& remedies) {
   struct Macro {
     std::string_view name, text;
   };
-  static constexpr Macro macros[] = {{"select", "#define select(a, b, c) ((a) ? (b) : (c))\n"},
-                                     {"and", "#define and(a, b) ((a) && (b))\n"},
-                                     {"or", "#define or(a, b) ((a) || (b))\n"},
-                                     {"tex2D", directX9}};
+  static constexpr Macro macros[] = {
+      {"select", "#define select(a, b, c) ((a) ? (b) : (c))\n"},
+      {"and", "#define and(a, b) ((a) && (b))\n"},
+      {"or", "#define or(a, b) ((a) || (b))\n"},
+      {"NonUniformResourceIndex", "#define NonUniformResourceIndex(a) (a)\n"},
+      {"tex2D", directX9}};
   std::string text;
   for (const Macro& macro : macros)
     if (remedies.functions.find(macro.name) != remedies.functions.end()) text += macro.text;
@@ -174,6 +188,7 @@ std::string remedied(const std::string& text, std::size_t file, const Remedies& 
         (i == 0 || all[i - 1].text != "."))
       edits.replace(all[i].at, all[i + 2].end(), fmt::format("simreel_length_{}()", all[i].text));
   if (!remedies.dissolved.empty()) dissolve(all, remedies, edits);
+  if (const auto more = remedies.edits.find(file); more != remedies.edits.end()) edits.add(more->second);
   undefineFirst(text, file, remedies, edits);
   return edits.applied(text);
 }

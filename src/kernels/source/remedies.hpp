@@ -2,6 +2,7 @@
 #include "kernels/source/tokens.hpp"
 
 #include <cstddef>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -26,9 +27,24 @@ struct Remedies {
   std::set<std::string, std::less<>> functions;
   /// Namespaces that are dissolved: methods of their structs would not find their functions.
   std::set<std::string, std::less<>> dissolved;
+  /// Functions of dissolved namespaces whose names get the namespace's name in front, because others have
+  /// them too.
+  std::set<std::string, std::less<>> prefixed;
+  /// Functions with overloads that shorten arguments, and loop variables that outlive their loop.
+  std::set<std::string, std::less<>> shortened, outliving;
+  /// Files whose flat initializers are nested.
+  std::set<std::size_t> nested;
+  /// Statements that initialize static variables by calls of functions, which glslang does not; files that
+  /// were searched for such variables; kernels that begin with the statements.
+  std::string starts;
+  std::set<std::size_t> searched;
+  std::set<std::string, std::less<>> started;
+  /// Further changes to the text of files.
+  std::map<std::size_t, Edits> edits;
 
   [[nodiscard]] std::size_t count() const {
-    return assigned.size() + measured.size() + redefined.size() + functions.size() + dissolved.size();
+    return assigned.size() + measured.size() + redefined.size() + functions.size() + dissolved.size() +
+           prefixed.size() + shortened.size() + outliving.size() + nested.size() + started.size();
   }
 };
 

@@ -46,6 +46,7 @@ class Edits {
   void replace(std::size_t begin, std::size_t end, std::string with);
   void insert(std::size_t at, std::string with) { replace(at, at, std::move(with)); }
   void add(const Edits& more) { edits_.insert(edits_.end(), more.edits_.begin(), more.edits_.end()); }
+  [[nodiscard]] bool empty() const { return edits_.empty(); }
   /// Returns the text with all edits applied. Newlines in replaced ranges are kept.
   [[nodiscard]] std::string applied(std::string text) const;
 

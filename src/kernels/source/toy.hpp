@@ -8,8 +8,9 @@ namespace simreel::kernels {
 [[nodiscard]] bool isToy(std::string_view text);
 /// Returns declarations of ShaderToy's inputs: iResolution, iTime, iTimeDelta, iFrame, iFrameRate, iMouse,
 /// iDate, iSampleRate, iChannelTime, iChannelResolution and iChannel0 to iChannel3.
-[[nodiscard]] std::string textBefore(const std::string& pass);
-/// Returns the kernel that calls mainImage() for each pixel.
-[[nodiscard]] std::string textBehind(const std::string& pass, bool upsideDown);
+/// `derivatives`: also of dFdx(), dFdy() and fwidth().
+[[nodiscard]] std::string textBefore(const std::string& pass, bool derivatives);
+/// Returns the kernel that calls mainImage() of a text for each pixel.
+[[nodiscard]] std::string textBehind(const std::string& text, const std::string& pass, bool upsideDown);
 
 }  // namespace simreel::kernels

@@ -62,9 +62,12 @@ Texture texture(const Module& module, Id variable) {
   made.name = module.name(variable);
   made.reads = true;
   const Instruction* type = module.global(module.global(module.typeOf(variable))->operands[1]);
-  while (type->op == SpvOpTypeArray) type = module.global(type->operands[0]);
+  std::string lengths;
+  for (; type->op == SpvOpTypeArray; type = module.global(type->operands[0]))
+    lengths += fmt::format("[{}]", module.constant(type->operands[1]).value_or(0));
   if (type->op == SpvOpTypeSampledImage) type = module.global(type->operands[0]);
   if (type->op == SpvOpTypeImage) describeImage(module, *type, made);
+  made.type += lengths;
   return made;
 }
 

@@ -102,7 +102,7 @@ void KernelStore::makeTexture(const std::string& name, const PlannedTexture& pla
   textures_.push_back(planned.type == "2D"
                           ? gl::Texture::image(label, format, planned.size.x, planned.size.y)
                           : gl::Texture::layered(label, format, planned.size.x, planned.size.y,
-                                                 planned.size.z, planned.type == "2DArray"));
+                                                 planned.size.z, planned.type != "3D"));
   textures_.back().unfiltered();
   const std::vector<double> first = plan_.firstTexels(planned, seed);
   std::vector<glm::uvec4> words(planned.count());

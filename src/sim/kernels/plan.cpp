@@ -187,11 +187,16 @@ void KernelPlan::collectTexture(const kernels::Texture& from) {
   texture.written = from.writes;
   texture.values = from.values;
   texture.formatted = !from.format.empty();
-  if (from.type != "2D" && from.type != "3D" && from.type != "2DArray")
-    mistake(
-        {"file"},
-        fmt::format("the texture {} is of the kind {}; scenes have those of the kinds 2D, 3D and 2DArray",
-                    scene::inQuotes(from.name), from.type));
+  if (from.type.ends_with(']'))
+    mistake({"file"},
+            fmt::format("{} is an array of textures, {}; a scene sets single ones: give each a name, "
+                        "or use a Texture2DArray",
+                        scene::inQuotes(from.name), from.type));
+  else if (from.type != "2D" && from.type != "3D" && from.type != "2DArray" && from.type != "Cube")
+    mistake({"file"},
+            fmt::format(
+                "the texture {} is of the kind {}; scenes have those of the kinds 2D, 3D, 2DArray and Cube",
+                scene::inQuotes(from.name), from.type));
   if (texture.format.empty())
     texture.format = from.values == "int" ? "rgba32i" : from.values == "uint" ? "rgba32ui" : "rgba32f";
   textures_.push_back(std::move(texture));

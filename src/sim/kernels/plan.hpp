@@ -42,7 +42,7 @@ struct PlannedBuffer {
 
 /// A texture or image of the kernels of a file.
 struct PlannedTexture {
-  std::string name, type, format;  ///< "2D", "3D", "2DArray"; a format as GLSL has it
+  std::string name, type, format;  ///< "2D", "3D", "2DArray", "Cube"; a format as GLSL has it
   std::string values{};            ///< "float", "int" or "uint", as the shader has its texels
   glm::ivec3 size{1, 1, 1};
   bool sized = false, written = false;

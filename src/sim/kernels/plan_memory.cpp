@@ -105,7 +105,8 @@ void KernelPlan::sizeOf(const char* list, const KernelMemory& given, int axes, g
 
 void KernelPlan::size(const KernelDescription& /*parameters*/) {
   const auto each = [&](const auto& deed) {
-    for (PlannedTexture& texture : textures_) deed("textures", texture, texture.type == "2D" ? 2 : 3);
+    for (PlannedTexture& texture : textures_)
+      deed("textures", texture, texture.type == "3D" || texture.type == "2DArray" ? 3 : 2);
     for (PlannedBuffer& buffer : buffers_) deed("buffers", buffer, 0);
   };
   // A size may name another memory: what cannot be told yet is told in a later round.
@@ -123,6 +124,14 @@ void KernelPlan::size(const KernelDescription& /*parameters*/) {
     if (memory.given != nullptr && !memory.sized)
       sizeOf(list, *memory.given, axes, memory.size, memory.sized);
   });
+  for (PlannedTexture& texture : textures_) {
+    if (texture.type != "Cube" || !texture.sized) continue;
+    if (texture.size.x != texture.size.y)
+      mistake(
+          {"textures", texture.name, "size"},
+          fmt::format("the faces of a cube are squares, found {} x {}", texture.size.x, texture.size.y));
+    texture.size.z = 6;
+  }
   for (PlannedBuffer& buffer : buffers_)
     if (!buffer.previousOf.empty())
       buffer.size = buffers_[static_cast<std::size_t>(bufferNamed(buffer.previousOf))].size;

@@ -1,6 +1,7 @@
 """Tests simreel kernels and scenes that run a user's compute shaders."""
 import json
 import signal
+import struct
 
 from common import Case, main, png_rows
 
@@ -56,6 +57,38 @@ class Kernels(Case):
         # A changed file is compiled again.
         self.scene(BLUR.replace("lerp(", "lrp("))
         self.bad(2, "a.compute:8:19: error: ", "validate", "k.json", env=env)
+
+    def test_a_cube_map_is_read_by_a_direction_across_its_edges(self):
+        # Texel (x, y) of face z holds x + 10 y + 100 z. Directions: the middle of two texels; an edge of +x and +z; a place nearest to a texel.
+        shader = """#pragma kernel K
+TextureCube<float4> _Sky; SamplerState sampler_linear_clamp, sampler_point_clamp; RWTexture2D<float> _Out;
+[numthreads(1, 1, 1)] void K(uint3 id : SV_DispatchThreadID) {
+    uint w, h;
+    _Sky.GetDimensions(w, h);
+    _Out[uint2(0, 0)] = _Sky.SampleLevel(sampler_linear_clamp, float3(2, 0.5, 0), 0).r;
+    _Out[uint2(1, 0)] = _Sky.SampleLevel(sampler_linear_clamp, float3(1, -0.25, 1), 0).r;
+    _Out[uint2(2, 0)] = _Sky.SampleLevel(sampler_point_clamp, float3(0.3, -0.22, -0.4), 0).r;
+    _Out[uint2(3, 0)] = _Sky.SampleLevel(sampler_point_clamp, float3(-0.1, -3, 0.8), 0).r;
+    _Out[uint2(4, 0)] = w + 10*h;
+}
+"""
+        sky = {"size": [4, 4], "start": {"r": "x + 10*y + 100*z"}}
+        for numerics in ({}, {"fast": True}):
+            self.scene(shader, buffers={}, textures={"_Sky": sky, "_Out": {"size": [5, 1], "format": "r32f"}}, constants={},
+                       step=[{"kernel": "K", "threads": [1]}], field={"of": "_Out", "show": "r"}, **numerics)
+            self.good("bake", "k.json", "-o", "out", "--format", "npy", "--frames", "1", "--overwrite")
+            values = struct.unpack("<5f", (self.folder / "out/k_000001.npy").read_bytes()[-20:])
+            for value, right in zip(values, (11.5, 221.5, 530, 311, 44)):
+                self.assertAlmostEqual(value, right, places=3)
+        self.scene(shader, buffers={}, textures={"_Sky": {"size": [4, 8]}, "_Out": [5, 1]}, constants={})
+        self.bad(2, "the faces of a cube are squares, found 4 x 8", "validate", "k.json")
+
+    def test_an_array_of_textures_is_refused(self):
+        # A scene would set the first texture only.
+        self.scene("#pragma kernel K\nTexture2D<float4> _Seen[3]; RWStructuredBuffer<float4> _Data;\n"
+                   "[numthreads(8, 1, 1)] void K(uint3 id : SV_DispatchThreadID) { _Data[id.x] = _Seen[id.x % 3][uint2(0, 0)]; }\n",
+                   textures={"_Seen": [4, 4]}, constants={}, buffers={"_Data": 8})
+        self.bad(2, '"_Seen" is an array of textures, 2D[3]; a scene sets single ones', "validate", "k.json")
 
     def test_a_race_exits_with_1(self):
         self.scene()
@@ -170,6 +203,29 @@ class Kernels(Case):
         scene = {"version": 1, "objects": {"k": {"image": {"file": "a.frag", "size": [64, 36]}}}}
         (self.folder / "k.json").write_text(json.dumps(scene))
         self.good("render", "k.json", "-o", "out.png", "--frames", "0", "--size", "64x36")
+
+
+    def test_derivatives_of_an_image_are_differences_within_two_by_two_pixels(self):
+        # The global variable has its first value in each run; the branch is taken by odd columns only.
+        (self.folder / "a.frag").write_text("""float seed = 2.0;
+void mainImage(out vec4 c, in vec2 at) {
+    seed += 1.0;
+    float wide = fwidth(at.x * at.y), along = dFdxFine(at.x * at.x * seed);
+    c = vec4(vec3(along + 1000.0 * wide + 100000.0 * dFdy(vec2(at.y, 0.0)).x), 1.0);
+    if (mod(at.x, 2.0) > 1.0) c.rgb += dFdx(at).x;
+}
+""")
+        scene = {"version": 1, "objects": {"k": {"image": {"file": "a.frag", "size": [4, 2]}}}}
+        (self.folder / "k.json").write_text(json.dumps(scene))
+        self.good("bake", "k.json", "-o", "out", "--format", "npy", "--frames", "1", "--overwrite")
+        values = struct.unpack("<8f", (self.folder / "out/k_000001.npy").read_bytes()[-32:])
+        right = []
+        for y in (1, 0):
+            for x in range(4):
+                first = x // 2 * 2  # of the two columns
+                slope = 3 * ((first + 1.5)**2 - (first + 0.5)**2)
+                right.append(slope + 1000 * ((y + 0.5) + (x + 0.5)) + 100000)
+        self.assertEqual(values, tuple(right))
 
 
 if __name__ == "__main__":

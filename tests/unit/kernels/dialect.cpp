@@ -97,3 +97,96 @@ TEST_CASE("samplers of Direct3D 9 are textures with a sampler") {
   CHECK(shader.kernels[0].textures[0].name == "_Lut");
   CHECK(shader.kernels[0].textures[1].type == "3D");
 }
+
+TEST_CASE("flat initializers fill arrays, vectors and structs in order") {
+  const kernels::Kernel made = kernel(
+      "struct Ray { float3 from; uint hits; float3 to; float last[2]; };\n"
+      "static const float2 corners[] = {0, 0, 1, 0, 1, 1};\n#define N 2\n"
+      "static const Ray rest = {1, 2, 3, 4, 5, 6, 7, 8, 9};",
+      "  float m[N][2] = {i, 2, i + 1, 4}; float3 v = 5;\n"
+      "  Ray one = {v + 1, i, v, m[1]  [0], 6};\n"
+      "  _Out[i] = m[1][0] + m[0][1] + corners[2].y + rest.to.z + one.to.x + one.last[1] + rest.last[1];");
+  checkHas(made.glsl, "+ 7.0");
+  CHECK_THROWS_WITH_AS(static_cast<void>(kernel("", "  float m[2][2] = {1, 2, 3};\n  _Out[i] = m[0][0];")),
+                       doctest::Contains("dialect.hlsl:3:"), UserError);
+}
+
+TEST_CASE("a vector given for a number, and a larger matrix, are shortened") {
+  const kernels::Kernel made = kernel(
+      "float4x4 _To; float3 unpacked(uint x) { return x * 0.5; }\n"
+      "float3 turned(const uint n, float2 at, const float3x3 by) { return mul(by, float3(at, n)); }",
+      "  uint2 two = uint2(i, 7); float4 at = i;\n"
+      "  _Out[i] = unpacked(two).x + turned(two, at.xy, _To).y + turned(3, at.xy, (float3x3)_To).z;");
+  CHECK(made.blocks.size() == 1);
+  CHECK_THROWS_WITH_AS(static_cast<void>(kernel("float f(uint x) { return x; }", "  _Out[i] = f(1, 2);")),
+                       doctest::Contains("\"f\" has no function with these arguments"), UserError);
+}
+
+TEST_CASE("a loop variable lives on behind its loop") {
+  checkHas(
+      kernel("",
+             "  for (int n = 0, k = 3; n < 5; ++n) { if (_Out[n] > 2) break; k += n; }\n  _Out[i] = n + k;")
+          .glsl,
+      "for (");
+}
+
+TEST_CASE("interfaces are left out, and functions that a namespace and the file both have are different") {
+  const kernels::Kernel made = kernel(
+      "interface ICount { void Add(int n); }; interface IOther { void Set(int n); };\n"
+      "class Count : ICount, IOther { int n; void Add(int m) { n += m; } void Set(int m) { n = m; } };\n"
+      "namespace Tree { int leaf(int n) { return -n; } struct Node { int a; int next() { return leaf(a); } "
+      "}; }\n"
+      "int leaf(int n) { return n + 41; }",
+      "  Count count; count.Set(1); count.Add(2); Tree::Node node; node.a = 5;\n"
+      "  _Out[i] = count.n + leaf(1) + Tree::leaf(2) + node.next();");
+  checkHas(made.glsl, "= 38.0;");
+}
+
+TEST_CASE("a static variable is initialized by a function, in each kernel") {
+  const kernels::Shader shader = loaded(
+      "s.compute",
+      "#pragma kernel A\n#pragma kernel B\nstruct Hit { float at; uint what; };\nfloat _Far;\n"
+      "Hit none() { Hit hit; hit.at = _Far; hit.what = 9; return hit; }\nconst static Hit first = none();\n"
+      "RWStructuredBuffer<float> _Out;\n"
+      "[numthreads(8, 1, 1)] void A(uint3 id : SV_DispatchThreadID) { _Out[id.x] = first.at + 1; }\n"
+      "[numthreads(8, 1, 1)] void B(uint3 id : SV_DispatchThreadID) { _Out[id.x] = first.what; }\n");
+  REQUIRE(shader.kernels.size() == 2);
+  CHECK(shader.kernels[0].blocks.at(0).members.at(0).name == "_Far");
+  checkHas(shader.kernels[1].glsl, "= 9.0;");
+}
+
+TEST_CASE("typed buffers are structured buffers") {
+  const kernels::Kernel made =
+      kernel("Buffer<float4> _From; RWBuffer<uint> _Counts;",
+             "  InterlockedAdd(_Counts[i], 1); _Out[i] = _From[i].x + _From.Load(3).y + _Counts[0];");
+  CHECK(made.textures.empty());
+  REQUIRE(made.buffers.size() == 3);
+}
+
+TEST_CASE("functions of numbers take matrices, column by column") {
+  const kernels::Kernel made =
+      kernel("float2x2 _A, _B;",
+             "  float2x2 m = min(_A, clamp(_B, _A, pow(_B, _A))); _Out[i] = m[0][1] + m[1][0];");
+  checkHas(made.glsl, "xMin");
+}
+
+TEST_CASE("the attribute of a kernel may stand before the #include of its function") {
+  const simreel::test::TemporaryFile body("body.hlsl",
+                                          "void K(uint3 id : SV_DispatchThreadID) { _Out[id.x] = 1; }\n");
+  CHECK(loaded("outer.compute",
+               "#pragma kernel K\n#define ROW [numthreads(8, 1, 1)]\nRWStructuredBuffer<float> _Out;\nROW\n"
+               "#include \"" +
+                   body.path().filename().string() + "\"\n")
+            .kernels.at(0)
+            .threads[0] == 8);
+}
+
+TEST_CASE("an argument of another type for an inout parameter gets the result") {
+  const kernels::Kernel made =
+      kernel("bool moved(inout float2 at, float by) { at += by; return at.x > 3; }",
+             "  int2 at = int2(i, 2); bool far = moved(at, 1.5); _Out[i] = at.x + at.y + (far ? 100 : 0);");
+  checkHas(made.glsl, "xToInt");
+  CHECK_THROWS_WITH_AS(static_cast<void>(kernel("void grow(inout float2 a) { a *= 2; }",
+                                                "  int4 n = i;\n  grow(n.wy);\n  _Out[i] = n.y;")),
+                       doctest::Contains("dialect.hlsl:4"), UserError);
+}

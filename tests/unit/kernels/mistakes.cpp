@@ -98,6 +98,20 @@ TEST_CASE("groups without threads, large arrays and too much shared memory are r
            "q.hlsl:1:19: error: the groups share 32772 bytes; OpenGL grants 32768");
 }
 
+TEST_CASE("a group size that the shader leaves to others is a mistake") {
+  const std::string rest = "buffer B { float x[]; };\nvoid main() { x[0] = 1.0; }\n";
+  checkHas(report("a.comp", "#version 450\n" + rest),
+           "a.comp:1:1: error: the shader has no size of its groups");
+  checkHas(report("b.comp", "#version 450\nlayout(local_size_x_id = 0) in;\n" + rest),
+           "b.comp:2:8: error: a scene does not set the size of groups");
+  CHECK(report("c.comp", "#version 450\nlayout(local_size_x = 8, local_size_y_id = 1) in;\n" + rest) ==
+        "no error");
+  checkHas(report("d.hlsl",
+                  "cbuffer C { uint width; };\nRWStructuredBuffer<float> _Out;\n"
+                  "[numthreads(width, 1, 1)] void K() { _Out[0] = 1; }\n"),
+           "d.hlsl:3:13: error: the size of groups is a number, a macro or a static const");
+}
+
 TEST_CASE("lane numbers, float atomics, twofold declarations and derivatives are refused in plain words") {
   checkHas(report("r.hlsl", std::string(head) + "void K() {\n  _Out[0] = WaveGetLaneIndex();\n}\n"),
            "r.hlsl:4:13: error: subgroup operations depend on the width");
