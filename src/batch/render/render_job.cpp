@@ -38,7 +38,7 @@ RenderJob::RenderJob(RenderRequest request)
          request_.output, stream ? "y4m" : "a video");
   chooseLayers();
   if (request_.fields)
-    fields_.emplace(output_, frame::parseFieldFormat(*request_.fields), request_.existing, frames_);
+    fields_.emplace(output_, frame::parseFieldChoice(*request_.fields), request_.existing, frames_);
   chooseCheckpoints();
   // Checks the output before a device starts and before a simulation for the camera's placement.
   frame::checkOutput(output_, request_.existing, frames_);

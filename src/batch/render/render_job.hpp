@@ -27,7 +27,7 @@ struct RenderRequest {
   /// checkpointAt.
   std::optional<std::string> frames;
   frame::Existing existing = frame::Existing::error;
-  std::optional<std::string> fields;  ///< format of field files: "npy" or "pfm"
+  std::optional<std::string> fields;  ///< field files as --fields takes them
   bool counts = true;
   bool manifest = true;              ///< false: no manifest.json, run.json and as-run.json
   std::optional<double> checkpoint;  ///< seconds between two checkpoints; nullopt: default

@@ -9,6 +9,7 @@
 #include "batch/sweep/sweep_job.hpp"
 #include "cli/commands.hpp"
 #include "cli/sweep/sweep_options.hpp"
+#include "frame/file/field_file.hpp"
 #include "scene/scene_source.hpp"
 #include "sim/world/list.hpp"
 
@@ -35,6 +36,7 @@ void checkOptions(const SweepOptions& o) {
   if (o.output.empty()) fail(ExitCode::usage, "sweep: give a folder for its jobs: -o folder/");
   if (int{o.zip} + int{o.grid} + int{o.sample.has_value()} > 1)
     fail(ExitCode::usage, "--zip, --grid and --sample exclude each other");
+  if (!o.fields.empty()) static_cast<void>(frame::parseFieldChoice(o.fields));
   if (o.scene.seed && !o.sample)
     fail(ExitCode::usage, "--seed is that of --sample here; the scene's own is -D seed={}", *o.scene.seed);
 }
@@ -126,8 +128,9 @@ void addSweep(CLI::App& app) {
                    "path=low:high")
       ->check(CLI::Range(std::size_t{1}, batch::maxJobs));
   command->add_option("--frames", o->frames, "Frames of each job, for example 0-99x2,150");
-  command->add_option("--fields", o->fields, "Also write the raw values of every field")
-      ->check(CLI::IsMember({"npy", "pfm"}));
+  command->add_option("--fields", o->fields, "Also write the raw values of fields: of all, as npy or pfm, or of those that are named: "
+                      "NAME,... or pfm,NAME,...")
+      ->type_name("{npy,pfm,NAME}");
   command->add_flag("--plan-only", o->planOnly,
                     "Only write plan.json; `simreel sweep job FOLDER NUMBER` runs its jobs on any machine");
   command->add_flag("--overwrite", o->overwrite, "Replace another sweep in the folder");
