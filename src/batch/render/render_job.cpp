@@ -117,12 +117,15 @@ void RenderJob::chooseCheckpoints() {
   }
 }
 
-/// Places the camera by the motion of the whole scene, independent of the frames that are drawn.
+/// Places the camera and measures ranges of colours by a run of the whole scene, independent of the frames
+/// that are drawn.
 void RenderJob::placeCamera() {
   if (frames_.empty()) return;
   const sim::MotionFraming framing = sim::frameMotion(scene_, frame::throwIfInterrupted);
   camera_ = framing.camera;
-  if (!framing.remark.empty()) info("{}", framing.remark);
+  camera_.insert(camera_.end(), framing.ranges.begin(), framing.ranges.end());
+  for (const std::string& remark : {framing.remark, framing.rangeRemark})
+    if (!remark.empty()) info("{}", remark);
 }
 
 frame::RunInfo RenderJob::runInfo(const gl::Context& context) const {

@@ -72,7 +72,7 @@ class RenderJob {
   std::optional<frame::FieldFiles> fields_;
   std::map<int, std::filesystem::path> kept_;
   std::string asRun_;
-  std::vector<std::string> camera_;  ///< camera placement for frame::RunInfo::camera
+  std::vector<std::string> camera_;  ///< overrides of camera and colours, frame::RunInfo::camera
   std::string summary_;
 };
 

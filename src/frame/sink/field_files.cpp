@@ -16,10 +16,7 @@ namespace simreel::frame {
 
 FieldFiles::FieldFiles(const OutputName& pictures, FieldChoice choice, Existing existing,
                        std::vector<int> frames)
-    : pictures_(pictures),
-      choice_(std::move(choice)),
-      existing_(existing),
-      frames_(std::move(frames)) {
+    : pictures_(pictures), choice_(std::move(choice)), existing_(existing), frames_(std::move(frames)) {
   if (pictures.kind != OutputName::Kind::sequence && pictures.kind != OutputName::Kind::single)
     fail(ExitCode::usage, "--fields needs pictures to write beside: a folder, NAME_####.png or NAME.png");
 }

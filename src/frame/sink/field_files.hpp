@@ -11,8 +11,8 @@
 namespace simreel::frame {
 
 /// Writes the raw values of a scene's fields beside the pictures: frame 000042.png gets 000042.NAME.npy for
-/// each field NAME, or for each chosen one. Existing files are treated like existing pictures; --resume keeps the files that
-/// are complete according to the manifest and its hashes.
+/// each field NAME, or for each chosen one. Existing files are treated like existing pictures; --resume
+/// keeps the files that are complete according to the manifest and its hashes.
 class FieldFiles {
  public:
   /// Throws UserError(usage) if the output has no picture files (video, standard output).
