@@ -176,8 +176,12 @@ void addRender(CLI::App& app) {
                       "Frames to write, for example 0-99x2,150 or last; all frames are simulated. A video "
                       "of every second frame "
                       "plays at the speed of the scene. none: draw nothing, for --checkpoint-at");
-  command->add_option("--fields", o->fields, "Also write the raw values of every field beside each picture")
-      ->check(CLI::IsMember({"npy", "pfm"}));
+  command
+      ->add_option(
+          "--fields", o->fields,
+          "Also write the raw values of fields beside each picture: of all, as npy or pfm, or of those "
+          "that are named: NAME,... or pfm,NAME,...")
+      ->type_name("{npy,pfm,NAME}");
   command
       ->add_option(
           "--layers", o->layers,

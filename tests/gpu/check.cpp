@@ -280,6 +280,7 @@ TEST_CASE("checks: every object kind measures as many quantities as it declares"
       {"contour", R"("field": "cells")"},
       {"epidemic", R"("infected": 0.01)"},
       {"image", R"("file": "kernels/Folds.frag", "size": [8, 8])"},
+      {"isolines", R"("of": "cells")"},
       {"kernels",
        R"("file": "kernels/GameOfLife.compute", "textures": {"_Current": [8, 8], "_Next": [8, 8]}, "constants": {"_Width": 8, "_Height": 8})"},
       {"mesh", R"("deform": [{"ripple": {}}])"},

@@ -27,7 +27,7 @@ struct PiecePlan {
   /// Asset folders as absolute paths; the scene's own folder first.
   std::vector<std::filesystem::path> assets;
   std::vector<scene::Override> overrides;
-  std::string fields;  ///< format of field files: "npy", "pfm", or empty for none
+  std::string fields;  ///< field files as --fields takes them; empty: none
   bool counts = true;
   std::vector<Piece> pieces;
 

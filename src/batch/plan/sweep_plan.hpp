@@ -27,7 +27,7 @@ struct SweepPlan {
   /// Overrides common to all jobs, applied before a job's own values.
   std::vector<scene::Override> overrides;
   std::string frames;               ///< frames as --frames takes them; empty: all
-  std::string fields;               ///< format of field files: "npy", "pfm", or empty for none
+  std::string fields;               ///< field files as --fields takes them; empty: none
   std::vector<std::string> varied;  ///< paths of the varied parameters
   /// First frame of all jobs, if they have the same state there and something must be simulated before it.
   /// This state is simulated once for all jobs. nullopt if a varied path affects the simulation.

@@ -38,7 +38,7 @@ RenderJob::RenderJob(RenderRequest request)
          request_.output, stream ? "y4m" : "a video");
   chooseLayers();
   if (request_.fields)
-    fields_.emplace(output_, frame::parseFieldFormat(*request_.fields), request_.existing, frames_);
+    fields_.emplace(output_, frame::parseFieldChoice(*request_.fields), request_.existing, frames_);
   chooseCheckpoints();
   // Checks the output before a device starts and before a simulation for the camera's placement.
   frame::checkOutput(output_, request_.existing, frames_);
@@ -117,12 +117,15 @@ void RenderJob::chooseCheckpoints() {
   }
 }
 
-/// Places the camera by the motion of the whole scene, independent of the frames that are drawn.
+/// Places the camera and measures ranges of colours by a run of the whole scene, independent of the frames
+/// that are drawn.
 void RenderJob::placeCamera() {
   if (frames_.empty()) return;
   const sim::MotionFraming framing = sim::frameMotion(scene_, frame::throwIfInterrupted);
   camera_ = framing.camera;
-  if (!framing.remark.empty()) info("{}", framing.remark);
+  camera_.insert(camera_.end(), framing.ranges.begin(), framing.ranges.end());
+  for (const std::string& remark : {framing.remark, framing.rangeRemark})
+    if (!remark.empty()) info("{}", remark);
 }
 
 frame::RunInfo RenderJob::runInfo(const gl::Context& context) const {

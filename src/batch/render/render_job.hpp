@@ -27,7 +27,7 @@ struct RenderRequest {
   /// checkpointAt.
   std::optional<std::string> frames;
   frame::Existing existing = frame::Existing::error;
-  std::optional<std::string> fields;  ///< format of field files: "npy" or "pfm"
+  std::optional<std::string> fields;  ///< field files as --fields takes them
   bool counts = true;
   bool manifest = true;              ///< false: no manifest.json, run.json and as-run.json
   std::optional<double> checkpoint;  ///< seconds between two checkpoints; nullopt: default
@@ -72,7 +72,7 @@ class RenderJob {
   std::optional<frame::FieldFiles> fields_;
   std::map<int, std::filesystem::path> kept_;
   std::string asRun_;
-  std::vector<std::string> camera_;  ///< camera placement for frame::RunInfo::camera
+  std::vector<std::string> camera_;  ///< overrides of camera and colours, frame::RunInfo::camera
   std::string summary_;
 };
 

@@ -15,6 +15,7 @@
 #include "frame/interrupt.hpp"
 #include "frame/mesh/mesh_sequence.hpp"
 #include "gl/context.hpp"
+#include "scene/json/words.hpp"
 #include "sim/world/world.hpp"
 
 #include <algorithm>
@@ -36,6 +37,7 @@ struct BakeOptions {
   SceneOptions scene;
   std::string output, object, format, look;
   gl::ContextOptions on;
+  std::vector<std::string> fields;  ///< names of the fields to write; empty: all
   std::optional<std::string> frames;
   bool overwrite = false;
   bool sequence = false;  ///< True if all frames go into one file per object.
@@ -73,6 +75,20 @@ std::vector<BakedFile> bakedFiles(const sim::World& world, const BakeOptions& o)
     fail(ExitCode::usage, "--object: there is no \"{}\" with {}; there is {}", o.object,
          contentsOf(o.format), names);
   return files;
+}
+
+/// Keeps the files of the fields that --fields names. Throws UserError(usage) for a name that is not there.
+void chooseFields(std::vector<BakedFile>& files, const std::vector<std::string>& fields) {
+  if (fields.empty()) return;
+  std::vector<std::string> names;
+  for (const BakedFile& file : files) names.push_back(file.name);
+  for (const std::string& field : fields)
+    if (std::find(names.begin(), names.end(), field) == names.end())
+      fail(ExitCode::usage, "--fields: the scene has no field \"{}\"; {}", field,
+           scene::suggestion(field, names));
+  std::erase_if(files, [&](const BakedFile& file) {
+    return std::find(fields.begin(), fields.end(), file.name) == fields.end();
+  });
 }
 
 fs::path fileOf(const BakeOptions& o, const BakedFile& baked, int frame) {
@@ -122,7 +138,16 @@ void bakeFrames(const BakeOptions& o, const scene::Scene& scene, sim::World& wor
   info("{} files -> {}", files, fileOf(o, all.front(), frames.front()).string() + " ...");
 }
 
+/// Checks --fields against --format; fields are npy files unless --format says pfm.
+void settleFields(BakeOptions& o) {
+  if (o.fields.empty()) return;
+  if (o.format.empty() && !o.sequence) o.format = "npy";
+  if (o.sequence || (o.format != "npy" && o.format != "pfm"))
+    fail(ExitCode::usage, "--fields: fields are written as npy or pfm; take --format npy");
+}
+
 void bake(BakeOptions o) {
+  settleFields(o);
   settleSequence(o);
   if (o.format == "maps")
     return bakeMaps({.scene = o.scene,
@@ -142,7 +167,8 @@ void bake(BakeOptions o) {
   static_cast<void>(
       world.grow());  // allocates whole meshes, so that each object reports all that it can write
   if (o.format == "csv") return bakeSeries(scene, world, o.output, o.object, frames, o.overwrite);
-  const auto all = bakedFiles(world, o);
+  auto all = bakedFiles(world, o);
+  chooseFields(all, o.fields);
   if (!o.sequence) return bakeFrames(o, scene, world, all, frames);
   std::vector<std::size_t> objects;
   objects.reserve(all.size());
@@ -186,6 +212,10 @@ void addBake(CLI::App& app) {
       "--look", o->look,
       "With --format maps: bake the fields themselves with this look (leather, spots, cracks or map); "
       "left out: bake the skins of materials");
+  command
+      ->add_option("--fields", o->fields,
+                   "Only the fields of these names, OBJECT or OBJECT.PART; implies --format npy")
+      ->delimiter(',');
   command->add_option("--object", o->object, "Only the object of this name");
   command->add_flag(
       "--sequence", o->sequence,

@@ -17,6 +17,7 @@
 #include "scene/json/words.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/ports/field_source.hpp"
+#include "sim/world/survey.hpp"
 #include "sim/world/world.hpp"
 
 #include <algorithm>
@@ -162,6 +163,7 @@ void bakeMaps(const MapsOptions& o) {
   refuseExisting(o, objects, frames);
   frame::catchInterrupts();
   const gl::Context context(o.on);
+  if (sim::needsRanges(scene)) static_cast<void>(sim::frameMotion(scene));  // the look depends on them
   sim::World world(scene);
   MapWriter writer(o, scene, size);
   makeFolders(o.output);

@@ -48,6 +48,7 @@ std::string placeholder(const std::vector<std::string>& longs) {
       {"filter", "PATTERN"},
       {"shard", "K/N"},
       {"object", "NAME"},
+      {"fields", "NAME,..."},
       {"only", "PATTERN"},
       {"scene", "FILE"},
       {"scenes", "FOLDER"},
@@ -66,9 +67,10 @@ void takeValue(const CLI::Option& option, OptionText& text) {
   const std::string type = option.get_type_name();
   const auto open = type.find('{');
   const auto close = type.rfind('}');
-  if (open != std::string::npos && close != std::string::npos) {  // the type is CLI::IsMember
+  if (open != std::string::npos && close != std::string::npos) {  // from CLI::IsMember or type_name()
     text.choices = CLI::detail::split(type.substr(open + 1, close - open - 1), ',');
     text.value = fmt::format("{}", fmt::join(text.choices, "|"));
+    std::erase(text.choices, "NAME");  // stands for any name
     return;
   }
   const std::string plain = type.substr(0, type.find(':'));

@@ -63,9 +63,11 @@ std::string explainedJson(const std::vector<scene::ExplainedValue>& values) {
 void explain(const ExplainOptions& o) {
   scene::Scene scene = o.scene.load();
   for (const std::string& remark : scene.remarks) warnLinesOnce(remark);
-  if (!o.quick && sim::needsSurvey(scene)) {
+  if (!o.quick && (sim::needsSurvey(scene) || sim::needsRanges(scene))) {
     const gl::Context context(o.on);
-    if (const std::string remark = sim::frameMotion(scene).remark; !remark.empty()) info("{}", remark);
+    const sim::MotionFraming framing = sim::frameMotion(scene);
+    for (const std::string& remark : {framing.remark, framing.rangeRemark})
+      if (!remark.empty()) info("{}", remark);
   }
   const std::vector<scene::Override> changes = o.scene.changes();
   auto values = scene::explainScene(scene, o.scene.file, changes, sim::kinds());

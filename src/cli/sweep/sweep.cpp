@@ -1,14 +1,17 @@
 // simreel sweep SCENE --vary ...: writes a plan and runs its jobs.
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/isolated.hpp"
 #include "base/log.hpp"
 #include "base/version.hpp"
 #include "batch/plan/shared_camera.hpp"
+#include "batch/plan/shared_ranges.hpp"
 #include "batch/plan/sweep_plan.hpp"
 #include "batch/plan/vary.hpp"
 #include "batch/sweep/sweep_job.hpp"
 #include "cli/commands.hpp"
 #include "cli/sweep/sweep_options.hpp"
+#include "frame/file/field_file.hpp"
 #include "scene/scene_source.hpp"
 #include "sim/world/list.hpp"
 
@@ -16,6 +19,8 @@
 #include <memory>
 #include <numeric>
 #include <optional>
+#include <sstream>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,8 +40,40 @@ void checkOptions(const SweepOptions& o) {
   if (o.output.empty()) fail(ExitCode::usage, "sweep: give a folder for its jobs: -o folder/");
   if (int{o.zip} + int{o.grid} + int{o.sample.has_value()} > 1)
     fail(ExitCode::usage, "--zip, --grid and --sample exclude each other");
+  if (!o.fields.empty()) static_cast<void>(frame::parseFieldChoice(o.fields));
   if (o.scene.seed && !o.sample)
     fail(ExitCode::usage, "--seed is that of --sample here; the scene's own is -D seed={}", *o.scene.seed);
+}
+
+/// Measures ranges of colours that are "auto" by a first run of each job, and gives all jobs the same.
+void shareRanges(batch::SweepPlan& plan, const std::string& text, const SweepOptions& o) {
+  // In a process of its own: jobs are forked from this one, which must not have had a context.
+  constexpr Allotment unlimited{std::size_t{1} << 40, 1 << 30};
+  std::string lines;
+  try {
+    lines = runIsolated(unlimited, [&] {
+      const gl::Context context(o.run.on);
+      std::string all;
+      for (const scene::Override& one : batch::sharedRanges(plan, text))
+        all += one.path + "=" + one.value + "\n";
+      return all;
+    });
+  } catch (const UserError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    fail(ExitCode::device, "the first runs of the jobs, which measure the ranges of colours, {}",
+         error.what());
+  }
+  std::vector<std::string> ranges;
+  std::istringstream stream(lines);
+  for (std::string line; std::getline(stream, line);) {
+    plan.overrides.push_back(scene::parseOverride(line));
+    ranges.push_back(std::move(line));
+  }
+  if (ranges.empty()) return;
+  batch::checkJobs(plan, text);
+  info("simreel: first runs of {} jobs measured the ranges of colours; to keep them: {}", plan.jobs.size(),
+       scene::asArguments(ranges));
 }
 
 batch::SweepPlan planOf(const SweepOptions& o, const std::string& text) {
@@ -66,6 +103,7 @@ batch::SweepPlan planOf(const SweepOptions& o, const std::string& text) {
     plan.overrides.insert(plan.overrides.end(), camera.begin(), camera.end());
     batch::checkJobs(plan, text);  // the camera is part of the jobs' hashes
   }
+  if (batch::hasAutoRanges(plan, text)) shareRanges(plan, text, o);
   return plan;
 }
 
@@ -126,8 +164,12 @@ void addSweep(CLI::App& app) {
                    "path=low:high")
       ->check(CLI::Range(std::size_t{1}, batch::maxJobs));
   command->add_option("--frames", o->frames, "Frames of each job, for example 0-99x2,150");
-  command->add_option("--fields", o->fields, "Also write the raw values of every field")
-      ->check(CLI::IsMember({"npy", "pfm"}));
+  command
+      ->add_option(
+          "--fields", o->fields,
+          "Also write the raw values of fields: of all, as npy or pfm, or of those that are named: "
+          "NAME,... or pfm,NAME,...")
+      ->type_name("{npy,pfm,NAME}");
   command->add_flag("--plan-only", o->planOnly,
                     "Only write plan.json; `simreel sweep job FOLDER NUMBER` runs its jobs on any machine");
   command->add_flag("--overwrite", o->overwrite, "Replace another sweep in the folder");

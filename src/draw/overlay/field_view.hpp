@@ -1,27 +1,14 @@
 #pragma once
 #include "sim/core/drawable.hpp"
-#include "sim/grid/field_display.hpp"
+#include "sim/grid/field_view.hpp"
 
 #include <glm/vec2.hpp>
-#include <glm/vec4.hpp>
 
 namespace simreel::draw {
 
-/// Position of a field's cells in a picture.
-struct FieldView {
-  glm::dvec4 part{0};      ///< left, top, right, bottom of the field's part of the picture, in whole pixels
-  glm::dvec2 origin{0};    ///< cell coordinates at the picture's top left corner
-  glm::dvec2 perPixel{1};  ///< cells per pixel
-};
-
-/// Returns the margins (pixels) that axes take from the display's part of the picture: on the left, and at
-/// the bottom. Zero without axes (FieldDisplay::Axis), or if the part is too small for letters.
-[[nodiscard]] glm::ivec2 axesMargin(const sim::FieldDisplay& display, glm::ivec2 picture);
-
-/// Returns the view of a display at `seconds`, from its fit, zoom and centre. If the view does not move and
-/// the magnification is an integer, cell edges lie on pixel edges.
-[[nodiscard]] FieldView fieldView(const sim::FieldDisplay& display, glm::ivec2 cells, glm::ivec2 picture,
-                                  double seconds);
+using sim::axesMargin;
+using sim::FieldView;
+using sim::fieldView;
 
 /// The view as uniforms (glsl/draw/overlay/field_view.glsl), in elements: cells, or texels of a texture of
 /// `size` that covers the field. Pixel p covers the elements from base + start + perPixel p to base + start

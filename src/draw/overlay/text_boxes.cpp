@@ -49,10 +49,6 @@ std::vector<glm::vec4> textBoxes(const std::string& text, glm::ivec2 topLeft, in
   return result;
 }
 
-int letterUnit(glm::ivec2 picture) {
-  return std::max(1, static_cast<int>(std::lround(static_cast<float>(picture.y) / 400.0F)));
-}
-
 glm::ivec2 textSize(const std::string& text, int scale) {
   std::string letters = printable(text);
   return scale * glm::ivec2(stb_easy_font_width(letters.data()), capitals);

@@ -1,4 +1,6 @@
 #pragma once
+#include "sim/grid/field_view.hpp"
+
 #include <string>
 #include <vector>
 
@@ -7,13 +9,11 @@
 
 namespace simreel::draw {
 
-/// Texture unit of the rectangles, for shaders that draw charts and axes.
+using sim::letterUnit;
 
 /// Returns text as rectangles (left, top, right, bottom; pixels), in stb_easy_font at an integer
 /// magnification, so letters are sharp. Non-ASCII characters become question marks.
 [[nodiscard]] std::vector<glm::vec4> textBoxes(const std::string& text, glm::ivec2 topLeft, int scale);
-/// Returns the magnification of letters, which is also the width of thin lines (pixels).
-[[nodiscard]] int letterUnit(glm::ivec2 picture);
 /// Returns the width and the capital height of the text (pixels).
 [[nodiscard]] glm::ivec2 textSize(const std::string& text, int scale);
 

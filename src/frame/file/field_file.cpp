@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 
@@ -31,6 +32,26 @@ FieldFormat parseFieldFormat(const std::string& name) {
   if (name == "npy") return FieldFormat::npy;
   if (name == "pfm") return FieldFormat::pfm;
   fail(ExitCode::usage, "\"{}\" is no format of fields; there are npy and pfm", name);
+}
+
+FieldChoice parseFieldChoice(const std::string& text) {
+  FieldChoice choice;
+  bool format = false;
+  std::size_t begin = 0;
+  while (begin <= text.size()) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string item = text.substr(begin, end - begin);
+    begin = end + 1;
+    if (item.empty()) fail(ExitCode::usage, "--fields {}: a name is empty; write NAME,NAME", text);
+    if (item != "npy" && item != "pfm") {
+      choice.names.push_back(item);
+      continue;
+    }
+    if (format) fail(ExitCode::usage, "--fields {}: give one format, npy or pfm", text);
+    choice.format = parseFieldFormat(item);
+    format = true;
+  }
+  return choice;
 }
 
 const char* extension(FieldFormat format) {

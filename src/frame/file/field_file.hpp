@@ -14,6 +14,15 @@ enum class FieldFormat {
   pfm   ///< portable float map "Pf", little endian: one channel, last row first
 };
 
+/// Field files that a user chooses with --fields.
+struct FieldChoice {
+  FieldFormat format = FieldFormat::npy;
+  std::vector<std::string> names;  ///< names of fields, OBJECT or OBJECT.PART; empty: all fields
+};
+/// Parses a list such as "npy", "dish.u,dish.v" or "pfm,dish": a format and names of fields, separated by
+/// commas. Throws UserError(usage) for an empty item and for two formats.
+[[nodiscard]] FieldChoice parseFieldChoice(const std::string& text);
+
 /// Parses "npy" or "pfm". Throws UserError(usage) for other names.
 [[nodiscard]] FieldFormat parseFieldFormat(const std::string& name);
 /// Returns the file name extension, "npy" or "pfm".

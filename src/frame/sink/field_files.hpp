@@ -11,15 +11,15 @@
 namespace simreel::frame {
 
 /// Writes the raw values of a scene's fields beside the pictures: frame 000042.png gets 000042.NAME.npy for
-/// each field object NAME. Existing files are treated like existing pictures; --resume keeps the files that
-/// are complete according to the manifest and its hashes.
+/// each field NAME, or for each chosen one. Existing files are treated like existing pictures; --resume
+/// keeps the files that are complete according to the manifest and its hashes.
 class FieldFiles {
  public:
   /// Throws UserError(usage) if the output has no picture files (video, standard output).
-  FieldFiles(const OutputName& pictures, FieldFormat format, Existing existing, std::vector<int> frames);
+  FieldFiles(const OutputName& pictures, FieldChoice choice, Existing existing, std::vector<int> frames);
 
-  /// Call once, before the first frame is stored. Throws UserError(usage) if the scene has no field,
-  /// UserError(inputOutput) if files exist that must not be replaced.
+  /// Call once, before the first frame is stored. Throws UserError(usage) if the scene has no field
+  /// or lacks a chosen one, UserError(inputOutput) if files exist that must not be replaced.
   void begin(const std::vector<sim::Field>& fields);
   /// True if a field file of the frame must be written. `sink` tells which files are already complete.
   [[nodiscard]] bool misses(int frame, const FrameSink& sink) const;
@@ -28,11 +28,12 @@ class FieldFiles {
                                             const FrameSink& sink) const;
 
  private:
+  [[nodiscard]] bool isChosen(const sim::Field& field) const;
   [[nodiscard]] std::string fileName(int frame, const std::string& field) const;
   [[nodiscard]] bool misses(int frame, const std::string& field, const FrameSink& sink) const;
 
   OutputName pictures_;
-  FieldFormat format_;
+  FieldChoice choice_;
   Existing existing_;
   std::vector<int> frames_;
   std::vector<std::string> names_;

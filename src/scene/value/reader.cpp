@@ -56,7 +56,17 @@ class MemberReader {
   void operator()(std::string* value) const { set(value, one_.text(node_)); }
   void operator()(glm::vec3* value) const { set(value, vector(node_)); }
   void operator()(glm::ivec2* value) const { set(value, one_.pair(node_)); }
-  void operator()(std::optional<double>* value) const { set(value, one_.number(node_)); }
+  void operator()(std::optional<double>* value) const {
+    if (spec_.none != nullptr && node_.kind == Node::Kind::text && node_.text == spec_.none)
+      value->reset();
+    else if (spec_.none != nullptr && node_.kind != Node::Kind::number)
+      context_.diagnostics.add(
+          node_.place(),
+          fmt::format("expected a number or \"{}\", found {}", spec_.none,
+                      node_.kind == Node::Kind::text ? inQuotes(node_.text) : node_.kindText()));
+    else
+      set(value, one_.number(node_));
+  }
 
   void operator()(Animated<float>* value) const {
     animated(*value, [&](const Node& part) { return one_.number(part); });

@@ -74,7 +74,11 @@ class Types {
   Json operator()(const std::optional<int>*) const {
     return {{"anyOf", Json::array({numberSchema("integer", spec_.range), {{"const", spec_.none}}})}};
   }
-  Json operator()(const std::optional<double>*) const { return numberSchema("number", spec_.range); }
+  Json operator()(const std::optional<double>*) const {
+    Json number = numberSchema("number", spec_.range);
+    if (spec_.none == nullptr) return number;
+    return {{"anyOf", Json::array({std::move(number), {{"const", spec_.none}}})}};
+  }
   Json operator()(const Formula*) const {
     Json plain = {{"type", Json::array({"number", "string", "boolean", "array"})},
                   {"maxItems", maxFormulaParts}};

@@ -22,7 +22,9 @@ class Writer {
   Json operator()(const glm::vec3& v) const { return {shortest(v.x), shortest(v.y), shortest(v.z)}; }
   Json operator()(const glm::ivec2& v) const { return {v.x, v.y}; }
   Json operator()(const std::optional<int>& value) const { return value ? Json(*value) : Json(spec_.none); }
-  Json operator()(const std::optional<double>& value) const { return shortest(value.value()); }
+  Json operator()(const std::optional<double>& value) const {
+    return value ? shortest(*value) : Json(spec_.none);
+  }
 
   Json operator()(const Formula& value) const {
     if (value.moving) return keyframes(value);
@@ -74,7 +76,8 @@ class Writer {
 };
 
 bool isNone(const Member& member, const Spec& spec) {
-  if (const auto* number = std::get_if<std::optional<double>*>(&member)) return !**number;
+  if (const auto* number = std::get_if<std::optional<double>*>(&member))
+    return !**number && spec.none == nullptr;
   if (const auto* formula = std::get_if<Formula*>(&member)) return (*formula)->empty();
   if (const auto* formulas = std::get_if<Formulas*>(&member)) return (*formulas)->list.empty();
   const auto* index = std::get_if<int*>(&member);

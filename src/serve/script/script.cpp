@@ -227,11 +227,12 @@ std::shared_ptr<Script> readScript(const SceneSource& source, const std::string&
 }
 
 void placeCamera(Script& script, const Script* known, bool moving) {
-  if (!sim::needsSurvey(script.scene)) return;
+  if (!sim::needsSurvey(script.scene) && !sim::needsRanges(script.scene)) return;
   const std::string wanted = script.simulation + " " + std::to_string(script.scene.frameCount());
   const bool same =
       known != nullptr && known->surveyOf == wanted && writtenFiles(known->files, script.files).empty();
-  if (same || (moving && known != nullptr && !known->surveyOf.empty())) {
+  const bool measured = known != nullptr && sim::coversRanges(known->survey, script.scene);
+  if (measured && (same || (moving && !known->surveyOf.empty()))) {
     script.survey = known->survey;
     script.surveyOf = known->surveyOf;
   } else {

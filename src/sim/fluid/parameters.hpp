@@ -59,7 +59,7 @@ struct FluidStroke : StrokeParameters {
 
 /// Scene parameters of a fluid: incompressible flow. Lengths are in cells; y and v point down in the
 /// picture.
-struct FluidParameters : ObjectParameters {
+struct FluidParameters : ObjectParameters, HasColorRange {
   enum class Advection {
     macCormack,
     semiLagrangian,
@@ -97,6 +97,7 @@ struct FluidParameters : ObjectParameters {
 
   FluidParameters();
   void describe(scene::Fields& fields) override;
+  [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return display.measuredRanges(); }
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
   void ports(Ports& ports) const override;
   [[nodiscard]] std::int64_t leastBlockBytes() const override {

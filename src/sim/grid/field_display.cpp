@@ -54,8 +54,12 @@ void FieldDisplay::describe(scene::Fields& fields) {
                     "a field that is laid over the picture, with \"layer\": \"over\" or \"behind\"");
   if (layer != Layer::none) fields.idleUnless(!tiled, "tiled", {"border"}, "a field that is not \"tiled\"");
   fields.idleUnless(!fields.given("stops"), "stops", {"map"}, "a display without \"stops\"");
-  fields.number("low", low, scene::anyNumber, "", "Value of the first colour.");
-  fields.number("high", high, scene::anyNumber, "", "Value of the last colour.");
+  describeEnd(fields, "low", low, autoEnds.low, "",
+              "Value of the first colour; \"auto\": the lowest of the whole run.");
+  describeEnd(fields, "high", high, autoEnds.high, "",
+              "Value of the last colour; \"auto\": the highest of the whole run.");
+  if (!(low < high) && autoEnds.low) low = high - 1;
+  if (!(low < high) && autoEnds.high) high = low + 1;
   if (!(low < high))
     fields.error(fields.given("low") ? "low" : "high",
                  fmt::format("\"low\" ({}) must be less than \"high\" ({})", low, high));

@@ -1,5 +1,6 @@
 #pragma once
 #include "scene/value/fields.hpp"
+#include "sim/core/auto_range.hpp"
 
 #include <optional>
 #include <string>
@@ -32,6 +33,7 @@ struct FieldDisplay {
   std::string map = "viridis";   ///< Name of a colour map.
   std::vector<glm::vec3> stops;  ///< Linear RGB stops that replace the map.
   double low = 0, high = 1;      ///< Values of the first and the last colour.
+  AutoEnds autoEnds;             ///< Ends that a first run measures; until then they have their defaults.
   /// Quantity that changes linearly over the field, from its first to its last cell. Drawn as a scale at
   /// the field's edge.
   struct Axis {
@@ -44,6 +46,10 @@ struct FieldDisplay {
   void describe(scene::Fields& fields);
   /// Returns the stops, or the stops of the named map.
   [[nodiscard]] std::vector<glm::vec3> colors() const;
+  /// Returns the range of the colours if it must be measured. `path`: the display's group.
+  [[nodiscard]] std::vector<MeasuredRange> measuredRanges(const char* path = "display") {
+    return measuredRange(path, "low", "high", autoEnds, low, high);
+  }
 };
 
 }  // namespace simreel::sim

@@ -67,6 +67,7 @@ struct KernelPoints {
   float massExponent = 0;
   Instances::ColorBy colorBy = Instances::ColorBy::material;
   glm::vec2 colorRange{0, 1};
+  AutoEnds autoColors;  ///< ends of `colorRange` that a first run measures
   std::string map = "inferno";
   bool additive = false;
   float brightness = 1;

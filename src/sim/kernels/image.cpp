@@ -80,6 +80,8 @@ struct ImageParameters : KernelsParameters {
     wantFields(ports, image, {});
   }
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
+  /// An image has colours of its own, not those of a range.
+  [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return {}; }
 
  private:
   void build(scene::Fields& f);

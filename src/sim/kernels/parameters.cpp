@@ -127,15 +127,18 @@ void describe(scene::Fields& f, KernelPoints& points) {
   f.number("massExponent", points.massExponent, {0, 2}, "", "Size grows with mass to this power.");
   f.choice("colorBy", points.colorBy, {"material", "speed", "mass"},
            "The object's material, or a colour map of the speed or mass.");
-  f.number("colorFrom", points.colorRange.x, scene::anyNumber, "",
-           "Speed (m/s) or mass (kg) at the start of the colour map.");
-  f.number("colorTo", points.colorRange.y, scene::anyNumber, "",
-           "Speed (m/s) or mass (kg) at the end of the colour map.");
+  describeEnd(f, "colorFrom", points.colorRange.x, points.autoColors.low, "",
+              "Speed (m/s) or mass (kg) at the start of the colour map; \"auto\": the lowest of the whole "
+              "run.");
+  describeEnd(f, "colorTo", points.colorRange.y, points.autoColors.high, "",
+              "Speed (m/s) or mass (kg) at the end of the colour map; \"auto\": the highest of the whole "
+              "run.");
   describeMap(f, points.map);
   f.boolean("additive", points.additive, "Light that adds up and casts no shadow, for sparks and stars.");
   f.number("brightness", points.brightness, {0, 1e5}, "", "Factor on the colours of additive elements.");
   f.idleUnless(points.additive, "additive", {"brightness"}, "points that are \"additive\"");
-  if (points.colorRange.x == points.colorRange.y) f.error("colorTo", "colorFrom and colorTo must differ");
+  if (points.colorRange.x == points.colorRange.y && !points.autoColors.any())
+    f.error("colorTo", "colorFrom and colorTo must differ");
 }
 
 void describe(scene::Fields& f, KernelTerrain& terrain) {
@@ -297,6 +300,28 @@ void KernelsParameters::makePlan(scene::Fields& f, std::shared_ptr<const kernels
   for (const KernelPlan::Mistake& mistake : made->mistakes())
     f.errorIn(mistake.path, mistake.begin, mistake.end, mistake.message);
   plan = std::move(made);
+}
+
+std::vector<MeasuredRange> KernelsParameters::measuredRanges() {
+  std::vector<MeasuredRange> all;
+  const auto add = [&](std::vector<MeasuredRange> ranges) {
+    for (MeasuredRange& range : ranges) {
+      // The drawing is a part of the plan, which holds a copy of the range.
+      range.set = [this, own = std::move(range.set)](double low, double high) {
+        own(low, high);
+        auto changed = std::make_shared<KernelPlan>(*plan);
+        changed->setColorRanges(*this);
+        plan = std::move(changed);
+      };
+      all.push_back(std::move(range));
+    }
+  };
+  if (plan == nullptr) return all;
+  if (field && plan->drawn().field) add(field->display.measuredRanges("field.display"));
+  if (points && plan->drawn().points && points->colorBy != Instances::ColorBy::material)
+    add(measuredRange("points", "colorFrom", "colorTo", points->autoColors, points->colorRange.x,
+                      points->colorRange.y));
+  return all;
 }
 
 std::vector<std::filesystem::path> KernelsParameters::shaderFiles() const {

@@ -18,7 +18,7 @@
 namespace simreel::sim {
 
 /// Parameters of the kind kernels.
-struct KernelsParameters : ObjectParameters, KernelDescription {
+struct KernelsParameters : ObjectParameters, HasColorRange, KernelDescription {
   /// Created by describe() while a scene is loaded; null if the file cannot be compiled.
   std::shared_ptr<const KernelPlan> plan;
   kernels::Request request;  ///< the request that the shader was compiled from
@@ -28,6 +28,7 @@ struct KernelsParameters : ObjectParameters, KernelDescription {
 
   void describe(scene::Fields& fields) override;
   void ports(Ports& ports) const override;
+  [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override { return quantityList; }
   [[nodiscard]] const char* drawnWith() const override;
   [[nodiscard]] std::optional<scene::Box> framed() const override;

@@ -116,6 +116,14 @@ void KernelPlan::planField(const KernelField& field) {
   }
 }
 
+void KernelPlan::setColorRanges(const KernelDescription& description) {
+  if (drawn_.field && description.field) {
+    drawn_.field->display.low = description.field->display.low;
+    drawn_.field->display.high = description.field->display.high;
+  }
+  if (drawn_.points && description.points) drawn_.points->colorRange = description.points->colorRange;
+}
+
 /// Default drawing: a 2-D texture that the kernels write, else a buffer with positions, as a surface if it
 /// is a grid.
 void KernelPlan::chooseDrawing() {

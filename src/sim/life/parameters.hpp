@@ -26,7 +26,7 @@ struct LifePattern {
   void describe(scene::Fields& fields);
 };
 
-struct LifeParameters : ObjectParameters {
+struct LifeParameters : ObjectParameters, HasColorRange {
   LifeParameters();
   glm::ivec2 size{512, 512};       ///< width and height of the grid in cells
   bool fitted = false;             ///< true: no size is given, so the size fits the patterns
@@ -45,6 +45,7 @@ struct LifeParameters : ObjectParameters {
   bool colorsGiven = false;  ///< true if the scene gives colours; they override the colours of a rule file
   FieldDisplay display;
   void describe(scene::Fields& fields) override;
+  [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return display.measuredRanges(); }
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
   void ports(Ports& ports) const override;
   [[nodiscard]] std::int64_t leastBlockBytes() const override { return std::int64_t{size.x} * size.y / 8; }

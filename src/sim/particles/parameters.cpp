@@ -206,10 +206,12 @@ void ParticleParameters::describeLook(scene::Fields& l) {
            "Size grows with mass to this power; 0.333 for balls of one density.");
   l.choice("colorBy", colorBy, {"material", "speed", "mass", "age"},
            "The object's material, or a colour map of the speed, mass or age.");
-  l.number("colorFrom", colorRange.x, scene::anyNumber, "",
-           "Speed (m/s), mass (kg) or age (0 to 1) at the start of the colour map.");
-  l.number("colorTo", colorRange.y, scene::anyNumber, "",
-           "Speed (m/s), mass (kg) or age (0 to 1) at the end of the colour map.");
+  describeEnd(l, "colorFrom", colorRange.x, autoColors.low, "",
+              "Speed (m/s), mass (kg) or age (0 to 1) at the start of the colour map; \"auto\": the lowest "
+              "of the whole run.");
+  describeEnd(l, "colorTo", colorRange.y, autoColors.high, "",
+              "Speed (m/s), mass (kg) or age (0 to 1) at the end of the colour map; \"auto\": the highest "
+              "of the whole run.");
   int map = 0;
   l.oneOf("colors", map, {std::begin(colorMaps), std::end(colorMaps)}, "Colour map.");
   std::vector<ColorStop> stops;
@@ -225,7 +227,8 @@ void ParticleParameters::describeLook(scene::Fields& l) {
            "Fraction of life over which additive particles of an emitter fade in and out.");
   if (shape == Instances::Shape::mesh && mesh.empty())
     l.error("shape", "shape \"mesh\" needs \"mesh\", a mesh file");
-  if (colorRange.x == colorRange.y) l.error("colorTo", "colorFrom and colorTo must differ");
+  if (colorRange.x == colorRange.y && !autoColors.any())
+    l.error("colorTo", "colorFrom and colorTo must differ");
   if (stops.size() == 1) l.error("colorStops", "a colour map needs at least two stops");
   l.idleUnless(shape == Instances::Shape::mesh, "shape", {"alongVelocity"}, "shape \"mesh\"");
   l.idleUnless(colorBy != Instances::ColorBy::material, "colorBy",
@@ -239,6 +242,11 @@ void ParticleParameters::describeLook(scene::Fields& l) {
     colors.clear();
     for (const ColorStop& stop : stops) colors.push_back(stop.color);
   }
+}
+
+std::vector<MeasuredRange> ParticleParameters::measuredRanges() {
+  if (colorBy == Instances::ColorBy::material) return {};
+  return measuredRange("look", "colorFrom", "colorTo", autoColors, colorRange.x, colorRange.y);
 }
 
 ParticleParameters ParticleParameters::inStep(int contactSubsteps) const {

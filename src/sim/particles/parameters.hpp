@@ -2,6 +2,7 @@
 #include "glsl/common/cpp.hpp"
 #include "scene/value/fields.hpp"
 #include "sim/collide/mesh_colliders.hpp"
+#include "sim/core/auto_range.hpp"
 #include "sim/core/drawable.hpp"
 #include "sim/core/kind.hpp"
 
@@ -72,7 +73,7 @@ struct ParticleWind {
 
 enum class GravityMethod { none, allPairs, tree };  ///< named "none", "all-pairs" and "tree" in scenes
 
-struct ParticleParameters : ObjectParameters, TouchesMeshes, shader::ParticleConstants {
+struct ParticleParameters : ObjectParameters, HasColorRange, TouchesMeshes, shader::ParticleConstants {
   std::vector<ParticleGroup> groups;
   std::vector<Emitter> emitters;
   GravityMethod method = GravityMethod::allPairs;
@@ -96,6 +97,7 @@ struct ParticleParameters : ObjectParameters, TouchesMeshes, shader::ParticleCon
   float massExponent = 0.0F;
   Instances::ColorBy colorBy = Instances::ColorBy::material;
   glm::vec2 colorRange{0, 1};
+  AutoEnds autoColors;            ///< ends of `colorRange` that a first run measures
   std::vector<glm::vec3> colors;  ///< linear RGB stops of the colour map
   bool additive = false;
   float brightness = 1.0F;
@@ -108,6 +110,7 @@ struct ParticleParameters : ObjectParameters, TouchesMeshes, shader::ParticleCon
   [[nodiscard]] Looks looks() const override { return additive ? Looks::shining : Looks::solid; }
   [[nodiscard]] bool wanders() const override { return true; }
   void ports(Ports& ports) const override;
+  [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override;
   [[nodiscard]] std::int64_t leastBlockBytes() const override {
     std::int64_t bytes = 0;
     for (const ParticleGroup& group : groups)

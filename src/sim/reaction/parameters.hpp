@@ -88,7 +88,7 @@ struct ReactionMesh {
 };
 
 /// Scene parameters of user-defined equations: du/dt = D lap(u) + rate for each species.
-struct ReactionParameters : ObjectParameters, OwnCells {
+struct ReactionParameters : ObjectParameters, HasColorRange, OwnCells {
   glm::ivec2 size{256, 256};  ///< Grid size in cells.
   int depth = 1;              ///< Number of layers; more than one makes a volume.
   int preset = -1;
@@ -110,6 +110,7 @@ struct ReactionParameters : ObjectParameters, OwnCells {
 
   ReactionParameters();
   void describe(scene::Fields& fields) override;
+  [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return display.measuredRanges(); }
   [[nodiscard]] const char* drawnWith() const override {
     return space() == RuleSpace::plane ? "its \"display\"" : nullptr;
   }

@@ -66,7 +66,7 @@ struct WaterSwell {
 };
 
 /// Scene parameters of shallow water over a terrain.
-struct WaterParameters : ObjectParameters {
+struct WaterParameters : ObjectParameters, HasColorRange {
   glm::ivec2 size{193, 193};  ///< Grid size in cells along x and z.
   float cell = 0.035F;        ///< Cell width in metres.
   glm::vec3 position{0};      ///< Position of the grid's centre at level 0, in metres.
@@ -110,6 +110,7 @@ struct WaterParameters : ObjectParameters {
 
   WaterParameters();
   void describe(scene::Fields& fields) override;
+  [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return display.measuredRanges(); }
   void ports(Ports& ports) const override;
   [[nodiscard]] std::int64_t leastBlockBytes() const override { return std::int64_t{16} * size.x * size.y; }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;

@@ -9,6 +9,7 @@
 #include "sim/fluid/fluid.hpp"
 #include "sim/garment/garment.hpp"
 #include "sim/gray_scott/gray_scott.hpp"
+#include "sim/isolines/isolines.hpp"
 #include "sim/kernels/image.hpp"
 #include "sim/kernels/kernels.hpp"
 #include "sim/lenia/lenia.hpp"
@@ -18,6 +19,7 @@
 #include "sim/nodes/camera_shot.hpp"
 #include "sim/particles/particles.hpp"
 #include "sim/reaction/reaction.hpp"
+#include "sim/scale_bar/scale_bar.hpp"
 #include "sim/shape/shape.hpp"
 #include "sim/spread/epidemic.hpp"
 #include "sim/spread/wildfire.hpp"
@@ -35,10 +37,10 @@ namespace simreel::sim {
 std::span<const SimulationKind> simulations() {
   static const std::vector<SimulationKind> list = [] {
     std::vector<SimulationKind> all = {
-        clothKind(),    particlesKind(), lifeKind(),    leniaKind(),   grayScottKind(), reactionKind(),
-        epidemicKind(), wildfireKind(),  fluidKind(),   waterKind(),   caveKind(),      contourKind(),
-        meshKind(),     bodyKind(),      sphereKind(),  capsuleKind(), planeKind(),     textKind(),
-        chartKind(),    colorBarKind(),  kernelsKind(), imageKind(),
+        clothKind(),    particlesKind(), lifeKind(),     leniaKind(),    grayScottKind(), reactionKind(),
+        epidemicKind(), wildfireKind(),  fluidKind(),    waterKind(),    caveKind(),      contourKind(),
+        meshKind(),     bodyKind(),      sphereKind(),   capsuleKind(),  planeKind(),     textKind(),
+        chartKind(),    colorBarKind(),  isolinesKind(), scaleBarKind(), kernelsKind(),   imageKind(),
     };
     std::vector<SimulationKind> solids = solidKinds();
     const auto shapes = std::find_if(all.begin(), all.end(), [](const SimulationKind& one) {

@@ -22,7 +22,8 @@ World::State::State(const scene::Scene& scene, bool timing, const std::function<
       colliders(collidersOf(scene, &bones)),
       links(scene.objects, [this] { return now(); }),
       objects(links.simulations()),
-      camera(scene.camera) {
+      camera(scene.camera),
+      picture{scene.render.size, &camera} {
   if (const auto mistakes = portMistakes(scene); !mistakes.empty())
     throw UserError(ExitCode::usage, mistakes.front());
   Setting setting{scene.numerics == scene::Numerics::fast, scene.seed, 1.0 / scene.time.fps, &colliders,
@@ -38,6 +39,7 @@ World::State::State(const scene::Scene& scene, bool timing, const std::function<
   setting.presteps = presteps;
   for (const scene::Object& object : scene.objects) names.push_back(object.name);
   links.provide(&bones);
+  links.provide(&picture);
   makeMeshes(scene);
   makeObjects(scene, setting);
   for (std::size_t i = 0; i < names.size(); ++i)

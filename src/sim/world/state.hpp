@@ -2,6 +2,7 @@
 #include "sim/body/bones.hpp"
 #include "sim/collide/distance_fields.hpp"
 #include "sim/core/frame_observer.hpp"
+#include "sim/ports/shown_picture.hpp"
 #include "sim/world/lag.hpp"
 #include "sim/world/object_links.hpp"
 #include "sim/world/world.hpp"
@@ -32,6 +33,7 @@ struct World::State {
   std::vector<FrameStarter*> starters;  ///< objects that read others before each frame
   std::vector<bool> isRead;             ///< true if another object reads this one before each frame
   scene::Camera camera;
+  ShownPicture picture;   ///< provided by `links`
   std::vector<Lag> lags;  ///< lags of the camera's target, and of its eye if the camera follows a path
   std::vector<FrameObserver*> observers;  ///< the objects that implement FrameObserver
   std::vector<std::size_t> observed;      ///< indices of the objects that the observers or the lags read

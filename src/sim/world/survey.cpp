@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -118,6 +119,12 @@ std::vector<int> framesToSee(const scene::Scene& scene) {
   return frames;
 }
 
+std::vector<int> allFrames(const scene::Scene& scene) {
+  std::vector<int> frames(static_cast<std::size_t>(scene.frameCount()));
+  std::iota(frames.begin(), frames.end(), 0);
+  return frames;
+}
+
 bool isWithin(const scene::Box& room, const glm::vec3& at) {
   return glm::max(at, room.min) == at && glm::min(at, room.max) == at;
 }
@@ -197,28 +204,43 @@ Survey surveyMotion(scene::Scene& scene, const SurveyWatch& watch, double most) 
     if (goesItsWay(scene.objects[i])) travellers.push_back({i, survey.framed.size(), roomAround(one->box)});
     survey.framed.push_back(std::move(*one));
   }
-  if (travellers.empty()) return survey;
+  survey.ranges = rangesToSee(scene);
+  const bool measures = !survey.ranges.empty();
+  if (measures && !needsSurvey(scene)) travellers.clear();
+  if (travellers.empty() && !measures) return survey;
   const Quietly quietly(scene);
   World world(scene);
   survey.work = countedWork(scene, world);
-  if (survey.work > most) return survey;
+  if (survey.work > most) travellers.clear();
+  if (travellers.empty() && !measures) return survey;
   const std::vector<int> looks = framesToSee(scene);
-  for (const int frame : looks) {
+  for (const int frame : measures ? allFrames(scene) : looks) {
     while (world.frame() < frame - 1) {
       if (watch) watch();
       world.passTo(world.frame() + 1);
     }
     world.advanceTo(frame);
-    for (Traveller& one : travellers) look(world, scene, looks.size(), one);
+    seeValues(world, survey.ranges);
+    if (std::binary_search(looks.begin(), looks.end(), frame))
+      for (Traveller& one : travellers) look(world, scene, looks.size(), one);
     if (watch) watch();
   }
+  if (travellers.empty()) return survey;
   for (const Traveller& one : travellers)
     frameSeen(one, particlesOf(scene.objects[one.object]), survey.framed[one.place]);
   survey.frames = looks.back() + 1 - world.firstFrame();
   return survey;
 }
 
+bool coversRanges(const Survey& survey, scene::Scene& scene) {
+  const std::vector<SeenRange> wanted = rangesToSee(scene);
+  return std::equal(
+      wanted.begin(), wanted.end(), survey.ranges.begin(), survey.ranges.end(),
+      [](const SeenRange& a, const SeenRange& b) { return a.object == b.object && a.range == b.range; });
+}
+
 void frameSurvey(scene::Scene& scene, const Survey& survey) {
+  static_cast<void>(setRanges(scene, survey.ranges));
   if (survey.frames == 0 || survey.framed.empty()) return;
   if (scene.staged) scene::moveStage(scene, survey.framed);
   scene::frameObjects(scene, survey.framed);
@@ -227,32 +249,50 @@ void frameSurvey(scene::Scene& scene, const Survey& survey) {
   scene.surveyed = true;
 }
 
-MotionFraming frameMotion(scene::Scene& scene, const SurveyWatch& watch) {
-  if (!needsSurvey(scene)) return {};
-  const auto began = Clock::now();
-  const Survey survey = surveyMotion(scene, watch);
-  if (survey.framed.empty()) return {};
+namespace {
+
+/// Places the camera and the stage as the survey says, and writes the overrides and the remark.
+void placeByMotion(scene::Scene& scene, const Survey& survey, Clock::time_point began,
+                   MotionFraming& framing) {
+  if (survey.framed.empty()) return;
   const scene::Camera before = scene.camera;
   const bool placed = before.placed;
   if (survey.frames == 0) {
     scene.camera.placed = true;
     scene.surveyed = true;
-    if (placed)
-      return {
-          {},
-          "simreel: the stage stands where the scene's parameters have its objects, not where these go: "
-          "a first run to see that would take too long"};
-    return {{},
-            "simreel: the camera stands where the scene's parameters have its objects, not where these go: "
-            "a first run to see that would take too long; give \"camera\" a \"position\" and a \"target\""};
+    framing.remark =
+        placed
+            ? "simreel: the stage stands where the scene's parameters have its objects, not where these "
+              "go: "
+              "a first run to see that would take too long"
+            : "simreel: the camera stands where the scene's parameters have its objects, not where these "
+              "go: a first run to see that would take too long; give \"camera\" a \"position\" and a "
+              "\"target\"";
+    return;
   }
   frameSurvey(scene, survey);
   detail("simreel: the first run stepped through {:.1f} MiB of state in {:.2f} s", survey.work / (1 << 20),
          secondsSince(began));
-  if (placed) return {};
-  MotionFraming framing{cameraOverrides(scene.camera, before)};
+  if (placed) return;
+  framing.camera = cameraOverrides(scene.camera, before);
   framing.remark = fmt::format("simreel: a first run of {} frames placed the camera; to keep it there: {}",
                                survey.frames, scene::asArguments(framing.camera));
+}
+
+}  // namespace
+
+MotionFraming frameMotion(scene::Scene& scene, const SurveyWatch& watch) {
+  const bool moves = needsSurvey(scene);
+  if (!moves && !needsRanges(scene)) return {};
+  const auto began = Clock::now();
+  const Survey survey = surveyMotion(scene, watch);
+  MotionFraming framing;
+  framing.ranges = setRanges(scene, survey.ranges);
+  if (!framing.ranges.empty())
+    framing.rangeRemark =
+        fmt::format("simreel: a first run of {} frames measured the ranges of colours; to keep them: {}",
+                    scene.frameCount(), scene::asArguments(framing.ranges));
+  if (moves) placeByMotion(scene, survey, began, framing);
   return framing;
 }
 

@@ -117,6 +117,19 @@ class Fields(Case):
         self.assertEqual(self.content("out"), whole)
         self.assertEqual((self.folder / "out/000002.dish.npy").stat().st_mtime_ns, before)
 
+    def test_chosen_fields_alone_are_written(self):
+        self.good(*self.render("--fields", "dish.u", "--frames", "3"))
+        self.assertEqual([name for name in self.content("out") if "dish" in name], ["000003.dish.u.npy"])
+        self.good("render", "scene.json", "-o", "other/", "--fields", "dish,pfm", "--frames", "3")
+        self.assertEqual([name for name in self.content("other") if "dish" in name], ["000003.dish.pfm"])
+        self.good("bake", "scene.json", "-o", "baked", "--fields", "dish.u", "--frames", "3")
+        self.assertEqual(self.content("baked"), {"dish.u_000003.npy": self.content("out")["000003.dish.u.npy"]})
+        self.bad(2, 'did you mean "dish.u"?', "render", "scene.json", "-o", "a/", "--fields", "npy,dish.w")
+        self.bad(2, 'did you mean "dish.u"?', "bake", "scene.json", "-o", "b", "--fields", "dish.w")
+        self.bad(2, "one format", "render", "scene.json", "-o", "a/", "--fields", "npy,pfm")
+        self.bad(2, "a name is empty", "render", "scene.json", "-o", "a/", "--fields", "dish,,dish.u")
+        self.bad(2, "npy or pfm", "bake", "scene.json", "-o", "b", "--fields", "dish", "--format", "ply")
+
     def test_mistakes(self):
         self.bad(2, ["--fields", "folder"], "render", "scene.json", "-o", "film.mp4", "--fields", "npy")
         self.bad(2, "tiff", *self.render("--fields", "tiff"))

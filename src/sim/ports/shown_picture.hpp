@@ -1,0 +1,23 @@
+#pragma once
+#include "scene/scene.hpp"
+#include "sim/core/port.hpp"
+
+#include <glm/vec2.hpp>
+
+namespace simreel::sim {
+
+/// Port of the scene itself: the picture that its frames are drawn as.
+struct ShownPicture {
+  static const PortInfo port;
+
+  glm::ivec2 size{1280, 720};             ///< width and height in pixels
+  const scene::Camera* camera = nullptr;  ///< null for a simulation without a scene
+};
+
+/// Returns the picture of the scene; the default without a scene.
+[[nodiscard]] inline ShownPicture shownPicture(const Links* links) {
+  const ShownPicture* picture = links == nullptr ? nullptr : links->get<ShownPicture>();
+  return picture == nullptr ? ShownPicture() : *picture;
+}
+
+}  // namespace simreel::sim
