@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -18,8 +19,11 @@ namespace {
 constexpr glm::ivec2 size{160, 160};
 constexpr draw::RendererOptions exactly{.rasterizer = scene::Rasterizer::exact};
 
-scene::Map picture(glm::ivec2 size, const std::vector<std::uint8_t>& rgba, bool repeats = false) {
-  return {{}, std::make_shared<const scene::Image>(scene::Image{"test", size, rgba}), repeats};
+scene::Map picture(glm::ivec2 size, const std::vector<std::uint8_t>& rgba) {
+  return {{},
+          std::make_shared<const scene::Image>(scene::Image{"test", size, rgba}),
+          scene::Wrap::clamp,
+          scene::Wrap::clamp};
 }
 
 /// A square that faces +z, with half side `half` at height z. Its uv origin is at the upper left.
@@ -216,6 +220,28 @@ TEST_CASE("maps: normals lean as their colours say, and other maps are factors")
   CHECK(lightFrom(material, {0.8F, 0, 0.6F}) < 0.15);
   material.finish.metalRough = picture({1, 1}, {255, 255, 0, 255});
   CHECK(lightFrom(material, {0.8F, 0, 0.6F}) == doctest::Approx(0.6 * 0.8 * linear(188)).epsilon(0.08));
+}
+
+TEST_CASE("maps: beyond their border they repeat, extend their last texels, or are mirrored") {
+  testContext();
+  Square square(0, 1, glm::vec3(1), 1);
+  square.material.textureScale = glm::vec3(2, 1, 1);
+  square.material.finish.emissionMap = picture({2, 1}, {255, 0, 0, 255, 0, 255, 0, 255});
+  // Four quarters of the square along u: the map's left and right texel, then what follows at u = 1.25
+  // and 1.75.
+  const auto quarters = [&](scene::Wrap wrap) {
+    square.material.finish.emissionMap.wrapU = wrap;
+    const auto shown = drawn(unlit(), {.surfaces = {square.surface}}, size, 1, exactly);
+    std::string colors;
+    for (const double x : {-0.75, -0.25, 0.25, 0.75}) {
+      const glm::ivec3 found = shown.at(columnOf(x), 80);
+      colors += found.r > 200 ? 'r' : found.g > 200 ? 'g' : '-';
+    }
+    return colors;
+  };
+  CHECK(quarters(scene::Wrap::repeat) == "rgrg");
+  CHECK(quarters(scene::Wrap::clamp) == "rggg");
+  CHECK(quarters(scene::Wrap::mirror) == "rggr");
 }
 
 TEST_CASE("maps: light of their own and of the surroundings") {

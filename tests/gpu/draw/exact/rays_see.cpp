@@ -18,7 +18,10 @@ using namespace simreel;  // NOLINT
 namespace {
 
 scene::Map mapOfTexels(glm::ivec2 size, const std::vector<std::uint8_t>& rgba) {
-  return {{}, std::make_shared<const scene::Image>(scene::Image{"test", size, rgba}), false};
+  return {{},
+          std::make_shared<const scene::Image>(scene::Image{"test", size, rgba}),
+          scene::Wrap::clamp,
+          scene::Wrap::clamp};
 }
 
 /// A black matt rectangle, given by a corner and two edges.
