@@ -12,6 +12,7 @@
 #include <span>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 namespace simreel::kernels {
@@ -44,7 +45,10 @@ class Bounds {
     module_.body.clear();
     for (const Instruction& one : body) noteUse(one);
     for (Instruction& one : body) {
-      if (report_ != nullptr) at_.follow(module_, report_->files(), one);
+      if (report_ != nullptr) {
+        at_.follow(module_, report_->files(), one);
+        excused_ = report_->excuse(one.result);
+      }
       if (one.op == SpvOpFunction) ours_ = (one.operands[0] & SpvFunctionControlDontInlineMask) != 0;
       if (one.op == SpvOpLabel) block_ = one.result;
       if (ours_) {
@@ -278,8 +282,10 @@ class Bounds {
   }
   void note(Id inside, const char* kind, const std::string& name, Id index) {
     // An invocation keeps its first fault, so a second test of the same condition would change nothing.
-    if (report_ != nullptr && at_.line != 0 && std::exchange(noted_[inside], true) == false)
+    if (report_ != nullptr && at_.line != 0 && !noted_.contains(inside)) {
+      if (!excused_) noted_.insert(inside);
       report_->note(module_, module_.body, inside, report_->place(kind, name, at_), index, index);
+    }
   }
 
   const Guarded* guardedBy(Id pointer) const {
@@ -349,7 +355,8 @@ class Bounds {
   bool ours_ = false;  ///< in a library function, which keeps its own bounds
 
   std::map<Words, std::vector<Known>> known_;  ///< comparisons by what they compare
-  std::unordered_map<Id, bool> noted_;         ///< conditions that reports have tested
+  std::unordered_set<Id> noted_;               ///< conditions that reports have tested
+  bool excused_ = false;                       ///< true for a value that is not always needed
   std::unordered_map<Id, Use> uses_;
   std::unordered_map<Id, Chain> chains_;
   std::unordered_map<Id, Guarded> guarded_;
@@ -359,8 +366,10 @@ class Bounds {
 }  // namespace
 
 void keepInside(Module& module, Report* report) {
+  if (report != nullptr) report->findExcuses(module);
   Bounds(module, report).run();
   keepTexelsInside(module, report);
+  if (report != nullptr) report->excuse(0);
 }
 
 }  // namespace simreel::kernels

@@ -24,7 +24,10 @@ class Texels {
       if (one.op == SpvOpLoad || one.op == SpvOpImage || one.op == SpvOpSampledImage)
         from_[one.result] = one.operands[0];
     for (Instruction& one : body) {
-      if (report_ != nullptr) at_.follow(module_, report_->files(), one);
+      if (report_ != nullptr) {
+        at_.follow(module_, report_->files(), one);
+        report_->excuse(one.result);
+      }
       place(one);
     }
     if (queries_)

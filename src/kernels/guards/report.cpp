@@ -70,6 +70,12 @@ Id Report::function(Module& module) {
   return function_ = function_ == 0 ? module.fresh() : function_;
 }
 
+bool Report::excuse(Id made) {
+  const auto found = made == 0 ? excuses_.end() : excuses_.find(made);
+  excuse_ = found == excuses_.end() ? nullptr : &found->second;
+  return excuse_ != nullptr;
+}
+
 void Report::note(Module& module, std::vector<Instruction>& body, Id fine, std::uint32_t place, Id least,
                   Id greatest) {
   noteAt(module, body, fine, module.uintConstant(place), least, greatest);
@@ -78,6 +84,12 @@ void Report::note(Module& module, std::vector<Instruction>& body, Id fine, std::
 void Report::noteAt(Module& module, std::vector<Instruction>& body, Id fine, Id place, Id least,
                     Id greatest) {
   Writing writing(module, body);
+  if (excuse_ != nullptr)
+    for (const auto& [condition, needed] : *excuse_) {
+      const Id unneeded =
+          needed ? writing.emit(SpvOpLogicalNot, module.boolType(), {condition}) : condition;
+      fine = writing.emit(SpvOpLogicalOr, module.boolType(), {fine, unneeded});
+    }
   const Id a = writing.asInt(least), b = least == greatest ? a : writing.asInt(greatest);
   writing.emit(SpvOpFunctionCall, module.globalOf(SpvOpTypeVoid, 0, {}),
                {function(module), fine, place, a, b});

@@ -1,4 +1,5 @@
 #pragma once
+#include "kernels/guards/excuses.hpp"
 #include "kernels/guards/place.hpp"
 #include "kernels/shader/shader.hpp"
 #include "kernels/spirv/module.hpp"
@@ -25,6 +26,11 @@ class Report {
   /// the user's name.
   std::uint32_t place(const char* kind, const std::string& what, const Position& at,
                       const std::string& part = {});
+  /// Finds the values that a module needs only under conditions.
+  void findExcuses(const Module& module) { excuses_ = excusesOf(module); }
+  /// Lets note() excuse faults of the value `made` where the module does not need it. Returns false for a
+  /// value that is always needed.
+  bool excuse(Id made);
   /// Appends a call to `body` that records a fault unless `fine`. `least` and `greatest` are the values for
   /// words 2 and 3 of Kernel::places, signed or unsigned.
   void note(Module& module, std::vector<Instruction>& body, Id fine, std::uint32_t place, Id least,
@@ -49,7 +55,9 @@ class Report {
 
   const Files& files_;
   std::vector<Place> places_;
-  const Module* known_ = nullptr;  ///< the module that function_ belongs to
+  Excuses excuses_;
+  const std::vector<std::pair<Id, bool>>* excuse_ = nullptr;  ///< of the current value
+  const Module* known_ = nullptr;                             ///< the module that function_ belongs to
   Id function_ = 0, begin_ = 0;
 };
 

@@ -190,6 +190,21 @@ TextureCube<float4> _Sky; SamplerState sampler_linear_clamp, sampler_point_clamp
             pictures.append(png_rows((self.folder / f"{count}.png").read_bytes()))
         self.assertEqual(*pictures)
 
+    def test_a_read_that_a_condition_makes_unneeded_is_no_mistake(self):
+        # HLSL computes both sides of && and ?:, so the threads behind the last element read it, too.
+        shader = """#pragma kernel K
+RWStructuredBuffer<float> _Data; uint _Count;
+[numthreads(64, 1, 1)] void K(uint3 id : SV_DispatchThreadID) {
+    if (id.x < _Count && _Data[id.x] > 0.5) _Data[id.x] = 1;
+    float kept = id.x >= _Count ? 0 : _Data[id.x];
+    if (kept > 2) _Data[id.x] = 2;
+}
+"""
+        self.scene(shader, constants={"_Count": 32})
+        self.good("trace", "k.json", "--frames", "0-1")
+        self.scene(shader, constants={"_Count": 33})
+        self.bad(4, 'a.compute:4: kernel "K" reads "_Data" at 32, but it has 32 elements', "trace", "k.json", "--frames", "0-1")
+
     def test_a_signal_ends_a_long_frame_between_dispatches(self):
         slow = BLUR.replace("    _Data[id.x] =", "    for (int i = 0; i < 20000; i++) left = left * 0.999 + 0.001;\n    _Data[id.x] =")
         self.scene(slow, buffers={"_Data": {"size": [32, 16], "start": "i^2", "previous": True}}, step=[{"kernel": "Blur", "repeat": 100000}])
