@@ -88,7 +88,8 @@ KernelTable tableOfCsv(std::string_view text, const std::string& name) {
   return table;
 }
 
-/// Parses an npy file with a little-endian array of one or two axes in C order.
+/// Parses an npy file with a little-endian array of one to three axes in C order. The last axis has the
+/// columns; with three axes, the first two are the rows and columns of a grid.
 KernelTable tableOfNpy(const std::string& bytes, const std::string& name) {
   const auto header = [&]() -> std::string {
     if (bytes.size() < 12 || !bytes.starts_with("\x93NUMPY")) broken(name, "this is no npy file");
@@ -125,9 +126,13 @@ KernelTable tableOfNpy(const std::string& bytes, const std::string& name) {
     shape.push_back(value);
     i = static_cast<std::size_t>(end - header.data());
   }
-  if (shape.empty() || shape.size() > 2)
-    broken(name, fmt::format("expected an array of one or two axes, found {}", shape.size()));
-  const std::size_t rows = shape[0], columns = shape.size() == 2 ? shape[1] : 1;
+  if (shape.empty() || shape.size() > 3)
+    broken(name, fmt::format("expected an array of one to three axes, found {}", shape.size()));
+  const bool grid = shape.size() == 3;
+  const std::size_t line = grid ? shape[1] : 1, columns = shape.size() == 1 ? 1 : shape.back();
+  if (grid && (line == 0 || line > mostSide || shape[0] > mostSide))
+    broken(name, fmt::format("expected a grid of at most {} x {}", mostSide, mostSide));
+  const std::size_t rows = shape[0] * line;
   const std::size_t width = kind == 'd' || kind == 'l' ? 8 : kind == 'b' ? 1 : 4;
   if (rows == 0 || columns == 0 || rows > mostBytes / columns / width ||
       bytes.size() - begin < rows * columns * width)
@@ -135,7 +140,7 @@ KernelTable tableOfNpy(const std::string& bytes, const std::string& name) {
   if (bytes.size() - begin != rows * columns * width) broken(name, "there are bytes behind the array");
   KernelTable table;
   for (std::size_t c = 0; c < columns; ++c) table.columns.push_back(fmt::format("c{}", c));
-  table.size = {static_cast<int>(rows), 1};
+  table.size = grid ? glm::ivec2(line, shape[0]) : glm::ivec2(rows, 1);
   table.values.reserve(rows * columns);
   const auto add = [&]<class T>(T value, std::size_t i) {
     std::memcpy(&value, bytes.data() + begin + i * sizeof(T), sizeof(T));
