@@ -8,6 +8,7 @@
 #include "scene/json/words.hpp"
 #include "scene/kind_hint.hpp"
 #include "scene/override.hpp"
+#include "scene/papered.hpp"
 #include "scene/scene_source.hpp"
 #include "scene/sections.hpp"
 #include "scene/stage.hpp"
@@ -26,6 +27,17 @@
 namespace simreel::scene {
 
 namespace {
+
+/// Gives an object the skin that its parameters imply.
+void giveSkin(Object& object) {
+  const auto* papered = dynamic_cast<const Papered*>(object.parameters.get());
+  const std::string field = papered == nullptr ? "" : papered->fieldShown(object.name);
+  if (field.empty() || object.material.skin) return;
+  object.material.skin.emplace();
+  object.material.skin->field = field;
+  object.material.skin->look = Skin::Look::map;
+  object.material.skin->bump = 0;
+}
 
 /// Reads one object: exactly one member that names its kind, and an optional material.
 Object readObject(const Node& node, ReadContext context, std::span<const Kind> kinds) {
@@ -61,6 +73,7 @@ Object readObject(const Node& node, ReadContext context, std::span<const Kind> k
       Reader::readObject(member, context, [&](Reader& fields) { object.parameters->describe(fields); });
     }
   }
+  giveSkin(object);
   const char* const drawnWith = object.parameters == nullptr ? nullptr : object.parameters->drawnWith();
   if (object.hasMaterial() && drawnWith != nullptr)
     context.diagnostics.remark(

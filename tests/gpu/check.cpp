@@ -273,6 +273,7 @@ TEST_CASE("checks: an unknown array, object or component is refused with the val
 TEST_CASE("checks: every object kind measures as many quantities as it declares") {
   testContext();
   const std::map<std::string, std::string> needs = {
+      {"arrows", R"("of": "wind")"},
       {"particles", R"("groups": [{}])"},
       {"body", R"("file": "meshes/walker.gltf")"},
       {"chart", R"("curves": [{"of": "cells.population"}])"},
@@ -285,13 +286,15 @@ TEST_CASE("checks: every object kind measures as many quantities as it declares"
        R"("file": "kernels/GameOfLife.compute", "textures": {"_Current": [8, 8], "_Next": [8, 8]}, "constants": {"_Width": 8, "_Height": 8})"},
       {"mesh", R"("deform": [{"ripple": {}}])"},
       {"reaction", R"("preset": "barkley")"},
+      {"streamlines", R"("of": "wind")"},
       {"wildfire", R"("strokes": [{"from": [9, 9, 0]}])"}};
   for (const scene::Kind& kind : sim::kinds().list) {
     CAPTURE(std::string(kind.name));
     const auto given = needs.find(kind.name);
-    const auto scene = sceneOf(fmt::format(R"("a": {{"{}": {{{}}}}}, "cells": {{"life": {{}}}})", kind.name,
-                                           given == needs.end() ? "" : given->second),
-                               "");
+    const auto scene =
+        sceneOf(fmt::format(R"("a": {{"{}": {{{}}}}}, "cells": {{"life": {{}}}}, "wind": {{"flow": {{}}}})",
+                            kind.name, given == needs.end() ? "" : given->second),
+                "");
     const sim::World world(scene);
     CHECK(scene.objects[0].parameters->measures() == !scene.objects[0].parameters->quantities().empty());
     CHECK(world.object(0).measure().size() == scene.objects[0].parameters->quantities().size());

@@ -6,7 +6,7 @@
 namespace simreel::cli {
 
 std::span<const KindNotes> kindNotes() {
-  static constexpr std::array<KindNotes, 19> all = {{
+  static constexpr std::array<KindNotes, 20> all = {{
       {"cloth",
        "positions: x, y, z: place of each particle or vertex, m; w: 1 / mass, 1/kg, 0 while it is pinned|"
        "velocities: m/s|"
@@ -100,6 +100,9 @@ std::span<const KindNotes> kindNotes() {
       {"plane", "", ""},
       {"text", "", "Open Sans, which ships with simreel"},
       {"chart", "", ""},
+      {"streamlines", "",
+       "Jobard and Lefer 1997, \"Creating evenly-spaced streamlines of arbitrary density\"|"
+       "Bishop 1975, \"There is more than one way to frame a curve\" (tubes)"},
   }};
   return all;
 }

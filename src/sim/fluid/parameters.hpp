@@ -99,6 +99,10 @@ struct FluidParameters : ObjectParameters, HasColorRange {
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return display.measuredRanges(); }
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
+  [[nodiscard]] std::optional<scene::Box> framedAlone() const override {
+    if (display.layer != FieldDisplay::Layer::none) return std::nullopt;
+    return boxOfPlane(plane, size);
+  }
   void ports(Ports& ports) const override;
   [[nodiscard]] std::int64_t leastBlockBytes() const override {
     return std::int64_t{16} * (size.x + 2) * (size.y + 2);

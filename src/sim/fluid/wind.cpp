@@ -21,6 +21,14 @@ void FluidPlane::describe(scene::Fields& f) {
   f.number("cell", cell, {1e-4, 1e3}, "m", "Width of a cell.");
 }
 
+scene::Box boxOfPlane(const FluidPlane& plane, glm::ivec2 size) {
+  const glm::mat4 turned = rotationMatrix(plane.rotation);
+  const glm::vec3 half = 0.5F * plane.cell *
+                         (glm::abs(glm::vec3(turned[0])) * static_cast<float>(size.x) +
+                          glm::abs(glm::vec3(turned[1])) * static_cast<float>(size.y));
+  return {plane.position - half, plane.position + half};
+}
+
 // Grid coordinates of point p: x = (p - c) . ex / h + W / 2 and y = H / 2 - (p - c) . ey / h, for centre c,
 // cell width h and a grid of W x H cells.
 shader::WindGrid fluidWindGrid(const FluidPlane& plane, glm::ivec2 size) {
@@ -48,11 +56,12 @@ constinit const PortInfo FluidWind::port = {
 
 FluidWind::FluidWind(const FluidPlane& plane, glm::ivec2 size, float speed,
                      std::function<const FluidArray&()> flow)
-    : grid_(fluidWindGrid(plane, size)), speed_(speed), flow_(std::move(flow)) {}
+    : plane_(plane), grid_(fluidWindGrid(plane, size)), speed_(speed), flow_(std::move(flow)) {}
 
 FluidWind::FluidWind(const std::string& name, const FluidPlane& plane, glm::ivec2 size,
                      std::span<const glm::vec4> cells)
-    : grid_(fluidWindGrid(plane, size)),
+    : plane_(plane),
+      grid_(fluidWindGrid(plane, size)),
       speed_(0),
       flow_([this]() -> const FluidArray& { return stillFlow_; }) {
   SIMREEL_CHECK(cells.size() ==

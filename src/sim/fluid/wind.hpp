@@ -28,6 +28,9 @@ struct FluidPlane {
   void describe(scene::Fields& fields);
 };
 
+/// Returns a box around a rectangle of `size` cells in the world.
+[[nodiscard]] scene::Box boxOfPlane(const FluidPlane& plane, glm::ivec2 size);
+
 /// Returns the data that lets other simulations sample a fluid of `size` cells as their wind
 /// (glsl/fluid/wind_model.glsl); shared with the CPU twins.
 [[nodiscard]] shader::WindGrid fluidWindGrid(const FluidPlane& plane, glm::ivec2 size);
@@ -62,10 +65,12 @@ class FluidWind {
   FluidWind& operator=(FluidWind&&) = delete;
 
   [[nodiscard]] FluidWindPart part() const;
+  [[nodiscard]] const FluidPlane& plane() const { return plane_; }
   [[nodiscard]] const shader::WindGrid& grid() const { return grid_; }
   [[nodiscard]] float speed() const { return speed_; }
 
  private:
+  FluidPlane plane_;
   shader::WindGrid grid_;
   float speed_;
   std::function<const FluidArray&()> flow_;

@@ -22,7 +22,7 @@ namespace simreel::sim {
 namespace {
 
 constexpr std::size_t mostBytes = std::size_t{1} << 30;
-constexpr int mostSide = 16384;
+constexpr int mostTableSide = 16384;
 
 [[noreturn]] void broken(const std::string& name, const std::string& why) {
   fail(ExitCode::inputOutput, "{}: {}", name, why);
@@ -114,12 +114,13 @@ std::vector<std::size_t> npyShape(std::string_view header, const std::string& na
     shape.push_back(value);
     i = static_cast<std::size_t>(end - header.data());
   }
-  if (shape.empty() || shape.size() > 2)
-    broken(name, fmt::format("expected an array of one or two axes, found {}", shape.size()));
+  if (shape.empty() || shape.size() > 3)
+    broken(name, fmt::format("expected an array of one to three axes, found {}", shape.size()));
   return shape;
 }
 
-/// Parses an npy file with a little-endian array of one or two axes in C order.
+/// Parses an npy file with a little-endian array of one to three axes in C order. The last axis has the
+/// columns; with three axes, the first two are the rows and columns of a grid.
 KernelTable tableOfNpy(const std::string& bytes, const std::string& name) {
   const std::string_view header = npyHeader(bytes, name);
   const std::size_t begin = static_cast<std::size_t>(header.data() - bytes.data()) + header.size();
@@ -135,7 +136,11 @@ KernelTable tableOfNpy(const std::string& bytes, const std::string& name) {
                                    : '?';
   if (kind == '?') broken(name, "expected float32, float64, int32, int64, uint32 or uint8, little-endian");
   const std::vector<std::size_t> shape = npyShape(header, name);
-  const std::size_t rows = shape[0], columns = shape.size() == 2 ? shape[1] : 1;
+  const bool grid = shape.size() == 3;
+  const std::size_t line = grid ? shape[1] : 1, columns = shape.size() == 1 ? 1 : shape.back();
+  if (grid && (line == 0 || line > mostTableSide || shape[0] > mostTableSide))
+    broken(name, fmt::format("expected a grid of at most {} x {}", mostTableSide, mostTableSide));
+  const std::size_t rows = shape[0] * line;
   const std::size_t width = kind == 'd' || kind == 'l' ? 8 : kind == 'b' ? 1 : 4;
   if (rows == 0 || columns == 0 || rows > mostBytes / columns / width ||
       bytes.size() - begin < rows * columns * width)
@@ -143,7 +148,7 @@ KernelTable tableOfNpy(const std::string& bytes, const std::string& name) {
   if (bytes.size() - begin != rows * columns * width) broken(name, "there are bytes behind the array");
   KernelTable table;
   for (std::size_t c = 0; c < columns; ++c) table.columns.push_back(fmt::format("c{}", c));
-  table.size = {static_cast<int>(rows), 1};
+  table.size = grid ? glm::ivec2(line, shape[0]) : glm::ivec2(rows, 1);
   table.values.reserve(rows * columns);
   const auto add = [&]<class T>(T value, std::size_t i) {
     std::memcpy(&value, bytes.data() + begin + i * sizeof(T), sizeof(T));
@@ -174,7 +179,7 @@ KernelTable tableOfMesh(const std::filesystem::path& file) {
 }
 
 KernelTable tableOfPicture(const std::string& bytes, const std::string& name) {
-  const Picture picture = decodePicture(bytes, name, "picture", mostSide);
+  const Picture picture = decodePicture(bytes, name, "picture", mostTableSide);
   double linear[256];
   for (int i = 0; i < 256; ++i) linear[i] = linearOfSrgb(i / 255.0);
   KernelTable table{{"r", "g", "b", "a"}, {}, picture.size};

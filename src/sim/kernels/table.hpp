@@ -15,7 +15,7 @@ namespace simreel::sim {
 struct KernelTable {
   std::vector<std::string> columns;
   std::vector<double> values;  ///< row by row
-  glm::ivec2 size{0, 0};       ///< width and height of a picture, else number of rows and 1
+  glm::ivec2 size{0, 0};       ///< width and height of a picture or a grid, else number of rows and 1
 
   [[nodiscard]] std::size_t rows() const { return columns.empty() ? 0 : values.size() / columns.size(); }
 };

@@ -12,6 +12,7 @@
 #include "sim/particles/start.hpp"
 #include "sim/ports/color_scale.hpp"
 #include "sim/ports/markers.hpp"
+#include "sim/ports/moving_points.hpp"
 
 #include <algorithm>
 
@@ -178,6 +179,9 @@ void ParticleParameters::describe(scene::Fields& f) {
     if (!collides && walls.empty() && f.given(name))
       f.error(name, fmt::format("\"{}\" is for particles with \"collides\": true or \"walls\"", name));
   f.group("look", "Look of the particles.", [&](scene::Fields& l) { describeLook(l); });
+  f.switchable("trails");
+  f.optionalGroup("trails", trails,
+                  "Tubes through the places of the latest frames, which end where a particle was born.");
   remarkForces(f);
   if (groups.empty() && emitters.empty())
     f.error("groups", "no particles: give \"groups\" or \"emitters\"");
@@ -257,6 +261,7 @@ ParticleParameters ParticleParameters::inStep(int contactSubsteps) const {
 
 void ParticleParameters::ports(Ports& ports) const {
   ports.want<Walls>(walls, {"walls"});
+  ports.provide<MovingPoints>();
   ports.provide<ColorScale>(colorBy != Instances::ColorBy::material,
                             " whose \"look\" has no \"colorBy\": \"speed\", \"mass\" or \"age\"");
   if (wind) ports.want<FluidWind>(wind->fluid, {"wind", "fluid"});

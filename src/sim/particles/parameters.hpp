@@ -5,6 +5,7 @@
 #include "sim/core/auto_range.hpp"
 #include "sim/core/drawable.hpp"
 #include "sim/core/kind.hpp"
+#include "sim/particles/trails.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -88,6 +89,8 @@ struct ParticleParameters : ObjectParameters, HasColorRange, TouchesMeshes, shad
   std::optional<ParticleWind> wind;
   std::string walls;           ///< name of the solid whose walls the particles collide with; empty: none
   std::string cloths = "all";  ///< cloths in contact to collide with: "all", "none", or a name
+
+  std::optional<TrailParameters> trails;
 
   // Appearance of the particles.
   Instances::Shape shape = Instances::Shape::sprite;

@@ -8,8 +8,10 @@
 #include "sim/core/kind.hpp"
 #include "sim/core/step_blocks.hpp"
 #include "sim/particles/gravity_tree.hpp"
+#include "sim/particles/kernels.hpp"
 #include "sim/particles/pairs.hpp"
 #include "sim/particles/plan.hpp"
+#include "sim/ports/moving_points.hpp"
 #include "sim/touch/touch.hpp"
 
 #include <algorithm>
@@ -40,77 +42,6 @@ const std::vector<ColliderShape>& shapesIn(const Setting& setting) {
   return setting.colliders != nullptr ? *setting.colliders : none;
 }
 
-/// Inputs that all particle kernels share (glsl/particles/kernel.glsl).
-struct ParticlePart {
-  gl::Block<"StepBlock", shader::ParticleStep> step;
-  TouchPart touch;
-  gl::InOut<"StatusBlock"> status;
-  gl::InOut<"positions"> positions;
-  gl::InOut<"velocities"> velocities;
-};
-struct ParticleFields {
-  gl::Switch<"ATTRACTOR"> attractor;
-  gl::Switch<"TURBULENCE"> turbulence;
-};
-struct ParticleSolids {
-  TouchVariant touch;
-  gl::Switch<"SOLIDS"> solids;  // true if there are collider shapes or meshes
-};
-
-struct ParticleKick {
-  static constexpr auto file = "particles/kick.comp";
-  struct Variant {
-    gl::Flag<"WIND"> wind;
-    ParticleFields fields;
-  };
-  ParticlePart part;
-  gl::InOut<"accelerations"> accelerations;
-};
-
-/// Substep of mutually attracting particles up to the second kick.
-struct ParticleDrift {
-  static constexpr auto file = "particles/drift.comp";
-  using Variant = ParticleSolids;
-  ParticlePart part;
-  gl::InOut<"accelerations"> accelerations;
-};
-
-/// Whole substep of particles that do not attract each other.
-struct ParticleWhole {
-  static constexpr auto file = "particles/step.comp";
-  struct Variant {
-    ParticleSolids solids;
-    ParticleFields fields;
-  };
-  ParticlePart part;
-  gl::InOut<"accelerations"> accelerations;
-};
-
-struct ParticleBirth {
-  static constexpr auto file = "particles/birth.comp";
-  struct Variant {
-    ParticleSolids solids;
-    ParticleFields fields;
-    gl::Flag<"ATTRACTS"> attracts;
-  };
-  ParticlePart part;
-  gl::InOut<"accelerations"> accelerations;
-};
-
-struct ParticleKeep {
-  static constexpr auto file = "particles/keep.comp";
-  gl::Uniform<"count", int> count;
-  gl::In<"starts"> starts;
-  gl::Out<"positions"> positions;
-};
-
-struct ParticleSettle {
-  static constexpr auto file = "particles/settle.comp";
-  using Variant = ParticleSolids;
-  ParticlePart part;
-  gl::In<"starts"> starts;
-};
-
 class Particles : public Simulation, public LockStep {
  public:
   Particles(const scene::Object& object, const Setting& setting)
@@ -139,6 +70,7 @@ class Particles : public Simulation, public LockStep {
           gl::Buffer(name_ + " accelerations before a frame", 16 * cloud.positions.size());
     }
     velocities_ = gl::Vec4Array(name_ + " velocities", cloud.velocities);
+    moving_ = {&positions_[0], &velocities_, plan_.count(), p.size, plan_.fastestAtStart(cloud)};
     accelerations_ =
         gl::Vec4Array(name_ + " accelerations", std::vector<glm::vec4>(cloud.positions.size()));
     const unsigned fine[4] = {0xffffffffU, 0xffffffffU, 0, 0};
@@ -146,6 +78,10 @@ class Particles : public Simulation, public LockStep {
     makeKernels(setting.fast);
     steps_ = StepBlocks<shader::ParticleStep>(name_ + " steps", p.substeps);
     if (colors_.empty()) colors_ = {glm::vec3(0.02F), glm::vec3(1.0F)};
+    if (!p.trails) return;
+    trails_ = std::make_unique<ParticleTrails>(name_, *p.trails, plan_.count(), instances(), material_,
+                                               setting.fast);
+    trails_->record(positions_[0], velocities_);
   }
 
   void step(double time, const StepWatch& watch) override {
@@ -159,6 +95,7 @@ class Particles : public Simulation, public LockStep {
 
   void connect(Outlets& outlets) override {
     if (inContact_) outlets.provide<LockStep>(this);
+    outlets.provide(&moving_);
   }
   [[nodiscard]] ContactPart contactPart() const override { return plan_.contactPart(); }
   void beginFrame(double time) override {
@@ -188,28 +125,14 @@ class Particles : public Simulation, public LockStep {
     next_ = 0;
   }
   void restored() override { copy(savedAccelerations_, accelerations_.buffer()); }
-  void endFrame(double /*time*/) override { gl::barrier(); }
+  void endFrame(double /*time*/) override {
+    gl::barrier();
+    if (trails_) trails_->record(positions_[0], velocities_);
+  }
 
   void publish(double /*time*/, Drawables& drawables) const override {
-    const ParticleParameters& p = plan_.parameters();
-    Instances instances;
-    instances.positions = &positions_[0].view();
-    instances.velocities = &velocities_.view();
-    instances.capacity = plan_.count();
-    instances.shape = p.shape;
-    instances.mesh = p.mesh;
-    if (p.alongVelocity) instances.turning = Instances::Turning::velocity;
-    instances.size = p.size;
-    instances.massExponent = p.massExponent;
-    instances.massReference = massReference();
-    instances.colorBy = p.colorBy;
-    instances.colorRange = p.colorRange;
-    instances.colors = p.colors.empty() ? &colors_ : &p.colors;
-    instances.additive = p.additive;
-    instances.brightness = p.brightness;
-    instances.fade = p.emitters.empty() ? 0.0F : p.fade;
-    instances.material = &material_;
-    drawables.instances.push_back(instances);
+    drawables.instances.push_back(instances());
+    if (trails_) drawables.surfaces.push_back(trails_->surface(positions_[0], velocities_));
   }
 
   void carryOver(CarryOver& carry) override {
@@ -218,6 +141,7 @@ class Particles : public Simulation, public LockStep {
     carry.array("positions", positions_[0].buffer());
     carry.array("velocities", velocities_.buffer());
     carry.array("accelerations", accelerations_.buffer());
+    if (trails_) trails_->carryOver(carry);
   }
 
   [[nodiscard]] std::vector<StateArray> state() const override {
@@ -340,6 +264,28 @@ class Particles : public Simulation, public LockStep {
             .velocities = velocities_};
   }
 
+  [[nodiscard]] Instances instances() const {
+    const ParticleParameters& p = plan_.parameters();
+    Instances instances;
+    instances.positions = &positions_[0].view();
+    instances.velocities = &velocities_.view();
+    instances.capacity = plan_.count();
+    instances.shape = p.shape;
+    instances.mesh = p.mesh;
+    if (p.alongVelocity) instances.turning = Instances::Turning::velocity;
+    instances.size = p.size;
+    instances.massExponent = p.massExponent;
+    instances.massReference = massReference();
+    instances.colorBy = p.colorBy;
+    instances.colorRange = p.colorRange;
+    instances.colors = p.colors.empty() ? &colors_ : &p.colors;
+    instances.additive = p.additive;
+    instances.brightness = p.brightness;
+    instances.fade = p.emitters.empty() ? 0.0F : p.fade;
+    instances.material = &material_;
+    return instances;
+  }
+
   /// Returns the mass of a particle of nominal size, taken from the first group, else from the first
   /// emitter.
   [[nodiscard]] float massReference() const {
@@ -370,7 +316,9 @@ class Particles : public Simulation, public LockStep {
   gl::Kernel<ParticleKick> kick_;
   PairGravity pairs_;
   std::optional<GravityTree> tree_;
-  std::vector<glm::vec3> colors_;  ///< default colour map if the parameters have none
+  std::unique_ptr<ParticleTrails> trails_;  ///< null without trails
+  MovingPoints moving_;                     ///< for objects that draw the velocities
+  std::vector<glm::vec3> colors_;           ///< default colour map if the parameters have none
   bool primed_ = false;
 };
 

@@ -117,6 +117,16 @@ ParticleCloud ParticlePlan::firstCloud() const {
   return all;
 }
 
+float ParticlePlan::fastestAtStart(const ParticleCloud& cloud) const {
+  float fastest = 0;
+  for (const glm::vec4& v : cloud.velocities)
+    if (v.w >= 0) fastest = std::max(fastest, std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z));
+  for (const Emitter& emitter : parameters_.emitters)
+    for (const auto& key : emitter.velocity.keys())
+      fastest = std::max(fastest, (1 + emitter.speedVariation) * glm::length(key.value));
+  return fastest;
+}
+
 shader::ParticleFields ParticlePlan::fields(double time) const {
   const ParticleParameters& p = parameters_;
   shader::ParticleFields f{};

@@ -37,6 +37,8 @@ class ParticlePlan {
   [[nodiscard]] int groupCount(std::size_t group) const;
   /// Returns the initial state: the groups' particles, then empty slots for the emitters.
   [[nodiscard]] ParticleCloud firstCloud() const;
+  /// Returns the greatest speed at the start in m/s: of the first cloud and of what emitters emit.
+  [[nodiscard]] float fastestAtStart(const ParticleCloud& cloud) const;
   /// Returns the description of the particles for contact with cloths.
   [[nodiscard]] ContactPart contactPart() const;
   /// Returns the step data for a kick of zero length at `time` (seconds), used to compute the initial

@@ -1,11 +1,13 @@
 #include "sim/world/list.hpp"
 
 #include "base/error.hpp"
+#include "sim/arrows/arrows.hpp"
 #include "sim/body/body.hpp"
 #include "sim/cave/cave.hpp"
 #include "sim/chart/chart.hpp"
 #include "sim/color_bar/color_bar.hpp"
 #include "sim/contour/contour.hpp"
+#include "sim/flow/flow.hpp"
 #include "sim/fluid/fluid.hpp"
 #include "sim/garment/garment.hpp"
 #include "sim/gray_scott/gray_scott.hpp"
@@ -23,6 +25,7 @@
 #include "sim/shape/shape.hpp"
 #include "sim/spread/epidemic.hpp"
 #include "sim/spread/wildfire.hpp"
+#include "sim/streamlines/streamlines.hpp"
 #include "sim/text/text.hpp"
 #include "sim/water/water.hpp"
 #include "sim/world/port_check.hpp"
@@ -37,10 +40,11 @@ namespace simreel::sim {
 std::span<const SimulationKind> simulations() {
   static const std::vector<SimulationKind> list = [] {
     std::vector<SimulationKind> all = {
-        clothKind(),    particlesKind(), lifeKind(),     leniaKind(),    grayScottKind(), reactionKind(),
-        epidemicKind(), wildfireKind(),  fluidKind(),    waterKind(),    caveKind(),      contourKind(),
-        meshKind(),     bodyKind(),      sphereKind(),   capsuleKind(),  planeKind(),     textKind(),
-        chartKind(),    colorBarKind(),  isolinesKind(), scaleBarKind(), kernelsKind(),   imageKind(),
+        clothKind(),       particlesKind(), lifeKind(),     leniaKind(),    grayScottKind(), reactionKind(),
+        epidemicKind(),    wildfireKind(),  fluidKind(),    waterKind(),    caveKind(),      contourKind(),
+        meshKind(),        bodyKind(),      sphereKind(),   capsuleKind(),  planeKind(),     textKind(),
+        chartKind(),       colorBarKind(),  isolinesKind(), scaleBarKind(), flowKind(),      arrowsKind(),
+        streamlinesKind(), kernelsKind(),   imageKind(),
     };
     std::vector<SimulationKind> solids = solidKinds();
     const auto shapes = std::find_if(all.begin(), all.end(), [](const SimulationKind& one) {

@@ -135,7 +135,7 @@ void checkNamed(const char* where, const std::string& name, Objects objects,
 
 void checkPorts(Objects objects, const scene::Report& report) {
   for (const scene::Object& object : objects) {
-    if (object.material.skin) {
+    if (object.material.skin && object.materialKeys.contains("skin")) {
       Ports::Want skin{&FieldSource::port, object.material.skin->field, {"field"}, When::afterFrame};
       skin.whole = true;
       const std::string mistake = mistakeOf(skin, object, objects);

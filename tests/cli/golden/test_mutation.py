@@ -39,7 +39,7 @@ MUTATIONS = {
 }
 # Scenes whose kind runs other shaders than usual.
 OTHERS = {"wireworld": ("life", ("automata/step.comp", "node = child(node, cellOf(here, j + 1));", "node = child(node, cellOf(here, j));"))}
-SCENERY = {"sphere", "capsule", "plane", "box", "cylinder", "cone", "torus", "disc", "text", "chart", "colorBar", "isolines", "scaleBar"}  # kinds of objects that are not simulated
+SCENERY = {"sphere", "capsule", "plane", "box", "cylinder", "cone", "torus", "disc", "text", "chart", "colorBar", "isolines", "scaleBar", "flow", "arrows", "streamlines"}  # kinds of objects that are not simulated
 FRAMES = 3  # number of the frame that is compared, after frame 0
 LATER = {"cave_map": 24, "wireworld": 24}  # rock changes late in cave_map; electrons are far apart in wireworld
 # Simulations of particles, of cells and of a grid of numbers, with a listed mutation and a derived one; with

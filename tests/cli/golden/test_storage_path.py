@@ -20,7 +20,7 @@ class StoragePath(Case):
         names = sorted((f.stem for f in (SOURCE / "assets/scenes").glob("*.json") if f.stem not in LONG),
                        key=lambda name: (name not in FIRST, name))
         listed = self.good("list").stdout.decode().split("\n\n")[0]
-        kinds = set(re.findall(r"^  (\w+)", listed, re.M)) - {"sphere", "capsule", "plane", "box", "cylinder", "cone", "torus", "disc", "text", "chart", "colorBar", "isolines", "scaleBar"}
+        kinds = set(re.findall(r"^  (\w+)", listed, re.M)) - {"sphere", "capsule", "plane", "box", "cylinder", "cone", "torus", "disc", "text", "chart", "colorBar", "isolines", "scaleBar", "flow", "arrows", "streamlines"}
         chosen, qualities = [], set()
         for name in names:
             text = (SOURCE / f"assets/scenes/{name}.json").read_text(encoding="utf-8")

@@ -1,0 +1,13 @@
+// Arrows along the velocities of every n-th point. One invocation per arrow.
+#include "arrows/arrow.glsl"
+INPUT_ARRAY(3, PositionBlock, positions)   // x, y, z: m
+INPUT_ARRAY(4, VelocityBlock, velocities)  // x, y, z: m/s; w < 0: the point does not live
+uniform int every;
+
+void main() {
+  int i = int(gl_GlobalInvocationID.x);
+  if (i >= count) return;
+  vec4 velocity = LOAD_INPUT(velocities, i * every);
+  vec3 place = LOAD_INPUT(positions, i * every).xyz;
+  storeArrow(i, place, velocity.xyz, velocity.xyz, velocity.w >= 0.0);
+}

@@ -1,0 +1,13 @@
+// Claims the cells of each line's points for this round. One invocation per line.
+#include "streamlines/claims.glsl"
+
+void main() {
+  int line = int(gl_GlobalInvocationID.x);
+  if (line >= count) return;
+  ivec4 span = spans[line];
+  uint claim = claimOf(line);
+  for (int i = span.x; i <= span.y; ++i) {
+    ivec2 cell = cellOf(LOAD_STATE(points, line * perLine + i).xyz);
+    atomicMin(claims[cell.y * cellCount.x + cell.x], claim);
+  }
+}

@@ -1,0 +1,240 @@
+#include "sim/arrows/arrows.hpp"
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "gl/element_array.hpp"
+#include "gl/kernel/kernel.hpp"
+#include "sim/arrows/parameters.hpp"
+#include "sim/core/collider.hpp"
+#include "sim/core/kind.hpp"
+#include "sim/flow/sheet.hpp"
+#include "sim/fluid/wind.hpp"
+#include "sim/kernels/copies.hpp"
+#include "sim/ports/moving_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <glm/mat4x4.hpp>
+
+namespace simreel::sim {
+
+namespace {
+
+/// Inputs of both kernels (glsl/arrows/arrow.glsl).
+struct ArrowPart {
+  gl::Uniform<"count", int> count;
+  gl::Uniform<"scale", float> scale;
+  gl::Uniform<"longest", float> longest;
+  gl::Uniform<"low", float> low;
+  gl::Uniform<"perRange", float> perRange;
+  gl::Uniform<"ahead", float> ahead;
+  gl::Out<"places"> places;
+  gl::Out<"speeds"> speeds;
+  gl::Out<"turns"> turns;
+};
+
+struct GridArrows {
+  static constexpr auto file = "arrows/grid.comp";
+  ArrowPart part;
+  gl::Uniform<"columns", int> columns;
+  gl::Uniform<"first", glm::vec3> first;
+  gl::Uniform<"across", glm::vec3> across;
+  gl::Uniform<"down", glm::vec3> down;
+  gl::Uniform<"above", glm::vec3> above;
+  FluidWindPart wind;
+};
+
+struct PointArrows {
+  static constexpr auto file = "arrows/points.comp";
+  ArrowPart part;
+  gl::Uniform<"every", int> every;
+  gl::In<"positions"> positions;
+  gl::In<"velocities"> velocities;
+};
+
+/// Regular grid of places in the world.
+struct ArrowGrid {
+  glm::ivec2 size{0, 0};
+  glm::vec3 first{0};   ///< top left place in metres
+  glm::vec3 across{0};  ///< from a place to the next on the right
+  glm::vec3 down{0};    ///< from a place to the next below
+  glm::vec3 above{0};   ///< from the source's plane to the arrows
+};
+
+ArrowGrid gridOf(const FluidWind& wind, float spacing, float height) {
+  const FluidPlane& plane = wind.plane();
+  const glm::mat4 turned = rotationMatrix(plane.rotation);
+  const glm::vec2 extent = plane.cell * glm::vec2(wind.grid().size);
+  ArrowGrid grid;
+  for (int axis = 0; axis < 2; ++axis)
+    grid.size[axis] = std::max(1, static_cast<int>(std::min(extent[axis] / spacing + 1e-3F, 1e5F)));
+  grid.across = spacing * glm::vec3(turned[0]);
+  grid.down = -spacing * glm::vec3(turned[1]);
+  grid.first = plane.position - 0.5F * (static_cast<float>(grid.size.x - 1) * grid.across +
+                                        static_cast<float>(grid.size.y - 1) * grid.down);
+  grid.above = height * glm::vec3(turned[2]);
+  return grid;
+}
+
+/// Arrows of the velocities of another object. The object has no state.
+class Arrows : public Simulation {
+ public:
+  Arrows(const scene::Object& object, const Setting& setting)
+      : name_(object.name),
+        parameters_(parametersOf<ArrowParameters>(object)),
+        material_(object.material),
+        links_(setting.links),
+        wind_(setting.find<FluidWind>(parameters_.of)),
+        points_(wind_ != nullptr ? nullptr : setting.find<MovingPoints>(parameters_.of)),
+        ofGrid_(gl::kernelDefines(setting.fast)),
+        ofPoints_(gl::kernelDefines(setting.fast)) {
+    wind_ != nullptr ? planGrid() : planPoints();
+    if (count_ > mostArrows)
+      fail(ExitCode::usage, "arrows \"{}\": {} arrows are more than the {} that fit here; {}", name_,
+           count_, mostArrows, wind_ != nullptr ? "raise \"spacing\"" : "draw fewer with \"every\"");
+    places_ = gl::Vec4Array(name_ + " places", static_cast<int>(count_));
+    speeds_ = gl::Vec4Array(name_ + " speeds", static_cast<int>(count_));
+    turns_ = gl::Vec4Array(name_ + " turns", static_cast<int>(count_));
+    if (parameters_.sheet && wind_ != nullptr)
+      sheet_.emplace(name_, wind_->plane(), wind_->grid().size, object.material);
+    material_.skin.reset();
+    update();
+  }
+
+  void step(double /*time*/, const StepWatch& /*watch*/) override { update(); }
+  void pass(double /*time*/) override {}
+  void resumed(double /*time*/) override { update(); }
+
+  void publish(double time, Drawables& drawables) const override {
+    if (!std::exchange(looked_, true) && wind_ != nullptr)
+      warnIfCovered(*links_, "arrows", name_, parameters_.of);
+    static_cast<void>(time);
+    if (sheet_) drawables.surfaces.push_back(sheet_->surface());
+    drawables.instances.push_back(instances());
+  }
+
+  [[nodiscard]] PointTable points() const override {
+    PointTable table{{"x", "y", "z", "dx", "dy", "dz", "length"}, {}};
+    const auto places = places_.buffer().readAll<glm::vec4>(),
+               speeds = speeds_.buffer().readAll<glm::vec4>(), turns = turns_.buffer().readAll<glm::vec4>();
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const glm::vec4 &p = places[i], &d = turns[i];
+      if (speeds[i].w >= 0) table.values.insert(table.values.end(), {p.x, p.y, p.z, d.x, d.y, d.z, p.w});
+    }
+    return table;
+  }
+  [[nodiscard]] std::optional<MeshTable> mesh() const override {
+    MeshTable all = copiesOf(instances(), places_.buffer().readAll<glm::vec4>(),
+                             speeds_.buffer().readAll<glm::vec4>(), turns_.buffer().readAll<glm::vec4>());
+    if (sheet_) append(all, sheet_->table());
+    return all;
+  }
+
+ private:
+  void planGrid() {
+    const FluidPlane& plane = wind_->plane();
+    const glm::ivec2 cells = wind_->grid().size;
+    constexpr float inLine = 28;
+    const auto longer = plane.cell * static_cast<float>(std::max(cells.x, cells.y));
+    const float spacing = parameters_.spacing ? static_cast<float>(*parameters_.spacing) : longer / inLine;
+    part_.longest = static_cast<float>(parameters_.length.value_or(static_cast<double>(spacing)));
+    grid_ = gridOf(*wind_, spacing, heightOf(part_.longest.value));
+    count_ = std::int64_t{grid_.size.x} * grid_.size.y;
+    planRange(wind_->speed() * plane.cell, ArrowParameters::Anchor::middle);
+  }
+  void planPoints() {
+    SIMREEL_CHECK(points_ != nullptr);
+    part_.longest =
+        static_cast<float>(parameters_.length.value_or(8.0 * static_cast<double>(points_->size)));
+    count_ = (points_->count + parameters_.every - 1) / parameters_.every;
+    planRange(points_->speed, ArrowParameters::Anchor::tail);
+  }
+  [[nodiscard]] float heightOf(float longest) const {
+    return parameters_.height ? static_cast<float>(*parameters_.height) : 0.15F * longest;
+  }
+  /// `fastest`: greatest speed of the source in m/s. `anchor`: default of the source.
+  void planRange(float fastest, ArrowParameters::Anchor anchor) {
+    const auto low = static_cast<float>(parameters_.low);
+    const float high = parameters_.high ? static_cast<float>(*parameters_.high)
+                                        : std::max(fastest, low + 1e-3F * std::max(1.0F, low));
+    part_.count = static_cast<int>(std::min<std::int64_t>(count_, mostArrows));
+    part_.scale = parameters_.scale ? static_cast<float>(*parameters_.scale) : part_.longest.value / high;
+    part_.low = low;
+    part_.perRange = 1 / (high - low);
+    part_.ahead = parameters_.anchor.value_or(anchor) == ArrowParameters::Anchor::tail ? 0.5F : 0.0F;
+  }
+
+  void update() {
+    part_.places = places_;
+    part_.speeds = speeds_;
+    part_.turns = turns_;
+    gl::barrier();
+    if (wind_ != nullptr)
+      ofGrid_.dispatch(part_.count.value, {.part = part_,
+                                           .columns = grid_.size.x,
+                                           .first = grid_.first,
+                                           .across = grid_.across,
+                                           .down = grid_.down,
+                                           .above = grid_.above,
+                                           .wind = wind_->part()});
+    else
+      ofPoints_.dispatch(part_.count.value, {.part = part_,
+                                             .every = parameters_.every,
+                                             .positions = *points_->positions,
+                                             .velocities = *points_->velocities});
+    gl::barrier();
+  }
+
+  [[nodiscard]] Instances instances() const {
+    Instances instances;
+    instances.positions = &places_.view();
+    instances.velocities = &speeds_.view();
+    instances.capacity = part_.count.value;
+    instances.shape = Instances::Shape::mesh;
+    instances.mesh = assetFolder() / "meshes" / "arrow.obj";
+    instances.turning = Instances::Turning::direction;
+    instances.turns = &turns_.view();
+    instances.size = 1;
+    instances.massExponent = 1;  // the mass is the arrow's length
+    if (!parameters_.colors.empty()) {
+      instances.colorBy = Instances::ColorBy::age;  // the age is the fraction of the range of speeds
+      instances.colors = &parameters_.colors;
+    }
+    instances.material = &material_;
+    return instances;
+  }
+
+  std::string name_;
+  ArrowParameters parameters_;
+  scene::Material material_;
+  const Links* links_;
+  const FluidWind* wind_;       ///< the source, if it is a field
+  const MovingPoints* points_;  ///< the source, if it is points
+  std::int64_t count_ = 0;
+  ArrowGrid grid_;
+  ArrowPart part_;
+  gl::Kernel<GridArrows> ofGrid_;
+  gl::Kernel<PointArrows> ofPoints_;
+  gl::Vec4Array places_;  ///< x, y, z: middle of the arrow in metres; w: its length
+  gl::Vec4Array
+      speeds_;  ///< x, y, z: velocity of the arrow itself; w: fraction of the range, or -1: no arrow
+  gl::Vec4Array turns_;  ///< x, y, z: unit vector along the arrow
+  std::optional<FieldSheet> sheet_;
+  mutable bool looked_ = false;
+};
+
+}  // namespace
+
+SimulationKind arrowsKind() {
+  return kindOf<ArrowParameters>("arrows", "Arrows along the velocities of a fluid, a flow or particles.",
+                                 nullptr, makeSimulation<Arrows>);
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,9 @@
+#pragma once
+#include "sim/core/simulation.hpp"
+
+namespace simreel::sim {
+
+/// Returns the simulation kind "arrows": velocities of another object as solid arrows.
+[[nodiscard]] SimulationKind arrowsKind();
+
+}  // namespace simreel::sim

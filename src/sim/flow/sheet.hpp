@@ -1,0 +1,33 @@
+#pragma once
+#include "sim/core/drawable.hpp"
+#include "sim/core/port.hpp"
+#include "sim/fluid/wind.hpp"
+#include "sim/mesh/buffers.hpp"
+
+#include <string>
+
+#include <glm/vec2.hpp>
+
+namespace simreel::sim {
+
+/// Rectangle of a flow in the world, drawn in the colours of a field of the same grid.
+class FieldSheet {
+ public:
+  /// `material`: its skin names the field (scene::Papered).
+  FieldSheet(const std::string& name, const FluidPlane& plane, glm::ivec2 size,
+             const scene::Material& material);
+
+  /// Returns the rectangle; its pointers are valid as long as this object.
+  [[nodiscard]] Surface surface() const;
+  [[nodiscard]] MeshTable table() const { return buffers_.table(glm::mat4(1)); }
+
+ private:
+  scene::Material material_;
+  MeshBuffers buffers_;
+};
+
+/// Warns if the field `of` is drawn over the whole picture, which hides everything in the world. `kind` and
+/// `name`: the object that is hidden.
+void warnIfCovered(const Links& links, const char* kind, const std::string& name, const std::string& of);
+
+}  // namespace simreel::sim

@@ -1,0 +1,38 @@
+#include "sim/streamlines/parameters.hpp"
+
+#include "sim/flow/look.hpp"
+#include "sim/fluid/wind.hpp"
+#include "sim/ports/field_source.hpp"
+
+namespace simreel::sim {
+
+void StreamlineParameters::describe(scene::Fields& f) {
+  f.text("of", of, "Object whose flow it draws: a fluid, a flow, or kernels with \"wind\".");
+  f.optionalNumber("separation", separation, {1e-4, 1e4}, "m",
+                   "Distance of neighbouring lines; they come no closer than half of it.");
+  f.leftOut("separation", "a 56th of the longer side");
+  f.optionalNumber("length", length, {1e-4, 1e5}, "m", "Greatest length of a line.");
+  f.leftOut("length", "30 times \"separation\"");
+  f.optionalNumber("width", width, {1e-6, 1e4}, "m", "Diameter of the lines.");
+  f.leftOut("width", "0.3 times \"separation\"");
+  f.integerOr("seed", seed, "scene", {0, 1 << 30}, "",
+              "Number that moves the points from which lines start; \"scene\": the scene's own seed.");
+  describeColors(f, colors);
+  f.number("low", low, scene::notNegative, "m/s", "Speed of the first colour.");
+  f.optionalNumber("high", high, scene::notNegative, "m/s", "Speed of the last colour.");
+  f.leftOut("high", "of a fluid its \"speed\", of a flow the greatest");
+  f.optionalNumber("height", height, {-1e4, 1e4}, "m",
+                   "Distance of the lines in front of the source's rectangle.");
+  f.leftOut("height", "\"width\"");
+  f.boolean("sheet", sheet, "Draws the source's rectangle behind the lines, in the colours of its field.");
+  if (of.empty()) f.error("of", "whose flow? Give \"of\", the name of a fluid or a flow");
+  if (high && *high <= low) f.error("high", "\"high\" must be above \"low\"");
+}
+
+void StreamlineParameters::ports(Ports& ports) const {
+  if (of.empty()) return;
+  ports.mustWant<FluidWind>(of, {"of"});
+  if (sheet) ports.want<FieldSource>(of, {"of"});
+}
+
+}  // namespace simreel::sim
