@@ -342,6 +342,17 @@ struct With {
   std::span<const std::filesystem::path> folders;
 };
 
+/// Returns a hash of a file's bytes; empty for a file that cannot be read, which its reader reports.
+std::string contentHash(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return {};
+  try {
+    return hashHex(readFile(file, "file"));
+  } catch (const UserError&) {
+    return {};
+  }
+}
+
 /// Reads a scene from its text. `sidecar`: text of the sidecar; null if the file does not exist or is not
 /// needed.
 Scene parse(std::string_view text, const std::filesystem::path& file, const std::string* sidecar,
@@ -369,6 +380,8 @@ Scene parse(std::string_view text, const std::filesystem::path& file, const std:
     scene.overrides.push_back(change.path + "=" + change.value);
     hashed += "\n" + scene.overrides.back();
   }
+  for (const std::filesystem::path& named : scene.files) scene.filesHash += contentHash(named);
+  hashed += scene.filesHash.empty() ? "" : "\n" + scene.filesHash;
   scene.hash = hashHex(hashed);
   return scene;
 }

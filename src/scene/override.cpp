@@ -143,10 +143,18 @@ void applyOverride(Node& scene, const Override& change, Diagnostics& diagnostics
   if (!value || !checkPath(change.path, source, diagnostics)) return;
   Node* place = walk(scene, change.path, source, diagnostics);
   if (place == nullptr) return;
+  const std::size_t dot = change.path.rfind('.');
+  if (value->kind == Node::Kind::null) {
+    Node* parent =
+        dot == std::string::npos ? &scene : walk(scene, change.path.substr(0, dot), source, diagnostics);
+    const std::string key = place->key;
+    if (parent->kind == Node::Kind::object)
+      std::erase_if(parent->children, [&](const Node& child) { return child.key == key; });
+    return;
+  }
   value->key = place->key;
   // Errors about the key, such as an unknown name, also point into the -D text.
-  const std::size_t lastDot = change.path.rfind('.');
-  value->keyBegin = static_cast<std::uint32_t>(lastDot == std::string::npos ? 0 : lastDot + 1);
+  value->keyBegin = static_cast<std::uint32_t>(dot == std::string::npos ? 0 : dot + 1);
   value->keyEnd = static_cast<std::uint32_t>(change.path.size());
   *place = std::move(*value);
 }

@@ -313,8 +313,9 @@ struct Scene {
   Test test;
   std::vector<Check> checks;
   std::vector<std::filesystem::path> files;  ///< resolved paths of the files that the scene names
-  std::string hash;                    ///< hash of the scene's text and overrides; 32 hexadecimal digits
-  std::vector<std::string> overrides;  ///< "path=value" of each override, in the order applied
+  std::string filesHash;                     ///< hashes of the contents of `files`
+  std::string hash;                          ///< hash of the text, overrides and named files; 32 digits
+  std::vector<std::string> overrides;        ///< "path=value" of each override, in the order applied
   /// Warnings about values without effect. Each is "file:line:column: warning: ...", the source line and a
   /// caret.
   std::vector<std::string> remarks;

@@ -151,7 +151,7 @@ frame::RunInfo RenderJob::runInfo(const gl::Context& context) const {
       .rasterizer = scene_.render.rasterizer == scene::Rasterizer::exact ? "exact" : "driver",
       .overrides = scene_.overrides,
       .camera = camera_,
-      .simulation = scene::simulationHash(asRun_),
+      .simulation = hashHex(scene::simulationHash(asRun_) + scene_.filesHash),
       .asRun = asRun_,
       .asRunHash = hashHex(asRun_),
       .command = request_.command,

@@ -93,7 +93,8 @@ std::string examplesText() {
 std::string optionEntry(const CLI::Option& option, std::size_t width) {
   const OptionText text = textOf(option);
   std::string doc = text.doc;
-  if (text.head().ends_with(" WORD")) doc += fmt::format(". One of: {}", fmt::join(text.choices, ", "));
+  if (text.head().ends_with(" WORD") && !text.choices.empty())
+    doc += fmt::format(". One of: {}", fmt::join(text.choices, ", "));
   if (text.required && text.argument.empty()) doc = "(required) " + doc;
   return listEntry(text.head(), doc, optionColumn, width);
 }

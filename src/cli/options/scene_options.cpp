@@ -6,7 +6,12 @@
 #include "scene/load.hpp"
 #include "sim/world/list.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include <CLI/CLI.hpp>
+#include <glm/geometric.hpp>
 
 namespace simreel::cli {
 
@@ -76,6 +81,25 @@ void SceneOptions::addOptional(CLI::App& command) {
   addAssets(command, assets);
 }
 
+/// Replaces the position of a scene's camera by an orbit that starts there. Returns the angle at which the
+/// orbit starts, in degrees.
+double SceneOptions::addOrbit(std::vector<scene::Override>& changes) const {
+  if (file == "-") return 0;  // standard input is read once
+  const scene::Camera camera = scene::loadScene(file, changes, sim::kinds(), assetFolders(assets)).camera;
+  if (!camera.placed || camera.orbit || camera.follow || camera.track || camera.gltf) return 0;
+  constexpr double degrees = 180 / std::numbers::pi;
+  const glm::dvec3 way = glm::dvec3(camera.position.at(0)) - glm::dvec3(camera.target.at(0));
+  const double distance = glm::length(way);
+  if (!(distance > 0)) return 0;
+  changes.push_back({"camera.position", "null"});
+  changes.push_back({"camera.target", fmt::format("[{}, {}, {}]", camera.target.at(0).x,
+                                                  camera.target.at(0).y, camera.target.at(0).z)});
+  changes.push_back({"camera.orbit.distance", fmt::format("{}", distance)});
+  changes.push_back({"camera.orbit.elevation",
+                     fmt::format("{}", std::clamp(std::asin(way.y / distance) * degrees, -89.0, 89.0))});
+  return std::atan2(way.x, way.z) * degrees;
+}
+
 std::vector<scene::Override> SceneOptions::changes() const {
   auto all = parseOverrides(overrides);
   if (seed) all.push_back({"seed", std::to_string(*seed)});
@@ -83,8 +107,10 @@ std::vector<scene::Override> SceneOptions::changes() const {
   if (fps) all.push_back({"time.fps", fmt::format("{}", *fps)});
   if (turn) {
     if (!(*turn > 0)) fail(ExitCode::usage, "--turn takes seconds above 0, not {}", *turn);
+    const double from = addOrbit(all);
     all.push_back({"time.duration", fmt::format("{}", *turn)});
-    all.push_back({"camera.orbit.turn", fmt::format(R"({{"keys": [[0, 0], [{}, 360]]}})", *turn)});
+    all.push_back(
+        {"camera.orbit.turn", fmt::format(R"({{"keys": [[0, {}], [{}, {}]]}})", from, *turn, from + 360)});
   }
   if (samples) all.push_back({"render.samples", std::to_string(*samples)});
   if (rasterizer) all.push_back({"render.rasterizer", *rasterizer});

@@ -29,6 +29,7 @@ struct SceneOptions {
   void addOptional(CLI::App& command);
   /// Returns all options but --assets as overrides. Throws UserError(usage).
   [[nodiscard]] std::vector<scene::Override> changes() const;
+  double addOrbit(std::vector<scene::Override>& changes) const;
   /// Reads the scene with all options applied, then `more`. --size, --fps, --samples and --seed are
   /// shorthands of -D, so they change the scene's hash.
   [[nodiscard]] scene::Scene load(const std::vector<scene::Override>& more = {}) const;

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 #include <glm/common.hpp>
 #include <glm/vec4.hpp>
@@ -93,9 +95,22 @@ void FieldPass::reduce(const sim::Field& field, Kept& kept, double seconds) {
   kernel_.average(field, kept.colors, kept.reduced, colored);
 }
 
+namespace {
+
+/// Returns the indices of the fields in the order of drawing: the scene's, with decorations above the rest.
+std::vector<std::size_t> decorationsLast(const sim::Drawables& drawables) {
+  std::vector<std::size_t> order(drawables.fields.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_partition(order.begin(), order.end(),
+                        [&](std::size_t i) { return !drawables.fields[i].decoration; });
+  return order;
+}
+
+}  // namespace
+
 void FieldPass::draw(const sim::Drawables& drawables, FieldLayer layer, double seconds) {
   SIMREEL_CHECK(!exact_);
-  for (std::size_t i = 0; i < drawables.fields.size(); ++i) {
+  for (const std::size_t i : decorationsLast(drawables)) {
     const sim::Field& field = drawables.fields[i];
     if (shown(field, seconds) && field.display->layer == layer) drawOne(field, kept_.at(i), seconds);
   }
@@ -154,7 +169,7 @@ void FieldPass::drawOne(const sim::Field& field, const Kept& kept, double second
 
 void FieldPass::drawOver(const sim::Drawables& drawables, double seconds, const gl::Texture& picture) {
   SIMREEL_CHECK(exact_);
-  for (std::size_t i = 0; i < drawables.fields.size(); ++i) {
+  for (const std::size_t i : decorationsLast(drawables)) {
     const sim::Field& field = drawables.fields[i];
     if (shown(field, seconds) && field.display->layer == FieldLayer::over)
       drawOneExactly(field, kept_.at(i), seconds, picture, -1);

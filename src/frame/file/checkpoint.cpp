@@ -79,7 +79,8 @@ void Checkpoint::readHeader() {
 
 std::optional<std::string> Checkpoint::mismatch(const RunInfo& run) const {
   if (simulation_ != run.simulation)
-    return "it is of another simulation: seed, times, numerics, ground or an object differ";
+    return "it is of another simulation: seed, times, numerics, ground, an object or a file that the scene "
+           "names differ";
   if (numerics_ != "exact" && fingerprint_ != run.fingerprint)
     return fmt::format(
         "its numerics are fast, and its driver's (fingerprint {}) are others than this one's ({})",

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/log.hpp"
 #include "scene/light.hpp"
 #include "sim/body/figure.hpp"
 #include "sim/mesh/file/builder.hpp"
@@ -10,6 +11,7 @@
 #include "sim/nodes/sample.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -28,6 +30,14 @@ constexpr const char* lightsName = "KHR_lights_punctual";
 
 Json listOf(const glm::dvec3& v) {
   return {v.x, v.y, v.z};
+}
+
+/// Returns a name that a scene may use: letters, digits, '-' and '_'. A suffix still fits after it.
+std::string plainName(const std::string& name) {
+  std::string plain = name.substr(0, 56);
+  for (char& c : plain)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '_') c = '_';
+  return plain.empty() ? "light" : plain;
 }
 
 /// Light of a file at its node.
@@ -107,7 +117,10 @@ class ModelReader {
     FileLight light;
     light.name = nodeName;
     light.type = described.at("type").text();
-    if (light.type != "point" && light.type != "spot" && light.type != "directional") return;
+    if (light.type != "point" && light.type != "spot" && light.type != "directional") {
+      ++dropped_;
+      return;
+    }
     const glm::dmat4& world = worlds_.back();
     light.position = glm::dvec3(world[3]);
     const double length = glm::length(glm::dvec3(world[2]));
@@ -142,7 +155,7 @@ class ModelReader {
     }
   }
 
-  void addLights(Json& scene) const {
+  void addLights(Json& scene) {
     if (lights_.empty()) return;
     const glm::dvec3 middle = 0.5 * (low_ + high_);
     double sum = 0;
@@ -156,13 +169,17 @@ class ModelReader {
     for (const FileLight& light : lights_) {
       const double intensity = light.intensity * factor;
       if (light.type == "directional") {
+        if (sun) ++dropped_;
         if (!std::exchange(sun, true))
           scene["sun"] = {{"direction", listOf(-light.direction)},
                           {"color", listOf(light.color)},
                           {"intensity", intensity}};
         continue;
       }
-      if (scene["lights"].size() + 1 >= scene::maxLights) break;  // the stage adds one
+      if (scene["lights"].size() + 1 >= scene::maxLights) {  // the stage adds one
+        ++dropped_;
+        continue;
+      }
       Json made = {{"type", light.type},
                    {"position", listOf(light.position)},
                    {"color", listOf(light.color)},
@@ -177,11 +194,18 @@ class ModelReader {
                         {"angle", 2 * light.outer * degrees},
                         {"softness", std::clamp(1 - light.inner / light.outer, 0.0, 1.0)}};
       }
-      std::string name = light.name;
-      for (int i = 2; scene["lights"].contains(name); ++i) name = fmt::format("{} {}", light.name, i);
+      const std::string plain = plainName(light.name);
+      std::string name = plain;
+      for (int i = 2; name == "rim" || scene["lights"].contains(name); ++i)
+        name = fmt::format("{}_{}", plain, i);
       scene["lights"][name] = made;
     }
     if (scene["lights"].empty()) scene.erase("lights");
+    if (dropped_ > 0)
+      warn(
+          "{}: {} of its lights are not drawn: a scene has one directional light and {} others, point or "
+          "spot",
+          file_.string(), dropped_, scene::maxLights - 1);
   }
 
   const std::filesystem::path& file_;
@@ -191,6 +215,7 @@ class ModelReader {
   std::vector<FigureAnimation> animations_;
   std::vector<glm::dmat4> worlds_;  ///< world transform of each node
   std::vector<FileLight> lights_;
+  int dropped_ = 0;              ///< number of lights that no scene can have
   glm::dvec3 low_{0}, high_{0};  ///< bounds of the meshes
   bool bounded_ = false;
 };

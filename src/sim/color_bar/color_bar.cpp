@@ -123,20 +123,27 @@ class ColorBar : public Simulation {
   [[nodiscard]] std::vector<BarLabel> categories() const {
     const int count = static_cast<int>(scale_.colors.size());
     if (!scale_.categories) return {};
-    for (const BarLabel& label : parameters_.labels)
-      if (label.value >= count)
+    std::vector<BarLabel> all = parameters_.labels;
+    const auto& classes = scale_.classes;
+    // Words without values name the classes of the field, if there are as many.
+    if (all.empty())
+      for (const auto& [value, name] : classes) all.push_back({name, static_cast<double>(value)});
+    else if (all.size() == classes.size())
+      for (std::size_t i = 0; i < all.size(); ++i)
+        if (!all[i].valued) all[i].value = classes[i].first;
+    for (const BarLabel& label : all)
+      if (!(label.value >= 0 && label.value < count && label.value == std::floor(label.value)))
         fail(ExitCode::usage,
-             "colorBar \"{}\": the label \"{}\" is of value {}, and \"{}\" has the values 0 to {}", name_,
+             "colorBar \"{}\": the label \"{}\" is of value {:g}, and \"{}\" has the values 0 to {}", name_,
              label.text, label.value, parameters_.of, count - 1);
-    if (!parameters_.labels.empty()) return parameters_.labels;
+    if (!all.empty()) return all;
     if (count > mostUnnamed)
       fail(ExitCode::usage,
            "colorBar \"{}\": \"{}\" has {} categories; choose with \"labels\": [{{\"value\": 1, "
            "\"text\": \"...\"}}]",
            name_, parameters_.of, count);
-    std::vector<BarLabel> all;
     all.reserve(static_cast<std::size_t>(count));
-    for (int i = 0; i < count; ++i) all.push_back({fmt::format("{}", i), i});
+    for (int i = 0; i < count; ++i) all.push_back({fmt::format("{}", i), static_cast<double>(i)});
     return all;
   }
 
@@ -150,7 +157,7 @@ class ColorBar : public Simulation {
             (static_cast<float>(label.value) - scale_.range.x) / (scale_.range.y - scale_.range.x);
         if (!(at >= 0 && at <= 1))
           fail(ExitCode::usage,
-               "colorBar \"{}\": the label \"{}\" is of value {}, and the colours of \"{}\" go from {:g} "
+               "colorBar \"{}\": the label \"{}\" is of value {:g}, and the colours of \"{}\" go from {:g} "
                "to {:g}",
                name_, label.text, label.value, parameters_.of, scale_.range.x, scale_.range.y);
         all.push_back({at, label.text});

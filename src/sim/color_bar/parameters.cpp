@@ -22,11 +22,12 @@ void ColorBarParameters::describe(scene::Fields& f) {
          "Words in place of numbers, each at its value; for a field of categories, the categories to show.",
          [](scene::Fields& l, BarLabel& label) {
            l.text("text", label.text, "Word beside the colour.");
-           l.integer("value", label.value, {-1, 1e6}, "", "Value of the cells that have this colour.");
+           l.number("value", label.value, {-1e9, 1e9}, "", "Value that has this colour.");
            l.leftOut("value", "the label's place in the list, from 0");
+           label.valued = l.given("value");
          });
   for (std::size_t i = 0; i < labels.size(); ++i)
-    if (labels[i].value < 0) labels[i].value = static_cast<int>(i);
+    if (!labels[i].valued) labels[i].value = static_cast<double>(i);
   f.integer("ticks", ticks, {2, 20}, "", "Approximate number of ticks; they stand at round numbers.");
   f.boolean("horizontal", horizontal, "Lays the bar down; its numbers are below it.");
   f.vector("corner", corner, {-10, 10}, "",

@@ -20,7 +20,8 @@ struct BarTick {
 /// Word for a category.
 struct BarLabel {
   std::string text;
-  int value = -1;  ///< index of the category; -1: the label's place in the list
+  double value = 0;     ///< value, or index of the category
+  bool valued = false;  ///< true if the scene gives the value
 };
 
 /// Parameters of the object kind "colorBar".

@@ -146,7 +146,10 @@ struct Field {
   const std::vector<glm::vec3>* colors =
       nullptr;  ///< Linear RGB: evenly spaced stops, or one colour per category.
   const FieldDisplay* display =
-      nullptr;              ///< Overlay settings; null: the field is not drawn over the picture.
+      nullptr;  ///< Overlay settings; null: the field is not drawn over the picture.
+  /// Names of values, for a field of categories of which a colour bar shows only these; null: none.
+  const std::vector<std::pair<int, std::string>>* classes = nullptr;
+  bool ownColors = false;   ///< True for cells of the format `colors` that do not come from the colour map.
   bool decoration = false;  ///< True for a part of the layout, whose values are not written to files.
 };
 

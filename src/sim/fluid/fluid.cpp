@@ -73,6 +73,7 @@ class Fluid : public Simulation {
     field.range = {static_cast<float>(p.display.low), static_cast<float>(p.display.high)};
     field.colors = &colors_;
     field.display = &p.display;
+    field.ownColors = p.show == FluidParameters::Show::dye || p.show == FluidParameters::Show::lines;
     if (p.show == FluidParameters::Show::lines) {
       field.size = p.size * p.lineDetail;
       field.rowWords = 4 * field.size.x;
@@ -82,6 +83,7 @@ class Fluid : public Simulation {
     if (p.chart) chart_.publish(drawables);
     // Fields for files, not drawn over the picture.
     field.cells = Field::Cells::floats;
+    field.ownColors = false;
     field.display = nullptr;
     field.size = p.size;
     field.cellWords = kernels_.arrays().cellWords();

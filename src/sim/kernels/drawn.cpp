@@ -166,6 +166,7 @@ void KernelDrawn::updateField(const KernelStore& store) {
   field_.name = &name_;
   field_.words = &words_;
   field_.cells = colors ? Field::Cells::colors : Field::Cells::floats;
+  field_.ownColors = colors;
   field_.size = {from.size.x, from.size.y};
   field_.rowWords = 4 * from.size.x;
   field_.cellWords = 4;

@@ -65,7 +65,10 @@ class Kernels : public Simulation, public RaceChecked, public FrameStarter {
         kind_(object.kind) {
     checkLoops();
     if (plan_->drawn().wind) wind_.emplace(name_, *plan_);
-    if (!inputs_.any()) begin();
+    if (inputs_.any())
+      showStart();
+    else
+      begin();
   }
 
   /// Kernels that take something from other objects begin once all objects exist.
@@ -161,6 +164,13 @@ class Kernels : public Simulation, public RaceChecked, public FrameStarter {
     const double dt = frameSeconds_ / std::max(1, parameters_.steps);
     const long frame = frameAt(time);
     return {dt, time + step * dt, frame, frame * parameters_.steps + step, seed_, inputs_.quantities()};
+  }
+
+  /// Publishes the start values, which other kernels may read before these ones begin.
+  void showStart() {
+    store_.settle();
+    drawn_.update(store_, startTime_);
+    if (wind_) wind_->update(store_);
   }
 
   void begin() {

@@ -127,12 +127,17 @@ void describe(scene::Fields& f, KernelPoints& points) {
   f.number("massExponent", points.massExponent, {0, 2}, "", "Size grows with mass to this power.");
   f.choice("colorBy", points.colorBy, {"material", "speed", "mass"},
            "The object's material, or a colour map of the speed or mass.");
+  if (points.colorBy != Instances::ColorBy::material && f.version() > 1 && !f.given("colorFrom") &&
+      !f.given("colorTo"))
+    points.autoColors = {true, true};
   describeEnd(f, "colorFrom", points.colorRange.x, points.autoColors.low, "",
               "Speed (m/s) or mass (kg) at the start of the colour map; \"auto\": the lowest of the whole "
               "run.");
   describeEnd(f, "colorTo", points.colorRange.y, points.autoColors.high, "",
               "Speed (m/s) or mass (kg) at the end of the colour map; \"auto\": the highest of the whole "
               "run.");
+  f.leftOut("colorFrom", "0, or \"auto\" in version 2");
+  f.leftOut("colorTo", "1, or \"auto\" in version 2");
   describeMap(f, points.map);
   f.boolean("additive", points.additive, "Light that adds up and casts no shadow, for sparks and stars.");
   f.number("brightness", points.brightness, {0, 1e5}, "", "Factor on the colours of additive elements.");

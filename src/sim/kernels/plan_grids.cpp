@@ -42,6 +42,11 @@ bool KernelPlan::holdGrid(const char* group, const char* key, const std::string&
                                  scene::suggestion("", pathsOf(own))));
     return false;
   }
+  if (!member.empty() && member != "r" && textureNamed(of) >= 0 &&
+      textures_[static_cast<std::size_t>(textureNamed(of))].singleChannel()) {
+    mistake({group, key}, fmt::format("a texel of {} is one number, \"r\"", scene::inQuotes(of)));
+    return false;
+  }
   if (!member.empty() || bufferNamed(of) >= 0) return holdMember(group, key, of, member, true, numbers);
   if (numbers == 1 || !textures_[static_cast<std::size_t>(textureNamed(of))].singleChannel()) return true;
   mistake({group, "of"}, fmt::format("a texel of {} is one number; a velocity needs two: give the texture "

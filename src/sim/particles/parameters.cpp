@@ -210,12 +210,17 @@ void ParticleParameters::describeLook(scene::Fields& l) {
            "Size grows with mass to this power; 0.333 for balls of one density.");
   l.choice("colorBy", colorBy, {"material", "speed", "mass", "age"},
            "The object's material, or a colour map of the speed, mass or age.");
+  const bool measured = colorBy == Instances::ColorBy::speed || colorBy == Instances::ColorBy::mass;
+  if (measured && l.version() > 1 && !l.given("colorFrom") && !l.given("colorTo"))
+    autoColors = {true, true};
   describeEnd(l, "colorFrom", colorRange.x, autoColors.low, "",
               "Speed (m/s), mass (kg) or age (0 to 1) at the start of the colour map; \"auto\": the lowest "
               "of the whole run.");
   describeEnd(l, "colorTo", colorRange.y, autoColors.high, "",
               "Speed (m/s), mass (kg) or age (0 to 1) at the end of the colour map; \"auto\": the highest "
               "of the whole run.");
+  l.leftOut("colorFrom", "0, or \"auto\" in version 2 for speed and mass");
+  l.leftOut("colorTo", "1, or \"auto\" in version 2 for speed and mass");
   int map = 0;
   l.oneOf("colors", map, {std::begin(colorMaps), std::end(colorMaps)}, "Colour map.");
   std::vector<ColorStop> stops;

@@ -29,11 +29,19 @@ ColorScale colorScaleOf(const Links& links, const std::string& name) {
   Drawables drawables;
   if (const Simulation* owner = links.simulation(object)) owner->publish(links.now(), drawables);
   for (const Field& field : drawables.fields)
-    if (*field.name == name && field.colors != nullptr)
-      return {*field.colors, field.range, field.categories};
+    if (*field.name == name && field.colors != nullptr) {
+      if (field.ownColors)
+        fail(ExitCode::usage,
+             "\"{}\" is drawn in colours of its own, which a bar cannot explain; show a quantity, for a "
+             "fluid \"show\": \"speed\"",
+             name);
+      ColorScale scale{*field.colors, field.range, field.categories, {}};
+      if (field.classes != nullptr) scale.classes = *field.classes;
+      return scale;
+    }
   for (const Instances& instances : drawables.instances)
     if (instances.colors != nullptr && instances.colorBy != Instances::ColorBy::material)
-      return {*instances.colors, instances.colorRange};
+      return {*instances.colors, instances.colorRange, false, {}};
   fail(ExitCode::usage, "\"{}\" is not drawn in colours of a scale", name);
 }
 

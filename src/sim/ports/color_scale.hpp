@@ -2,6 +2,7 @@
 #include "sim/core/port.hpp"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -16,6 +17,7 @@ struct ColorScale {
   std::vector<glm::vec3> colors;  ///< linear RGB: evenly spaced stops, or one colour per category
   glm::vec2 range{0, 1};          ///< values of the first and the last stop
   bool categories = false;        ///< true if a value is the index of a colour
+  std::vector<std::pair<int, std::string>> classes;  ///< names of the categories to show; empty: of none
 };
 
 /// Returns the current scale of the field OBJECT or OBJECT.PART, or of the particles OBJECT. Throws

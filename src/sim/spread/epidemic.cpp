@@ -58,7 +58,9 @@ class Epidemic final : public Simulation {
   [[nodiscard]] int stepsPerFrame() const override { return plan_.stepsPerFrame(); }
   [[nodiscard]] std::string elementName(long element) const override { return grid_->elementName(element); }
   void publish(double /*time*/, Drawables& drawables) const override {
-    grid_->publishField(name_, palette_, parameters().display, drawables);
+    static const SpreadGrid::ClassNames classes = {
+        {0, "empty"}, {64, "susceptible"}, {128, "infected"}, {255, "recovered"}};
+    grid_->publishField(name_, palette_, classes, parameters().display, drawables);
     if (!parameters().chart) return;
     const auto vivid = [](const glm::vec3& c) { return c * (0.8F / std::max({c.r, c.g, c.b, 1e-3F})); };
     grid_->publishChart(

@@ -167,7 +167,8 @@ std::string SpreadGrid::elementName(long element) const {
 }
 
 void SpreadGrid::publishField(const std::string& name, const std::vector<glm::vec3>& colors,
-                              const FieldDisplay& display, Drawables& drawables) const {
+                              const ClassNames& classes, const FieldDisplay& display,
+                              Drawables& drawables) const {
   Field field;
   field.name = &name;
   field.words = &cells_[0].view();
@@ -177,6 +178,7 @@ void SpreadGrid::publishField(const std::string& name, const std::vector<glm::ve
   field.categories = true;
   field.range = {0, 255};
   field.colors = &colors;
+  field.classes = &classes;
   field.display = &display;
   drawables.fields.push_back(field);
 }

@@ -92,8 +92,9 @@ class SpreadGrid {
   /// Returns the name of a state element, for example "cells (16, 3) to (31, 3)".
   [[nodiscard]] std::string elementName(long element) const;
 
+  using ClassNames = std::vector<std::pair<int, std::string>>;
   void publishField(const std::string& name, const std::vector<glm::vec3>& colors,
-                    const FieldDisplay& display, Drawables& drawables) const;
+                    const ClassNames& classes, const FieldDisplay& display, Drawables& drawables) const;
   /// Adds a chart of the counts so far; the first names.size() counts are shown.
   void publishChart(const std::vector<std::string>& names, const std::vector<glm::vec3>& colors,
                     double steps, Drawables& drawables) const;

@@ -90,7 +90,9 @@ class Wildfire final : public Simulation {
   [[nodiscard]] int stepsPerFrame() const override { return plan_.stepsPerFrame(); }
   [[nodiscard]] std::string elementName(long element) const override { return grid_.elementName(element); }
   void publish(double /*time*/, Drawables& drawables) const override {
-    grid_.publishField(name_, palette_, parameters().display, drawables);
+    static const SpreadGrid::ClassNames classes = {{8, "rock"},     {24, "water"}, {72, "grass"},
+                                                   {120, "forest"}, {132, "fire"}, {255, "burnt"}};
+    grid_.publishField(name_, palette_, classes, parameters().display, drawables);
     if (!parameters().chart) return;
     grid_.publishChart({"unburnt", "burning", "burnt"},
                        {{0.20F, 0.55F, 0.16F}, {1.0F, 0.45F, 0.08F}, {0.45F, 0.40F, 0.38F}},

@@ -30,6 +30,13 @@ class KernelLinks(Case):
         values = struct.unpack(f"<{rows * columns}f", data[10 + length:])
         return [values[columns * row:columns * (row + 1)] for row in range(rows)]
 
+    def test_objects_may_read_each_other(self):
+        (self.folder / "p.frag").write_text("void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p / iResolution.xy) + 0.125; }\n")
+        image = lambda field: {"image": {"file": "p.frag", "size": [16, 9], "channels": {"0": {"field": field}}}}
+        for objects in ({"a": image("b"), "b": image("a")}, {"a": image("a")}):
+            self.scene(objects)
+            self.good("render", "k.json", "--frames", "1", "-o", "k.png", "--overwrite")
+
     def test_velocities_of_a_kernel_are_the_wind_of_particles(self):
         # A linear field, which interpolation does not change: exact in the whole rectangle up to half a cell from its edges.
         self.kernel("""RWTexture2D<float2> _Velocity;

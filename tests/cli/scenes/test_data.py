@@ -35,6 +35,36 @@ class Data(Case):
         self.good("bake", "a.json", "--frames", "0", "-o", "baked", "--format", "npy", "-q")
         self.assertEqual(sorted(file.name for file in (self.folder / "baked").iterdir()), ["dish.u_000000.npy", "dish.v_000000.npy", "dish_000000.npy"])
 
+    def test_a_colour_bar_lies_over_its_field_wherever_the_scene_lists_it(self):
+        pictures = []
+        for names in (("dish", "bar"), ("bar", "dish")):
+            self.write("a.json", {**FIELD, "objects": {name: FIELD["objects"][name] for name in names}})
+            pictures.append(self.good("render", "a.json", "--frames", "0", "-o", "-", "-q").stdout)
+        self.assertEqual(*pictures)
+
+    def test_a_colour_bar_names_the_classes_of_an_epidemic(self):
+        pictures = []
+        for labels in ({}, {"labels": ["empty", "susceptible", "infected", "recovered"]},
+                       {"labels": [{"text": text, "value": value} for text, value in
+                                   (("empty", 0), ("susceptible", 64), ("infected", 128), ("recovered", 255))]}):
+            self.write("a.json", {**FIELD, "objects": {"town": {"epidemic": {"size": [20, 10], "infected": 0.1}},
+                                                       "bar": {"colorBar": {"of": "town", **labels}}}})
+            pictures.append(self.good("render", "a.json", "--frames", "0", "-o", "-", "-q").stdout)
+        self.assertEqual(len(set(pictures)), 1)
+
+    def test_colours_that_no_scale_explains_have_no_bar(self):
+        for show, code in (("dye", 2), ("speed", 0)):
+            self.write("a.json", {**FIELD, "objects": {"f": {"fluid": {"size": [32, 18], "show": show}}, "bar": {"colorBar": {"of": "f"}}}})
+            done = self.run_program("render", "a.json", "--frames", "0", "-o", "f.png")
+            self.assertEqual(done.returncode, code, done.err)
+            self.assertEqual("in colours of its own, which a bar cannot explain" in done.err, code == 2)
+
+    def test_an_override_of_null_removes_a_value(self):
+        self.write("a.json", FIELD)
+        plain = self.good("render", "a.json", "--frames", "0", "-o", "-", "-q", "-D", "objects.bar=null").stdout
+        self.write("a.json", {**FIELD, "objects": {"dish": FIELD["objects"]["dish"]}})
+        self.assertEqual(self.good("render", "a.json", "--frames", "0", "-o", "-", "-q").stdout, plain)
+
     def test_mistakes_of_colour_bars(self):
         def bar(value, **more):
             self.write("a.json", {**FIELD, "objects": {**FIELD["objects"], "bar": {"colorBar": value}, **more}})

@@ -38,6 +38,44 @@ class MeshFiles(Case):
         self.assertEqual(len({frame.read_bytes() for frame in frames}), 4)
         self.bad(2, ["--turn takes seconds above 0"], "render", "m.obj", "--turn=0", "-o", "no/")
 
+    def test_turn_starts_at_the_position_of_the_camera(self):
+        self.write("m.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.3\nf 1 2 3\n")
+        scene = {"version": 2, "camera": {"position": [1, 1.5, 3], "target": [0.2, 0.4, 0]}, "objects": {"m": {"mesh": {"file": "m.obj"}}}}
+        self.write("s.json", json.dumps(scene))
+        self.good("render", "s.json", "--size=48x27", "--frames=0", "-o", "still.png")
+        self.good("render", "s.json", "--size=48x27", "--turn=0.5", "--fps=8", "-o", "turn/")
+        still, first, second = (png_rows((self.folder / name).read_bytes())[2] for name in ("still.png", "turn/000000.png", "turn/000001.png"))
+        far = sum(abs(a - b) > 8 for a, b in zip(still, first))
+        self.assertLess(far, len(still) // 100)  # angles are rounded, so that single pixels differ
+        self.assertGreater(sum(abs(a - b) > 8 for a, b in zip(still, second)), len(still) // 20)
+
+    def test_frames_of_a_changed_file_are_not_resumed(self):
+        self.write("m.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.3\nf 1 2 3\n")
+        self.write("s.json", json.dumps({"version": 2, "time": {"fps": 10, "duration": 0.3}, "objects": {"m": {"mesh": {"file": "m.obj"}}}}))
+        self.good("render", "s.json", "--size=48x27", "-o", "out/")
+        (self.folder / "out/000002.png").unlink()
+        self.good("render", "s.json", "--size=48x27", "-o", "out/", "--resume")
+        self.write("m.obj", "v 0 0 0\nv 1 0 0\nv 1 2 0.3\nf 1 2 3\n")
+        (self.folder / "out/000002.png").unlink()
+        for flag in ("--resume", "--skip-existing"):
+            self.bad(2, ["scene hash"], "render", "s.json", "--size=48x27", "-o", "out/", flag)
+
+    def test_lights_of_a_file_may_have_any_name(self):
+        lamp = {"type": "point", "intensity": 5}
+        node = lambda **more: {"translation": [1, 2, 3], "extensions": {"KHR_lights_punctual": {"light": 0}}, **more}
+        data = struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)
+        self.write("m.gltf", json.dumps({
+            "asset": {"version": "2.0"}, "scenes": [{"nodes": [0, 1, 2, 3, 4, 5]}],
+            "nodes": [{"mesh": 0}, node(name="Light.001"), node(name="Light_001"), node(), node(name="rim"), node(name="\u00fc" * 70)],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}],
+            "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 36}],
+            "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}],
+            "extensions": {"KHR_lights_punctual": {"lights": [lamp]}}}))
+        said = self.good("explain", "m.gltf").stdout.decode()
+        for name in ("Light_001", "Light_001_2", "node_3", "rim_2"):
+            self.assertIn(f"lights.{name}.", said)
+
     def test_a_model_with_an_animation_is_one_picture_or_all_its_frames(self):
         data = struct.pack("<9f2f6f", 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0.1, 0, 0, 0, 3, 0, 0)
         place = lambda count, kind, view: {"bufferView": view, "componentType": 5126, "count": count, "type": kind}

@@ -3,6 +3,7 @@
 #include "sim/mesh/file/mesh_file.hpp"
 #include "unit/help.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -137,6 +138,10 @@ TEST_CASE("STL: binary files may start with \"solid\", and texts have any case a
     upper += c == '\n' ? std::string("\r\n") : std::string(1, static_cast<char>(std::toupper(c)));
   CHECK(meshOf(upper).indices.size() == 6);
   CHECK(meshOf(text(tent(60)) + text(cube())).indices.size() == 42);
+  std::string line = text(tent(60));
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  CHECK(meshOf(line).indices.size() == 6);
+  CHECK(meshOf("\xEF\xBB\xBF" + text(tent(60))).indices.size() == 6);
 }
 
 TEST_CASE("STL: what is not used is named") {
@@ -157,6 +162,9 @@ TEST_CASE("STL: a damaged file is refused in one line") {
            "has an invalid line 5 (a facet has three corners, not 1)");
   checkHas(refusalOf("solid x\nendsolid x\n"), "holds no triangle");
   checkHas(refusalOf("solid x\nthese are words\n"), "has an invalid line 2");
+  checkHas(
+      refusalOf("<!DOCTYPE html><html><head><title>Not found</title></head><body>This page is not there"),
+      "is a text that does not start with \"solid\"");
   checkHas(refusalOf(binary({{0, 0, NAN}, {1, 0, 0}, {0, 1, 0}})), "not finite");
 }
 

@@ -94,7 +94,9 @@ GltfDocument::GltfDocument(const std::filesystem::path& file, std::string_view t
 
 void GltfDocument::checkVersion() const {
   const JsonValue asset = root().at("asset");
-  if (!asset.at("version").text().starts_with("2.")) refuse("is no glTF of version 2");
+  // Version 1 may write a number.
+  const JsonValue written = asset.at("version");
+  if (written.json().is_number() || !written.text().starts_with("2.")) refuse("is no glTF of version 2");
   if (!asset.has("minVersion")) return;
   if (const std::string least = asset.at("minVersion").text(); least != "2.0")
     refuse(fmt::format("needs a reader of glTF {}, and this one reads 2.0", oneLine(least.substr(0, 20))));

@@ -4,6 +4,7 @@
 #include "sim/polygons/problem.hpp"
 #include "sim/polygons/words.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cctype>
@@ -101,7 +102,12 @@ class TextFacets {
       const std::string_view whole = line_;
       while (!line_.empty()) {
         const std::string word = lowerCase(takeWord(line_));
-        if (word == "solid" || word == "endsolid") break;  // the name follows
+        if (word == "solid" || word == "endsolid") {  // a name follows, and in one-line files a facet
+          const std::size_t facet = lowerCase(line_).find("facet normal");
+          if (word == "endsolid" || facet == std::string::npos) break;
+          line_.remove_prefix(facet);
+          continue;
+        }
         if (!word.empty()) take(word, whole);
       }
     }
@@ -152,6 +158,10 @@ Facets facetsOf(std::string_view bytes) {
   std::string_view start = bytes.substr(0, 256);
   const bool solid = lowerCase(takeWord(start)) == "solid";
   if (!exact && solid) return TextFacets(bytes).read();
+  if (!exact && bytes.starts_with("\xEF\xBB\xBF")) return facetsOf(bytes.substr(3));
+  const std::string_view head = bytes.substr(0, headerBytes + countBytes);
+  if (!exact && std::none_of(head.begin(), head.end(), [](char c) { return c >= 0 && c < '\t'; }))
+    throw PolygonProblem("is no STL: it is a text that does not start with \"solid\"");
   if (!hasCount)
     throw PolygonProblem("is no STL: it is shorter than a header and does not start with \"solid\"");
   return binaryFacets(bytes);
