@@ -22,7 +22,7 @@ namespace simreel::sim {
 namespace {
 
 constexpr std::size_t mostBytes = std::size_t{1} << 30;
-constexpr int mostSide = 16384;
+constexpr int mostTableSide = 16384;
 
 [[noreturn]] void broken(const std::string& name, const std::string& why) {
   fail(ExitCode::inputOutput, "{}: {}", name, why);
@@ -174,7 +174,7 @@ KernelTable tableOfMesh(const std::filesystem::path& file) {
 }
 
 KernelTable tableOfPicture(const std::string& bytes, const std::string& name) {
-  const Picture picture = decodePicture(bytes, name, "picture", mostSide);
+  const Picture picture = decodePicture(bytes, name, "picture", mostTableSide);
   double linear[256];
   for (int i = 0; i < 256; ++i) linear[i] = linearOfSrgb(i / 255.0);
   KernelTable table{{"r", "g", "b", "a"}, {}, picture.size};

@@ -10,7 +10,7 @@ namespace simreel::sim {
 const PortInfo ColorScale::port = {
     .name = "colour scale",
     .lacks = ", which is not drawn in colours of a scale",
-    .none = "the scene has no field and no particles with \"colorBy\"",
+    .none = "the scene has no field, and no particles, cloth or points with \"colorBy\"",
     .when = When::afterFrame,
     .part = "field",
     .implied =
@@ -34,6 +34,8 @@ ColorScale colorScaleOf(const Links& links, const std::string& name) {
   for (const Instances& instances : drawables.instances)
     if (instances.colors != nullptr && instances.colorBy != Instances::ColorBy::material)
       return {*instances.colors, instances.colorRange};
+  for (const Surface& surface : drawables.surfaces)
+    if (surface.stops != nullptr) return {*surface.stops, surface.colorRange};
   fail(ExitCode::usage, "\"{}\" is not drawn in colours of a scale", name);
 }
 

@@ -9,7 +9,8 @@
 
 namespace simreel::sim {
 
-/// Port of objects that are drawn in colours of a scale: fields, and particles with "colorBy".
+/// Port of objects that are drawn in colours of a scale: fields, and particles, cloth and points of kernels
+/// with "colorBy".
 struct ColorScale {
   static const PortInfo port;
 
@@ -18,8 +19,8 @@ struct ColorScale {
   bool categories = false;        ///< true if a value is the index of a colour
 };
 
-/// Returns the current scale of the field OBJECT or OBJECT.PART, or of the particles OBJECT. Throws
-/// UserError(usage) for an object that is not drawn in colours of a scale.
+/// Returns the current scale of the field OBJECT or OBJECT.PART, else of the particles, points or cloth
+/// OBJECT. Throws UserError(usage) for an object that is not drawn in colours of a scale.
 [[nodiscard]] ColorScale colorScaleOf(const Links& links, const std::string& name);
 
 }  // namespace simreel::sim
