@@ -10,5 +10,10 @@ const int aimsBinding = 3;    // Used by relax.comp and constrain_lines.comp: ve
 const int trendsBinding = 5;
 const int leftBinding = 5;    // Used by settle.comp
 const int waysBinding = 5;    // Used by hold.comp
+const int colorsBinding = 1;  // These are used by color.comp
+const int beforeBinding = 3;
+const int stopsBinding = 4;
+const int verticesBinding = 6;
+const int edgesBinding = 7;
 
 #endif

@@ -8,7 +8,7 @@ INPUT_ARRAY(carriedBinding, StopBlock, stops)  // Stops of the colour map
 uniform int lineDetail;
 uniform float linePerDetail, linePhase;
 uniform vec3 obstacleColor;
-#include "fluid/look/color_map.glsl"
+#include "common/color_map.glsl"
 #include "fluid/look/lines.glsl"
 
 void main() {

@@ -8,7 +8,7 @@ INPUT_ARRAY(carriedBinding, StopBlock, stops)  // Stops of the colour map
 uniform float brightness;     // Factor of dye
 uniform vec3 paper;           // Colour of the background without dye
 uniform vec3 obstacleColor;
-#include "fluid/look/color_map.glsl"
+#include "common/color_map.glsl"
 
 void main() {
   int x = int(gl_GlobalInvocationID.x), y = int(gl_GlobalInvocationID.y);

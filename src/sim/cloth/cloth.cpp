@@ -42,7 +42,8 @@ class Cloth : public Simulation, public LockStep {
  public:
   Cloth(const scene::Object& object, const Setting& setting)
       : name_(object.name),
-        material_(object.material),
+        material_(parametersOf<ClothParameters>(object).coloring.used() ? ClothColoring::materialOf(object)
+                                                                        : object.material),
         plan_(parametersOf<ClothParameters>(object).inStep(setting.together<LockStep>().steps),
               setting.seed, setting.frameSeconds, *setting.colliders, boneNamedIn(setting),
               setting.startTime, heldBySkinIn(setting)),
@@ -58,6 +59,9 @@ class Cloth : public Simulation, public LockStep {
     indices_ = gl::Buffer::of<unsigned>(name_ + " indices", gridIndices(size_));
     const unsigned fine[4] = {0xffffffffU, 0xffffffffU, 0, 0};
     status_ = gl::Buffer::of<unsigned>(name_ + " status", fine);
+    if (!p.coloring.used()) return;
+    colors_.emplace(name_, p.coloring, size_, p.spacing, plan_.substepSeconds(), setting.fast);
+    updateColors();
   }
 
   void step(double time, const StepWatch& watch) override {
@@ -102,6 +106,7 @@ class Cloth : public Simulation, public LockStep {
   void finish() override { kernels_.finish(); }
   void endFrame(double time) override {
     gl::barrier();
+    updateColors();
     time_ = time + frameSeconds_;
   }
 
@@ -119,6 +124,7 @@ class Cloth : public Simulation, public LockStep {
     surface.indexCount = (size_.x - 1) * (size_.y - 1) * 6;
     surface.doubleSided = true;
     surface.material = &material_;
+    if (colors_) colors_->show(surface);
     drawables.surfaces.push_back(surface);
   }
 
@@ -127,8 +133,12 @@ class Cloth : public Simulation, public LockStep {
     carry.array("positions", kernels_.positions().buffer());
     carry.array("velocities", kernels_.velocities().buffer());
     if (kernels_.hasTrends()) carry.array("trends", kernels_.trends().buffer());
+    if (colors_) carry.array("positions before", kernels_.nextPositions().buffer());
   }
-  void resumed(double time) override { time_ = time; }
+  void resumed(double time) override {
+    time_ = time;
+    updateColors();
+  }
 
   [[nodiscard]] std::vector<StateArray> state() const override {
     std::vector<StateArray> arrays = {{"positions", &kernels_.positions().buffer()},
@@ -172,6 +182,13 @@ class Cloth : public Simulation, public LockStep {
         kernels_.hasTrends() ? kernels_.trends().buffer().readAll<glm::vec4>() : std::vector<glm::vec4>());
   }
 
+  void updateColors() {
+    if (colors_)
+      colors_->update({.positions = &kernels_.positions(),
+                       .before = &kernels_.nextPositions(),
+                       .velocities = &kernels_.velocities(),
+                       .trends = kernels_.hasTrends() ? &kernels_.trends() : nullptr});
+  }
   [[nodiscard]] ClothPart partAt(int substep) const {
     return {.size = size_,
             .step = steps_.at(static_cast<std::size_t>(substep)),
@@ -190,6 +207,7 @@ class Cloth : public Simulation, public LockStep {
   gl::Buffer indices_;
   gl::Buffer status_;
   StepBlocks<shader::ClothStep> steps_;
+  std::optional<ClothColors> colors_;  ///< nullopt: the material's colour
 };
 
 }  // namespace

@@ -42,6 +42,7 @@ class ClothKernels {
 
   [[nodiscard]] gl::Vec4Array& positions() { return positions_[0]; }
   [[nodiscard]] const gl::Vec4Array& positions() const { return positions_[0]; }
+  [[nodiscard]] gl::Vec4Array& nextPositions() { return positions_[1]; }
   [[nodiscard]] const gl::Vec4Array& nextPositions() const { return positions_[1]; }
   /// Returns the most recent velocities: within a substep, the predicted ones.
   [[nodiscard]] gl::Vec4Array& velocities() { return velocities_[hasTrends() && predicted_ ? 1 : 0]; }

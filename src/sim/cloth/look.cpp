@@ -83,7 +83,7 @@ std::shared_ptr<const scene::Image> normalsOf(Weave weave) {
 }  // namespace
 
 std::optional<scene::Material> ClothParameters::look() const {
-  if (!fabric) return std::nullopt;
+  if (!fabric || coloring.used()) return std::nullopt;
   const FabricLook look = lookOf(fabric->material);
   scene::Material material;
   material.roughness = look.roughness;

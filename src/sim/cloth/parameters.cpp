@@ -7,6 +7,7 @@
 #include "sim/core/collider.hpp"
 #include "sim/fluid/wind.hpp"
 #include "sim/mesh/height_field.hpp"
+#include "sim/ports/color_scale.hpp"
 #include "sim/ports/markers.hpp"
 
 #include <algorithm>
@@ -163,6 +164,7 @@ void ClothParameters::describe(scene::Fields& f) {
          [&](scene::Fields& p, PinGroup& group) { group.describe(p, size, mesh.has_value()); });
   f.leftOut("pins", "none; in a scene of version 1 the last row");
   pinsByDefault = !f.given("pins") && !pins.empty();
+  coloring.describe(f);
   if (pins.size() > shader::maxPinFrames)
     f.error("pins", fmt::format("at most {} groups of pins", shader::maxPinFrames));
   for (const PinGroup& group : pins) {
@@ -183,6 +185,7 @@ void ClothParameters::ports(Ports& ports) const {
   ports.wantAll<HeightField>();
   ports.provide<ContactCloth>(contact.has_value(), " without \"contact\", which lets particles through");
   ports.provide<Touchable>(contact.has_value());
+  ports.provide<ColorScale>(coloring.used(), " without \"colorBy\": \"strain\" or \"speed\"");
   if (!contact) return;
   ports.wantAll<ContactSolid>();
   ports.join<LockStep>(true);

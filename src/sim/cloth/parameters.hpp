@@ -1,6 +1,7 @@
 #pragma once
 #include "scene/dressed.hpp"
 #include "scene/value/fields.hpp"
+#include "sim/cloth/coloring.hpp"
 #include "sim/cloth/fabric.hpp"
 #include "sim/cloth/mesh_source.hpp"
 #include "sim/collide/mesh_colliders.hpp"
@@ -73,7 +74,11 @@ struct Seam {
   double seconds = 1;         ///< seconds until the seam is closed
 };
 
-struct ClothParameters : ObjectParameters, scene::Dressed, TouchesMeshes, shader::ClothConstants {
+struct ClothParameters : ObjectParameters,
+                         HasColorRange,
+                         scene::Dressed,
+                         TouchesMeshes,
+                         shader::ClothConstants {
   std::optional<ClothMesh> mesh;  ///< triangle mesh; nullopt: a grid
   std::vector<Seam> seams;
   glm::ivec2 size{32, 32};      ///< number of particles along x and y
@@ -94,11 +99,13 @@ struct ClothParameters : ObjectParameters, scene::Dressed, TouchesMeshes, shader
   bool pinsByDefault = false;  ///< true if the scene gives no "pins"
   std::optional<ClothContact> contact;
   std::string walls;  ///< name of the solid whose walls the cloth collides with; empty: none
+  ClothColoring coloring;
 
   ClothParameters();
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   void ports(Ports& ports) const override;
+  [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return coloring.measuredRanges(); }
   [[nodiscard]] double touchMargin() const override {
     return margin + (fabric ? 0.5F * fabric->constants().thickness : 0);
   }

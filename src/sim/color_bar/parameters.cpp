@@ -12,8 +12,10 @@
 namespace simreel::sim {
 
 void ColorBarParameters::describe(scene::Fields& f) {
-  f.text("of", of,
-         "Object whose colours it explains: a field, NAME or NAME.PART, or particles with \"colorBy\".");
+  f.text(
+      "of", of,
+      "Object whose colours it explains: a field, NAME or NAME.PART, or particles, a cloth or the points "
+      "of kernels with \"colorBy\".");
   f.text("title", title, "Text above the bar.");
   f.leftOut("title", "the value of \"of\"");
   f.text("unit", unit, "Unit of the numbers, after the title.");
@@ -49,7 +51,7 @@ void ColorBarParameters::describe(scene::Fields& f) {
   if (!(extent.x > 0 && extent.y > 0)) f.error("extent", "\"extent\" needs a width and a height above 0");
   if (horizontal && !f.given("extent")) extent = {0.4F, 0.025F, 0};
   if (title.empty()) title = of;
-  if (of.empty()) f.error("of", "whose colours? Give \"of\", the name of a field or of particles");
+  if (of.empty()) f.error("of", "whose colours? Give \"of\", the name of a field, particles or cloth");
   for (const std::string* text : {&title, &unit})
     if (!isUtf8(*text)) f.error(text == &unit ? "unit" : "title", "the text is not UTF-8");
 }

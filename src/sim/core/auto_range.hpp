@@ -32,7 +32,7 @@ void describeEnd(scene::Fields& fields, const char* name, Number& value, bool& i
 
 /// Range of colours with ends that are measured.
 struct MeasuredRange {
-  std::string path;  ///< group below the object's parameters, such as "display"
+  std::string path;  ///< group below the object's parameters, such as "display"; empty: none
   const char* lowKey;
   const char* highKey;
   AutoEnds ends;

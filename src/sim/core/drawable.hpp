@@ -53,6 +53,9 @@ struct Surface {
   const gl::Texture* palette = nullptr;
   /// RGBA32F texel view, one texel per vertex: linear RGB factor on the material's colour.
   const gl::Texture* colors = nullptr;
+  /// Evenly spaced linear RGB stops of the colour map of `colors`, whose w is then the value; null: no map.
+  const std::vector<glm::vec3>* stops = nullptr;
+  glm::vec2 colorRange{0, 1};  ///< Values of the first and the last stop.
   /// Uniform buffer with DeformStep of glsl/mesh/types.glsl. If set, the vertex shader displaces the
   /// vertices using `trail`; positions and normals are those at rest, and w of `positions` is the distance
   /// between vertices.

@@ -35,12 +35,17 @@ class Garment : public Simulation, public LockStep {
         touch_(name_, setting, touchedBy(plan_)),
         kernels_(name_, plan_, touch_.variant(), setting.fast),
         steps_(name_ + " steps", plan_.substeps()),
-        topology_(name_, plan_.mesh()),
-        looks_(object, plan_.mesh()) {
+        topology_(name_, plan_.mesh()) {
     if (const std::string ignored = ignoredLooks(object, plan_.mesh()); !ignored.empty())
       warn("cloth \"{}\": {} has what is not drawn: {}", name_, plan_.parameters().mesh->file.string(),
            ignored);
-    kernels_.show(steps_.at(0));
+    if (const ClothColoring& coloring = plan_.parameters().coloring; coloring.used()) {
+      material_ = ClothColoring::materialOf(object);
+      colors_.emplace(name_, coloring, edgesOf(plan_.cloth()), plan_.substepSeconds(), setting.fast);
+    } else {
+      looks_.emplace(object, plan_.mesh());
+    }
+    show();
   }
 
   void step(double time, const StepWatch& watch) override {
@@ -90,7 +95,7 @@ class Garment : public Simulation, public LockStep {
   void endFrame(double time) override {
     gl::barrier();
     time_ = time + frameSeconds_;
-    kernels_.show(steps_.at(0));
+    show();
   }
 
   [[nodiscard]] int stepsPerFrame() const override { return plan_.substeps(); }
@@ -103,7 +108,10 @@ class Garment : public Simulation, public LockStep {
     surface.positions = &kernels_.drawnPositions().view();
     surface.normals = &kernels_.drawnNormals().view();
     surface.doubleSided = true;
-    looks_.show(surface, drawables);
+    if (looks_) return looks_->show(surface, drawables);
+    surface.material = &material_;
+    colors_->show(surface);
+    drawables.surfaces.push_back(surface);
   }
 
   void carryOver(CarryOver& carry) override {
@@ -111,10 +119,11 @@ class Garment : public Simulation, public LockStep {
     carry.array("positions", kernels_.positions().buffer());
     carry.array("velocities", kernels_.velocities().buffer());
     carry.array("trends", kernels_.trends().buffer());
+    if (colors_) carry.array("positions before", kernels_.nextPositions().buffer());
   }
   void resumed(double time) override {
     time_ = time;
-    kernels_.show(steps_.at(0));
+    show();
   }
 
   [[nodiscard]] std::vector<StateArray> state() const override {
@@ -154,6 +163,15 @@ class Garment : public Simulation, public LockStep {
   }
 
  private:
+  /// Computes what is drawn of the current state.
+  void show() {
+    kernels_.show(steps_.at(0));
+    if (colors_)
+      colors_->update({.positions = &kernels_.positions(),
+                       .before = &kernels_.nextPositions(),
+                       .velocities = &kernels_.velocities(),
+                       .trends = plan_.parameters().keepsEnergy() ? nullptr : &kernels_.trends()});
+  }
   [[nodiscard]] std::vector<glm::vec4> shownVelocities(const std::vector<glm::vec4>& positions) const {
     const bool keeps = plan_.parameters().keepsEnergy();
     return actualVelocities(
@@ -169,7 +187,9 @@ class Garment : public Simulation, public LockStep {
   GarmentKernels kernels_;
   StepBlocks<shader::ClothStep> steps_;
   MeshTopology topology_;
-  MovingLooks looks_;
+  std::optional<MovingLooks> looks_;  ///< nullopt: the vertices are coloured
+  scene::Material material_;
+  std::optional<ClothColors> colors_;
 };
 
 }  // namespace

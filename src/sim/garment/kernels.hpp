@@ -45,6 +45,7 @@ class GarmentKernels {
 
   [[nodiscard]] gl::Vec4Array& positions() { return positions_[0]; }
   [[nodiscard]] const gl::Vec4Array& positions() const { return positions_[0]; }
+  [[nodiscard]] gl::Vec4Array& nextPositions() { return positions_[1]; }
   [[nodiscard]] const gl::Vec4Array& nextPositions() const { return positions_[1]; }
   [[nodiscard]] gl::Vec4Array& velocities() { return velocities_; }
   [[nodiscard]] const gl::Vec4Array& velocities() const { return velocities_; }

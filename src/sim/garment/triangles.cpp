@@ -3,9 +3,11 @@
 #include "base/error.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -238,6 +240,26 @@ std::vector<int> colourFaces(const ClothTriangles& cloth) {
     colours[f] = static_cast<int>(free - taken.begin());
   }
   return colours;
+}
+
+ClothEdges edgesOf(const ClothTriangles& cloth) {
+  std::vector<std::set<unsigned>> others(cloth.points.size());
+  for (const ClothTriangles::Face& face : cloth.faces)
+    for (const unsigned corner : face.corners)
+      for (const unsigned other : face.corners)
+        if (other != corner) others[corner].insert(other);
+  ClothEdges all;
+  std::vector<glm::uvec4> vertices;
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    vertices.emplace_back(i, all.edges.size(), others[i].size(), 0);
+    for (const unsigned other : others[i])
+      all.edges.emplace_back(
+          other,
+          std::bit_cast<unsigned>(static_cast<float>(glm::distance(cloth.points[i], cloth.points[other]))),
+          0, 0);
+  }
+  for (const unsigned vertex : cloth.vertexOf) all.vertices.push_back(vertices[vertex]);
+  return all;
 }
 
 }  // namespace simreel::sim

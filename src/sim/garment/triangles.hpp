@@ -1,4 +1,5 @@
 #pragma once
+#include "sim/cloth/coloring.hpp"
 #include "sim/mesh/file/mesh_file.hpp"
 
 #include <array>
@@ -52,6 +53,9 @@ struct ClothTriangles {
 
   std::vector<unsigned> sewn_;  ///< first vertex of each sewn group; empty if nothing is sewn
 };
+
+/// Returns the edges around the vertices that are drawn.
+[[nodiscard]] ClothEdges edgesOf(const ClothTriangles& cloth);
 
 /// Returns a greedy colouring of the faces, colours from 0 on. Faces of one colour share no vertex, so they
 /// can be moved in parallel.

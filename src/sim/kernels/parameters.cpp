@@ -7,6 +7,7 @@
 #include "sim/grid/color_map.hpp"
 #include "sim/kernels/plan.hpp"
 #include "sim/mesh/height_field.hpp"
+#include "sim/ports/color_scale.hpp"
 #include "sim/ports/field_source.hpp"
 #include "sim/ports/markers.hpp"
 #include "sim/ports/measured.hpp"
@@ -344,7 +345,12 @@ void KernelsParameters::keepProblem(const UserError& error) {
 }
 
 void KernelsParameters::ports(Ports& ports) const {
-  if (plan != nullptr && plan->drawn().field) ports.provide<FieldSource>();
+  const bool drawsField = plan != nullptr && plan->drawn().field;
+  if (drawsField) ports.provide<FieldSource>();
+  const bool coloredPoints =
+      plan != nullptr && plan->drawn().points && points && points->colorBy != Instances::ColorBy::material;
+  ports.provide<ColorScale>(drawsField || coloredPoints,
+                            " without a \"field\" or \"points\" with \"colorBy\"");
   for (const KernelMemory& texture : textures)
     if (!texture.field.empty())
       ports.mustWant<FieldSource>(texture.field, {"textures", texture.name, "field"}, When::frameStart);

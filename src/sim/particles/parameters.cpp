@@ -5,7 +5,7 @@
 #include "sim/contact/lock_step.hpp"
 #include "sim/contour/walls.hpp"
 #include "sim/fluid/wind.hpp"
-#include "sim/grid/color_map.hpp"
+#include "sim/grid/color_choice.hpp"
 #include "sim/mesh/height_field.hpp"
 #include "sim/particles/file.hpp"
 #include "sim/particles/plan.hpp"
@@ -22,12 +22,6 @@
 namespace simreel::sim {
 
 namespace {
-
-struct ColorStop {
-  glm::vec3 color{1, 1, 1};
-};
-
-constexpr const char* colorMaps[] = {"viridis", "magma", "inferno", "plasma", "turbo", "grey"};
 
 /// Radius, in scale lengths, that contains most of a Plummer sphere or a disk.
 constexpr float scaleLengths = 3.0F;
@@ -221,15 +215,7 @@ void ParticleParameters::describeLook(scene::Fields& l) {
               "of the whole run.");
   l.leftOut("colorFrom", "0, or \"auto\" in version 2 for speed and mass");
   l.leftOut("colorTo", "1, or \"auto\" in version 2 for speed and mass");
-  int map = 0;
-  l.oneOf("colors", map, {std::begin(colorMaps), std::end(colorMaps)}, "Colour map.");
-  std::vector<ColorStop> stops;
-  l.list(
-      "colorStops", stops, "A colour map of one's own instead: colours at even distances.",
-      [](scene::Fields& s, ColorStop& stop) {
-        s.color("color", stop.color, {0, 1e3}, "Linear red, green, blue.");
-      },
-      64);
+  colors = describeColors(l, "particles");
   l.boolean("additive", additive, "Light that adds up and casts no shadow, for sparks and stars.");
   l.number("brightness", brightness, {0, 1e5}, "", "Factor on the colours of additive particles.");
   l.number("fade", fade, {0, 0.5}, "",
@@ -238,19 +224,12 @@ void ParticleParameters::describeLook(scene::Fields& l) {
     l.error("shape", "shape \"mesh\" needs \"mesh\", a mesh file");
   if (colorRange.x == colorRange.y && !autoColors.any())
     l.error("colorTo", "colorFrom and colorTo must differ");
-  if (stops.size() == 1) l.error("colorStops", "a colour map needs at least two stops");
   l.idleUnless(shape == Instances::Shape::mesh, "shape", {"alongVelocity"}, "shape \"mesh\"");
   l.idleUnless(colorBy != Instances::ColorBy::material, "colorBy",
                {"colorFrom", "colorTo", "colors", "colorStops"},
                "\"colorBy\": \"speed\", \"mass\" or \"age\"");
-  l.idleUnless(stops.empty(), "colorStops", {"colors"}, "particles without \"colorStops\"");
   l.idleUnless(additive, "additive", {"brightness", "fade"}, "particles that are \"additive\"");
   if (additive) l.idleUnless(!emitters.empty(), "fade", {"fade"}, "particles of \"emitters\"");
-  colors = colorMapStops(colorMaps[map]);
-  if (!stops.empty()) {
-    colors.clear();
-    for (const ColorStop& stop : stops) colors.push_back(stop.color);
-  }
 }
 
 std::vector<MeasuredRange> ParticleParameters::measuredRanges() {

@@ -10,7 +10,7 @@ namespace simreel::sim {
 const PortInfo ColorScale::port = {
     .name = "colour scale",
     .lacks = ", which is not drawn in colours of a scale",
-    .none = "the scene has no field and no particles with \"colorBy\"",
+    .none = "the scene has no field, and no particles, cloth or points with \"colorBy\"",
     .when = When::afterFrame,
     .part = "field",
     .implied =
@@ -42,6 +42,8 @@ ColorScale colorScaleOf(const Links& links, const std::string& name) {
   for (const Instances& instances : drawables.instances)
     if (instances.colors != nullptr && instances.colorBy != Instances::ColorBy::material)
       return {*instances.colors, instances.colorRange, false, {}};
+  for (const Surface& surface : drawables.surfaces)
+    if (surface.stops != nullptr) return {*surface.stops, surface.colorRange, false, {}};
   fail(ExitCode::usage, "\"{}\" is not drawn in colours of a scale", name);
 }
 

@@ -10,7 +10,8 @@
 
 namespace simreel::sim {
 
-/// Port of objects that are drawn in colours of a scale: fields, and particles with "colorBy".
+/// Port of objects that are drawn in colours of a scale: fields, and particles, cloth and points of kernels
+/// with "colorBy".
 struct ColorScale {
   static const PortInfo port;
 
@@ -20,8 +21,8 @@ struct ColorScale {
   std::vector<std::pair<int, std::string>> classes;  ///< names of the categories to show; empty: of none
 };
 
-/// Returns the current scale of the field OBJECT or OBJECT.PART, or of the particles OBJECT. Throws
-/// UserError(usage) for an object that is not drawn in colours of a scale.
+/// Returns the current scale of the field OBJECT or OBJECT.PART, else of the particles, points or cloth
+/// OBJECT. Throws UserError(usage) for an object that is not drawn in colours of a scale.
 [[nodiscard]] ColorScale colorScaleOf(const Links& links, const std::string& name);
 
 }  // namespace simreel::sim

@@ -60,6 +60,12 @@ void seeInstances(const Instances& instances, SeenRange& range) {
     if (age[i] >= 0) see(values[i], range);
 }
 
+/// Adds the values that colour a surface's vertices.
+void seeSurface(const Surface& surface, SeenRange& range) {
+  if (surface.stops == nullptr) return;
+  for (const float value : component(*surface.colors, surface.vertexCount, 3)) see(value, range);
+}
+
 /// Returns the object's field that its display shows; else the field of its name; null: none.
 const Field* shownField(const Drawables& drawables, const std::string& object) {
   const Field* named = nullptr;
@@ -105,10 +111,12 @@ void seeValues(const World& world, std::vector<SeenRange>& ranges) {
     world.object(range.object).publish(world.time(), drawables);
     const Field* field = shownField(drawables, world.objectName(range.object));
     // A kernels object may have both; its first range is the field's.
-    if (field != nullptr && range.range == 0)
+    if (field != nullptr && range.range == 0) {
       for (const float value : fieldValues(*field)) see(value, range);
-    else
-      for (const Instances& instances : drawables.instances) seeInstances(instances, range);
+      continue;
+    }
+    for (const Instances& instances : drawables.instances) seeInstances(instances, range);
+    for (const Surface& surface : drawables.surfaces) seeSurface(surface, range);
   }
 }
 
@@ -125,7 +133,8 @@ std::vector<std::string> setRanges(scene::Scene& scene, const std::vector<SeenRa
     if (seen->seen && range.ends.high) high = static_cast<double>(seen->high);
     separate(range.ends, low, high);
     range.set(low, high);
-    const std::string path = fmt::format("objects.{}.{}.{}.", object.name, object.kind, range.path);
+    const std::string path = fmt::format("objects.{}.{}.{}{}", object.name, object.kind, range.path,
+                                         range.path.empty() ? "" : ".");
     const auto value = [](double end) { return scene::shortest(static_cast<float>(end)).dump(); };
     if (range.ends.high) given.insert(given.begin(), path + range.highKey + "=" + value(high));
     if (range.ends.low) given.insert(given.begin(), path + range.lowKey + "=" + value(low));

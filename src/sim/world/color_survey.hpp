@@ -23,8 +23,9 @@ struct SeenRange {
 /// True if the scene has a range that is "auto".
 [[nodiscard]] bool needsRanges(scene::Scene& scene);
 
-/// Extends the ranges by the values of the world's present frame: all cells of a displayed field, or the
-/// speeds, masses or ages of all living particles. Infinite values and NaN do not count. Waits for the GPU.
+/// Extends the ranges by the values of the world's present frame: all cells of a displayed field, the
+/// speeds, masses or ages of all living particles, or the values of all vertices of a coloured surface.
+/// Infinite values and NaN do not count. Waits for the GPU.
 void seeValues(const World& world, std::vector<SeenRange>& ranges);
 
 /// Sets the measured ends of the scene's ranges. If the ends would be equal, the measured ones move apart.

@@ -65,6 +65,56 @@ class DataPictures(Case):
         self.assertAlmostEqual(ends["colorFrom"], min(speeds), 5)
         self.assertAlmostEqual(ends["colorTo"], max(speeds), 5)
 
+    def test_the_strain_and_speed_of_cloth_are_those_of_a_closed_form(self):
+        # Scaled by 1.1 along both axes, every link has the strain 0.1. Moved by (1, 2, -2) m in a second, the speed is 3 m/s.
+        auto = {"colorFrom": "auto", "colorTo": "auto"}
+        plane = {"mesh": {"shape": "plane", "size": [1, 0, 1], "resolution": [5, 5]}}
+        whole = {"min": [-1, -1, -1], "max": [1, 1, 1]}
+        stretch = {"keys": [[0, [1, 1, 1]], [0.05, [1.1, 1, 1.1]]]}
+        moved = {"keys": [[0, [0, 0, 0]], [1, [1, 2, -2]]]}
+        for mesh in (False, True):
+            held = {"box": whole} if mesh else {"rows": [0, 1, 2, 3, 4]}
+            shape = {"gravity": [0, 0, 0], "wind": [0, 0, 0], **(plane if mesh else {"size": [5, 5], "spacing": 0.25})}
+            for quantity, pin, expected in (("strain", {"scale": stretch}, 0.1), ("speed", {"move": moved}, 3)):
+                self.scene({"sheet": {"cloth": {**shape, "pins": [{**held, **pin}], "colorBy": quantity, **auto}}})
+                ends = self.ends(self.good("render", "a.json", "-o", f"{quantity}{mesh}/", "--frames", "0", "--size", "32x18").err)
+                self.assertAlmostEqual(ends["colorFrom"], 0, 5)
+                self.assertAlmostEqual(ends["colorTo"], expected, 3)
+            # Free fall without pins: v = g t after two steps between three frames.
+            self.scene({"sheet": {"cloth": {**shape, "gravity": [0, -10, 0], "damping": 0, "pins": [], "colorBy": "speed", **auto}}})
+            ends = self.ends(self.good("render", "a.json", "-o", f"fall{mesh}/", "--frames", "0", "--size", "32x18").err)
+            self.assertAlmostEqual(ends["colorTo"], 10 * 2 / 30, 3)
+
+    def test_cloth_has_the_colours_of_its_bar(self):
+        stretch = {"keys": [[0, [1, 1, 1]], [0.05, [1.1, 1, 1.1]]]}
+        stops = [{"color": [0, 0, 1]}, {"color": [0.2, 0.6, 0]}, {"color": [1, 0, 0]}]
+        look = {"colorBy": "strain", "colorFrom": 0, "colorTo": 0.2, "colorStops": stops}
+        view = {"camera": {"position": [0, 2, 0.01], "target": [0, 0, 0]}}
+        for shape, held in (({"size": [5, 5], "spacing": 0.25, "fabric": "silk"}, {"rows": [0, 1, 2, 3, 4]}),
+                            ({"mesh": {"shape": "plane", "size": [1, 0, 1], "resolution": [5, 5]}}, {"box": {"min": [-1, -1, -1], "max": [1, 1, 1]}})):
+            pictures = []
+            for colors, material in ((look, {}), ({}, {"material": {"color": [0.2, 0.6, 0]}})):
+                self.scene({"sheet": {"cloth": {**shape, "gravity": [0, 0, 0], "pins": [{**held, "scale": stretch}], **colors}, **material}}, (60, 60), **view)
+                pictures.append(self.good("render", "a.json", "-o", "-", "--frames", "last", "-q").stdout)
+            self.assertGreater(max(pictures[0][1::4]), 100)
+            self.assertLess(max(abs(a - b) for a, b in zip(*pictures)), 2)
+            self.scene({"sheet": {"cloth": {**shape, **look}}, "bar": {"colorBar": {"of": "sheet"}}})
+            self.good("validate", "a.json")
+
+    def test_colours_of_cloth_leave_its_states_alone(self):
+        for colors in ({}, {"colorBy": "speed"}):
+            self.scene({"sheet": {"cloth": {"size": [6, 6], **colors}}})
+            self.good("bake", "a.json", "-o", f"out{len(colors)}", "--format", "npy", "-q")
+        self.assertEqual(self.content("out0"), self.content("out1"))
+
+    def test_mistakes_of_coloured_cloth(self):
+        self.scene({"sheet": {"cloth": {"size": [5, 5]}}, "bar": {"colorBar": {"of": "sheet"}}})
+        self.bad_scene('without "colorBy"', *SHORT)
+        self.scene({"sheet": {"cloth": {"size": [5, 5], "colorBy": "strain", "colorFrom": 1, "colorTo": 1}}})
+        self.bad_scene("colorFrom and colorTo must differ", *SHORT)
+        self.scene({"sheet": {"cloth": {"size": [5, 5], "colorBy": "strain"}, "material": {"color": "red"}}})
+        self.assertIn('"colorBy" replaces the "color" of its material', self.good(*SHORT, "--size", "32x18").err)
+
     def test_the_jobs_of_a_sweep_share_one_range(self):
         self.scene({"dish": {"reaction": {"size": [20, 10], "parameters": {"a": 1}, "steps": 0,
                                           "species": {"u": {"start": "a*x"}}, "display": {"low": "auto", "high": "auto"}}}})
