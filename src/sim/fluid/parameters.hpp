@@ -59,7 +59,7 @@ struct FluidStroke : StrokeParameters {
 
 /// Scene parameters of a fluid: incompressible flow. Lengths are in cells; y and v point down in the
 /// picture.
-struct FluidParameters : ObjectParameters, HasColorRange {
+struct FluidParameters : ObjectParameters, HasColorRange, scene::Covering {
   enum class Advection {
     macCormack,
     semiLagrangian,
@@ -99,6 +99,7 @@ struct FluidParameters : ObjectParameters, HasColorRange {
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return display.measuredRanges(); }
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
+  [[nodiscard]] bool covers() const override { return display.coversPicture(); }
   void ports(Ports& ports) const override;
   [[nodiscard]] std::int64_t leastBlockBytes() const override {
     return std::int64_t{16} * (size.x + 2) * (size.y + 2);
