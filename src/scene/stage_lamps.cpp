@@ -82,10 +82,10 @@ void moveStageLamps(Scene& scene, const StageLook& look, const StageSpace& space
     // Both are on the camera's side of the objects, so that no floor mirrors them towards it.
     if (lamp.name == fillName)
       placeSoft(lamp, space, 1.9F * space.back + 2.2F * space.right + glm::vec3(0, 0.9F, 0),
-                glm::vec2(2.2F, 4.4F), 0.55F * look.key);
+                glm::vec2(1.8F, 3.6F), 0.4F * look.key);
     else
       placeSoft(lamp, space, 0.9F * space.back - 0.9F * space.right + glm::vec3(0, 2.6F, 0),
-                glm::vec2(4.4F, 2.6F), 0.45F * look.key);
+                glm::vec2(3.6F, 2.1F), 0.25F * look.key);
   }
 }
 
