@@ -51,8 +51,8 @@ void placeRim(Light& rim, bool high, const StageLook& look, const StageSpace& sp
   rim.radius = (high ? 1.0F : 0.5F) * space.radius;
 }
 
-/// Places a rectangle that gives `lux` in the middle of the stage. `way` leads to it from there; `size` is its
-/// width and height. Both are in radii of the stage.
+/// Places a rectangle that gives `lux` in the middle of the stage. `way` leads to it from there; `size` is
+/// its width and height. Both are in radii of the stage.
 void placeSoft(Light& lamp, const StageSpace& space, const glm::vec3& way, const glm::vec2& size,
                float lux) {
   const float far = glm::length(way) * space.radius;

@@ -43,7 +43,8 @@ TEST_CASE("stage: dark stages of version 2 have a fill and a softbox on the came
     CHECK((lampOf(scene, "fill") == nullptr) == (lampOf(scene, "softbox") == nullptr));
     return lampOf(scene, "fill") != nullptr;
   };
-  for (const char* dark : {R"("void")", R"("night")", R"("blueprint")", R"({"backdrop": [0.01, 0.01, 0.01]})"}) {
+  for (const char* dark :
+       {R"("void")", R"("night")", R"("blueprint")", R"({"backdrop": [0.01, 0.01, 0.01]})"}) {
     CAPTURE(dark);
     const std::string stage = fmt::format(R"("stage": {}, )", dark);
     CHECK(has(stage));
@@ -62,7 +63,8 @@ TEST_CASE("stage: dark stages of version 2 have a fill and a softbox on the came
   }
   CHECK_FALSE(has(""));
   CHECK_FALSE(has(R"("stage": "paper", )"));
-  const scene::Scene own = parsed(ball, R"("stage": "void", "lights": {"fill": {"position": [0, 9, 0]}}, )");
+  const scene::Scene own =
+      parsed(ball, R"("stage": "void", "lights": {"fill": {"position": [0, 9, 0]}}, )");
   CHECK(lampOf(own, "fill")->position.at(0) == glm::vec3(0, 9, 0));
   CHECK(lampOf(own, "softbox") != nullptr);
 }
@@ -93,23 +95,25 @@ TEST_CASE("stage: writing on the screen is dark on bright stages of version 2") 
 TEST_CASE("stage: a tracking camera of version 2 stands where everything is in view") {
   const std::string track = R"("camera": {"track": "m"}, )";
   const std::string two = R"({"m": {"sphere": {"position": [3, 0, 0]}}, "n": {"sphere": {}}})";
-  const scene::Scene tracking = parsed(two, track), aimed = parsed(two, R"("camera": {"target": [3, 0, 0]}, )");
+  const scene::Scene tracking = parsed(two, track),
+                     aimed = parsed(two, R"("camera": {"target": [3, 0, 0]}, )");
   CHECK(tracking.camera.position.at(0) == aimed.camera.position.at(0));
   CHECK(tracking.camera.fieldOfView.at(0) == aimed.camera.fieldOfView.at(0));
   CHECK(parsed(ball, track, 1).camera.position.at(0) == scene::Camera().position.at(0));
-  const std::string orbit = R"("camera": {"orbit": {}}, )", both = R"("camera": {"track": "m", "orbit": {}}, )";
-  CHECK(parsed(ball, both).camera.orbit->distance.at(0) == parsed(ball, orbit).camera.orbit->distance.at(0));
+  const std::string orbit = R"("camera": {"orbit": {}}, )",
+                    both = R"("camera": {"track": "m", "orbit": {}}, )";
+  CHECK(parsed(ball, both).camera.orbit->distance.at(0) ==
+        parsed(ball, orbit).camera.orbit->distance.at(0));
   const scene::Scene placed = parsed(ball, R"("camera": {"track": "m", "position": [1, 2, 3]}, )");
   CHECK(placed.camera.position.at(0) == glm::vec3(1, 2, 3));
 }
 
 TEST_CASE("stage: a ground without a height lies below particles that fall, and where others rise") {
   const auto height = [](const std::string& velocity, const std::string& more = "") {
-    const scene::Scene scene =
-        parsed(fmt::format(R"({{"p": {{"particles": {{"acceleration": [0, -9.81, 0],
+    const scene::Scene scene = parsed(fmt::format(R"({{"p": {{"particles": {{"acceleration": [0, -9.81, 0],
                               "emitters": [{{"radius": 0, "position": [0, 3, 0], "velocity": {}}}]}}}}{}}})",
-                           velocity, more),
-               R"("ground": {}, )");
+                                                  velocity, more),
+                                      R"("ground": {}, )");
     return scene.ground->height;
   };
   CHECK(height("[0, 6, 0]") == 3);
@@ -134,7 +138,8 @@ TEST_CASE("stage: one warning says that the camera is below the ground of the sc
 
 TEST_CASE("stage: one warning says that a field over the whole picture hides what is in the world") {
   const auto said = [](const std::string& display, const std::string& text) {
-    return parsed(fields + fmt::format(R"(, "display": {}}}}}, "t": {{"text": {}}}}})", display, text)).remarks;
+    return parsed(fields + fmt::format(R"(, "display": {}}}}}, "t": {{"text": {}}}}})", display, text))
+        .remarks;
   };
   const std::vector<std::string> hidden = said("{}", "{}");
   REQUIRE(hidden.size() == 1);
