@@ -181,8 +181,8 @@ void Camera::describe(Fields& fields) {
       "particles, lights and the camera causes blur; changes inside fields, charts and growing caves do "
       "not. The driver's rasterizer has none.");
   hasAngle = fields.given("fieldOfView");
-  placed = follow || track || gltf || fields.given("position") || fields.given("target") ||
-           (orbit && orbit->distanced);
+  placed = follow || (track && fields.version() == 1) || gltf || fields.given("position") ||
+           fields.given("target") || (orbit && orbit->distanced);
   aimed = fields.version() > 1 && fields.given("target") && !fields.given("position") && !follow &&
           !track && !gltf && !orbit;
   if (aimed) placed = false;

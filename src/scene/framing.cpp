@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -130,13 +131,26 @@ void reach(Camera& camera, float distance, float nearest, bool staged) {
   camera.far = std::max(camera.far, (staged ? 12.0F : 4.0F) * distance);
 }
 
-/// Places an orbiting camera: the target is the middle of all extents, and the distance keeps all points in
-/// view at every turn and at every elevation key.
+/// Returns the place that the scene has the camera look at: its target, or the middle of the object that it
+/// tracks, over its whole motion; nullopt: none.
+std::optional<glm::vec3> aimOf(const Scene& scene) {
+  const Camera& camera = scene.camera;
+  if (camera.aimed) return camera.target.at(0);
+  if (!camera.track) return std::nullopt;
+  for (const Object& object : scene.objects)
+    if (object.name == camera.track->object)
+      if (const std::optional<Framed> one = framedOf(object))
+        return 0.5F * (one->box.min + one->box.max) + camera.track->offset;
+  return std::nullopt;
+}
+
+/// Places an orbiting camera: the target is the middle of all extents or of the tracked object, and the
+/// distance keeps all points in view at every turn and at every elevation key.
 void frameOrbit(Scene& scene, const std::vector<Framed>& framed) {
   Camera& camera = scene.camera;
   if (scene.staged && !camera.hasAngle) camera.fieldOfView = stageLens;
   const Box box = boxAround(framed);
-  const glm::vec3 target = 0.5F * (box.min + box.max);
+  const glm::vec3 target = aimOf(scene).value_or(0.5F * (box.min + box.max));
   const std::vector<glm::vec3> points = pointsOf(framed);
   constexpr int turns = 24;
   constexpr double radiansPerDegree = 0.017453292519943295;
@@ -197,11 +211,12 @@ void frameObjects(Scene& scene, const std::vector<Framed>& framed) {
   if (scene.staged && !camera.hasAngle) camera.fieldOfView = stageLens;
   const Box box = boxAround(framed);
   const Look look = lookFrom(scene.staged ? stageBack(box) : backFrom(box), scene);
-  glm::vec3 target = camera.aimed ? camera.target.at(0) : 0.5F * (box.min + box.max);
+  const std::optional<glm::vec3> aim = aimOf(scene);
+  glm::vec3 target = aim.value_or(0.5F * (box.min + box.max));
   std::vector<glm::vec3> points;
   if (scene.staged || hasPoints(framed)) {
     points = pointsOf(framed);
-    if (!camera.aimed) target = centred(look, target, points);
+    if (!aim) target = centred(look, target, points);
   } else {
     addCorners(box, points);
   }

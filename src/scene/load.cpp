@@ -4,6 +4,7 @@
 #include "base/file.hpp"
 #include "base/hash.hpp"
 #include "scene/framing.hpp"
+#include "scene/hidden.hpp"
 #include "scene/json/json_node.hpp"
 #include "scene/json/words.hpp"
 #include "scene/kind_hint.hpp"
@@ -320,12 +321,13 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
     // Computing extents may read mesh files and subdivide meshes, so it is done only if they are needed.
     std::vector<Framed> framed;
     if (staged || !scene.camera.placed) framed = framedObjects(scene);
-    if (staged) setStage(scene, framed);
+    if (staged) setStage(scene, framed, *version);
     if (const std::string advice = stageAdvice(scene); !advice.empty())
       context.diagnostics.remark(
           root.find("stage") != nullptr ? root.find("stage")->headPlace() : root.headPlace(), advice);
     frameObjects(scene, framed);
     openFloor(scene);
+    remarkHidden(root, scene, context.diagnostics);
   }
   fields.idleUnless(scene.render.quality == Quality::standard, "render.quality", {"render.occlusionRadius"},
                     "\"quality\": \"standard\"");

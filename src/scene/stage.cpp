@@ -2,13 +2,17 @@
 
 #include "base/ieee.hpp"
 #include "scene/dressed.hpp"
+#include "scene/inked.hpp"
+#include "scene/stage_lamps.hpp"
 #include "scene/stage_presets.hpp"
 #include "scene/tinted.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <optional>
 
+#include <fmt/format.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -17,7 +21,14 @@ namespace simreel::scene {
 namespace {
 
 constexpr glm::vec3 flame(1.0F, 0.52F, 0.22F);  ///< colour of objects that glow
-constexpr const char* rimName = "rim";
+// Black has more contrast than white on backgrounds of at least this luminance: (L + 0.05) / 0.05 is then
+// greater than 1.05 / (L + 0.05) (WCAG 2.1, contrast ratio).
+constexpr float inkedDark = 0.18F;
+constexpr glm::vec3 darkInk(0.012F, 0.013F, 0.016F);
+
+float luminance(const glm::vec3& color) {
+  return glm::dot(color, glm::vec3(0.2126F, 0.7152F, 0.0722F));
+}
 
 bool anyIs(Parameters::Looks looks, const Scene& scene) {
   return std::any_of(scene.objects.begin(), scene.objects.end(),
@@ -35,7 +46,7 @@ StageLook lookOf(const Scene& scene) {
 }
 
 /// Returns the height of a ground that the scene gives, which objects collide with: below everything at the
-/// start.
+/// start. Infinite if nothing but particles that fall from above is there.
 std::optional<float> groundBelow(const Scene& scene) {
   std::optional<float> lowest;
   for (const Object& object : scene.objects) {
@@ -98,6 +109,19 @@ void dress(Object& object, std::size_t number, const Stage& stage, const StageLo
     wear(*own, leaves, pictured, material);
 }
 
+/// True if the camera is below the ground at the start. False for cameras on paths and of files.
+bool isBelowGround(const Scene& scene) {
+  const Camera& camera = scene.camera;
+  if (!scene.ground || camera.follow || camera.gltf) return false;
+  double eye = camera.position.at(0).y;
+  if (camera.orbit) {
+    constexpr double radian = std::numbers::pi / 180;
+    eye = camera.target.at(0).y +
+          camera.orbit->distance.at(0) * ieee::sin(camera.orbit->elevation.at(0) * radian);
+  }
+  return eye < scene.ground->height;
+}
+
 }  // namespace
 
 void Stage::describe(Fields& fields) {
@@ -113,7 +137,7 @@ void Stage::describe(Fields& fields) {
   fields.leftOut("backdrop", "the preset's");
 }
 
-void setStage(Scene& scene, const std::vector<Framed>& framed) {
+void setStage(Scene& scene, const std::vector<Framed>& framed, int version) {
   using Looks = Parameters::Looks;
   const bool landscape = anyIs(Looks::landscape, scene);
   if (framed.empty() || (landscape && scene.stage.preset == Stage::Preset::automatic)) return;
@@ -136,40 +160,41 @@ void setStage(Scene& scene, const std::vector<Framed>& framed) {
       });
       const std::optional<float> ground =
           stage.leaves("ground") || !flows ? std::nullopt : groundBelow(scene);
-      scene.ground->height = ground.value_or(floorBelow(framed));
+      scene.ground->height = ground && std::isfinite(*ground) ? *ground : floorBelow(framed);
     }
   }
-  if (stage.leaves("lights.rim") && scene.lights.size() < maxLights) {
-    Light& rim = scene.lights.emplace_back();
-    rim.name = rimName;
-    rim.glow = 0.0F;
-    rim.shadow = false;
-  }
+  const bool lit = std::any_of(scene.objects.begin(), scene.objects.end(), [](const Object& object) {
+    return object.parameters->looks() != Looks::shining && object.parameters->framed();
+  });
+  addStageLamps(scene, look, version > 1 && lit);
   moveStage(scene, framed);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) dress(scene.objects[i], i, stage, look);
+  if (version == 1 || luminance(look.floor) < inkedDark) return;
+  for (Object& object : scene.objects)
+    if (auto* inked = dynamic_cast<Inked*>(object.parameters.get())) inked->ink(darkInk);
 }
 
 std::string stageAdvice(const Scene& scene) {
   constexpr float bright = 0.3F;  // luminance of a background on which added light is hardly seen
   if (!scene.staged || !anyIs(Parameters::Looks::shining, scene)) return {};
-  const glm::vec3 behind = lookOf(scene).floor;
-  if (glm::dot(behind, glm::vec3(0.2126F, 0.7152F, 0.0722F)) < bright) return {};
+  if (luminance(lookOf(scene).floor) < bright) return {};
   return "\"additive\" particles are light, which is hardly seen on a bright stage; leave out "
          "\"additive\", "
          "or take \"stage\": \"night\"";
 }
 
 void openFloor(Scene& scene) {
-  const Camera& camera = scene.camera;
-  if (!scene.staged || !scene.ground || !scene.stage.leaves("ground") || camera.follow || camera.gltf)
-    return;
-  double eye = camera.position.at(0).y;
-  if (camera.orbit) {
-    constexpr double radian = std::numbers::pi / 180;
-    eye = camera.target.at(0).y +
-          camera.orbit->distance.at(0) * ieee::sin(camera.orbit->elevation.at(0) * radian);
-  }
-  if (eye < scene.ground->height) scene.ground->visible = false;
+  if (scene.staged && scene.stage.leaves("ground") && isBelowGround(scene)) scene.ground->visible = false;
+}
+
+std::string groundAdvice(const Scene& scene) {
+  if (scene.stage.leaves("ground") || !isBelowGround(scene) || !scene.ground->visible) return {};
+  // A scene below its ground is not hidden by it.
+  if (!scene.camera.track && scene.camera.target.at(0).y < scene.ground->height) return {};
+  return fmt::format(
+      "the camera is below the ground, at {:.4g} m, which hides everything above it; move the camera up, "
+      "leave out \"ground\", or give it \"visible\": false",
+      scene.ground->height);
 }
 
 void moveStage(Scene& scene, const std::vector<Framed>& framed) {
@@ -211,15 +236,7 @@ void moveStage(Scene& scene, const std::vector<Framed>& framed) {
     supply("ground.color", ground.color, glm::min(look.floor / (fill + direct), glm::vec3(look.most)));
   }
 
-  if (!stage.leaves("lights.rim")) return;
-  for (Light& rim : scene.lights) {
-    if (rim.name != rimName) continue;
-    const float far = 3.0F * radius;
-    rim.position = middle + far * glm::normalize(-0.8F * back + 0.75F * right + glm::vec3(0, 0.9F, 0));
-    rim.color = look.rimColor;
-    rim.intensity = look.rim * far * far;
-    rim.radius = 0.5F * radius;
-  }
+  moveStageLamps(scene, look, {middle, radius, back, right});
 }
 
 }  // namespace simreel::scene

@@ -35,13 +35,15 @@ void ClothColoring::describe(scene::Fields& f) {
       "The object's material, or a colour map of the strain or the speed of each vertex. The strain is "
       "the mean of length / rest length - 1 over the links to the neighbours: up to four along rows "
       "and columns of a grid, or the edges of a mesh. Texture and weave are then not drawn.");
+  if (used() && f.version() > 1 && !f.given("colorFrom") && !f.given("colorTo")) autoEnds = {true, true};
   describeEnd(
       f, "colorFrom", range.x, autoEnds.low, "",
       "Strain or speed (m/s) at the start of the colour map; \"auto\": the lowest of the whole run.");
   describeEnd(
       f, "colorTo", range.y, autoEnds.high, "",
       "Strain or speed (m/s) at the end of the colour map; \"auto\": the highest of the whole run.");
-  f.leftOut("colorTo", "1, or 0.1 of a strain");
+  f.leftOut("colorFrom", "0, or \"auto\" in version 2");
+  f.leftOut("colorTo", "1, or 0.1 of a strain, or \"auto\" in version 2");
   if (by == By::strain && !f.given("colorTo") && !autoEnds.high) range.y = 0.1F;
   colors = describeColors(f, "cloth");
   if (used() && range.x == range.y && !autoEnds.any())

@@ -59,7 +59,7 @@ struct FluidStroke : StrokeParameters {
 
 /// Scene parameters of a fluid: incompressible flow. Lengths are in cells; y and v point down in the
 /// picture.
-struct FluidParameters : ObjectParameters, HasColorRange {
+struct FluidParameters : ObjectParameters, HasColorRange, scene::Covering {
   enum class Advection {
     macCormack,
     semiLagrangian,
@@ -103,6 +103,7 @@ struct FluidParameters : ObjectParameters, HasColorRange {
     if (display.layer != FieldDisplay::Layer::none) return std::nullopt;
     return boxOfPlane(plane, size);
   }
+  [[nodiscard]] bool covers() const override { return display.coversPicture(); }
   void ports(Ports& ports) const override;
   [[nodiscard]] std::int64_t leastBlockBytes() const override {
     return std::int64_t{16} * (size.x + 2) * (size.y + 2);

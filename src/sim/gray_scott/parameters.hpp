@@ -30,7 +30,7 @@ struct GrayScottHealth {
 };
 
 /// Scene parameters of Gray-Scott reaction-diffusion.
-struct GrayScottParameters : ObjectParameters, HasColorRange {
+struct GrayScottParameters : ObjectParameters, HasColorRange, scene::Covering {
   glm::ivec2 size{256, 256};  ///< Grid size in cells.
   GrayScottPreset preset = GrayScottPreset::leopard;
   std::optional<scene::Animated<float>> feed,
@@ -58,6 +58,7 @@ struct GrayScottParameters : ObjectParameters, HasColorRange {
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return display.measuredRanges(); }
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
+  [[nodiscard]] bool covers() const override { return display.coversPicture(); }
   void ports(Ports& ports) const override;
   [[nodiscard]] std::int64_t leastBlockBytes() const override { return std::int64_t{8} * size.x * size.y; }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;

@@ -1,4 +1,5 @@
 #pragma once
+#include "scene/covering.hpp"
 #include "scene/value/fields.hpp"
 #include "sim/core/auto_range.hpp"
 
@@ -46,6 +47,11 @@ struct FieldDisplay {
   void describe(scene::Fields& fields);
   /// Returns the stops, or the stops of the named map.
   [[nodiscard]] std::vector<glm::vec3> colors() const;
+  /// True if it is drawn over the whole picture at time 0, and nothing shines through.
+  [[nodiscard]] bool coversPicture() const {
+    return layer == Layer::over && opacity.at(0) >= 1 && corner.x <= 0 && corner.y <= 0 &&
+           corner.x + extent.x >= 1 && corner.y + extent.y >= 1;
+  }
   /// Returns the range of the colours if it must be measured. `path`: the display's group.
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges(const char* path = "display") {
     return measuredRange(path, "low", "high", autoEnds, low, high);

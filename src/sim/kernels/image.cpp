@@ -53,7 +53,7 @@ struct ImagePass {
 };
 
 /// Parameters of the kind image: passes with mainImage() that compute a picture.
-struct ImageParameters : KernelsParameters {
+struct ImageParameters : KernelsParameters, scene::Covering {
   glm::ivec2 pixels{960, 540};
   ImagePass image;
   std::vector<ImagePass> passes;
@@ -80,6 +80,7 @@ struct ImageParameters : KernelsParameters {
     wantFields(ports, image, {});
   }
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
+  [[nodiscard]] bool covers() const override { return display.coversPicture(); }
   /// An image has colours of its own, not those of a range.
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return {}; }
 

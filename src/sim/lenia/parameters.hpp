@@ -32,7 +32,7 @@ struct LeniaCreature {
   void describe(scene::Fields& fields);
 };
 
-struct LeniaParameters : ObjectParameters, HasColorRange {
+struct LeniaParameters : ObjectParameters, HasColorRange, scene::Covering {
   enum class Model { lenia, smoothLife };
   LeniaParameters();
   glm::ivec2 size{256, 144};  ///< width and height of the grid, a torus, in cells
@@ -50,6 +50,7 @@ struct LeniaParameters : ObjectParameters, HasColorRange {
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return display.measuredRanges(); }
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
+  [[nodiscard]] bool covers() const override { return display.coversPicture(); }
   void ports(Ports& ports) const override;
   [[nodiscard]] std::int64_t leastBlockBytes() const override { return std::int64_t{4} * size.x * size.y; }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;

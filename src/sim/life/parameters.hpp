@@ -26,7 +26,7 @@ struct LifePattern {
   void describe(scene::Fields& fields);
 };
 
-struct LifeParameters : ObjectParameters, HasColorRange {
+struct LifeParameters : ObjectParameters, HasColorRange, scene::Covering {
   LifeParameters();
   glm::ivec2 size{512, 512};       ///< width and height of the grid in cells
   bool fitted = false;             ///< true: no size is given, so the size fits the patterns
@@ -47,6 +47,7 @@ struct LifeParameters : ObjectParameters, HasColorRange {
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return display.measuredRanges(); }
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
+  [[nodiscard]] bool covers() const override { return display.coversPicture(); }
   void ports(Ports& ports) const override;
   [[nodiscard]] std::int64_t leastBlockBytes() const override { return std::int64_t{size.x} * size.y / 8; }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;

@@ -15,6 +15,7 @@
 #include "sim/ports/moving_points.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -271,10 +272,17 @@ std::span<const scene::Quantity> ParticleParameters::quantities() const {
 
 // Particles of emitters may fall without end, so only the emitters count.
 std::optional<float> ParticleParameters::footing() const {
-  std::optional<float> lowest;
+  if (emitters.empty()) return std::nullopt;
+  const auto falls = [&](const Emitter& emitter) {
+    const auto& keys = emitter.velocity.keys();
+    return std::all_of(keys.begin(), keys.end(), [&](const auto& key) {
+      return key.value.y < 0 || (key.value.y <= 0 && acceleration.at(0).y < 0);
+    });
+  };
+  float lowest = std::numeric_limits<float>::infinity();
   for (const Emitter& emitter : emitters)
     for (const auto& key : emitter.position.keys())
-      lowest = std::min(lowest.value_or(key.value.y), key.value.y - emitter.radius);
+      if (!falls(emitter)) lowest = std::min(lowest, key.value.y - emitter.radius);
   return lowest;
 }
 

@@ -109,6 +109,7 @@ struct ParticleParameters : ObjectParameters, HasColorRange, TouchesMeshes, shad
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] std::optional<scene::Box> framed() const override;
+  /// Infinite if the particles of all emitters fall: the ground is then where other objects stand.
   [[nodiscard]] std::optional<float> footing() const override;
   [[nodiscard]] Looks looks() const override { return additive ? Looks::shining : Looks::solid; }
   [[nodiscard]] bool wanders() const override { return true; }

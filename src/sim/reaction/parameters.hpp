@@ -88,7 +88,7 @@ struct ReactionMesh {
 };
 
 /// Scene parameters of user-defined equations: du/dt = D lap(u) + rate for each species.
-struct ReactionParameters : ObjectParameters, HasColorRange, OwnCells {
+struct ReactionParameters : ObjectParameters, HasColorRange, OwnCells, scene::Covering {
   glm::ivec2 size{256, 256};  ///< Grid size in cells.
   int depth = 1;              ///< Number of layers; more than one makes a volume.
   int preset = -1;
@@ -113,6 +113,9 @@ struct ReactionParameters : ObjectParameters, HasColorRange, OwnCells {
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return display.measuredRanges(); }
   [[nodiscard]] const char* drawnWith() const override {
     return space() == RuleSpace::plane ? "its \"display\"" : nullptr;
+  }
+  [[nodiscard]] bool covers() const override {
+    return space() == RuleSpace::plane && display.coversPicture();
   }
   void ports(Ports& ports) const override;
   [[nodiscard]] std::int64_t leastBlockBytes() const override {

@@ -23,7 +23,7 @@ namespace simreel::sim {
 
 /// Parameters that epidemics and wildfires share: a grid of byte cells, a step rate independent of the
 /// frame rate, strokes, and a chart of the counts.
-struct SpreadParameters {
+struct SpreadParameters : scene::Covering {
   enum class Border { torus, closed };
   /// Size of a small grid that stands in for one of gigabytes when a scene is validated.
   static constexpr glm::ivec2 lookedAt{512, 512};
@@ -34,6 +34,7 @@ struct SpreadParameters {
   bool chart = false;
   double chartSeconds = 0;  ///< initial length of the chart's x axis in seconds; it grows when needed
   FieldDisplay display;
+  [[nodiscard]] bool covers() const override { return display.coversPicture(); }
   /// Describes size, border and stepsPerSecond.
   void describeGrid(scene::Fields& fields);
   /// Describes chart, chartSeconds and display. Rejects a colour map, because the simulation defines the

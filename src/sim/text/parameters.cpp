@@ -34,6 +34,8 @@ void ScreenText::describe(scene::Fields& f) {
   f.number("height", height, {0.001, 10}, "",
            "Height of capital letters, as a fraction of the picture's height.");
   f.color("color", color, scene::notNegative, "Linear RGB; it is not tone mapped.");
+  f.leftOut("color", "[1,1,1], or dark on a bright stage");
+  colored = f.given("color");
   f.number("opacity", opacity, scene::fraction, "", "0: not to be seen.");
   f.number("backdrop", backdrop, scene::fraction, "", "Opacity of a dark panel behind it.");
 }
@@ -86,6 +88,11 @@ void TextParameters::ports(Ports& ports) const {
   for (const TextContent::Part& part : content->parts())
     if (part.number == TextContent::Part::Number::quantity)
       ports.mustWant<Measured>(part.object + "." + part.quantity, {"text"});
+}
+
+void TextParameters::ink(const glm::vec3& color) {
+  const bool onPanel = screen.backdrop.moves() || screen.backdrop.at(0) > 0;
+  if (onScreen && !screen.colored && !onPanel) screen.color = color;
 }
 
 std::filesystem::path TextParameters::fontFile() const {

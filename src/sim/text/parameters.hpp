@@ -1,4 +1,5 @@
 #pragma once
+#include "scene/inked.hpp"
 #include "scene/value/fields.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/text/content.hpp"
@@ -22,13 +23,14 @@ struct ScreenText {
                                           ///< from the top
   scene::Animated<float> height = 0.03F;  ///< height of capitals as a fraction of the image's height
   scene::Animated<glm::vec3> color = glm::vec3(1);  ///< colour in linear RGB
+  bool colored = false;                             ///< true if the scene gives the colour
   scene::Animated<float> opacity = 1.0F;
   scene::Animated<float> backdrop = 0.0F;  ///< opacity of the dark panel behind the text
   void describe(scene::Fields& fields);
 };
 
 /// Parameters of the object kind "text".
-struct TextParameters : ObjectParameters {
+struct TextParameters : ObjectParameters, scene::Inked {
   enum class Weight { regular, bold };
   std::string text = "simreel";
   std::filesystem::path font;  ///< font file; empty: the bundled font
@@ -48,6 +50,8 @@ struct TextParameters : ObjectParameters {
     return onScreen ? "the \"color\" of its \"screen\"" : nullptr;
   }
   [[nodiscard]] std::optional<scene::Box> framed() const override;
+  /// Does nothing for text in the world, nor on a dark panel.
+  void ink(const glm::vec3& color) override;
   void ports(Ports& ports) const override;
 
   [[nodiscard]] std::filesystem::path fontFile() const;

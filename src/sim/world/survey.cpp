@@ -143,13 +143,23 @@ scene::Box roomAround(const scene::Box& box) {
   return {box.min - size, box.max + size};
 }
 
+/// True if the scene gives a ground and leaves its height to the stage.
+bool standsOnOwnGround(const scene::Scene& scene) {
+  return scene.staged && scene.ground && scene.ground->solid && scene.ground->visible &&
+         scene.stage.leaves("ground.height");
+}
+
 /// Samples an object's current positions: an even subset of particles, because some are discarded later by
-/// their rank; the outermost points of other objects.
+/// their rank; the outermost points of other objects. Leaves out particles that the ground hides.
 void look(const World& world, const scene::Scene& scene, std::size_t looks, Traveller& traveller) {
   std::vector<glm::vec3> places = placesOf(world.object(traveller.object));
-  std::erase_if(places, [&](const glm::vec3& at) { return !isWithin(traveller.near, at); });
+  const ParticleParameters* particles = particlesOf(scene.objects[traveller.object]);
+  const bool hides = particles != nullptr && !particles->collides && standsOnOwnGround(scene);
+  std::erase_if(places, [&](const glm::vec3& at) {
+    return !isWithin(traveller.near, at) || (hides && at.y < scene.ground->height);
+  });
   std::size_t stride = 1;
-  if (particlesOf(scene.objects[traveller.object]) == nullptr)
+  if (particles == nullptr)
     places = scene::outermost(places);
   else
     stride += places.size() * looks / mostPoints;
@@ -180,7 +190,7 @@ std::vector<std::string> cameraOverrides(const scene::Camera& camera, const scen
     given.push_back("camera.orbit.distance=" + value(camera.orbit->distance.at(0)));
   else
     given.push_back("camera.position=" + vector(camera.position.at(0)));
-  given.push_back("camera.target=" + vector(camera.target.at(0)));
+  if (!camera.track) given.push_back("camera.target=" + vector(camera.target.at(0)));
   if (camera.projection == scene::Projection::orthographic)
     given.push_back("camera.height=" + value(camera.height.at(0)));
   else if (!camera.fieldOfView.moves())

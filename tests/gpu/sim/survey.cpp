@@ -81,6 +81,18 @@ TEST_CASE("survey: a jet is framed up to its top, and one stray particle is igno
   CHECK(wayOf(sim::surveyMotion(stray).framed.at(0)).high.x < 0.6F);
 }
 
+TEST_CASE("survey: drops that fall through a ground without a height are not framed") {
+  const auto lowest = [](const std::string& ground) {
+    scene::Scene scene = sceneGoing(R"({"jet": {"particles": {"method": "none", "acceleration": [0, -8, 0],
+      "look": {"size": 0.001}, "emitters": [{"velocity": [0, 4, 0], "radius": 0, "lifetime": 2}]}}})",
+                                    R"("time": {"duration": 2}, )" + ground);
+    return wayOf(sim::surveyMotion(scene).framed.at(0)).low.y;
+  };
+  CHECK(lowest("") < -2);
+  CHECK(lowest(R"("ground": {}, )") >= 0);
+  CHECK(lowest(R"("ground": {"height": 0}, )") < -2);
+}
+
 TEST_CASE("survey: a motion fills the picture and stays inside it at every frame") {
   for (const char* more : {"", R"("stage": false, )"}) {
     scene::Scene scene =

@@ -89,7 +89,8 @@ TEST_CASE("idle: shadow map parameters are reported as without effect in ray tra
 }
 
 TEST_CASE("idle: material parameters without effect are reported") {
-  const char* const field = R"("objects": {"f": {"life": {}}, "s": {"sphere": {}, "material": {)";
+  const char* const field =
+      R"("objects": {"f": {"life": {"display": {"layer": "none"}}}, "s": {"sphere": {}, "material": {)";
   const char* const skin = R"("skin": {"field": "f"})";
   check(field,
         {{skin, "", R"("color": [1, 0, 0])"},

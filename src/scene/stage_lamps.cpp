@@ -1,0 +1,92 @@
+#include "scene/stage_lamps.hpp"
+
+#include <string>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+namespace simreel::scene {
+
+namespace {
+
+constexpr const char* rimName = "rim";
+constexpr const char* fillName = "fill";
+constexpr const char* softboxName = "softbox";
+
+/// Returns true if a lamp of that name is the stage's.
+bool isOwn(const Scene& scene, const std::string& name) {
+  return scene.stage.leaves("lights." + name);
+}
+
+void add(Scene& scene, const char* name, Light::Type type) {
+  if (!isOwn(scene, name) || scene.lights.size() >= maxLights) return;
+  Light& lamp = scene.lights.emplace_back();
+  lamp.name = name;
+  lamp.type = type;
+  lamp.shadow = false;
+  if (type != Light::Type::area) lamp.glow = 0.0F;
+}
+
+/// Returns true if polished metal has nothing to mirror there.
+bool isDark(const StageLook& look) {
+  constexpr float dark = 0.1F;  // luminance
+  return glm::dot(glm::mix(look.zenith, look.horizon, 0.5F), glm::vec3(0.2126F, 0.7152F, 0.0722F)) < dark;
+}
+
+/// Returns true if the floor is so smooth that a lamp behind the objects shows in it as a spot.
+bool isGlossy(const Scene& scene) {
+  constexpr float glossy = 0.6F;
+  return scene.ground && scene.ground->visible && scene.ground->roughness < glossy;
+}
+
+void placeRim(Light& rim, bool high, const StageLook& look, const StageSpace& space) {
+  // The mirror image of a high and distant lamp lies below the edge of the picture.
+  const float far = (high ? 6.0F : 3.0F) * space.radius;
+  const glm::vec3 way = high ? -0.2F * space.back + 0.19F * space.right + glm::vec3(0, 1, 0)
+                             : -0.8F * space.back + 0.75F * space.right + glm::vec3(0, 0.9F, 0);
+  rim.position = space.middle + far * glm::normalize(way);
+  rim.color = look.rimColor;
+  rim.intensity = look.rim * far * far;
+  rim.radius = (high ? 1.0F : 0.5F) * space.radius;
+}
+
+/// Places a rectangle that gives `lux` in the middle of the stage. `way` leads to it from there; `size` is
+/// its width and height. Both are in radii of the stage.
+void placeSoft(Light& lamp, const StageSpace& space, const glm::vec3& way, const glm::vec2& size,
+               float lux) {
+  const float far = glm::length(way) * space.radius;
+  lamp.position = space.middle + space.radius * way;
+  lamp.area.target = space.middle;
+  lamp.area.width = size.x * space.radius;
+  lamp.area.height = size.y * space.radius;
+  lamp.intensity = lux * far * far;
+}
+
+}  // namespace
+
+void addStageLamps(Scene& scene, const StageLook& look, bool soft) {
+  add(scene, rimName, Light::Type::point);
+  const bool ownSun = !scene.stage.leaves("sun.direction") || !scene.stage.leaves("sun.intensity");
+  if (!soft || ownSun || !isDark(look) || !scene.sky.picture.empty()) return;
+  add(scene, fillName, Light::Type::area);
+  add(scene, softboxName, Light::Type::area);
+}
+
+void moveStageLamps(Scene& scene, const StageLook& look, const StageSpace& space) {
+  for (Light& lamp : scene.lights) {
+    if (!isOwn(scene, lamp.name)) continue;
+    if (lamp.name == rimName) placeRim(lamp, isGlossy(scene), look, space);
+    if (lamp.name != fillName && lamp.name != softboxName) continue;
+    lamp.color = look.keyColor;
+    // Both are on the camera's side of the objects, so that no floor mirrors them towards it.
+    if (lamp.name == fillName)
+      placeSoft(lamp, space, 1.9F * space.back + 2.2F * space.right + glm::vec3(0, 0.9F, 0),
+                glm::vec2(1.8F, 3.6F), 0.4F * look.key);
+    else
+      placeSoft(lamp, space, 0.9F * space.back - 0.9F * space.right + glm::vec3(0, 2.6F, 0),
+                glm::vec2(3.6F, 2.1F), 0.25F * look.key);
+  }
+}
+
+}  // namespace simreel::scene

@@ -1,0 +1,154 @@
+// Stages of version 2 scenes: lamps of dark stages, writing on bright ones, cameras and grounds.
+#include "scene/framing.hpp"
+#include "scene/load.hpp"
+#include "scene/scene.hpp"
+#include "sim/text/parameters.hpp"
+#include "sim/world/list.hpp"
+#include "source_folder.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+namespace simreel::test::stage_second {
+
+namespace {
+
+scene::Scene parsed(const std::string& objects, const std::string& more = "", int version = 2) {
+  return scene::parseScene(fmt::format(R"({{"version": {}, {}"objects": {}}})", version, more, objects),
+                           sourceFolder() + "/assets/scenes/x.json", {}, sim::kinds());
+}
+
+const std::string ball = R"({"m": {"sphere": {}}})";
+const std::string fields = R"({"l": {"life": {"size": [64, 64])";
+
+const scene::Light* lampOf(const scene::Scene& scene, const std::string& name) {
+  const auto found = std::find_if(scene.lights.begin(), scene.lights.end(),
+                                  [&](const scene::Light& light) { return light.name == name; });
+  return found == scene.lights.end() ? nullptr : &*found;
+}
+
+glm::vec3 inkOf(const scene::Scene& scene) {
+  return dynamic_cast<const sim::TextParameters&>(*scene.objects.back().parameters).screen.color.at(0);
+}
+
+}  // namespace
+
+TEST_CASE("stage: dark stages of version 2 have a fill and a softbox on the camera's side") {
+  const auto has = [](const std::string& members, int version = 2) {
+    const scene::Scene scene = parsed(ball, members, version);
+    CHECK((lampOf(scene, "fill") == nullptr) == (lampOf(scene, "softbox") == nullptr));
+    return lampOf(scene, "fill") != nullptr;
+  };
+  for (const char* dark :
+       {R"("void")", R"("night")", R"("blueprint")", R"({"backdrop": [0.01, 0.01, 0.01]})"}) {
+    CAPTURE(dark);
+    const std::string stage = fmt::format(R"("stage": {}, )", dark);
+    CHECK(has(stage));
+    CHECK_FALSE(has(stage, 1));
+    CHECK_FALSE(has(stage + R"("sun": {"direction": [1, 0, 0]}, )"));
+    const scene::Scene scene = parsed(ball, stage);
+    const glm::vec3 eye = scene.camera.position.at(0);
+    for (const char* name : {"fill", "softbox"}) {
+      const scene::Light& lamp = *lampOf(scene, name);
+      CHECK(lamp.type == scene::Light::Type::area);
+      const glm::vec3 at = lamp.position.at(0);
+      CHECK(at.x * eye.x + at.z * eye.z > 0);
+      CHECK(at.y > 0);
+    }
+    CHECK(lampOf(scene, "fill")->position.at(0).z > 1);  // It lights what faces +z.
+  }
+  CHECK_FALSE(has(""));
+  CHECK_FALSE(has(R"("stage": "paper", )"));
+  const scene::Scene own =
+      parsed(ball, R"("stage": "void", "lights": {"fill": {"position": [0, 9, 0]}}, )");
+  CHECK(lampOf(own, "fill")->position.at(0) == glm::vec3(0, 9, 0));
+  CHECK(lampOf(own, "softbox") != nullptr);
+}
+
+TEST_CASE("stage: the rim of a glossy floor stands high") {
+  const auto rise = [](const std::string& members) {
+    return glm::normalize(lampOf(parsed(ball, members), "rim")->position.at(0)).y;
+  };
+  CHECK(rise("") < 0.7F);
+  CHECK(rise(R"("ground": {"roughness": 0.8}, )") < 0.7F);
+  CHECK(rise(R"("ground": {"roughness": 0.1}, )") > 0.9F);
+}
+
+TEST_CASE("stage: writing on the screen is dark on bright stages of version 2") {
+  const std::string own = R"({"m": {"sphere": {}}, "t": {"text": {"screen": {"color": [1, 0, 0]}}}})";
+  const std::string panel = R"({"m": {"sphere": {}}, "t": {"text": {"screen": {"backdrop": 0.5}}}})";
+  const std::string plain = R"({"m": {"sphere": {}}, "t": {"text": {"screen": {}}}})";
+  CHECK(inkOf(parsed(plain)).x < 0.1F);
+  CHECK(inkOf(parsed(plain, R"("stage": "paper", )")).x < 0.1F);
+  CHECK(inkOf(parsed(plain, R"("stage": "void", )")) == glm::vec3(1));
+  CHECK(inkOf(parsed(plain, R"("stage": {"backdrop": [0.02, 0.02, 0.02]}, )")) == glm::vec3(1));
+  CHECK(inkOf(parsed(plain, R"("stage": false, )")) == glm::vec3(1));
+  CHECK(inkOf(parsed(plain, "", 1)) == glm::vec3(1));
+  CHECK(inkOf(parsed(own)) == glm::vec3(1, 0, 0));
+  CHECK(inkOf(parsed(panel)) == glm::vec3(1));
+}
+
+TEST_CASE("stage: a tracking camera of version 2 stands where everything is in view") {
+  const std::string track = R"("camera": {"track": "m"}, )";
+  const std::string two = R"({"m": {"sphere": {"position": [3, 0, 0]}}, "n": {"sphere": {}}})";
+  const scene::Scene tracking = parsed(two, track),
+                     aimed = parsed(two, R"("camera": {"target": [3, 0, 0]}, )");
+  CHECK(tracking.camera.position.at(0) == aimed.camera.position.at(0));
+  CHECK(tracking.camera.fieldOfView.at(0) == aimed.camera.fieldOfView.at(0));
+  CHECK(parsed(ball, track, 1).camera.position.at(0) == scene::Camera().position.at(0));
+  const std::string orbit = R"("camera": {"orbit": {}}, )",
+                    both = R"("camera": {"track": "m", "orbit": {}}, )";
+  CHECK(parsed(ball, both).camera.orbit->distance.at(0) ==
+        parsed(ball, orbit).camera.orbit->distance.at(0));
+  const scene::Scene placed = parsed(ball, R"("camera": {"track": "m", "position": [1, 2, 3]}, )");
+  CHECK(placed.camera.position.at(0) == glm::vec3(1, 2, 3));
+}
+
+TEST_CASE("stage: a ground without a height lies below particles that fall, and where others rise") {
+  const auto height = [](const std::string& velocity, const std::string& more = "") {
+    const scene::Scene scene = parsed(fmt::format(R"({{"p": {{"particles": {{"acceleration": [0, -9.81, 0],
+                              "emitters": [{{"radius": 0, "position": [0, 3, 0], "velocity": {}}}]}}}}{}}})",
+                                                  velocity, more),
+                                      R"("ground": {}, )");
+    return scene.ground->height;
+  };
+  CHECK(height("[0, 6, 0]") == 3);
+  CHECK(height("[0, 0, 0]") < 0);
+  CHECK(height("[0, -1, 0]") < 0);
+  CHECK(height("[0, 0, 0]", R"(, "m": {"sphere": {}})") == -1);
+}
+
+TEST_CASE("stage: one warning says that the camera is below the ground of the scene") {
+  const auto count = [](const std::string& members) { return parsed(ball, members).remarks.size(); };
+  const std::string below = R"("camera": {"position": [0, -3, 6]}, )";
+  const std::vector<std::string> said = parsed(ball, below + R"("ground": {}, )").remarks;
+  REQUIRE(said.size() == 1);
+  CHECK(said[0].find("the camera is below the ground") != std::string::npos);
+  CHECK(said[0].find("\"visible\": false") != std::string::npos);
+  CHECK(count(R"("camera": {"orbit": {"elevation": -20}}, "ground": {}, )") == 1);
+  CHECK(count(below) == 0);
+  CHECK(count(below + R"("ground": {"visible": false}, )") == 0);
+  CHECK(count(R"("ground": {}, )") == 0);
+  CHECK(count(R"("camera": {"position": [0, -3, 6], "target": [0, -9, 0]}, "ground": {}, )") == 0);
+}
+
+TEST_CASE("stage: one warning says that a field over the whole picture hides what is in the world") {
+  const auto said = [](const std::string& display, const std::string& text) {
+    return parsed(fields + fmt::format(R"(, "display": {}}}}}, "t": {{"text": {}}}}})", display, text))
+        .remarks;
+  };
+  const std::vector<std::string> hidden = said("{}", "{}");
+  REQUIRE(hidden.size() == 1);
+  CHECK(hidden[0].find("\"t\" stands in the world, behind the picture of \"l\"") != std::string::npos);
+  CHECK(hidden[0].find("\"screen\": {}") != std::string::npos);
+  CHECK(said("{}", R"({"screen": {}})").empty());
+  CHECK(said(R"({"layer": "behind"})", "{}").empty());
+  CHECK(said(R"({"extent": [0.5, 1, 0]})", "{}").empty());
+  CHECK(said(R"({"opacity": 0.5})", "{}").empty());
+}
+
+}  // namespace simreel::test::stage_second
