@@ -127,6 +127,7 @@ class Isolines : public Simulation {
       const glm::dvec2 up(label.along.y, -label.along.x);
       for (const auto& outline : texts[static_cast<std::size_t>(lines[label.line].level)]) {
         std::vector<glm::dvec2> turned;
+        turned.reserve(outline.size());
         for (const glm::dvec2& point : outline)
           turned.push_back(label.middle + unit * (point.x * label.along + point.y * up));
         add(numbers_, turned, unit);
