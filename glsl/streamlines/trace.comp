@@ -19,7 +19,7 @@ uniform float perRange; // 1 / (speed of the last colour - low), s/m
 
 bool ended = false;  // true once a line has met still air
 
-// Returns the direction of the flow at p; sets `ended` where there is none.
+// Returns the direction of the flow at p; sets `ended` outside of the flow.
 vec3 directionAt(vec3 p) {
   vec3 v = windAt(p);
   float squared = exactDot(v, v);

@@ -8,7 +8,7 @@ namespace simreel::kernels {
 
 namespace {
 
-/// The types of cube maps, with and without a sampler, and the variables of these types.
+/// Types of cube maps, with and without a sampler, and their variables.
 struct Cubes {
   std::set<Id> types, variables;
 };

@@ -16,7 +16,7 @@ constexpr std::size_t mostShortened = 5;  // of one function; the number of over
 /// A parameter of a function.
 struct Parameter {
   std::string text;    ///< "const float2 at"
-  std::string longer;  ///< the same with a type that is shortened; empty if there is none
+  std::string longer;  ///< the same with a shortened type; empty: not possible
   std::string name;
   std::string shorter;  ///< "at.x": the shortened argument
 };

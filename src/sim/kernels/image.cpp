@@ -81,7 +81,7 @@ struct ImageParameters : KernelsParameters, scene::Covering {
   }
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
   [[nodiscard]] bool covers() const override { return display.coversPicture(); }
-  /// An image has colours of its own, not those of a range.
+  /// An image has colours of its own, and no range.
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return {}; }
 
  private:

@@ -118,7 +118,7 @@ class KernelPlan {
   [[nodiscard]] const std::vector<PlannedEntry>& first() const { return first_; }
   [[nodiscard]] const std::vector<PlannedEntry>& step() const { return step_; }
   [[nodiscard]] const PlannedDrawing& drawn() const { return drawn_; }
-  /// Replaces the ranges of the drawing's colours by those of `description`.
+  /// Sets the ranges of the drawing's colours from `description`.
   void setColorRanges(const KernelDescription& description);
   [[nodiscard]] int bufferNamed(std::string_view name) const;
   [[nodiscard]] int textureNamed(std::string_view name) const;

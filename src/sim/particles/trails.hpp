@@ -79,7 +79,7 @@ class ParticleTrails {
   int count_ = 0, room_ = 0;
   int slot_ = -1;          ///< slot of the latest frame in history_
   int recorded_ = 0;       ///< number of frames in history_
-  bool made_ = false;      ///< true if the tubes are those of the latest frame
+  bool made_ = false;      ///< true if the tubes show the latest frame
   gl::Vec4Array history_;  ///< per trail a ring of frames: x, y, z: place in metres; w: age
   gl::Vec4Array points_;
   gl::Buffer spans_;

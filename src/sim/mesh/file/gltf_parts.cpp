@@ -212,8 +212,8 @@ std::vector<glm::mat4> GltfParts::poseOf(std::uint64_t skin,
   return pose;
 }
 
-/// Adds the displacements of morph targets, times their weights (glTF 2.0, 3.7.2.2). Weights of a node take
-/// the place of those of its mesh.
+/// Adds the displacements of morph targets, times their weights (glTF 2.0, 3.7.2.2). A node's weights
+/// replace the mesh's.
 void GltfParts::morph(std::size_t mesh, const JsonValue& primitive, const std::vector<float>& weights,
                       std::vector<GltfVertex>& vertices) const {
   const auto targets = primitive.find("targets");

@@ -38,7 +38,7 @@ struct GltfPart {
 
 /// Handling of a skinned mesh: ignored by default; `kept` stores joints and weights per vertex, for a body
 /// that animates them; a non-empty `pose` (one matrix per joint) moves the vertices. `morphs` are the
-/// node's weights of morph targets; empty: those of the mesh.
+/// node's weights of morph targets; empty: the mesh's own.
 struct GltfSkin {
   bool kept = false;
   std::vector<glm::mat4> pose;
