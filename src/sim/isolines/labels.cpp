@@ -22,9 +22,9 @@ constexpr double apartOnLine = 40;  // distance of labels on one line, in height
 constexpr double cell = 3;          // pixels of a cell of the map of lines
 
 /// Line with the lengths up to its points; a closed line ends with its first point.
-class Measured {
+class MeasuredLine {
  public:
-  explicit Measured(const IsoLine& line) : points_(line.points), closed_(line.closed) {
+  explicit MeasuredLine(const IsoLine& line) : points_(line.points), closed_(line.closed) {
     if (closed_) points_.push_back(points_.front());
     lengths_ = {0};
     for (std::size_t i = 1; i < points_.size(); ++i)
@@ -59,7 +59,7 @@ class LineMap {
         size_(glm::max(glm::ivec2(glm::ceil((glm::dvec2(part.z, part.w) - corner_) / cell)), 1)),
         lines_(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y), none) {}
 
-  void add(const Measured& line, int index) {
+  void add(const MeasuredLine& line, int index) {
     for (double way = 0; way <= line.length(); way += 0.5 * cell) {
       int& there = lines_[indexOf(line.at(way))];
       there = there == none || there == index ? index : several;
@@ -91,7 +91,7 @@ class Placement {
   Placement(std::span<const IsoLine> lines, const IsoLabelSizes& sizes, const glm::dvec4& part)
       : lines_(lines), sizes_(sizes), part_(part), all_(part), numbered_(part) {
     for (std::size_t i = 0; i < lines.size(); ++i) {
-      const Measured line(lines[i]);
+      const MeasuredLine line(lines[i]);
       all_.add(line, static_cast<int>(i));
       if (widthOf(i) > 0) numbered_.add(line, static_cast<int>(i));
     }
@@ -111,7 +111,7 @@ class Placement {
 
   /// Places labels on a line, until it has as many as its length allows or no place is left.
   void placeOn(std::size_t index, const LineMap& avoided) {
-    const Measured line(lines_[index]);
+    const MeasuredLine line(lines_[index]);
     const auto count = std::count_if(placed_.begin(), placed_.end(),
                                      [&](const IsoLabel& label) { return label.line == index; });
     const int most = 1 + static_cast<int>(line.length() / (apartOnLine * sizes_.capital));
@@ -124,7 +124,7 @@ class Placement {
     }
   }
 
-  [[nodiscard]] std::optional<IsoLabel> best(const Measured& line, std::size_t index,
+  [[nodiscard]] std::optional<IsoLabel> best(const MeasuredLine& line, std::size_t index,
                                              const LineMap& avoided) const {
     const double half = 0.5 * widthOf(index) + gap * sizes_.capital;
     const double margin = lines_[index].closed ? 0 : half + sizes_.capital;
