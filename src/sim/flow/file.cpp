@@ -99,9 +99,9 @@ FlowGrid gridOfPoints(const KernelTable& table, const std::string& name) {
   const auto hole =
       static_cast<std::size_t>(std::find(filled.begin(), filled.end(), false) - filled.begin());
   if (hole < cells) {
-    const auto columns = static_cast<std::size_t>(across.count);
-    const std::size_t column = hole % columns;
-    const std::size_t row = static_cast<std::size_t>(along.count) - 1 - hole / columns;
+    const auto perRow = static_cast<std::size_t>(across.count);
+    const std::size_t column = hole % perRow;
+    const std::size_t row = static_cast<std::size_t>(along.count) - 1 - hole / perRow;
     broken(name, fmt::format("the point x = {:g}, y = {:g} of the grid has no velocity; give it 0, 0",
                              across.first + across.apart * static_cast<double>(column),
                              along.first + along.apart * static_cast<double>(row)));
