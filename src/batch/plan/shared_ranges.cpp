@@ -50,11 +50,13 @@ std::vector<scene::Override> sharedRanges(const SweepPlan& plan, const std::stri
     }
   }
   std::vector<scene::Override> given;
-  for (const auto& [path, value] : ends)
+  for (const auto& end : ends) {
+    const std::string& path = end.first;
     if (std::none_of(plan.varied.begin(), plan.varied.end(), [&](const std::string& varied) {
           return path == varied || path.starts_with(varied + ".");
         }))
-      given.push_back({path, value});
+      given.push_back({path, end.second});
+  }
   return given;
 }
 
