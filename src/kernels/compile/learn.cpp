@@ -181,9 +181,8 @@ bool learn(Files& files, std::string_view log) {
     else if (says("Macro redefined"))
       files.remedies.redefined.emplace(mistake.file, mistake.line);
     else if (says("no matching overloaded function found") &&
-             (mistake.token == "select" || mistake.token == "and" || mistake.token == "or"))
-      files.remedies.functions.insert(mistake.token);
-    else if (says("no matching overloaded function found") && mistake.token == "NonUniformResourceIndex")
+             (mistake.token == "select" || mistake.token == "and" || mistake.token == "or" ||
+              mistake.token == "NonUniformResourceIndex"))
       files.remedies.functions.insert(mistake.token);
     else if (says("no matching overloaded function found") && !learnNamespaces(files))
       learnOverloads(files, mistake.token);
