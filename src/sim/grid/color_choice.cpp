@@ -30,6 +30,7 @@ std::vector<glm::vec3> describeColors(scene::Fields& fields, const std::string& 
   fields.idleUnless(stops.empty(), "colorStops", {"colors"}, what + " without \"colorStops\"");
   if (stops.empty()) return colorMapStops(colorMaps[map]);
   std::vector<glm::vec3> colors;
+  colors.reserve(stops.size());
   for (const ColorStop& stop : stops) colors.push_back(stop.color);
   return colors;
 }
