@@ -10,9 +10,9 @@ namespace simreel::batch {
 [[nodiscard]] bool hasAutoRanges(const SweepPlan& plan, const std::string& text);
 
 /// Returns overrides that give all jobs of a sweep the same ranges of colours, so that their pictures can
-/// be compared: each end that is "auto" in some job becomes the extreme of those jobs. Simulates each of
-/// these jobs once, on the current context. `text`: text of the scene. Throws UserError(usage) for a scene
-/// with errors, and the errors of sim::World.
+/// be compared. An "auto" end becomes the extreme value of all jobs that have it. Simulates each such job
+/// once, on the current context. `text`: text of the scene. Throws UserError(usage) for a scene with
+/// errors, and the errors of sim::World.
 [[nodiscard]] std::vector<scene::Override> sharedRanges(const SweepPlan& plan, const std::string& text);
 
 }  // namespace simreel::batch

@@ -10,8 +10,8 @@ namespace simreel::kernels {
 /// new remedy.
 [[nodiscard]] bool learn(Files& files, std::string_view log);
 
-/// Moves initializers of static variables that call functions to the beginning of a kernel. Returns false
-/// if there is none that is not moved yet.
+/// Moves the initializers of static variables to the beginning of a kernel if they call functions. Returns
+/// false if all of them were moved before.
 [[nodiscard]] bool learnStarts(Files& files, const std::string& entry);
 
 }  // namespace simreel::kernels

@@ -26,8 +26,8 @@ struct ClothColoring {
   void describe(scene::Fields& fields);
   [[nodiscard]] bool used() const { return by != By::material; }
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges();
-  /// Returns the object's material without the colour and the textures that the colour map replaces. Warns
-  /// if the scene gives the material any of these.
+  /// Returns the object's material, white and without textures, so that the colour map shows its true
+  /// colours. Warns if the scene gives a colour, texture or skin.
   [[nodiscard]] static scene::Material materialOf(const scene::Object& object);
 };
 
