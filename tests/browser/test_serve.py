@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "cli"))
@@ -22,7 +23,7 @@ def missing():
 
 
 if not missing():
-    from common import SCENE, png_rows, unfiltered, with_values
+    from common import PATIENCE, SCENE, png_rows, unfiltered, with_values
     from driver import Browser, Keys
     from serve_client import PROGRAM, Server
 
@@ -73,12 +74,11 @@ class PageOfServe(unittest.TestCase):
         return width, height, b"".join(unfiltered(rows, 3 * width, 3))
 
     def shows(self, frame, *arguments, canvas="picture"):
-        """Waits until the picture equals render's."""
-        wanted = self.rendered(frame, *arguments)
-        end = 100
-        while self.pixels(canvas) != wanted:
-            end -= 1
-            self.assertGreater(end, 0, "the picture is another one")
+        """Waits until the picture equals render's. Renders again each time, because the last change of a drag may reach
+        the scene's file late."""
+        end = time.monotonic() + PATIENCE
+        while self.pixels(canvas) != self.rendered(frame, *arguments):
+            self.assertLess(time.monotonic(), end, "the picture is another one")
             self.browser.until("false", 0.1)
 
     def row(self, path, kind):

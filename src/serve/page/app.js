@@ -62,6 +62,7 @@ const screen = new Screen(byId("screen"), {
 const timeline = new Timeline({
   send: (request) => link.send(request),
   seek: (frame, moving) => (moving ? link.move("seek", { do: "seek", frame }) : link.settle("seek", { do: "seek", frame })),
+  step: (by) => link.settle("seek", { do: "seek", by }),
   key: (path, value, moving) => set(path, value, moving),
 });
 

@@ -24,8 +24,9 @@ export class Timeline {
     this.on.send({ do: "loop", on: !this.status.loop });
   }
 
+  // The server adds the step to its own frame, so fast key presses need no answer in between.
   step(by) {
-    this.on.seek(Math.min(this.last, Math.max(0, (this.status.target ?? 0) + by)), false);
+    this.on.step(by);
   }
 
   key(event) {

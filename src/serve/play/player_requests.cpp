@@ -95,7 +95,11 @@ void Player::obey(const Json& json) {
 
 void Player::seek(const Json& json) {
   const JsonValue request(json);
-  const int frame = std::clamp(request.at("frame").integer(), 0, lastFrame());
+  // Limits the step first: the sum cannot overflow.
+  const int wanted = request.find("by")
+                         ? target_ + std::clamp(request.at("by").integer(), -lastFrame(), lastFrame())
+                         : request.at("frame").integer();
+  const int frame = std::clamp(wanted, 0, lastFrame());
   playing_ = false;
   failed_ = false;
   if (isSet(request, "moving"))

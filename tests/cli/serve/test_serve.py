@@ -23,6 +23,16 @@ class Pictures(ServeCase):
         viewer.send(do="seek", frame=3)
         self.assertEqual(self.pixels(viewer.rest(3)[1]), self.rendered(3))
 
+    def test_steps_that_follow_each_other_at_once_add_up(self):
+        viewer = self.serve().viewer()
+        for by in (1, 1, 2, -1):
+            viewer.send(do="seek", by=by)
+        self.assertEqual(viewer.rest(3)[0]["frame"], 3)
+        viewer.send(do="seek", by=2**31 - 1)
+        self.assertEqual(viewer.rest(5)[0]["frame"], 5)
+        viewer.send(do="seek", by=-2**31)
+        viewer.rest(0)
+
     def test_frames_are_equal_with_little_memory_and_a_late_start(self):
         scene = with_values({"time.start": 0.2, "time.duration": 1, "objects.flag.cloth.size": [300, 200],
                              "objects.flag.cloth.spacing": 0.01, "objects.flag.cloth.substeps": "auto"})
