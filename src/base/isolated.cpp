@@ -54,7 +54,7 @@ class Parcel {
     }
     return true;
   }
-  [[nodiscard]] std::string take() const {
+  [[nodiscard]] std::string readAll() const {
     struct stat status {};
     if (::fstat(file_, &status) != 0) return {};
     std::string bytes(static_cast<std::size_t>(status.st_size), '\0');
@@ -148,7 +148,7 @@ std::string runIsolated(const Allotment& allotment, const std::function<std::str
     if (errno != EINTR) throw std::runtime_error(std::string("was lost: ") + std::strerror(errno));
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
     throw std::runtime_error(howItEnded(status, allotment));
-  std::string left = parcel.take();
+  std::string left = parcel.readAll();
   const char outcome = left.empty() ? char{other} : left.front();
   if (!left.empty()) left.erase(0, 1);
   if (outcome == returned) return left;

@@ -33,7 +33,7 @@ class Packer {
     length(text.size());
     bytes_ += text;
   }
-  [[nodiscard]] std::string take() { return std::move(bytes_); }
+  [[nodiscard]] std::string release() { return std::move(bytes_); }
 
  private:
   void length(std::size_t size) { bytes_.append(reinterpret_cast<const char*>(&size), sizeof size); }
@@ -86,7 +86,7 @@ template <class T>
 [[nodiscard]] std::string packed(T value) {
   Packer packer;
   packer(value);
-  return packer.take();
+  return packer.release();
 }
 template <class T>
 [[nodiscard]] T unpacked(const std::string& bytes) {

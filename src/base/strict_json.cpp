@@ -27,7 +27,7 @@ class Builder final : public nlohmann::json_sax<Json> {
  public:
   explicit Builder(const JsonLimits& limits) : limits_(limits) {}
 
-  [[nodiscard]] Json take() { return std::move(root_); }
+  [[nodiscard]] Json release() { return std::move(root_); }
 
   bool null() override { return add(nullptr); }
   bool boolean(bool value) override { return add(value); }
@@ -93,7 +93,7 @@ Json parseStrictJson(std::string_view text, const JsonLimits& limits) {
   Builder builder(limits);
   Json::sax_parse(text.begin(), text.end(), &builder, Json::input_format_t::json, /*strict=*/true,
                   limits.comments);
-  return builder.take();
+  return builder.release();
 }
 
 void JsonValue::wrong(std::string_view what) const {

@@ -141,7 +141,7 @@ struct BenchRun::State {
     const auto summary = world.takeSummary(true);
     SIMREEL_CHECK_EQ(summary->frame, oldest.frame);
     const auto there = Clock::now();
-    const auto picture = readback.take(true);
+    const auto picture = readback.nextPicture(true);
     SIMREEL_CHECK_EQ(picture->first, oldest.frame);
     const auto end = Clock::now();
     // With Timing::wait every stage has been waited for, so only the copy of the summary remains.

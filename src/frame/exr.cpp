@@ -40,7 +40,7 @@ class MemoryStream final : public Imf::OStream {
   }
   std::uint64_t tellp() override { return at_; }
   void seekp(std::uint64_t position) override { at_ = position; }
-  [[nodiscard]] std::vector<std::byte> take() { return std::move(bytes_); }
+  [[nodiscard]] std::vector<std::byte> release() { return std::move(bytes_); }
 
  private:
   std::vector<std::byte> bytes_;
@@ -171,7 +171,7 @@ std::vector<std::byte> encodeExr(const PictureLayers& picture, const ImageText& 
   } catch (const std::exception& error) {
     fail(ExitCode::inputOutput, "cannot encode a {}x{} OpenEXR picture: {}", size.x, size.y, error.what());
   }
-  return stream.take();
+  return stream.release();
 }
 
 std::vector<std::byte> encodeDeepPng(const PictureLayers& picture, const ImageText& text) {

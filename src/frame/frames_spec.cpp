@@ -21,17 +21,17 @@ class Reader {
       const std::size_t begin = at_;
       const int first = number("a frame number");
       int last = first, step = 1;
-      if (take('-')) {
+      if (accept('-')) {
         last = number("the last frame of the range");
         if (last < first) wrong(begin, fmt::format("the range {}-{} runs backwards", first, last));
-        if (take('x') && (step = number("a step after the x")) == 0)
+        if (accept('x') && (step = number("a step after the x")) == 0)
           wrong(at_ - 1, "the step must be at least 1");
       }
       const std::size_t count = static_cast<std::size_t>((last - first) / step) + 1;
       if (frames.size() + count > maxFrames) wrong(begin, fmt::format("more than {} frames", maxFrames));
       for (int frame = first; frame <= last; frame += step) frames.push_back(frame);
       skipBlanks();
-    } while (take(','));
+    } while (accept(','));
     if (at_ < text_.size()) wrong(at_, fmt::format("unexpected '{}'", text_[at_]));
     std::sort(frames.begin(), frames.end());
     frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
@@ -43,7 +43,7 @@ class Reader {
     while (at_ < text_.size() && text_[at_] == ' ') ++at_;
   }
 
-  bool take(char c) {
+  bool accept(char c) {
     if (at_ >= text_.size() || text_[at_] != c) return false;
     ++at_;
     return true;

@@ -28,7 +28,7 @@ class Rehearsal {
   Rehearsal& operator=(const Rehearsal&) = delete;
 
   /// Returns the recorded kernels that are not linked yet, in the order of their first use.
-  [[nodiscard]] std::vector<Kernel> take() { return std::move(kernels_); }
+  [[nodiscard]] std::vector<Kernel> extractKernels() { return std::move(kernels_); }
 
   /// True while a rehearsal exists.
   [[nodiscard]] static bool now();

@@ -131,7 +131,7 @@ TextureShape Texture::shape() const {
   return shape;
 }
 
-void Texture::show(const Buffer& buffer, std::size_t texelBytes) {
+void Texture::attach(const Buffer& buffer, std::size_t texelBytes) {
   checkTexels("a buffer", buffer.bytes(), texelBytes);
   glTextureBuffer(name(), format_, buffer.name());
 }

@@ -28,7 +28,7 @@ class Texture {
                       std::size_t texelBytes = 16);
 
   /// Redirects the view to another buffer, or to a reallocated one.
-  void show(const Buffer& buffer, std::size_t texelBytes);
+  void attach(const Buffer& buffer, std::size_t texelBytes);
 
   void bind(GLuint unit) const {
     if (depth_ == 0) Rehearsal::bound(unit, *this);

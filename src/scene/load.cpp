@@ -187,7 +187,7 @@ std::map<std::string, std::string> toleranceOrigin(const Node& root, const Sourc
 void applySidecar(Node& root, Node sidecar, ReadContext context) {
   if (!ValueReader("", context.diagnostics).expect(sidecar, Node::Kind::object, "an object")) return;
   Reader fields(&sidecar, sidecar.headPlace(), context);
-  for (const char* name : {"test", "checks"}) static_cast<void>(fields.take(name));
+  for (const char* name : {"test", "checks"}) static_cast<void>(fields.consume(name));
   fields.finish();
   if (root.kind != Node::Kind::object) return;
   for (Node& member : sidecar.children) {
@@ -303,12 +303,12 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
   if (!version) return;
   context.version = *version;
   Reader fields(&root, root.headPlace(), context);
-  static_cast<void>(fields.take("version"));  // read above
+  static_cast<void>(fields.consume("version"));  // read above
   const std::size_t errorsBefore = context.diagnostics.count();
   describeScene(fields, scene);
   // If a value had an error, the scene's length is not reliable, so frames are not checked against it.
   const bool lengthKnown = heldToLength && context.diagnostics.count() == errorsBefore;
-  const Node* objects = fields.take("objects");
+  const Node* objects = fields.consume("objects");
   if (objects != nullptr) readObjects(*objects, context, kinds, scene.objects);
   // Unknown object names are reported even if the scene has other errors.
   const bool namesKnown = objects == nullptr || (objects->kind == Node::Kind::object &&

@@ -55,7 +55,7 @@ std::vector<std::uint8_t> pictureOf(const scene::Scene& scene, const sim::World&
   draw::Readback readback({96, 54});
   renderer.draw(world.time(), world.drawables());
   readback.start(renderer.target(), world.frame());
-  return readback.take(true)->second;
+  return readback.nextPicture(true)->second;
 }
 
 scene::Scene ofText(const std::string& text) {

@@ -209,7 +209,7 @@ TEST_CASE("a rehearsal notes a kernel once, with what it is given by name") {
   const auto kernel = gl::Kernel<CopyKernel>::ofText(text.c_str());
   gl::Rehearsal rehearsal;
   kernel.dispatchGroups({2, 1, 1}, stage.given(0, 1));
-  const auto kernels = rehearsal.take();
+  const auto kernels = rehearsal.extractKernels();
   REQUIRE(kernels.size() == 1);
   CHECK(kernels[0].program->label() == "copy");
   REQUIRE(kernels[0].uses.size() == 1);

@@ -99,7 +99,7 @@ TEST_CASE("a rehearsal runs no kernel and records each once, with its bindings")
     view.bind(3);
     CHECK(resultOf(program) == -1);
     program.dispatchGroups(2, 1, 1);
-    const auto kernels = rehearsal.take();
+    const auto kernels = rehearsal.extractKernels();
     REQUIRE(kernels.size() == 1);
     CHECK(kernels[0].program->label() == "rehearsed");
     CHECK(!kernels[0].program->linked());

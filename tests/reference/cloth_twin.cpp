@@ -237,7 +237,7 @@ void ClothTwin::predict(const ClothStep& data, int threads, int index) {
     constrain(data);
     settle(data, index, false);
   } else {
-    for (int round = 0; round < thinRounds; ++round) fend(data);
+    for (int round = 0; round < thinRounds; ++round) resolveThin(data);
   }
   left_ = next;
 }
@@ -269,10 +269,10 @@ void ClothTwin::settle(const ClothStep& data, int index, bool again) {
     next[i] = vec4(m.position, next[i].w);
     velocities[i] = vec4(m.velocity, velocities[i].w);
   }
-  for (int round = 0; round < thinRounds; ++round) fend(data);
+  for (int round = 0; round < thinRounds; ++round) resolveThin(data);
 }
 
-void ClothTwin::fend(const ClothStep& data) {
+void ClothTwin::resolveThin(const ClothStep& data) {
   if (data.thinCount == 0) return;
   const ivec2 size = plan_.parameters().size;
   const ivec2 around[] = {{1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {0, -1}, {1, -1}};

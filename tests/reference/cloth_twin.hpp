@@ -40,7 +40,7 @@ class ClothTwin {
 
  private:
   void constrain(const simreel::shader::ClothStep& data);
-  void fend(const simreel::shader::ClothStep& data);
+  void resolveThin(const simreel::shader::ClothStep& data);
 
   simreel::sim::ClothPlan plan_;
   std::vector<glm::vec4> left_;  ///< positions after predict()

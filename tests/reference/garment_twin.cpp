@@ -157,11 +157,11 @@ void GarmentTwin::substep(const ClothStep& data, int index) {
     next_[i] = vec4(m.position, next_[i].w);
     velocities[i] = vec4(m.velocity, velocities[i].w);
   }
-  for (int round = 0; round < thinRounds; ++round) fend(data);
+  for (int round = 0; round < thinRounds; ++round) resolveThin(data);
   std::swap(positions, next_);
 }
 
-void GarmentTwin::fend(const ClothStep& data) {
+void GarmentTwin::resolveThin(const ClothStep& data) {
   if (data.thinCount == 0) return;
   const simreel::sim::GarmentArrays& arrays = plan_.arrays();
   GarmentKernel kernel{{}, data, arrays, positions.data(), forces_.data()};

@@ -35,7 +35,7 @@ class GarmentTwin {
   [[nodiscard]] simreel::sim::GarmentPlan& plan() { return plan_; }
 
  private:
-  void fend(const simreel::shader::ClothStep& data);
+  void resolveThin(const simreel::shader::ClothStep& data);
   simreel::sim::GarmentPlan plan_;
   std::vector<glm::vec4> next_, forces_;
   std::vector<glm::vec4> ways_;  ///< displacements in the frame of pins that follow a skin

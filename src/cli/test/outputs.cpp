@@ -174,7 +174,7 @@ void TestOutputs::prepare() const {
   makeFolders(place);
 }
 
-void TestOutputs::show(const golden::SceneResult& scene, const std::string& unit, bool allowFlaky) const {
+void TestOutputs::print(const golden::SceneResult& scene, const std::string& unit, bool allowFlaky) const {
   if (verbosity() == Verbosity::quiet) {
     if (golden::isFailure(scene.status, allowFlaky))
       errorLines(golden::sceneLine(scene, false, folder(), unit));

@@ -29,7 +29,7 @@ struct TestOutputs {
   /// Removes an earlier report. Throws UserError(usage) if the folder holds something else.
   void prepare() const;
   /// Prints one result as soon as it is known.
-  void show(const golden::SceneResult& scene, const std::string& unit, bool allowFlaky) const;
+  void print(const golden::SceneResult& scene, const std::string& unit, bool allowFlaky) const;
   /// Checks the options. Throws UserError(usage).
   void check() const;
   /// Writes all requested files and prints the closing lines.

@@ -344,7 +344,7 @@ class PictureRun {
 
   void add(golden::SceneResult&& result, ExitCode error = ExitCode::inputOutput) {
     tally_.add(result.status, o_.allowFlaky, error);
-    o_.outputs.show(result, suite_.unit, o_.allowFlaky);
+    o_.outputs.print(result, suite_.unit, o_.allowFlaky);
     suite_.scenes.push_back(std::move(result));
   }
 

@@ -143,7 +143,7 @@ class SceneRun {
     const golden::Device device = describeDevice(context, o_.profile);
     setEnvironment(device, result_);
     try {
-      for (const golden::SceneFile& scene : scenes_) take(golden::testScene(scene, options_, device));
+      for (const golden::SceneFile& scene : scenes_) addOutcome(golden::testScene(scene, options_, device));
     } catch (const frame::Interrupted& interrupted) {
       signal_ = interrupted.signal;
     }
@@ -169,7 +169,7 @@ class SceneRun {
       nameScene(scenes_[item], outcome.scene);  // set again here because JSON cannot hold names that are
                                                 // not valid UTF-8
       golden::addLosses(losses_[item], outcome);
-      take(std::move(outcome));
+      addOutcome(std::move(outcome));
     };
     force.again = [this](std::size_t item, const Loss& loss) {
       if (static_cast<int>(losses_[item].size()) >= options_.retries) return false;
@@ -183,7 +183,7 @@ class SceneRun {
       outcome.scene.messages.push_back(lossText(item, loss));
       outcome.error = ExitCode::device;
       golden::addLosses(losses_[item], outcome);
-      take(std::move(outcome));
+      addOutcome(std::move(outcome));
     };
     force.patience = o_.timeout;
     // A renamed scene takes over the baseline of a scene that is gone. Such scenes run alone, in order, so
@@ -221,10 +221,10 @@ class SceneRun {
     }
   }
 
-  void take(golden::Outcome&& outcome) {
+  void addOutcome(golden::Outcome&& outcome) {
     tally_.add(outcome.scene.status, options_.allowFlaky && !outcome.hardFailed, outcome.error);
     result_.stale.insert(result_.stale.end(), outcome.stale.begin(), outcome.stale.end());
-    o_.outputs.show(outcome.scene, result_.unit, o_.allowFlaky);
+    o_.outputs.print(outcome.scene, result_.unit, o_.allowFlaky);
     result_.scenes.push_back(std::move(outcome.scene));
   }
 

@@ -31,7 +31,7 @@ void compileAhead(const scene::Scene& scene, glm::ivec2 size, int samples, doubl
     gl::Rehearsal rehearsal;
     Renderer renderer(scene, rehearsedSize(size), samples, options);
     renderer.draw(seconds, drawables);
-    kernels = rehearsal.take();
+    kernels = rehearsal.extractKernels();
   } catch (const UserError&) {
     return;  // the real picture will fail in the same way and report the error
   }

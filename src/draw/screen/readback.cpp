@@ -69,7 +69,7 @@ bool Readback::isThere(const Slot& slot, bool wait) {
   return state != GL_TIMEOUT_EXPIRED;
 }
 
-std::optional<std::pair<int, std::vector<std::uint8_t>>> Readback::take(bool wait) {
+std::optional<std::pair<int, std::vector<std::uint8_t>>> Readback::nextPicture(bool wait) {
   if (!reached(wait)) return std::nullopt;
   Slot& slot = slots_[oldest_];
   copyOn();

@@ -27,16 +27,16 @@ class Readback {
   Readback(const Readback&) = delete;
   Readback& operator=(const Readback&) = delete;
 
-  /// Starts to copy the framebuffer's RGBA8 pixels. If full(), call take() first.
+  /// Starts to copy the framebuffer's RGBA8 pixels. If full(), call nextPicture() first.
   void start(const gl::Framebuffer& framebuffer, int tag);
   [[nodiscard]] bool full() const { return count_ == slots_.size(); }
   [[nodiscard]] bool empty() const { return count_ == 0; }
-  /// Blocks until the oldest copy is complete, so that take() does not wait for the GPU.
+  /// Blocks until the oldest copy is complete, so that nextPicture() does not wait for the GPU.
   void waitForOldest() const { static_cast<void>(reached(true)); }
   /// Returns the oldest picture, in the order of start(): its tag and width * height * 4 bytes, row 0 of
   /// the framebuffer first. Returns nothing if no copy is in progress or, unless `wait`, if the oldest copy
   /// is not complete.
-  [[nodiscard]] std::optional<std::pair<int, std::vector<std::uint8_t>>> take(bool wait);
+  [[nodiscard]] std::optional<std::pair<int, std::vector<std::uint8_t>>> nextPicture(bool wait);
 
  private:
   [[nodiscard]] bool reached(bool wait) const;

@@ -111,16 +111,16 @@ std::optional<Checkpoint> Checkpoint::read(const std::filesystem::path& file, co
 /// Each size is checked against the bytes left, so the sum cannot exceed the file.
 void Checkpoint::readParts(const JsonValue& header) {
   std::size_t left = text_.size() - payload_;
-  const auto take = [&](const JsonValue& size) {
+  const auto countBytes = [&](const JsonValue& size) {
     const auto bytes =
         static_cast<std::size_t>(size.integer<std::int64_t>(0, static_cast<std::int64_t>(left)));
     left -= bytes;
     return bytes;
   };
   stateHash_ = header.at("state").text();
-  countBytes_ = take(header.at("counts"));
+  countBytes_ = countBytes(header.at("counts"));
   header.at("parts").eachItem([&](const JsonValue& part) {
-    parts_.push_back({part.at(0).text(), part.at(1).text(), take(part.at(2))});
+    parts_.push_back({part.at(0).text(), part.at(1).text(), countBytes(part.at(2))});
   });
   if (left != 0) throw JsonError("it holds more than it says");
 }

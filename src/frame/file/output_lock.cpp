@@ -36,7 +36,7 @@ struct flock description(short kind, Range range) {
 
 /// Locks a range without waiting. Uses open file description locks: they are independent of the process id,
 /// and closing another descriptor of the file does not release them.
-bool take(int file, Range range) {
+bool tryLock(int file, Range range) {
   struct flock lock = description(F_WRLCK, range);
   return ::fcntl(file, F_OFD_SETLK, &lock) == 0;
 }
@@ -113,7 +113,7 @@ bool OutputLock::stillThere() const {
 
 void OutputLock::claim(const std::string& run, std::span<const int> frames) const {
   const std::string folder = path_.parent_path().empty() ? "." : path_.parent_path().string();
-  if (take(file_, allFrames)) {
+  if (tryLock(file_, allFrames)) {
     if (::ftruncate(file_, 0) != 0 ||
         ::pwrite(file_, run.data(), run.size(), 0) != static_cast<ssize_t>(run.size()))
       detail("{} cannot be written: other frames of this run cannot be rendered meanwhile", path_.string());
@@ -129,7 +129,7 @@ void OutputLock::claim(const std::string& run, std::span<const int> frames) cons
            folder);
   }
   for (const Range& range : rangesOf(frames)) {
-    if (take(file_, range)) continue;
+    if (tryLock(file_, range)) continue;
     struct flock held = description(F_WRLCK, range);
     const bool known = ::fcntl(file_, F_OFD_GETLK, &held) == 0 && held.l_type != F_UNLCK;
     fail(ExitCode::inputOutput,
@@ -157,14 +157,14 @@ bool isOutputLocked(const std::filesystem::path& manifest) {
 }
 
 bool OutputLock::ownsCheckpoint() const {
-  return file_ < 0 || take(file_, checkpoint);
+  return file_ < 0 || tryLock(file_, checkpoint);
 }
 
 void OutputLock::release() noexcept {
   if (file_ < 0) return;
   // The file is unlinked while the shared range is locked. A program that has opened it meanwhile notices
   // in its constructor that the file is gone and creates another.
-  if (waitFor(file_, sharedFiles) && take(file_, {checkpoint.begin, 0})) ::unlink(path_.c_str());
+  if (waitFor(file_, sharedFiles) && tryLock(file_, {checkpoint.begin, 0})) ::unlink(path_.c_str());
   ::close(std::exchange(file_, -1));
 }
 

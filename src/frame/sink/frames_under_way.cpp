@@ -91,7 +91,7 @@ void FramesUnderWay::store(Waiting waiting) {
   Image image{size_.x, size_.y, {}, alpha_};
   {
     const Stopwatch time = timers_.watch(&StageTimes::readBack, waiting.frame);
-    auto taken = readback_.take(true);
+    auto taken = readback_.nextPicture(true);
     SIMREEL_CHECK(taken.has_value());
     SIMREEL_CHECK_EQ(taken->first, waiting.frame);
     image.bytes = std::move(taken->second);

@@ -34,7 +34,7 @@ void Progress::start(int total) {
   done_ = 0;
   begin_ = Clock::now();
   event(fmt::format("{{\"event\":\"start\",\"frames\":{}}}", total));
-  if (mode_ == Mode::terminal) show();
+  if (mode_ == Mode::terminal) print();
 }
 
 void Progress::prepare(long done, long total) {
@@ -59,7 +59,7 @@ void Progress::frame(int number, const StageTimes& stages) {
                   "\"simulate\":{:.6f},\"draw\":{:.6f},\"readBack\":{:.6f},\"encode\":{:.6f}}}",
                   number, done_, total_, secondsSince(begin_), stages.simulate, stages.draw,
                   stages.readBack, stages.encode));
-  if (mode_ == Mode::terminal && (done_ == total_ || Clock::now() - lastShown_ >= showEvery)) show();
+  if (mode_ == Mode::terminal && (done_ == total_ || Clock::now() - lastShown_ >= showEvery)) print();
 }
 
 void Progress::check(const std::string& what, int frame, std::optional<double> value, bool passed) {
@@ -102,7 +102,7 @@ void Progress::clear() {
   shown_ = false;
 }
 
-void Progress::show() {
+void Progress::print() {
   lastShown_ = Clock::now();
   shown_ = true;
   // Uses one column less, because a full line would wrap on some terminals. The escape sequence erases the

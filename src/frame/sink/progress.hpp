@@ -49,7 +49,7 @@ class Progress {
   void finish(const char* status = "ok", const StageTimes& stages = {});
 
  private:
-  void show();
+  void print();
   void write(const std::string& text) const;
 
   Mode mode_;

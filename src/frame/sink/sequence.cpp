@@ -130,7 +130,7 @@ class Run {
   void lookAtPresent() {
     frames_.drain();
     if (!seen_) {
-      world_.show();
+      world_.complete();
       seen_ = true;
       summaries_.start();
     }

@@ -52,14 +52,14 @@ class Declarations {
 
   void sign(char c) {
     if (c == '(') ++round_;
-    if (c == ')' && --round_ == 0 && depth_ == 0 && isMacro(words_.front())) take();
+    if (c == ')' && --round_ == 0 && depth_ == 0 && isMacro(words_.front())) collectNames();
     if (c == '{') {
-      if (depth_++ == 0 && (block_ = declares())) take();
+      if (depth_++ == 0 && (block_ = declares())) collectNames();
       words_.clear();
     }
     if (c == '}') --depth_;
     if (c == ';' || c == '}') {
-      if (depth_ == 0 ? declares() : depth_ == 1 && block_) take();
+      if (depth_ == 0 ? declares() : depth_ == 1 && block_) collectNames();
       words_.clear();
     }
   }
@@ -69,7 +69,7 @@ class Declarations {
                                [](std::string_view word) { return word == "uniform" || word == "buffer"; });
   }
 
-  void take() {
+  void collectNames() {
     for (const std::string_view word : words_) names_.emplace(word);
     words_.clear();
   }

@@ -181,7 +181,7 @@ class PictureTest {
   }
 
   /// Copies the file itself, with alpha, if browsers can display it; else writes a PNG.
-  std::string show(const char* role, const ReadPicture& read, const fs::path& file) const {
+  std::string copyOf(const char* role, const ReadPicture& read, const fs::path& file) const {
     const std::string ending = lowerExtension(file);
     if (read.picture.depth != Depth::linear && (ending == ".png" || ending == ".jpg" || ending == ".jpeg"))
       return write(role + ending, std::as_bytes(std::span(read.bytes)));
@@ -189,8 +189,8 @@ class PictureTest {
   }
 
   void keep() {
-    if (expected_) frame_.expectedImage = show("expected", *expected_, case_.expected);
-    if (actual_) frame_.actualImage = show("actual", *actual_, case_.actual);
+    if (expected_) frame_.expectedImage = copyOf("expected", *expected_, case_.expected);
+    if (actual_) frame_.actualImage = copyOf("actual", *actual_, case_.actual);
     if (made_ && (frame_.metrics || !made_->sizes.empty())) {
       frame_.differenceImage = write("difference.png", differenceImage(*made_));
       if (made_->metrics.flipMean.value_or(0) > 0) frame_.flipImage = write("flip.png", flipImage(*made_));

@@ -77,7 +77,7 @@ class Runner {
     frame::drawWorld(renderer_, world_);
     readback_.start(renderer_.target(), frame);
     RunFrame made{frame, world_.time(), {size_.x, size_.y, {}, alpha_}, {}, {}};
-    made.image.bytes = readback_.take(true)->second;
+    made.image.bytes = readback_.nextPicture(true)->second;
     made.pixels = frame::pixelHash(made.image);
     const auto arrays = world_.arrays();
     SIMREEL_CHECK_EQ(arrays.size(), summary_.arrays.size());

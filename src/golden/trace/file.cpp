@@ -43,7 +43,7 @@ class Input {
   [[noreturn]] void wrong(const char* what) const {
     fail(ExitCode::inputOutput, "baseline {} cannot be used: {}; {}", *name_, what, restoreIt);
   }
-  std::span<const std::byte> take(std::size_t size) {
+  std::span<const std::byte> bytes(std::size_t size) {
     if (size > bytes_.size()) wrong("it is cut off");
     const auto taken = bytes_.first(size);
     bytes_ = bytes_.subspan(size);
@@ -51,13 +51,13 @@ class Input {
   }
   std::uint32_t number() {
     std::uint32_t value = 0;
-    std::memcpy(&value, take(sizeof value).data(), sizeof value);
+    std::memcpy(&value, bytes(sizeof value).data(), sizeof value);
     return value;
   }
   std::string text() {
     const std::uint32_t size = number();
     if (size > maxNameBytes) wrong("a name in it is too long");
-    const auto taken = take(size);
+    const auto taken = bytes(size);
     return {reinterpret_cast<const char*>(taken.data()), size};
   }
   [[nodiscard]] std::size_t left() const { return bytes_.size(); }
@@ -131,7 +131,7 @@ StepTrace decodeTrace(std::span<const std::byte> bytes, const std::string& name)
   if (expected * sizeof(std::uint32_t) != static_cast<double>(in.left()))
     in.wrong("its length is not what it says");
   trace.words.resize(in.left() / sizeof(std::uint32_t));
-  const auto words = in.take(in.left());
+  const auto words = in.bytes(in.left());
   if (!words.empty()) std::memcpy(trace.words.data(), words.data(), words.size());
   return trace;
 }

@@ -51,17 +51,17 @@ class PassDrawer {
 }  // namespace
 
 void drawPasses(const scene::Scene& scene, sim::World& world, std::span<const int> frames,
-                const std::function<void(const PassDump& drawn)>& take) {
+                const std::function<void(const PassDump& drawn)>& sink) {
   PassDrawer drawer(scene, world);
   for (const int frame : frames) {
     frame::throwIfInterrupted();
     world.advanceTo(frame);
     frame::checkState(world);
-    take({frame, drawer.draw()});
+    sink({frame, drawer.draw()});
   }
 }
 
-void traceFrames(sim::World& world, int first, int last, const TakeLine& take,
+void traceFrames(sim::World& world, int first, int last, const LineSink& sink,
                  const scene::Scene* pictures) {
   const auto arrays = describeWorld(world).arrays;
   bool wanted = true;
@@ -78,7 +78,7 @@ void traceFrames(sim::World& world, int first, int last, const TakeLine& take,
       for (const std::string& pass : draw::passNames())
         if (const auto hash = drawn.mapped().find(pass); hash != drawn.mapped().end())
           line.passes.emplace_back(*hash);
-    wanted = take(stateLine(line));
+    wanted = sink(stateLine(line));
   });
   for (int frame = first; wanted && frame <= last; ++frame) {
     world.advanceTo(frame);
@@ -88,7 +88,7 @@ void traceFrames(sim::World& world, int first, int last, const TakeLine& take,
   if (wanted) summaries.takeAll();
 }
 
-void traceSteps(sim::World& world, int frame, const TakeLine& take) {
+void traceSteps(sim::World& world, int frame, const LineSink& sink) {
   world.advanceTo(frame - 1);
   frame::checkState(world);
   const auto arrays = describeWorld(world).arrays;
@@ -107,7 +107,7 @@ void traceSteps(sim::World& world, int frame, const TakeLine& take) {
     StateLine line{frame, world.objectName(object), step, world.object(object).stepsPerFrame(), {}};
     for (std::size_t k = 0; k < state.size(); ++k)
       line.arrays.emplace_back(arrays[first[object] + k].name(), sim::StateHash::text(sums[k]));
-    wanted = take(stateLine(line));
+    wanted = sink(stateLine(line));
   });
   if (wanted) frame::checkState(world);
 }

@@ -19,12 +19,12 @@ Instruction decode(std::span<const std::uint32_t> words) {
   bool hasResult = false, hasType = false;
   SpvHasResultAndType(made.op, &hasResult, &hasType);
   std::size_t at = 1;
-  const auto take = [&] {
+  const auto nextWord = [&] {
     if (at >= words.size()) throw std::runtime_error("an instruction of SPIR-V is too short");
     return words[at++];
   };
-  if (hasType) made.type = take();
-  if (hasResult) made.result = take();
+  if (hasType) made.type = nextWord();
+  if (hasResult) made.result = nextWord();
   made.operands.assign(words.begin() + static_cast<std::ptrdiff_t>(at), words.end());
   return made;
 }

@@ -53,7 +53,7 @@ class Parser {
   }
   /// Consumes `sign` (an operator or keyword) and the white space after it. Returns false if the text does
   /// not continue with `sign`.
-  bool take(std::string_view sign) {
+  bool accept(std::string_view sign) {
     if (text_.substr(at_, sign.size()) != sign) return false;
     const std::size_t end = at_ + sign.size();
     if (isWord(sign[0]) && end < text_.size() && isWord(text_[end])) return false;
@@ -89,17 +89,17 @@ class Parser {
   int either() {
     const Level level(*this);
     int left = both();
-    while (take("or") || take("||")) left = combine(Operation::either, left, both());
+    while (accept("or") || accept("||")) left = combine(Operation::either, left, both());
     return left;
   }
   int both() {
     int left = opposite();
-    while (take("and") || take("&&")) left = combine(Operation::both, left, opposite());
+    while (accept("and") || accept("&&")) left = combine(Operation::both, left, opposite());
     return left;
   }
   int opposite() {
     const std::size_t begin = at_;
-    if (!take("not")) return comparison();
+    if (!accept("not")) return comparison();
     const Level level(*this);
     return prefixed(Operation::opposite, begin, opposite());
   }
@@ -107,17 +107,17 @@ class Parser {
     const int left = sum();
     const std::size_t begin = at_;
     int result = left;
-    if (take("<="))
+    if (accept("<="))
       result = combine(Operation::lessEqual, left, sum());
-    else if (take(">="))
+    else if (accept(">="))
       result = swapped(Operation::lessEqual, left, sum());
-    else if (take("=="))
+    else if (accept("=="))
       result = combine(Operation::equal, left, sum());
-    else if (take("!="))
+    else if (accept("!="))
       result = combine(Operation::notEqual, left, sum());
-    else if (take("<"))
+    else if (accept("<"))
       result = combine(Operation::less, left, sum());
-    else if (take(">"))
+    else if (accept(">"))
       result = swapped(Operation::less, left, sum());
     else
       return left;
@@ -135,9 +135,9 @@ class Parser {
   int sum() {
     int left = product();
     for (;;) {
-      if (take("+"))
+      if (accept("+"))
         left = combine(Operation::add, left, product());
-      else if (take("-"))
+      else if (accept("-"))
         left = combine(Operation::subtract, left, product());
       else
         return left;
@@ -147,9 +147,9 @@ class Parser {
     int left = sign();
     for (;;) {
       if (text_.substr(at_).starts_with("**")) fail(at_, at_ + 2, "a power is a ^ b");
-      if (take("*"))
+      if (accept("*"))
         left = combine(Operation::multiply, left, sign());
-      else if (take("/"))
+      else if (accept("/"))
         left = combine(Operation::divide, left, sign());
       else
         return left;
@@ -157,16 +157,16 @@ class Parser {
   }
   int sign() {
     const std::size_t begin = at_;
-    if (take("-")) {
+    if (accept("-")) {
       const Level level(*this);
       return prefixed(Operation::negate, begin, sign());
     }
-    if (take("+")) {
+    if (accept("+")) {
       const Level level(*this);
       return sign();
     }
     const int base = value();
-    if (!take("^")) return base;
+    if (!accept("^")) return base;
     const Level level(*this);
     return combine(Operation::power, base, sign());
   }
@@ -184,9 +184,9 @@ class Parser {
       fail(at_ > 0 ? at_ - 1 : 0, at_, "the expression ends where a value is missing");
     const char c = text_[at_];
     const std::size_t begin = at_;
-    if (take("(")) {
+    if (accept("(")) {
       const int inside = either();
-      if (!take(")")) fail(begin, begin + 1, fmt::format("this ( is not closed before {}", found()));
+      if (!accept(")")) fail(begin, begin + 1, fmt::format("this ( is not closed before {}", found()));
       return inside;
     }
     if (isDigit(c) || c == '.') return number();
@@ -222,7 +222,7 @@ class Parser {
     const auto functions = expressionFunctions();
     const auto function = std::find_if(functions.begin(), functions.end(),
                                        [&](const ExpressionFunction& f) { return name == f.name; });
-    if (take("(")) {
+    if (accept("(")) {
       if (std::find(lookups_.begin(), lookups_.end(), name) != lookups_.end()) return lookup(name, begin);
       if (function == functions.end()) unknownFunction(name, begin, end);
       return call(*function, begin, end);
@@ -247,7 +247,7 @@ class Parser {
     node.name = fmt::format("{}({})", function, text_.substr(at_, end - at_));
     at_ = end;
     skipSpace();
-    if (!take(")")) fail(begin, at_ + 1, fmt::format("\"{0}\" takes one name: {0}(NAME)", function));
+    if (!accept(")")) fail(begin, at_ + 1, fmt::format("\"{0}\" takes one name: {0}(NAME)", function));
     node.begin = begin;
     node.end = at_;
     return add(std::move(node));
@@ -263,13 +263,13 @@ class Parser {
   int call(const ExpressionFunction& function, std::size_t begin, std::size_t nameEnd) {
     std::vector<int> arguments;
     std::size_t end = at_;
-    if (!take(")")) {
+    if (!accept(")")) {
       do {
         arguments.push_back(either());
         if (arguments.size() > 64) break;
-      } while (take(","));
+      } while (accept(","));
       end = at_;
-      if (arguments.size() <= 64 && !take(")"))
+      if (arguments.size() <= 64 && !accept(")"))
         fail(begin, nameEnd,
              fmt::format("the ( of \"{}\" is not closed before {}", function.name, found()));
     }

@@ -212,7 +212,7 @@ class MemberReader {
     std::vector<typename Animated<T>::Key> keys;
     int ease = 0;
     Reader::readObject(node, context_, [&](Reader& fields) {
-      const Node* list = fields.take("keys");
+      const Node* list = fields.consume("keys");
       fields.oneOf("ease", ease, {easeWords.begin(), easeWords.end()}, "");
       if (list == nullptr) {
         context_.diagnostics.add(node.headPlace(), "keyframes need \"keys\": [[time, value], ...]");
@@ -276,7 +276,7 @@ void Reader::readObject(const Node& node, ReadContext context,
   reader.finish();
 }
 
-const Node* Reader::take(const char* name) {
+const Node* Reader::consume(const char* name) {
   known_.emplace_back(name);
   return find(name);
 }
@@ -319,7 +319,7 @@ void Reader::finish() {
 }
 
 void Reader::field(const char* name, Member member, const Spec& spec) {
-  if (const Node* node = take(name)) std::visit(MemberReader(*node, name, spec, context_), member);
+  if (const Node* node = consume(name)) std::visit(MemberReader(*node, name, spec, context_), member);
 }
 
 void Reader::error(const char* name, const std::string& message) {

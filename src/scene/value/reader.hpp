@@ -34,7 +34,7 @@ class Reader final : public Fields {
                          const std::function<void(Reader&)>& describe);
 
   /// Returns the member, or null if it is not given. finish() no longer reports it as unknown.
-  [[nodiscard]] const Node* take(const char* name);
+  [[nodiscard]] const Node* consume(const char* name);
   /// Reports members that have not been declared as unknown keys.
   void finish();
 

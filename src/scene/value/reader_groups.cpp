@@ -43,7 +43,7 @@ bool isValue(const Node& node) {
 
 void Reader::section(const char* name, bool* present, const char* /*doc*/,
                      const std::function<void(Fields&)>& describe) {
-  const Node* node = take(name);
+  const Node* node = consume(name);
   if (present != nullptr) *present = node != nullptr;
   if (node != nullptr && switchable_.contains(name)) {
     if (const auto word = shorthands_.find(name);
@@ -77,7 +77,7 @@ void Reader::section(const char* name, bool* present, const char* /*doc*/,
 void Reader::listOf(const char* name, const char* /*doc*/, std::size_t maxItems, std::size_t /*items*/,
                     const std::function<void(std::size_t)>& resize,
                     const std::function<void(Fields&, std::size_t)>& describe) {
-  const Node* node = take(name);
+  const Node* node = consume(name);
   if (node == nullptr || !ValueReader(name, context_.diagnostics)
                               .isList(*node, shorthands_.contains(name) ? "a list" : "a list of objects"))
     return;
@@ -102,7 +102,7 @@ void Reader::namedGroups(const char* name, const char* /*doc*/, const char* one,
                          const std::vector<std::string>& /*names*/,
                          const std::function<void(const std::vector<std::string>&)>& rename,
                          const std::function<void(Fields&, std::size_t)>& describe) {
-  const Node* node = take(name);
+  const Node* node = consume(name);
   if (node == nullptr) return;
   Diagnostics& diagnostics = context_.diagnostics;
   if (!ValueReader(name, diagnostics).expect(*node, Node::Kind::object, expectedGroup(name).c_str()))

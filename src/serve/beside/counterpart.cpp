@@ -55,8 +55,8 @@ bool Counterpart::isBetter(const Stage& scene) const {
   }
 }
 
-bool Counterpart::show(const Stage& scene, const sim::Numerics& numerics, std::size_t memory, bool moving,
-                       int frame) {
+bool Counterpart::update(const Stage& scene, const sim::Numerics& numerics, std::size_t memory, bool moving,
+                         int frame) {
   if (!on_) return false;
   if (options_.ownFile && text_.empty()) readFile();
   mistakes_ = unreadable_;

@@ -46,7 +46,8 @@ class Counterpart {
   /// Updates this side to match `scene`. On an error, keeps the last good version and sets mistakes(). A
   /// new stage starts from a state of `scene` if both have the same states up to there. Returns true if the
   /// state was carried over from other values (Stage::become).
-  bool show(const Stage& scene, const sim::Numerics& numerics, std::size_t memory, bool moving, int frame);
+  bool update(const Stage& scene, const sim::Numerics& numerics, std::size_t memory, bool moving,
+              int frame);
   void readFile();
   /// Returns the reason why its own file could not be read, or an empty text.
   [[nodiscard]] const std::string& unreadable() const { return unreadable_; }

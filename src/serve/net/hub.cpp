@@ -16,7 +16,7 @@ void Hub::wake() const {
   if (wake_) wake_();
 }
 
-std::deque<Request> Hub::take(double seconds) {
+std::deque<Request> Hub::waitForRequests(double seconds) {
   std::unique_lock lock(mutex_);
   if (seconds > 0)
     asked_.wait_for(lock, std::chrono::duration<double>(seconds),
@@ -41,7 +41,7 @@ void Hub::answer(std::uint64_t viewer, std::string text) {
   wake();
 }
 
-void Hub::show(Picture picture) {
+void Hub::publish(Picture picture) {
   const std::lock_guard lock(mutex_);
   picture_ = std::make_shared<const Picture>(std::move(picture));
   wake();

@@ -35,12 +35,12 @@ class Hub {
   // Functions for the thread that makes pictures:
 
   /// Returns the pending requests in their order. Waits up to `seconds` for the first one.
-  [[nodiscard]] std::deque<Request> take(double seconds);
+  [[nodiscard]] std::deque<Request> waitForRequests(double seconds);
   /// Sets the latest message of a kind, for all present and future viewers.
   void tell(const std::string& kind, std::string text);
   /// Sends a message to one viewer.
   void answer(std::uint64_t viewer, std::string text);
-  void show(Picture picture);
+  void publish(Picture picture);
   /// Offers a file for download under a name. It replaces an earlier file of this name.
   void offer(const std::string& name, std::string bytes);
   [[nodiscard]] std::size_t viewers() const;

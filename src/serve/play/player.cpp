@@ -39,7 +39,7 @@ Player::Player(PlayerOptions options, const gl::Context& context, Hub& hub)
       other_(options_.other) {
   tellAbout();
   readFile();
-  if (show(text_, {}, false)) return;
+  if (load(text_, {}, false)) return;
   watch();
 }
 
@@ -50,7 +50,7 @@ void Player::run() {
 }
 
 void Player::turn() {
-  for (const Request& request : hub_.take(secondsToWait())) handle(request);
+  for (const Request& request : hub_.waitForRequests(secondsToWait())) handle(request);
   if (secondsSince(looked_) >= secondsBetweenLooks) {
     looked_ = Clock::now();
     if (files_.changed()) {
@@ -78,7 +78,7 @@ void Player::showFiles() {
   try {
     readFile();
     other_.readFile();
-    show(text_, edits_, false);
+    load(text_, edits_, false);
   } catch (const UserError& error) {
     report(error.what());
   }
@@ -108,7 +108,7 @@ void Player::report(const std::string& text) {
   tellScene();
 }
 
-bool Player::show(const std::string& text, std::vector<scene::Override> edits, bool moving) {
+bool Player::load(const std::string& text, std::vector<scene::Override> edits, bool moving) {
   bool carries = false;
   unread_ = true;
   try {
@@ -133,7 +133,7 @@ bool Player::show(const std::string& text, std::vector<scene::Override> edits, b
 void Player::showOther(bool moving, bool carries) {
   if (stage_ == nullptr) return;
   stage_->allow(memoryOfEach());
-  carries = other_.show(*stage_, numerics_, memoryOfEach(), moving, target_) || carries;
+  carries = other_.update(*stage_, numerics_, memoryOfEach(), moving, target_) || carries;
   keepPace(carries);
   failed_ = false;
   shown_ = rest_ = false;
@@ -322,7 +322,7 @@ void Player::drawPicture(bool draft) {
   picture.number = drawn.number;
   picture.message = describe(drawn) + "\n";
   for (const std::string& file : drawn.files) picture.message += file;
-  hub_.show(std::move(picture));
+  hub_.publish(std::move(picture));
   tellStatus();
   if (!draft || secondsSince(told_) > 0.25) tellSeries();
   lookBeside();

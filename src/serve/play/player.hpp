@@ -72,7 +72,7 @@ class Player {
   void showFiles();
   void tryAgain();
   /// Shows the text with these edits, or reports the errors in it. Returns true on success.
-  bool show(const std::string& text, std::vector<scene::Override> edits, bool moving);
+  bool load(const std::string& text, std::vector<scene::Override> edits, bool moving);
   /// Updates the right side after a change. `carries`: true if the left side carries over a state from
   /// other values.
   void showOther(bool moving, bool carries);

@@ -204,7 +204,7 @@ void Player::moveCamera(const Json& json) {
       other_.setEdits(withEdits(other_.edits(), otherChanges));
     }
   }
-  if (!show(text_, withEdits(edits_, changes), moving) || moving || !options_.edit) return;
+  if (!load(text_, withEdits(edits_, changes), moving) || moving || !options_.edit) return;
   // A camera with follow, track, orbit or the like stays an edit, so that the file keeps its definition.
   const bool right = isSet(request, "right") && other_.stage() != nullptr && other_.ownFile();
   const auto& written = right ? otherChanges : changes;
@@ -231,7 +231,7 @@ void Player::setValue(const Json& json) {
     if (std::any_of(options_.source.given.begin(), options_.source.given.end(),
                     [&](const scene::Override& given) { return given.path == change.path; }))
       fail(ExitCode::usage, "{} is given on the command line, which goes before", change.path);
-    if (!show(text_, withEdit(edits_, change), moving)) {
+    if (!load(text_, withEdit(edits_, change), moving)) {
       // The previous scene is still shown, so its error state is restored.
       const std::string said = mistakes_;
       mistakes_.clear();
@@ -278,7 +278,7 @@ void Player::forget(const Json& json) {
     for (const scene::Override& edit : beside ? other_.edits() : edits_)
       if (edit.path != path->text() && !edit.path.starts_with(path->text() + ".")) left.push_back(edit);
   if (!beside)
-    show(text_, std::move(left), false);
+    load(text_, std::move(left), false);
   else if (other_.on())
     setOther(std::move(left), false);
 }

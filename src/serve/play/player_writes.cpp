@@ -47,7 +47,7 @@ void Player::writeFile(const scene::Override& change, const std::string& edited)
   // Records the file's new state immediately, so that later writes of others are noticed.
   files_.know(options_.source.file);
   text_ = text;
-  show(text_, std::move(left), false);
+  load(text_, std::move(left), false);
 }
 
 void Player::writeOther(const scene::Override& change, const std::string& edited) {
@@ -108,7 +108,7 @@ void Player::paint(const Json& json) {
     if (options_.edit && other_.ownFile()) writeOther(change, path);
     return;
   }
-  if (show(text_, withEdit(edits_, whole), false) && options_.edit) writeFile(change, path);
+  if (load(text_, withEdit(edits_, whole), false) && options_.edit) writeFile(change, path);
 }
 
 }  // namespace simreel::serve

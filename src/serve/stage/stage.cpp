@@ -111,7 +111,7 @@ void Stage::step(bool seen) {
 /// Makes the present frame drawable and its hash known.
 void Stage::lookAt() {
   if (!seen_) {
-    world_->show();
+    world_->complete();
     seen_ = true;
     summaries_->start();
   }
@@ -222,7 +222,7 @@ frame::Image Stage::draw(std::size_t level) {
   took_.draw = perSecond * secondsSince(begun);
   const auto drawn = Clock::now();
   frame::Image image{drawer.size.x, drawer.size.y, {}, script_->scene.render.transparent};
-  image.bytes = drawer.readback->take(true)->second;
+  image.bytes = drawer.readback->nextPicture(true)->second;
   took_.readBack = perSecond * secondsSince(drawn);
   return image;
 }
@@ -249,7 +249,7 @@ golden::RunFrame Stage::drawTested() {
                         {tester_.size.x, tester_.size.y, {}, testScene_->render.transparent},
                         {},
                         {}};
-  made.image.bytes = tester_.readback->take(true)->second;
+  made.image.bytes = tester_.readback->nextPicture(true)->second;
   made.pixels = frame::pixelHash(made.image);
   const auto arrays = world_->arrays();
   SIMREEL_CHECK_EQ(arrays.size(), arrayHashes_.size());

@@ -120,7 +120,7 @@ class Stage {
   bool putBack(const frame::WorldState& state);
   void makeWorld();
   void begin();
-  void take(std::unique_ptr<sim::World> world, std::shared_ptr<Script> script);
+  void adopt(std::unique_ptr<sim::World> world, std::shared_ptr<Script> script);
   void step(bool seen);
   void hear(const sim::World::Summary& summary);
   void lookAt();

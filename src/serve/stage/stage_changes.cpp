@@ -85,7 +85,7 @@ void Stage::dressAs(std::shared_ptr<Script> script) {
 
 /// Replaces the world and the script. Renderers stay, because the parts of the scene that they use have not
 /// changed.
-void Stage::take(std::unique_ptr<sim::World> world, std::shared_ptr<Script> script) {
+void Stage::adopt(std::unique_ptr<sim::World> world, std::shared_ptr<Script> script) {
   script_ = std::move(script);
   made_ = script_;
   summaries_ = nullptr;
@@ -131,7 +131,7 @@ bool Stage::carryOverTo(std::shared_ptr<Script> script) {
     carried_ = true;
     making_ = 1000 * secondsSince(begun);
   }
-  take(std::move(world), std::move(script));
+  adopt(std::move(world), std::move(script));
   return true;
 }
 

@@ -53,7 +53,7 @@ class Body : public Simulation, public ContactSolid {
     surface.positions = &surface_.positions().view();
     surface.normals = &surface_.normals().view();
     surface.doubleSided = parameters_.doubleSided;
-    looks_.show(surface, drawables);
+    looks_.publish(surface, drawables);
   }
 
   [[nodiscard]] std::vector<StateArray> state() const override {

@@ -100,7 +100,7 @@ void CaveGrowth::findWay() {
   if (room.cells == 0) return;
   way_.entrance = waves_.run(cells, room.first).cell;
   way_.exit = waves_.run(cells, way_.entrance).cell;
-  waves_.show(cells, distances_.buffer());
+  waves_.writeDistances(cells, distances_.buffer());
   const std::vector<unsigned> distances = waves_.distances();
   way_.path = cavePath(grid_, distances, way_.exit);
   way_.walk = smoothPath(grid_, distances, way_.path, walkRounds);

@@ -70,7 +70,7 @@ CaveWaves::Farthest CaveWaves::run(const gl::Buffer& cells, unsigned start) {
   return {wave.farthest, wave.steps};
 }
 
-void CaveWaves::show(const gl::Buffer& cells, const gl::Buffer& field) const {
+void CaveWaves::writeDistances(const gl::Buffer& cells, const gl::Buffer& field) const {
   show_.dispatch({32 * grid_.rowWords(), grid_.size.y}, {part(cells), field});
   gl::barrier();
 }

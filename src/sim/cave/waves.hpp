@@ -26,7 +26,7 @@ class CaveWaves {
   Farthest run(const gl::Buffer& cells, unsigned start);
   /// Writes the distances of the last run to `field` as 32-bit floats, one per cell index, -1 for
   /// unreachable cells.
-  void show(const gl::Buffer& cells, const gl::Buffer& field) const;
+  void writeDistances(const gl::Buffer& cells, const gl::Buffer& field) const;
   /// Returns the distances of the last run, one per cell index, noCell for unreachable cells.
   [[nodiscard]] std::vector<unsigned> distances() const { return distances_.readAll<unsigned>(); }
 

@@ -124,7 +124,7 @@ class Cloth : public Simulation, public LockStep {
     surface.indexCount = (size_.x - 1) * (size_.y - 1) * 6;
     surface.doubleSided = true;
     surface.material = &material_;
-    if (colors_) colors_->show(surface);
+    if (colors_) colors_->applyTo(surface);
     drawables.surfaces.push_back(surface);
   }
 

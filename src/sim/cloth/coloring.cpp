@@ -118,7 +118,7 @@ void ClothColors::update(const State& state) const {
   gl::barrier();
 }
 
-void ClothColors::show(Surface& surface) const {
+void ClothColors::applyTo(Surface& surface) const {
   surface.colors = &colors_.view();
   surface.stops = &coloring_.colors;
   surface.colorRange = coloring_.range;

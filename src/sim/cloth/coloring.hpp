@@ -59,7 +59,7 @@ class ClothColors {
               double substepSeconds, bool fast);
   void update(const State& state) const;
   /// Sets the colours and their scale.
-  void show(Surface& surface) const;
+  void applyTo(Surface& surface) const;
 
  private:
   ClothColors(const std::string& name, const ClothColoring& coloring, int count, double substepSeconds);

@@ -174,7 +174,7 @@ void ClothKernels::makeKernels(const TouchVariant& touch, bool fast) {
     rows_ = lineSolver(defines, touch, true);
     columns_ = lineSolver(defines, touch, false);
   }
-  if (thin_.there()) findThin_ = gl::Kernel<ClothThinKernel>(defines);
+  if (thin_.any()) findThin_ = gl::Kernel<ClothThinKernel>(defines);
   if (p.contact) settle_ = gl::Kernel<ClothSettleKernel>(defines, {.touch = touch, .keeps = keeps_});
   if (!hasTrends()) {
     step_ = gl::Kernel<ClothStepKernel>(
@@ -211,7 +211,7 @@ gl::Kernel<ClothSolveKernel> ClothKernels::lineSolver(const gl::Defines& defines
 }
 
 void ClothKernels::fendThin(const ClothPart& part) const {
-  thin_.fend(part.step, positions_[0], positions_[1], velocities(), [&](const ThinPart& thin) {
+  thin_.resolveThin(part.step, positions_[0], positions_[1], velocities(), [&](const ThinPart& thin) {
     findThin_.dispatch(size_, {.size = size_, .status = part.status, .thin = thin});
   });
 }

@@ -17,8 +17,8 @@ struct ThinShift {
 const int ThinColliders::rounds = shader::cloth::thinRounds;
 
 ThinColliders::ThinColliders(const std::string& name, int count, int vertices, bool fast)
-    : there_(count > 0), vertices_(vertices) {
-  if (!there_) return;
+    : any_(count > 0), vertices_(vertices) {
+  if (!any_) return;
   move_ = gl::Kernel<ThinShift>(gl::kernelDefines(fast));
   shifts_ = gl::Vec4Array(name + " shifts", 2 * vertices);
 }

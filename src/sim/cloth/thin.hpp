@@ -25,13 +25,13 @@ class ThinColliders {
   /// Creates buffers for a cloth of `vertices` vertices; creates nothing if `count` (thin colliders) is 0.
   ThinColliders(const std::string& name, int count, int vertices, bool fast);
 
-  [[nodiscard]] bool there() const { return there_; }
+  [[nodiscard]] bool any() const { return any_; }
   /// Resolves the collisions in several rounds: `find` dispatches the kernel that computes the shifts of
   /// `next` and `velocities`, and move() applies them.
   template <class Find>
-  void fend(const gl::Resource& step, const gl::Vec4Array& before, const gl::Vec4Array& next,
-            const gl::Vec4Array& velocities, const Find& find) const {
-    for (int round = 0; there_ && round < rounds; ++round) {
+  void resolveThin(const gl::Resource& step, const gl::Vec4Array& before, const gl::Vec4Array& next,
+                   const gl::Vec4Array& velocities, const Find& find) const {
+    for (int round = 0; any_ && round < rounds; ++round) {
       find(ThinPart{step, before, next, velocities, shifts_});
       move(next, velocities);
     }
@@ -41,7 +41,7 @@ class ThinColliders {
   static const int rounds;
   void move(const gl::Vec4Array& next, const gl::Vec4Array& velocities) const;
 
-  bool there_ = false;
+  bool any_ = false;
   int vertices_ = 0;
   gl::Vec4Array shifts_;
   gl::Kernel<ThinShift> move_;

@@ -64,7 +64,7 @@ MovedVertices::MovedVertices(const std::string& name, std::span<const glm::vec4>
       places_{gl::Vec4Array(name + " touched", positions), gl::Vec4Array(name + " touched", positions)},
       move_(gl::kernelDefines(fast)) {}
 
-void MovedVertices::take(const gl::Vec4Array& from, const gl::Vec4Array& to) {
+void MovedVertices::copyPositions(const gl::Vec4Array& from, const gl::Vec4Array& to) {
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glCopyNamedBufferSubData(from.buffer().name(), to.buffer().name(), 0, 0,
                            static_cast<GLsizeiptr>(to.buffer().bytes()));

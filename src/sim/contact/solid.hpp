@@ -45,8 +45,8 @@ class MovedVertices {
 
   /// Copies the local-space positions at the frame's start or end; initially both are the positions of the
   /// constructor.
-  void takeBegin(const gl::Vec4Array& positions) { take(positions, begins_); }
-  void takeEnd(const gl::Vec4Array& positions) { take(positions, ends_); }
+  void takeBegin(const gl::Vec4Array& positions) { copyPositions(positions, begins_); }
+  void takeEnd(const gl::Vec4Array& positions) { copyPositions(positions, ends_); }
   /// Sets the local-to-world transforms at the frame's start and end.
   void place(const glm::mat4& begin, const glm::mat4& end);
   /// Same meaning as the functions of ContactSolid.
@@ -55,7 +55,7 @@ class MovedVertices {
   [[nodiscard]] const gl::Vec4Array& next() const { return places_[1]; }
 
  private:
-  static void take(const gl::Vec4Array& from, const gl::Vec4Array& to);
+  static void copyPositions(const gl::Vec4Array& from, const gl::Vec4Array& to);
   void makeAt(double share, const gl::Vec4Array& places) const;
 
   int count_;

@@ -69,7 +69,7 @@ class Builder {
     }
   }
 
-  [[nodiscard]] SolidBorder take() { return std::move(border_); }
+  [[nodiscard]] SolidBorder release() { return std::move(border_); }
 
  private:
   unsigned add(glm::vec2 at, float height, int color, glm::vec3 normal) {
@@ -101,7 +101,7 @@ SolidBorder solidBorder(const SolidShape& shape, const std::vector<float>& heigh
   builder.sides(bottom, top);
   builder.lid(bottom, false);
   if (shape.ceiling) builder.lid(top, true);
-  return builder.take();
+  return builder.release();
 }
 
 }  // namespace simreel::sim

@@ -36,7 +36,7 @@ class Fluid : public Simulation {
                                     p.wrapsX(), p.wrapsY()),
                          setting.frameSeconds, setting.fast);
     kernels_.start(setting.startTime);
-    if (p.tracers) tracers_.show(kernels_.arrays().shown());
+    if (p.tracers) tracers_.drawOver(kernels_.arrays().shown());
     count();
     if (!p.chart) return;
     chart_ = FluidChart(name_, *p.chart, setting.frameSeconds);
@@ -45,13 +45,13 @@ class Fluid : public Simulation {
 
   void step(double time, const StepWatch& watch) override {
     advance(time, watch);
-    show(time + frameSeconds_);
+    prepareDrawing(time + frameSeconds_);
   }
   void pass(double time) override { advance(time, {}); }
   void resumed(double time) override {
     time_ = time;
     kernels_.resume(time);
-    show(time);
+    prepareDrawing(time);
   }
 
   [[nodiscard]] int stepsPerFrame() const override { return plan_.substeps(); }
@@ -153,9 +153,9 @@ class Fluid : public Simulation {
   void connect(Outlets& outlets) override { outlets.provide(&wind_); }
 
  private:
-  void show(double time) {
-    kernels_.show(time);
-    if (plan_.parameters().tracers) tracers_.show(kernels_.arrays().shown());
+  void prepareDrawing(double time) {
+    kernels_.prepareDrawing(time);
+    if (plan_.parameters().tracers) tracers_.drawOver(kernels_.arrays().shown());
     count();
   }
   /// Returns true if the force on any obstacle is measured.

@@ -307,7 +307,7 @@ void FluidKernels::start(double time) {
   step_ = 0;
   paint(time, 0, true);
   project(0);
-  show(time);
+  prepareDrawing(time);
 }
 
 void FluidKernels::resume(double time) {
@@ -354,7 +354,7 @@ CountTable FluidKernels::counts() const {
       {"kineticEnergy", "enstrophy", "dye", "temperature", "speed", "courant", "divergence", "cycles"});
 }
 
-void FluidKernels::show(double time) {
+void FluidKernels::prepareDrawing(double time) {
   const FluidParameters& p = plan_.parameters();
   const bool lines = p.show == FluidParameters::Show::lines;
   step_ = 0;

@@ -48,7 +48,7 @@ class FluidKernels {
   /// and the control values that steps take from earlier steps.
   void resume(double time);
   /// Computes shownWords() from the current state at `time` (seconds).
-  void show(double time);
+  void prepareDrawing(double time);
 
   /// Measures the current state for counts().
   void measure();

@@ -133,7 +133,7 @@ void Tracers::advance() const {
   trace(trace_);
 }
 
-void Tracers::show(const FluidArray& shown) const {
+void Tracers::drawOver(const FluidArray& shown) const {
   gl::barrier();
   show_.dispatch(size_, {.size = size_,
                          .color = parameters_.color,

@@ -57,7 +57,7 @@ class Tracers {
   /// Advances by one substep, after the fluid's substep.
   void advance() const;
   /// Draws the trails over the displayed values: the fluid's cells and their ring.
-  void show(const FluidArray& shown) const;
+  void drawOver(const FluidArray& shown) const;
   void carryOver(CarryOver& carry);
   [[nodiscard]] std::vector<StateArray> state() const;
 

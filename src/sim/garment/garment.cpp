@@ -45,7 +45,7 @@ class Garment : public Simulation, public LockStep {
     } else {
       looks_.emplace(object, plan_.mesh());
     }
-    show();
+    prepareDrawing();
   }
 
   void step(double time, const StepWatch& watch) override {
@@ -95,7 +95,7 @@ class Garment : public Simulation, public LockStep {
   void endFrame(double time) override {
     gl::barrier();
     time_ = time + frameSeconds_;
-    show();
+    prepareDrawing();
   }
 
   [[nodiscard]] int stepsPerFrame() const override { return plan_.substeps(); }
@@ -108,9 +108,9 @@ class Garment : public Simulation, public LockStep {
     surface.positions = &kernels_.drawnPositions().view();
     surface.normals = &kernels_.drawnNormals().view();
     surface.doubleSided = true;
-    if (looks_) return looks_->show(surface, drawables);
+    if (looks_) return looks_->publish(surface, drawables);
     surface.material = &material_;
-    colors_->show(surface);
+    colors_->applyTo(surface);
     drawables.surfaces.push_back(surface);
   }
 
@@ -123,7 +123,7 @@ class Garment : public Simulation, public LockStep {
   }
   void resumed(double time) override {
     time_ = time;
-    show();
+    prepareDrawing();
   }
 
   [[nodiscard]] std::vector<StateArray> state() const override {
@@ -164,8 +164,8 @@ class Garment : public Simulation, public LockStep {
 
  private:
   /// Computes what is drawn of the current state.
-  void show() {
-    kernels_.show(steps_.at(0));
+  void prepareDrawing() {
+    kernels_.prepareDrawing(steps_.at(0));
     if (colors_)
       colors_->update({.positions = &kernels_.positions(),
                        .before = &kernels_.nextPositions(),

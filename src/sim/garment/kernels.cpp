@@ -193,7 +193,7 @@ void GarmentKernels::makeKernels(const TouchVariant& touch, bool fast) {
   };
   settle_ = settling(false);
   if (p.contact) settleAgain_ = settling(true);
-  if (thin_.there()) findThin_ = gl::Kernel<GarmentThin>(defines);
+  if (thin_.any()) findThin_ = gl::Kernel<GarmentThin>(defines);
   show_ = gl::Kernel<GarmentShow>(defines);
 }
 
@@ -275,13 +275,13 @@ void GarmentKernels::meet(const gl::Kernel<GarmentSettle>& settling, const Step&
                                 .velocities = velocities_,
                                 .trends = trends_,
                                 .left = left_});
-  thin_.fend(step, positions_[0], positions_[1], velocities_, [&](const ThinPart& thin) {
+  thin_.resolveThin(step, positions_[0], positions_[1], velocities_, [&](const ThinPart& thin) {
     findThin_.dispatch(vertices_, {.count = vertices_, .thin = thin, .around = around(0)});
   });
 }
 
 // Computes the drawn positions and normals.
-void GarmentKernels::show(const Step& step) const {
+void GarmentKernels::prepareDrawing(const Step& step) const {
   const auto count = static_cast<int>(plan_->arrays().copies.size());
   show_.dispatch(count, {.garment = {count, step},
                          .around = around(0),

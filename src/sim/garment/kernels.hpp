@@ -41,7 +41,7 @@ class GarmentKernels {
   void settle(const Step& step, const TouchPart& touch) const { meet(settleAgain_, step, touch); }
   void finish() { std::swap(positions_[0], positions_[1]); }
   /// Computes the drawn positions and normals of the current state; `step` can be any substep's block.
-  void show(const Step& step) const;
+  void prepareDrawing(const Step& step) const;
 
   [[nodiscard]] gl::Vec4Array& positions() { return positions_[0]; }
   [[nodiscard]] const gl::Vec4Array& positions() const { return positions_[0]; }

@@ -180,7 +180,7 @@ Levels loadLevels(const std::filesystem::path& file, const char* what, int maxSi
   const std::string bytes = readFile(file, what), name = file.string();
   Levels levels;
   levels.size = checkedSize(bytes, name, what, maxSide);
-  const auto take = [&](const auto& rgba) {
+  const auto convert = [&](const auto& rgba) {
     checkOpaque(rgba, name, what);
     levels.white = std::numeric_limits<typename std::decay_t<decltype(rgba)>::value_type>::max();
     levels.values.reserve(rgba.size() / 4);
@@ -190,9 +190,9 @@ Levels loadLevels(const std::filesystem::path& file, const char* what, int maxSi
           8U));  // Weights of the colour channels are the same as in Picture::level().
   };
   if (const auto header = pngHeaderOf(bytes); header && header->depth == 16)
-    take(decodedChannels<std::uint16_t>(bytes, name, what, levels.size));
+    convert(decodedChannels<std::uint16_t>(bytes, name, what, levels.size));
   else
-    take(decodedChannels<std::uint8_t>(bytes, name, what, levels.size));
+    convert(decodedChannels<std::uint8_t>(bytes, name, what, levels.size));
   return levels;
 }
 

@@ -60,7 +60,7 @@ void KernelGround::update(const KernelStore& store) {
 }
 
 void KernelGround::endFrame() {
-  if (field_) field_->take(vertices_);
+  if (field_) field_->setHeights(vertices_);
 }
 
 void KernelGround::carryOver(CarryOver& carry) {

@@ -39,7 +39,7 @@ KernelInputs::KernelInputs(const KernelPlan& plan, const scene::Object& object, 
 
 KernelInputs::~KernelInputs() = default;
 
-void KernelInputs::take(KernelStore& store, bool first) {
+void KernelInputs::update(KernelStore& store, bool first) {
   if (!any_) return;
   for (std::size_t i = 0; i < quantities_.size(); ++i) {
     const PartName name(plan_.quantities()[i].name);

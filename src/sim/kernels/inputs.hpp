@@ -26,7 +26,7 @@ class KernelInputs {
   /// True if something is taken, so that the kernels cannot run before other objects exist.
   [[nodiscard]] bool any() const { return any_; }
   /// Copies fields into textures and reads quantities. `first`: also what is taken once, at the start.
-  void take(KernelStore& store, bool first);
+  void update(KernelStore& store, bool first);
   [[nodiscard]] const std::vector<double>& quantities() const { return quantities_; }
 
  private:

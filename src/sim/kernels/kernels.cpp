@@ -73,7 +73,7 @@ class Kernels : public Simulation, public RaceChecked, public FrameStarter {
 
   /// Kernels that take something from other objects begin once all objects exist.
   void frameStarts() override {
-    inputs_.take(store_, !begun_);
+    inputs_.update(store_, !begun_);
     if (!begun_) begin();
   }
 

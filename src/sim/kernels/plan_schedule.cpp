@@ -153,11 +153,11 @@ void KernelPlan::planBetween(const KernelEntry& given, const std::vector<std::st
   std::vector<std::string> known;
   for (const PlannedBuffer& buffer : buffers_) known.push_back(buffer.name);
   for (const PlannedTexture& texture : textures_) known.push_back(texture.name);
-  const auto there = [&](const std::string& name) {
+  const auto isKnown = [&](const std::string& name) {
     return std::find(known.begin(), known.end(), name) != known.end();
   };
   if (!given.clear.empty()) {
-    if (!there(given.clear)) return unknown(at("clear"), given.clear, known, "buffer or texture");
+    if (!isKnown(given.clear)) return unknown(at("clear"), given.clear, known, "buffer or texture");
     entry.clear = given.clear;
   }
   if (!given.swap.empty()) {
@@ -170,7 +170,7 @@ void KernelPlan::planBetween(const KernelEntry& given, const std::vector<std::st
       return mistake(at("swap"), fmt::format("{} is named twice; give the two that are exchanged",
                                              scene::inQuotes(entry.swapA)));
     for (const std::string& name : {entry.swapA, entry.swapB})
-      if (!there(name)) return unknown(at("swap"), name, known, "buffer or texture");
+      if (!isKnown(name)) return unknown(at("swap"), name, known, "buffer or texture");
     const int a = bufferNamed(entry.swapA), b = bufferNamed(entry.swapB);
     const int c = textureNamed(entry.swapA), d = textureNamed(entry.swapB);
     const auto place = [](int i) { return static_cast<std::size_t>(i); };

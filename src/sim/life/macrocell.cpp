@@ -40,7 +40,7 @@ class MacrocellReader : public PatternText {
       const std::size_t end = std::min(text_.find('\n', at_), text_.size());
       std::string_view line = text_.substr(at_, end - at_);
       while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);
-      take(line);
+      readLine(line);
       at_ = end + 1;
     }
     if (nodes_.size() < 2) wrong(text_.size(), "no squares; the file may be cut off");
@@ -54,7 +54,7 @@ class MacrocellReader : public PatternText {
   }
 
  private:
-  void take(std::string_view line) {
+  void readLine(std::string_view line) {
     if (line.empty() || line[0] == '[') return;
     if (line[0] == '#') {
       if (line.starts_with("#R")) rule(line);

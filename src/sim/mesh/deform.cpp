@@ -101,12 +101,12 @@ class DeformedMesh : public Simulation, public ContactSolid {
     }
     if (heights_ && !hasHeights_) {
       deform(time);
-      heights_->take(shown().positions);
+      heights_->setHeights(shown().positions);
       hasHeights_ = true;
     }
     if (plan_.hasTrail()) press(time_);
     deform(time_);
-    if (heights_) heights_->take(shown().positions);
+    if (heights_) heights_->setHeights(shown().positions);
     if (touched_) {
       touched_->takeEnd(shown().positions);
       touched_->place(parameters_.model(time), parameters_.model(time_));
@@ -146,7 +146,7 @@ class DeformedMesh : public Simulation, public ContactSolid {
     surface.trail = late ? &trail_.view() : nullptr;
     surface.model = parameters_.model(time);
     surface.doubleSided = parameters_.doubleSided();
-    looks_.show(surface, drawables);
+    looks_.publish(surface, drawables);
   }
 
   [[nodiscard]] std::vector<StateArray> state() const override {

@@ -34,7 +34,7 @@ HeightField::HeightField(const std::string& name, const HeightPlan& plan)
       heights_(name + " heights", std::vector<glm::vec4>(countOf(plan.size()), glm::vec4(0))),
       keep_(gl::kernelDefines(false)) {}
 
-void HeightField::take(const gl::Vec4Array& positions, int component) {
+void HeightField::setHeights(const gl::Vec4Array& positions, int component) {
   const auto count = static_cast<int>(countOf(plan_.size()));
   keep_.dispatch(count, {.count = count,
                          .lift = plan_.lift(),

@@ -35,7 +35,7 @@ class HeightField {
   /// Stores new heights for the frame's end; the previous end becomes the frame's beginning. The first call
   /// sets the heights at the start of the run. `positions` are in the mesh's own space; `component` is the
   /// index of the component that holds the height (1 or 0).
-  void take(const gl::Vec4Array& positions, int component = 1);
+  void setHeights(const gl::Vec4Array& positions, int component = 1);
   void carryOver(CarryOver& carry) { carry.array("heights", heights_.buffer()); }
   /// Returns the heights and the position within the frame as kernel inputs; arguments as for
   /// HeightPlan::at().

@@ -164,7 +164,7 @@ MovingLooks::MovingLooks(const scene::Object& object, const Mesh& mesh) {
   }
 }
 
-void MovingLooks::show(const Surface& surface, Drawables& drawables) const {
+void MovingLooks::publish(const Surface& surface, Drawables& drawables) const {
   for (const Part& part : parts_) {
     Surface shown = surface;
     if (part.indexCount > 0) {

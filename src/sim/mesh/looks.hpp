@@ -30,7 +30,7 @@ class MovingLooks {
   /// Throws the errors of looksOf().
   MovingLooks(const scene::Object& object, const Mesh& mesh);
   /// Adds one surface per material to `drawables`: copies of `surface` with their own indices and material.
-  void show(const Surface& surface, Drawables& drawables) const;
+  void publish(const Surface& surface, Drawables& drawables) const;
 
  private:
   struct Part {

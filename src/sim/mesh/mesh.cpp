@@ -59,15 +59,15 @@ class RigidMesh : public Simulation, public ContactSolid {
 
   void publish(double time, Drawables& drawables) const override {
     if (!parameters_.visible) return;
-    const auto show = [&](const MeshBuffers& buffers, const scene::Material& material) {
+    const auto addSurface = [&](const MeshBuffers& buffers, const scene::Material& material) {
       Surface surface = buffers.surface();
       surface.model = parameters_.model(time);
       surface.doubleSided = parameters_.doubleSided();
       surface.material = &material;
       drawables.surfaces.push_back(surface);
     };
-    if (parts_.empty()) show(buffers_, material_);
-    for (const Part& part : parts_) show(part.buffers ? *part.buffers : buffers_, part.material);
+    if (parts_.empty()) addSurface(buffers_, material_);
+    for (const Part& part : parts_) addSurface(part.buffers ? *part.buffers : buffers_, part.material);
   }
 
   [[nodiscard]] std::optional<MeshTable> mesh() const override {

@@ -23,7 +23,7 @@ class Distinct {
   }
   [[nodiscard]] const std::vector<Key>& keys() const { return keys_; }
   /// Returns the keys and leaves this object empty.
-  [[nodiscard]] std::vector<Key> take() {
+  [[nodiscard]] std::vector<Key> release() {
     slots_.clear();
     return std::move(keys_);
   }

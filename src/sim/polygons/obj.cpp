@@ -39,7 +39,7 @@ class ObjReader {
       throw PolygonProblem("is text of UTF-16; save it as UTF-8");
     for (std::string_view line; next(line);) {
       const std::string_view key = takeWord(line);
-      if (!key.empty()) take(key, line);
+      if (!key.empty()) readStatement(key, line);
     }
     checkCorners();
     finishColors();
@@ -75,7 +75,7 @@ class ObjReader {
     return true;
   }
 
-  void take(std::string_view key, std::string_view rest) {
+  void readStatement(std::string_view key, std::string_view rest) {
     if (key == "v") {
       place(rest);
     } else if (key == "vt") {

@@ -214,7 +214,7 @@ void PlyFile::readBinary(const Visit& visit, std::string_view& rest) const {
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const PlyElement& element = elements_[e];
     if (element.properties.empty()) continue;
-    const auto take = [&](const PlyType& type, std::uint64_t item) {
+    const auto nextValue = [&](const PlyType& type, std::uint64_t item) {
       if (rest.size() < type.bytes) endsEarly(element, item);
       const double value = binaryNumber(rest.data(), type, bigEndian_);
       rest.remove_prefix(type.bytes);
@@ -225,9 +225,9 @@ void PlyFile::readBinary(const Visit& visit, std::string_view& rest) const {
       values.ends_.clear();
       for (const PlyProperty& property : element.properties) {
         std::size_t count = 1;
-        if (property.counts) count = lengthOf(take(*property.counts, item), element, item);
+        if (property.counts) count = lengthOf(nextValue(*property.counts, item), element, item);
         if (count > rest.size() / property.type.bytes) endsEarly(element, item);
-        for (; count > 0; --count) values.values_.push_back(take(property.type, item));
+        for (; count > 0; --count) values.values_.push_back(nextValue(property.type, item));
         values.ends_.push_back(values.values_.size());
       }
       visit(e, item, values);

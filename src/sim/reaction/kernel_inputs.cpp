@@ -93,7 +93,7 @@ const gl::Kernel<SampleKernel>& ReactionKernels::samplerOf(Field::Cells cells, b
       .first->second;
 }
 
-void ReactionKernels::take(int parameter, const Field& field, int layers) {
+void ReactionKernels::setMap(int parameter, const Field& field, int layers) {
   if (std::max(field.size.x, field.size.y / layers) > maxSampledSide)
     fail(ExitCode::usage, "the field \"{}\" has {}x{} cells; as a parameter it may have up to {} across",
          *field.name, field.size.x, field.size.y, maxSampledSide);

@@ -313,7 +313,7 @@ void ReactionKernels::step(long number, long first) {
   std::swap(words_[0], words_[1]);
 }
 
-void ReactionKernels::show(long number, long first) {
+void ReactionKernels::prepareDrawing(long number, long first) {
   values_[ToldPlaces::time] = plan_.modelTime(number, first, 0);
   for (const int pass : plan_.program().showing) run(pass, cells_[0], cells_[1], 0);
   gl::barrier();

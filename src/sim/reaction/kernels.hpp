@@ -35,12 +35,12 @@ class ReactionKernels {
   void advance(long number, int steps, long first);
   /// Samples a field as the map of a parameter. `layers` > 1: the field is a volume of that many layers.
   /// Throws UserError(usage) if a side of the field (of one layer) is longer than maxSampledSide cells.
-  void take(int parameter, const Field& field, int layers = 1);
+  void setMap(int parameter, const Field& field, int layers = 1);
   /// Returns the parameters' maps; the array is empty if no parameter has a map.
   [[nodiscard]] gl::Vec4Array& maps() { return weights_; }
   void paint(const ReactionPlan::Painted& painted);
   /// Computes the displayed value of the state at step `number`, if it is not a species.
-  void show(long number, long first);
+  void prepareDrawing(long number, long first);
 
   [[nodiscard]] const gl::Buffer& status() const { return status_; }
   /// Returns the planes of the species.

@@ -68,7 +68,7 @@ class Reaction : public Simulation, public FrameStarter, public Retunable {
     if (!plan_.parameters().readsFields()) return;
     for (std::size_t i = 0; i < parameters.size(); ++i)
       if (const std::string& field = parameters[i].field; !field.empty())
-        kernels_.take(static_cast<int>(i), fieldNamed(*links_, field), layersOf(field));
+        kernels_.setMap(static_cast<int>(i), fieldNamed(*links_, field), layersOf(field));
     if (!std::exchange(hasRead_, true)) look(shownTime_);
   }
   void step(double time, const StepWatch& watch) override {
@@ -223,7 +223,7 @@ class Reaction : public Simulation, public FrameStarter, public Retunable {
   }
   /// Computes the displayed and counted values of the current state, which belongs to `time` (seconds).
   void look(double time) {
-    kernels_.show(now_, first_);
+    kernels_.prepareDrawing(now_, first_);
     const ReactionParameters& p = plan_.parameters();
     shownTime_ = time;
     const glm::vec2 range(static_cast<float>(p.display.low), static_cast<float>(p.display.high));

@@ -117,7 +117,7 @@ class TextSolid {
       walls(outlines);
     }
   }
-  Mesh take() { return std::move(mesh_); }
+  Mesh release() { return std::move(mesh_); }
 
  private:
   unsigned vertex(glm::dvec2 at, double z, glm::dvec3 normal) {
@@ -254,7 +254,7 @@ class TextSolid {
 
 Mesh solidText(const TextOutlines& outlines, double height, double depth) {
   if (outlines.empty()) return {};
-  return TextSolid(outlines, height, depth).take();
+  return TextSolid(outlines, height, depth).release();
 }
 
 }  // namespace simreel::sim

@@ -131,7 +131,7 @@ void FloatKernels::step(int index, const gl::Vec4Array& cells, const gl::Buffer&
   std::swap(bodies_[0], bodies_[1]);
 }
 
-void FloatKernels::show() const {
+void FloatKernels::prepareDrawing() const {
   for (std::size_t i = 0; i < drawn_.size(); ++i)
     show_.dispatch(drawn_[i].count, {.count = drawn_[i].count,
                                      .body = static_cast<int>(i),
@@ -150,7 +150,7 @@ void FloatKernels::publish(Drawables& drawables) const {
     surface.positions = &drawn.positions.view();
     surface.normals = &drawn.normals.view();
     surface.doubleSided = drawn.doubleSided;
-    drawn.looks->show(surface, drawables);
+    drawn.looks->publish(surface, drawables);
   }
 }
 

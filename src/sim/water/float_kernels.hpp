@@ -32,7 +32,7 @@ class FloatKernels {
   /// effect on the water.
   void step(int index, const gl::Vec4Array& cells, const gl::Buffer& status);
   /// Computes the drawn vertices of the bodies.
-  void show() const;
+  void prepareDrawing() const;
   void publish(Drawables& drawables) const;
   void carryOver(CarryOver& carry);
   void addState(std::vector<StateArray>& arrays) const;

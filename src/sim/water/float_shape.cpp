@@ -103,7 +103,7 @@ std::vector<glm::vec4> probesOf(const ClosedMesh& mesh, const glm::dvec3& middle
   const glm::ivec3 cubes = glm::ivec3(glm::floor((mesh.high - mesh.low) / apart)) + 1;
   std::vector<bool> taken(placeIn(cubes, 0, 0, cubes.z));
   std::vector<glm::vec4> probes;
-  const auto take = [&](const glm::dvec3& p) {
+  const auto addProbe = [&](const glm::dvec3& p) {
     const glm::ivec3 cube =
         glm::clamp(glm::ivec3(glm::floor((p - mesh.low) / apart)), glm::ivec3(0), cubes - 1);
     const std::size_t i = placeIn(cubes, cube.x, cube.y, cube.z);
@@ -112,14 +112,15 @@ std::vector<glm::vec4> probesOf(const ClosedMesh& mesh, const glm::dvec3& middle
     probes.emplace_back(glm::vec3(p - middle), 0.0F);
   };
   for (const ClosedMesh::Face& face : mesh.faces)
-    for (const glm::vec3& corner : face.corners) take(glm::dvec3(corner));
+    for (const glm::vec3& corner : face.corners) addProbe(glm::dvec3(corner));
   for (const ClosedMesh::Face& face : mesh.faces) {
     const glm::dvec3 a(face.corners[0]);
     const glm::dvec3 ab = glm::dvec3(face.corners[1]) - a, ac = glm::dvec3(face.corners[2]) - a;
     const double longest = std::max({length(ab), length(ac), length(ac - ab)});
     const int parts = static_cast<int>(std::ceil(2 * longest / apart));
     for (int i = 0; i <= parts; ++i)
-      for (int j = 0; i + j <= parts; ++j) take(a + ab * (double(i) / parts) + ac * (double(j) / parts));
+      for (int j = 0; i + j <= parts; ++j)
+        addProbe(a + ab * (double(i) / parts) + ac * (double(j) / parts));
   }
   return probes;
 }

@@ -66,17 +66,17 @@ class Water : public Simulation {
       counts_ = gl::Buffer(name_ + " counts", countElements * sizeof(glm::vec4));
       floats_->begin(kernels_.cells(), kernels_.status());
     }
-    show();
+    prepareDrawing();
     tallyNow(setting.startTime);
   }
 
   void step(double time, const StepWatch& watch) override {
-    if (heights_ && !hasHeights_) heights_->take(kernels_.cells(), 0);
+    if (heights_ && !hasHeights_) heights_->setHeights(kernels_.cells(), 0);
     hasHeights_ = true;
     advance(time, watch);
-    show();
+    prepareDrawing();
     tallyNow(time);
-    if (heights_) heights_->take(kernels_.cells(), 0);
+    if (heights_) heights_->setHeights(kernels_.cells(), 0);
   }
   /// Objects that fall onto the water need the heights of two consecutive frames, so the full step runs.
   void pass(double time) override {
@@ -84,7 +84,7 @@ class Water : public Simulation {
     advance(time, {});
   }
   void resumed(double time) override {
-    show();
+    prepareDrawing();
     tallyNow(time);
   }
   void carryOver(CarryOver& carry) override {
@@ -246,9 +246,9 @@ class Water : public Simulation {
     counts_.write(0, std::as_bytes(std::span(row)));
   }
 
-  void show() {
+  void prepareDrawing() {
     kernels_.look();
-    if (floats_) floats_->show();
+    if (floats_) floats_->prepareDrawing();
   }
 
   std::string name_, speedName_, levelName_;

@@ -22,7 +22,7 @@ void compileWorldAhead(const scene::Scene& scene) {
     // The real World meets the same error and reports it. Or the rehearsal was stopped because the
     // dispatches did not end.
   }
-  gl::KernelCompiler::announce(rehearsal.take());
+  gl::KernelCompiler::announce(rehearsal.extractKernels());
 }
 
 }  // namespace simreel::sim

@@ -85,7 +85,7 @@ void SummaryQueue::start(int frame) {
   glFlush();
 }
 
-std::optional<Summary> SummaryQueue::take(bool wait) {
+std::optional<Summary> SummaryQueue::next(bool wait) {
   if (pending_.empty()) return std::nullopt;
   const Pending oldest = pending_.front();
   const GLuint64 patience = wait ? GLuint64{60'000'000'000} : 0;

@@ -59,7 +59,7 @@ class SummaryQueue {
   void start(int frame);
   /// Returns the oldest summary if it is ready; with `wait`, waits for it. Throws UserError(device) if a
   /// simulation lost its state.
-  [[nodiscard]] std::optional<Summary> take(bool wait);
+  [[nodiscard]] std::optional<Summary> next(bool wait);
 
  private:
   /// Hash sums and loss reports of one frame: 16 bytes per state array and 16 bytes of status per object.

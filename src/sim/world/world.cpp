@@ -50,7 +50,7 @@ void World::onFrameBefore(std::function<void(const Drawables& before)> hear) {
 }
 
 void World::tellBefore() {
-  if (state_->passed) show();
+  if (state_->passed) complete();
   do state_->hearBefore(drawables());
   while (grow());
 }
@@ -79,7 +79,7 @@ bool World::isWhole() const {
   return !state_->stepping;
 }
 
-void World::show() {
+void World::complete() {
   state_->passed = false;
   for (const StepNode& node : state_->links.order())
     for (const std::size_t i : node.objects) state_->objects[i]->resumed(time());
@@ -98,7 +98,7 @@ void World::carryOver(CarryOver& carry, const std::function<void(const std::stri
 void World::resumeAt(int frame) {
   SIMREEL_CHECK(frame >= firstFrame());
   state_->done = frame + state_->preroll;
-  show();
+  complete();
 }
 
 int World::firstFrame() const {
@@ -192,7 +192,7 @@ void World::startSummary() {
 }
 
 std::optional<World::Summary> World::takeSummary(bool wait) {
-  return state_->summaries->take(wait);
+  return state_->summaries->next(wait);
 }
 
 }  // namespace simreel::sim

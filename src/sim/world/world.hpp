@@ -46,13 +46,13 @@ class World {
   /// advanceTo() takes a step.
   void onFrameBefore(std::function<void(const Drawables& before)> hear);
   /// Simulates up to `frame` as advanceTo() does but skips work needed only for display. The state must not
-  /// be drawn, read or hashed until advanceTo() goes further or show() is called.
+  /// be drawn, read or hashed until advanceTo() goes further or complete() is called.
   void passTo(int frame);
   /// Returns false if an exception ended a frame before all objects had stepped. The world is then of no
   /// further use.
   [[nodiscard]] bool isWhole() const;
   /// Completes the state of a passed frame to what advanceTo() would have left.
-  void show();
+  void complete();
   /// Saves or restores the state that the next frame depends on, object by object; calls `begin` with the
   /// name of each before its parts.
   void carryOver(CarryOver& carry, const std::function<void(const std::string& object)>& begin);

@@ -95,7 +95,7 @@ inline Picture drawn(const simreel::scene::Scene& scene, const simreel::sim::Dra
   simreel::draw::Readback readback(size);
   renderer.draw(0, drawables);
   readback.start(renderer.target(), 7);
-  auto taken = readback.take(true);
+  auto taken = readback.nextPicture(true);
   testContext().check();
   return {size, std::move(taken.value().second)};
 }

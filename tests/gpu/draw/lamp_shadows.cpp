@@ -199,7 +199,7 @@ TEST_CASE("lights: shadow maps are cleared each frame and follow a moving lamp")
     draw::Readback readback({65, 65});
     for (const double time : times) renderer.draw(time, drawables);
     readback.start(renderer.target(), 0);
-    return readback.take(true).value().second;
+    return readback.nextPicture(true).value().second;
   };
   CHECK(at({0.0, 0.25, 1.0}) == at({1.0}));
   CHECK(at({0.0}) != at({1.0}));
@@ -250,7 +250,7 @@ TEST_CASE("lights: scenes of hundreds of surfaces and of none have correct shado
   const auto shown = [&](const sim::Drawables& drawables) {
     renderer.draw(0, drawables);
     readback.start(renderer.target(), 0);
-    return Picture{{97, 97}, readback.take(true).value().second};
+    return Picture{{97, 97}, readback.nextPicture(true).value().second};
   };
   const Picture none = shown({});
   const Picture tiled = shown(many);

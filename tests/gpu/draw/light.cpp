@@ -133,7 +133,7 @@ TEST_CASE("nothing of the previous frame remains in a picture, also behind glows
       renderer.draw(0, {.surfaces = {sheet.surface}});
       renderer.draw(0, last);
       readback.start(renderer.target(), 0);
-      CHECK(readback.take(true).value().second == drawn(scene, last, {65, 47}, samples).bytes);
+      CHECK(readback.nextPicture(true).value().second == drawn(scene, last, {65, 47}, samples).bytes);
     }
 }
 
@@ -149,7 +149,7 @@ TEST_CASE("nothing of the previous frame remains in the shadow map") {
   for (Picture& picture : pictures) {
     renderer.draw(0, {.surfaces = {&picture == &pictures[0] ? far.surface : sheet.surface}});
     readback.start(renderer.target(), 0);
-    picture = {{64, 64}, readback.take(true).value().second};
+    picture = {{64, 64}, readback.nextPicture(true).value().second};
   }
   const Picture fresh = drawn(scene, {.surfaces = {sheet.surface}}, {64, 64}, 1);
   CHECK(fresh.bytes == pictures[1].bytes);

@@ -192,7 +192,7 @@ TEST_CASE("readback returns frames in order and reports when it is full") {
   const glm::ivec2 size{17, 5};
   draw::Renderer renderer(darkScene(), size, 1, testOptions());
   draw::Readback readback(size);
-  CHECK_FALSE(readback.take(true).has_value());
+  CHECK_FALSE(readback.nextPicture(true).has_value());
   for (int round = 0; round < 3; ++round) {
     for (int tag = 0; tag < 3; ++tag) {
       CHECK_FALSE(readback.full());
@@ -200,7 +200,7 @@ TEST_CASE("readback returns frames in order and reports when it is full") {
     }
     CHECK(readback.full());
     for (int tag = 0; tag < 3; ++tag) {
-      const auto taken = readback.take(true);
+      const auto taken = readback.nextPicture(true);
       REQUIRE(taken.has_value());
       CHECK(taken->first == 10 * round + tag);
       CHECK(taken->second.size() == 17U * 5U * 4U);

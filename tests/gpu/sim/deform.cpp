@@ -91,7 +91,7 @@ std::vector<std::uint8_t> picture(const scene::Scene& scene, int frame) {
   renderer.draw(world.time(), world.drawables());
   draw::Readback readback(size);
   readback.start(renderer.target(), 0);
-  return readback.take(true)->second;
+  return readback.nextPicture(true)->second;
 }
 
 /// Returns the fraction of pixels with a channel that differs by more than 2.
@@ -203,7 +203,7 @@ TEST_CASE("deform: frames that are not drawn are not displaced and do not change
     const std::string ninth = hashOf(whole);
     // the vertex-shader technique stores no positions, so its hash does not change
     if (technique != "vertex-shader") CHECK(hashOf(passed) != ninth);
-    passed.show();
+    passed.complete();
     CHECK(hashOf(passed) == ninth);
     whole.advanceTo(13);
     passed.passTo(12);

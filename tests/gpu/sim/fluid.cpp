@@ -305,7 +305,7 @@ TEST_CASE("flow lines equal their CPU twin, around obstacles and across a seam")
     kernels.start(0);
     kernels.beginFrame(0);
     for (int i = 1; i <= plan.substeps(); ++i) kernels.advance(0, i, 1);
-    kernels.show(0.7);
+    kernels.prepareDrawing(0.7);
     twin.step(0);
     const std::vector<float> want = twin.lines(0.7);
     GLint buffer = 0;
@@ -339,7 +339,7 @@ TEST_CASE("displayed values of a fluid equal their CPU twin") {
     kernels.start(0);
     kernels.beginFrame(0);
     for (int i = 1; i <= plan.substeps(); ++i) kernels.advance(0, i, 1);
-    kernels.show(0);
+    kernels.prepareDrawing(0);
     twin.step(0);
     const auto want = twin.shown();
     GLint buffer = 0;

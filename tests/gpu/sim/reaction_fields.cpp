@@ -73,7 +73,7 @@ struct Reader {
     return scene.objects.front();
   }
 
-  void take(const sim::World& world) {
+  void read(const sim::World& world) {
     const sim::Drawables drawables = world.drawables();
     const auto& parameters = plan.parameters().parameters;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -117,8 +117,8 @@ TEST_CASE("reaction reads fields of every kind with its twin's bits, also fields
   sim::World world(scene);
   Reader guest(scene, "guest"), host(scene, "host");
   for (int frame = 0; frame < 5; ++frame) {
-    guest.take(world);
-    host.take(world);
+    guest.read(world);
+    host.read(world);
     guest.step(frame * fieldFrame);
     host.step(frame * fieldFrame);
     world.advanceTo(frame + 1);
@@ -131,7 +131,7 @@ TEST_CASE("reaction reads fields of every kind with its twin's bits, also fields
   // Stepping without drawing gives the same values.
   sim::World passed(scene);
   passed.passTo(5);
-  passed.show();
+  passed.complete();
   sameBits(valuesOf(passed, "guest"), guest.field.stage[0]);
   sameBits(valuesOf(passed, "host"), shown);
 }
@@ -211,7 +211,7 @@ TEST_CASE("reaction on a mesh reads grids and its own mesh with its twin's bits"
   Reader leaf(scene, "leaf"), other(scene, "other"), ball(scene, "ball");
   for (int frame = 0; frame < 3; ++frame) {
     for (Reader* reader : {&leaf, &other, &ball}) {
-      reader->take(world);
+      reader->read(world);
       reader->step(frame * fieldFrame);
     }
     world.advanceTo(frame + 1);
@@ -253,7 +253,7 @@ TEST_CASE(
   const std::vector<float> source = valuesOf(world, "coarse.q");
   Reader coarse(scene, "coarse"), fine(scene, "fine");
   for (int frame = 0; frame < 3; ++frame) {
-    for (Reader* reader : {&coarse, &fine}) reader->take(world);
+    for (Reader* reader : {&coarse, &fine}) reader->read(world);
     coarse.step(frame * fieldFrame);
     fine.step(frame * fieldFrame);
     world.advanceTo(frame + 1);

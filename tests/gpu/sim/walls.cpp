@@ -181,7 +181,7 @@ TEST_CASE("walls: skipping frames gives the same state as stepping through them"
   sim::World stepped(scene), passed(scene);
   stepped.advanceTo(30);
   passed.passTo(30);
-  passed.show();
+  passed.complete();
   for (std::size_t object = 0; object < stepped.objectCount(); ++object)
     for (std::size_t i = 0; i < stepped.object(object).state().size(); ++i)
       CHECK(stepped.object(object).state()[i].buffer->readAll<std::uint32_t>() ==

@@ -25,8 +25,8 @@ class ExactInstances {
 
   /// Sets the lighting variant of later shading. The lights stay the same.
   void light(const ThingVariant& variant) { lighting_.variant = variant; }
-  /// Selects what is shaded, as SurfaceShading::show().
-  void show(int layer) { shown_ = layer; }
+  /// Selects what is shaded, as SurfaceShading::selectLayer().
+  void selectLayer(int layer) { shown_ = layer; }
   /// True if any opaque instances reflect the scene.
   [[nodiscard]] static bool anyMirrors(const sim::Drawables& drawables);
   /// Extends the bounds of the sun's shadow map; see ShadowPass::fit().

@@ -76,14 +76,14 @@ void LayersPass::shade() {
   for (std::size_t i = 0; i < shown_.size(); ++i) {
     if (!shown_[i]) continue;
     const int layer = static_cast<int>(i) + 1;
-    f.show(layer);
+    f.selectLayer(layer);
     f.shadeThings(shown_[i]);
     if (!f.ground) continue;
     const ShadeGround::Variant ground{.shade = showing(f.lit(), layer, true).shade, .shadowed = false};
     f.shadeGround(0, ground, shown_[i]);
     if (f.shadow.on()) f.shadeGround(1, ground, shown_[i]);
   }
-  f.show(0);
+  f.selectLayer(0);
   gl::barrier();
 }
 

@@ -46,9 +46,9 @@ class ReflectedPass final : public FramePass {
   using FramePass::FramePass;
   [[nodiscard]] bool on() const override { return f.mirrors; }
   void run() override {
-    f.show(shownReflections);
+    f.selectLayer(shownReflections);
     f.shadeThings(f.light);
-    f.show(0);
+    f.selectLayer(0);
     if (groundMirrors(f))
       for (int i = 0; i < (f.shadow.on() ? 2 : 1); ++i)
         f.shadeGround(i, {.shade = showing(f.lit(), shownReflections, true).shade, .shadowed = false},

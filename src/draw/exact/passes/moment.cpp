@@ -28,7 +28,7 @@ class ThingsPass final : public FramePass {
     if (f.lamps.on()) f.lamps.update(f.moment.seconds, *f.moment.drawables);
     f.drawables = f.lamps.on() ? f.lamps.withGlows(*f.moment.drawables) : *f.moment.drawables;
     sayFinishes();
-    f.apart.take(f.drawables.surfaces);
+    f.apart.extractFrom(f.drawables.surfaces);
     if (f.apart.anyBlended()) beginLayers();
     f.seen = viewAt(f.scene.camera, f.moment.seconds, f.size, f.drawables, groundSeen(f.scene));
     f.values = exactView(f.seen, f.scene.camera, f.size);

@@ -44,7 +44,7 @@ TriangleRaster::Fragments ApartSurfaces::holesOf(const sim::Surface* only) {
       .only = only};
 }
 
-void ApartSurfaces::take(std::vector<sim::Surface>& surfaces) {
+void ApartSurfaces::extractFrom(std::vector<sim::Surface>& surfaces) {
   cutSurfaces_.clear();
   blended_.clear();
   casting_.clear();

@@ -30,7 +30,7 @@ class ApartSurfaces {
   ApartSurfaces(glm::ivec2 band, int samples, SurfaceShading& shading, bool parallel = false);
 
   /// Removes from `surfaces` those that this class draws, and stores them.
-  void take(std::vector<sim::Surface>& surfaces);
+  void extractFrom(std::vector<sim::Surface>& surfaces);
   [[nodiscard]] bool any() const { return !cutSurfaces_.empty() || !blended_.empty(); }
   [[nodiscard]] bool anyBlended() const { return !blended_.empty(); }
 

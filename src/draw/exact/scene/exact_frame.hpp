@@ -59,9 +59,9 @@ struct ExactFrame {
   /// Adds the light of the ground: `which` 0: tiles that no shadow reaches; 1: the other tiles.
   void shadeGround(int which, const ShadeGround::Variant& variant, const gl::Texture& into);
   /// Selects a layer to shade instead of light (SurfaceShading::show).
-  void show(int layer) {
-    surfaces.show(layer);
-    instances.show(layer);
+  void selectLayer(int layer) {
+    surfaces.selectLayer(layer);
+    instances.selectLayer(layer);
   }
   /// Adds the light of paths that start at the visible spots of a band, or of a blended layer of it.
   void addRays(const Visibility& visible) {

@@ -55,7 +55,7 @@ class SurfaceShading {
   [[nodiscard]] const SkinTexels& skinTexels() const { return skinTexels_; }
   /// Selects what is shaded from now on: 0: light; i: layer i of `shownLayers`, counted from 1;
   /// shownReflections: the change of light by reflections, only on surfaces that reflect the scene.
-  void show(int layer) { shown_ = layer; }
+  void selectLayer(int layer) { shown_ = layer; }
   /// True if the surface is smooth enough somewhere to reflect the scene.
   [[nodiscard]] static bool mirrorsScene(const sim::Surface& surface, const SkinTextures& skins);
 

@@ -217,7 +217,7 @@ void TriangleRaster::drawJoined(const Visibility& into, const JoinedSurfaces& jo
   whole_.surface = &surface;
   whole_.maxTriangles = maxTrianglesOf(surface);
   if (whole_.indices)
-    whole_.indices.show(*surface.indices, sizeof(GLuint));
+    whole_.indices.attach(*surface.indices, sizeof(GLuint));
   else
     whole_.indices = gl::Texture::view("joined indices", GL_R32UI, *surface.indices, sizeof(GLuint));
   whole_.fans = std::min(whole_.maxTriangles, fanRoom_);

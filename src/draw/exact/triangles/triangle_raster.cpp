@@ -39,7 +39,7 @@ void TriangleRaster::number(const std::vector<const sim::Surface*>& surfaces, un
     next.maxTriangles = maxTrianglesOf(*surface);
     next.firstId = firstId + static_cast<unsigned>(triangles);
     if (next.indices)
-      next.indices.show(*surface->indices, sizeof(GLuint));
+      next.indices.attach(*surface->indices, sizeof(GLuint));
     else
       next.indices = gl::Texture::view("indices", GL_R32UI, *surface->indices, sizeof(GLuint));
     next.firstFan = fans;

@@ -62,7 +62,7 @@ class CountsReader {
   }
 
   /// Reads digits with their letters up to the first other character.
-  RuleProblem take(Counts& counts) {
+  RuleProblem readCounts(Counts& counts) {
     unsigned seen = 0;
     while (at_ < text_.size() && isDigit(text_[at_])) {
       const int digit = text_[at_] - '0';
@@ -125,16 +125,16 @@ class CountsReader {
       const std::size_t which = letter == 's' ? 1 : 0;
       seen[which] = true;
       ++at_;
-      if (RuleProblem problem = take(counts_[which]); !problem.message.empty()) return problem;
+      if (RuleProblem problem = readCounts(counts_[which]); !problem.message.empty()) return problem;
     }
     return {};
   }
 
   RuleProblem numbers() {
-    if (RuleProblem problem = take(counts_[1]); !problem.message.empty()) return problem;
+    if (RuleProblem problem = readCounts(counts_[1]); !problem.message.empty()) return problem;
     if (!slash()) return notANumber();
     ++at_;
-    return take(counts_[0]);
+    return readCounts(counts_[0]);
   }
 
   /// Reads the number of states: "/3", "/C3" or "/G3".

@@ -177,7 +177,7 @@ GltfPart GltfParts::part(std::size_t mesh, const JsonValue& primitive, const Glt
     for (auto& triangle : part.triangles)
       for (unsigned& corner : triangle) corner = numbers[corner];
   }
-  part.vertices = distinct.take();
+  part.vertices = distinct.release();
   return part;
 }
 

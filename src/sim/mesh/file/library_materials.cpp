@@ -78,7 +78,7 @@ class LibraryReader {
               if (key == "newmtl") {
                 begin(rest);
               } else if (!name_.empty()) {
-                take(all_[name_], key, rest);
+                readStatement(all_[name_], key, rest);
               }
             });
     for (auto& [name, material] : all_) {
@@ -170,7 +170,7 @@ class LibraryReader {
     return true;
   }
 
-  void take(MeshMaterial& material, std::string_view key, std::string_view rest) {
+  void readStatement(MeshMaterial& material, std::string_view key, std::string_view rest) {
     if (key == "d" && rest.starts_with("-halo")) {
       takeFirst(rest);
       ignore("-halo of d");

@@ -108,7 +108,7 @@ class TextFacets {
           line_.remove_prefix(facet);
           continue;
         }
-        if (!word.empty()) take(word, whole);
+        if (!word.empty()) readWord(word, whole);
       }
     }
     if (facets_.corners.size() % 3 != 0 || corners_ != 0)
@@ -117,7 +117,7 @@ class TextFacets {
   }
 
  private:
-  void take(const std::string& word, std::string_view whole) {
+  void readWord(const std::string& word, std::string_view whole) {
     if (word == "vertex") {
       glm::vec3 place;
       for (int k = 0; k < 3; ++k) {

@@ -100,16 +100,16 @@ struct Font::Library {
   Library(Library&&) = delete;
   Library& operator=(Library&&) = delete;
 
-  /// Limit of FreeType's memory, because glyphs nested in composite glyphs could take gigabytes.
+  /// Limit of FreeType's memory, because glyphs nested in composite glyphs could allocate gigabytes.
   static constexpr std::size_t mostMemory = std::size_t{64} << 20;
   std::size_t taken = 0;
-  FT_MemoryRec_ memory{this, take, giveBack, resize};
+  FT_MemoryRec_ memory{this, allocate, giveBack, resize};
   std::string bytes;  ///< font data that FreeType reads
   FT_Library library = nullptr;
   FT_Face face = nullptr;
 
  private:
-  static void* take(FT_Memory memory, long size) { return resize(memory, 0, size, nullptr); }
+  static void* allocate(FT_Memory memory, long size) { return resize(memory, 0, size, nullptr); }
   static void giveBack(FT_Memory memory, void* block) {
     if (block == nullptr) return;
     auto* start = static_cast<std::max_align_t*>(block) - 1;
