@@ -63,7 +63,7 @@ void doctor(const std::string& device) {
   const auto assets = assetFolder();
   print("Assets: {}\n", assets.empty() ? "not found; set SIMREEL_ASSETS" : assets.string());
   if (const std::string variables = gl::driverVariables(); !variables.empty())
-    print("Environment: {} changes which driver there is\n", variables);
+    print("Environment: {} selects another driver\n", variables);
   printDevices(gl::listDevices());
   // Throws UserError with advice on what to install if no device works.
   const gl::Context context({.device = device, .debug = false, .memoryPath = ""});

@@ -84,7 +84,7 @@ EGLDisplay openDisplay(EGLDeviceEXT device) {
 
 Display::Display(EGLDeviceEXT device, bool debug) {
   display_ = openDisplay(device);
-  if (display_ == EGL_NO_DISPLAY) fail(ExitCode::device, "EGL opens no display on it");
+  if (display_ == EGL_NO_DISPLAY) fail(ExitCode::device, "EGL cannot open a display on it");
   EGLint major = 0;
   EGLint minor = 0;
   if (eglInitialize(display_, &major, &minor) == EGL_FALSE) {
@@ -382,7 +382,7 @@ const std::string& Context::reason() const {
 
 void Context::check() const {
   if (std::exchange(state_->unheard, false) && state_->message.empty())
-    fail(ExitCode::device, "the driver reports an error, and there is not enough memory for its words");
+    fail(ExitCode::device, "the driver reported an error, and there is not enough memory for its message");
   if (state_->message.empty()) return;
   const std::string message = std::exchange(state_->message, {});
   fail(ExitCode::device, "the driver reports: {}", message);

@@ -36,8 +36,7 @@ std::string driverAdvice() {
   const std::string first =
       variables.empty()
           ? std::string()
-          : fmt::format("{} in the environment changes which driver there is: unset that first, or ",
-                        variables);
+          : fmt::format("{} in the environment selects another driver. Unset it first, or ", variables);
   return first +
          "install a driver (Debian/Ubuntu: apt install libegl1 libegl-mesa0 libgl1-mesa-dri) and see "
          "`simreel "

@@ -35,7 +35,8 @@ bool Rehearsal::note(const std::shared_ptr<LinkedProgram>& program, const BoundV
   if (current == nullptr) return false;
   // Stops a loop that waits for a kernel result, because kernels do not run in a rehearsal.
   constexpr int most = 20000;
-  if (++current->noted_ > most) fail(ExitCode::device, "a rehearsal of more than {} dispatches", most);
+  if (++current->noted_ > most)
+    fail(ExitCode::device, "internal error: a compile-ahead run recorded more than {} dispatches", most);
   if (program->linked()) return true;
   auto& kernels = current->kernels_;
   auto found = std::find_if(kernels.begin(), kernels.end(),

@@ -254,7 +254,7 @@ TEST_CASE("checks: an unknown array, object or component is refused with the val
   CHECK(refusal(falling(R"({"what": "no-nan", "object": "ball"})"), tested) ==
         "checks[0]: object \"ball\" is a sphere, which has no state to look at");
   CHECK(refusal(sceneOf(R"("ball": {"sphere": {}})", R"({"what": "no-nan"})"), tested) ==
-        "checks[0]: \"no-nan\" looks at state, and no object of the scene has any");
+        "checks[0]: \"no-nan\" checks the state of simulations, but no object of the scene has state");
   CHECK(refusal(falling(R"({"what": "not-blank", "frames": [0, 59]})"), tested) ==
         "checks[0]: \"not-blank\" needs a picture of frame 59, which is not tested; tested: 0, 9");
   CHECK(refusal(falling(R"({"what": "not-blank"}, {"what": "mass", "max": 1})"), tested).empty());

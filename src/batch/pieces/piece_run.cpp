@@ -95,7 +95,7 @@ frame::OutputLock lockOf(const std::filesystem::path& folder, std::size_t piece)
     return {folder / "piece", std::to_string(piece), all};
   } catch (const UserError&) {
     if (!frame::isOutputLocked(folder / "piece")) throw;
-    fail(ExitCode::inputOutput, "piece {} is being drawn by another simreel", piece);
+    fail(ExitCode::inputOutput, "piece {} is in use by another simreel process", piece);
   }
 }
 

@@ -64,8 +64,8 @@ void addSteps(const std::string& text, const std::vector<double>& range, std::ve
   const double first = range[0], last = range[1], step = range[2];
   const double count = step == 0 ? -1 : std::floor((last - first) / step + 1e-9);
   if (count < 0)
-    fail(ExitCode::usage, "--vary {}: {:g} is not reached from {:g} in steps of {:g}", text, last, first,
-         step);
+    fail(ExitCode::usage, "--vary {}: a step of {:g} does not lead from {:g} to {:g}", text, step, first,
+         last);
   if (count >= static_cast<double>(maxJobs))
     fail(ExitCode::usage, "--vary {}: more than {} values", text, maxJobs);
   for (int i = 0; i <= static_cast<int>(count); ++i)
@@ -103,8 +103,7 @@ void checkRanges(const std::vector<Vary>& varied) {
   for (const Vary& one : varied)
     if (one.isRange())
       fail(ExitCode::usage,
-           "--vary {}={:g}:{:g} is a range without a step; add one, or draw from it with "
-           "--sample N",
+           "--vary {}={:g}:{:g} has no step; write low:high:step, or add --sample N for random values",
            one.path, one.low, one.high);
 }
 
@@ -133,7 +132,7 @@ Vary parseVary(const std::string& text) {
       addSteps(text, range, result.values);
     } else if (range.size() == 2) {
       if (parts.size() > 1 || !(range[0] < range[1]))
-        fail(ExitCode::usage, "--vary {}: a range to draw from is low:high, and stands alone", text);
+        fail(ExitCode::usage, "--vary {}: a random range must be low:high, without other values", text);
       result.low = range[0];
       result.high = range[1];
     } else {
@@ -145,7 +144,7 @@ Vary parseVary(const std::string& text) {
     const auto number = numberOf(value);
     const auto [first, isNew] = seen.emplace(number ? fmt::format("{}", *number) : value, value);
     if (!isNew)
-      fail(ExitCode::usage, "--vary {}: {} stands there twice{}", text, value,
+      fail(ExitCode::usage, "--vary {}: {} occurs twice{}", text, value,
            first->second == value ? "" : fmt::format(", also as {}", first->second));
   }
   return result;

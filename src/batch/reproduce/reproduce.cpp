@@ -117,7 +117,7 @@ Wanted wantedOf(const ReproduceRequest& request) {
     takeManifest(file, manifest, number, wanted);
     return wanted;
   }
-  if (request.frame) fail(ExitCode::usage, "--frame is for manifests; a picture is of one frame");
+  if (request.frame) fail(ExitCode::usage, "--frame needs a manifest; a picture has only one frame");
   const std::string bytes = readFile(request.file, "picture");
   const auto file = std::as_bytes(std::span(bytes));
   std::map<std::string, std::string> texts;
@@ -182,7 +182,7 @@ RenderRequest renderingOf(const ReproduceRequest& request, const Wanted& wanted,
   RenderRequest render;
   if (request.scene.empty() && wanted.asRun.empty())
     fail(ExitCode::usage,
-         "no scene lies beside {} (as-run.json); give it: --scene FILE, what was changed in it is known",
+         "no as-run.json beside {}; give the scene with --scene FILE (changes of its values are recorded)",
          request.file.string());
   render.scene = request.scene.empty() ? wanted.asRun : request.scene;
   if (!request.scene.empty())

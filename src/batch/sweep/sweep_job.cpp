@@ -253,7 +253,8 @@ JobEnd runSweepJob(const SweepPlan& plan, std::size_t job, const gl::Context& co
     if (holdsOthersFiles(folder)) {
       end.result.code = static_cast<int>(ExitCode::inputOutput);
       end.result.message = fmt::format(
-          "{} holds files that are no job's; move them away, or choose another folder for the sweep",
+          "{} contains files that do not belong to a job; move them away, or choose another folder for the "
+          "sweep",
           folder.string());
       return end;
     }
@@ -327,7 +328,7 @@ JobResult writeLostResult(const SweepPlan& plan, std::size_t job, const std::str
 void removeOthers(const SweepPlan& old, const SweepPlan& next) {
   for (std::size_t job = 0; job < old.jobs.size(); ++job)
     if (isRunning(old.jobFolder(job)))
-      fail(ExitCode::inputOutput, "{} is being rendered by another simreel; wait for it, or end it first",
+      fail(ExitCode::inputOutput, "{} is in use by another simreel process; wait for it, or end it first",
            old.jobFolder(job).string());
   std::error_code error;
   for (std::size_t job = 0; job < old.jobs.size(); ++job) {

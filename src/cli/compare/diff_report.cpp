@@ -151,8 +151,7 @@ bool SequenceReport::differs() const {
 
 std::string SequenceReport::summary(const std::string& a, const std::string& b) const {
   std::string text = onlyLine(onlyA, a) + onlyLine(onlyB, b);
-  if (!passedOver.empty())
-    text += fmt::format("passed over, no pictures: {}\n", golden::someOf(passedOver));
+  if (!passedOver.empty()) text += fmt::format("skipped, not pictures: {}\n", golden::someOf(passedOver));
   text += fmt::format("{} pair{}: {} equal", frames.size(), frames.size() == 1 ? "" : "s",
                       count(Outcome::equal));
   for (const Outcome outcome : {Outcome::within, Outcome::different, Outcome::unreadable})

@@ -126,7 +126,7 @@ void job(const FollowerOptions& o) {
     const batch::JobEnd end = batch::runSweepJob(plan, number, context, progress, commandLine(), scratch);
     if (end.signal != 0) return setExitCode(128 + end.signal);
     if (end.elsewhere)
-      fail(ExitCode::inputOutput, "{} is being rendered by another simreel",
+      fail(ExitCode::inputOutput, "{} is in use by another simreel process",
            plan.jobFolder(number).string());
     if (end.result.code != 0)
       printError(UserError(static_cast<ExitCode>(end.result.code), end.result.message));

@@ -56,7 +56,7 @@ class TemporaryFolder {
 
 void checkOptions(const TestOptions& o) {
   if (o.expected.empty())
-    fail(ExitCode::usage, "{} belongs to pictures; give --expected, the folder of their baselines",
+    fail(ExitCode::usage, "{} is only for pictures; add --expected FOLDER, the folder of their baselines",
          !o.run.empty()      ? "--run"
          : !o.actual.empty() ? "--actual"
                              : "--rules");
@@ -64,22 +64,21 @@ void checkOptions(const TestOptions& o) {
     fail(ExitCode::usage,
          "--expected needs --actual, the folder of the pictures, or --run, a command that makes them");
   if (o.run.empty() && !o.paths.empty())
-    fail(ExitCode::usage, "{} is given beside --expected; scenes go with --run", o.paths.front());
+    fail(ExitCode::usage, "{} cannot be combined with --expected; scenes need --run", o.paths.front());
   if (!o.paths.empty() && o.run.find("{scene}") == std::string::npos)
-    fail(ExitCode::usage, "{} is given, but the command of --run has no {{scene}} to put it in",
+    fail(ExitCode::usage, "{} is given, but the command of --run does not contain {{scene}}",
          o.paths.front());
   if (!o.shard.empty() && o.updateMode() == golden::Update::prune)
-    fail(ExitCode::usage,
-         "--update=prune has to know all pictures, and --shard leaves some out; give one of them");
+    fail(ExitCode::usage, "--update=prune needs all pictures, so it cannot be combined with --shard");
   if (!o.profile.empty() || !o.reason.empty())
     fail(ExitCode::usage, "--profile and --reason are for scenes, not for pictures");
   if (o.run.empty() && (o.retries > 0 || o.timeout > 0))
     fail(ExitCode::usage,
-         "--retries and --timeout are for scenes and for --run; --actual has its pictures");
+         "--retries and --timeout have no effect with --actual, because nothing is rendered");
   std::error_code unknown;
   if (!fs::is_directory(o.expected, unknown) && o.updateMode() != golden::Update::all &&
       o.updateMode() != golden::Update::missing)
-    fail(ExitCode::usage, "--expected {} is no folder; with --update it is made", o.expected);
+    fail(ExitCode::usage, "--expected {} is not a folder; --update creates it", o.expected);
   if (o.run.empty() && !fs::is_directory(o.actual, unknown))
     fail(ExitCode::usage, "--actual {} is no folder", o.actual);
   if (fs::equivalent(o.expected, o.actual, unknown))
@@ -93,8 +92,8 @@ void checkOptions(const TestOptions& o) {
   if (o.updateMode() == golden::Update::prune && o.run.find("{scene}") != std::string::npos)
     for (const std::string& path : o.paths)
       if (!fs::is_directory(path, unknown))
-        fail(ExitCode::usage,
-             "--update=prune has to know all scenes, and {} is one of them; give their folder", path);
+        fail(ExitCode::usage, "--update=prune needs all scenes, and {} is only one; give their folder",
+             path);
 }
 
 /// Returns the rules of the file, followed by the rules of the command line, which take precedence.
@@ -173,7 +172,7 @@ class PictureRun {
       return;
     }
     if (o_.actual.empty())
-      fail(ExitCode::usage, "--list knows the pictures once --run has made them; give --actual");
+      fail(ExitCode::usage, "--list needs existing pictures; give their folder with --actual");
     folder_ = o_.actual;
     for (const golden::PictureCase& one : cases()) printText(oneLine(one.name) + "\n");
   }
@@ -260,7 +259,7 @@ class PictureRun {
   std::vector<golden::PictureCase> cases() {
     golden::PictureSet set = pairs();
     if (!set.passedOver.empty())
-      suite_.notes.push_back("passed over, no pictures: " + golden::someOf(set.passedOver));
+      suite_.notes.push_back("skipped, not pictures: " + golden::someOf(set.passedOver));
     auto& all = set.cases;
     if (!command_.eachScene()) {
       for (std::string& unused : golden::unusedRules(options_.rules, all))

@@ -129,8 +129,7 @@ class SceneRun {
       fail(ExitCode::nothingRan, "no scene to test: {} found, 0 of them match --filter", all.size());
     if (o_.shard.empty()) return;
     if (options_.update == golden::Update::prune)
-      fail(ExitCode::usage,
-           "--update=prune has to know all scenes, and --shard leaves some out; give one of them");
+      fail(ExitCode::usage, "--update=prune needs all scenes, so it cannot be combined with --shard");
     result_.shard = o_.shard;
     const std::size_t whole = scenes_.size();
     scenes_ = golden::shardOf(scenes_, o_.shard);

@@ -167,7 +167,7 @@ class SequenceSink final : public FrameSink {
       warn("{}{} {} empty or damaged; drawn again", firstDamaged.string(),
            damaged == 1 ? "" : fmt::format(" and {} more", damaged - 1), damaged == 1 ? "is" : "are");
     if (unlisted > 0)
-      warn("{} of {} kept frames do not say that they are of this run; the manifest does not list them",
+      warn("{} of {} kept frames do not name the run that drew them; the manifest does not list them",
            unlisted, kept_.size());
     tellOfOtherMachines();
   }
@@ -184,7 +184,7 @@ class SequenceSink final : public FrameSink {
     }
     if (count > 0)
       warn(
-          "{} of {} kept frames were drawn on another machine ({}) and may differ by a hair from what this "
+          "{} of {} kept frames were drawn on another machine ({}) and may differ slightly from what this "
           "one draws; --overwrite draws all anew",
           count, kept_.size(), scene::printable(machine));
   }
@@ -209,7 +209,8 @@ class SequenceSink final : public FrameSink {
     if (!kept.exists) return kept;
     std::error_code unknown;
     if (fs::is_directory(path, unknown))
-      fail(ExitCode::inputOutput, "{} is a folder, and a picture is to be there; remove it", path.string());
+      fail(ExitCode::inputOutput, "cannot write the picture {}: a folder has this name; remove it",
+           path.string());
     try {
       const std::string bytes = readFile(path, "frame");
       const auto file = std::as_bytes(std::span(bytes));

@@ -91,7 +91,8 @@ class Checker::Resolver {
     std::vector<std::size_t> found = candidates(where, check);
     std::erase_if(found, [&](std::size_t i) { return world_.object(i).state().empty(); });
     if (found.empty() && check.object.empty())
-      fail(ExitCode::usage, "{}: \"no-nan\" looks at state, and no object of the scene has any", where);
+      fail(ExitCode::usage,
+           "{}: \"no-nan\" checks the state of simulations, but no object of the scene has state", where);
     if (found.empty())
       fail(ExitCode::usage, "{}: object \"{}\" is a {}, which has no state to look at", where, check.object,
            kindOf(check.object));
@@ -324,7 +325,7 @@ bool Checker::checkBounds(Item& item, double value, CheckResult& result) {
   const int since = item.frames.front();
   if (!item.first && check.drift && result.frame != since) {
     if (!item.told)
-      warn("drift of {} is not judged: this run did not begin before frame {}, from which it is counted",
+      warn("drift of {} was not checked: this run did not begin before frame {}, from which it is counted",
            item.label, since);
     item.told = true;
     return false;

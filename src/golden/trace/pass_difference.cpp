@@ -81,8 +81,9 @@ class Comparison {
     if (a == nullptr || b == nullptr) return true;
     if (!sameShape(*a, *b))
       fail(ExitCode::usage,
-           "the two sides draw pictures of different sizes: {} has {}x{} of {} words here and {}x{} of {} "
-           "there",
+           "the two sides draw pictures of different sizes: {} has {}x{} with {} words per pixel here and "
+           "{}x{} "
+           "with {} there",
            part.empty() ? pass : pass + " (" + part + ")", a->width, a->height, a->each, b->width,
            b->height, b->each);
     if (a->words == b->words) return false;

@@ -100,7 +100,7 @@ Files::Files(const std::filesystem::path& file, const std::vector<std::filesyste
 std::optional<std::size_t> Files::add(std::string name, const std::filesystem::path& path,
                                       std::string original, std::string& reason) {
   if (original.find('\0') != std::string::npos) {
-    reason = "this is no text: it holds a zero byte; save it as UTF-8";
+    reason = "this is not a text file: it contains a zero byte; save it as UTF-8";
     return std::nullopt;
   }
   bytes_ += original.size();
@@ -161,9 +161,8 @@ std::optional<std::size_t> Files::include(const std::string& asked, bool beside,
   }
   if (!outside && isUnitys(name)) {
     reason = fmt::format(
-        "{} comes with Unity, and simreel has no file of its own for it; copy what the kernel needs from "
-        "it. "
-        "simreel has {}",
+        "{} is a file of Unity that simreel does not include; copy the code that the kernel needs from it. "
+        "simreel includes {}",
         scene::inQuotes(asked), unityFiles());
     return std::nullopt;
   }

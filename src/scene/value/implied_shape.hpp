@@ -18,7 +18,8 @@ void implyShape(Fields& f, Shape& shape, Shape ofFile, const char* key, const st
   if (!f.given("shape"))
     shape = ofFile;
   else if (shape != ofFile)
-    f.error(key, fmt::format("\"{}\" is read only with \"shape\": \"{}\", or none", key, name));
+    f.error(key,
+            fmt::format("\"{}\" needs \"shape\": \"{}\"; correct \"shape\" or leave it out", key, name));
 }
 
 }  // namespace simreel::scene

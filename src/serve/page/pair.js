@@ -72,7 +72,7 @@ export class Pair {
 
   words() {
     const { picture } = this;
-    if (this.scene.beside.mistakes) return "The right side is wrong";
+    if (this.scene.beside.mistakes) return "The right side has errors";
     if (!picture?.beside || picture.draft) return "…";
     const { different } = picture.beside;
     if (different === null) return "The pictures are of different sizes";

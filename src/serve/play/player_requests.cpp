@@ -37,7 +37,9 @@ void Player::handle(const Request& request) {
   try {
     const nlohmann::json json = parseStrictJson(request.text, requestLimits);
     if (hub_.editor() != request.viewer && !json.contains("asks")) {
-      hub_.answer(request.viewer, R"({"kind":"refused","text":"somebody else edits; press Take over"})");
+      hub_.answer(
+          request.viewer,
+          R"({"kind":"refused","text":"another viewer edits this scene; press Take over to edit it here"})");
       return;
     }
     if (json.contains("asks"))
@@ -50,7 +52,7 @@ void Player::handle(const Request& request) {
     hub_.answer(request.viewer, nlohmann::json{{"kind", "refused"}, {"text", error.what()}}.dump());
     tellScene();
   } catch (const std::exception&) {
-    hub_.answer(request.viewer, R"({"kind":"refused","text":"that is no request"})");
+    hub_.answer(request.viewer, R"({"kind":"refused","text":"invalid request"})");
   }
 }
 
@@ -88,7 +90,7 @@ void Player::obey(const Json& json) {
   } else if (what == "testThis") {
     testThisFrame();
   } else {
-    request.at("do").wrong("is nothing that can be done");
+    request.at("do").wrong("is an unknown command");
   }
   tellStatus();
 }
@@ -230,7 +232,7 @@ void Player::setValue(const Json& json) {
   } else {
     if (std::any_of(options_.source.given.begin(), options_.source.given.end(),
                     [&](const scene::Override& given) { return given.path == change.path; }))
-      fail(ExitCode::usage, "{} is given on the command line, which goes before", change.path);
+      fail(ExitCode::usage, "{} is set on the command line, which overrides edits", change.path);
     if (!load(text_, withEdit(edits_, change), moving)) {
       // The previous scene is still shown, so its error state is restored.
       const std::string said = mistakes_;
@@ -307,7 +309,7 @@ void Player::testThisFrame() {
 /// Renders the shown frame or the whole sequence in another process.
 void Player::renderIt(const Json& json) {
   if (options_.output.empty())
-    fail(ExitCode::usage, "nothing is rendered from here; start with simreel serve --output FOLDER");
+    fail(ExitCode::usage, "rendering is off; start the server with simreel serve --output FOLDER");
   if (stage_ == nullptr) return;
   const JsonValue request(json);
   const bool other = isSet(request, "beside") && other_.stage() != nullptr;
@@ -346,7 +348,7 @@ void Player::lookAtRender() {
 /// Returns information about a clicked pixel. All viewers may request it, not only the editor.
 void Player::pick(std::uint64_t viewer, const Json& json) {
   const JsonValue request(json);
-  if (!request.at("asks").is("pixel")) request.at("asks").wrong("is nothing that can be asked");
+  if (!request.at("asks").is("pixel")) request.at("asks").wrong("must be \"pixel\"");
   const glm::dvec2 place(request.at("x").number(), request.at("y").number());
   if (stage_ == nullptr || !isThere()) return;
   const bool other = isSet(request, "beside") && other_.stage() != nullptr;

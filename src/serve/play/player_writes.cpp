@@ -54,7 +54,7 @@ void Player::writeOther(const scene::Override& change, const std::string& edited
   const SceneSource source = other_.options().source;
   if (std::any_of(source.given.begin(), source.given.end(),
                   [&](const scene::Override& given) { return given.path == change.path; }))
-    fail(ExitCode::usage, "{} is given on the command line, which goes before", change.path);
+    fail(ExitCode::usage, "{} is set on the command line, which overrides edits", change.path);
   other_.readFile();
   if (!other_.unreadable().empty())
     throw UserError(ExitCode::usage, other_.unreadable(), UserError::Form::report);

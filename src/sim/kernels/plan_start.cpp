@@ -143,7 +143,7 @@ void KernelPlan::holdStart(const char* list, const KernelMemory& given, const sc
                            const KernelSlot& slot, glm::ivec3 size) {
   std::vector<std::string> path = {list, given.name, "start"};
   if (!named.name.empty()) path.push_back(named.name);
-  if (named.formula.moving) return mistake(path, "a first value does not move");
+  if (named.formula.moving) return mistake(path, "a first value must not change with time or steps");
   if (named.formula.components() != slot.offsets.size() && named.formula.components() != 1)
     return mistake(path, fmt::format("{} is a {}: expected {} numbers, found {}",
                                      named.name.empty() ? "an element" : scene::inQuotes(named.name),
@@ -190,7 +190,7 @@ void KernelPlan::planStart(const PlannedBuffer& buffer) {
       columnsFor(*table, buffer.element).list.empty())
     mistake({"buffers", buffer.name, "file"},
             fmt::format(
-                "no column is called as a member of {}; give \"start\", with formulas of the columns {}",
+                "no column has the name of a member of {}; add \"start\" with formulas of the columns {}",
                 buffer.name, firstOf(table->columns)));
 }
 

@@ -102,10 +102,11 @@ class FileShot final : public scene::CameraShot {
     if (!camera.perspective) {
       height_ = camera.height;
       if (!(*height_ >= scene::positive.min && *height_ < scene::positive.max))
-        fail(ExitCode::usage, "camera \"{}\" of the file shows {:g} m from top to bottom", name_, *height_);
+        fail(ExitCode::usage, "camera \"{}\" of the file has a view {:g} m high, which cannot be drawn",
+             name_, *height_);
     } else if (!(angle_ >= least && angle_ <= most))
       fail(ExitCode::usage,
-           "camera \"{}\" of the file sees {:.4g} degrees from top to bottom; {} to {} are drawn", name_,
+           "camera \"{}\" of the file has a field of view of {:.4g} degrees; it must be {} to {}", name_,
            angle_, least, most);
     near_ = camera.near;
     // An orthographic camera may have its near plane at the eye; the minimum distance makes no visible
@@ -113,7 +114,8 @@ class FileShot final : public scene::CameraShot {
     if (!camera.perspective) near_ = std::max(near_, 1e-4);
     if (camera.far > 0) far_ = camera.far;
     if (!(near_ >= scene::positive.min && near_ < scene::positive.max))
-      fail(ExitCode::usage, "camera \"{}\" of the file begins to see at {:g} m", name_, near_);
+      fail(ExitCode::usage, "camera \"{}\" of the file has its near plane at {:g} m, which cannot be drawn",
+           name_, near_);
     for (int node = camera.node; node >= 0; node = read.nodes[static_cast<std::size_t>(node)].parent) {
       Link& link = links_.emplace_back();
       link.number = node;
@@ -132,8 +134,9 @@ class FileShot final : public scene::CameraShot {
       const double length = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
       if (!(length > 1e-12 && length < 1e12))
         fail(ExitCode::usage,
-             "camera \"{}\" of the file looks nowhere at {:g} s: a node is scaled to nothing", name_,
-             seconds);
+             "camera \"{}\" of the file has no direction at {:g} s: the scale of a node is close to 0 or "
+             "too large",
+             name_, seconds);
       return v / length;
     };
     pose.back = unit(glm::dvec3(world[2]));

@@ -46,7 +46,7 @@ void ReactionMesh::describe(scene::Fields& f) {
   if (shape == Shape::file && file.empty())
     f.error("shape", "the shape \"file\" needs \"file\": the mesh to read");
   if (shape != Shape::file && f.given("file"))
-    f.error("file", "\"file\" is read only with \"shape\": \"file\", or none");
+    f.error("file", "\"file\" needs \"shape\": \"file\"; correct \"shape\" or leave it out");
   f.idleUnless(shape == Shape::plane, "shape", {"size"}, "a \"plane\"");
   f.idleUnless(shape == Shape::sphere || shape == Shape::torus, "shape", {"radius"},
                "a \"sphere\" or a \"torus\"");

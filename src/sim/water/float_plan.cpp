@@ -137,8 +137,10 @@ void FloatPlan::warnIfWider(const WaterParameters& water, const std::string& nam
   const glm::vec2 wide(high.x - low.x, high.z - low.z), basin = glm::vec2(water.size) * water.cell;
   const auto wall = [&](std::size_t side) { return water.sides[side] == WaterBorder::wall; };
   if ((wide.x <= basin.x || !(wall(0) && wall(1))) && (wide.y <= basin.y || !(wall(2) && wall(3)))) return;
-  warn("water \"{}\" is {:g} by {:g} m, wider than its basin of {:g} by {:g} m; make one of them fit", name,
-       wide.x, wide.y, basin.x, basin.y);
+  warn(
+      "water \"{}\": the float is {:g} by {:g} m, wider than the basin of {:g} by {:g} m; make it smaller "
+      "or the basin larger",
+      name, wide.x, wide.y, basin.x, basin.y);
 }
 
 void FloatPlan::addBody(const WaterParameters& water, const std::string& name, std::size_t index,
@@ -150,7 +152,8 @@ void FloatPlan::addBody(const WaterParameters& water, const std::string& name, s
   const int reach = static_cast<int>(std::ceil(std::min((hull.reach + widest) / cell, 1e6))) + 3;
   if (reach > largestReach)
     fail(ExitCode::usage,
-         "water \"{}\" reaches over {} cells of {} m to each side, and {} are the most; make it smaller or "
+         "water \"{}\": the float affects {} cells of {} m on each side, and the maximum is {}; make it "
+         "smaller or "
          "\"cell\" larger",
          name, reach, water.cell, largestReach);
   side_ = std::max(side_, 2 * reach + 1);

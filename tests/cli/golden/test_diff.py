@@ -358,7 +358,7 @@ class Sequences(DiffCase):
         lines = done.out.splitlines()
         self.assertRegex(lines[0], r"^0001.png: different: 1 pixel differs .*worst 198 at x 1, y 0")
         self.assertRegex(lines[1], r"^0003.png: different: ")
-        self.assertEqual(lines[2:], ["only in b/: more.png", "passed over, no pictures: a/notes.txt",
+        self.assertEqual(lines[2:], ["only in b/: more.png", "skipped, not pictures: a/notes.txt",
                                      "5 pairs: 3 equal, 2 different, 1 without a partner"])
         self.assertEqual(sorted(p.name for p in (self.folder / "out").iterdir()), ["0001.png", "0003.png"])
         result = self.json(1, "a", "b")

@@ -338,7 +338,7 @@ class Differences(PicturesCase):
         self.both("without ending", picture(), changed({(0, 0): (9, 9, 9)}))
         results, done = self.suite(1)
         self.assertEqual(results["without ending"]["status"], "fail")
-        self.assertIn("passed over, no pictures: actual/.hidden/, actual/notes.txt", done.out)
+        self.assertIn("skipped, not pictures: actual/.hidden/, actual/notes.txt", done.out)
         self.write("actual/without ending", picture())
         self.suite(0)
         self.suite(1, "--strict")
@@ -379,12 +379,12 @@ class Differences(PicturesCase):
         self.both("a.png", picture())
         base = ("--expected", "expected", "--actual", "actual")
         self.usage(["--expected needs --actual"], "--expected", "expected")
-        self.usage(["--actual belongs to pictures"], "--actual", "actual")
+        self.usage(["--actual is only for pictures"], "--actual", "actual")
         self.usage(["nope is no folder"], "--expected", "expected", "--actual", "nope")
-        self.usage(["with --update it is made"], "--expected", "nope", "--actual", "actual")
+        self.usage(["--update creates it"], "--expected", "nope", "--actual", "actual")
         self.usage(["the same folder"], "--expected", "expected", "--actual", "./expected")
         self.usage(["--run needs {output}"], "--expected", "expected", "--run", "true {scene}", ".")
-        self.usage(["no {scene} to put it in"], "--expected", "expected", "--run", "true {output}", ".")
+        self.usage(["does not contain {scene}"], "--expected", "expected", "--run", "true {output}", ".")
         self.usage(["--reason"], *base, "--reason", "x", "--update")
         self.bad(5, ["no picture to test"], "test", *base, "--filter", "nothing")
         shutil.rmtree(self.folder / "expected")
@@ -504,7 +504,7 @@ class Commands(PicturesCase):
         self.statuses(0, "in", "--update", actual=run)
         baselines = self.content("expected")
         self.assertEqual(self.statuses(0, "in/one.txt", actual=run), {"one.png": "pass"})
-        self.bad(2, ["--update=prune has to know all scenes, and in/one.txt is one of them"], "test", "--expected", "expected", *run,
+        self.bad(2, ["--update=prune needs all scenes, and in/one.txt is only one"], "test", "--expected", "expected", *run,
                  "in/one.txt", "--update=prune")
         self.write("in/new.txt", baselines["two.png"])  # same pixels as a scene that is not tested here
         self.assertEqual(self.statuses(0, "in/new.txt", "--update", actual=run), {"new.png": "updated"})
@@ -562,7 +562,7 @@ class Commands(PicturesCase):
                 shutil.rmtree(self.folder / "tried")
         results, _ = self.suite(6, "in", "--retries", "2", actual=("--run", "echo no licence >&2; false {scene} {output}"))
         self.assertEqual([len(r["attempts"]) for r in results.values()], [2, 2])
-        self.usage(["--retries and --timeout are for scenes and for --run"], "--expected", "expected", "--actual", "actual", "--retries", "1")
+        self.usage(["--retries and --timeout have no effect with --actual"], "--expected", "expected", "--actual", "actual", "--retries", "1")
 
     def test_reports_name_no_temporary_folder(self):
         self.write("in/sub/one.txt", picture())

@@ -53,10 +53,10 @@ class Device(Case):
             self.bad(4, ["install a driver", "simreel doctor"], "render", "scene.json", "-o", "out/", env=env)
         # The message names environment variables that select the driver first.
         for name, value in (("GALLIUM_DRIVER", "softpipe"), ("MESA_GL_VERSION_OVERRIDE", "3.3"), ("__EGL_VENDOR_LIBRARY_FILENAMES", "/nothing")):
-            words = f"{name}={value} in the environment changes which driver there is: unset that first, or install a driver"
+            words = f"{name}={value} in the environment selects another driver. Unset it first, or install a driver"
             self.bad(4, [words], "render", "scene.json", "-o", "out/", env={name: value})
             done = self.bad(4, [words], "doctor", env={name: value})
-            self.assertIn(f"Environment: {name}={value} changes which driver there is", done.stdout.decode())
+            self.assertIn(f"Environment: {name}={value} selects another driver", done.stdout.decode())
             done = self.bad(4, "install a driver", "doctor", env=env)
             self.assertIn(b"EGL devices: none", done.stdout)
         self.assertFalse((self.folder / "out").exists())

@@ -153,7 +153,7 @@ TextureCube<float4> _Sky; SamplerState sampler_linear_clamp, sampler_point_clamp
             self.bad(2, message, "validate", "k.json")
         (self.folder / "a.csv").write_text("a,b\n1,2\n")
         for buffer, message in (
-            ({"file": "a.csv"}, 'no column is called as a member of _Data; give "start", with formulas of the columns a, b'),
+            ({"file": "a.csv"}, 'no column has the name of a member of _Data; add "start" with formulas of the columns a, b'),
             ({"size": "count(_Data)"}, "sizes cannot depend on each other in a circle"),
             ({"size": 8, "start": {"position": "1"}}, 'an element of _Data is a float without members: give "start": FORMULA'),
         ):

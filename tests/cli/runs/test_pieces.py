@@ -111,7 +111,7 @@ class Pieces(Case):
         # A drift's reference lies before this run's first frame: the program reports that it cannot judge the drift.
         self.good("render", "checked.json", "-o", "kept/", "--frames", "none", "--checkpoint-at", "6")
         done = self.good("render", "checked.json", "-o", "late/", "--frames", "6-14", "--from", "kept/checkpoint.000006", "--progress", "ndjson")
-        self.assertIn("drift of energy of flag is not judged: this run did not begin before frame 1", done.err)
+        self.assertIn("drift of energy of flag was not checked: this run did not begin before frame 1", done.err)
         self.assertEqual([line for line in done.err.splitlines() if '"check"' in line and "energy" in line], [])
 
     def test_pieces_beside_other_frames_and_with_a_damaged_state(self):
@@ -133,7 +133,7 @@ class Pieces(Case):
             time.sleep(0.002)
         process.send_signal(signal.SIGSTOP)
         if process.poll() is None:
-            self.bad(6, "piece 1 is being drawn by another simreel", "pieces", "draw", "out/pieces", "1")
+            self.bad(6, "piece 1 is in use by another simreel process", "pieces", "draw", "out/pieces", "1")
         process.send_signal(signal.SIGCONT)
         self.assertEqual(process.wait(PATIENCE), 0)
         done = self.good(*beside, "--resume", "--progress", "ndjson")

@@ -21,7 +21,7 @@ class Reproduce(Case):
 
     def test_a_picture_alone_needs_its_scene(self):
         shutil.move(self.folder / "out/000004.png", self.folder / "lone.png")
-        self.bad(2, ["no scene lies beside lone.png", "--scene"], "reproduce", "lone.png")
+        self.bad(2, ["no as-run.json beside lone.png", "--scene"], "reproduce", "lone.png")
         self.good("reproduce", "lone.png", "--scene", "scene.json")
         self.write("scene.json", with_values({"objects.flag.cloth.spacing": 0.11}))
         done = self.run_program("reproduce", "lone.png", "--scene", "scene.json")
@@ -57,7 +57,7 @@ class Reproduce(Case):
     def test_mistakes(self):
         self.bad(2, "no picture that simreel rendered", "reproduce", "scene.json")
         self.bad(2, "no frame 77", "reproduce", "out/manifest.json", "--frame", "77")
-        self.bad(2, "--frame is for manifests", "reproduce", "out/000001.png", "--frame", "2")
+        self.bad(2, "--frame needs a manifest", "reproduce", "out/000001.png", "--frame", "2")
         self.bad(2, "nowhere.png", "reproduce", "nowhere.png")
 
     def test_the_scene_beside_a_video_and_a_still(self):

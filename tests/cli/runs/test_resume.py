@@ -280,7 +280,7 @@ class Resume(Case):
         self.path(2).write_bytes(self.whole["000002.png"])
         done = self.good("render", "scene.json", "-o", "out/", "--skip-existing")
         self.assert_words(["out/000000.png and 1 more are empty or damaged; drawn again",
-                           "1 of 3 kept frames do not say that they are of this run; the manifest does not list them"], done)
+                           "1 of 3 kept frames do not name the run that drew them; the manifest does not list them"], done)
         after = self.content("out")
         self.assertEqual(after["000001.png"], foreign)
         self.assertEqual([frame["frame"] for frame in self.manifest("out")["frames"]], [0, 2, 3, 4, 5])

@@ -218,7 +218,7 @@ class Sweep(Case):
         sweep = ("sweep", "slow.json", "--vary", "seed=1")
         self.good(*sweep, "-o", "sw/", "--plan-only")
         self.write("sw/jobs/0000/mine.txt", "kept")
-        self.bad(6, ["sw/jobs/0000 holds files that are no job's"], "sweep", "job", "sw", "0")
+        self.bad(6, ["sw/jobs/0000 contains files that do not belong to a job"], "sweep", "job", "sw", "0")
         self.assertEqual(list(self.content("sw/jobs/0000")), ["mine.txt"])
         (self.folder / "sw/jobs/0000/mine.txt").unlink()
         drawn = pathlib.Path(disk) / "disk"
@@ -230,8 +230,8 @@ class Sweep(Case):
                 break
             shutil.rmtree(self.folder / "sw/jobs/0000")
         self.assertEqual(self.status(7)[-1], "1 job: 0 done, 1 running")
-        self.bad(6, "is being rendered by another simreel", "sweep", "job", "sw", "0")
-        self.bad(6, "sw/jobs/0000 is being rendered", *sweep, "-o", "sw/", "--frames", "1", "--overwrite")
+        self.bad(6, "is in use by another simreel process", "sweep", "job", "sw", "0")
+        self.bad(6, "sw/jobs/0000 is in use", *sweep, "-o", "sw/", "--frames", "1", "--overwrite")
         process.kill()
         process.communicate()
         self.assertEqual(len(left := list(drawn.iterdir())), 1)  # the next attempt removes the remaining files
@@ -304,7 +304,7 @@ class Sweep(Case):
                 (["-o folder"], ("dish.json", *vary)),
                 (["exclude each other"], ("dish.json", *vary, "-o", "sw/", "--zip", "--grid")),
                 (["--sample", "-D seed=3"], ("dish.json", *vary, "-o", "sw/", "--seed", "3")),
-                (["without a step", "--sample"], ("dish.json", "--vary", f"{FEED}=0:1", "-o", "sw/")),
+                (["has no step", "--sample"], ("dish.json", "--vary", f"{FEED}=0:1", "-o", "sw/")),
                 (["--jobs"], ("dish.json", *vary, "-o", "sw/", "--jobs", "none")),
                 (["--sbatch", "not closed"], ("dish.json", *vary, "-o", "sw/", "--slurm", "--sbatch", "'x")),
                 (["holds no sweep"], ("status", "nowhere"))):

@@ -113,10 +113,10 @@ class Materials(Case):
         self.assertEqual(right, (0, 0, 0))
         self.assertTrue(180 < left[1] < 195, left)  # the picture shows half of the light
         self.write("square.mtl", b"newmtl left\nmap_Kd gone.png\n")
-        self.assertIn("gone.png (it is not there, or no plain file)",
+        self.assertIn("gone.png (it does not exist or is not a regular file)",
                       self.good("render", "square.json", "--frames", "0", "--size", "8x8", "-o", "c/").err)
         (self.folder / "square.mtl").unlink()
-        self.assertIn("square.mtl (it is not there", self.good("render", "square.json", "--frames", "0", "--size", "8x8", "-o", "d/").err)
+        self.assertIn("square.mtl (it does not exist", self.good("render", "square.json", "--frames", "0", "--size", "8x8", "-o", "d/").err)
 
     def square(self, library):
         """Writes an OBJ with one material; at the points that picture() reads, u and v are 0.32 and 0.68."""

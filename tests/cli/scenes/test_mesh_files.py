@@ -110,12 +110,12 @@ class MeshFiles(Case):
         (self.folder / "maps/red.bmp").write_bytes(BMP)
         for line in ("mtllib a.mtl", "mtllib a.mtl b.mtl", "mtllib none.mtl a.mtl # two"):
             said = self.said(f"{line}\n{SQUARE}", a_mtl=library, b_mtl="newmtl n\n")
-            self.assertEqual("none.mtl (it is not there" in said, "none" in line, said)
+            self.assertEqual("none.mtl (it does not exist" in said, "none" in line, said)
             self.assertNotIn("usemtl", said)
             self.assertNotIn("red.bmp", said)
         said = self.said(f"mtllib a.mtl\n{SQUARE}", a_mtl="newmtl m\nmap_Kd t.tga\n", t_tga=b"\0\0\2" + b"\0" * 40)
         self.assertIn("t.tga (it is none of PNG, JPEG, PNM and BMP)", said)
-        self.assertIn("a.mtl (it is not there", self.said(f"mtllib c d/a.mtl\n{SQUARE}"))
+        self.assertIn("a.mtl (it does not exist", self.said(f"mtllib c d/a.mtl\n{SQUARE}"))
 
 
 if __name__ == "__main__":

@@ -256,8 +256,8 @@ class Warnings(Case):
             self.write("pool.json", {"version": 1, "objects": {"pool": {
                 "water": {"size": [30, 30], "cell": 0.1, "terrain": {"bed": -3}, "floats": [box], **sides}}}})
             return self.warned("validate", "pool.json")
-        self.assertEqual(pool(), ['simreel: warning: water "pool.floats.0" is 4 by 1 m, wider than its basin of 3 by 3 m; '
-                                  "make one of them fit"])
+        self.assertEqual(pool(), ['simreel: warning: water "pool.floats.0": the float is 4 by 1 m, wider than the basin of 3 by 3 m; '
+                                  "make it smaller or the basin larger"])
         self.assertEqual(pool(cell=0.2), [])
 
     def test_unknown_columns_are_reported(self):

@@ -66,7 +66,7 @@ TEST_CASE("vary: grid combines all values, zip pairs them") {
   CHECK_THROWS_WITH_AS(static_cast<void>(jobsOf({"a=1,2", "a=3"}, Combination::grid)),
                        doctest::Contains("given twice"), UserError);
   CHECK_THROWS_WITH_AS(static_cast<void>(jobsOf({"a=1:2"}, Combination::grid)),
-                       doctest::Contains("without a step"), UserError);
+                       doctest::Contains("has no step"), UserError);
   CHECK_THROWS_WITH_AS(static_cast<void>(jobsOf({"a=1:1000:1", "b=1:1000:1"}, Combination::grid)),
                        doctest::Contains("more than"), UserError);
 }

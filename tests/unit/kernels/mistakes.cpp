@@ -173,7 +173,8 @@ TEST_CASE(
   checkHas(told("#include \"/etc/passwd\""), "is not in the shader's folder");
   checkHas(told("#include \"loop.cginc\""), "deep");
   CHECK(told("#include \"UnityCG.cginc\"") == "fine");
-  checkHas(told("#include \"UnityDeferredLibrary.cginc\""), "comes with Unity, and simreel has no file");
+  checkHas(told("#include \"UnityDeferredLibrary.cginc\""),
+           "is a file of Unity that simreel does not include");
   std::filesystem::create_directories(folder / "shader" / "Util");
   std::ofstream(folder / "shader" / "Util" / "Deep.hlsl") << "#define DEEP 1\n";
   CHECK(told("#include \"Util\\Deep.hlsl\"") == "fine");
@@ -195,7 +196,7 @@ TEST_CASE("a shader that calls itself, nests too deeply or is no text ends in on
   checkHas(
       report("j.hlsl", std::string(head) + "void K() { _Out[0] = " + std::string(100000, '(') + "; }\n"),
       "brackets are nested more than");
-  checkHas(report("k.hlsl", std::string("a\0b", 3)), "this is no text");
+  checkHas(report("k.hlsl", std::string("a\0b", 3)), "this is not a text file");
 }
 
 TEST_CASE("garbage and cut shaders end in a message, and no crash of the compiler reaches the program") {

@@ -153,7 +153,8 @@ TEST_CASE("STL: what is not used is named") {
 
 TEST_CASE("STL: a damaged file is refused in one line") {
   const std::string whole = binary(cube()), words = text(tent(60));
-  checkHas(refusalOf(whole.substr(0, whole.size() - 1)), "has 12 triangles by its header, and bytes of 11");
+  checkHas(refusalOf(whole.substr(0, whole.size() - 1)),
+           "is cut off: its header announces 12 triangles, and it has the bytes of 11");
   checkHas(refusalOf(whole.substr(0, 83)), "is shorter than a header");
   checkHas(refusalOf(words.substr(0, words.find(" endloop"))), "ends in the middle of a facet");
   checkHas(refusalOf("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 zero\n"),

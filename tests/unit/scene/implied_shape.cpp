@@ -55,7 +55,8 @@ TEST_CASE("a given file or image implies the matching shape") {
     CHECK(without.front() == '{');
     CHECK(without == understoodAs(kind.object, named(kind.shape)));
     simreel::test::checkHas(without, fmt::format(R"("shape":"{}")", kind.shape));
-    simreel::test::checkHas(understoodAs(kind.object, named(kind.other)),
-                            fmt::format(R"(is read only with "shape": "{}", or none)", kind.shape));
+    simreel::test::checkHas(
+        understoodAs(kind.object, named(kind.other)),
+        fmt::format(R"(needs "shape": "{}"; correct "shape" or leave it out)", kind.shape));
   }
 }

@@ -152,7 +152,7 @@ TEST_CASE("MAP rules equal the letter notation") {
 TEST_CASE("invalid rules of every family are refused at their position") {
   checkHas(written("B1a/S"), "2: there is no arrangement a of 1 neighbours; its letters are ce");
   checkHas(written("B5z/S"), "2: there is no arrangement z of 5");
-  checkHas(written("B2cc/S"), "3: the letter c is there twice");
+  checkHas(written("B2cc/S"), "3: the letter c occurs twice");
   checkHas(written("B8c/S"), "2: 8 neighbours lie in one way");
   checkHas(written("B2c/S1V"), "2: letters tell how eight");
   checkHas(written("B5/S1V"), "1: a cell has 4 neighbours with V, not 5");

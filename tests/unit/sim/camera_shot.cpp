@@ -155,7 +155,7 @@ TEST_CASE("glTF cameras: invalid cameras are reported") {
   checkHas(mistakeOf(moved, gltf), "no animation \"tur\"; did you mean \"turn\"?");
   test::GltfText none = gltf, narrow = gltf, nothing = gltf, level = gltf, strange = gltf;
   level.document["cameras"][1]["orthographic"]["ymag"] = 0;
-  checkHas(mistakeOf(asked("flat"), level), "\"flat\" of the file shows 0 m from top to bottom");
+  checkHas(mistakeOf(asked("flat"), level), "\"flat\" of the file has a view 0 m high");
   strange.document["cameras"][1]["type"] = "fisheye";
   try {
     static_cast<void>(sim::readCamera(asked("flat"), strange.text()));
@@ -167,10 +167,11 @@ TEST_CASE("glTF cameras: invalid cameras are reported") {
   none.document["nodes"][2].erase("camera");
   checkHas(mistakeOf(asked(""), none), "has no camera in its default scene");
   narrow.document["cameras"][0]["perspective"]["yfov"] = 3.1;
-  checkHas(mistakeOf(asked("wide"), narrow), "sees 177.6 degrees from top to bottom");
+  checkHas(mistakeOf(asked("wide"), narrow), "has a field of view of 177.6 degrees");
   nothing.document["nodes"][0]["scale"] = {0, 1, 0};
   CHECK_THROWS_WITH_AS(static_cast<void>(sim::readCamera(asked("wide"), nothing.text())->at(0.5)),
-                       "camera \"wide\" of the file looks nowhere at 0.5 s: a node is scaled to nothing",
+                       "camera \"wide\" of the file has no direction at 0.5 s: the scale of a node is "
+                       "close to 0 or too large",
                        UserError);
 }
 

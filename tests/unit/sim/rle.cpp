@@ -47,7 +47,7 @@ TEST_CASE("invalid rules are refused at their position") {
   checkHas(written("B3/B3"), "3: an S is missing");
   checkHas(written("3"), "1: a slash is missing");
   checkHas(written("B39/S23"), "2: a cell has 8 neighbours");
-  checkHas(written("B33/S23"), "2: 3 is there twice");
+  checkHas(written("B33/S23"), "2: 3 occurs twice");
   checkHas(written("B3/23"), "3: an S is missing");
   checkHas(written("B3/"), "3: an S is missing");
   checkHas(written("B3/S2\n"), "5: '?' is not");

@@ -64,7 +64,7 @@ CellRule parseTree(const RuleFileText& file) {
   }
   if (read != nodes || depths.empty() || depths.back() != neighbours + 1)
     file.wrong(fmt::format("@TREE ends after {} of {} nodes{}; the file may be cut off", read, nodes,
-                           read == nodes ? ", of which the last is no root" : ""));
+                           read == nodes ? "; the last node is not the root" : ""));
   CellRule rule;
   rule.family = CellRule::Family::tree;
   rule.states = states;
@@ -99,8 +99,9 @@ std::vector<glm::vec3> parseColors(const RuleFileText& file, int states) {
       levels[numbers++] = file.number(line, word.at, word.text, 255, "a colour's level");
     }
     if (numbers < 4)
-      file.wrong(line, 0,
-                 "a colour is a state and three levels, as in \"1 0 128 255\", or two colours of three");
+      file.wrong(
+          line, 0,
+          "a colour line needs a state and three levels, as in \"1 0 128 255\", or two times three levels");
     if (colors.empty()) {
       colors.assign(count, glm::vec3(1));
       colors[0] = glm::vec3(0);

@@ -73,7 +73,7 @@ class CountsReader {
                                                                        : "",
                                  digit, countsAdvice)};
       if ((seen >> digit & 1U) != 0)
-        return {at_, fmt::format("{} is there twice; {}", digit, countsAdvice)};
+        return {at_, fmt::format("{} occurs twice; {}", digit, countsAdvice)};
       seen |= 1U << digit;
       ++at_;
       if (RuleProblem problem = letters(digit, counts); !problem.message.empty()) return problem;
@@ -97,7 +97,7 @@ class CountsReader {
       if ((all >> which & 1) == 0)
         return {at_, fmt::format("there is no arrangement {} of {} neighbours; its letters are {}", c,
                                  digit, lettersThere(all))};
-      if ((mask >> which & 1) != 0) return {at_, fmt::format("the letter {} is there twice", c)};
+      if ((mask >> which & 1) != 0) return {at_, fmt::format("the letter {} occurs twice", c)};
       mask |= 1 << which;
     }
     counts[static_cast<std::size_t>(digit)] = without ? all & ~mask : mask == 0 ? all : mask;

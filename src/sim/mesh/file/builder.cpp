@@ -74,7 +74,7 @@ std::string whyUnread(const fs::path& mesh, const fs::path& named) {
     return readable.empty() ? "it lies outside the mesh's folder"
                             : "it lies outside the folders that the scene may read; --assets DIR adds one";
   std::error_code error;
-  return fs::is_regular_file(named, error) ? "" : "it is not there, or no plain file";
+  return fs::is_regular_file(named, error) ? "" : "it does not exist or is not a regular file";
 }
 
 void MeshBuilder::begin(std::size_t vertices, std::size_t triangles, const glm::mat4& transform,

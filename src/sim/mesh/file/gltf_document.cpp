@@ -209,7 +209,7 @@ std::string GltfDocument::bytesOf(const std::string& uri, std::uint64_t promised
     refuse(fmt::format("names {}, which lies outside its folder", path.string()));
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
-    refuse(fmt::format("names {}, which is not there, or no plain file", path.string()));
+    refuse(fmt::format("names {}, which does not exist or is not a regular file", path.string()));
   const auto size = std::filesystem::file_size(path, error);
   if (error || size < promised)
     refuse(fmt::format("has a buffer of {} bytes, of which {} holds {}", promised, path.string(), size));

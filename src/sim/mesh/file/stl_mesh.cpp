@@ -67,8 +67,9 @@ Facets binaryFacets(std::string_view bytes) {
   checkCount(count);
   const std::size_t begin = headerBytes + countBytes;
   if ((bytes.size() - begin) / facetBytes < count)
-    throw PolygonProblem(fmt::format("has {} triangles by its header, and bytes of {}", count,
-                                     (bytes.size() - begin) / facetBytes));
+    throw PolygonProblem(
+        fmt::format("is cut off: its header announces {} triangles, and it has the bytes of {}", count,
+                    (bytes.size() - begin) / facetBytes));
   Facets facets;
   facets.corners.reserve(3 * count);
   for (std::size_t i = 0; i < count; ++i) {
