@@ -185,7 +185,7 @@ class SequenceSink final : public FrameSink {
     if (count > 0)
       warn(
           "{} of {} kept frames were drawn on another machine ({}) and may differ slightly from what this "
-          "one draws; --overwrite draws all anew",
+          "one draws; --overwrite draws all frames again",
           count, kept_.size(), scene::printable(machine));
   }
 
