@@ -57,7 +57,8 @@ void main() {
 #endif
     nearest[place] = near;
     precise vec4 mean = vec4(0.0f);
-    // Uses a loop of at most one iteration instead of a branch, because software drivers execute both sides of a branch.
+    // Uses a loop of at most one iteration instead of a branch, because software drivers execute both sides of a
+    // branch.
     for (int i = near > 0.0f ? 0 : 1; i < 1; ++i)
       mean = 0.25f * ((lightBefore(a) + lightBefore(b)) + (lightBefore(c) + lightBefore(d)));
     lit[place] = mean;
