@@ -31,8 +31,8 @@ RayHit testTriangle(Ray ray, RayPlanes planes, RayHit best, int i) {
   vec2 span = spanIn(planes, a.w, b.w, c.w);
   RayHit hit = nearerTriangle(ray, uintBitsToFloat(a.xyz), uintBitsToFloat(b.xyz), uintBitsToFloat(c.xyz), span, i, best);
 #ifdef PASSAGES
-  // Uses a loop of at most one iteration instead of a branch, so that software drivers skip the closer test if no ray needs
-  // it.
+  // Uses a loop of at most one iteration instead of a branch, so that software drivers skip the closer test if no ray
+  // needs it.
   for (bool closer = hit.at != best.at && (a.w & 0x80008000u) == 0x8000u; closer; closer = false) hit = hitOrPassed(ray, hit, best);
 #endif
   return taken(hit, best, a.w);
