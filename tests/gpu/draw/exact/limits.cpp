@@ -231,8 +231,8 @@ TEST_CASE("exact limits: one primitive over the whole picture is the same at any
       CAPTURE(samples);
       CHECK(with(samples).bytes == one.bytes);
     }
-    // The triangle has more pixels than one invocation may loop over, and more than small triangles may
-    // have.
+    // The picture has more pixels than one invocation may loop over, and more than small triangles may
+    // cover.
     for (const glm::ivec2 size : {glm::ivec2(401, 301), glm::ivec2(13, 5400)}) {
       const Picture large = drawn(scene, drawables, size, 1, {.rasterizer = scene::Rasterizer::exact});
       int dark = 0;

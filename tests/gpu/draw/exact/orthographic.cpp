@@ -150,8 +150,8 @@ TEST_CASE("orthographic: the picture is that of a camera far away") {
 }
 
 TEST_CASE("orthographic: the ground is there where it lies behind the plane of the camera, too") {
-  // The target is 1.5 m above the ground and the picture is 6 m high, so the lowest rays start below the
-  // ground.
+  // With `back` 0, the camera is 1.5 m above the ground. The picture is 6 m high, so the lowest rays start
+  // below the ground.
   const auto sceneAt = [](double back) {
     const glm::dvec3 low(0, 1.5, 6);
     const glm::dvec3 there = low + back * glm::normalize(low);

@@ -108,8 +108,7 @@ TEST_CASE(
       sheet.material.color = glm::vec3(0.9F);
       if (of == Of::map) sheet.material.finish.color = texels;
       if (of == Of::relief) {
-        scene.sun.direction = glm::vec3(1, 0.3F, 1);  // lights the flat sheet with half as much additional
-                                                      // light
+        scene.sun.direction = glm::vec3(1, 0.3F, 1);  // from the side, so that the relief changes the light
         sheet.material.texture = ramp.path();
         sheet.material.bump = 0.3F;
       }
