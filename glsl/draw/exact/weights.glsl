@@ -1,7 +1,7 @@
-// Barycentric weights of a picture position (pixels) on a triangle. Compiles as GLSL and as C++. A projected corner is
-// P = (x depth, y depth, depth). Relative to the picture position q, it is the 2D vector u = P.xy - q depth. Weights w
-// with sum w_i u_i = 0 give the point of the triangle in space, so w_a = u_b x u_c and so on, divided by the sum of the
-// weights. PARALLEL: a corner has x, y and a separate depth; relative to q it is P.xy - q.
+// Barycentric weights of a picture position (pixels) on a triangle. Compiles as GLSL and as C++.
+// A projected corner is P = (x depth, y depth, depth). Relative to the picture position q, it is the 2D vector u = P.xy
+// - q depth. Weights w with sum w_i u_i = 0 give the point of the triangle in space, so w_a = u_b x u_c and so on,
+// divided by the sum of the weights. PARALLEL: a corner has x, y and a separate depth; relative to q it is P.xy - q.
 #ifndef EXACT_WEIGHTS
 #define EXACT_WEIGHTS
 #include "common/exact.glsl"

@@ -1,8 +1,8 @@
-// Light of a uniformly bright rectangle that shines only to its front. Compiles as GLSL and as C++. A polygon of
-// luminance L gives a surface of normal n the illuminance E = L n.F. The vector irradiance F is half the sum over the
-// polygon's sides of the angle that the side spans, times the unit normal of the plane through the receiving point and
-// the side. Only the part of the polygon above the surface's horizon counts (Lambert 1760; for instance Arvo,
-// "Applications of irradiance tensors", SIGGRAPH 1995).
+// Light of a uniformly bright rectangle that shines only to its front. Compiles as GLSL and as C++.
+// A polygon of luminance L gives a surface of normal n the illuminance E = L n.F. The vector irradiance F is half the
+// sum over the polygon's sides of the angle that the side spans, times the unit normal of the plane through the
+// receiving point and the side. Only the part of the polygon above the surface's horizon counts (Lambert 1760; for
+// instance Arvo, "Applications of irradiance tensors", SIGGRAPH 1995).
 #include "draw/arithmetic.glsl"
 #include "draw/surface/shading.glsl"
 

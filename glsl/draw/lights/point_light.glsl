@@ -1,9 +1,9 @@
-// Light of a uniformly bright ball. Compiles as GLSL and as C++. A ball of radius R and luminance L has the luminous
-// intensity I = pi R^2 L in every direction. A surface that faces the ball at distance d from its centre has the
-// illuminance E = pi L (R/d)^2 = I / d^2. This is exact, down to the ball's surface (Lambert 1760; form factor of a
-// sphere, for instance Howell, "A Catalog of Radiation Heat Transfer Configuration Factors", B-38). Inside the ball, E
-// is constant, I / R^2. A surface turned by theta gets E cos theta as long as the whole ball is above the surface's
-// horizon.
+// Light of a uniformly bright ball. Compiles as GLSL and as C++.
+// A ball of radius R and luminance L has the luminous intensity I = pi R^2 L in every direction. A surface that faces
+// the ball at distance d from its centre has the illuminance E = pi L (R/d)^2 = I / d^2. This is exact, down to the
+// ball's surface (Lambert 1760; form factor of a sphere, for instance Howell, "A Catalog of Radiation Heat Transfer
+// Configuration Factors", B-38). Inside the ball, E is constant, I / R^2. A surface turned by theta gets E cos theta as
+// long as the whole ball is above the surface's horizon.
 #include "draw/arithmetic.glsl"
 
 struct Arrival {

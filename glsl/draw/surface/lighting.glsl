@@ -1,9 +1,10 @@
 // Light that a metal/rough surface under sun, sky and lamps reflects to the eye. Compiles as GLSL and as C++. Defines:
-// TRANSLUCENT, REFLECTIVE, LAMPS. SHEEN: the surface has fabric fibres with the colour sheen_ and the roughness
-// sheenRoughness_. JOINED: one kernel shades several surfaces, only some of which are REFLECTIVE; `mirrors` is true for
-// these. SHOWN: outputs the normal (1) or the base colour (2) instead of light. REFLECTED: outputs the change of the
-// light if reflected rays hit objects of the picture, and with GROUND_BELOW the ground, instead of the surroundings
-// (draw/exact/reflections).
+// TRANSLUCENT, REFLECTIVE, LAMPS.
+// SHEEN: the surface has fabric fibres with the colour sheen_ and the roughness sheenRoughness_.
+// JOINED: one kernel shades several surfaces, only some of which are REFLECTIVE; `mirrors` is true for these.
+// SHOWN: outputs the normal (1) or the base colour (2) instead of light.
+// REFLECTED: outputs the change of the light if reflected rays hit objects of the picture, and with GROUND_BELOW the
+// ground, instead of the surroundings (draw/exact/reflections).
 #include "draw/sky.glsl"
 #include "draw/surface/shading.glsl"
 #ifdef SHEEN

@@ -9,13 +9,14 @@
 
 namespace simreel::frame {
 
-/// File formats that hold a surface at several frames. glb: binary glTF 2.0. The mesh is the first frame.
-/// For each later frame, a morph target with normals holds the difference from the first frame. An
-/// animation sets the weights, so positions are interpolated linearly between frames. pc2: PointCache2 (J.
-/// Burnett, PointCache2 readme, "PC2 File Format"), little endian. A 32-byte header has the first frame's
-/// number and the step between frames; the positions follow. mdd: LightWave Motion Designer (as read by
-/// Blender's MOD_meshcache_mdd.c), big endian. The file has counts, the time of each frame in seconds since
-/// the first, then the positions.
+/// File formats that hold a surface at several frames.
+/// glb: binary glTF 2.0. The mesh is the first frame. For each later frame, a morph target with normals
+/// holds the difference from the first frame. An animation sets the weights, so positions are interpolated
+/// linearly between frames.
+/// pc2: PointCache2 (J. Burnett, PointCache2 readme, "PC2 File Format"), little endian. A 32-byte header
+/// has the first frame's number and the step between frames; the positions follow.
+/// mdd: LightWave Motion Designer (as read by Blender's MOD_meshcache_mdd.c), big endian. The file has
+/// counts, the time of each frame in seconds since the first, then the positions.
 inline constexpr std::array<const char*, 3> sequenceFormats = {"glb", "pc2", "mdd"};
 
 /// Properties of a sequence that are known before its first frame.

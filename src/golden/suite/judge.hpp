@@ -38,9 +38,10 @@ struct Judgement {
 /// with exact numerics; with fast numerics if the numerics fingerprints are equal). The sizes must be
 /// equal. Equal pixel hashes pass. Otherwise the frame fails if one of the pictures is exact or if this
 /// machine drew the baseline. On another machine with equal fingerprints, the picture must be within
-/// brokenNearness(). All bounds of the tolerance must hold. Accepted alternates count like the baseline.
-/// Fills in the metrics of differing pictures; image paths stay empty. Always reads the baseline's pictures
-/// and verifies their listed hashes. Quick measures omit SSIM and FLIP, unless a rule needs FLIP.
+/// brokenNearness(). All bounds of the tolerance must hold.
+/// Accepted alternates count like the baseline. Fills in the metrics of differing pictures; image paths
+/// stay empty. Always reads the baseline's pictures and verifies their listed hashes. Quick measures omit
+/// SSIM and FLIP, unless a rule needs FLIP.
 [[nodiscard]] Judgement judgeFrame(const RunFrame& made, const Reference& reference,
                                    Measures measures = Measures::all);
 

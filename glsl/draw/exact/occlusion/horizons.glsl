@@ -1,14 +1,15 @@
 // Cosine-weighted ambient light that objects around a point occlude (J. Jimenez et al., "Practical realtime strategies
 // for accurate indirect occlusion", SIGGRAPH 2016). Compiles as GLSL and as C++. The including file declares `view`,
 // SLICES, STEPS, float nearnessAt(ivec2 half pixel), which is 0 outside the picture, and vec3 reach_: max distance of
-// occluders (m), max distance (half pixels), half pixels per metre at depth 1. A slice is a plane through the eye,
-// visible as a line through the half pixel. Let d be the depth of the shaded point, r the ray of the half pixel and u
-// the change of r per half pixel along the line. The point that is visible t half pixels further, at depth e, is e (r +
-// t u). Seen from the shaded point d r, its direction is r (1 - d / e) + t u, which has one component along r and one
-// across r. The horizon on each side is the highest of these directions, given as its angle h from the direction to the
-// eye. With the angle g of the normal in that plane, the light below the horizon is (cos g - cos(2 h - g) + 2 h sin g)
-// / 4 for each side, and cos g + g sin g in total without occluders. Nearness is affine on planes, so samples between
-// two half pixels are estimated along the plane of the shaded point. For points of that plane the estimate is exact.
+// occluders (m), max distance (half pixels), half pixels per metre at depth 1.
+// A slice is a plane through the eye, visible as a line through the half pixel. Let d be the depth of the shaded point,
+// r the ray of the half pixel and u the change of r per half pixel along the line. The point that is visible t half
+// pixels further, at depth e, is e (r + t u). Seen from the shaded point d r, its direction is r (1 - d / e) + t u,
+// which has one component along r and one across r. The horizon on each side is the highest of these directions, given
+// as its angle h from the direction to the eye. With the angle g of the normal in that plane, the light below the
+// horizon is (cos g - cos(2 h - g) + 2 h sin g) / 4 for each side, and cos g + g sin g in total without occluders.
+// Nearness is affine on planes, so samples between two half pixels are estimated along the plane of the shaded point.
+// For points of that plane the estimate is exact.
 // PARALLEL: all rays go along f, and nearness is the distance (m) from the far end of the depth range. The direction is
 // f times the nearness difference, plus t u across.
 #include "common/exact_acos.glsl"

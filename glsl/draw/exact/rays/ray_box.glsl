@@ -1,8 +1,8 @@
-// Boxes of a hierarchy, and their intersection with rays. Compiles as GLSL and as C++. A box is quantized to a grid of
-// 32,768 cells along each axis of the scene, and is at least one cell larger than its contents on each side. A ray
-// crosses the plane q of the grid at the distance q a + c, which is monotonic in q even after rounding. A ray therefore
-// never reaches the contents before the box, whatever the rounding, so the order in which boxes are visited cannot
-// change the result.
+// Boxes of a hierarchy, and their intersection with rays. Compiles as GLSL and as C++.
+// A box is quantized to a grid of 32,768 cells along each axis of the scene, and is at least one cell larger than its
+// contents on each side. A ray crosses the plane q of the grid at the distance q a + c, which is monotonic in q even
+// after rounding. A ray therefore never reaches the contents before the box, whatever the rounding, so the order in
+// which boxes are visited cannot change the result.
 #ifndef EXACT_RAY_BOX
 #define EXACT_RAY_BOX
 #include "common/exact.glsl"

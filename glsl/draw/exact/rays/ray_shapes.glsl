@@ -1,8 +1,9 @@
-// Intersection of rays with triangles and balls. Compiles as GLSL and as C++. The corners of a triangle are transformed
-// to ray coordinates (two across the ray, one along it). Three products of the coordinates tell on which side of each
-// edge the ray passes. Two triangles with a common edge get the same product with opposite sign. Therefore no ray slips
-// through between them, and a ray exactly through the edge hits both. A triangle seen edge-on (sum of the products
-// about zero) is not hit. Of several hits at the same distance, the first one in the hierarchy's order counts.
+// Intersection of rays with triangles and balls. Compiles as GLSL and as C++.
+// The corners of a triangle are transformed to ray coordinates (two across the ray, one along it). Three products of
+// the coordinates tell on which side of each edge the ray passes. Two triangles with a common edge get the same product
+// with opposite sign. Therefore no ray slips through between them, and a ray exactly through the edge hits both. A
+// triangle seen edge-on (sum of the products about zero) is not hit. Of several hits at the same distance, the first
+// one in the hierarchy's order counts.
 #ifndef EXACT_RAY_SHAPES
 #define EXACT_RAY_SHAPES
 #include "draw/exact/rays/ray_box.glsl"

@@ -1,9 +1,12 @@
-// Traces rays, one per invocation. A ray has two texels: origin and an unused number; unit direction and length (m; 0:
-// no ray). The result has four words: the distance, the index of the hit object, and the weights of the triangle's
-// second and third corner. The index refers to the triangle order; -1 means no hit; with ballBit, it refers to the ball
-// order; groundHit means the ground. ANY_HIT: the result is the transmitted fraction of light (x; with PASSAGES rgb)
-// instead, and objects that cast no shadow are ignored. GOES_ON: only listed rays are traced. LISTED: the rays are in
-// two lists whose lengths are in a buffer. Defines: TRIANGLES, BALLS, GROUND; PASSAGES, LAID.
+// Traces rays, one per invocation.
+// A ray has two texels: origin and an unused number; unit direction and length (m; 0: no ray). The result has four
+// words: the distance, the index of the hit object, and the weights of the triangle's second and third corner. The
+// index refers to the triangle order; -1 means no hit; with ballBit, it refers to the ball order; groundHit means the
+// ground.
+// ANY_HIT: the result is the transmitted fraction of light (x; with PASSAGES rgb) instead, and objects that cast no
+// shadow are ignored.
+// GOES_ON: only listed rays are traced. LISTED: the rays are in two lists whose lengths are in a buffer. Defines:
+// TRIANGLES, BALLS, GROUND; PASSAGES, LAID.
 #define EXACT_PICTURE
 #include "draw/frame_block.glsl"
 #include "draw/exact/rays/bindings.glsl"

@@ -3,19 +3,24 @@
 // the picture and the thickness; Y. Uludag, "Hi-Z screen-space cone-traced reflections", GPU Pro 5, 2014, for the
 // levels). Compiles as GLSL and as C++. The including file declares `view`, float nearestAt(level, cell) and vec4
 // litAt(level, cell) of half pixels (blocks of 2x2 pixels), and vec2 mirrorReach_: max length of rays and thickness of
-// objects (m). On the picture a ray is a line, and its nearness is affine along the line, as for planes: n(t) = n0 + t
-// n', with t in half pixels. A cell of a level holds the nearness of the nearest point that it covers. If that point is
-// farther away than the ray in the whole cell, the ray hits nothing there and continues with larger cells. Otherwise it
-// continues with smaller cells. In a half pixel the ray has hit something if three conditions hold. First, nearest(t1)
-// > n(t1): at the end t1 of its path through the half pixel the ray is behind the visible surface. Second, 1 / nearest
-// - 1 / n(t) < thickness: at its nearer end the ray is behind the surface by less than the thickness. Third, nearest is
-// greater than the nearness of the mirror's plane, by more than the plane's change over a half pixel. The weight of a
-// hit falls from 1 to 0 in these cases: the ray is far behind the visible surface (by more than the surface's change
-// over a half pixel, sooner for a curved mirror); the hit is within a tenth of the picture's height of its border; the
-// hit is in the farther half of the max length; the ray comes towards the eye, because the back sides of objects are
-// not visible; the mirror is so curved that neighbouring half pixels reflect points 1/8 to 3/4 half pixels apart, which
-// would be noise; the roughness goes from 0.1 to 0.3, because rougher mirrors would need blurred edges. The remaining
-// weight counts as a miss.
+// objects (m).
+// On the picture a ray is a line, and its nearness is affine along the line, as for planes: n(t) = n0 + t n', with t in
+// half pixels. A cell of a level holds the nearness of the nearest point that it covers. If that point is farther away
+// than the ray in the whole cell, the ray hits nothing there and continues with larger cells. Otherwise it continues
+// with smaller cells. In a half pixel the ray has hit something if these three conditions hold:
+// 1. nearest(t1) > n(t1). At the end t1 of its path through the half pixel the ray is behind the visible surface.
+// 2. 1 / nearest - 1 / n(t) < thickness. At its nearer end the ray is behind the surface by less than the thickness.
+// 3. nearest is greater than the nearness of the mirror's plane, by more than the plane's change over a half pixel.
+// The weight of a hit falls from 1 to 0 in these cases:
+// - the ray is far behind the visible surface (by more than the surface's change over a half pixel, sooner for a curved
+// mirror);
+// - the hit is within a tenth of the picture's height of its border;
+// - the hit is in the farther half of the max length;
+// - the ray comes towards the eye, because the back sides of objects are not visible;
+// - the mirror is so curved that neighbouring half pixels reflect points 1/8 to 3/4 half pixels apart, which would be
+// noise;
+// - the roughness goes from 0.1 to 0.3, because rougher mirrors would need blurred edges.
+// The remaining weight counts as a miss.
 #include "common/exact.glsl"
 #include "draw/exact/depth.glsl"
 #include "draw/exact/occlusion/half_pixels.glsl"

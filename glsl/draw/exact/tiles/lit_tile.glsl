@@ -1,9 +1,10 @@
 // Shades the pixels of a tile; each primitive of a pixel is shaded once. The including file declares vec4
-// lightOf(pixel, number, first sample). On a software driver, a vector of invocations runs as long as any of them has
-// work, and a pixel shows one to four primitives. Therefore an invocation handles the primitives of all its pixels one
-// after another, so that it is rarely idle. REFLECTED: the change by reflections is computed once for each half pixel
-// (four pixels) and each part of the object, at the first sample that shows the part. uint partOfThing(number) returns
-// the part to which a primitive belongs.
+// lightOf(pixel, number, first sample).
+// On a software driver, a vector of invocations runs as long as any of them has work, and a pixel shows one to four
+// primitives. Therefore an invocation handles the primitives of all its pixels one after another, so that it is rarely
+// idle. REFLECTED: the change by reflections is computed once for each half pixel (four pixels) and each part of the
+// object, at the first sample that shows the part. uint partOfThing(number) returns the part to which a primitive
+// belongs.
 #if defined REFLECTED && !defined GROUND_BELOW
 // Only the ground in mirrors is shaded here; it needs neither shadow maps nor lamps.
 #undef SHADOW

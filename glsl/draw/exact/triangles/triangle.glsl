@@ -1,7 +1,8 @@
-// A triangle in the picture: covered samples and nearness. Compiles as GLSL and as C++. Corners are rounded to 1/256
-// pixel. Coverage is then computed in integers. For an edge from p to q with the triangle on its left, the edge
-// function E(s) = (q - p) x (s - p) is not negative inside. A sample exactly on an edge belongs to the triangle for
-// which the edge is a top or left edge, so exactly one of two triangles with a common edge covers the sample.
+// A triangle in the picture: covered samples and nearness. Compiles as GLSL and as C++.
+// Corners are rounded to 1/256 pixel. Coverage is then computed in integers. For an edge from p to q with the triangle
+// on its left, the edge function E(s) = (q - p) x (s - p) is not negative inside. A sample exactly on an edge belongs
+// to the triangle for which the edge is a top or left edge, so exactly one of two triangles with a common edge covers
+// the sample.
 #ifndef EXACT_TRIANGLE
 #define EXACT_TRIANGLE
 #include "draw/exact/fixed.glsl"
