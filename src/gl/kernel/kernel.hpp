@@ -80,7 +80,7 @@ const KernelNames& namesOf() {
 template <class Interface>
 inline const bool listedKernel = (kernelInterfaces().push_back(&namesOf<Interface>()), true);
 
-/// A compute shader with a typed interface. `Interface` is a plain struct beside the code that runs the
+/// A compute shader with a typed interface. `Interface` is a plain struct next to the code that runs the
 /// kernel:
 ///
 ///     struct BlurKernel {

@@ -6,7 +6,7 @@
 struct SkinSeen {
   SkinArea area;
   float change2;  // squared change of q per pixel
-  vec3 rise;      // gradient of q along the surface, in 1 per cell
+  vec3 rise;      // gradient of q along the surface (change per cell)
 };
 
 struct SpotSkin {

@@ -4,7 +4,7 @@ namespace simreel::draw {
 
 namespace {
 
-/// Stores the keys and ids of the band's samples for `simreel bisect`. For the first band, also stores the
+/// Stores the keys and ids of the band's samples as pass outputs. For the first band, also stores the
 /// shadow maps and the list of objects.
 class KeptVisibilityPass final : public FramePass {
  public:

@@ -77,7 +77,7 @@ struct ExactFrame {
 
   // The following members are the state of one picture.
   AskedPicture asked;
-  PassPicture* passes = nullptr;           ///< receives the pass outputs for `simreel bisect`; null if they
+  PassPicture* passes = nullptr;           ///< receives the pass outputs (bisect, test); null if they
                                            ///< are not needed
   std::optional<LightRequest> wanted;      ///< light and layers that the caller has requested
   PictureLayers layers;                    ///< receives the requested light and layers
