@@ -1,6 +1,6 @@
-// Arithmetic of shading, shared by both rasterizers. EXACT_PICTURE: results have the same bits on every driver;
-// assignments to ROUNDED variables round each operation separately. Otherwise the driver's built-in functions are used.
-// Vectors passed to unitOf() must be longer than 1e-15. Compiles as GLSL and as C++.
+// Arithmetic of shading for both rasterizers. EXACT_PICTURE: results have the same bits on every driver, and
+// assignments to ROUNDED variables round each operation separately. Without it, the driver's built-in functions are
+// used. Vectors passed to unitOf() must be longer than 1e-15. Compiles as GLSL and as C++.
 #ifndef DRAW_ARITHMETIC
 #define DRAW_ARITHMETIC
 #ifdef EXACT_PICTURE

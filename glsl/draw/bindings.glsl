@@ -12,7 +12,7 @@ const int reliefUnit = 11, skinColorUnit = 12, surroundingsUnit = 13, trailUnit 
 const int lampUnit = 15, lampShadowUnit = 16, cellUnit = 17;
 const int paletteUnit = 18;
 const int environmentUnit = 40, lampCellUnit = 46, turnUnit = 47;
-const int vertexColorUnit = 6;  // surfaces only: they have no velocities, so the unit is free
+const int vertexColorUnit = 6;  // used only by surfaces, which have no velocities, so the unit is free
 // Texture units of the kernels that list visible instances, and of small sprites.
 const int maskUnit = 0, beforeUnit = 1, blockFirstUnit = 2, blockCountUnit = 3;
 const int spriteUnit = 0;

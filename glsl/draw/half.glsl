@@ -1,5 +1,5 @@
-// Rounds a value to half-float precision before the shader stores it in a half-float texel, so the driver has nothing
-// left to round. Magnitudes below the smallest normal half float become zero.
+// Rounds a value to half-float precision before the shader stores it in a half-float texel, so that the driver does not
+// round it. Magnitudes below the smallest normal half float become zero.
 #include "common/exact.glsl"
 
 vec2 asHalf(vec2 v) {

@@ -1,4 +1,4 @@
-// Maps floats to unsigned keys with the same order, so that integer atomics can find the min and max of floats.
+// Maps floats to unsigned keys with the same order, so that integer atomics can compute the min and max of floats.
 uint orderedKey(float x) {
   uint bits = floatBitsToUint(x);
   return bits ^ ((bits >> 31) != 0u ? 0xffffffffu : 0x80000000u);

@@ -1,4 +1,4 @@
-// Passes the frame's values from a vertex shader to fragment_frame.glsl. Include after frame_block.glsl.
+// Passes the frame's values from a vertex shader to fragment_frame.glsl. Must be included after frame_block.glsl.
 #ifdef PASSED_FRAME
 #define PASSED out
 #define PASSED_NAME passed

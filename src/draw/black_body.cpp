@@ -8,14 +8,14 @@ namespace simreel::draw {
 
 namespace {
 
-// IEC 61966-2-1: XYZ of the primaries, by columns.
+// XYZ of the sRGB primaries (IEC 61966-2-1), one per column.
 const glm::dmat3 xyzOfRgb(glm::dvec3(0.4124564, 0.2126729, 0.0193339),
                           glm::dvec3(0.3575761, 0.7151522, 0.1191920),
                           glm::dvec3(0.1804375, 0.0721750, 0.9503041));
 const glm::dmat3 bradford(glm::dvec3(0.8951, -0.7502, 0.0389), glm::dvec3(0.2664, 1.7135, -0.0685),
                           glm::dvec3(-0.1614, 0.0367, 1.0296));
 
-/// Returns XYZ with Y = 1.
+/// Returns the XYZ colour of a black body, scaled to Y = 1.
 glm::dvec3 blackBody(double kelvin) {
   const double k = 1000 / kelvin;
   const double x = kelvin < 4000 ? ((-0.2661239 * k - 0.2343589) * k + 0.8776956) * k + 0.179910
@@ -34,7 +34,8 @@ glm::vec3 blackBodyColor(double kelvin) {
   return rgb / glm::dot(rgb, luminance);
 }
 
-// Scales the cone responses so that the black body's become equal to those for the white of sRGB (1, 1, 1).
+// Scales the cone responses so that those for the black body become equal to those for the white of sRGB
+// (1, 1, 1).
 glm::mat3 whiteBalance(double kelvin) {
   const glm::dvec3 from = bradford * blackBody(kelvin);
   const glm::dvec3 to = bradford * (xyzOfRgb * glm::dvec3(1));

@@ -39,9 +39,8 @@ Stand standOf(const scene::Camera& camera, double seconds, const sim::Drawables&
 }
 
 /// Returns the distance (m) by which an orthographic camera above the ground must move back so that the
-/// lowest corner of its near plane is above the ground. That corner has the height h above the ground, and
-/// each metre back raises it by -forward.y. The distance is limited, because no ground is visible beyond
-/// its fade distance.
+/// lowest corner of its near plane is above the ground. Each metre back raises the corner by -forward.y.
+/// The distance is limited, because no ground is visible beyond its fade distance.
 float missingBehind(const View& view, float near, const scene::Ground& ground) {
   constexpr float level = 1e-4F, slack = 1e-4F;
   const float rise = -view.forward.y, above = view.eye.y - ground.height;
@@ -87,7 +86,7 @@ View viewAt(const scene::Camera& camera, double seconds, glm::ivec2 size, const 
     right = glm::normalize(glm::cross(view.forward, steep ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0)));
     up = glm::cross(right, view.forward);
   }
-  // Own sine and cosine, because library results differ between machines.
+  // Does not use the library's sine and cosine, because their results differ between machines.
   const glm::vec2 roll = sim::cosineAndSine(camera.roll.at(seconds));
   const glm::vec3 r = roll.x * right - roll.y * up;
   const glm::vec3 u = roll.y * right + roll.x * up;

@@ -20,7 +20,7 @@ struct View {
   glm::vec3 right{1, 0, 0};  ///< vector from the centre to the right edge of the picture, at distance 1
                              ///< along `forward` (orthographic: at any distance)
   glm::vec3 up{0, 1, 0};     ///< vector from the centre to the top edge
-  glm::vec2 reach{1, 1};     ///< lengths of right and up
+  glm::vec2 reach{1, 1};     ///< lengths of `right` and `up`
   /// Distance (m) by which an orthographic eye is moved back from the scene's position, so that no visible
   /// ground lies behind the near plane.
   float farther = 0;
@@ -44,7 +44,7 @@ struct View {
 
 /// Position and target of a camera on a path.
 using Stand = sim::Stand;
-/// Returns the position and target of an orbiting camera at `seconds`.
+/// Returns the position and target of a camera that orbits `target`, at `seconds`.
 [[nodiscard]] Stand standAround(const glm::vec3& target, const scene::Orbit& orbit, double seconds);
 using sim::standOn;
 

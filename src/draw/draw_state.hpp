@@ -61,7 +61,7 @@ class VertexArray {
   gl::Handle<gl::DeleteVertexArray> handle_;
 };
 
-/// Returns the uniform `rowOf` of draw/exact/triangles/surface_triangle.glsl.
+/// Returns the value of the uniform `rowOf` (see draw/exact/triangles/surface_triangle.glsl).
 inline glm::ivec2 rowOf(const sim::Surface& surface) {
   return surface.rowIndices > 0 ? glm::ivec2(surface.rowIndices / 3, surface.grid.x) : glm::ivec2(0);
 }

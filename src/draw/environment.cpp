@@ -23,7 +23,7 @@ namespace simreel::draw {
 namespace {
 
 using std::numbers::pi;
-constexpr int finestSide = 1024, coarsestSide = 64;  // limits of the finest map's side
+constexpr int finestSide = 1024, coarsestSide = 64;  // limits of the side of the finest map
 constexpr int terms = 9;
 
 /// An equirectangular picture, rotated around the vertical axis.
@@ -48,7 +48,7 @@ class Panorama {
     const double round = ieee::sin(pi * v);
     return {round * ieee::sin(2 * pi * u), ieee::cos(pi * v), -round * ieee::cos(2 * pi * u)};
   }
-  /// Returns the solid angle (steradians) of a pixel in row y. All pixels together have exactly 4 pi.
+  /// Returns the solid angle (steradians) of a pixel in row y. The sum over all pixels is exactly 4 pi.
   [[nodiscard]] double solidAngle(int y) const {
     return 2 * pi / size_.x * (ieee::cos(pi * y / size_.y) - ieee::cos(pi * (y + 1) / size_.y));
   }
@@ -85,12 +85,12 @@ glm::dvec3 octahedralDirection(glm::dvec2 at) {
   return d / std::sqrt(glm::dot(d, d));
 }
 
-/// Light from one direction, multiplied by the solid angle that the ray represents.
+/// Light from one direction, multiplied by the solid angle that it represents.
 struct Ray {
   glm::dvec3 from, light;
 };
 
-/// Returns the picture as some thousand rays, each the mean of a block of pixels.
+/// Returns the picture as some thousand rays. Each ray is the mean of a block of pixels.
 std::vector<Ray> raysOf(const Panorama& picture) {
   constexpr int most = 64;  // max number of rows of rays
   const int step = (picture.size().y + most - 1) / most;
@@ -109,9 +109,9 @@ std::vector<Ray> raysOf(const Panorama& picture) {
   return rays;
 }
 
-/// Returns spherical harmonics coefficients, multiplied by the factors of the cosine lobe divided by pi (1,
-/// 2/3, 1/4) and by the squared constants of the basis functions. Their sum with the monomials of
-/// environmentAmbient() is irradiance / pi.
+/// Returns the spherical harmonics coefficients of the picture's light. They include the factors of the
+/// cosine lobe divided by pi (1, 2/3, 1/4) and the squared constants of the basis functions, so the sum of
+/// coefficients times the monomials of environmentAmbient() is irradiance / pi.
 std::array<glm::dvec3, terms> harmonicsOf(const Panorama& picture) {
   std::array<glm::dvec3, terms> sums{};
   for (int y = 0; y < picture.size().y; ++y)
@@ -132,7 +132,7 @@ std::array<glm::dvec3, terms> harmonicsOf(const Panorama& picture) {
   return sums;
 }
 
-/// Returns the light that a surface with that roughness and the normal d reflects towards a viewer in
+/// Returns the light that a surface with the given roughness and the normal d reflects towards a viewer in
 /// direction d: a GGX-weighted mean of the rays (Karis, "Real Shading in Unreal Engine 4", SIGGRAPH 2013).
 glm::dvec3 mirrored(const std::vector<Ray>& rays, const std::vector<double>& angles, const glm::dvec3& d,
                     double roughness) {
@@ -150,7 +150,7 @@ glm::dvec3 mirrored(const std::vector<Ray>& rays, const std::vector<double>& ang
   return sum / weights;
 }
 
-/// Appends a map with its border. `make(x, y)` returns the light of a cell.
+/// Appends a map and its border. `make(x, y)` returns the light of cell (x, y).
 template <class Make>
 void addMap(std::vector<glm::vec4>& texels, int side, Make make) {
   const std::size_t row = static_cast<std::size_t>(side) + 2, start = texels.size();

@@ -14,16 +14,16 @@
 
 namespace simreel::draw {
 
-/// Environment light from an equirectangular picture, in the layout of glsl/draw/environment.glsl.
+/// Environment light from an equirectangular picture, stored in the layout of glsl/draw/environment.glsl.
 struct EnvironmentTexels {
   int side = 0;  ///< cells per side of the finest map
   std::vector<glm::vec4> texels;
 };
 
-/// Converts a picture. Its centre faces -z and its left half is on the side of -x; `turn` (degrees) rotates
-/// the centre towards +x. Uses only IEEE 754 exact operations. Throws UserError(inputOutput), with a
-/// message that starts with `label`, if the picture is not twice as wide as high or contains invalid light
-/// values.
+/// Converts an equirectangular picture. The picture's centre faces -z and its left half is on the side of
+/// -x; `turn` (degrees) rotates the centre towards +x. Uses only operations that IEEE 754 rounds exactly.
+/// Throws UserError(inputOutput), with a message that starts with `label`, if the picture is not twice as
+/// wide as high or contains invalid light values.
 [[nodiscard]] EnvironmentTexels environmentOf(const sim::LightFile& picture, double strength, double turn,
                                               const std::string& label);
 
@@ -33,10 +33,10 @@ class Environment {
   /// Throws UserError if the picture cannot be read.
   explicit Environment(const scene::Sky& sky);
 
-  /// Returns the defines of programs that read the environment.
+  /// Returns the defines of shader programs that read the environment.
   [[nodiscard]] gl::Defines defines() const;
   void bind() const;
-  /// Sets a similar sky gradient, for shaders that only support gradients.
+  /// Sets a sky gradient similar to the picture, for shaders that support only gradients.
   void setGradient(shader::Frame& frame, float ambient) const;
 
  private:

@@ -16,7 +16,7 @@ namespace simreel::draw {
 namespace {
 
 constexpr double radiansPerDegree = 0.017453292519943295;
-/// Radius of the widest penumbra as a fraction of the shadow map's side. The map has a margin of that size
+/// Radius of the widest penumbra as a fraction of the shadow map's side. The map has a margin of this width
 /// around the casters.
 constexpr float penumbraShare = 0.12F;
 
@@ -38,9 +38,9 @@ void setSun(shader::Frame& frame, const scene::Sun& sun, double seconds) {
                                        : sun.shadowSoftness;
 }
 
-/// Sets sky and ambient light. The exact cosine-weighted mean of the gradient in glsl/draw/sky.glsl is
-/// almost the zenith colour, which makes shadows too blue because the gradient lacks clouds and haze near
-/// the sun. The horizon therefore gets a larger weight.
+/// Sets sky and ambient light. The exact cosine-weighted mean of the gradient in glsl/draw/sky.glsl would
+/// be close to the zenith colour. Shadows would then be too blue, because the gradient contains no clouds
+/// and no haze near the sun. The horizon therefore gets a larger weight.
 void setSky(shader::Frame& frame, const scene::Sky& sky, double seconds) {
   const glm::vec3 zenith = sky.zenith.at(seconds);
   const glm::vec3 horizon = sky.horizon.at(seconds);
@@ -71,8 +71,8 @@ shader::Frame frameValues(const scene::Scene& scene, glm::ivec2 size, double sec
   shader::Frame frame{};
   const View view = viewAt(scene.camera, seconds, size, drawables, groundSeen(scene));
   frame.viewProjection = view.viewProjection;
-  // In orthographic views the eye is so far away that rays are almost parallel. eye.w is 0, so positions do
-  // not matter.
+  // In orthographic views the eye is so far away that rays are almost parallel. eye.w is 0, so shaders use
+  // the same view direction at all positions.
   constexpr float far = 1e6F;
   frame.eye = view.parallel ? glm::vec4(-far * view.forward, 0) : glm::vec4(view.eye, 1);
   frame.target = glm::vec4(view.target, 0);

@@ -16,16 +16,16 @@ using glm::mat4;
 
 namespace simreel::draw {
 
-/// Returns the uniform values of a scene at `seconds` of scene time, which all passes read.
+/// Returns the uniform values of a scene at `seconds` of scene time. All passes read them.
 [[nodiscard]] shader::Frame frameValues(const scene::Scene& scene, glm::ivec2 size, double seconds,
                                         const sim::Drawables& drawables);
 
-/// Returns the defines of programs that include glsl/draw/screen/film.glsl and lens.glsl, for the
-/// conversion of light to pictures.
+/// Returns the defines of programs that include glsl/draw/screen/film.glsl and lens.glsl, which convert
+/// light to pictures.
 [[nodiscard]] gl::Defines filmDefines(const scene::Render& render);
 
-/// Adds the defines of programs whose vertex and fragment shaders include glsl/draw/passed_frame.glsl. They
-/// select how fragments receive the frame's values.
+/// Returns `defines` with additions for programs whose vertex and fragment shaders include
+/// glsl/draw/passed_frame.glsl. The additions select how fragments receive the frame's values.
 [[nodiscard]] gl::Defines withFrame(gl::Defines defines);
 
 }  // namespace simreel::draw

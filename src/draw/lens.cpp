@@ -13,12 +13,12 @@ namespace simreel::draw {
 namespace {
 
 using std::numbers::pi;
-constexpr double pictureHeight = 0.024;  // height of the sensor (m) that focal lengths refer to
+constexpr double pictureHeight = 0.024;  // sensor height (m) for which focal lengths are given
 
-/// True if a point of the disc lies within the polygon.
+/// True if a point of the disc is inside the polygon. Always true for blades = 0, a disc.
 bool isOpen(glm::dvec2 at, int blades) {
   if (blades == 0) return true;
-  const double side = ieee::cos(pi / blades);  // distance of the sides from the centre
+  const double side = ieee::cos(pi / blades);  // distance of the polygon's sides from the centre
   for (int i = 0; i < blades; ++i) {
     const double angle = pi * (2 * i + 1) / blades;
     if (at.x * ieee::sin(angle) + at.y * ieee::cos(angle) > side) return false;

@@ -9,18 +9,19 @@
 
 namespace simreel::draw {
 
-/// Returns `count` points, spread evenly over an aperture of radius 1: a disc (blades = 0), or a regular
-/// polygon with `blades` sides inside the disc and a corner at the top.
+/// Returns `count` points, spread evenly over an aperture of radius 1. The aperture is a disc (blades = 0),
+/// or a regular polygon with `blades` sides, inscribed in the disc, with a corner at the top.
 [[nodiscard]] std::vector<glm::vec2> openingPoints(int count, int blades);
 
 /// A point of the lens through which a picture is drawn.
 struct LensPoint {
   glm::vec3 aside{0};  ///< offset from the lens centre (m), perpendicular to the view direction
-  float focus = 1;     ///< distance of the focal plane along the view direction (m); objects there stay in
-                       ///< place
+  float focus = 1;     ///< distance of the focal plane along the view direction (m); objects in this plane
+                       ///< are sharp
 };
 
-/// Returns the lens points through which a frame is drawn; only the centre if the camera has no lens.
+/// Returns the lens points through which a frame is drawn. Returns only the centre if the camera has no
+/// lens.
 [[nodiscard]] std::vector<LensPoint> lensPoints(const scene::Camera& camera, const View& view,
                                                 double seconds);
 

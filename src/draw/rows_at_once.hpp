@@ -3,9 +3,9 @@
 
 namespace simreel::draw {
 
-/// Returns the number of pixels, one below the other, that an invocation handles (at most 8). More than one
-/// on software drivers, because their workgroups have a fixed cost per vector of lanes, in which they also
-/// read uniforms.
+/// Returns the number of vertically adjacent pixels that an invocation handles (at most 8). The number is
+/// above 1 on software drivers, whose workgroups have a fixed cost per vector of lanes, for example to read
+/// uniforms.
 [[nodiscard]] inline int rowsAtOnce() {
   return gl::softwareDriver() ? 8 : 1;
 }

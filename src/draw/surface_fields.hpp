@@ -6,7 +6,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
-/// Shader inputs of kernels that read a sim::Surface, one group per GLSL include file.
+/// Shader inputs of kernels that read a sim::Surface. Each struct declares the inputs of one GLSL include
+/// file.
 namespace simreel::draw {
 
 /// Returns the resource, or an empty one if the pointer is null.

@@ -22,8 +22,8 @@ double milliseconds(Clock::time_point begin, Clock::time_point end) {
   return std::chrono::duration<double, std::milli>(end - begin).count();
 }
 
-/// Timestamps of one frame: the first at the frame's start, then one after each mark. Reused by later
-/// frames.
+/// Timestamps of one frame: the first at the frame's start, then one after each mark. Later frames reuse
+/// them.
 using Stamps = std::vector<gl::Timestamp>;
 
 scene::Scene framed(scene::Scene shown) {
@@ -31,7 +31,7 @@ scene::Scene framed(scene::Scene shown) {
   return shown;
 }
 
-/// A frame that has been issued and not yet delivered.
+/// A frame that has been issued and has not been delivered yet.
 struct Pending {
   int frame = 0;
   bool timed = false;
@@ -144,7 +144,8 @@ struct BenchRun::State {
     const auto picture = readback.nextPicture(true);
     SIMREEL_CHECK_EQ(picture->first, oldest.frame);
     const auto end = Clock::now();
-    // With Timing::wait every stage has been waited for, so only the copy of the summary remains.
+    // With Timing::wait, the CPU has already waited for every stage, so only the copy of the summary
+    // remains.
     const double waited = milliseconds(begin, there);
     if (timing == Timing::wait) {
       oldest.order.push_back(stage("state hash"));
@@ -192,7 +193,7 @@ struct BenchRun::State {
   void addPart(StageSeries& stage, const std::string& name, double value) const {
     for (StageSeries::Part& part : stage.parts)
       if (part.name == name) return part.values.push_back(value);
-    // A part that first appears in a later frame gets zeros for the earlier frames.
+    // A part that first appears in a later frame gets a time of 0 for the earlier frames.
     stage.parts.push_back({name, std::vector<double>(times.wall.size() - 1)});
     stage.parts.back().values.push_back(value);
   }
@@ -211,7 +212,7 @@ BenchRun& BenchRun::operator=(BenchRun&&) noexcept = default;
 void BenchRun::run(int warmUp, int frames, const std::function<bool()>& done) {
   State& s = *state_;
   if (!s.started) {
-    // Frame 0 includes the pre-roll, so it is not a representative frame time.
+    // Frame 0 includes the pre-roll, so its time is not representative.
     s.issue(false);
     s.deliver();
   }

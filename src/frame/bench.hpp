@@ -10,23 +10,23 @@
 
 namespace simreel::frame {
 
-/// Selects how the time of a frame is measured. `wait`: the CPU calls glFinish after each stage, so stages
-/// are separated even if a software driver defers work to threads and tiles, but stages cannot overlap.
+/// Selects how the time of a frame is measured. `wait`: the CPU calls glFinish after each stage. This
+/// separates stages even if a software driver defers work to threads and tiles, but stages cannot overlap.
 /// `query`: GPU timestamps, with several frames in flight as in `render`. `whole`: as in `render`, without
 /// stage times.
 enum class Timing { wait, query, whole };
 
-/// Returns the suitable timing for the current context: `wait` on a software driver, else `query`.
+/// Returns the suitable timing for the current context: `wait` on a software driver, otherwise `query`.
 [[nodiscard]] Timing usualTiming();
 
-/// Times of one stage of the frame, in milliseconds, with one value for each frame.
+/// Times (ms) of one stage of the frame, with one value per frame.
 struct StageSeries {
   std::string name;  ///< name of the stage: "step flag", "shadow", "surfaces", ..., "readback"
   /// CPU time; with Timing::wait it includes waiting for the device to finish the stage
   std::vector<double> cpu;
   std::vector<double> gpu;  ///< time between GPU timestamps; empty unless the timing is Timing::query
-  /// Sub-stage times in ms, as reported by Simulation::stageTimes for the latest frame known when the frame
-  /// was issued.
+  /// Sub-stage times (ms) reported by Simulation::stageTimes, for the latest frame that was known when the
+  /// frame was issued.
   struct Part {
     std::string name;
     std::vector<double> values;
@@ -43,7 +43,7 @@ struct FrameTimes {
   /// CPU time (ms) of all threads of the process within `wall`, including the threads of a software driver.
   std::vector<double> processor;
   std::vector<StageSeries> stages;
-  /// Number of rays traced for the last frame, for pictures of quality "high". Set by BenchRun::countRays.
+  /// Number of rays traced for the last frame, for pictures of quality "high". BenchRun::countRays sets it.
   std::uint64_t rays = 0;
 };
 
@@ -59,9 +59,9 @@ class BenchRun {
   BenchRun(const BenchRun&) = delete;
   BenchRun& operator=(const BenchRun&) = delete;
 
-  /// Runs `warmUp` untimed frames (and frame 0 before the first call's), then `frames` timed frames that
-  /// are added to times(). Calls `done` after every frame and returns early if it returns false. Throws
-  /// UserError(device) if a simulation lost its state.
+  /// Runs `warmUp` untimed frames, then `frames` timed frames, which are added to times(). The first call
+  /// also runs frame 0, untimed. Calls `done` after every frame and returns early if `done` returns false.
+  /// Throws UserError(device) if a simulation lost its state.
   void run(int warmUp, int frames, const std::function<bool()>& done);
   /// Draws the last frame again without timing it, and stores its ray count in times().rays.
   void countRays();

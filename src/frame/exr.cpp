@@ -75,7 +75,8 @@ class Channels {
   [[nodiscard]] const Imf::FrameBuffer& frame() const { return frame_; }
 
  private:
-  /// Converts to half. Clamps values above the largest half to it, so that none becomes infinite.
+  /// Converts to half. Values above the largest half become the largest half, so that none becomes
+  /// infinite.
   static half asHalf(float value) { return half(std::min(value, 65504.0F)); }
 
   template <class Value>
@@ -210,8 +211,8 @@ std::string pixelHash(const PictureLayers& picture) {
   return hashHex(all);
 }
 
-// MurmurHash3_x86_32 by Austin Appleby: mixes in 4-byte words one by one, then the remaining bytes, then
-// the length.
+// Implements MurmurHash3_x86_32 by Austin Appleby: mixes in 4-byte words one by one, then the remaining
+// bytes, then the length.
 std::uint32_t cryptomatteId(const std::string& name) {
   const auto mixed = [](std::uint32_t word) { return std::rotl(word * 0xcc9e2d51U, 15) * 0x1b873593U; };
   std::uint32_t hash = 0;

@@ -9,13 +9,13 @@
 
 namespace simreel::frame {
 
-/// Encodes a picture as an OpenEXR file. Channels: R, G, B and optionally A (half or float); if the layers
-/// exist, depth as Z, position as P.X, P.Y, P.Z, normal as N.X ..., albedo as albedo.R ..., velocity as
+/// Encodes a picture as an OpenEXR file. Channels: R, G, B and optionally A (half or float). If the layers
+/// exist: depth as Z, position as P.X, P.Y, P.Z, normal as N.X ..., albedo as albedo.R ..., velocity as
 /// velocity.X ..., and objects as Cryptomatte "CryptoObject" (Friedman and Jones, specification 1.2) in
 /// floats. `text` becomes header attributes. Thread-safe.
 [[nodiscard]] std::vector<std::byte> encodeExr(const draw::PictureLayers& picture, const ImageText& text);
 /// Encodes a filmed (display-referred) picture as a PNG with 16 bits per channel: RGBA if the picture has
-/// alpha, else RGB.
+/// alpha, otherwise RGB.
 [[nodiscard]] std::vector<std::byte> encodeDeepPng(const draw::PictureLayers& picture,
                                                    const ImageText& text);
 /// Returns a hash of the whole content of the picture, independent of the encoder, as 32 hexadecimal

@@ -26,20 +26,21 @@ namespace simreel::frame {
 
 namespace {
 
-/// State and buffers of the ISA-L compressor. Each thread keeps one, because it is too large for the stack.
+/// State and buffers of the ISA-L compressor. They are too large for the stack, so each thread has one
+/// object.
 struct Deflater {
   isal_zstream stream;
-  // Compression level 1, measured with tools/bench/png.cpp: the fixed Huffman code of level 0 makes files
-  // up to 1.23 times as large as stock stb's; level 2 saves 1 % over level 1 but needs more memory; level 3
-  // and libdeflate's fastest level do not reach 10 times stb's speed.
+  // Compression level 1, chosen by measurements with tools/bench/png.cpp. The fixed Huffman code of level 0
+  // makes files up to 1.23 times as large as those of stb. Level 2 makes files 1 % smaller than level 1 but
+  // needs more memory. Level 3 and libdeflate's fastest level do not reach 10 times the speed of stb.
   static constexpr std::uint32_t level = 1;
   alignas(64) std::array<std::uint8_t, ISAL_DEF_LVL1_DEFAULT> levelBuffer;
 };
 
-/// Number of bytes at the start of a zlib stream that are stored uncompressed and then serve as dictionary.
-/// Without a dictionary, ISA-L (at least up to 2.32) hashes three bytes of a register that still contains
-/// the stream's address, so its output differs about once in some thousand runs. With a dictionary it is
-/// deterministic.
+/// Number of bytes at the start of a zlib stream that are stored uncompressed and then serve as a
+/// dictionary. Without a dictionary, ISA-L (at least up to 2.32) hashes three bytes of a register that
+/// still contains the stream's address, so its output differs about once in some thousand runs. With a
+/// dictionary the output is deterministic.
 constexpr std::size_t storedFirst = 32;
 
 /// Returns the max size of a zlib stream for `size` bytes: stored blocks (5 bytes each), header, checksum,
@@ -53,7 +54,7 @@ std::size_t zlibBound(std::size_t size) {
 std::optional<std::size_t> deflate(std::span<const unsigned char> history,
                                    std::span<const unsigned char> in, std::span<unsigned char> out) {
   thread_local const auto deflater = std::make_unique<Deflater>();
-  // ISA-L only reads the bytes, but its C interface lacks const.
+  // ISA-L does not modify the bytes, but its C interface lacks const.
   const auto writable = [](std::span<const unsigned char> bytes) {
     return const_cast<unsigned char*>(bytes.data());
   };
@@ -118,8 +119,8 @@ PackedPixels pixelsOf(const Image& image, Bytes bytes) {
 }
 
 /// Returns the RGB bytes of an image, or its RGBA bytes if `withAlpha`. The RGB buffer is thread-local and
-/// valid until the thread's next call: allocating fresh pages for every frame takes up to a tenth of the
-/// encoding time.
+/// valid until the thread's next call, because allocating new pages for every frame takes up to a tenth of
+/// the encoding time.
 Bytes packed(const Image& image, bool withAlpha) {
   const std::size_t pixels = std::size_t(image.width) * std::size_t(image.height);
   SIMREEL_CHECK(image.width > 0 && image.height > 0);
@@ -135,9 +136,9 @@ Bytes packed(const Image& image, bool withAlpha) {
 }
 
 /// Returns the rows as PNG stores them: each starts with its filter type, Sub (difference to the pixel on
-/// the left). Measured with tools/bench/png.cpp: Paeth alone takes longer than the rest of the encoding;
-/// None and Sub have the smallest worst-case file, and Sub has smaller files on average. The buffer is
-/// thread-local, as in packed().
+/// the left). The filter was chosen by measurements with tools/bench/png.cpp. Paeth alone takes longer than
+/// the other encoding steps together. None and Sub have the smallest worst-case file, and Sub has smaller
+/// files on average. The buffer is thread-local, as in packed().
 Bytes filterRows(Bytes rgb, std::size_t stride, std::size_t pixel) {
   constexpr unsigned char sub = 1;
   thread_local std::vector<unsigned char> rows;
@@ -179,8 +180,9 @@ ChunkText convertText(std::string_view value) {
   return result;
 }
 
-/// Appends the colour space chunks: sRGB with perceptual intent, and for decoders that ignore it the
-/// nearest gamma and primaries (PNG specification 11.3.3.5). Linear pictures get gamma 1 and no sRGB chunk.
+/// Appends the colour space chunks: sRGB with perceptual intent and, for decoders that ignore it, the
+/// nearest gamma and primaries (PNG specification 11.3.3.5). Linear pictures get a gamma of 1 and no sRGB
+/// chunk.
 void appendColorSpace(File& file, bool linear) {
   const auto words = [](std::initializer_list<std::uint32_t> values) {
     std::string bytes;
@@ -192,8 +194,8 @@ void appendColorSpace(File& file, bool linear) {
   appendPngChunk(file, "cHRM", words({31270, 32900, 64000, 33000, 30000, 60000, 15000, 6000}));
 }
 
-/// Appends a text chunk: tEXt if the value fits Latin-1, else an uncompressed iTXt (PNG specification
-/// 11.3.4).
+/// Appends a text chunk: tEXt if Latin-1 can represent the value, otherwise an uncompressed iTXt (PNG
+/// specification 11.3.4).
 void appendText(File& file, const std::string& keyword, std::string_view value) {
   SIMREEL_CHECK(!keyword.empty() && keyword.size() <= 79);
   const ChunkText text = convertText(value);
@@ -218,8 +220,9 @@ File encode(const PackedPixels& pixels, const ImageText& text) {
   std::string header;
   for (const int side : {pixels.size.x, pixels.size.y})
     appendPngNumber(header, static_cast<std::uint32_t>(side));
-  constexpr char colourTypes[] = {0, 0, 0, 2, 6};  // index: number of channels (1 grey, 3 RGB, 4 RGBA)
-  // The last three header bytes: deflate, per-row filters, not interlaced.
+  constexpr char colourTypes[] = {0, 0, 0, 2, 6};  // colour type by number of channels (1 grey, 3 RGB, 4
+                                                   // RGBA)
+  // The last three header bytes mean: deflate, filters per row, not interlaced.
   header += {static_cast<char>(pixels.bits), colourTypes[pixels.channels], 0, 0, 0};
 
   const auto pixel = static_cast<std::size_t>(pixels.channels * pixels.bits / 8);
@@ -262,7 +265,7 @@ HashedFile encodeHashedPng(const Image& image, const ImageText& text) {
 
 namespace {
 
-/// Returns width and height of a JPEG from its first frame header (ITU-T T.81, B.2.2).
+/// Returns width and height of a JPEG, read from its first frame header (ITU-T T.81, B.2.2).
 std::optional<glm::ivec2> sizeOfJpeg(std::string_view bytes) {
   const auto two = [&](std::size_t at) {
     return static_cast<unsigned char>(bytes[at]) << 8 | static_cast<unsigned char>(bytes[at + 1]);
@@ -280,7 +283,7 @@ std::optional<glm::ivec2> sizeOfJpeg(std::string_view bytes) {
   return std::nullopt;
 }
 
-/// Returns width and height from a PNG or JPEG header, or nothing for other formats.
+/// Returns width and height from a PNG or JPEG header. Returns nothing for other formats.
 std::optional<glm::ivec2> sizeInHeader(std::string_view bytes) {
   if (bytes.starts_with("\xff\xd8")) return sizeOfJpeg(bytes);
   const auto header = pngHeaderOf(bytes);

@@ -10,20 +10,21 @@
 
 namespace simreel::frame {
 
-/// Image of 8-bit RGBA, sRGB encoded, rows from the top: bytes.size() == width * height * 4.
+/// Image of 8-bit RGBA, sRGB encoded, row 0 at the top: bytes.size() == width * height * 4.
 struct Image {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> bytes;
-  bool alpha = false;  ///< true if alpha (straight) is stored in files and hashed; else it is ignored
+  bool alpha = false;  ///< true if alpha (straight) is stored in files and hashed; otherwise alpha is
+                       ///< ignored
 };
 
 /// Text chunks of a PNG as pairs of keyword and value.
 using ImageText = std::vector<std::pair<std::string, std::string>>;
 
-/// Encodes an image as PNG: RGBA if image.alpha is true, else RGB. Thread-safe.
+/// Encodes an image as PNG: RGBA if image.alpha is true, otherwise RGB. Thread-safe.
 [[nodiscard]] std::vector<std::byte> encodePng(const Image& image, const ImageText& text);
-/// Raw samples in PNG order: rows from the top; grey, RGB or RGBA; 16-bit samples are big endian.
+/// Raw samples in PNG order: row 0 at the top; grey, RGB or RGBA; 16-bit samples are big endian.
 struct PackedPixels {
   glm::ivec2 size;
   int channels;
@@ -38,11 +39,11 @@ struct HashedFile {
   std::string pixels;
 };
 [[nodiscard]] HashedFile encodeHashedPng(const Image& image, const ImageText& text);
-/// Decodes a PNG, or any other format of stb_image, to RGBA. `alpha` is true unless the image is opaque.
-/// `name` appears in the message of the UserError(inputOutput) thrown on failure.
+/// Decodes a PNG, or any other format of stb_image, to RGBA. `alpha` of the result is true unless the image
+/// is opaque. On failure, throws UserError(inputOutput) with `name` in the message.
 [[nodiscard]] Image decodeImage(std::span<const std::byte> file, const std::string& name);
-/// Returns a hash of size and RGB values, and of alpha unless the image is opaque. The hash does not depend
-/// on the encoder. 32 hexadecimal digits.
+/// Returns a hash of size and RGB values, and of alpha unless the image is opaque (32 hexadecimal digits).
+/// The hash does not depend on the encoder.
 [[nodiscard]] std::string pixelHash(const Image& image);
 
 }  // namespace simreel::frame

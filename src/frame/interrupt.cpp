@@ -24,8 +24,8 @@ constexpr int patience = 10;      ///< seconds without CPU time until the proces
 std::atomic<int> still = 0;       ///< number of consecutive seconds in which the process used no CPU time
 std::atomic<double> busyBefore = 0;
 
-/// Returns the CPU time (s) of the process and its children. A process that waits for a slow disk or reader
-/// still uses some now and then.
+/// Returns the CPU time (s) of the process and its children. Even a process that waits for a slow disk or
+/// reader uses some CPU time now and then.
 double busy() {
   timespec time{};
   ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
@@ -52,8 +52,8 @@ void onSecond(int /*number*/) {
 }
 
 void onSignal(int number, siginfo_t* info, void* /*context*/) {
-  // The kernel sent SIGXFSZ because a file exceeded the size limit. Ignored: the write itself fails with an
-  // error.
+  // The kernel sent SIGXFSZ because a file exceeded the size limit. The signal is ignored, because the
+  // write fails with an error anyway.
   if (number == SIGXFSZ && (info->si_code == SI_KERNEL || info->si_pid == ::getpid())) return;
   if (arrived.exchange(number) != 0) endNow(number);
   ::alarm(1);
@@ -72,7 +72,7 @@ void catchInterrupts() {
   for (const int number : {SIGINT, SIGTERM, SIGXFSZ, SIGHUP}) {
     struct sigaction before {};
     ::sigaction(number, nullptr, &before);
-    // the signal was already ignored, because nohup started the program
+    // nohup started the program and has already ignored the signal
     if (number == SIGHUP && before.sa_handler == SIG_IGN) continue;
     ::sigaction(number, &action, nullptr);
   }

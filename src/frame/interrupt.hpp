@@ -9,17 +9,16 @@ struct Interrupted {
 
 /// Installs signal handlers. The first SIGINT, SIGTERM, SIGHUP (unless ignored, as by nohup) or SIGXFSZ
 /// sent by a process only sets a flag, so that the current frame and the manifest can be finished. A second
-/// signal exits at once with 128 + its number. A watchdog covers hangs after the first signal: after 3 s
-/// without CPU time of the process or its children the children are ended, and after 10 s the process
-/// exits.
+/// signal exits at once with 128 + its number. After the first signal, a watchdog detects hangs. If the
+/// process and its children use no CPU time for 3 s, it ends the children; after 10 s, it ends the process.
 void catchInterrupts();
 
-/// Returns the signal that arrived, or 0. Poll it between frames; if it is not 0, call finish() on the sink
-/// and exit with 128 + the signal.
+/// Returns the signal that arrived, or 0. Call it between frames. If the result is not 0, call finish() on
+/// the sink and exit with 128 + the signal.
 [[nodiscard]] int interruptSignal();
 void throwIfInterrupted();
-/// Makes long frames end with Interrupted after a signal, where they call checkFrame(); catchInterrupts()
-/// must have been called.
+/// After a signal, makes long frames throw Interrupted where they call checkFrame(). catchInterrupts() must
+/// have been called.
 void interruptFrames();
 
 /// Ignores SIGPIPE, so that writing to a closed pipe fails with EPIPE instead of ending the process.

@@ -37,7 +37,7 @@ ImageText readPngText(std::span<const std::byte> png) {
     const std::size_t end = body.find('\0');
     if (end != std::string_view::npos && chunk->type == "tEXt")
       texts.emplace_back(body.substr(0, end), fromLatin1(body.substr(end + 1)));
-    // The only iTXt form that simreel writes: uncompressed, empty language, empty translated keyword.
+    // simreel writes only this form of iTXt: uncompressed, empty language, empty translated keyword.
     constexpr std::string_view plain("\0\0\0\0\0", 5);
     if (end != std::string_view::npos && chunk->type == "iTXt" && body.substr(end).starts_with(plain))
       texts.emplace_back(body.substr(0, end), body.substr(end + plain.size()));

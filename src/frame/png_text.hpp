@@ -6,8 +6,8 @@
 
 namespace simreel::frame {
 
-/// Returns the uncompressed text chunks of a PNG, in file order, as UTF-8. Returns none if the data is not
-/// a PNG; stops at the first incomplete chunk.
+/// Returns the uncompressed text chunks of a PNG as UTF-8, in file order. Returns none if the data is not a
+/// PNG. Stops at the first incomplete chunk.
 [[nodiscard]] ImageText readPngText(std::span<const std::byte> png);
 
 /// True if a PNG has all chunks up to IEND with valid checksums.

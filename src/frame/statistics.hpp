@@ -13,15 +13,15 @@ struct Statistics {
 [[nodiscard]] Statistics statisticsOf(std::span<const double> values);
 
 /// Returns the percentile of `sorted` at fraction `p` (0 to 1), linearly interpolated between the two
-/// nearest values, with the min at 0 and the max at 1 (definition 7 of Hyndman and Fan 1996, the default of
-/// NumPy and R). 0 if `sorted` is empty.
+/// nearest values; the min is at 0 and the max at 1 (definition 7 of Hyndman and Fan 1996, the default of
+/// NumPy and R). Returns 0 if `sorted` is empty.
 [[nodiscard]] double percentile(std::span<const double> sorted, double p);
 
-/// Values greater than three times the median.
+/// Values of a set that are greater than three times the median.
 struct Outliers {
   double bound = 0;  ///< three times the median; greater values are outliers
   int count = 0;
-  int worst = -1;  ///< index of the greatest outlier; -1 without outliers
+  int worst = -1;  ///< index of the greatest outlier; -1 if there are none
 };
 
 [[nodiscard]] Outliers outliersOf(std::span<const double> values);

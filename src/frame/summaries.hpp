@@ -12,15 +12,16 @@ inline void checkState(sim::World& world) {
   static_cast<void>(world.takeSummary(true));
 }
 
-/// Pipelines the state summaries of a world: keeps as many in flight as the world allows, so that the
-/// device keeps stepping. Passes each summary to `take` in frame order. Throws UserError(device) if a
+/// Pipelines the state summaries of a world. As many summaries as the world allows are in flight, so that
+/// the device keeps stepping. Passes each summary to `take` in frame order. Throws UserError(device) if a
 /// simulation lost its state.
 class Summaries {
  public:
   using Take = std::function<void(const sim::World::Summary& summary)>;
   Summaries(sim::World& world, Take take) : world_(world), take_(std::move(take)) {}
 
-  /// Starts the summary of the current frame. If the max number is in flight, waits for the oldest first.
+  /// Starts the summary of the current frame. If the max number of summaries is in flight, waits for the
+  /// oldest first.
   void start() {
     if (underWay_ == sim::World::maxSummaries) takeOldest();
     world_.startSummary();

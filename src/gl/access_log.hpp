@@ -7,24 +7,24 @@ namespace simreel::gl {
 
 /// Records which buffers and textures the typed kernels (gl::Kernel) of the current context have accessed
 /// since the last barriers. Before a dispatch, a kernel issues the barriers that this log reports. Explicit
-/// barriers are recorded if they go through AccessLog::barrier, as gl::barrier() does. The log does not
-/// record accesses by a gl::Program: code around a gl::Program issues its own barriers.
+/// barriers are recorded if they are issued with AccessLog::barrier, as gl::barrier() does. Accesses by a
+/// gl::Program are not recorded; code that uses a gl::Program must issue barriers.
 class AccessLog {
  public:
-  /// A buffer, or a texture with its own storage, identified by its OpenGL name.
+  /// A buffer, or a texture with separate storage, identified by its OpenGL name.
   struct Memory {
     GLuint name = 0;
     bool texture = false;
   };
 
-  /// `together`: reads and writes that need no order among themselves (gl::Shared).
+  /// `together`: reads and writes whose order relative to each other does not matter (gl::Shared).
   enum class Way { read, write, together };
 
-  /// Returns the barrier bits to issue before an access of `memory` through `kind` (one bit of
-  /// glMemoryBarrier); 0 if no barrier is due. An access waits for all accesses of the other two ways; a
-  /// write also waits for writes.
+  /// Returns the barrier bits that must be issued before an access of `memory` through `kind` (one bit of
+  /// glMemoryBarrier), or 0 if no barrier is needed. An access waits for all accesses of the other two
+  /// types; a write also waits for writes.
   [[nodiscard]] static GLbitfield needed(Memory memory, GLbitfield kind, Way way);
-  /// Records an access by the next dispatch.
+  /// Records an access that the next dispatch makes.
   static void note(Memory memory, Way way);
   /// Calls glMemoryBarrier and records the barrier.
   static void barrier(GLbitfield kinds);

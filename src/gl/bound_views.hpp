@@ -12,9 +12,9 @@ struct TextureShape {
   GLenum format = GL_NONE;
   int width = 0;
   int height = 0;
-  int levels = 0;                                          ///< 0: texel view of a buffer
+  int levels = 0;                                          ///< 0 for a texel view of a buffer
   std::size_t bufferBytes = 0, offset = 0, viewBytes = 0;  ///< only for texel views of a buffer
-  GLint filters[2] = {}, wraps[2] = {};                    ///< min, mag filter; wrap in s, t
+  GLint filters[2] = {}, wraps[2] = {};                    ///< min and mag filter; wrap modes in s and t
 };
 
 /// Shapes of the textures and images that are bound to texture units and image units.
@@ -27,7 +27,7 @@ struct BoundViews {
   };
   std::map<GLuint, TextureShape> textures;
   std::map<GLuint, Image> images;
-  /// Views given to a gl::Kernel, by the name of the sampler or image (namesView). Their units are unknown
+  /// Views passed to a gl::Kernel, by the name of the sampler or image (namesView). Their units are unknown
   /// until the program is linked.
   std::map<std::string, Image> named;
 };

@@ -13,10 +13,11 @@ namespace simreel::gl {
 
 namespace {
 
-/// Maximum size of a buffer that the CPU writes directly, and size of one staged copy into a larger buffer.
+/// Max size (bytes) of a buffer that the CPU writes directly, and size of one staged copy into a larger
+/// buffer.
 constexpr std::size_t directBytes = 4 << 20, stagedBytes = 64 << 20;
-/// Minimum size of a buffer for which large pages are requested, because address lookups (TLB misses)
-/// matter there.
+/// Min size (bytes) of a buffer for which large pages are requested, because address lookups (TLB misses)
+/// slow down large buffers.
 constexpr std::size_t largePagesBytes = 32 << 20;
 
 GLuint createBuffer() {
@@ -59,8 +60,8 @@ Buffer Buffer::unchecked(const std::string& label, std::size_t bytes, const void
 void Buffer::store(const std::string& label, const void* items) {
   const std::size_t bytes = bytes_;
   checkCalls();
-  // Zeros are uploaded as data, not with glClearNamedBufferData, because NVIDIA's driver 580 may run a
-  // clear before an earlier large glNamedBufferSubData.
+  // Zeros are uploaded as data instead of with glClearNamedBufferData, because NVIDIA's driver 580 may run
+  // a clear before an earlier large glNamedBufferSubData.
   const bool zero = items == nullptr || bytes == 0;
   const bool cleared = zero && softwareDriver();
   const std::vector<std::byte> zeros(zero && !cleared ? std::clamp<std::size_t>(bytes, 1, stagedBytes) : 0);
@@ -86,8 +87,9 @@ void Buffer::store(const std::string& label, const void* items) {
 
 // Large buffers are written through a staging buffer. NVIDIA's driver 580 keeps a second copy of a large
 // buffer that the CPU may write, and kernels on 1 GiB of such buffers sometimes ran at a third of their
-// speed. This never happened with buffers that only the GPU accesses. With a software driver a staging
-// buffer gains nothing: all memory is the same, and the first touch of its pages takes much of a short run.
+// speed. This never happened with buffers that only the GPU accesses. With a software driver, a staging
+// buffer would not help: it is in the same memory, and touching its pages for the first time would take
+// much of a short run.
 bool Buffer::staged() const {
   return bytes_ > directBytes && memory_ == nullptr && !softwareDriver();
 }
@@ -135,8 +137,8 @@ void Buffer::read(std::size_t offset, std::span<std::byte> bytes) const {
   checkCalls();
 }
 
-// NVIDIA's driver 580 may run a large glNamedBufferSubData before earlier dispatches that write to the same
-// buffer, in spite of GL_BUFFER_UPDATE_BARRIER_BIT. Hence glFinish.
+// glFinish is needed because NVIDIA's driver 580 may run a large glNamedBufferSubData before earlier
+// dispatches that write to the same buffer, in spite of GL_BUFFER_UPDATE_BARRIER_BIT.
 void beforeWrites() {
   glFinish();
 }

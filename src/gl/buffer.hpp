@@ -9,9 +9,9 @@
 
 namespace simreel::gl {
 
-/// GPU memory of fixed size, passed to kernels as a storage or uniform block. Allocation beyond the
-/// device's block limit throws UserError(device) that names the limit. An empty Buffer (default
-/// constructed) has size 0 and name 0.
+/// GPU memory of fixed size, passed to kernels as a storage or uniform block. If it exceeds the device's
+/// block limit, allocation throws UserError(device) that names the limit. A default-constructed Buffer is
+/// empty: its size and name are 0.
 class Buffer {
  public:
   Buffer() = default;
@@ -24,27 +24,27 @@ class Buffer {
     return Buffer(label, items.size_bytes(), items.data());
   }
 
-  /// Creates a buffer that shaders read only through texel views. The limit of texel views applies, which
-  /// Texture::view() checks, not the block limit.
+  /// Creates a buffer that shaders read only through texel views. Texture::view() checks the limit of texel
+  /// views; the block limit does not apply.
   template <class T>
   static Buffer ofTexels(const std::string& label, std::span<const T> items) {
     static_assert(std::is_trivially_copyable_v<T>);
     return unchecked(label, items.size_bytes(), items.data());
   }
 
-  /// Creates a buffer of zeros that kernels access in parts (BufferPart). The buffer may exceed the
-  /// device's block limit; each part must be within it.
+  /// Creates a zero-filled buffer that kernels access in parts (BufferPart). The buffer may exceed the
+  /// device's block limit, but each part must be within the limit.
   static Buffer inParts(const std::string& label, std::size_t bytes);
 
-  /// Creates a buffer that stays persistently and coherently mapped for CPU writes (`writing`) or CPU
-  /// reads. The caller must use fences so that CPU and GPU never access the same bytes at the same time.
-  /// The initial contents are undefined.
+  /// Creates a buffer that stays persistently and coherently mapped: for CPU writes if `writing`, otherwise
+  /// for CPU reads. The caller must use fences so that CPU and GPU never access the same bytes at the same
+  /// time. The initial contents are undefined.
   static Buffer mapped(const std::string& label, std::size_t bytes, bool writing);
-  /// CPU address of a mapped buffer; null for other buffers.
+  /// Returns the CPU address of a mapped buffer, or null for other buffers.
   [[nodiscard]] void* memory() const { return memory_; }
 
-  /// Copies into the buffer, in order with other GL commands. To overwrite data that kernels wrote, call
-  /// beforeWrites() first.
+  /// Copies bytes into the buffer, in order with other GL commands. To overwrite data that kernels wrote,
+  /// call beforeWrites() first.
   void write(std::size_t offset, std::span<const std::byte> bytes);
   /// Waits for the GPU and copies bytes out of the buffer.
   void read(std::size_t offset, std::span<std::byte> bytes) const;
@@ -64,7 +64,7 @@ class Buffer {
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
 
  private:
-  /// Creates a buffer without checking the block limit. `items` null: zeros.
+  /// Creates a buffer without checking the block limit. If `items` is null, fills it with zeros.
   static Buffer unchecked(const std::string& label, std::size_t bytes, const void* items);
   Buffer(const std::string& label, std::size_t bytes, const void* items);
   void store(const std::string& label, const void* items);
@@ -73,17 +73,17 @@ class Buffer {
 
   Handle<DeleteBuffer> handle_;
   std::size_t bytes_ = 0;
-  void* memory_ =
-      nullptr;  ///< CPU address of the mapping, valid for the buffer's lifetime; null if not mapped
+  void* memory_ = nullptr;  ///< CPU address of the mapping, valid for the buffer's lifetime; null if the
+                            ///< buffer is not mapped
 };
 
-/// A part of a buffer. The buffer must outlive it. Kernels can use it like a whole buffer.
+/// A part of a buffer. The buffer must outlive the part. Kernels can use the part like a whole buffer.
 struct BufferPart {
   const Buffer* buffer = nullptr;
-  std::size_t offset = 0;  ///< bytes, a multiple of `alignment`
+  std::size_t offset = 0;  ///< offset in bytes, a multiple of `alignment`
   std::size_t bytes = 0;
 
-  /// Offset alignment in bytes that all devices accept for storage blocks and texel views.
+  /// Alignment of offsets (bytes) that all devices accept for storage blocks and texel views.
   static constexpr std::size_t alignment = 256;
   [[nodiscard]] static std::size_t aligned(std::size_t bytes) {
     return (bytes + alignment - 1) / alignment * alignment;

@@ -15,8 +15,9 @@ Condition::Condition() : point_(Program::graphics("common/point.vert", "common/p
   vertices_ = Handle<DeleteVertexArray>(name);
 }
 
-// Draws points with the indirect dispatch command as an indirect draw command: group counts x and y become
-// the vertex count and the instance count. The occlusion query passes if at least one point is drawn.
+// Draws points, using the indirect dispatch command as an indirect draw command: the group counts x and y
+// become the vertex count and the instance count. The occlusion query passes if at least one point is
+// drawn.
 void Condition::begin(GLuint commands, GLintptr offset) const {
   GLint before = 0, viewport[4] = {};
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &before);

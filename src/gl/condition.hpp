@@ -4,15 +4,16 @@
 
 namespace simreel::gl {
 
-/// Skips dispatches depending on a GPU-side result, without a wait by the CPU. An indirect dispatch with
-/// zero groups costs a graphics card about two microseconds; a dispatch skipped this way costs about one.
+/// Skips dispatches depending on a GPU-side result, without making the CPU wait. An indirect dispatch with
+/// zero groups costs a graphics card about two microseconds; a dispatch skipped by this class costs about
+/// one.
 class Condition {
  public:
   Condition();
 
-  /// Skips all dispatches until `end` if the indirect command at byte `offset` of the buffer `commands` has
-  /// zero groups now. Not to be nested. The caller must have issued GL_COMMAND_BARRIER_BIT after the
-  /// command was written. Changes the current program and vertex array.
+  /// Skips all dispatches until end() if the indirect command at byte `offset` of the buffer `commands` has
+  /// zero groups at this point. Must not be nested. The caller must have issued GL_COMMAND_BARRIER_BIT
+  /// after the command was written. Changes the current program and vertex array.
   void begin(GLuint commands, GLintptr offset) const;
   void end() const;
 

@@ -27,14 +27,14 @@ Limits currentLimits;
 MemoryPath currentPath = MemoryPath::storage;
 bool currentIsSoftware = false;
 
-/// Display, configuration and attributes of the current context, for creating further contexts.
+/// Display, configuration and attributes of the current context, for creating additional contexts.
 struct Origin {
   EGLDisplay display = EGL_NO_DISPLAY;
   EGLConfig config = EGL_NO_CONFIG_KHR;
   std::vector<EGLint> attributes;
 } origin;
 
-/// Owns an EGL display of one device and a current context on it.
+/// Owns the EGL display of one device and a current context on it.
 class Display {
  public:
   Display(EGLDeviceEXT device, bool debug);
@@ -103,7 +103,7 @@ Display::Display(EGLDeviceEXT device, bool debug) {
     EGLint count = 0;
     eglChooseConfig(display_, wanted, &config, 1, &count);
   }
-  // Robust access is tried first: an index beyond a buffer then reads zero on every driver.
+  // Tries robust access first, with which an index beyond a buffer reads zero on every driver.
   for (const bool robust : {true, false}) {
     std::vector<EGLint> attributes = {EGL_CONTEXT_MAJOR_VERSION,       4,
                                       EGL_CONTEXT_MINOR_VERSION,       5,
@@ -123,7 +123,7 @@ Display::Display(EGLDeviceEXT device, bool debug) {
   }
 }
 
-/// Returns the EGL devices of the system; a single EGL_NO_DEVICE_EXT if the driver cannot enumerate
+/// Returns the EGL devices of the system. Returns a single EGL_NO_DEVICE_EXT if the driver cannot enumerate
 /// devices.
 std::vector<EGLDeviceEXT> enumerate() {
   const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
@@ -265,7 +265,7 @@ struct Context::State {
   DeviceInfo device;
   std::string reason;
   std::string message;   ///< first high-severity debug message not yet reported
-  bool unheard = false;  ///< true if a high-severity message could not be stored for lack of memory
+  bool unheard = false;  ///< true if a high-severity message could not be stored, because memory was short
 
   static void GLAPIENTRY receive(GLenum /*source*/, GLenum /*type*/, GLuint /*id*/, GLenum severity,
                                  GLsizei length, const GLchar* text, const void* user) {
@@ -276,12 +276,12 @@ struct Context::State {
           length < 0 ? std::string(text) : std::string(text, static_cast<std::size_t>(length));
       if (severity == GL_DEBUG_SEVERITY_HIGH && state->message.empty()) state->message = line;
       detail("GL: {}", line);
-    } catch (...) {  // an exception must not leave the driver in the middle of its work, holding its locks
+    } catch (...) {  // an exception must not leave the driver while it holds locks
       state->unheard = state->unheard || severity == GL_DEBUG_SEVERITY_HIGH;
     }
   }
 
-  /// Opens a device and keeps it. On failure adds the problem to `problems` and returns false.
+  /// Opens a device and stores it. On failure, adds the problem to `problems` and returns false.
   bool tryDevice(EGLDeviceEXT handle, int index, bool debug, std::string& problems) {
     device = firstLook(handle, index);
     try {

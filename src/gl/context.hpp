@@ -6,40 +6,42 @@
 
 namespace simreel::gl {
 
-/// The way in which shaders read performance-critical inputs. Software drivers load texels 10 to 30 times
-/// faster than storage blocks; GPUs are faster with storage blocks and shared memory (DESIGN.md).
+/// How shaders read performance-critical inputs. Software drivers load texels 10 to 30 times faster than
+/// storage blocks. GPUs are faster with storage blocks and shared memory (DESIGN.md).
 enum class MemoryPath { storage, texel };
 
 /// One EGL device of the system.
 struct DeviceInfo {
   int index = 0;
-  std::string name;  ///< GL_RENDERER if a context could be created, else a name from EGL
+  std::string name;  ///< GL_RENDERER if a context could be created, otherwise a name from EGL
   std::string vendor;
   std::string version;  ///< GL_VERSION
   bool software = false;
   std::string problem;  ///< reason why the device cannot run the program; empty if it can
 };
 
-/// Returns all EGL devices and tests each by creating a context on it. Empty if EGL finds no device.
+/// Returns all EGL devices, after testing each by creating a context on it. Returns none if EGL finds no
+/// device.
 [[nodiscard]] std::vector<DeviceInfo> listDevices();
 
 struct ContextOptions {
-  std::string device;  ///< index, or part of a name (case-insensitive); empty: a hardware device if
-                       ///< possible, else a software driver
+  std::string device;  ///< index or part of a name (case-insensitive) of the device; empty: a hardware
+                       ///< device if possible, else a software driver
   bool debug = false;  ///< creates a debug context; high-severity messages become UserError(device) at the
                        ///< next check
-  std::string memoryPath;  ///< "storage", "texel" or empty (chosen by driver)
+  std::string memoryPath;  ///< "storage", "texel", or empty (the driver determines the path)
 
-  /// Returns the options for worker process number `place` (zero-based) of several parallel processes. The
-  /// workers take the devices of a list such as "0,1" in turn. A comma before a space belongs to a device
-  /// name.
+  /// Returns the options for worker process number `place` (zero-based) of several parallel processes. If
+  /// `device` is a list such as "0,1", successive workers get successive devices. A comma before a space is
+  /// part of a device name.
   [[nodiscard]] ContextOptions ofWorker(std::size_t place) const;
-  /// Number of devices that `device` lists, at least 1.
+  /// Returns the number of devices that `device` lists, at least 1.
   [[nodiscard]] std::size_t deviceCount() const;
 };
 
-/// Owns an OpenGL 4.5 core context without a surface, current on the thread that created it. Throws
-/// UserError(device) that says what was required, what was found and what to install.
+/// Owns an OpenGL 4.5 core context without a surface, which is current on the thread that created it. The
+/// constructor throws UserError(device) whose message says what was required, what was found and what to
+/// install.
 class Context {
  public:
   explicit Context(const ContextOptions& options = {});
@@ -50,7 +52,8 @@ class Context {
   Context& operator=(const Context&) = delete;
 
   [[nodiscard]] const DeviceInfo& device() const;
-  [[nodiscard]] const std::string& reason() const;  ///< reason for the choice of this device, one clause
+  [[nodiscard]] const std::string& reason() const;  ///< returns the reason for the choice of this device,
+                                                    ///< one clause
   /// Throws UserError(device) with the first high-severity debug message since the last call, if any.
   void check() const;
 
@@ -59,11 +62,12 @@ class Context {
   std::unique_ptr<State> state_;
 };
 
-/// Owns a further context on the device of the current Context, current on the thread that creates it. It
-/// shares no objects with the Context and must be destroyed before it.
+/// Owns an additional context on the device of the current Context, which is current on the thread that
+/// created it. It shares no objects with the Context and must be destroyed before it.
 class SideContext {
  public:
-  /// Returns null if the driver cannot create a further context, or if there is no Context.
+  /// Creates the context. Returns null if the driver cannot create another context, or if there is no
+  /// Context.
   static std::unique_ptr<SideContext> make();
   ~SideContext();
   SideContext(SideContext&&) = delete;
@@ -77,7 +81,7 @@ class SideContext {
   void* context_;  ///< EGLContext
 };
 
-/// Memory path of the current context.
+/// Returns the memory path of the current context.
 [[nodiscard]] MemoryPath memoryPath();
 /// True if the current context renders on the CPU. Some filters then cost too much for their visible
 /// effect.

@@ -3,8 +3,8 @@
 
 namespace simreel::gl {
 
-/// Returns the set environment variables that choose a driver or change its features, for example
-/// "GALLIUM_DRIVER=softpipe and LIBGL_DRIVERS_PATH=/x"; empty if none of them is set.
+/// Returns the environment variables that are set and choose a driver or change its features, for example
+/// "GALLIUM_DRIVER=softpipe and LIBGL_DRIVERS_PATH=/x". Returns an empty text if there are none.
 [[nodiscard]] std::string driverVariables();
 
 /// Returns advice for the end of an error message if no device can run the program.

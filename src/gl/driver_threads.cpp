@@ -21,7 +21,7 @@ namespace {
 
 std::size_t sharers = 1;
 
-/// True if the system can start `count` further threads that run at the same time.
+/// True if the system can start `count` more threads that run at the same time.
 bool canStart(std::size_t count) {
   std::vector<std::thread> threads;
   std::latch end(1);
@@ -63,15 +63,15 @@ std::size_t driverThreads() {
 }
 
 void chooseDriverThreads() {
-  // llvmpipe starts this many threads for drawing and again this many for compute, at most 32 each. The
-  // program's own threads come on top.
+  // llvmpipe starts this many threads for drawing and the same number for compute, at most 32 each. The
+  // program's threads come on top.
   constexpr std::size_t most = 32;
   const std::size_t processors = std::clamp<std::size_t>(processorCount() / sharers, 1, most);
   const auto needed = [&](std::size_t threads) { return 2 * threads + processors + 4; };
   // The program reserves 1.4 GB of address space on 4 processors with one driver thread each, most of it
   // for thread stacks.
   const bool little = addressSpaceBelow(rlim_t{3} << 30);
-  // Each further malloc arena of the C library reserves 128 MB.
+  // Each additional malloc arena of the C library reserves 128 MB.
   if (little) ::mallopt(M_ARENA_MAX, 1);
   if (little || !canStart(needed(processors))) {
     setThreads(0);
@@ -80,10 +80,10 @@ void chooseDriverThreads() {
     return;
   }
   // llvmpipe splits the work of a kernel into equal parts, one for each of its threads, and waits for the
-  // slowest. With two threads per processor, early finished processors take over work; more threads gain
-  // little for kernels and slow down drawing. With several processes (sharers > 1), the processes fill each
-  // other's gaps, so one thread per processor is enough. On a single processor a driver thread beside the
-  // waiting main thread costs a tenth of the time, so none is used.
+  // slowest. With two threads per processor, processors that finish early take over work. More threads help
+  // little for kernels and slow down drawing. With several processes (sharers > 1), one thread per
+  // processor is enough, because a process runs while another waits. On a single processor, a driver thread
+  // next to the waiting main thread costs a tenth of the time, so none is used.
   if (sharers > 1) return setThreads(processors == 1 ? 0 : processors);
   const std::size_t parts = std::min(2 * processors, most);
   const bool room = !addressSpaceBelow(rlim_t{16} << 30) && canStart(needed(parts));

@@ -14,7 +14,7 @@
 namespace simreel::gl {
 
 /// Simulation state in elements of 16 bytes, accessible as a storage block and as texels. The bind
-/// functions match the declarations of glsl/common/memory.glsl (vec4) and words.glsl (uvec4) for the
+/// functions match the declarations in glsl/common/memory.glsl (vec4) and words.glsl (uvec4) for the
 /// current memory path.
 template <class Element, GLenum format>
 class ElementArray {
@@ -29,14 +29,14 @@ class ElementArray {
   ElementArray(const std::string& label, Buffer buffer)
       : buffer_(std::move(buffer)), view_(Texture::view(label, format, buffer_)) {}
 
-  /// Binds for INPUT_ARRAY(unit, ...) and INPUT_WORDS.
+  /// Binds the array for INPUT_ARRAY(unit, ...) and INPUT_WORDS.
   void bindInput(GLuint unit) const {
     if (memoryPath() == MemoryPath::texel)
       view_.bind(unit);
     else
       buffer_.bindStorage(unit);
   }
-  /// Binds for STATE_ARRAY(unit, ...) and STATE_WORDS.
+  /// Binds the array for STATE_ARRAY(unit, ...) and STATE_WORDS.
   void bindState(GLuint unit) const {
     if (memoryPath() == MemoryPath::texel) {
       view_.bindImage(unit, GL_READ_ONLY);
@@ -45,7 +45,7 @@ class ElementArray {
     buffer_.bindStorage(unit);
   }
 
-  /// Copies all elements of an array of equal size, in order with other GL commands.
+  /// Copies all elements of an array of the same size, in order with other GL commands.
   void copyFrom(const ElementArray& other) {
     glCopyNamedBufferSubData(other.buffer_.name(), buffer_.name(), 0, 0,
                              static_cast<GLsizeiptr>(buffer_.bytes()));
@@ -72,8 +72,8 @@ inline void barrier(GLbitfield more = 0) {
                      GL_TEXTURE_FETCH_BARRIER_BIT | GL_UNIFORM_BARRIER_BIT | more);
 }
 
-/// Returns the defines that select the memory path, and the one for built-in (not bit-reproducible)
-/// arithmetic if `fast`.
+/// Returns the defines that select the memory path and, if `fast`, the define for built-in (not
+/// bit-reproducible) arithmetic.
 inline Defines kernelDefines(bool fast) {
   Defines defines;
   if (memoryPath() == MemoryPath::texel) defines.emplace_back("TEXEL_PATH", "1");

@@ -9,7 +9,7 @@ namespace simreel::gl {
 void checkCalls() {
   const GLenum error = glGetError();
   if (error == GL_NO_ERROR) return;
-  // OpenGL keeps one error flag per error type; this clears all of them.
+  // OpenGL has one error flag per error type; the loop clears all of them.
   while (glGetError() != GL_NO_ERROR) {
   }
   if (error == GL_OUT_OF_MEMORY)

@@ -2,8 +2,8 @@
 
 namespace simreel::gl {
 
-/// Throws UserError(device) if the driver has rejected a call since the last check: results since then are
-/// unreliable. Called wherever results leave the device.
+/// Throws UserError(device) if the driver has rejected a call since the last check, because later results
+/// are unreliable. Called wherever results are read from the device.
 void checkCalls();
 
 }  // namespace simreel::gl

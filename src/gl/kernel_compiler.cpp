@@ -33,8 +33,8 @@ struct Job {
   State state = State::waiting;
 };
 
-/// Creates placeholder textures with the shapes of a recorded use and binds them to their units. Their
-/// memory is not touched.
+/// Creates placeholder textures with the shapes of a recorded use and binds them to their units. The memory
+/// of the textures is not touched.
 class Stand {
  public:
   Stand(const BoundViews& views, const ProgramInterface& interface) {
@@ -80,8 +80,9 @@ class Stand {
   std::vector<Handle<DeleteTexture>> textures_;
 };
 
-/// Compiles and links a kernel, then dispatches it with zero groups for each recorded use, so that the
-/// driver compiles machine code. Failures are ignored: the thread that needs the kernel reports them.
+/// Compiles and links a kernel. Then dispatches it with zero groups for each recorded use, so that the
+/// driver compiles machine code. Failures are ignored, because the thread that needs the kernel reports
+/// them.
 void compile(const Job& job) {
   const Handle<DeleteShader> shader(glCreateShader(GL_COMPUTE_SHADER));
   const char* text = job.text.c_str();
@@ -102,8 +103,7 @@ void compile(const Job& job) {
   glUseProgram(0);
 }
 
-/// Threads that take jobs from the end of the queue, while the main thread needs the kernels from its
-/// start.
+/// Threads that take jobs from the end of the queue, while the main thread needs the kernels at its start.
 class Pool {
  public:
   Pool() = default;
@@ -170,7 +170,7 @@ class Pool {
     }
   }
 
-  /// Waits for a job and returns the last waiting one; null if the pool ends.
+  /// Waits for a job. Returns the last waiting job, or null if the pool ends.
   Job* next() {
     std::unique_lock lock(mutex_);
     while (!ended_) {
@@ -198,13 +198,13 @@ class Pool {
   std::vector<std::thread> threads_;
 };
 
-/// The pool. The pointer object is never destroyed, like the programs (linked_program.cpp).
+/// Returns the pool. The pointer object is never destroyed, like the programs (linked_program.cpp).
 std::unique_ptr<Pool>& pool() {
   static auto& one = *new std::unique_ptr<Pool>();
   return one;
 }
 
-/// True once linking a program of this context took too long for a hit in the driver's cache.
+/// true when linking a program of this context has taken too long for a hit in the driver's cache
 bool cacheLacks = false;
 
 void lacks() {
@@ -239,13 +239,13 @@ void KernelCompiler::claim(const LinkedProgram& program) {
 
 void KernelCompiler::linked(double seconds) {
   constexpr double fromCache = 0.004;
-  static bool first = true;  // skips the first program: its time includes the start of the GLSL compiler
+  static bool first = true;  // skips the first program, whose time includes the start of the GLSL compiler
   if (!std::exchange(first, false) && seconds > fromCache) lacks();
 }
 
 void KernelCompiler::dispatched(double seconds) {
   constexpr double fromCache = 0.02;
-  static bool first = true;  // tests the first dispatch only, of a kernel that computes almost nothing
+  static bool first = true;  // tests only the first dispatch, whose kernel computes almost nothing
   if (std::exchange(first, false) && seconds > fromCache) lacks();
 }
 

@@ -7,26 +7,28 @@ namespace simreel::gl {
 
 class LinkedProgram;
 
-/// Compiles kernels for a software driver on other threads before they are needed. Each thread has its own
-/// context, and its machine code reaches the main context through the driver's disk cache. Without a disk
-/// cache or on a single processor nothing is gained. At most one per context.
+/// Compiles kernels for a software driver on other threads before they are needed. Each thread has a
+/// separate context; its machine code reaches the main context through the driver's disk cache. Without a
+/// disk cache or on a single processor, this saves no time. At most one object may exist per context.
 class KernelCompiler {
  public:
-  /// True if compiling ahead can help: a software driver with a disk cache, and more than one processor.
+  /// True if compiling in advance can save time: on a software driver with a disk cache and more than one
+  /// processor.
   [[nodiscard]] static bool helps();
-  /// True once linking a program of this context took too long for a hit in the driver's cache.
+  /// True when linking a program of this context has taken too long for a hit in the driver's cache.
   [[nodiscard]] static bool isCold();
-  /// Adds kernels in the order in which they will be needed. Threads start only after the linking of some
+  /// Adds kernels in the order in which they will be needed. Threads start only when the link time of some
   /// program has shown that the driver's cache is cold.
   static void announce(std::vector<Rehearsal::Kernel> kernels);
-  /// Takes a program out of the queue before it is linked. If a thread is compiling it, waits for that
+  /// Removes a program from the queue before it is linked. If a thread is compiling it, waits for that
   /// thread.
   static void claim(const LinkedProgram& program);
-  /// Reports the time in seconds that linking a program took.
+  /// Reports the time (s) that linking a program took.
   static void linked(double seconds);
-  /// Reports the time in seconds of a kernel's first dispatch.
+  /// Reports the time (s) of a kernel's first dispatch.
   static void dispatched(double seconds);
-  /// Ends the threads, each after its current kernel. The context calls this function before it ends.
+  /// Ends the threads, each after its current kernel. The context calls this function before it is
+  /// destroyed.
   static void end();
 };
 

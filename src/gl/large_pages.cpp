@@ -10,8 +10,8 @@ namespace simreel::gl {
 
 namespace {
 
-/// Returns Vulkan memory of the device of the current context; null if the device has none or OpenGL cannot
-/// import memory.
+/// Returns the Vulkan memory of the current context's device. Returns null if the device has none or if
+/// OpenGL cannot import memory.
 const VulkanMemory* memoryOfDevice() {
   static const VulkanMemory* const memory = []() -> const VulkanMemory* {
     // NOLINTNEXTLINE(concurrency-mt-unsafe): the environment is only read.
@@ -23,7 +23,7 @@ const VulkanMemory* memoryOfDevice() {
     if (!epoxy_has_gl_extension("GL_EXT_memory_object_fd")) return nullptr;
     VulkanMemory::Uuid device{};
     glGetUnsignedBytei_vEXT(GL_DEVICE_UUID_EXT, 0, device.data());
-    // Never freed, because buffers with its memory may outlive every object here.
+    // Never freed, because buffers that use the memory may outlive all objects in this file.
     return VulkanMemory::of(device).release();
   }();
   return memory;
@@ -42,7 +42,7 @@ bool storeInLargePages(GLuint buffer, std::size_t bytes) {
   glCreateMemoryObjectsEXT(1, &lent);
   glImportMemoryFdEXT(lent, whole, GL_HANDLE_TYPE_OPAQUE_FD_EXT, file);  // OpenGL closes `file`
   glNamedBufferStorageMemEXT(buffer, static_cast<GLsizeiptr>(bytes), lent, 0);
-  glDeleteMemoryObjectsEXT(1, &lent);  // the buffer keeps its memory
+  glDeleteMemoryObjectsEXT(1, &lent);  // the buffer keeps the memory
   GLint immutable = 0;
   glGetNamedBufferParameteriv(buffer, GL_BUFFER_IMMUTABLE_STORAGE, &immutable);
   return immutable != 0;

@@ -14,8 +14,8 @@ namespace simreel::gl {
 
 namespace {
 
-/// Programs of the current context by the hash of their stages. The map is never destroyed, because a
-/// context that lives until the process exits may be destroyed after static objects.
+/// Returns the programs of the current context by the hash of their stages. The map is never destroyed,
+/// because a context that exists until the process exits may be destroyed after static objects.
 std::unordered_map<std::string, std::shared_ptr<LinkedProgram>>& store() {
   static auto& programs = *new std::unordered_map<std::string, std::shared_ptr<LinkedProgram>>();
   return programs;

@@ -12,19 +12,19 @@
 
 namespace simreel::gl {
 
-/// A linked OpenGL program, shared by all Programs and Kernels of one context with the same source. It is
+/// A linked OpenGL program. All Programs and Kernels of one context with the same source share it. It is
 /// compiled and linked at its first use.
 class LinkedProgram {
  public:
   struct Stage {
     GLenum type = GL_COMPUTE_SHADER;
-    std::string path;  ///< path below glsl/, for messages
+    std::string path;  ///< path below glsl/, used in messages
     ShaderSource source;
   };
 
-  /// Returns the shared program with these stages. It lives until the context ends.
+  /// Returns the shared program with these stages. The program exists until the context is destroyed.
   static std::shared_ptr<LinkedProgram> of(std::string label, std::vector<Stage> stages);
-  /// Drops all programs. The context calls this function before it ends.
+  /// Drops all programs. The context calls this function before it is destroyed.
   static void forgetAll();
 
   LinkedProgram(std::string label, std::vector<Stage> stages)
@@ -36,23 +36,24 @@ class LinkedProgram {
   [[nodiscard]] bool linked() const { return static_cast<bool>(handle_); }
   [[nodiscard]] GLuint name() const { return handle_.get(); }
   [[nodiscard]] const std::string& label() const { return label_; }
-  /// Number of invocations of a workgroup in x, y and z. Requires link().
+  /// Returns the number of invocations of a workgroup in x, y and z. Requires link().
   [[nodiscard]] const GLint* groupSize() const { return groupSize_; }
-  /// The stages; empty after link().
+  /// Returns the stages; empty after link().
   [[nodiscard]] const std::vector<Stage>& stages() const { return stages_; }
 
-  /// The Program or Kernel whose uniform values are currently set; null if none.
+  /// Returns the Program or Kernel whose uniform values are currently set, or null.
   [[nodiscard]] const void* user() const { return user_; }
   /// Sets the uniform values of `user`, which must cover all active uniforms. Requires link().
   void giveTo(const void* user, std::vector<UniformSlot>& uniforms);
-  /// Interface as the driver reports it. Requires link().
+  /// Returns the interface that the driver reports. Requires link().
   [[nodiscard]] const ProgramInterface& interface() const { return interface_; }
-  /// Clears `user` as the owner of the current uniform values, before it is destroyed.
+  /// Clears the owner of the current uniform values if it is `user`. Called before `user` is destroyed.
   void leave(const void* user) {
     if (user_ == user) user_ = nullptr;
   }
 
-  /// Calls `run`, which dispatches this program as the current one. Measures the first dispatch.
+  /// Calls `run`, which dispatches this program as the current one. Measures the time of the first
+  /// dispatch.
   template <class Run>
   void dispatch(const Run& run) {
     if (dispatched_) return run();
@@ -61,12 +62,12 @@ class LinkedProgram {
     dispatched_ = true;
     firstDispatchTook(secondsSince(start));
   }
-  /// True once the program has been dispatched, so that the driver has machine code for it.
+  /// True if the program has been dispatched, so that the driver has machine code for it.
   [[nodiscard]] bool dispatched() const { return dispatched_; }
 
  private:
   void firstDispatchTook(double seconds) const;
-  /// Logs a slow compilation, and prints a note to a terminal once compilations add up to a second.
+  /// Logs a slow compilation. When compilations add up to a second, prints a note to a terminal.
   void compiledFor(const char* what, double seconds) const;
 
   std::string label_;

@@ -31,7 +31,7 @@ void checkBlock(GLuint program, const char* block, std::size_t bytes) {
 
 }  // namespace
 
-/// Uniform values and checks of one Program, and its shared LinkedProgram.
+/// Uniform values and checks of one Program, and the shared LinkedProgram.
 struct Program::Own {
   explicit Own(std::shared_ptr<LinkedProgram> shared) : linked(std::move(shared)) {}
   ~Own() { linked->leave(this); }
@@ -63,10 +63,10 @@ struct Program::Own {
   }
 
   std::shared_ptr<LinkedProgram> linked;
-  bool checked = false;  ///< true once checkUniforms() has passed
+  bool checked = false;  ///< true if checkUniforms() has passed
   std::vector<UniformSlot> uniforms;
   std::vector<std::pair<std::string, std::size_t>>
-      blocks;  ///< names and sizes in bytes, checked after linking
+      blocks;  ///< names and sizes (bytes) of uniform blocks, checked after linking
 };
 
 Program::Program() = default;
@@ -137,8 +137,8 @@ void Program::dispatchGroups(GLuint x, GLuint y, GLuint z) const {
 
 void Program::dispatchIndirect(const Buffer& commands, std::size_t offset) const {
   if (Rehearsal::note(own_->linked)) return;
-  // Reads the group counts back on software drivers: the readback takes microseconds, but machine code for
-  // a kernel up to half a second.
+  // On software drivers, reads the group counts back. The readback takes microseconds, but compiling
+  // machine code for a kernel takes up to half a second.
   if (softwareDriver() && !own_->linked->dispatched()) {
     std::array<GLuint, 3> groups{};
     commands.read(offset, std::as_writable_bytes(std::span(groups)));

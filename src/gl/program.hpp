@@ -17,7 +17,7 @@ namespace simreel::gl {
 class Buffer;
 class LinkedProgram;
 
-/// An OpenGL program with its own uniform values. Programs with the same source share one LinkedProgram,
+/// An OpenGL program with separate uniform values. Programs with the same source share one LinkedProgram,
 /// which is compiled and linked at the first use. Compile and link errors then throw UserError(device) with
 /// file:line of the original shader files.
 class Program {
@@ -29,10 +29,10 @@ class Program {
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
-  /// Throws UserError(device) if a file is missing.
+  /// Creates a compute program. Throws UserError(device) if a file is missing.
   static Program compute(const std::string& path, const Defines& defines = {});
-  /// Creates a program from a text instead of a file; the text may include files below glsl/. Tests of such
-  /// files use it.
+  /// Creates a program from a text instead of a file. The text may include files below glsl/. Used by tests
+  /// of such files.
   static Program computeText(const std::string& name, const std::string& text, const Defines& defines = {});
   static Program graphics(const std::string& vertexPath, const std::string& fragmentPath,
                           const Defines& defines = {});
@@ -40,21 +40,21 @@ class Program {
   /// False for a default-constructed Program.
   explicit operator bool() const { return own_ != nullptr; }
 
-  /// Makes it the current program and sets its uniform values. The first use throws UserError(device) if
-  /// the shader reads a uniform that has not been set.
+  /// Makes the program current and sets its uniform values. The first use throws UserError(device) if the
+  /// shader reads a uniform that has not been set.
   void use() const;
-  /// Runs at least `items` (or x by y) invocations; shaders must ignore the excess ones. Throws
-  /// UserError(device) if a direction needs more than GL_MAX_COMPUTE_WORK_GROUP_COUNT groups.
+  /// Runs at least `items` (or x by y) invocations; shaders must ignore the surplus ones. Throws
+  /// UserError(device) if a dimension needs more than GL_MAX_COMPUTE_WORK_GROUP_COUNT groups.
   void dispatch(int items) const { dispatch(items, 1); }
   void dispatch(int x, int y) const;
   /// Runs x by y by z workgroups.
   void dispatchGroups(GLuint x, GLuint y, GLuint z) const;
-  /// Runs the number of workgroups in the indirect command at byte `offset` of `commands`. The caller must
-  /// issue GL_COMMAND_BARRIER_BIT before. On software drivers a command without groups does not trigger a
+  /// Runs as many workgroups as the indirect command at byte `offset` of `commands` says. The caller must
+  /// first issue GL_COMMAND_BARRIER_BIT. On software drivers, a command without groups does not cause a
   /// compilation.
   void dispatchIndirect(const Buffer& commands, std::size_t offset) const;
 
-  /// Sets a uniform by name; a name that the driver optimised away is ignored.
+  /// Sets a uniform by name. Names that the driver optimised away are ignored.
   void set(const char* uniform, int value) const;
   void set(const char* uniform, unsigned value) const;
   void set(const char* uniform, float value) const;
@@ -65,11 +65,11 @@ class Program {
   void set(const char* uniform, const glm::vec4& value) const;
   void set(const char* uniform, const glm::mat4& value) const;
 
-  /// Throws at the first use unless the uniform block has exactly `bytes` bytes, the size of the C++
+  /// Makes the first use throw unless the uniform block has exactly `bytes` bytes, the size of the C++
   /// struct.
   void checkUniformBlock(const char* block, std::size_t bytes) const;
 
-  /// OpenGL name of the linked program; 0 for a default-constructed Program.
+  /// Returns the OpenGL name of the linked program, or 0 for a default-constructed Program.
   [[nodiscard]] GLuint name() const;
 
  private:

@@ -8,11 +8,10 @@
 
 namespace simreel::gl {
 
-/// The interface of a linked program as the driver reports it, without names that the driver optimised
-/// away.
+/// The interface of a linked program that the driver reports, without names that the driver optimised away.
 struct ProgramInterface {
-  /// A uniform outside blocks: "a", "a.b"; for an array of numbers "a", with elements at consecutive
-  /// locations.
+  /// A uniform outside blocks, named "a" or "a.b". An array of numbers is named "a"; its elements have
+  /// consecutive locations.
   struct Number {
     std::string name;
     GLenum type = GL_NONE;
@@ -29,7 +28,8 @@ struct ProgramInterface {
     GLuint binding = 0;
     bool storage = false;
     std::size_t bytes = 0;             ///< size as declared in the shader
-    std::vector<std::string> members;  ///< only for storage blocks: "name" for "name[]" and for "name[].x"
+    std::vector<std::string> members;  ///< only for storage blocks: names of the members, such as "name"
+                                       ///< for "name[]" and for "name[].x"
   };
   std::vector<Number> numbers;
   std::vector<View> views;
@@ -39,7 +39,7 @@ struct ProgramInterface {
 };
 
 /// True if the C++ resource `given` refers to the sampler or image `name`. An array of
-/// glsl/common/memory.glsl or words.glsl has up to one of each: nameTexels and nameImage.
+/// glsl/common/memory.glsl or words.glsl has up to one sampler, nameTexels, and up to one image, nameImage.
 [[nodiscard]] bool namesView(std::string_view given, std::string_view name);
 
 }  // namespace simreel::gl

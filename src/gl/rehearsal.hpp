@@ -11,7 +11,7 @@ namespace simreel::gl {
 class LinkedProgram;
 class Texture;
 
-/// Scope in which dispatches do not run but are recorded with their bindings. Drawing a frame in this scope
+/// Scope in which dispatches are recorded with their bindings instead of run. Drawing a frame in this scope
 /// lists the kernels of the frame within a few milliseconds. Only one object may exist at a time.
 class Rehearsal {
  public:
@@ -32,12 +32,11 @@ class Rehearsal {
 
   /// True while a rehearsal exists.
   [[nodiscard]] static bool now();
-  /// Records a kernel before its dispatch. Returns false if there is no rehearsal, so that the kernel must
-  /// run.
+  /// Records a kernel before its dispatch. Returns false if there is no rehearsal, so the kernel must run.
   static bool note(const std::shared_ptr<LinkedProgram>& program);
-  /// Records a dispatch with views given by name instead of by unit.
+  /// Records a dispatch with views that are passed by name instead of by unit.
   static bool note(const std::shared_ptr<LinkedProgram>& program, const BoundViews& given);
-  /// The textures and images that are bound in the current rehearsal.
+  /// Returns the textures and images that are bound in the current rehearsal.
   [[nodiscard]] static const BoundViews& bound();
   static void bound(GLuint unit, const Texture& texture);
   static void boundImage(GLuint unit, const Texture& texture, GLint level, GLenum access, GLenum format);

@@ -2,7 +2,7 @@
 
 namespace simreel::gl {
 
-/// True if Mesa keeps compiled shaders on disk: the environment does not disable the cache, and the cache
+/// True if Mesa stores compiled shaders on disk: the environment does not disable the cache, and the cache
 /// folder is writable.
 [[nodiscard]] bool shaderCacheKept();
 

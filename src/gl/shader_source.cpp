@@ -34,7 +34,7 @@ std::string shaderText(const std::string& path, const std::string& asker) {
   fail(ExitCode::device, "{} asks for the shader file {}, which does not exist", asker, path);
 }
 
-/// Pastes a shader and its includes into one text. An include inside an #if may be skipped by the compiler.
+/// Pastes a shader and its includes into one text. The compiler may skip an include inside an #if.
 /// Therefore later includes of the same file paste it again, inside an include guard, and the first
 /// compiled copy takes effect.
 class Paster {
@@ -89,10 +89,10 @@ class Paster {
   }
 
   ShaderSource& source_;
-  std::vector<bool>
-      certain_;  ///< by file: true if a pasted copy is compiled in any case, outside all conditions
+  std::vector<bool> certain_;  ///< for each file, true if a pasted copy is outside all conditions, so that
+                               ///< it is always compiled
   std::vector<std::string> open_;  ///< files that are being pasted
-  int conditions_ = 0;             ///< number of open #if
+  int conditions_ = 0;             ///< number of enclosing #if
 };
 
 bool partOfName(char c) {
@@ -105,7 +105,7 @@ bool mentions(std::string_view text, std::string_view name) {
   for (auto at = text.find(name); at != std::string_view::npos; at = text.find(name, at + name.size())) {
     const auto end = at + name.size();
     if ((at > 0 && partOfName(text[at - 1])) || (end < text.size() && partOfName(text[end]))) continue;
-    const auto lineBegin = text.rfind('\n', at) + 1;  // 0 in the first line
+    const auto lineBegin = text.rfind('\n', at) + 1;  // 0 in the first line, where rfind() returns npos
     if (text.substr(lineBegin, at - lineBegin).find("//") == std::string_view::npos) return true;
   }
   return false;
@@ -113,7 +113,7 @@ bool mentions(std::string_view text, std::string_view name) {
 
 namespace {
 
-/// Returns only the defines that the files mention. A driver's cache is keyed by the shader's text, so an
+/// Returns only the defines that the files mention. The shader's text is the key of a driver's cache, so an
 /// unused define would cause needless compilations.
 Defines mentioned(const std::string& files, const Defines& defines) {
   Defines result;
@@ -148,7 +148,7 @@ std::string ShaderSource::explain(std::string_view log) const {
   for (std::string line; std::getline(lines, line);) {
     std::size_t digits = 0;
     while (digits < line.size() && std::isdigit(static_cast<unsigned char>(line[digits])) != 0) ++digits;
-    // Mesa writes "string:line(column): ", NVIDIA "string(line) : ".
+    // Mesa writes "string:line(column): ", NVIDIA writes "string(line) : ".
     if (digits > 0 && digits < 6 && digits < line.size() && (line[digits] == ':' || line[digits] == '(')) {
       const auto file = static_cast<std::size_t>(std::stoi(line.substr(0, digits)));
       auto end = digits + 1;

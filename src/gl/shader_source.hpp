@@ -7,7 +7,7 @@
 
 namespace simreel::gl {
 
-/// A shader file embedded in the program: path below glsl/, and text.
+/// A shader file embedded in the program: its path below glsl/, and its text.
 struct EmbeddedShader {
   const char* path;
   const char* text;
@@ -19,7 +19,7 @@ using Defines = std::vector<std::pair<std::string, std::string>>;
 /// Special name in Defines: its value is a GLSL extension that the shader requires.
 inline constexpr const char* extensionDefine = "#extension";
 
-/// One shader ready for the driver: version line, defines, and the file with its includes.
+/// The source of one shader for the driver: version line, defines, and the file with its includes.
 struct ShaderSource {
   std::string text;
   std::vector<std::string> files;  ///< indexed by source-string number, as in #line
@@ -29,12 +29,12 @@ struct ShaderSource {
   [[nodiscard]] std::string explain(std::string_view log) const;
 };
 
-/// Reads `path` (below glsl/), adds those `defines` that its files mention, and pastes each `#include
-/// "path/below/glsl"`. Only the first compiled copy of a file takes effect. Files come from $SIMREEL_GLSL,
-/// else from share/simreel/glsl beside the program's folder, else from the embedded copies. Throws
-/// UserError(device) that names the file, the line and the missing part.
+/// Reads the file `path` (below glsl/), adds those `defines` that its files mention, and replaces each
+/// `#include "path/below/glsl"` by the file. Only the first compiled copy of a file has an effect. Files
+/// are read from $SIMREEL_GLSL, else from share/simreel/glsl next to the program's folder, else from the
+/// embedded copies. Throws UserError(device) that names the file, the line and the missing part.
 [[nodiscard]] ShaderSource loadShader(const std::string& path, const Defines& defines);
-/// Does the same for a text called `name` that is not a file below glsl/.
+/// Does the same for a text called `name` instead of a file below glsl/.
 [[nodiscard]] ShaderSource loadShaderText(const std::string& name, const std::string& text,
                                           const Defines& defines);
 

@@ -12,14 +12,14 @@ namespace simreel::gl {
 class Texture {
  public:
   Texture() = default;
-  /// Creates a 2-D texture with immutable storage. levels 0: the whole mip chain.
+  /// Creates a 2-D texture with immutable storage. If `levels` is 0, it has the whole mip chain.
   static Texture image(const std::string& label, GLenum format, int width, int height, int levels = 1);
   /// Creates a 2-D array (`array`) or a 3-D texture with immutable storage of one level.
   static Texture layered(const std::string& label, GLenum format, int width, int height, int depth,
                          bool array);
   static Texture multisampled(const std::string& label, GLenum format, int width, int height, int samples);
   /// Creates a texel view of a buffer for samplerBuffer / imageBuffer, with a format such as GL_RGBA32F.
-  /// The Buffer must outlive the view. Throws UserError(device) beyond GL_MAX_TEXTURE_BUFFER_SIZE.
+  /// The Buffer must outlive the view. Throws UserError(device) if GL_MAX_TEXTURE_BUFFER_SIZE is exceeded.
   static Texture view(const std::string& label, GLenum format, const Buffer& buffer,
                       std::size_t texelBytes = 16);
 
@@ -27,41 +27,41 @@ class Texture {
   static Texture view(const std::string& label, GLenum format, const BufferPart& part,
                       std::size_t texelBytes = 16);
 
-  /// Redirects the view to another buffer, or to a reallocated one.
+  /// Redirects the view to another or reallocated buffer.
   void attach(const Buffer& buffer, std::size_t texelBytes);
 
   void bind(GLuint unit) const {
     if (depth_ == 0) Rehearsal::bound(unit, *this);
     glBindTextureUnit(unit, name());
   }
-  /// Sets the wrap mode for reads beyond the border: GL_REPEAT or GL_CLAMP_TO_EDGE.
+  /// Sets the wrap mode for reads outside the texture: GL_REPEAT or GL_CLAMP_TO_EDGE.
   void wrap(GLint mode) const {
     glTextureParameteri(name(), GL_TEXTURE_WRAP_S, mode);
     glTextureParameteri(name(), GL_TEXTURE_WRAP_T, mode);
   }
-  /// Switches filtering off, for textures read with texelFetch. Integer formats require it.
+  /// Switches filtering off, for textures read with texelFetch. Integer formats require this.
   void unfiltered() const {
     glTextureParameteri(name(), GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
     glTextureParameteri(name(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   }
   void bindImage(GLuint unit, GLenum access) const { bindImage(unit, 0, access, format_); }
 
-  /// Binds one level as an image with format `format`.
+  /// Binds one level as an image of format `format`.
   void bindImage(GLuint unit, GLint level, GLenum access, GLenum format) const {
     if (depth_ == 0) Rehearsal::boundImage(unit, *this, level, access, format);
     glBindImageTexture(unit, name(), level, depth_ == 0 ? GL_FALSE : GL_TRUE, 0, access, format);
   }
 
-  /// Properties that affect the machine code of a software driver.
+  /// Returns the properties that affect the machine code of a software driver.
   [[nodiscard]] TextureShape shape() const;
   [[nodiscard]] GLuint name() const { return handle_.get(); }
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
   [[nodiscard]] int depth() const { return depth_; }
   [[nodiscard]] GLenum format() const { return format_; }
-  /// OpenGL name of the buffer of a texel view; 0 for other textures.
+  /// Returns the OpenGL name of the buffer of a texel view, or 0 for other textures.
   [[nodiscard]] GLuint buffer() const { return buffer_; }
-  /// Byte offset of a texel view in its buffer.
+  /// Returns the byte offset of a texel view in its buffer.
   [[nodiscard]] std::size_t offset() const { return offset_; }
   explicit operator bool() const { return static_cast<bool>(handle_); }
 
@@ -80,7 +80,8 @@ class Texture {
 class Framebuffer {
  public:
   Framebuffer() = default;
-  /// Either attachment may be null. Throws UserError(device) if the driver rejects the combination.
+  /// Creates a framebuffer. Either attachment may be null. Throws UserError(device) if the driver rejects
+  /// the combination.
   Framebuffer(const std::string& label, const Texture* color, const Texture* depth);
   void bind() const;
   [[nodiscard]] GLuint name() const { return handle_.get(); }

@@ -3,13 +3,13 @@
 
 namespace simreel::gl {
 
-/// A point in time on the device's clock: the completion of all commands issued before record(). Unlike
-/// TimerQuery, intervals between timestamps may overlap and nest.
+/// A point in time on the device's clock: the completion of all commands issued before record(). Intervals
+/// between timestamps may overlap and nest, unlike those of TimerQuery.
 class Timestamp {
  public:
   Timestamp() : handle_(create()) {}
   void record() { glQueryCounter(handle_.get(), GL_TIMESTAMP); }
-  /// Milliseconds since `earlier`. Waits for both timestamps.
+  /// Returns the time since `earlier` (ms). Waits for both timestamps.
   [[nodiscard]] double millisecondsSince(const Timestamp& earlier) const {
     return static_cast<double>(nanoseconds() - earlier.nanoseconds()) * 1e-6;
   }

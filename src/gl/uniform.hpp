@@ -18,16 +18,16 @@ struct UniformSlot {
 
   std::string name;
   Value value;
-  GLint location = -1;   ///< -1: the driver optimised it away
-  bool located = false;  ///< true once `location` has been looked up
+  GLint location = -1;   ///< -1 if the driver optimised the uniform away
+  bool located = false;  ///< true if `location` has been looked up
 
-  /// True if it is `whole`, an element of it ("a[0]") or a member of it ("a.b").
+  /// True if the uniform is `whole`, an element of it ("a[0]") or a member of it ("a.b").
   [[nodiscard]] bool isPartOf(std::string_view whole) const {
     return name.starts_with(whole) &&
            (name.size() == whole.size() || name[whole.size()] == '[' || name[whole.size()] == '.');
   }
-  /// Looks up the location in a linked program, once. Returns false if the driver optimised the uniform
-  /// away.
+  /// Looks up the location in a linked program at the first call. Returns false if the driver optimised the
+  /// uniform away.
   bool locate(GLuint program);
   /// Sets the value in a linked program.
   void putInto(GLuint program);

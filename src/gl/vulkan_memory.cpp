@@ -1,6 +1,6 @@
 #include "gl/vulkan_memory.hpp"
 
-// Vulkan functions are loaded from the driver directly, without linking the Vulkan loader.
+// Loads the Vulkan functions from the driver directly, without linking the Vulkan loader.
 #define VK_NO_PROTOTYPES
 #include <algorithm>
 #include <array>
@@ -12,8 +12,8 @@ namespace simreel::gl {
 
 namespace {
 
-// Returns an entry point of the NVIDIA library that EGL has already loaded. The library offers the same
-// interface to Vulkan's loader.
+// Returns an entry point of the NVIDIA library that EGL has already loaded. The library gives Vulkan's
+// loader the same interface.
 template <class F>
 F entryOf(const char* name) {
   void* driver = dlopen("libEGL_nvidia.so.0", RTLD_NOW | RTLD_NOLOAD);

@@ -6,14 +6,14 @@
 
 namespace simreel::gl {
 
-/// Allocates GPU memory through Vulkan and exports it to OpenGL. It uses the already loaded OpenGL driver,
-/// which includes Vulkan, so nothing needs to be installed.
+/// Allocates GPU memory through Vulkan and exports it to OpenGL. Uses the already loaded OpenGL driver,
+/// which includes Vulkan, so no additional library is needed.
 class VulkanMemory {
  public:
   using Uuid = std::array<std::uint8_t, 16>;
 
-  /// Opens the GPU with this UUID. Returns null if the driver is not NVIDIA's, or its Vulkan has no such
-  /// GPU.
+  /// Opens the GPU with this UUID. Returns null if the driver is not NVIDIA's, or if its Vulkan does not
+  /// have this GPU.
   static std::unique_ptr<VulkanMemory> of(const Uuid& device);
   ~VulkanMemory();
   VulkanMemory(VulkanMemory&&) = delete;
@@ -21,8 +21,8 @@ class VulkanMemory {
   VulkanMemory& operator=(VulkanMemory&&) = delete;
   VulkanMemory& operator=(const VulkanMemory&) = delete;
 
-  /// Returns a file descriptor of `bytes` bytes of GPU memory; negative if memory is short. The memory is
-  /// freed after its last user has released it.
+  /// Returns a file descriptor for `bytes` bytes of GPU memory, or a negative number if there is not enough
+  /// memory. The memory is freed after its last user has released it.
   [[nodiscard]] int lend(std::size_t bytes) const;
 
  private:

@@ -16,9 +16,9 @@ enum class Status {
   updated,           ///< baselines were written, as requested by --update
   xfail,             ///< failed, as the scene expects
   flaky,             ///< failed first, then passed on a retry
-  fail,              ///< fails: pixels, state or a check differs
+  fail,              ///< failed: pixels, state or a check differs
   nondeterministic,  ///< nondeterministic: two runs of the same program differ
-  missing,           ///< there is no baseline to compare with
+  missing,           ///< there is no baseline
   xpass,             ///< passed although the scene expects a failure
   error,             ///< scene or baseline is unusable, or the device lost the state
 };
@@ -27,7 +27,7 @@ inline constexpr int statusCount = 9;
 struct StatusWords {
   const char* name;     ///< name of the status in reports
   const char* counted;  ///< words used after a number of scenes, such as "failed"
-  const char* reason;   ///< message for scenes that have no messages of their own
+  const char* reason;   ///< message for scenes that have no messages
 };
 [[nodiscard]] const StatusWords& wordsOf(Status status);
 [[nodiscard]] inline const char* statusName(Status status) {
@@ -35,16 +35,17 @@ struct StatusWords {
 }
 /// Returns the status with this name, or nothing for an unknown name.
 [[nodiscard]] std::optional<Status> statusOfName(std::string_view name);
-/// True if a scene with this status makes the whole run fail. A flaky scene does unless `allowFlaky`.
+/// True if a scene with this status makes the whole run fail. A flaky scene makes it fail unless
+/// `allowFlaky`.
 [[nodiscard]] bool isFailure(Status status, bool allowFlaky);
 
-/// Measured differences between two pictures of equal size. Ratios and FLIP are in 0 to 1; x grows to the
-/// right, y downwards.
+/// Measured differences between two pictures of equal size. Ratios and FLIP errors are from 0 to 1. x grows
+/// to the right, y downwards.
 struct Metrics {
   /// largest difference of one channel, 0 to 255; fractional for deep pictures
   double worst = 0;
   int worstX = 0, worstY = 0;  ///< pixel with the largest difference
-  long differentPixels = 0;    ///< number of pixels with any difference at all
+  long differentPixels = 0;    ///< number of pixels with any difference
   /// number of pixels with a channel that differs by more than maxChannelDiff
   long pixelsBeyond = 0;
   double ratioBeyond = 0;          ///< pixelsBeyond divided by the number of pixels
@@ -61,16 +62,16 @@ struct Metrics {
 /// First pass and pixel at which a picture differs from its baseline.
 struct PassPlace {
   std::string pass;  ///< first pass whose hash differs; empty if the baseline has no pass hashes
-  /// First differing pixel that shows a single thing, or otherwise the first differing pixel.
+  /// First differing pixel that shows only one thing; if there is none, first differing pixel.
   int x = 0, y = 0;
   std::string shows;    ///< what is visible at the pixel: "triangle 12 of flag"
   std::string message;  ///< description of the difference in one line
   bool operator==(const PassPlace&) const = default;
 };
 
-/// Picture of another attempt or run, for display beside the compared pictures.
+/// Picture of another attempt or run, for display next to the compared pictures.
 struct OtherPicture {
-  std::string label;  ///< "attempt 1", "run 3"
+  std::string label;  ///< label such as "attempt 1", "run 3"
   std::string image;  ///< path of the picture, relative to the folder of report.json
   bool operator==(const OtherPicture&) const = default;
 };
@@ -81,7 +82,7 @@ struct FrameResult {
   Status status = Status::pass;
   std::string message;                 ///< reason for the status in one line; empty if the frame passed
   std::string pixels, expectedPixels;  ///< pixel hashes; `expectedPixels` is empty if there is no baseline
-  /// index of the closest accepted alternate, from 1; 0: the baseline itself
+  /// index of the closest accepted alternate, from 1; 0 means the baseline itself
   int alternate = 0;
   std::string state;  ///< "equal", "different", "missing" or "not compared"
   /// How closely the pixels had to match: askedName() in golden/baseline/origin.hpp. Empty if there is no
@@ -90,7 +91,7 @@ struct FrameResult {
   std::optional<Metrics> metrics;  ///< empty unless the pictures were compared pixel by pixel
   /// place of the first difference, if an exact picture fails although the state is equal
   std::optional<PassPlace> pass;
-  /// Paths relative to the folder of report.json; empty if there is no such picture.
+  /// Paths relative to the folder of report.json; empty if the picture does not exist.
   std::string expectedImage, actualImage, differenceImage;
   std::string flipImage;  ///< path of the FLIP error map
   std::vector<OtherPicture> others;
@@ -98,21 +99,21 @@ struct FrameResult {
 };
 
 struct CheckResult {
-  std::string what;  ///< description: "energy of flag", "max of flag positions.y", "not-blank"
+  std::string what;  ///< description, such as "energy of flag", "max of flag positions.y", "not-blank"
   int frame = 0;
   std::optional<double> value, min, max;
   bool passed = true;
-  std::string message;  ///< if failed: "frame 60: energy of flag is 3.1, above 3"
+  std::string message;  ///< message if the check failed: "frame 60: energy of flag is 3.1, above 3"
   bool operator==(const CheckResult&) const = default;
 };
 
-/// First place at which the state of a run differs from the baseline's.
+/// First position at which the state of a run differs from the state in the baseline.
 struct Divergence {
-  int frame = 0;  ///< frame being stepped to; negative during pre-roll
+  int frame = 0;  ///< frame that the run was stepping to; negative during pre-roll
   int step = 0;   ///< step within the frame, from 1; 0 if only the frame is known
   int steps = 0;  ///< number of simulation steps per frame
   std::string object, buffer;
-  /// Range of the first differing block of elements. Both are equal if a single element is known.
+  /// Range of elements that contains the difference. Both are equal if a single element is known.
   long firstElement = 0, lastElement = 0;
   std::string message;
   bool operator==(const Divergence&) const = default;
@@ -132,7 +133,7 @@ struct Attempt {
   bool operator==(const Attempt&) const = default;
 };
 
-/// Place in a user's file that causes a result.
+/// File and line that caused a result.
 struct Place {
   std::string file;
   int line = 1;  ///< line number, from 1
@@ -145,7 +146,7 @@ struct SceneResult {
   std::string baselines;  ///< folder of the scene's baselines
   Status status = Status::pass;
   std::vector<std::string> messages;  ///< reasons for the failure, one line each
-  /// remarks, such as a fallback or a tolerance much looser than needed
+  /// remarks, such as a fallback or a tolerance that is much looser than needed
   std::vector<std::string> notes;
   std::string xfail;    ///< reason for the expected failure, from the scene
   std::string profile;  ///< profile whose baselines were used; empty if none
@@ -154,20 +155,20 @@ struct SceneResult {
   /// Data of the run that wrote the baseline last. The processor is empty if unknown.
   std::string baselineDriver, baselineProcessor, baselineVersion, baselineReason;
   std::map<std::string, Bound> tolerance;  ///< bounds in force, by field name
-  double seconds = 0;                      ///< total time for the scene
+  double seconds = 0;                      ///< total time for the scene (s)
   double simulateSeconds = 0;              ///< part of `seconds` spent stepping the simulation
   int repeats = 0;
-  std::vector<Attempt> attempts;  ///< failed attempts before the last, with --retries
+  std::vector<Attempt> attempts;  ///< failed attempts before the last attempt, with --retries
   std::vector<FrameResult> frames;
   std::vector<CheckResult> checks;
   std::optional<Divergence> divergence;
   /// Folder with the data that `simreel accept` would promote, relative to report.json; may be empty.
   std::string candidate;
-  /// If there is a candidate: input files of the scene and their hashes (baseline/inputs.hpp).
+  /// If there is a candidate: the scene's input files and their hashes (baseline/inputs.hpp).
   std::map<std::string, std::string> inputs;
-  std::optional<Place> blame;  ///< file and line to blame; set if the scene did not pass
-  /// If the picture has no baseline: the baseline with equal pixels whose own picture is gone; may be
-  /// empty.
+  std::optional<Place> blame;  ///< file and line that caused the result; set if the scene did not pass
+  /// If the picture has no baseline: name of the baseline with equal pixels whose picture no longer exists;
+  /// may be empty.
   std::string renamedFrom;
   bool operator==(const SceneResult&) const = default;
 };
@@ -184,7 +185,7 @@ struct Stale {
 struct Outcome {
   SceneResult scene;
   ExitCode error = ExitCode::ok;  ///< error that prevented the test, for Status::error
-  /// true if some attempt had a pixel beyond the hardFail bound, which neither retries nor xfail excuse
+  /// true if any attempt had a pixel beyond the hardFail bound, which neither retries nor xfail permit
   bool hardFailed = false;
   std::vector<Stale> stale;  ///< the scene's baselines that no test used
 };
@@ -193,15 +194,15 @@ struct SuiteResult {
   std::string version;
   std::string unit = "scene";  ///< kind of the tests: "scene" or "picture"
   std::string expected;        ///< for pictures: folder of the baselines
-  /// Properties of the run. `fingerprint` is of numerics, `drawing` of drawing.
+  /// Properties of the run. `fingerprint`: fingerprint of numerics; `drawing`: fingerprint of drawing.
   std::string driver, processor, profile, fingerprint, drawing, memoryPath;
   std::string command;        ///< command line of the run as typed
-  std::string shard;          ///< "2/4" if this is a part of a run; empty if it is the whole run
-  std::string acceptCommand;  ///< command that accepts the run's results; empty if nothing was kept
+  std::string shard;          ///< "2/4" if this is part of a run; empty if it is the whole run
+  std::string acceptCommand;  ///< command that accepts the run's results; empty if no results were stored
   bool allowFlaky = false;    ///< true if a flaky scene does not fail the run
   bool strict = false;        ///< true if stale baselines fail the run
   double seconds = 0;
-  std::vector<std::string> notes;  ///< remarks on the run as a whole
+  std::vector<std::string> notes;  ///< remarks about the run as a whole
   std::vector<Stale> stale;
   std::vector<SceneResult> scenes;
   bool operator==(const SuiteResult&) const = default;

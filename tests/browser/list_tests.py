@@ -59,7 +59,7 @@ class KeyboardTest(ReportTest):
         b = self.open()
         self.assertEqual(b.text("#name"), "life/broken")
         b.keys("j")
-        # the selection starts at the scene's first failing frame
+        # the first failing frame of the scene is selected first
         self.assertEqual(self.chosen(), ("cloth/flag", 60, "side"))
         b.keys("j", "k", "l")
         self.assertEqual(self.chosen(), ("cloth/flag", 90, "side"))

@@ -59,7 +59,7 @@ def wider(rows):
 
 
 CHANGES = (brighter, dotted, shuffled, wider)
-# The page's names of the groups.
+# Names that the page gives to the groups.
 GROUPS = {"pictures differ|by 1 of 255|most of the picture", "pictures differ|by more than 64 of 255|under 1 %",
           "pictures differ|by more than 64 of 255|most of the picture", "sizes differ"}
 
@@ -137,7 +137,7 @@ class ManyTests:
         self.assertEqual(words[:3], ["simreel", "accept", "report/report.json"])
         self.assertEqual(words[3:], [word for name in names for word in ("--only", name)])
         self.assertEqual(b.value("document.querySelector('#choice b').textContent"), f"{COUNT // 4} pictures chosen")
-        # Deselects one picture, then selects all pictures: the command then has no --only NAME.
+        # Deselects one picture, then selects all pictures. The command then contains no --only NAME.
         b.value("document.querySelectorAll('.group:nth-of-type(2) .thumb .choose')[0].click()")
         self.assertEqual(b.value("overview.chosen.size"), COUNT // 4 - 1)
         self.assertTrue(b.value("document.querySelector('.group:nth-of-type(2) header .choose').indeterminate"))
@@ -169,7 +169,7 @@ class ManyTests:
         stride = width * channels
         half = height // 2 + 1
         row = cli.unfiltered(rows[:half * (stride + 1)], stride, channels)[-1]
-        # Slightly off the middle, because pixels may be mixed where they meet.
+        # The position is slightly off the middle, because pixels may be mixed where the pictures meet.
         at = (width // 2 + 9) * channels
         return row[at:at + 3]
 

@@ -116,7 +116,7 @@ class PageTest(ReportTest):
         self.assertLess(len(b.all("img")), 75)
         took = b.value("(() => {const t = performance.now(); for (let i = 0; i < 50; ++i) stepScene(1);"
                        " return (performance.now() - t) / 50;})()")
-        self.assertLess(took, 100)  # limit in ms per scene
+        self.assertLess(took, 100)  # limit (ms) per scene
         b.keys(Keys.END)
         self.assertEqual(b.text("#name"), self.names()[-1])
         self.assertEqual(b.text(".row[aria-selected=true] .rowName"), self.names()[-1])

@@ -62,7 +62,7 @@ class PictureTest(ReportTest):
         b.keys("o", "+", "+", "l")
         self.assertEqual((self.chosen()[1], b.transform()[0]), (150, 3))
         b.keys("j")
-        self.assertEqual(b.value("viewer.scale"), None)  # another scene is shown fitted to its pane
+        self.assertEqual(b.value("viewer.scale"), None)  # another scene is shown, fitted to its pane
 
     def test_worst_pixel_and_densest_window(self):
         b = self.open(FLAG + "side")
@@ -103,7 +103,7 @@ class PictureTest(ReportTest):
         b.run("document.querySelector('.handle').focus()")
         b.keys(Keys.ARROW_LEFT)
         self.assertAlmostEqual(float(clip().split()[-1][:-2]), 73, delta=0.5)
-        self.assertEqual(self.chosen()[1], 120)  # the arrow key moved the slider, not the frame
+        self.assertEqual(self.chosen()[1], 120)  # the arrow key moved the slider; the frame stays the same
         b.keys("w")
         before = clip(), b.transform()
         x, y = self.middle()

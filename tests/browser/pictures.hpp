@@ -6,7 +6,8 @@
 #include <cmath>
 #include <cstdlib>
 
-/// Returns a picture for reports that need no renderer: a striped flag before a sky, waving with `phase`.
+/// Returns a picture of a striped flag in front of a sky, for reports without a renderer. `phase`: phase of
+/// the flag's wave.
 inline simreel::frame::Image picture(int width, int height, double phase) {
   simreel::frame::Image image{width, height, {}};
   image.bytes.reserve(std::size_t(width) * std::size_t(height) * 4);
@@ -41,7 +42,7 @@ inline int apart(const simreel::frame::Image& a, const simreel::frame::Image& b,
   return max;
 }
 
-/// Returns the difference of two pictures: dark where they agree, from yellow to red where they differ.
+/// Returns the difference of two pictures: dark where they are equal, from yellow to red where they differ.
 inline simreel::frame::Image difference(const simreel::frame::Image& a, const simreel::frame::Image& b) {
   simreel::frame::Image image = a;
   for (int y = 0; y < a.height; ++y)

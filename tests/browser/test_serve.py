@@ -135,7 +135,7 @@ class PageOfServe(unittest.TestCase):
         b = self.open("--edit")
         text, row = self.scene.read_text(), self.row("objects.flag.cloth.spacing", "number")
         put = "const box = document.querySelector(arguments[0]); box.value = arguments[1]; box.dispatchEvent(new Event('change'));"
-        b.run(put, row, 0)  # the value is refused, so the box shows the previous value
+        b.run(put, row, 0)  # the server rejects the value, so the box shows the previous value
         self.assertTrue(b.until("document.getElementById('note').classList.contains('report')"))
         self.assertEqual(b.value(f"document.querySelector(\"{row}\").value"), "0.1")
         b.run(put, row, 0.3)
@@ -226,7 +226,7 @@ class PageOfServe(unittest.TestCase):
         b.drag(x(0.5), y, x(0.7), y)
         self.assertTrue(b.until("simreel.state.scene.scene.sun.intensity.keys[1][0] === 0.7 && simreel.state.scene.edits.length === 0"))
         self.assertEqual(self.scene.read_text(), text.replace("0.5,", "0.7,"))
-        b.drag(x(0.7), y, x(1), y)  # limited to the frame before the next key of either value
+        b.drag(x(0.7), y, x(1), y)  # the drag is limited to the frame before the next key of either value
         self.assertTrue(b.until("simreel.state.scene.scene.sun.intensity.keys[1][0] > 0.8 && simreel.state.scene.edits.length === 0"))
         self.assertEqual(b.value("simreel.state.scene.scene.camera.fieldOfView.keys[1][0]"), 0.866667)
         b.drag(x(0.9), y, x(0.9), y)
@@ -309,7 +309,7 @@ class PageOfServe(unittest.TestCase):
         self.at(5)
         self.shows(5, *right, canvas="pictureBeside")
         self.shows(5)
-        # The mouse over either picture moves both cameras.
+        # Dragging over either picture moves both cameras.
         x, y = boxes[1]["x"] + boxes[1]["width"] / 2, boxes[1]["y"] + boxes[1]["height"] / 2
         b.drag(x, y, x + 50, y + 10)
         at = "(simreel.state.scene.edits.find(([path]) => path === 'camera.position') ?? [])[1]"

@@ -73,7 +73,7 @@ class PageInFirefox(unittest.TestCase):
         self.assertEqual(self.shows(), before)
         # Ignores the warning about reading the canvas, because only this test reads it.
         self.assertEqual([text for text in b.complaints(self.server.page) if "willReadFrequently" not in text], [])
-        # Checks that messages are detected at all: the policy forbids inline scripts, so this one causes a message.
+        # Checks that messages are detected at all. The policy forbids inline scripts, so this script causes a message.
         b.run("document.body.append(Object.assign(document.createElement('script'), {textContent: '0'}))")
         end = time.monotonic() + 600
         while not any("script-src" in text for text in b.complaints("")):

@@ -38,8 +38,8 @@ double quantity(const sim::World& world, const scene::Scene& scene, const std::s
   return named(*scene.objects.at(0).parameters, world.object(0).measure(), name);
 }
 
-/// Returns the results of all checks after advancing the world through the checks' frames and `frames`,
-/// without drawing.
+/// Advances the world through the frames of the checks and `frames` without drawing. Returns the results of
+/// all checks.
 std::vector<golden::CheckResult> run(const scene::Scene& scene, const std::vector<int>& frames) {
   sim::World world(scene);
   golden::Checker checker(scene, world, frames);
@@ -53,7 +53,7 @@ std::vector<golden::CheckResult> run(const scene::Scene& scene, const std::vecto
   return checker.results();
 }
 
-/// Returns the message of the last check result; empty if that check passed.
+/// Returns the message of the last check result, or an empty text if that check passed.
 std::string messageOf(const scene::Scene& scene, const std::vector<int>& frames) {
   const auto results = run(scene, frames);
   REQUIRE(!results.empty());
@@ -61,7 +61,7 @@ std::string messageOf(const scene::Scene& scene, const std::vector<int>& frames)
   return results.back().message;
 }
 
-/// Returns the error message of constructing a Checker for `scene`; empty if construction succeeds.
+/// Constructs a Checker for `scene`. Returns the error message, or an empty text if construction succeeds.
 std::string refusal(const scene::Scene& scene, const std::vector<int>& tested) {
   const sim::World world(scene);
   try {
@@ -85,8 +85,8 @@ TEST_CASE("checks: a falling cloth has the energy of semi-implicit Euler") {
   for (const int frame : {0, 30, 60}) {
     world.advanceTo(frame);
     INFO("frame ", frame);
-    // Semi-implicit Euler after n substeps: v = -g n dt, y = y0 - g dt^2 n (n + 1) / 2, so the energy is m
-    // g y0 - m g^2 dt^2 n / 2.
+    // Solution of semi-implicit Euler after n substeps: v = -g n dt, y = y0 - g dt^2 n (n + 1) / 2. The
+    // energy is therefore m g y0 - m g^2 dt^2 n / 2.
     const double n = frame * 4;
     const double speed = g * n * dt;
     CHECK(quantity(world, scene, "population") == 96);
@@ -116,7 +116,8 @@ TEST_CASE("checks: statistics of a falling cloth equal semi-implicit Euler") {
   CHECK(*results[0].value == doctest::Approx(10 - 9.8 * dt * dt * n * (n + 1) / 2).epsilon(1e-6));
   CHECK(*results[1].value == doctest::Approx(-9.8 * n * dt).epsilon(1e-5));
   CHECK(*results[2].value == doctest::Approx(9.8 * n * dt).epsilon(1e-5));
-  CHECK(*results[3].value == 384);  // positions.w holds inverse masses: 96 free particles of 1/0.25
+  CHECK(*results[3].value == 384);  // positions.w holds inverse masses: 96 free particles, each 1 / (0.25
+                                    // kg)
   for (const golden::CheckResult& result : results) CHECK(result.passed);
 }
 
@@ -132,7 +133,7 @@ TEST_CASE("checks: pins that stretch a cloth store elastic energy") {
   // 0.5 m longer.
   const double diagonal = std::sqrt(0.8125) - std::sqrt(0.5);
   const double expected = 4 * 0.5 * 16 * 0.0625 + 4 * 0.5 * 8 * diagonal * diagonal + 2 * 0.5 * 4 * 0.25;
-  // Sheet and pins are rotated by 0 degrees; exactCos returns 1 - 1.2e-7 for 0.
+  // The positions include a rotation of sheet and pins by 0 degrees, for which exactCos returns 1 - 1.2e-7.
   CHECK(quantity(world, scene, "elasticEnergy") == doctest::Approx(expected).epsilon(1e-5));
   CHECK(quantity(world, scene, "stretch") == doctest::Approx(1.5).epsilon(1e-6));
   CHECK(quantity(world, scene, "kineticEnergy") == 0);
@@ -163,15 +164,15 @@ TEST_CASE("checks: a value below \"min\" or above \"max\" fails with a message")
 
 TEST_CASE("checks: drift is relative to the first of the check's frames") {
   testContext();
-  // The energy of m g y0 falls by m g^2 dt^2 n / 2, a fraction of 0.00102 at frame 30. The loss would be
-  // larger without spring forces or gravity.
+  // The energy m g y0 decreases by m g^2 dt^2 n / 2, which is a fraction of 0.00102 at frame 30. Without
+  // spring forces or gravity, the loss would be larger.
   CHECK(messageOf(falling(R"({"what": "energy", "drift": 0.0011})"), {0, 30}).empty());
   const std::string message = messageOf(falling(R"({"what": "energy", "drift": 0.0009})"), {0, 30});
   INFO(message);
   CHECK(message.find("frame 30: energy of sheet is 2349.") == 0);
   CHECK(message.find(" away from 2352") != std::string::npos);
   CHECK(message.find(" at frame 0; drift 0.0009 allows 2.12") != std::string::npos);
-  // From frame 29 to frame 30 the drift is much smaller.
+  // From frame 29 to frame 30, the drift is much smaller.
   CHECK(messageOf(falling(R"({"what": "energy", "drift": 0.0001, "frames": [29, 30]})"), {0, 30}).empty());
 
   const auto results = run(falling(R"({"what": "energy", "min": 2351.9, "drift": 0.5})"), {0, 1});
@@ -258,7 +259,7 @@ TEST_CASE("checks: an unknown array, object or component is refused with the val
   CHECK(refusal(falling(R"({"what": "not-blank", "frames": [0, 59]})"), tested) ==
         "checks[0]: \"not-blank\" needs a picture of frame 59, which is not tested; tested: 0, 9");
   CHECK(refusal(falling(R"({"what": "not-blank"}, {"what": "mass", "max": 1})"), tested).empty());
-  // the scene reader would reject the mistakes below, so the checks are set in memory
+  // the checks are set in memory, because the scene reader would reject the mistakes below
   auto made = falling("");
   made.checks.resize(1);
   made.checks[0].what = "max";

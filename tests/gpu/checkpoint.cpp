@@ -50,7 +50,7 @@ sim::World::Summary summaryAt(sim::World& world, int frame) {
 }
 
 std::vector<std::uint8_t> pictureOf(const scene::Scene& scene, const sim::World& world) {
-  // Uses the sample count of the scene's own test, so that Mesa's cache already holds the shaders.
+  // Uses the sample count of the scene's "test" member, so that Mesa's cache already holds the shaders.
   draw::Renderer renderer(scene, {96, 54}, scene.test.samples.value_or(scene.render.samples));
   draw::Readback readback({96, 54});
   renderer.draw(world.time(), world.drawables());
@@ -62,7 +62,7 @@ scene::Scene ofText(const std::string& text) {
   return scene::parseScene(text, "test.json", {}, sim::kinds());
 }
 
-/// A wildfire with 20 steps per frame. The initial room of 1,024 rows is exceeded from frame 52 on.
+/// A wildfire with 20 steps per frame. From frame 52 on, the initial capacity of 1,024 rows is exceeded.
 constexpr const char* fire = R"({"version": 1, "objects": {"hill": {"wildfire": {"size": [1997, 53],
   "stepsPerSecond": 1200, "strokes": [{"from": [30, 20, 0], "radius": 4}]}}}})";
 
@@ -72,7 +72,7 @@ TEST_CASE("checkpoint: shipped scenes of every object kind resume with identical
   testContext();
   const test::TemporaryFile place("checkpoint", "");
   ::setenv("SIMREEL_ASSETS", (fs::path(sourceFolder()) / "assets").c_str(), 1);
-  // Skips the slow scenes; other scenes cover every object kind used by them.
+  // Skips the slow scenes. The other scenes cover every kind of object in them.
   const std::string longOnes =
       "\n" + readFile(fs::path(sourceFolder()) / "tests/long_scenes.txt", "list") + "\n";
   std::vector<fs::path> scenes;
@@ -86,7 +86,7 @@ TEST_CASE("checkpoint: shipped scenes of every object kind resume with identical
   std::set<std::string> kinds;
   for (const fs::path& file : scenes) {
     CAPTURE(file.filename().string());
-    // Starts at time 0 without presteps, because simulating before the first frame takes seconds.
+    // Starts at time 0 without steps before the first frame, because such steps take seconds.
     std::vector<scene::Override> atOnce = {scene::parseOverride("time.start=0")};
     const std::size_t before = kinds.size();
     for (const scene::Object& object : scene::loadScene(file, {}, sim::kinds()).objects) {
@@ -94,7 +94,7 @@ TEST_CASE("checkpoint: shipped scenes of every object kind resume with identical
       if (object.kind == "grayScott")
         atOnce.push_back(scene::parseOverride("objects." + object.name + ".grayScott.presteps=0"));
     }
-    if (kinds.size() == before) continue;  // earlier scenes cover all kinds of this scene
+    if (kinds.size() == before) continue;  // earlier scenes cover all kinds of objects in this scene
     const scene::Scene scene = scene::loadScene(file, atOnce, sim::kinds());
     sim::World whole(scene);
     const auto at = summaryAt(whole, 1);
@@ -117,7 +117,8 @@ TEST_CASE("checkpoint: shipped scenes of every object kind resume with identical
     changed += later.stateHash == at.stateHash ? 0 : 1;
   }
   CHECK(kinds.size() >= 15);
-  CHECK(changed >= 9);  // the state must change between frames, otherwise equal states prove nothing
+  CHECK(changed >= 9);  // the state must change between frames, because otherwise equal states would prove
+                        // nothing
   ::unsetenv("SIMREEL_ASSETS");
 }
 
@@ -128,7 +129,7 @@ TEST_CASE(
   const test::TemporaryFile place("checkpoint", "");
   const std::string texts[] = {
       fire,
-      // Uses the "jobs" technique on the CPU; the first test case covers the GPU technique.
+      // Uses the technique "jobs" on the CPU. The first test case covers the GPU technique.
       R"({"version": 1, "objects": {
         "ball": {"sphere": {"radius": 0.5, "position": {"keys": [[0, [-1, 0.3, 0]], [2, [1, 0.3, 0]]]}}},
         "snow": {"mesh": {"shape": "plane", "size": [4, 0, 4], "resolution": [33, 31],
@@ -220,7 +221,7 @@ TEST_CASE("checkpoint: a damaged checkpoint, or one of another run or program ve
   frame::RunInfo other = run;
   other.simulation = "of other numbers";
   CHECK(!frame::Checkpoint::read(place.path(), other, lastFrame));
-  // With fast numerics the state depends on the driver, so a checkpoint of another driver is rejected.
+  // With fast numerics, the state depends on the driver, so a checkpoint of another driver is rejected.
   frame::RunInfo fast = run;
   fast.numerics = "fast";
   frame::Checkpoint::write(place.path(), fast, "hash", "", world);
@@ -250,7 +251,7 @@ TEST_CASE("checkpoint: a damaged checkpoint, or one of another run or program ve
   program.replace(text.find("\"program\":\"") + 11, 1, "9");
   CHECK(!usable(program));
 
-  // Changes header numbers, first with the old hash, then with a recomputed hash ("forged").
+  // Changes numbers in the header, first with the old hash, then with a recomputed hash ("forged").
   const std::string body = text.substr(0, text.size() - 32);
   const auto withNumber = [&](const char* key, const std::string& number, bool forged) {
     const std::size_t begin = body.find(key) + std::string_view(key).size();
@@ -265,7 +266,7 @@ TEST_CASE("checkpoint: a damaged checkpoint, or one of another run or program ve
     CHECK(!usable(withNumber("\"frame\":", frame, true)));
   for (const char* counts : {"1", "18446744073709551615", "-1"})
     CHECK(!usable(withNumber("\"counts\":", counts, true)));
-  // The sizes of the two parts overflow 64 bits and add up to 0.
+  // The sizes of the two parts add up to 2^64, which overflows to 0.
   std::string wrapped = body;
   wrapped.insert(wrapped.find("\"parts\":[") + 9,
                  R"(["a","b",9223372036854775808],["a","b",9223372036854775808],)");
@@ -288,7 +289,7 @@ TEST_CASE("checkpoint: a checkpoint that does not fit its world is refused") {
 
 TEST_CASE("checkpoint: a path camera with damping T lags by T seconds, also after resuming") {
   testContext();
-  // The follow path of this open hall runs straight along its length.
+  // The camera path through this open hall runs straight along the hall's length.
   const scene::Scene scene = ofText(R"({"version": 1, "time": {"fps": 20, "duration": 3},
     "camera": {"follow": {"object": "hall", "progress": {"keys": [[0, 0.1], [3, 0.9]], "ease": "linear"},
                           "damping": 0.3}},

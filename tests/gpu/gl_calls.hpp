@@ -18,7 +18,7 @@ class GlCalls {
   static inline long count = 0;
 
  private:
-  /// The counting replacement of one libepoxy function pointer.
+  /// Replacement of one libepoxy function pointer that counts calls.
   template <auto* Pointer>
   struct Counted;
   template <class Result, class... Args, Result (**Pointer)(Args...)>
@@ -31,8 +31,8 @@ class GlCalls {
     }
     static void install(bool on, const char* name) {
       if (on) {
-        // Not the value of the variable: before libepoxy's first call, the value is a resolver that
-        // overwrites the variable.
+        // The driver's function is not read from the variable: before the first call, the variable holds
+        // libepoxy's resolver, which overwrites the variable.
         driver = reinterpret_cast<Result (*)(Args...)>(eglGetProcAddress(name));
         before = *Pointer;
       }
@@ -40,7 +40,7 @@ class GlCalls {
     }
   };
 
-  /// Counts all functions called by the passes of src/draw in a frame, and functions that would wait or
+  /// Counts the functions that the passes of src/draw call in a frame, and functions that would wait or
   /// copy.
   static void install(bool on) {
 #define COUNT_CALLS(function) Counted<&epoxy_##function>::install(on, #function)

@@ -47,15 +47,15 @@ inline Numbers untouched(std::size_t places) {
   return words;
 }
 
-/// Returns the initial words of a buffer: `given` words followed by guard elements. A shadow buffer starts
-/// as recorded in `given`, or as zeros.
+/// Returns the initial words of a buffer: the words of `given`, followed by guard elements. A shadow buffer
+/// starts with the words in `given`, or with zeros.
 inline Numbers start(const kernels::Kernel& kernel, const kernels::Buffer& buffer, const Buffers& given) {
   if (!buffer.shadowOf.empty()) {
     if (given.contains(buffer.name)) return given.at(buffer.name);
     for (const kernels::Buffer& other : kernel.buffers)
       if (other.name == buffer.shadowOf)
         return Numbers(start(kernel, other, given).size() * static_cast<std::size_t>(buffer.shadowWords));
-    return Numbers(1024);  // the shadow of an image
+    return Numbers(1024);  // words of the shadow of an image
   }
   Numbers words = given.at(buffer.previousOf.empty() ? buffer.name : buffer.previousOf);
   words.resize(words.size() + static_cast<std::size_t>(buffer.guards) *
@@ -63,8 +63,8 @@ inline Numbers start(const kernels::Kernel& kernel, const kernels::Buffer& buffe
   return words;
 }
 
-/// Runs a kernel on buffers of words and appends the guard elements. The result holds the final buffers and
-/// the report as "report".
+/// Runs a kernel on buffers of words, to which it appends the guard elements. Returns the final buffers,
+/// and the report as "report".
 inline Buffers ran(const kernels::Kernel& kernel, const Buffers& given, GLuint groups) {
   std::vector<std::pair<const kernels::Buffer*, gl::Buffer>> bound;
   for (const kernels::Buffer& buffer : kernel.buffers) {
@@ -86,7 +86,7 @@ inline Buffers ran(const kernels::Kernel& kernel, const Buffers& given, GLuint g
   return made;
 }
 
-/// Returns "kind what.part:line count invocation min max" for each place with a reported fault.
+/// Returns "kind what.part:line count invocation min max" for each source position with a reported fault.
 inline std::string faults(const kernels::Kernel& kernel, const Buffers& made) {
   std::vector<std::string> lines;
   const Numbers& words = made.at("report");
@@ -105,8 +105,8 @@ inline std::string text(const Numbers& words) {
   return fmt::format("{}", fmt::join(words, " "));
 }
 
-/// Returns the races of a dispatch, which runs twice from equal states: once recording, once checking.
-/// `prepare` sets the state outside of buffers, such as images.
+/// Returns the races of a dispatch. The dispatch runs twice from equal states: once to record accesses,
+/// once to check them. `prepare` sets the state outside of buffers, such as images.
 template <class Prepare>
 std::string racesWith(Prepare prepare, const std::string& source, const Buffers& given, GLuint groups,
                       const std::string& name = "guards.hlsl") {

@@ -10,8 +10,8 @@ using simreel::gl::Context;
 
 namespace {
 
-/// Returns the memory path from SIMREEL_TEST_MEMORY_PATH: "storage" or "texel". "other" selects the path
-/// that is not the driver's default. An empty result selects the default.
+/// Returns the memory path from SIMREEL_TEST_MEMORY_PATH: "storage" or "texel". The value "other" selects
+/// the path that is not the driver's default. An empty result means the default.
 std::string wantedPath() {
   // NOLINTNEXTLINE(concurrency-mt-unsafe): the environment is only read.
   const char* path = std::getenv("SIMREEL_TEST_MEMORY_PATH");

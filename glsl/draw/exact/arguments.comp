@@ -1,11 +1,11 @@
-// Converts counts to the arguments of indirect dispatches. A dispatch needs count * times / each workgroups, arranged
-// in rows of at most 32,768. The third dimension is `parts` workgroups, fewer if there are many items, but at least
-// `fewerParts`. Of each count, `skipped` items are skipped and at most `most` are taken. One invocation writes one
-// dispatch.
+// Converts item counts to the arguments of indirect dispatches. From each count, `skipped` is subtracted, and the
+// result is limited to `most`. A dispatch then needs count * times / each workgroups, arranged in rows of at most
+// 32,768. The third dimension has `parts` workgroups, or fewer if there are many items, but at least `fewerParts`. One
+// invocation writes the arguments of one dispatch.
 #include "draw/exact/bindings.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = counterBinding) readonly restrict buffer CounterBlock { uint counters[]; };
-// Arguments of each dispatch take 4 words.
+// arguments; 4 words per dispatch
 layout(std430, binding = dispatchBinding) writeonly restrict buffer DispatchBlock { uint groups[]; };
 uniform int counts;
 uniform int first;  // index of the first dispatch whose arguments are written

@@ -1,4 +1,4 @@
-// Clears a visibility buffer: all depth keys and primitive ids to 0xffffffff, so no sample shows anything. One
+// Clears a visibility buffer: sets all depth keys and primitive ids to 0xffffffff, which marks a sample as empty. One
 // invocation clears four samples.
 #include "draw/exact/bindings.glsl"
 layout(local_size_x = 64) in;

@@ -1,5 +1,5 @@
-// Projection of scene points to the picture: x and y in pixels times depth to the right and down, z depth (m);
-// PARALLEL: pixels and depth. The including file declares `view`. Compiles as GLSL and as C++.
+// Projects scene points to the picture. x and y: pixels to the right and down, times depth; z: depth (m). PARALLEL: x
+// and y are pixels. The including file declares `view`. Compiles as GLSL and as C++.
 #ifndef EXACT_CORNER_PLACE
 #define EXACT_CORNER_PLACE
 #include "common/exact.glsl"
@@ -15,10 +15,10 @@ FUNCTION vec3 onPicture(vec3 p) {
   return at;
 }
 
-// Converts a projected point to the rasterizer's form. PARALLEL: returns the projection from a virtual eye point with
-// the depth for which near plane / depth equals nearOf() of draw/exact/depth.glsl. The mapping is a projective map of
-// space that keeps planes flat and positions on the picture fixed. Points behind the depth range have no such depth: z
-// is -1.
+// Converts a projected point to the form that the rasterizer needs. PARALLEL: returns the perspective projection from a
+// virtual eye point, with the depth for which near plane / depth equals nearOf() of draw/exact/depth.glsl. The mapping
+// is a projective map of space that keeps planes flat and does not change positions in the picture. For points behind
+// the depth range, where this depth does not exist, z is -1.
 FUNCTION vec3 rasterPlace(vec3 at) {
 #ifdef PARALLEL
   precise float near = 1.0f - (at.z - view.near) * view.forward.w;

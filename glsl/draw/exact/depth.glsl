@@ -1,11 +1,12 @@
-// Conversion of depth to nearness. Nearness is affine on the picture and 1 at the near plane. Perspective: near plane /
-// depth; PARALLEL: 1 - (depth - near plane) / span. The including file declares `view`. Compiles as GLSL and as C++.
+// Conversion of depth to nearness. Nearness is affine in the pixel position and 1 at the near plane. In perspective
+// views it is near plane / depth. PARALLEL: it is 1 - (depth - near plane) / span. The including file declares `view`.
+// Compiles as GLSL and as C++.
 #ifndef EXACT_DEPTH
 #define EXACT_DEPTH
 #include "common/exact.glsl"
 
 #ifdef PARALLEL
-// Returns the nearness of a depth; 0 at the far end of the depth range and behind it.
+// Returns the nearness of a depth. The result is 0 at the far end of the depth range and beyond.
 FUNCTION float nearOf(float depth) {
   precise float near = 1.0f - (depth - view.near) * view.forward.w;
   return max(near, 0.0f);

@@ -1,4 +1,4 @@
-// Intersection of the ray through a picture position (pixels) with the ground plane. Compiles as GLSL and as C++.
+// Intersects the ray through a picture position (pixels) with the ground plane. Compiles as GLSL and as C++.
 #ifndef EXACT_GROUND_PLANE
 #define EXACT_GROUND_PLANE
 #include "common/exact.glsl"

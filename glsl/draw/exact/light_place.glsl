@@ -1,5 +1,5 @@
-// Exact arithmetic version of the sun's shadow map transform (draw/surface/light_map.glsl), as
-// draw/surface/shadow_fit.comp writes it.
+// Transform to the sun's shadow map in exact arithmetic (like draw/surface/light_map.glsl).
+// draw/surface/shadow_fit.comp writes the transform.
 #include "draw/bindings.glsl"
 #include "common/exact.glsl"
 layout(binding = lightUnit) uniform samplerBuffer light;
@@ -7,7 +7,7 @@ layout(binding = lightUnit) uniform samplerBuffer light;
 vec4 lightAcross = texelFetch(light, 0), lightUp = texelFetch(light, 1), lightAway = texelFetch(light, 2);
 vec4 lightSize = texelFetch(light, 3);
 
-// Returns the position in the shadow map: xy 0 to 1 over the map, z depth from the sun.
+// Returns the position of a point in the shadow map. xy: 0 to 1 across the map; z: depth from the sun.
 vec3 lightPlace(vec3 p) {
   precise float x = exactDot(lightAcross.xyz, p) + lightAcross.w;
   precise float y = exactDot(lightUp.xyz, p) + lightUp.w;

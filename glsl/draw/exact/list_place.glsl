@@ -1,5 +1,6 @@
 // Reserves the next entry of a list and returns its index. `counter`: index of the list's counter. BALLOT: the
-// invocations of a subgroup reserve their entries with one atomic, because a GPU serializes atomics on the same word.
+// invocations of a subgroup reserve their entries with a single atomic, because a GPU serializes atomics on the same
+// word.
 #ifdef BALLOT
 uint nextPlace(int counter) {
   uvec4 these = subgroupBallot(true);

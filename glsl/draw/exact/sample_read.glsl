@@ -1,5 +1,5 @@
-// Access to the samples of a visibility buffer: depth keys and primitive ids. PAIRED: id and key are stored together,
-// id first; else in separate buffers.
+// Reads the samples of a visibility buffer: depth keys and primitive ids. PAIRED: the id and the key of a sample are
+// stored together, id first; otherwise they are in separate buffers.
 #ifndef EXACT_SAMPLE_READ
 #define EXACT_SAMPLE_READ
 #include "draw/exact/bindings.glsl"
@@ -14,7 +14,7 @@ uint keyAt(int at) {
 uint idAt(int at) {
   return texelFetch(nearestKeys, at).x;
 }
-// Returns the keys of the samples `at` to at + 3; `at` must be a multiple of 4.
+// Returns the keys of the samples at, at + 1, at + 2 and at + 3; `at` must be a multiple of 4.
 uvec4 fourKeysAt(int at) {
   uvec4 a = texelFetch(nearestFours, at / 2), b = texelFetch(nearestFours, at / 2 + 1);
   return uvec4(a.y, a.w, b.y, b.w);

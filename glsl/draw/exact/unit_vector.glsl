@@ -20,7 +20,7 @@ FUNCTION uint packedUnit(vec3 n) {
   return uint(int(floor(x))) | uint(int(floor(y))) << 16;
 }
 
-// Returns the direction with a length of 1 to 1/sqrt(3), not normalized.
+// Returns the direction. Its length is between 1/sqrt(3) and 1.
 FUNCTION vec3 unpackedDirection(uint word) {
   precise float u = float(int(word & 0xffffu) - 32767) * 3.0518509e-5f;
   precise float v = float(int(word >> 16) - 32767) * 3.0518509e-5f;

@@ -1,3 +1,3 @@
-// Value of a vertex's last word if one of its coordinates is not finite. No packed normal and no nearness has these
-// bits.
+// Value of a vertex's last word if a coordinate of the vertex is not finite. Packed normals and nearness never have
+// these bits.
 const uint lostVertex = 0xffffffffu;

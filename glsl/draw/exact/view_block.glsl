@@ -33,8 +33,8 @@ ExactView viewOnce() {  // Reads each member of ExactView once (common/once.glsl
 ExactView view = viewOnce();
 
 #ifdef SAMPLES
-// Returns the index of the pixel's first sample. The buffers hold the samples of the current band of picture rows, row
-// by row.
+// Returns the index of the pixel's first sample. The buffers hold the samples of the current band of picture rows in
+// row-major order.
 int firstSample(ivec2 pixel) {
   return ((pixel.y - view.rows.x) * view.size.x + pixel.x) * SAMPLES;
 }

@@ -1,6 +1,6 @@
-// Visibility buffer of the rasterizing kernels. PASS 0 keeps the smallest depth key of each sample, pass 1 the smallest
-// primitive id among those with that key; ONE_PASS: pass 0 does both. SUN_MAP: only keys, for the sun's shadow map;
-// LAMP_MAP: only keys, for one face of a lamp's shadow maps. ADDS: keeps nothing. Variants: SAMPLES, PAIRED.
+// Visibility buffer of the rasterizing kernels. PASS 0 keeps the smallest depth key of each sample; pass 1 keeps the
+// lowest primitive id among those with that key. ONE_PASS: pass 0 does both. SUN_MAP: only keys, for the sun's shadow
+// map. LAMP_MAP: only keys, for one face of a lamp's shadow maps. ADDS: keeps nothing. Defines: SAMPLES, PAIRED.
 #include "draw/exact/sample_read.glsl"
 #ifdef SUN_MAP
 uniform int mapTexels;
@@ -17,7 +17,7 @@ uniform int keyStride;  // number of keys from one row of the map to the next
 #ifdef FACES
 int firstKey = int(view.eye.w) * keyStride + int(view.across.w);
 #else
-uniform int firstKey;   // index of this map's first key in the atlas of all lamps
+uniform int firstKey;   // index of the first key of this map in the atlas of all lamps
 #endif
 #endif
 
@@ -31,7 +31,7 @@ int sampleIndex(ivec2 pixel, int s) {
 #endif
 }
 #ifndef ADDS
-// Buffers of keys and ids, the same memory that sample_read.glsl reads.
+// Buffers of keys and ids. sample_read.glsl reads the same memory.
 #ifdef ONE_PASS
 layout(std430, binding = nearBinding) restrict buffer NearBlock { uint64_t pairs[]; };
 #elif defined PAIRED
@@ -41,8 +41,8 @@ layout(std430, binding = nearBinding) restrict buffer NearBlock { uint nearKeys[
 layout(std430, binding = idBinding) restrict buffer IdBlock { uint ids[]; };
 #endif
 
-// Stores key and id at a sample if they are nearer than the stored ones. `before`: a key that was stored there at some
-// time.
+// Stores key and id at a sample if they are nearer than the stored ones. `before`: a key that was read from the sample
+// earlier.
 void keep(int at, uint key, uint before, uint id) {
 #ifdef ONE_PASS
   if (key <= before) atomicMin(pairs[at], packUint2x32(uvec2(id, key)));

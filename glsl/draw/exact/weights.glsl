@@ -1,18 +1,18 @@
 // Barycentric weights of a picture position (pixels) on a triangle. Compiles as GLSL and as C++.
-// A corner P = (x, y, 1) depth, seen from the position q, is P - q depth, a 2D vector u. Weights w with sum w_i u_i = 0
-// belong to the point of the triangle in space, so w_a = u_b x u_c and so on, divided by their sum. PARALLEL: a corner
-// has x, y and a separate depth; seen from q it is P - q.
+// A projected corner is P = (x depth, y depth, depth). Relative to the picture position q, it is the 2D vector u = P.xy
+// - q depth. Weights w with sum w_i u_i = 0 give the point of the triangle in space, so w_a = u_b x u_c and so on,
+// divided by the sum of the weights. PARALLEL: a corner has x, y and a separate depth; relative to q it is P.xy - q.
 #ifndef EXACT_WEIGHTS
 #define EXACT_WEIGHTS
 #include "common/exact.glsl"
 
 struct Weights {
   vec3 of;      // barycentric weights of the corners, not negative, with sum 1
-  bool within;  // true if the picture position is on the triangle
-  bool turned;  // true if the triangle is seen from behind
+  bool within;  // true if the triangle covers the picture position
+  bool turned;  // true if the triangle's back side is visible
 };
 
-// Returns weights that are not normalized; outside the triangle some have the opposite sign.
+// Returns weights that are not normalized. Outside the triangle, some weights have the opposite sign.
 FUNCTION vec3 weightsAround(vec3 a, vec3 b, vec3 c, vec2 place) {
 #ifdef PARALLEL
   precise vec2 u = vec2(a) - place;

@@ -1,5 +1,5 @@
-// Shades a ball on the square of ball.vert. Variants of draw/surface/lighting.glsl. SAMPLES: samples per pixel, 1 or
-// more.
+// Shades a ball on the square of ball.vert. SAMPLES: samples per pixel, 1 or more. Defines: those of
+// draw/surface/lighting.glsl.
 #include "draw/frame_block.glsl"
 #include "draw/surface/material.glsl"
 #include "draw/surface/shadow_read.glsl"
@@ -14,7 +14,7 @@ uniform vec2 sampleOffsets[SAMPLES];  // offset of each sample from the pixel's 
 #endif
 layout(location = 0) out vec4 radiance;
 
-// Returns the bit mask of the samples inside the ball's outline, so the edge is as smooth as a mesh's.
+// Returns the bit mask of the samples inside the ball's outline, so that the edge is as smooth as that of a mesh.
 int samplesInside(vec3 across) {
 #if SAMPLES > 1
   vec3 alongX = dFdx(across), alongY = dFdy(across);
@@ -36,7 +36,8 @@ void main() {
 #if SAMPLES > 1
   gl_SampleMask[0] = inside;
 #endif
-  // Intersects the ray from the eye through this point of the square with the ball: |across + t ray| = radius.
+  // Intersects the ray from the eye through this point of the square with the ball: solves |across + t ray| = radius
+  // for t.
   vec3 ray = frame.eye.w * worldPosition - frame.eye.xyz;
   float rr = dot(ray, ray), b = dot(across, ray);
   float t = -(b + sqrt(max(b * b - rr * (dot(across, across) - radii.x * radii.x), 0.0))) / rr;

@@ -1,14 +1,14 @@
-// Draws opaque sprites: one square per instance that faces the eye; ball.frag draws a ball on it.
+// Draws opaque sprites: one square per instance that faces the eye. ball.frag draws a ball on the square.
 #include "draw/frame_block.glsl"
 #include "draw/instances/instance_pull.glsl"
 #include "draw/surface/light_map.glsl"
 #include "draw/surface/facing.glsl"
 flat out vec3 tint;
 flat out vec3 middle;
-flat out vec2 radii;  // x radius of the ball, y radius of its outline on the square (m)
+flat out vec2 radii;  // x: radius of the ball; y: radius of its outline on the square (m)
 out vec3 worldPosition;
 out vec3 place;
-out vec3 placeRay;  // vector from the eye to the point in shadow map coordinates
+out vec3 placeRay;  // vector from the eye to the point, in shadow map coordinates
 
 void main() {
   vec4 position, velocity;

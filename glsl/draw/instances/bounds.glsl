@@ -1,5 +1,5 @@
-// Bounds of the shadow casters, as ordered keys: x, y, z in light space (m), then x and z of their shadows on the
-// ground (m).
+// Bounds of the shadow casters, as ordered keys: x, y, z in light space (m), then x and z of the casters' shadows on
+// the ground (m).
 #include "common/exact.glsl"
 #include "draw/frame_block.glsl"
 #include "draw/ordered_key.glsl"
@@ -9,7 +9,7 @@ layout(std430, binding = boundsBinding) restrict buffer BoundsBlock {
   uint boundHigh[boundCount];
 };
 
-// Returns the height of the sun's direction, at least 0.05, because a sun at or below the horizon casts endless
+// Returns the sine of the sun's elevation, at least 0.05, because a sun at or below the horizon would cast endless
 // shadows.
 float sunHeight() {
   return max(frame.sunDirection.y, 0.05);

@@ -1,4 +1,5 @@
-// Computes prefix sums of the set visibility bits inside blocks of 64 words. One invocation handles one block.
+// Computes prefix sums of the number of visible instances within blocks of 64 mask words. One invocation handles one
+// block.
 #include "draw/bindings.glsl"
 layout(local_size_x = 64) in;
 layout(binding = maskUnit) uniform usamplerBuffer masks;

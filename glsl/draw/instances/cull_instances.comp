@@ -1,7 +1,7 @@
-// Culls instances: sets one bit per slot if the instance is alive and in view. One invocation writes one word (32
-// slots). LEVELS > 1: every level of detail has its own `words` words, and an instance's bit is set in one level.
-// FOR_LIGHT: culls against the box of the sun's shadow map instead of the camera's frustum. FOR_LAMPS: keeps all living
-// instances, for the shadow maps of all lamps.
+// Culls instances: sets the bit of an instance if it is alive and in view. One invocation writes one word (32
+// instances). LEVELS > 1: every level of detail has a separate range of `words` words, and an instance's bit is set in
+// one level. FOR_LIGHT: culls against the box of the sun's shadow map instead of the camera's frustum. FOR_LAMPS: keeps
+// all living instances, for the shadow maps of all lamps.
 #include "draw/frame_block.glsl"
 #include "draw/instances/instance.glsl"
 #ifdef FOR_LIGHT
@@ -13,11 +13,11 @@ layout(local_size_x = 64) in;
 layout(std430, binding = maskBinding) writeonly restrict buffer MaskBlock { uint masks[]; };
 uniform int capacity;
 uniform int words;
-uniform float pointPixels;  // sprites with at most this radius in pixels are drawn as points
-uniform float levelError;  // max error of a coarse shape's outline, in pixels
+uniform float pointPixels;  // max radius (pixels) of sprites that are drawn as points
+uniform float levelError;  // max error (pixels) of a coarse shape's outline
 
 #ifdef FOR_LIGHT
-// Values that the view test uses for every instance.
+// Values that all view tests of an invocation need.
 struct Sight {
   vec3 perExtent;  // 1 / size of the shadow map's box along each axis (1/m)
   float perTexel;
@@ -36,7 +36,7 @@ float pixelRadius(Sight sight, vec3 p, float radius) {
   precise float texels = radius * sight.perTexel;
   return texels;
 }
-// True if the centre is in view. A point primitive is clipped as a whole by its centre.
+// True if the centre is in view. OpenGL clips a point primitive as a whole by its centre.
 bool isMiddleSeen(vec3 p) {
   precise vec3 aside = shadowPlace(p) - 0.5;
   return all(lessThan(abs(aside), vec3(0.4999)));
@@ -69,9 +69,9 @@ bool isMiddleSeen(vec3 p) {
 }
 #else
 struct Sight {
-  vec4 sides[6];  // planes of the frustum; the dot product with (position, 1) is the distance inside (m)
+  vec4 sides[6];  // planes of the frustum; the dot product with (position, 1) is the distance (m) on the inner side
 };
-// Returns the frustum's planes, each a sum or difference of two rows of the matrix.
+// Returns the frustum's planes. Each plane is a sum or difference of two rows of the matrix.
 Sight sightNow() {
   mat4 rows = transpose(frame.viewProjection);
   Sight sight;
@@ -115,8 +115,8 @@ void main() {
     found[0] |= fine ? 0u : 1u << i;
     found[1] |= fine ? 1u << i : 0u;
 #elif LEVELS > 1
-    // Relative outline error of icosphere levels: an edge spans 63.4 degrees / 2^level, and its middle lies 1 -
-    // cos(half that angle) inside the sphere.
+    // Relative outline error of the icosphere levels. An edge spans 63.4 degrees / 2^level, and its middle is 1 -
+    // cos(half that angle) inside the unit sphere.
     precise vec4 missed = pixelRadius(sight, position.xyz, radius) * vec4(0.149, 0.0489, 0.0123, 0.0031);
     int wanted = int(missed.x > levelError) + int(missed.y > levelError) + int(missed.z > levelError) +
                  int(missed.w > levelError);

@@ -3,7 +3,7 @@
 #include "draw/instances/instance_pull.glsl"
 #include "draw/surface/facing.glsl"
 flat out vec3 tint;
-out vec2 across;  // offset from the glow's centre in radii
+out vec2 across;  // offset from the glow's centre, in units of its radius
 
 void main() {
   vec4 position, velocity;

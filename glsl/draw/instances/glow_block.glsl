@@ -1,5 +1,5 @@
-// Light of additive sprites as 64-bit integers in units of 2^-24, so the sums do not depend on the order in which
-// kernels add. Six words per pixel: the lower words of r, g, b, then the upper words.
+// Light of additive sprites as 64-bit integers in units of 2^-24, so that the sums do not depend on the order in which
+// kernels add. A pixel has six words: the lower words of r, g, b, then the upper words.
 layout(std430, binding = glowBinding) restrict buffer GlowBlock { uint glowSums[]; };
 
 const float glowUnits = 16777216.0;  // integer units in a light value of 1

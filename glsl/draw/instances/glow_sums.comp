@@ -1,17 +1,17 @@
-// Adds the glows of instances to the sums of glow_block.glsl. One invocation adds whole glows one after the other;
-// LARGE: a workgroup shares the pixels of each glow, in SLICES slices of rows of 8 by 8 squares. SAMPLES: samples per
-// pixel of the scene's depth.
+// Adds the glows of instances to the sums of glow_block.glsl. One invocation adds whole glows one after another. LARGE:
+// a workgroup splits the pixels of each glow between its invocations, in SLICES slices of rows of 8 by 8 squares.
+// SAMPLES: samples per pixel of the scene's depth.
 #include "draw/frame_block.glsl"
 #include "draw/instances/instance_list.glsl"
 #include "draw/surface/facing.glsl"
 #include "draw/instances/glow_block.glsl"
 #include "draw/samples.glsl"
 layout(binding = depthUnit) uniform SAMPLED sceneDepth;
-// 1 / SAMPLES, from the bits of the float, because SAMPLES is a power of two.
+// 1 / SAMPLES, computed from the bits of the float, because SAMPLES is a power of two.
 const float perSamples = intBitsToFloat(0x7f000000 - floatBitsToInt(float(SAMPLES)));
-uniform int strides;  // number of invocations; LARGE: number of workgroups
-uniform float roundPixels;  // glows with a larger radius (pixels) are squares in space, as the rasterizer draws them;
-                            // smaller glows are discs in the picture
+uniform int strides;  // number of invocations; with LARGE, number of workgroups
+uniform float roundPixels;  // max radius (pixels) of glows that are discs in the picture plane; larger glows are
+                            // squares in space, as the rasterizer draws them
 
 Glow glowAt(uint at) {
   vec4 position, velocity;
@@ -19,7 +19,7 @@ Glow glowAt(uint at) {
   return glowOf(position, velocity);
 }
 
-// `across`: squared distance from the glow's centre in radii.
+// Adds light to a pixel. `across`: squared distance from the glow's centre, in units of the radius.
 void add(ivec2 pixel, vec3 light, float across, float depth) {
   if (across >= 1.0 || depth < 0.0) return;
   int before = 0;
@@ -27,7 +27,7 @@ void add(ivec2 pixel, vec3 light, float across, float depth) {
     before += int(depth < texelFetch(sceneDepth, pixel, SAMPLE(i)).x);
   precise float inside = (1.0 - across) * (1.0 - across) * float(before) * perSamples;
   precise vec3 all = light * inside;
-  all = min(all, 6e4);  // clamped because larger values show as white anyway
+  all = min(all, 6e4);  // limits the light, because larger values are displayed as white anyway
   precise vec3 large = all * perGlowUpper;
   vec3 upper = floor(large);
   precise vec3 units = (all - upper * glowUpper) * glowUnits + 0.5;
@@ -46,7 +46,8 @@ vec3 placed(vec4 clip) {
   return place;
 }
 
-// Adds a glow as a disc in the picture. `aside`: first pixel, `stride`: step, for sharing the pixels among invocations.
+// Adds a glow as a disc in the picture plane. `aside`, `stride`: first pixel and step, which split the pixels between
+// invocations.
 void addDisk(Glow g, ivec2 aside, ivec2 stride) {
   vec3 place = placed(clipPlace(g.middle));
   float radius = pixelsOf(g.middle, g.radius), perRadius = exactReciprocal(radius);
@@ -65,12 +66,11 @@ void addDisk(Glow g, ivec2 aside, ivec2 stride) {
 #ifdef LARGE
 layout(local_size_x = 8, local_size_y = 8) in;
 
-// Adds a glow as a disc in space that faces the eye, by intersecting the camera ray of each pixel with the disc's
-// plane.
+// Adds a glow as a disc in space that faces the eye. Intersects the camera ray of each pixel with the disc's plane.
 void addFacing(Glow g, ivec2 aside, ivec2 stride) {
   Facing facing = facingEye(g.middle);
   bool parallel = frame.eye.w == 0.0;
-  vec2 seen = clipPlace(g.middle).xy;  // position of the glow's centre in the picture, used for parallel rays
+  vec2 seen = clipPlace(g.middle).xy;  // position of the glow's centre in the picture, used for orthographic views
   vec2 low = vec2(1), high = vec2(0);
   bool before = true;
   for (int corner = 0; corner < 4; ++corner) {

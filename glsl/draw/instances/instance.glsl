@@ -1,9 +1,9 @@
-// Access to one instance of a sim::Instances by its slot index.
+// Reads one instance of a sim::Instances by its index.
 #include "common/once.glsl"
 #include "common/exact.glsl"
 #include "draw/bindings.glsl"
-layout(binding = positionUnit) uniform samplerBuffer positions;   // xyz position (m), w mass (kg)
-// xyz velocity (m/s), w age 0 to 1, negative if not alive.
+layout(binding = positionUnit) uniform samplerBuffer positions;   // xyz: position (m); w: mass (kg)
+// xyz: velocity (m/s); w: age 0 to 1, negative if the instance is not alive
 layout(binding = velocityUnit) uniform samplerBuffer velocities;
 uniform float size;         // scale factor of the shape's coordinates
 float size_ = once(size);
@@ -11,13 +11,13 @@ uniform float shapeRadius;  // radius of the shape's bounding sphere at size 1
 float shapeRadius_ = once(shapeRadius);
 uniform float massExponent;
 float massExponent_ = once(massExponent);
-uniform float perMassReference;  // 1 / reference mass (1/kg); the size is scaled by (mass / reference
+uniform float perMassReference;  // 1 / reference mass (1/kg); the size is multiplied by (mass / reference
                                  // mass)^massExponent
 float perMassReference_ = once(perMassReference);
-uniform float minPixels;  // min radius of an instance on screen in pixels
+uniform float minPixels;  // min radius (pixels) of an instance in the picture
 float minPixels_ = once(minPixels);
 
-// True if the instance is alive and its position is finite and not far away.
+// True if the instance is alive and its position is finite and not extremely far away.
 bool isShown(vec4 position, vec4 velocity) {
   precise float far = abs(position.x) + abs(position.y) + abs(position.z);
   return velocity.w >= 0.0 && isNumber(far) && far < 1e6;
@@ -36,7 +36,7 @@ float instanceRadius(float mass) {
   return radius;
 }
 
-// Returns the pixels that one metre spans at one metre from the eye.
+// Returns the number of pixels that one metre spans at a distance of one metre.
 float pixelsPerMetre() {
   precise float pixels = 0.5 * frame.size.y * exactInverseSqrt(exactDot(frame.rayUp.xyz, frame.rayUp.xyz));
   return pixels;
@@ -48,13 +48,13 @@ float distanceOf(vec3 p) {
   return exactDot(aside, frame.rayForward.xyz);
 }
 
-// Returns the pixels that `radius` (m) spans at p.
+// Returns the number of pixels that `radius` (m) spans at p.
 float pixelsOf(vec3 p, float radius) {
   precise float pixels = radius * pixelsPerMetre() * exactReciprocal(max(distanceOf(p), 1e-6));
   return pixels;
 }
 
-// Returns the metres that `minPixels` pixels span at p.
+// Returns the length (m) that `minPixels` pixels span at p.
 float minRadius(vec3 p) {
   precise float metres = max(distanceOf(p), 0.0) * minPixels_ * exactReciprocal(pixelsPerMetre());
   return metres;
@@ -67,14 +67,14 @@ vec4 clipPlace(vec3 p) {
 }
 
 #if !defined FOR_LIGHT && !defined FOR_LAMPS
-// Returns the radius on screen, in pixels, of a ball, at the distance of its nearest point.
+// Returns the radius (pixels) of a ball in the picture, at the distance of the ball's nearest point.
 float pixelRadius(vec3 p, float radius) {
   precise float nearest = distanceOf(p) - radius;
   precise float pixels = radius * pixelsPerMetre() * exactReciprocal(max(nearest, 1e-3));
   return pixels;
 }
 
-// True if the centre is in view. A point primitive is clipped as a whole by its centre.
+// True if the centre is in view. OpenGL clips a point primitive as a whole by its centre.
 bool isMiddleSeen(vec3 p) {
   vec4 place = clipPlace(p);
   precise float border = 0.9999 * place.w;

@@ -1,4 +1,4 @@
-// Access to the list of visible instances, and their colours.
+// Reads the list of visible instances, and computes their colours.
 #include "common/once.glsl"
 #include "draw/instances/instance.glsl"
 layout(binding = listUnit) uniform usamplerBuffer list;
@@ -17,10 +17,11 @@ uniform float colorOffset;
 float colorOffset_ = once(colorOffset);
 uniform float brightness;
 float brightness_ = once(brightness);
-uniform float fade;  // fraction of an instance's life during which it fades in and during which it fades out
+uniform float fade;  // fraction of an instance's life during which it fades in, and the fraction during which it fades
+                     // out
 float fade_ = once(fade);
 
-int listedSlot = 0;  // slot of the instance that listed() read last
+int listedSlot = 0;  // index of the instance that listed() read last
 // Reads visible instance number `at` of the current level of detail. Returns false if the level has fewer instances.
 bool listed(uint at, out vec4 position, out vec4 velocity) {
   position = velocity = vec4(0);
@@ -43,7 +44,7 @@ vec3 tintOf(vec4 position, vec4 velocity) {
   return exactMix(texelFetch(stops, below).rgb, texelFetch(stops, min(below + 1, stopCount_ - 1)).rgb, rest);
 }
 
-// Returns the factor on an additive instance's colour: it fades in and out over the instance's life. An instance of age
+// Returns the brightness factor of an additive instance, which fades in and out over its life. An instance of age
 // exactly 0 does not age.
 float brightnessAt(float age) {
   if (fade_ <= 0.0 || age == 0.0) return brightness_;
@@ -60,8 +61,8 @@ struct Glow {
   vec3 light;
 };
 
-// Returns an additive sprite. A sprite below the min radius is enlarged and dimmed by the ratio of areas, so its total
-// light stays the same.
+// Returns an additive sprite. A sprite below the min radius is enlarged and dimmed by the ratio of the areas, so that
+// the total light stays the same.
 Glow glowOf(vec4 position, vec4 velocity) {
   float radius = instanceRadius(position.w);
   float minimum = minRadius(position.xyz);

@@ -1,10 +1,10 @@
-// Fetches the vertices of instances by index (vertex pulling). One drawn instance holds `batch` copies of the shape,
-// because drivers are slow at many instances of few triangles. An index is copy << vertexBits | vertex.
+// Fetches the vertices of instances by index (vertex pulling). One drawn instance contains `batch` copies of the shape,
+// because drivers are slow with many instances of few triangles. An index value is copy << vertexBits | vertex.
 #include "draw/instances/instance_list.glsl"
 uniform int batch;
 uniform int vertexBits;
 
-// Position out of view, for the unused copies of the last batch; all their vertices coincide.
+// position outside the view for all vertices of unused copies in the last batch
 const vec4 nowhere = vec4(0, 0, 2, 1);
 
 // Reads the instance to which the current vertex belongs. Returns false for an unused copy.

@@ -1,5 +1,5 @@
-// Writes the slot indices of the visible instances, sorted by level of detail and then by slot. One invocation handles
-// one word of the bit mask.
+// Writes the indices of the visible instances, sorted by level of detail and then by index. One invocation handles one
+// word of the bit mask.
 #include "draw/bindings.glsl"
 layout(local_size_x = 64) in;
 layout(binding = maskUnit) uniform usamplerBuffer masks;

@@ -1,5 +1,5 @@
-// Shades a small sprite. GLOW: a soft round glow with alpha 0, because its light adds to everything behind it,
-// including the sky. Otherwise a square that stands for a lit ball.
+// Shades a small sprite. GLOW: a soft round glow with alpha 0, because the light adds to everything behind it,
+// including the sky. Otherwise: a square that represents a lit ball.
 flat in vec3 light;
 flat in vec2 slope;
 #ifdef POINT

@@ -1,17 +1,17 @@
-// A sprite of a few pixels, packed in four words. Compute GPUs assign only a few of their processors to vertex and
-// fragment work, so a kernel computes position and light and the draw shaders only unpack them.
+// A sprite of a few pixels, packed into four words. Compute GPUs use only a few of their processors for vertex and
+// fragment shaders. A kernel therefore computes position and light, and the draw shaders only unpack them.
 #include "common/exact.glsl"
 struct SmallSprite {
   vec3 place;  // position: clip coordinates divided by w, -1 to 1
   float side;  // side of the square in pixels (texels of the shadow map for FOR_LIGHT)
   vec3 light;  // light at the sprite's centre
-  vec2 slope;  // relative change of light from the centre to the right edge and to the top edge, -1 to 1
+  vec2 slope;  // relative change of light (-1 to 1) from the centre to the right edge and to the top edge
 };
 
 // Packs a light value as three 9-bit mantissas with a shared exponent.
 uint packedLight(vec3 light) {
   float largest = max(max(light.r, light.g), max(light.b, 1e-9));
-  // Exponent of the next power of two above the largest component.
+  // Exponent of the smallest power of two above the largest component.
   int exponent = clamp((floatBitsToInt(largest) >> 23) - 126, -15, 16);
   precise vec3 steps = light * intBitsToFloat((136 - exponent) << 23) + 0.5;
   uvec3 m = uvec3(min(steps, 511.0));
@@ -24,7 +24,7 @@ vec3 unpackedLight(uint bits) {
   return light;
 }
 
-// Packs a sprite. x and y have 20 bits each, a 32nd of a pixel in a picture of 16384 pixels; the depth has 24 bits.
+// Packs a sprite. x and y have 20 bits each (1/64 pixel in a picture of 16384 pixels); the depth has 24 bits.
 uvec4 packedSprite(SmallSprite s) {
   precise vec3 place = s.place * 0.5 + 0.5;
   place = clamp(place, 0.0, 1.0) * vec3(1048575.0, 1048575.0, 16777215.0) + 0.5;

@@ -1,5 +1,5 @@
-// Draws the small sprites that small_sprites.comp prepared: as points, or as squares if the driver rounds point sizes
-// (software drivers). FOR_LIGHT: draws into the sun's shadow map.
+// Draws the small sprites that small_sprites.comp prepared, as points. If the driver rounds point sizes (software
+// drivers), draws squares. FOR_LIGHT: draws into the sun's shadow map.
 #include "draw/bindings.glsl"
 #include "draw/instances/small_sprite.glsl"
 layout(binding = spriteUnit) uniform usamplerBuffer sprites;
@@ -27,8 +27,8 @@ void main() {
 #ifdef POINT
   gl_PointSize = s.side;
 #ifdef FOR_LIGHT
-  // Drops a point smaller than a texel unless its square contains the texel's centre, because a driver draws no point
-  // smaller than a texel.
+  // Drops a point smaller than a texel unless its square contains the texel's centre, because drivers draw points at
+  // least as large as a texel.
   vec2 aside = abs(fract((s.place.xy * 0.5 + 0.5) * targetSize) - 0.5);
   used = used && (s.side >= 1.0 || max(aside.x, aside.y) <= 0.5 * s.side);
 #endif

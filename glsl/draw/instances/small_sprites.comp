@@ -1,5 +1,5 @@
-// Prepares the sprites of a few pixels for drawing. GLOW: additive sprites. FOR_LIGHT: sprites in the sun's shadow map.
-// Otherwise lit balls: squares with the area of the ball's outline, shaded at four normals.
+// Prepares sprites of a few pixels for drawing. GLOW: additive sprites. FOR_LIGHT: sprites in the sun's shadow map.
+// Otherwise: lit balls, which become squares with the area of the ball's outline, shaded at four normals.
 #include "draw/frame_block.glsl"
 #include "draw/instances/instance_list.glsl"
 #include "draw/instances/small_sprite.glsl"
@@ -15,7 +15,7 @@ layout(local_size_x = 64) in;
 layout(std430, binding = spriteBinding) writeonly restrict buffer SpriteBlock { uvec4 sprites[]; };
 uniform int invocations;
 
-const float squareSide = 1.7724539;  // sqrt(pi): side of the square with the area of a unit disc
+const float squareSide = 1.7724539;  // sqrt(pi), the side of the square with the area of a unit disc
 
 vec3 placed(vec3 p) {
   vec4 clip = clipPlace(p);

@@ -1,6 +1,6 @@
-// Computes prefix sums over the blocks' counts, then writes eight words per level of detail: the arguments of its
-// indirect draw {count, instanceCount, firstIndex, baseVertex, baseInstance}, its first index in the list and its
-// number of instances. One drawn instance holds `batch` copies of the shape. Runs as one workgroup.
+// Computes prefix sums over the counts of the blocks. Then writes eight words per level of detail: the arguments of the
+// level's indirect draw {count, instanceCount, firstIndex, baseVertex, baseInstance}, its first index in the list, its
+// number of instances, and 0. One drawn instance contains `batch` copies of the shape. Runs as one workgroup.
 #include "draw/bindings.glsl"
 layout(local_size_x = 256) in;
 layout(binding = blockCountUnit) uniform usamplerBuffer blockCount;

@@ -1,13 +1,13 @@
 // Light of a uniformly bright rectangle that shines only to its front. Compiles as GLSL and as C++.
-// A polygon of luminance L gives a surface of normal n the illuminance E = L n.F. F is the vector irradiance: half the
-// sum over the polygon's sides of (angle that the side spans) (unit normal of the plane through the eye and the side).
-// Only the part of the polygon above the surface's horizon counts (Lambert 1760; for instance Arvo, "Applications of
-// irradiance tensors", SIGGRAPH 1995).
+// A polygon of luminance L gives a surface of normal n the illuminance E = L n.F. The vector irradiance F is half the
+// sum over the polygon's sides of the angle that the side spans, times the unit normal of the plane through the
+// receiving point and the side. Only the part of the polygon above the surface's horizon counts (Lambert 1760; for
+// instance Arvo, "Applications of irradiance tensors", SIGGRAPH 1995).
 #include "draw/arithmetic.glsl"
 #include "draw/surface/shading.glsl"
 
-// Returns acos(c) / sqrt(1 - c^2), from acos(x) = sqrt(1 - x) (a0 + a1 x + ...), error below 2e-8 (Abramowitz and
-// Stegun, 4.4.46).
+// Returns acos(c) / sqrt(1 - c^2), computed with acos(x) = sqrt(1 - x) (a0 + a1 x + ...), error below 2e-8 (Abramowitz
+// and Stegun, 4.4.46).
 FUNCTION float angleOverSine(float c) {
   float x = min(abs(c), 1.0f);
   ROUNDED float high = ((-0.0012624911f * x + 0.0066700901f) * x - 0.0170881256f) * x + 0.0308918810f;
@@ -19,19 +19,19 @@ FUNCTION float angleOverSine(float c) {
   return obtuse;
 }
 
-// Returns twice the contribution to n.F of the polygon side from a to b, relative to the receiving point. The result is
-// positive for sides that run counter-clockwise as seen from the receiving point.
+// Returns twice the contribution to n.F of the polygon side from a to b, which are relative to the receiving point. The
+// result is positive for sides that run counter-clockwise as seen from the receiving point.
 FUNCTION float sideShare(vec3 a, vec3 b, vec3 normal) {
   vec3 from = unitOf(a), to = unitOf(b);
   ROUNDED float share = dotted(crossed(to, from), normal) * angleOverSine(dotted(from, to));
   return share;
 }
 
-// State of a walk round a polygon that clips the polygon at the horizon of a surface with `normal`.
+// State of a traversal of a polygon's sides that clips the polygon at the horizon of a surface with `normal`.
 struct Horizon {
   vec3 normal;
-  vec3 left;     // point where the walk goes below the horizon
-  vec3 back;     // point where the walk comes back above the horizon
+  vec3 left;     // point where the traversal goes below the horizon
+  vec3 back;     // point where the traversal comes back above the horizon
   float crossed; // number of horizon crossings
   float sum;     // sum of the sides' contributions
 };
@@ -56,8 +56,8 @@ FUNCTION Horizon walked(Horizon h, vec3 a, vec3 b) {
   return h;
 }
 
-// Returns n.F at the point p for the rectangle `middle` +- `across` +- `up` (m). The rectangle's front is on the side
-// of cross(across, up).
+// Returns n.F at the point p for the rectangle with the corners `middle` +- `across` +- `up` (m). The rectangle's front
+// is on the side of cross(across, up).
 FUNCTION float rectangleShare(vec3 p, vec3 normal, vec3 middle, vec3 across, vec3 up) {
   ROUNDED vec3 to = middle - p;
   if (dotted(to, crossed(across, up)) >= 0.0f) return 0.0f;
@@ -92,12 +92,12 @@ FUNCTION vec3 towardsRectangle(vec3 p, vec3 mirrored, vec3 middle, vec3 across, 
   return unitOf(place);
 }
 
-// Returns the specular lobe of shading.glsl for a rectangle, evaluated for the direction `light`. The lobe is lowered
-// by the factor by which the rectangle widens it (idea: Karis, "Real shading in Unreal Engine 4", SIGGRAPH 2013). The
-// light directions of a lobe cover about 4 pi alpha^2 lh, with lh the cosine between `light` and the half vector,
-// because half vectors cover pi alpha^2 and turn half as fast. `spread2`: solid angle of the rectangle / pi. `lit`: n.F
-// of the rectangle; the shadowing term uses the mean cosine lit / spread2 because the whole rectangle shines, not one
-// direction.
+// Returns the specular lobe of shading.glsl for a rectangle, evaluated for the direction `light`. The rectangle widens
+// the lobe, and the lobe's height is divided by the factor of this widening (idea: Karis, "Real shading in Unreal
+// Engine 4", SIGGRAPH 2013). The light directions of a lobe cover about 4 pi alpha^2 lh, where lh is the cosine between
+// `light` and the half vector, because half vectors cover pi alpha^2 and turn half as fast. `spread2`: solid angle of
+// the rectangle / pi. `lit`: n.F of the rectangle. The shadowing term uses the mean cosine lit / spread2, because light
+// comes from the whole rectangle rather than from one direction.
 FUNCTION vec2 rectangleLobe(vec3 normal, vec3 view, vec3 light, float lit, float alpha, float spread2) {
   ROUNDED float alpha2 = alpha * alpha;
   ROUNDED float cosine2 = 0.5f + 0.5f * dotted(view, light);

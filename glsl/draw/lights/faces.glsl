@@ -1,6 +1,6 @@
-// The six shadow maps around a lamp: face 2k looks along axis k, face 2k + 1 looks against axis k. `from` is the vector
-// from the lamp to a point (m). In the coordinates of a face, x is the distance along the face's axis and y, z lie
-// across the axis; the map covers |y|, |z| <= x.
+// The six shadow maps around a lamp. Face 2k faces along axis k; face 2k + 1 faces in the opposite direction. `from` is
+// the vector from the lamp to a point (m). In the coordinates of a face, x is the distance along the face's axis, and y
+// and z are perpendicular to it. The map covers |y| <= x and |z| <= x.
 vec3 turnedTo(int axis, vec3 from) {
   return axis == 0 ? from : axis == 1 ? from.yzx : from.zxy;
 }

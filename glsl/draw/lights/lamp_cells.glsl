@@ -1,5 +1,5 @@
-// Lookup of the lamps that reach a point. Each cell of a grid has one bit for each of the last RANGED_LAMPS lamps, set
-// if the lamp's range reaches the cell (src/draw/lights/lamp_cells.cpp).
+// Finds the lamps that may light a point. Each cell of a grid has one bit for each of the last RANGED_LAMPS lamps. The
+// bit is set if the cell is within the lamp's range (src/draw/lights/lamp_cells.cpp).
 #include "draw/arithmetic.glsl"
 #include "draw/bindings.glsl"
 #include "draw/lights/types.glsl"
@@ -9,8 +9,8 @@ vec3 lampCellVector(int first) {
   return vec3(uintBitsToFloat(texelFetch(lampCells, first).x), uintBitsToFloat(texelFetch(lampCells, first + 1).x),
               uintBitsToFloat(texelFetch(lampCells, first + 2).x));
 }
-// Returns the index of the first word of the cell that contains p; -1 outside the grid, where no lamp with a range
-// reaches.
+// Returns the index of the first word of the cell that contains p, or -1 outside the grid, where all lamps with a range
+// are out of range.
 int lampCellAt(vec3 p) {
   ROUNDED vec3 place = (p - lampCellVector(0)) * lampCellVector(3);
   ivec3 at = ivec3(floor(clamp(place, -1.0f, 64.0f)));

@@ -1,5 +1,5 @@
-// Access to the scene's LAMPS lamps by index. LAMP_BLOCK: the lamps are in a uniform block; else they are in a texel
-// buffer, which software drivers read faster (10 to 40 % of the frame time with 16 lamps).
+// Reads the scene's LAMPS lamps by index. LAMP_BLOCK: the lamps are in a uniform block. Otherwise they are in a texel
+// buffer, which software drivers read faster (saving 10 to 40 % of the frame time with 16 lamps).
 #include "draw/bindings.glsl"
 #include "draw/lights/types.glsl"
 #ifdef LAMP_BLOCK

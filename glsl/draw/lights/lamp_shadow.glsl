@@ -2,8 +2,8 @@
 #include "draw/lights/faces.glsl"
 layout(binding = lampShadowUnit) uniform sampler2DShadow lampShadows;
 
-// `nl`: cosine between the normal and the direction to the lamp. The lookup point is offset to the lit side of the
-// surface so that the surface does not shadow itself.
+// Returns the fraction of the lamp's light. `nl`: cosine between the normal and the direction to the lamp. The lookup
+// point is offset to the lit side of the surface so that the surface does not shadow itself.
 float lampFraction(int lamp, vec3 from, vec3 normal, float nl) {
   vec4 maps = lampMaps(lamp), sampling = lampSampling(lamp);
   vec3 a = abs(from);
@@ -15,7 +15,7 @@ float lampFraction(int lamp, vec3 from, vec3 normal, float nl) {
   float depth = clamp(faceDepth(q.x, sampling.x), 0.0, 1.0);
   vec2 radius = maps.xy * (sampling.z * sampling.w);
 #if LAMP_TAPS == 4
-  // A square turned by 27 degrees, as in the sun's shadow filter.
+  // The four taps form a square turned by 27 degrees, as in the sun's shadow filter.
   vec2 u = radius * vec2(0.667, 0.333), v = radius * vec2(-0.333, 0.667);
   return 0.25 *
          (texture(lampShadows, vec3(place + u, depth)) + texture(lampShadows, vec3(place - u, depth)) +

@@ -1,4 +1,4 @@
-// Draws a surface into the lamps' shadow maps: one instance for each map that the surface reaches.
+// Draws a surface into the lamps' shadow maps: one instance for each map that may show the surface.
 #include "draw/frame_block.glsl"
 #include "draw/surface/vertex_pull.glsl"
 #include "draw/lights/face_clip.glsl"

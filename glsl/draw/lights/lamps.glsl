@@ -1,6 +1,7 @@
-// Sums the light of all lamps on a surface point. The LAMPS lamps are ordered: first SHADOWED_LAMPS lamps with shadows,
-// then those without shadows or range, last RANGED_LAMPS lamps with a range and no shadow. SPOTS: some lamps have
-// cones; AREAS: some are rectangles; RANGES: some have a range; TRANSLUCENT: light may also come through from behind.
+// Sums the light of all lamps on a surface point. The LAMPS lamps are ordered. First are SHADOWED_LAMPS lamps with
+// shadows, then the lamps without shadows or range, last RANGED_LAMPS lamps with a range and no shadow. SPOTS: some
+// lamps have cones. AREAS: some are rectangles. RANGES: some have a range. TRANSLUCENT: light may also come through
+// from behind.
 #include "draw/lights/lamp_list.glsl"
 #include "draw/lights/point_light.glsl"
 #ifdef AREAS
@@ -23,11 +24,11 @@ struct LampLight {
   vec3 matt;    // diffuse part: irradiance / pi, to be multiplied by the albedo
   vec3 mirror;  // specular part: light of the lobes
 #ifdef SHEEN
-  vec3 sheen;   // light of the fabric fibre lobes, to be multiplied by the sheen colour
+  vec3 sheen;   // light of the lobes of fabric fibres, to be multiplied by the sheen colour
 #endif
 };
 
-// Adds the light of lamp i; `fraction` of the lamp's light reaches the point.
+// Adds the light of lamp i. `fraction`: fraction of the lamp's light that reaches the point.
 LampLight withLamp(LampLight sum, int i, Arrival a, float fraction, vec3 normal, vec3 view, vec3 f0, float alpha,
                    float translucent) {
   float nl = dotted(normal, a.towards);
@@ -49,7 +50,8 @@ LampLight withLamp(LampLight sum, int i, Arrival a, float fraction, vec3 normal,
 #endif
 }
 
-// Returns the factor on lamp i's light at p: the share of its cone in that direction times the share of its range.
+// Returns the factor of lamp i's light at p: the fraction that the cone lets through in that direction, times the
+// fraction for the range.
 float sentBy(int i, Arrival a, vec3 p) {
   float sent = 1.0f;
 #ifdef SPOTS
@@ -89,7 +91,7 @@ LampLight withRectangle(LampLight sum, int i, vec3 p, float fraction, vec3 norma
 }
 #endif
 
-// Adds the light of lamp i of any shape; `fraction` of its light is not in shadow.
+// Adds the light of lamp i of any shape. `fraction`: fraction of the lamp's light that is not in shadow.
 LampLight withAny(LampLight sum, int i, vec3 p, Arrival a, float fraction, vec3 normal, vec3 view, vec3 f0, float alpha,
                   float translucent) {
   ROUNDED float reaching = fraction * sentBy(i, a, p);
@@ -110,7 +112,7 @@ LampLight lampLight(vec3 p, vec3 normal, vec3 view, vec3 f0, float roughness, fl
   LampLight sum = LampLight(vec3(0), vec3(0));
 #endif
   float alpha = roughAlpha(roughness);
-  // Two loops instead of a branch in one loop, because software drivers execute both sides of a branch.
+  // Uses two loops instead of a branch in one loop, because software drivers execute both sides of a branch.
 #if SHADOWED_LAMPS > 0
   for (int i = 0; i < SHADOWED_LAMPS; ++i) {
     Arrival a = arrivalAt(p, lampPlace(i), lampPower(i).w);

@@ -1,10 +1,10 @@
-// Grows the bounding box of one surface in world space, stored as ordered keys. Each invocation first reduces a strided
-// share of the vertices, then updates the box with atomics.
+// Extends the bounding box of one surface in world space, stored as ordered keys. Each invocation first reduces the
+// vertices of a strided range, then updates the box with atomics.
 #include "draw/frame_block.glsl"
 #include "draw/ordered_key.glsl"
 #include "draw/surface/vertex_pull.glsl"
 layout(local_size_x = 64) in;
-// Bounding box of each surface as six keys: low xyz, high xyz.
+// Bounding box of each surface as six keys: low x, y, z, then high x, y, z.
 layout(std430, binding = boxBinding) restrict buffer BoxBlock { uint boxes[]; };
 uniform int surface;
 uniform int vertexCount;

@@ -1,4 +1,4 @@
-// Lists, for each surface, the lamp shadow maps that the surface's bounding box reaches, and writes the instance count
+// For each surface, lists the lamp shadow maps that its bounding box may be visible in, and writes the instance count
 // of the surface's indirect draw. Resets the boxes for the next frame. One invocation handles one surface.
 #include "draw/lights/faces.glsl"
 #include "draw/lights/lamp_list.glsl"
@@ -10,7 +10,7 @@ layout(std430, binding = cellBinding) restrict writeonly buffer CellBlock { uint
 layout(std430, binding = cellArgumentBinding) restrict buffer ArgumentBlock { uint arguments[]; };
 uniform int surfaces;
 
-// True if the box reaches the inner side of every plane that bounds the shadow map (the planes of face_clip.glsl).
+// True if part of the box is inside every plane that bounds the shadow map (the planes of face_clip.glsl).
 bool reaches(int face, vec3 low, vec3 high, float scale, float nearest) {
   vec3 a = onFace(face, low), b = onFace(face, high);
   vec3 least = min(a, b), most = max(a, b);

@@ -1,6 +1,6 @@
 // Fills the rectangles of letters and lines over the finished picture. Each rectangle has two texels: its bounds in
-// whole pixels (left, top, right, bottom) and its encoded colour. The rectangles of one dispatch do not overlap or have
-// the same colour, so their order does not matter. One invocation fills one rectangle.
+// whole pixels (left, top, right, bottom) and its encoded colour. The rectangles of one dispatch do not overlap unless
+// they have the same colour, so their order does not matter. One invocation fills one rectangle.
 #define EXACT_PICTURE
 #include "draw/arithmetic.glsl"
 #include "draw/bindings.glsl"

@@ -1,4 +1,4 @@
-// Condenses the steps of a chart's curves to columns of pixels. The arithmetic is exact for both rasterizers. One
+// Reduces the steps of a chart's curves to columns of pixels. The arithmetic is exact for both rasterizers. One
 // invocation writes one column.
 #define EXACT_PICTURE
 #include "draw/arithmetic.glsl"

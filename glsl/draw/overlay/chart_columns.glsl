@@ -1,7 +1,8 @@
-// Reduces a chart's curves to columns of pixels, so the cost of drawing does not grow with the number of steps. A
-// column stores for each curve the height at its left edge, at its right edge, the min and the max, as fractions of the
-// plot's height; -1 if the column has no steps yet. Compiles as GLSL and as C++, after chart_inputs.glsl.
-const int maxLooked = 16384;  // max number of steps that are read per column; with more steps some are skipped
+// Reduces a chart's curves to columns of pixels, so that the cost of drawing does not grow with the number of steps.
+// For each curve, a column stores the height at its left edge, the height at its right edge, the min and the max, as
+// fractions of the plot's height. The values are -1 if the column has no steps yet. Compiles as GLSL and as C++, after
+// chart_inputs.glsl.
+const int maxLooked = 16384;  // max number of steps that are read per column; if there are more, some are skipped
 
 struct ChartColumn {
   vec4 enter;
@@ -10,8 +11,8 @@ struct ChartColumn {
   vec4 highest;
 };
 
-// Converts a count to float with one rounding to nearest, because drivers may round conversions of more than 24 bits
-// differently.
+// Converts a count to float with a single rounding to nearest, because drivers may round conversions of more than 24
+// bits differently.
 FUNCTION float countOf(uint n) {
   ROUNDED float count = float(int(n >> 12u)) * 4096.0f + float(int(n & 4095u));
   return count;
@@ -23,7 +24,7 @@ FUNCTION vec4 heightsOf(uvec4 n) {
   return clamp(heights, 0.0f, 1.0f);
 }
 
-// Returns the heights at a fractional step, by linear interpolation between two steps.
+// Returns the heights at a fractional step, interpolated linearly between two steps.
 FUNCTION vec4 heightsAt(float place) {
   int number = clamp(int(place), 0, steps - 1);
   vec4 low = heightsOf(texelFetch(counts, number)), high = heightsOf(texelFetch(counts, min(number + 1, steps - 1)));

@@ -3,8 +3,8 @@
 // C++, after chart_columns.glsl.
 
 struct ChartLook {
-  vec4 nearest;  // distance from the point to each curve, in pixels
-  vec4 below;    // vertical distance of the point below each curve, in pixels
+  vec4 nearest;  // distance (pixels) of the point from each curve
+  vec4 below;    // vertical distance (pixels) by which the point is below each curve
 };
 
 FUNCTION vec4 covered(vec4 below, vec3 color, float alpha) {
@@ -17,7 +17,8 @@ FUNCTION float lengthOf(vec2 v) {
   return root(square);
 }
 
-// Returns the squared distance from p to the segment a-b. The caller compares squares and takes one root at the end.
+// Returns the squared distance from p to the segment a-b. The caller compares squares and takes one square root at the
+// end.
 FUNCTION float squareTo(vec2 p, vec2 a, vec2 b) {
   ROUNDED vec2 along = b - a;
   ROUNDED vec2 aside = p - a;
@@ -28,7 +29,7 @@ FUNCTION float squareTo(vec2 p, vec2 a, vec2 b) {
   return apart;
 }
 
-// Returns the depths below the plot's top edge, in pixels, of one row of a column's data; `high` is the plot's height.
+// Returns one row of a column's data as depths (pixels) below the plot's top edge. `high`: plot's height (pixels).
 FUNCTION vec4 depthsAt(int column, int row, float high) {
   ROUNDED vec4 depths = (1.0f - columnAt(column, row)) * high;
   return depths;

@@ -1,5 +1,5 @@
-// Draws a field of cells as a compute kernel. OVER: draws over the finished picture (OPAQUE: nothing of the picture
-// shows through); else draws behind the light of the scene. One invocation draws ROWS pixels, one below the other.
+// Draws a field of cells as a compute kernel, behind the light of the scene. OVER: draws over the finished picture
+// instead. OPAQUE: the picture does not show through. One invocation draws ROWS vertically adjacent pixels.
 #define EXACT_PICTURE
 #include "draw/arithmetic.glsl"
 #include "draw/overlay/field_inputs.glsl"
@@ -18,7 +18,7 @@ layout(rgba32f, binding = targetImage) uniform restrict image2D target;
 #endif
 uniform ivec4 part;     // bounds of the field in the picture, in pixels from the top left: left, top, right, bottom
 ivec4 part_ = once(part);
-uniform int lastRow;    // index of the target's last row if the target is stored bottom row first; else -1
+uniform int lastRow;    // index of the target's last row if row 0 of the target is the bottom row; otherwise -1
 int lastRow_ = once(lastRow);
 
 void put(ivec2 at) {

@@ -1,4 +1,4 @@
-// Averages over blocks of a field's cells. Compiles as GLSL and as C++, after field_values.glsl.
+// Averages blocks of a field's cells. Compiles as GLSL and as C++, after field_values.glsl.
 
 // Returns sum / count. A correction step makes the result exact if a float can hold the quotient.
 FUNCTION vec4 meanOf(vec4 sum, float count) {
@@ -21,7 +21,7 @@ FUNCTION float meanBit(ivec2 first, ivec2 end) {
   return meanOf(vec4(float(count)), float((end.x - first.x) * (end.y - first.y))).x;
 }
 
-// Rounds x to the nearest half float, zero below 2^-14, so a store in a half-float texel does not round again.
+// Rounds x to the nearest half float (zero below 2^-14), so that a store in a half-float texel does not round again.
 FUNCTION float asHalf(float x) {
   float held = clamp(x, -65504.0f, 65504.0f);
   int bits = floatBitsToInt(held);
@@ -29,8 +29,8 @@ FUNCTION float asHalf(float x) {
   return abs(held) < 6.1035156e-5f ? 0.0f : intBitsToFloat(bits);
 }
 
-// Returns the mean of the cells from `first` to `end` - 1. If `colored`: rgb the light, a the position of the value in
-// the range (0 to 1); else the value in every component.
+// Returns the mean of the cells from `first` to `end` - 1. With `colored`, rgb is the light and a is the position of
+// the value in the range (0 to 1); otherwise, all components are the value.
 FUNCTION vec4 blockMean(ivec2 first, ivec2 end) {
   if (cellKind == 0) {
     float share = meanBit(first, end);
@@ -50,8 +50,8 @@ FUNCTION vec4 blockMean(ivec2 first, ivec2 end) {
 }
 
 // Returns the mean of the cells that texel `at` of a texture covers. Texel i of `texels` starts at cell floor(i cells /
-// texels), so block sizes differ by one cell at most and the texture ends exactly at the field's edge: a tiled texture
-// has no seam.
+// texels). Block sizes therefore differ by at most one cell, and the texture ends exactly at the field's edge, so a
+// tiled texture has no seam.
 FUNCTION vec4 texelMean(ivec2 at, ivec2 texels) {
   return blockMean(ivec2(uvec2(at) * uvec2(cells) / uvec2(texels)),
                    ivec2(uvec2(at + 1) * uvec2(cells) / uvec2(texels)));

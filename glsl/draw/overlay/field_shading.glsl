@@ -1,11 +1,12 @@
-// Draws a field in the picture. Each pixel is the exact average over the cells under it, so the edges of cells are
+// Draws a field in the picture. Each pixel is the exact mean of the cells under it, so the edges of cells are
 // antialiased and nothing shimmers during a zoom. If a pixel covers less than a cell, values are averaged over a box of
-// one whole cell around the pixel, which equals linear interpolation. Smooth colours (`smoothColors`) are averaged over
-// such a box a second time, which gives a quadratic spline without creases. `colored`: averages the light of cells;
-// else averages values and colours the mean. Reads the uniforms of field_view.glsl. Compiles as GLSL and as C++, after
-// field_values.glsl and film.glsl.
+// one cell around the pixel, which equals linear interpolation. Smooth colours (`smoothColors`) are averaged over such
+// a box a second time, which gives a quadratic spline without creases. With `colored`, the light of cells is averaged;
+// otherwise, values are averaged and the mean is coloured. Reads the uniforms of field_view.glsl. Compiles as GLSL and
+// as C++, after field_values.glsl and film.glsl.
 
-// Returns one element (cell or texel): rgb the light if `colored`, a the position of the value in the range (0 to 1).
+// Returns one element (cell or texel). With `colored`, rgb is the light. a: position of the value in the range (0 to
+// 1).
 FUNCTION vec4 element(ivec2 place) {
   ivec2 at = tiled ? (place + 64 * size) % size : clamp(place, ivec2(0), size - 1);
   if (reduces) return colored ? reducedAt(at) : vec4(placeOf(reducedAt(at).x));
@@ -13,7 +14,7 @@ FUNCTION vec4 element(ivec2 place) {
   return colored ? vec4(colorOfCell(at, value), placeOf(value)) : vec4(placeOf(value));
 }
 
-// Returns the mean over a rectangle, each element weighted by its area in the rectangle.
+// Returns the mean over a rectangle. Each element is weighted by the part of its area inside the rectangle.
 FUNCTION vec4 meanOfAll(vec2 from, vec2 to) {
   ivec2 first = ivec2(floor(from)), last = max(ivec2(ceil(to)) - 1, first);
   ROUNDED vec4 sum = vec4(0.0f);
@@ -31,9 +32,9 @@ FUNCTION vec4 meanOfAll(vec2 from, vec2 to) {
   return mean;
 }
 
-// Returns the same mean as meanOfAll() for a box of one element, used if the field is magnified. The box overlaps at
-// most two elements in each axis, because rounding never moves an edge past the next whole number. The code needs no
-// loops and gives the same bits as meanOfAll(): an element outside the box adds zero.
+// Returns the same mean as meanOfAll() for a box of one element; used if the field is magnified. The box overlaps at
+// most two elements per axis, because rounding never moves an edge past the next whole number. The code needs no loops
+// and gives the same bits as meanOfAll(), because an element outside the box adds zero.
 FUNCTION vec4 meanOfTwo(vec2 from, vec2 to) {
   ivec2 first = ivec2(floor(from));
   ROUNDED float left = min(to.x, float(first.x + 1)) - max(from.x, float(first.x));
@@ -59,7 +60,7 @@ FUNCTION vec4 meanOver(vec2 from, vec2 to) {
 }
 
 // Returns the weights of the elements before, at and after a position: linear interpolation averaged over a box of one
-// element. `beyond`: offset from the centre of the middle element, -1/2 to 1/2.
+// element. `beyond`: offset of the position from the centre of the middle element, -1/2 to 1/2.
 FUNCTION vec3 splineWeights(float beyond) {
   ROUNDED float before = 0.5f - beyond;
   ROUNDED float after = 0.5f + beyond;
@@ -84,8 +85,8 @@ FUNCTION vec4 splineAt(vec2 place) {
   return sum;
 }
 
-// Returns the colour that a pixel shows, averaged over `middle` +- `reach`. Between half an element and one element per
-// pixel the result changes from the spline to the mean.
+// Returns the colour of a pixel, averaged over `middle` +- `reach`. Between half an element and one element per pixel,
+// the result changes gradually from the spline to the mean.
 FUNCTION vec4 seenAround(vec2 middle, vec2 reach) {
   ROUNDED float coarse = 2.0f * max(perPixel.x, perPixel.y) - 1.0f;
   float share = smoothColors ? clamp(coarse, 0.0f, 1.0f) : 1.0f;
@@ -101,14 +102,14 @@ FUNCTION vec4 seenAround(vec2 middle, vec2 reach) {
   return share > 0.0f ? both : spline;
 }
 
-// Returns the fraction of the interval from..to that lies in low..high.
+// Returns the fraction of the interval from..to that is inside low..high.
 FUNCTION float shareIn(float from, float to, float low, float high) {
   ROUNDED float length_ = to - from;
   ROUNDED float share = (min(to, high) - max(from, low)) * inverse(max(length_, 1e-7f));
   return clamp(share, 0.0f, 1.0f);
 }
 
-// Returns x^24, with x at least 2^-5, where the power is negligible.
+// Returns x^24. Below 2^-5, where the power is negligible, x is replaced by 2^-5.
 FUNCTION float power24(float x) {
   float held = max(x, 0.03125f);
   ROUNDED float x3 = held * held * held;
@@ -123,9 +124,9 @@ FUNCTION float exponential(float x) {
   return powerOfTwo(doublings);
 }
 
-// Shades a field as a relief under a soft light from the top left, with the highlight of a polished surface. Flat
-// ground keeps its colour. The light comes from (-0.55, -0.65, 0.75); the constants below are the unit vector of that
-// direction and the unit half vector between it and the eye.
+// Shades a field as a relief under a soft light from the top left, with the highlight of a polished surface. Flat areas
+// keep their colour. The light comes from (-0.55, -0.65, 0.75). The constants below are the unit vector of that
+// direction, and the unit half vector between it and the direction to the eye.
 FUNCTION vec3 lit(vec3 color, vec2 middle, vec2 reach) {
   ROUNDED vec2 a = middle - reach;
   ROUNDED vec2 b = middle + reach;
@@ -160,7 +161,7 @@ FUNCTION vec3 lit(vec3 color, vec2 middle, vec2 reach) {
   ROUNDED float even = 0.16f + 0.84f * facing;
   ROUNDED float darker = 0.16f * exponential(facing);
   float diffuse = facing > 1.0f ? brighter : max(even, darker);
-  // Broad highlight, fainter on dark colours because it would draw thin lines there.
+  // Broad highlight. It is fainter on dark colours, because it would draw thin lines there.
   float mirrored = dotted(normal, vec3(-0.265945108f, -0.314298764f, 0.911311959f));
   ROUNDED float shine = power24(mirrored) - 0.107648918f;
   float gleam = max(shine, 0.0f);
@@ -169,13 +170,13 @@ FUNCTION vec3 lit(vec3 color, vec2 middle, vec2 reach) {
   return seen;
 }
 
-// Returns the colour of the pixel `at` (counted from the top left), premultiplied by the opacity, and the opacity.
+// Returns the colour of pixel `at` (counted from the top left), premultiplied by the opacity, and the opacity.
 FUNCTION vec4 fieldPixel(ivec2 at) {
   ROUNDED vec2 from = start + perPixel * vec2(at);
   ROUNDED vec2 to = from + perPixel;
   ROUNDED vec2 halfway = 0.5f * (from + to);
   vec2 middle = clamp(halfway, -3e7f, 3e7f);
-  // Averages over at most 80 elements a side: a part of a small field that repeats many times in a pixel is enough.
+  // Averages over at most 80 elements per side. If a small field repeats many times within a pixel, this is enough.
   ROUNDED vec2 reach = 0.5f * clamp(perPixel, vec2(colored && !smoothColors ? 1e-5f : 1.0f), vec2(40.0f));
   float inside = 1.0f;
   if (!tiled) {

@@ -1,5 +1,5 @@
-// Averages a field's cells into the texels of a texture: values, or light if COLORED. The arithmetic is exact for both
-// rasterizers. One invocation writes one texel.
+// Averages a field's cells into the texels of a texture. COLORED: averages light instead of values. The arithmetic is
+// exact for both rasterizers. One invocation writes one texel.
 #define EXACT_PICTURE
 #include "draw/arithmetic.glsl"
 #include "draw/overlay/field_inputs.glsl"

@@ -1,12 +1,12 @@
-// Values and colours (linear RGB) of a field's cells. `categories`: a value is the index of a colour; else the colours
-// are spaced evenly over the range. Reads the uniforms of field_inputs.glsl. Compiles as GLSL and as C++.
+// Values and colours (linear RGB) of a field's cells. With `categories`, a value is the index of a colour; otherwise,
+// the colours are spaced evenly over the range. Reads the uniforms of field_inputs.glsl. Compiles as GLSL and as C++.
 
 FUNCTION uint wordAt(int i) {
   uvec4 four = texelFetch(words, i >> 2);
   return (i & 2) == 0 ? ((i & 1) == 0 ? four.x : four.y) : ((i & 1) == 0 ? four.z : four.w);
 }
 
-// Returns the float in `word` as a finite number: magnitudes below 1e-20 become 0, the rest is clamped to +-1e18,
+// Returns the float in `word` as a finite number. Magnitudes below 1e-20 become 0, other numbers are clamped to +-1e18,
 // infinity becomes 1e18, and NaN or -infinity becomes -1e18.
 FUNCTION float heldValue(uint word) {
   bool lost = (word & 0x7f800000u) == 0x7f800000u;
@@ -22,7 +22,7 @@ FUNCTION float valueOf(ivec2 cell) {
   return heldValue(wordAt(row + cell.x * cellWords + (cellKind == 3 ? 3 : 0)));
 }
 
-// Returns the position of a value in the range: 0 at the first colour, 1 at the last.
+// Returns the position of a value in the range: 0 for the first colour, 1 for the last.
 FUNCTION float placeOf(float value) {
   ROUNDED float place = (value - rangeLow) * rangeFactor;
   return abs(place) < 1e-9f ? 0.0f : clamp(place, -1e9f, 1e9f);
@@ -45,7 +45,8 @@ FUNCTION vec3 colorOf(float value) {
   return stopAt(int(number));
 }
 
-// Returns the colour of a cell with the given value: the cell's own colour if cells store colours, else colorOf(value).
+// Returns the colour of a cell with the given value: the colour stored in the cell if there is one, else
+// colorOf(value).
 FUNCTION vec3 colorOfCell(ivec2 cell, float value) {
   if (cellKind != 3) return colorOf(value);
   int word = firstWord + cell.y * rowWords + cell.x * cellWords;

@@ -1,7 +1,7 @@
-// Uniforms and variants of a field's place in the picture. Variants: REDUCED (reads a texture of averaged blocks),
-// RELIEF (shaded as if lit), OVER (encoded colours for the finished picture; else light), SMOOTH_COLORS (colours are
-// interpolated between cells; else cells are squares), TILED (repeats beyond the field's borders; else `border` is
-// shown there). The variants are compile-time constants because software drivers execute both sides of every branch and
+// Uniforms and defines of a field's position in the picture. REDUCED: reads a texture of averaged blocks. RELIEF:
+// shades the field as if lit. OVER: returns encoded colours for the finished picture instead of light. SMOOTH_COLORS:
+// interpolates colours between cells, which are squares otherwise. TILED: repeats the field beyond its borders, where
+// `border` is displayed otherwise. These are defines because software drivers execute both sides of every branch and
 // divisions are expensive.
 #ifdef REDUCED
 layout(binding = reducedUnit) uniform sampler2D reduced;
@@ -12,8 +12,8 @@ uniform vec2 start;
 uniform vec2 perPixel;
 uniform vec3 border;
 uniform float opacity;
-uniform vec2 slope;      // height of the whole value range, measured in elements along x and y, for the relief
-#ifdef EXACT_PICTURE  // kernels read the uniforms once, before their loops
+uniform vec2 slope;      // relief height of the field's whole value range, in elements along x and y
+#ifdef EXACT_PICTURE  // copies, so that kernels read the uniforms only once, before their loops
 #include "common/once.glsl"
 ivec2 size_ = once(size);
 ivec2 base_ = once(base);

@@ -12,8 +12,8 @@ FUNCTION vec4 storedBytes(vec4 bytes) {
   return stored;
 }
 
-// Blends a pixel (premultiplied colour, opacity) over the bytes of the picture. The picture's alpha is straight: a
-// fully transparent pixel does not contribute its colour.
+// Blends a pixel (premultiplied colour, opacity) over the bytes of the picture. The picture's alpha is straight, so the
+// colour of a fully transparent pixel does not contribute.
 FUNCTION vec4 laidOver(vec4 bytes, vec4 pixel) {
   ROUNDED vec4 sum = pixel * 255.0f + bytes * (1.0f - pixel.w) + 0.5f;
   if (bytes.w > 254.5f || pixel.w >= 1.0f) return floor(sum);
@@ -25,7 +25,7 @@ FUNCTION vec4 laidOver(vec4 bytes, vec4 pixel) {
   return floor(vec4(color, alpha));
 }
 
-// Adds `behind` behind `front`; both are light premultiplied by coverage, and the coverage.
+// Adds `behind` behind `front`. Both hold light, premultiplied by coverage, and coverage.
 FUNCTION vec4 laidBehind(vec4 front, vec4 behind) {
   ROUNDED vec4 sum = front + behind * (1.0f - front.w);
   return sum;

@@ -1,5 +1,5 @@
-// Draws text over the finished picture, on a dark panel. One byte for each pixel of the text box gives the coverage by
-// letters. One invocation draws one pixel.
+// Draws text over the finished picture, on a dark panel. A byte per pixel of the text box holds the fraction that
+// letters cover. One invocation draws one pixel.
 #define EXACT_PICTURE
 #include "draw/arithmetic.glsl"
 #include "draw/bindings.glsl"

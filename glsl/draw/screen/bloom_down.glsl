@@ -1,5 +1,6 @@
-// Halves the size of a bloom level with thirteen taps in five overlapping squares, so that small lights do not shimmer
-// as they move (J. Jimenez, "Next generation post processing in Call of Duty: Advanced Warfare", SIGGRAPH 2014).
+// Halves the size of a bloom level. The filter has thirteen taps in five overlapping squares, so that small lights do
+// not shimmer as they move (J. Jimenez, "Next generation post processing in Call of Duty: Advanced Warfare", SIGGRAPH
+// 2014).
 #include "draw/screen/screen.glsl"
 layout(binding = sceneUnit) uniform sampler2D source;
 uniform vec2 texel;  // size of a source texel in texture coordinates

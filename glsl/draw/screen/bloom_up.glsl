@@ -1,9 +1,9 @@
-// Adds the light of the coarser bloom levels, enlarged with a tent filter of 3 by 3 taps, to one level.
+// Adds the light of the coarser bloom levels to one level. A tent filter of 3 by 3 taps enlarges the coarser light.
 #include "draw/screen/screen.glsl"
 layout(binding = sceneUnit) uniform sampler2D coarse;
 layout(binding = bloomUnit) uniform sampler2D fine;
 uniform vec2 coarseTexel;  // size of a texel of the coarse level in texture coordinates
-uniform vec2 fraction;        // x weight of the fine level, y weight of the coarse level
+uniform vec2 fraction;        // x: weight of the fine level; y: weight of the coarse level
 
 vec3 tap(vec2 uv, float x, float y) {
   return texture(coarse, uv + vec2(x, y) * coarseTexel).rgb;

@@ -1,16 +1,16 @@
-// Places instanced copies of a mesh or sphere. Variants: ADDITIVE, and the variants of draw/surface/lighting.glsl.
+// Places instanced copies of a mesh or sphere. Defines: ADDITIVE, and those of draw/surface/lighting.glsl.
 #include "draw/frame_block.glsl"
 #include "draw/instances/instance_pull.glsl"
 #include "draw/screen/copy_vertex.glsl"
 #include "draw/surface/light_map.glsl"
-uniform float swell;  // distance by which the facets of a round shape lie inside the true surface, as a fraction of its
+uniform float swell;  // distance of the facets of a round shape from the true surface, as a fraction of the shape's
                       // size
 flat out vec3 tint;
 out vec3 worldNormal;
 out vec3 worldPosition;
 out vec3 place;
 #ifdef LAMPS
-out vec3 onRound;  // point on the true round surface that the facet approximates
+out vec3 onRound;  // point of the true round surface that the facet approximates
 #endif
 
 void main() {

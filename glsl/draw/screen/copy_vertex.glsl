@@ -1,7 +1,7 @@
 #include "common/exact.glsl"
 #include "draw/bindings.glsl"
-layout(binding = shapeUnit) uniform samplerBuffer shape;  // two texels per vertex: position, normal
-layout(binding = turnUnit) uniform samplerBuffer turns;   // per copy: direction, or quaternion (x, y, z, w)
+layout(binding = shapeUnit) uniform samplerBuffer shape;  // two texels per vertex: position and normal
+layout(binding = turnUnit) uniform samplerBuffer turns;   // one texel per copy: direction, or quaternion (x, y, z, w)
 uniform int turning;  // rotation of copies, a value of sim::Instances::Turning
 
 // Returns the axes of a copy as columns: z along the direction, x horizontal.
@@ -14,14 +14,14 @@ mat3 axesAlong(vec3 direction) {
   return mat3(x, exactCross(z, x), z);
 }
 
-// Returns v turned by a unit quaternion.
+// Returns v rotated by a unit quaternion.
 vec3 turnedBy(vec4 q, vec3 v) {
   precise vec3 inner = exactCross(q.xyz, v) + q.w * v;
   precise vec3 result = v + 2.0 * exactCross(q.xyz, inner);
   return result;
 }
 
-// Returns the axes of the copy `slot` as columns.
+// Returns the axes of copy number `slot` as columns.
 mat3 turned(int slot, vec3 velocity) {
   if (turning == 0) return mat3(1);
   if (turning == 1) return axesAlong(velocity);

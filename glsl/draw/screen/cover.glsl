@@ -1,15 +1,15 @@
-// Pictures without a background: converts light over nothing to straight alpha. Compiles as GLSL and as C++.
+// Pictures without a background: converts premultiplied light to straight alpha. Compiles as GLSL and as C++.
 #include "draw/arithmetic.glsl"
 
 // Returns the alpha of a pixel. Objects hide the fraction `covered` of the background. Added light (glows, bloom) hides
-// the rest in proportion to its brightest channel, so the pixel looks unchanged over black.
+// the remaining part in proportion to its brightest channel, so that the pixel looks unchanged over black.
 FUNCTION float coverOf(float covered, vec3 added) {
   float bright = clamp(max(added.x, max(added.y, added.z)), 0.0f, 1.0f);
   ROUNDED float cover = covered + (1.0f - covered) * bright;
   return clamp(cover, 0.0f, 1.0f);
 }
 
-// Returns the straight (not premultiplied) colour of a pixel with the premultiplied `light` and the alpha `cover`.
+// Returns the straight (not premultiplied) colour of a pixel that has the premultiplied `light` and the alpha `cover`.
 FUNCTION vec3 lightOfCover(vec3 light, float cover) {
   if (cover < 1e-4f) return vec3(0.0f);
   ROUNDED vec3 own = light * inverse(cover);

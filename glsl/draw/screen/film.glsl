@@ -1,4 +1,4 @@
-// Converts light to the encoded values of a picture. TONE: tone curve, a value of scene::Tone; default 0 (ACES).
+// Converts light to the encoded values of a picture. TONE: tone curve, a value of scene::Tone; the default is 0 (ACES).
 // Compiles as GLSL and as C++.
 #include "draw/arithmetic.glsl"
 #ifndef TONE
@@ -6,8 +6,8 @@
 #endif
 
 // Applies the ACES reference rendering and sRGB output transforms as fitted by Stephen Hill (BakingLab,
-// ToneMapping.hlsl): a matrix, a curve, a second matrix. The code lists the columns of the matrices. The factor 1.3
-// makes matt white under the default sun come out just below white.
+// ToneMapping.hlsl): a matrix, a curve, a second matrix. The code lists the columns of the matrices. With the factor
+// 1.3, matt white under the default sun becomes slightly darker than white.
 FUNCTION vec3 filmedAces(vec3 light) {
   ROUNDED vec3 bright = 1.3f * light;
   ROUNDED vec3 v = vec3(0.59719f, 0.07600f, 0.02840f) * bright.x + vec3(0.35458f, 0.90834f, 0.13383f) * bright.y +
@@ -21,8 +21,8 @@ FUNCTION vec3 filmedAces(vec3 light) {
 }
 
 // AgX by Troy Sobotka, in Benjamin Wrensch's fit (iolite-engine.com, "Minimal AgX Implementation"). A matrix moves the
-// primaries inwards so that bright colours go to white; the curve is a polynomial over 16.5 stops; a second matrix
-// moves the primaries back; the result, encoded for a display of gamma 2.2, is converted to light.
+// primaries inwards so that bright colours become white. The curve is a polynomial over 16.5 stops. A second matrix
+// moves the primaries back. The result, encoded for a display of gamma 2.2, is converted to light.
 FUNCTION float agxCurve(float light) {
   ROUNDED float stops = (logarithmOfTwo(max(light, 1e-10f)) + 12.47393f) * 0.0606060661f;
   float x = clamp(stops, 0.0f, 1.0f);
@@ -67,9 +67,9 @@ FUNCTION vec3 filmed(vec3 light) {
 #endif
 }
 
-// Converts linear light to sRGB (IEC 61966-2-1). DEEP, for 16-bit output: error within a quarter of a 16-bit step.
-// Otherwise x^(1/2.4) is approximated from square roots, within 0.001 (a quarter of a byte's step) and within 0.0003
-// for x >= 0.021.
+// Converts linear light to sRGB (IEC 61966-2-1). DEEP, for 16-bit output: the error is at most a quarter of a 16-bit
+// step. Otherwise, x^(1/2.4) is approximated with square roots. The error is at most 0.001 (a quarter of a byte's
+// step), and 0.0003 for x >= 0.021.
 #ifdef DEEP
 FUNCTION float encodedOne(float x) {
   ROUNDED float doublings = logarithmOfTwo(max(x, 1e-6f)) * 0.416666667f;
@@ -94,6 +94,6 @@ FUNCTION vec3 encoded(vec3 x) {
 FUNCTION float dither(ivec2 at) {
   int x = at.x & 3, y = at.y & 3, z = x ^ y;
   int rank = ((z & 1) << 3) | ((y & 1) << 2) | (z & 2) | (y >> 1);
-  ROUNDED float step_ = (float(rank) - 7.5f) * 0.000245098039f;  // 1 / (16 * 255): a sixteenth of a byte's step
+  ROUNDED float step_ = (float(rank) - 7.5f) * 0.000245098039f;  // 1 / (16 * 255), a sixteenth of a byte's step
   return step_;
 }

@@ -1,8 +1,8 @@
-// Lens effects: exposure, vignette (darkening towards the corners) and, with WHITE_BALANCE, the white balance. Compiles
-// as GLSL and as C++.
+// Lens effects: exposure and vignette (darkening towards the corners). WHITE_BALANCE: also applies the white balance.
+// Compiles as GLSL and as C++.
 #include "draw/arithmetic.glsl"
 
-// Returns the light that reaches the film at the pixel centre `aside`, -1 to 1 over the picture.
+// Returns the light that reaches the film. `aside`: position of the pixel's centre, -1 to 1 across the picture.
 FUNCTION vec3 throughLens(vec3 light, vec2 aside) {
   ROUNDED float dark = frame.vignette * 0.5f * (aside.x * aside.x + aside.y * aside.y);
   ROUNDED vec3 through = light * (frame.exposure * (1.0f - dark));

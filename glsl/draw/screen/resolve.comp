@@ -1,4 +1,4 @@
-// Averages the samples of each pixel. GLOWS: adds the glows that kernels have summed up and resets the sums. SAMPLES:
+// Averages the samples of each pixel. GLOWS: adds the glows that kernels have summed and resets the sums. SAMPLES:
 // samples per pixel, 1 or more. One invocation resolves one pixel.
 #include "draw/frame_block.glsl"
 #include "draw/samples.glsl"
@@ -9,8 +9,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba16f, binding = targetImage) writeonly restrict uniform image2D resolved;
 layout(binding = sceneUnit) uniform SAMPLED scene;
 layout(binding = depthUnit) uniform SAMPLED sceneDepth;
-uniform int cleared;  // 0 if the light was not cleared: samples without depth then hold light of an earlier frame and
-                      // are skipped
+uniform int cleared;  // 0 if the light was not cleared; samples without depth are then skipped, because they hold light
+                      // of an earlier frame
 
 void main() {
   ivec2 at = ivec2(gl_GlobalInvocationID.xy);
@@ -27,5 +27,6 @@ void main() {
     glowSums[word + i] = glowSums[word + 3 + i] = 0u;
   }
 #endif
-  imageStore(resolved, at, min(light, 6e4));  // clamped because the sum of glows may exceed the half-float range
+  imageStore(resolved, at, min(light, 6e4));  // limits the light, because the sum of glows may exceed the half-float
+                                              // range
 }

@@ -20,7 +20,7 @@ vec4 resolved(ivec2 at) {
   vec4 sum = texelFetch(scene, at, 0);
   for (int i = 1; i < SAMPLES; ++i) sum += texelFetch(scene, at, i);
   sum /= float(SAMPLES);
-  return min(sum, 6e4);  // clamped because the sum of glows may exceed the half-float range
+  return min(sum, 6e4);  // limits the light, because the sum of glows may exceed the half-float range
 #else
   return min(texelFetch(scene, at, 0), 6e4);
 #endif

@@ -1,4 +1,4 @@
-// Clear coat: a smooth dielectric layer over a material. The material receives the light that the coat does not
+// Clear coat, a smooth dielectric layer over a material. The material receives the light that the coat does not
 // reflect. Compiles as GLSL and as C++.
 #include "draw/surface/shading.glsl"
 

@@ -1,4 +1,4 @@
-// Vertices of a mesh at rest that are displaced in the vertex shader (technique "vertex-shader").
+// Vertices of an undeformed mesh that the vertex shader displaces (technique "vertex-shader").
 #include "common/exact.glsl"
 #include "mesh/types.glsl"
 layout(std140, binding = deformBinding) uniform DeformBlock { DeformStep deformStep; };
@@ -9,8 +9,8 @@ vec4 loadTrail(int i) {
 }
 #include "mesh/model.glsl"
 
-// Returns the normal (not unit length) of the displaced mesh, from four displaced points at the distance `spacing`
-// along tangent and bitangent. `spacing`: length of the shortest edge at the vertex (m).
+// Returns the normal of the displaced mesh, which does not have unit length. Uses four displaced points at the distance
+// `spacing` along tangent and bitangent. `spacing`: length of the shortest edge at the vertex (m).
 vec3 displacedNormal(vec3 rest, vec3 normal, float spacing) {
   vec3 tangent = normalize(abs(normal.x) < 0.7 ? cross(normal, cross(vec3(1, 0, 0), normal))
                                                : cross(normal, cross(vec3(0, 0, 1), normal)));

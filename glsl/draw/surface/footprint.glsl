@@ -4,16 +4,16 @@
 #define EXACT_FOOTPRINT
 #include "common/exact.glsl"
 
-// A uv position and its change per pixel to the right and up.
+// A uv position and its changes per pixel to the right and up.
 struct Seen {
   vec2 at, across, up;
 };
 
-// Size of a texture's mip level 0. Each further level has half the size, rounded down.
+// A texture: size of its mip level 0 and wrap modes. Each further level has half the size, rounded down.
 struct TextureShape {
   ivec2 size;
   int levels;
-  ivec2 wrap;  // behaviour beyond 0 to 1 along u and v: a value of scene::Wrap
+  ivec2 wrap;  // wrap modes along u and v, for coordinates outside 0 to 1: values of scene::Wrap
 };
 #define WRAP_REPEAT 0
 #define WRAP_CLAMP 1
@@ -27,7 +27,7 @@ struct Footprint {
   int taps;
 };
 
-// Returns the squared lengths, in texels, of the footprint's two sides.
+// Returns the squared lengths (texels) of the footprint's two sides.
 FUNCTION vec2 texelsCovered(Seen seen, ivec2 size) {
   precise vec2 across = seen.across * vec2(size);
   precise vec2 up = seen.up * vec2(size);
@@ -44,8 +44,8 @@ FUNCTION Footprint footprintOf(Seen seen, TextureShape shape) {
   print.along = covered.x >= covered.y ? seen.across : seen.up;
   precise float quarter = print.longer * 0.25f;
   float width = max(max(quarter, shorter), 1.0f);
-  // Mip level from the exponent bits of the width, and weight of the next level from the mantissa: linear between
-  // powers of two.
+  // The exponent bits of the width give the mip level, and the mantissa gives the weight of the next level, which is
+  // linear between powers of two.
   int bits = floatBitsToInt(width);
   precise float part = intBitsToFloat((bits & 0x7fffff) | 0x3f800000) - 1.0f;
   int level = (bits >> 23) - 127;
@@ -61,14 +61,14 @@ FUNCTION float perTap(int taps) {
   return taps == 1 ? 1.0f : taps == 2 ? 0.5f : taps == 3 ? 0.33333334f : 0.25f;
 }
 
-// The four texels around a position in a mip level: xy of the first texel, xy of the last texel, and `part`, the
-// position between them.
+// The four texels around a position in a mip level. xy: first texel; zw: last texel; `part`: position between them, 0
+// to 1.
 struct Around {
   ivec4 texels;
   vec2 part;
 };
 
-// Returns the coordinate between 0 and 1 at which the texture is read.
+// Returns the coordinate, wrapped to 0 to 1, at which the texture is read.
 FUNCTION float wrapped(float u, int wrap) {
   precise float whole = floor(u);
   precise float turn = u - whole;
@@ -87,7 +87,8 @@ FUNCTION Around texelsAround(vec2 uv, int level, TextureShape shape) {
   ivec2 a = ivec2(first), b = a + 1;
   ivec2 before = ivec2(a.x < 0 ? size.x : 0, a.y < 0 ? size.y : 0);
   ivec2 beyond = ivec2(b.x >= size.x ? size.x : 0, b.y >= size.y ? size.y : 0);
-  // Beyond the border lies the opposite one, or the border texel itself, also where the texture is mirrored.
+  // Beyond the border is the texel of the opposite border, or the border texel again, also where the texture is
+  // mirrored.
   a = ivec2(shape.wrap.x == WRAP_REPEAT ? a.x + before.x : max(a.x, 0),
             shape.wrap.y == WRAP_REPEAT ? a.y + before.y : max(a.y, 0));
   b = ivec2(shape.wrap.x == WRAP_REPEAT ? b.x - beyond.x : min(b.x, size.x - 1),
@@ -98,7 +99,8 @@ FUNCTION Around texelsAround(vec2 uv, int level, TextureShape shape) {
   return around;
 }
 
-// Defines TYPE NAME(uv, footprint, shape), the filtered read of a texture whose texels are TYPE TEXEL(x, y, level).
+// Defines the function TYPE NAME(uv, footprint, shape), the filtered read of a texture whose texels are TYPE TEXEL(x,
+// y, level).
 #define FILTERED(TYPE, NAME, TEXEL)                                                          \
   FUNCTION TYPE NAME##Between(vec2 uv, int level, TextureShape shape) {                      \
     Around around = texelsAround(uv, level, shape);                                          \

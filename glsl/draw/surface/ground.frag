@@ -1,5 +1,5 @@
 // Shades the ground. The colour is premultiplied by alpha, so that the tone mapping pass can composite it over the sky.
-// Variants: SHADOWED, GROUND_REFLECTIVE, LAMPS.
+// Defines: SHADOWED, GROUND_REFLECTIVE, LAMPS.
 #include "draw/fragment_frame.glsl"
 #include "draw/surface/ground_light.glsl"
 #ifdef SHADOWED

@@ -1,5 +1,5 @@
-// Draws the ground, a square around the camera's target. SHADOWED: draws the rectangle that shadows can reach;
-// otherwise the four strips around that rectangle, which need no shadow map lookup.
+// Draws the ground, a square around the camera's target. SHADOWED: draws the rectangle that shadows can reach.
+// Otherwise: draws the four strips around that rectangle, which need no shadow map lookup.
 #include "draw/frame_block.glsl"
 #include "draw/passed_frame.glsl"
 #ifdef SHADOW
@@ -23,7 +23,7 @@ void main() {
 #ifdef SHADOW
   inner = clamp(texelFetch(light, 4), square.xyxy, square.zwzw);
 #endif
-  // Two triangles (0 1 2, 2 3 0) of the rectangle, or of strip k between the inner and outer corners k and k + 1.
+  // Two triangles (0 1 2, 2 3 0): of the rectangle, or of strip k between the inner and outer corners k and k + 1.
   int corner = gl_VertexID % 6;
   corner = corner < 3 ? corner : corner == 5 ? 0 : corner - 1;
 #ifdef SHADOWED

@@ -1,6 +1,6 @@
-// Light that the ground sends to the eye. `fraction`: fraction of sunlight that reaches the point; `openness`: fraction
-// of ambient light that reaches it. Variants: GROUND_REFLECTIVE, LAMPS, REFLECTED as in lighting.glsl. Compiles as GLSL
-// and as C++.
+// Light that the ground reflects to the eye. `fraction`: fraction of sunlight that reaches the point; `openness`:
+// fraction of ambient light that reaches the point. Defines: GROUND_REFLECTIVE, LAMPS, REFLECTED as in lighting.glsl.
+// Compiles as GLSL and as C++.
 #ifndef DRAW_GROUND_LIGHT
 #define DRAW_GROUND_LIGHT
 #include "draw/sky.glsl"
@@ -19,7 +19,7 @@ FUNCTION vec3 ambientOnGround() {
 }
 
 #ifdef GROUND_REFLECTIVE
-// Returns the radiance of the surroundings that the ground reflects towards `view`; the caller multiplies it by the
+// Returns the radiance of the surroundings that the ground reflects towards `view`. The caller multiplies it by the
 // weight F0 x + y of ambientLobe().
 FUNCTION vec3 aroundGround(vec3 view) {
 #ifdef ENVIRONMENT
@@ -30,7 +30,7 @@ FUNCTION vec3 aroundGround(vec3 view) {
 }
 #endif
 
-// Returns the sun's diffuse and specular light plus the diffuse ambient light.
+// Returns the sun's diffuse and specular light, plus the diffuse ambient light.
 FUNCTION vec3 sunOnGround(vec3 view, float fraction, float openness) {
   vec3 sun = vec3(frame.sunDirection), sunLight = vec3(frame.sunLight), color = vec3(frame.groundColor);
   ROUNDED float lit = max(sun.y, 0.0f) * fraction;
@@ -70,7 +70,7 @@ FUNCTION vec3 lightOnGround(vec3 p, vec3 view, float fraction, float openness) {
   return withAround(light, view, openness);
 }
 
-// Returns the light premultiplied by the ground's alpha, and the alpha.
+// Returns the light, premultiplied by the ground's alpha, and the alpha.
 FUNCTION vec4 groundLight(vec3 p, vec3 view, float fraction, float openness) {
   vec3 light = lightOnGround(p, view, fraction, openness);
   float alpha = groundAlpha(p);
@@ -79,8 +79,8 @@ FUNCTION vec4 groundLight(vec3 p, vec3 view, float fraction, float openness) {
 }
 
 #if defined REFLECTED && defined GROUND_REFLECTIVE
-// Returns the change of the ground's light if the mirrored ray meets `met` (light times coverage, coverage) in the
-// picture instead of the surroundings.
+// Returns the change of the ground's light if the reflected ray hits objects in the picture instead of the
+// surroundings. `met`: light of the objects times coverage, and coverage.
 FUNCTION vec4 groundReflected(vec3 p, vec3 view, vec4 met, float openness) {
   vec2 weight = ambientLobe(frame.groundRoughness, abs(view.y));
   ROUNDED vec3 change = (0.04f * weight.x + weight.y) * (vec3(met) - met.w * openness * aroundGround(view));

@@ -1,10 +1,10 @@
-// Light that a metal/rough surface under sun, sky and lamps sends to the eye. Compiles as GLSL and as C++. Variants:
+// Light that a metal/rough surface under sun, sky and lamps reflects to the eye. Compiles as GLSL and as C++. Defines:
 // TRANSLUCENT, REFLECTIVE, LAMPS.
-// SHEEN: fabric fibres on the surface, with the colour sheen_ and the roughness sheenRoughness_.
-// JOINED: one kernel shades several surfaces, only some of them REFLECTIVE; `mirrors` is true for such a surface.
+// SHEEN: the surface has fabric fibres with the colour sheen_ and the roughness sheenRoughness_.
+// JOINED: one kernel shades several surfaces, only some of which are REFLECTIVE; `mirrors` is true for these.
 // SHOWN: outputs the normal (1) or the base colour (2) instead of light.
-// REFLECTED: outputs the change of the light if mirrored rays meet objects of the picture instead of the surroundings,
-// and with GROUND_BELOW the ground (draw/exact/reflections).
+// REFLECTED: outputs the change of the light if reflected rays hit objects of the picture, and with GROUND_BELOW the
+// ground, instead of the surroundings (draw/exact/reflections).
 #include "draw/sky.glsl"
 #include "draw/surface/shading.glsl"
 #ifdef SHEEN
@@ -43,8 +43,8 @@ FUNCTION vec3 mirrorPart(Look look) {
 }
 #endif
 
-// Returns the light of sun and sky. `fraction` of the sunlight reaches the point; `normal` points to the viewer's side.
-// GROUND_BELOW: reflections also show the ground.
+// Returns the light of sun and sky. `fraction`: fraction of sunlight that reaches the point; `normal` points to the
+// viewer's side. GROUND_BELOW: reflections also show the ground.
 FUNCTION vec3 surfaceLight(Look look, vec3 p, vec3 normal, vec3 view, float fraction) {
   vec3 sun = vec3(frame.sunDirection), sunLight = vec3(frame.sunLight);
   float nl = dotted(normal, sun);
@@ -72,7 +72,7 @@ FUNCTION vec3 surfaceLight(Look look, vec3 p, vec3 normal, vec3 view, float frac
   light = light + look.openness * (mirror * weight.x + weight.y) * around;
 #ifdef GROUND_BELOW
   GroundMirrored below = groundMirrored(p, direction, look.roughness, look.openness);
-  // A loop of at most one round instead of a branch, because software drivers execute both sides of a branch.
+  // Uses a loop of at most one iteration instead of a branch, because software drivers execute both sides of a branch.
   for (int i = below.counts > 0.0f ? 0 : 1; i < 1; ++i)
     light = light + below.counts * (mirror * weight.x + weight.y) * (groundInSun(below, direction) - look.openness * around);
 #endif
@@ -81,7 +81,7 @@ FUNCTION vec3 surfaceLight(Look look, vec3 p, vec3 normal, vec3 view, float frac
 }
 
 #ifdef REFLECTED
-// Returns (F0 x + y) (met - surroundings) for the light `met` of the mirrored ray, weighted by its coverage, plus the
+// Returns (F0 x + y) (met - surroundings) for the light `met` of the reflected ray, weighted by its coverage, plus the
 // lamps' light on the reflected ground.
 FUNCTION vec3 reflectedChange(Look look, vec3 p, vec3 normal, vec3 view) {
   vec3 light = vec3(0);
@@ -125,7 +125,7 @@ FUNCTION vec3 reflectedChange(Look look, vec3 p, vec3 normal, vec3 view) {
 }
 #endif
 
-// Returns the light of sun, sky and the scene's lamps; p: position for the lamps' light.
+// Returns the light of sun, sky and lamps. p: position at which the lamps' light is computed.
 FUNCTION vec3 allLight(Look look, vec3 p, vec3 normal, vec3 view, float fraction) {
 #ifdef SHOWN
   return SHOWN == 1 ? normal : look.base;

@@ -1,5 +1,5 @@
-// Material of a surface for the driver rasterizer: uniforms or, with PASSED_FRAME, inputs from the vertex shader
-// (fragment_frame.glsl).
+// Material of a surface for the driver's rasterizer. The values are uniforms or, with PASSED_FRAME, inputs from the
+// vertex shader (fragment_frame.glsl).
 #include "draw/surface/lighting.glsl"
 #ifdef PASSED_FRAME
 flat in vec4 passedMaterial;

@@ -1,7 +1,7 @@
 // Computes one mip level of a number texture from the level above. Each texel is the mean of the area that it covers.
-// With 2n texels above, each of n texels covers two. With 2n + 1 above, texel i covers (n - i) / n of the first of
-// three, the whole second and (i + 1) / n of the third, as in src/draw/surface/mip_levels.cpp. FORMAT: image format of
-// both levels. One invocation writes one texel.
+// If the level above has 2n texels, each of n texels covers two. If it has 2n + 1, texel i covers (n - i) / n of the
+// first, all of the second and (i + 1) / n of the third of three texels, as in src/draw/surface/mip_levels.cpp. FORMAT:
+// image format of both levels. One invocation writes one texel.
 #include "draw/bindings.glsl"
 #include "draw/half.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -1,18 +1,18 @@
-// Normals from a tangent-space normal map: x along u, y against v, z outwards. Compiles as GLSL and as C++.
+// Normals from a tangent-space normal map. x points along u, y against v, z outwards. Compiles as GLSL and as C++.
 #include "draw/surface/rise.glsl"
 
-// Decodes a normal from a texel (0 to 1); `strength`: factor on the slopes. z is at least 0.05, so that no normal lies
-// in the surface.
+// Decodes a normal from a texel (0 to 1). `strength`: factor of the slopes. z is at least 0.05, so that no normal is
+// tangential to the surface.
 FUNCTION vec3 tangentNormal(vec3 texel, float strength) {
   ROUNDED vec3 t = texel * 2.0f - 1.0f;
   ROUNDED vec2 slopes = vec2(t.x, t.y) * strength;
   return vec3(slopes.x, slopes.y, max(t.z, 0.05f));
 }
 
-// Returns the mapped normal in world space. The tangent frame is computed for each pixel: y against the gradient of v,
-// x across it towards growing u. It equals a MikkTSpace frame with tangents along u and bitangents from the cross
-// product with the normal, but it is not interpolated from vertices. Parameters as in riseByUv(). Works for mirrored
-// uvs. A surface without uvs keeps its normal.
+// Returns the mapped normal in world space. The tangent frame is computed for each pixel: y is opposite to the gradient
+// of v; x is perpendicular to y and points towards growing u. The frame equals a MikkTSpace frame with tangents along u
+// and bitangents from the cross product with the normal, but it is not interpolated from vertices. The parameters are
+// those of riseByUv(). Works for mirrored uvs. A surface without uvs keeps its normal.
 FUNCTION vec3 mappedNormal(vec3 t, vec3 normal, vec3 across, vec3 up, vec2 right, vec2 above) {
   vec3 first = crossed(up, normal), second = crossed(normal, across);
   float turned = dotted(across, first) < 0.0f ? -1.0f : 1.0f;
@@ -25,9 +25,9 @@ FUNCTION vec3 mappedNormal(vec3 t, vec3 normal, vec3 across, vec3 up, vec2 right
   return unitOf(mapped);
 }
 
-// Returns the roughness of a pixel in which the map's normals vary. Their mean is shorter than 1, and the spread widens
-// the lobe: alpha^2 + 2 (1 - length) / length (after Toksvig, "Mipmapping normal maps", 2005). The first 0.01 of
-// shortening is ignored because it may come from rounding to bytes.
+// Returns the roughness of a pixel in which the map's normals vary. The mean of the normals is shorter than 1, and
+// their spread widens the lobe to alpha^2 + 2 (1 - length) / length (after Toksvig, "Mipmapping normal maps", 2005). A
+// shortening below 0.01 is ignored, because rounding to bytes may cause it.
 FUNCTION float spreadRoughness(float roughness, vec3 texel) {
   ROUNDED vec3 t = texel * 2.0f - 1.0f;
   float length_ = root(min(dotted(t, t), 1.0f));

@@ -5,9 +5,9 @@ FUNCTION float brightness(vec3 color) {
   return dotted(color, vec3(0.2126f, 0.7152f, 0.0722f));
 }
 
-// Returns the normal n of a surface raised by a height: n - grad height, from changes per pixel (Mikkelsen, "Bump
-// Mapping Unparametrized Surfaces on the GPU", 2010). `across`, `up`: change of the position per pixel to the right and
-// up; `rises`: change of the height (m).
+// Returns the normal of a surface that is raised by a height: n - grad height, computed from changes per pixel
+// (Mikkelsen, "Bump Mapping Unparametrized Surfaces on the GPU", 2010). `across`, `up`: change of the position per
+// pixel to the right and up; `rises`: changes of the height (m).
 FUNCTION vec3 raisedNormal(vec3 normal, vec3 across, vec3 up, vec2 rises) {
   vec3 first = crossed(up, normal), second = crossed(normal, across);
   float area = dotted(across, first);
@@ -16,8 +16,8 @@ FUNCTION vec3 raisedNormal(vec3 normal, vec3 across, vec3 up, vec2 rises) {
   return unitOf(raised);
 }
 
-// Returns half the distance, in pixels, between the two samples of a height difference. A magnified texture is linear
-// between texels and its slope jumps at each texel, so the difference is then taken over a whole texel.
+// Returns half the distance (pixels) between the two samples of a height difference. The distance is a whole texel for
+// magnified textures, because they are linear between texels and their slope jumps at each texel.
 FUNCTION float pixelsAside(float texelsAPixel) {
   ROUNDED float aside = 0.5f * inverse(clamp(texelsAPixel, 0.02f, 1.0f));
   return aside;

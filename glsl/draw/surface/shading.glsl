@@ -25,7 +25,7 @@ FUNCTION float smithUnder(float nl, float nv, float alpha2) {
 
 // Returns x and y of the specular lobe F0 x + y: pi D V of GGX (Walter et al., "Microfacet Models for Refraction
 // through Rough Surfaces", EGSR 2007) with Schlick's Fresnel term. `nl`: cosine between normal and light; `lower`:
-// factor on the lobe. The value is limited to 60 because sharper highlights are smaller than pixels and would flicker.
+// factor of the lobe. The value is limited to 60, because sharper highlights are smaller than pixels and would flicker.
 FUNCTION vec2 lowerLobe(vec3 normal, vec3 view, vec3 light, float nl, float alpha, float lower) {
   ROUNDED vec3 sum = view + light;
   vec3 halfway = unitOf(sum);
@@ -53,8 +53,8 @@ FUNCTION vec2 sunLobe(vec3 normal, vec3 view, vec3 sun, float roughness) {
 }
 
 // Returns x and y of F0 x + y, the fraction of ambient light that the lobe reflects. The formulas fit the integral of
-// the GGX lobe over the hemisphere, including the loss by shadowing between facets. Error within 0.03 (0.04 for nv <
-// 0.2, 0.06 for nv < 0.1); y within 0.006 for nv > 0.5.
+// the GGX lobe over the hemisphere, including the loss by shadowing between facets. The error is below 0.03 (0.04 for
+// nv < 0.2, 0.06 for nv < 0.1); that of y is below 0.006 for nv > 0.5.
 FUNCTION vec2 ambientLobe(float roughness, float nv) {
   ROUNDED float alpha = roughness * roughness;
   ROUNDED float tilt = 1.0f - nv;

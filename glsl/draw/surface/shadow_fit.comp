@@ -1,14 +1,14 @@
 // Computes the transform of the sun's shadow map from the bounds of the casters, and resets the bounds for the next
-// frame. The side of the map grows in steps of 1/8 octave and its corner moves by whole texels, so shadow edges do not
-// crawl while the casters move. Runs as one invocation.
+// frame. The side of the map grows in steps of 1/8 octave and its corner moves by whole texels, so that shadow edges do
+// not crawl while the casters move. Runs as one invocation.
 #include "draw/instances/bounds.glsl"
 layout(local_size_x = 1) in;
 layout(std430, binding = lightBinding) restrict writeonly buffer LightBlock {
   vec4 light[5];
 };
 
-// Rounds up to a multiple of 1/8 of the largest power of two that is not above `size`. The power of two is the
-// exponent's bits of the float.
+// Rounds up to a multiple of 1/8 of the largest power of two that is not above `size`. The exponent bits of the float
+// give the power of two.
 float stepped(float size) {
   int power = floatBitsToInt(size) & 0x7f800000;
   float unit = intBitsToFloat(power - (3 << 23)), perUnit = intBitsToFloat((257 << 23) - power);
@@ -25,7 +25,7 @@ void main() {
     high = vec3(fromOrderedKey(boundHigh[0]), fromOrderedKey(boundHigh[1]), fromOrderedKey(boundHigh[2]));
     ground = vec4(fromOrderedKey(boundLow[3]), fromOrderedKey(boundLow[4]), fromOrderedKey(boundHigh[3]), fromOrderedKey(boundHigh[4]));
   }
-  // No caster is within `margin` texels of the border, so lookups beyond the border find no shadow.
+  // Casters are at least `margin` texels from the border, so lookups beyond the border find no shadow.
   float texels = frame.shadowTexels;
   precise float softness = ceil(frame.shadowReach) + 2.0;
   precise float quarter = 0.25 * texels;

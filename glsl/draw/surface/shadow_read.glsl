@@ -4,10 +4,10 @@
 layout(binding = shadowUnit) uniform sampler2DShadow shadowMap;
 
 float sunFraction(vec3 place) {
-  float depth = min(place.z, 1.0);  // clamped so that a point behind every caster counts as inside the map
+  float depth = min(place.z, 1.0);  // limits the depth so that a point behind every caster counts as inside the map
   float radius = frame.shadowSoftness / frame.shadowTexels;
 #if SHADOW_TAPS == 4
-  // A square turned by 27 degrees: with bilinear taps the steps overlap to a smooth ramp.
+  // The four taps form a square turned by 27 degrees. With bilinear taps, their steps form a smooth ramp.
   vec2 a = radius * vec2(0.667, 0.333), b = radius * vec2(-0.333, 0.667);
   return 0.25 * (texture(shadowMap, vec3(place.xy + a, depth)) + texture(shadowMap, vec3(place.xy - a, depth)) +
                  texture(shadowMap, vec3(place.xy + b, depth)) + texture(shadowMap, vec3(place.xy - b, depth)));

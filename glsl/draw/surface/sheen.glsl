@@ -1,12 +1,12 @@
 // Sheen of fabric fibres: the lobe of Estevez and Kulla, "Production friendly microfacet sheen BRDF" (2017), with the
 // visibility term of Neubelt and Pettineo ("Crafting a next-gen material pipeline", 2013), as in glTF's
-// KHR_materials_sheen. Light has the units of shading.glsl. Compiles as GLSL and as C++.
+// KHR_materials_sheen. Light is in the units of shading.glsl. Compiles as GLSL and as C++.
 #ifndef DRAW_SHEEN
 #define DRAW_SHEEN
 #include "draw/arithmetic.glsl"
 
-// Returns pi D V with D = (2 + 1/a) sin^(1/a) / 2 pi, V = 1 / 4 (nl + nv - nl nv) and a = roughness^2. The colour is
-// not included.
+// Returns pi D V with D = (2 + 1/a) sin^(1/a) / (2 pi), V = 1 / (4 (nl + nv - nl nv)) and a = roughness^2. The colour
+// is not included.
 FUNCTION float sheenLobe(vec3 normal, vec3 view, vec3 light, float roughness) {
   ROUNDED vec3 sum = view + light;
   vec3 halfway = unitOf(sum);
@@ -22,8 +22,9 @@ FUNCTION float sheenLobe(vec3 normal, vec3 view, vec3 light, float roughness) {
   return value;
 }
 
-// Returns the fraction of uniform ambient light that the lobe reflects to the eye. The fit is our own, mean error 0.02
-// for roughness 0.1 to 1. The result is limited to 1; the lobe itself exceeds 1 at grazing angles.
+// Returns the fraction of uniform ambient light that the lobe reflects to the eye. The formula was fitted for simreel;
+// its mean error is 0.02 for roughness 0.1 to 1. The result is limited to 1; the lobe itself exceeds 1 at grazing
+// angles.
 FUNCTION float sheenAlbedo(float roughness, float nv) {
   float r = roughness;
   ROUNDED float a = ((2.173536f * r - 3.036944f) * r + 0.055008f) * r + 0.302396f;
@@ -33,8 +34,8 @@ FUNCTION float sheenAlbedo(float roughness, float nv) {
   return min(powerOfTwo(natural), 1.0f);
 }
 
-// Adds the fibres. `below`: light of the material under the fibres, reduced by the light that the fibres reflect;
-// `direct`: light of the fibres' lobes; `around`: ambient light.
+// Adds the fibres. `below`: light of the material under the fibres, which is reduced by the light that the fibres
+// reflect; `direct`: light of the fibres' lobes; `around`: ambient light.
 FUNCTION vec3 underFibres(vec3 below, vec3 direct, vec3 around, vec3 color, float roughness, float nv) {
   float albedo = sheenAlbedo(roughness, nv);
   ROUNDED float kept = 1.0f - max(color.x, max(color.y, color.z)) * albedo;

@@ -1,8 +1,8 @@
 // Materials generated from a simulation field ("skins"), with the driver's texture filtering. Used on surfaces and for
 // baked maps.
 #include "draw/bindings.glsl"
-layout(binding = reliefUnit) uniform sampler2D relief;  // texture of skin_relief.comp: q (value above the threshold),
-                                                        // q^2, slope of q along u and v per cell
+layout(binding = reliefUnit) uniform sampler2D relief;  // texture of skin_relief.comp: q (value minus threshold), q^2,
+                                                        // slopes of q along u and v per cell
 // Texture with the mean of q in a ring around each texel.
 layout(binding = surroundingsUnit) uniform sampler2D surroundings;
 #ifdef LOOK_MAP
@@ -18,7 +18,7 @@ SkinArea skinArea(vec2 uv) {
   float level = 0.5 * log2(max(max(dot(across, across), dot(down, down)), 1e-12));
   vec4 mean = texture(relief, uv);
   area.q = mean.x;
-  // No variance for pixels smaller than a texel, because q is only interpolated there.
+  // Pixels smaller than a texel have no variance, because q is only interpolated there.
   area.variance = max(mean.y - mean.x * mean.x, 0.0) * clamp(level, 0.0, 1.0);
   area.slope = mean.zw;
   area.around = texture(surroundings, uv).x;

@@ -1,5 +1,5 @@
-// Writes the field's own colours for skins of the look "map". COLORED: the field is a picture. One invocation writes
-// one texel.
+// Writes the field's colours for skins of the look "map". COLORED: the field is a picture. One invocation writes one
+// texel.
 #include "draw/bindings.glsl"
 #include "draw/half.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -1,6 +1,6 @@
-// Appearance of a skin from the local values of its field. LOOK_LEATHER, LOOK_SPOTS, LOOK_CRACKS and LOOK_MAP select
-// the look; LOOK_ANY: skinLook_ holds the index of the look in this order. The including file declares the skin's
-// threshold, colours, roughness and depth. Compiles as GLSL and as C++.
+// Appearance of a skin, computed from the local values of its field. LOOK_LEATHER, LOOK_SPOTS, LOOK_CRACKS and LOOK_MAP
+// select the look. LOOK_ANY: skinLook_ holds the index of the look in this order. The including file declares the
+// skin's threshold, colours, roughness and depth.  Compiles as GLSL and as C++.
 #include "draw/arithmetic.glsl"
 #include "draw/surface/rise.glsl"
 
@@ -21,8 +21,8 @@ struct Skin {
   float openness;  // fraction of ambient light that reaches the point
 };
 
-// Returns the skin's material. A value spread evenly over a width w has the variance w^2 / 12, and the fraction clamp(q
-// / w + 1/2) of it is above 0. One width therefore serves both for edges (change of q over a pixel) and for patterns
+// Returns the skin's material. A value spread evenly over a width w has the variance w^2 / 12 and is above 0 for the
+// fraction clamp(q / w + 1/2). One width therefore serves both for edges (change of q over a pixel) and for patterns
 // smaller than a pixel (variance). `change2`: squared change of q over a pixel.
 FUNCTION Skin skinOf(SkinArea area, float change2) {
   ROUNDED float width2 = change2 + 12.0f * area.variance + 1e-8f;

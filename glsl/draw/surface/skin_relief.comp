@@ -1,7 +1,7 @@
-// Converts a field to the texture that skins read: value above the threshold, its square, and the slope. Mip levels
-// average all channels, so the first two give mean and variance over any footprint. A second texture holds the mean of
-// a ring around each texel; cavities lie below that mean. Values are fractions of the field's range; slopes are per
-// cell. COLORED: the field is a picture whose alpha holds the values. One invocation writes one texel.
+// Converts a field to the texture that skins read: value minus threshold, its square, and the slope. Mip levels average
+// all channels, so the first two give mean and variance over any footprint. A second texture holds the mean of a ring
+// around each texel; cavities are below that mean. Values are fractions of the field's range; slopes are per cell.
+// COLORED: the field is a picture whose alpha holds the values. One invocation writes one texel.
 #include "draw/bindings.glsl"
 #include "draw/half.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -16,7 +16,7 @@ uniform ivec2 texels;
 uniform float rangeLow;     // field value that maps to 0
 uniform float rangeFactor;  // 1 / width of the range of field values
 uniform float threshold;   // threshold as a fraction of the range
-uniform float texelCells;  // number of cells on a side of a texel
+uniform float texelCells;  // number of cells per side of a texel
 
 float aboveThreshold(ivec2 at) {
   at += texels * ivec2(lessThan(at, ivec2(0))) - texels * ivec2(greaterThanEqual(at, texels));
@@ -26,7 +26,7 @@ float aboveThreshold(ivec2 at) {
   float value = imageLoad(field, at).r;
 #endif
   precise float fraction = (value - rangeLow) * rangeFactor;
-  fraction = isNumber(fraction) && fraction > -1.0 ? min(fraction, 2.0) : -1.0;  // NaN becomes -1 as well
+  fraction = isNumber(fraction) && fraction > -1.0 ? min(fraction, 2.0) : -1.0;  // NaN also becomes -1
   precise float above = fraction - threshold;
   return above;
 }
@@ -37,7 +37,7 @@ void main() {
   float q = aboveThreshold(at);
   precise vec2 slope = vec2(aboveThreshold(at + ivec2(1, 0)) - aboveThreshold(at - ivec2(1, 0)),
                     aboveThreshold(at + ivec2(0, 1)) - aboveThreshold(at - ivec2(0, 1)));
-  // The ring lies half a wavelength of most patterns away.
+  // The radius of the ring is half a wavelength of most patterns.
   ivec2 far = min(ivec2(4), texels - 1), near = min(ivec2(3), texels - 1);
   precise float ring = aboveThreshold(at + ivec2(far.x, 0)) + aboveThreshold(at - ivec2(far.x, 0)) +
                aboveThreshold(at + ivec2(0, far.y)) + aboveThreshold(at - ivec2(0, far.y)) +

@@ -1,5 +1,5 @@
-// Applies a skin to a surface. TRIPLANAR: projects it along three axes (three_sides.glsl) in the object's own space;
-// else uses uv.
+// Applies a skin to a surface, by uv. TRIPLANAR: projects the skin along the three axes of the object space
+// (three_sides.glsl) instead.
 #include "draw/surface/skin.glsl"
 #ifdef TRIPLANAR
 uniform vec2 skinRepeats;  // repeats of the skin per metre
@@ -9,7 +9,7 @@ in vec2 uv;
 #endif
 
 #ifdef TRIPLANAR
-// `rise`: gradient of q in world space, per cell.
+// Returns the field values at this point. `rise`: gradient of q in world space, per cell.
 SkinArea areaOnSurface(vec3 normal, out vec3 rise) {
   ThreeSides three = threeSides(objectPosition, objectNormal);
   vec3 side = three.side, weight = three.weight;

@@ -3,4 +3,4 @@ uniform float skinThreshold;  // threshold as a fraction of the field's range
 uniform vec3 skinLow;
 uniform vec3 skinHigh;
 uniform float skinRoughness;
-uniform float skinDepth;  // height of the whole range in cells; negative: high values are low places
+uniform float skinDepth;  // relief height of the whole value range in cells; if negative, high values are low

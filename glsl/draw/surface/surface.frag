@@ -1,5 +1,5 @@
-// Shades a metal/rough surface. Variants: SHADOW, PALETTE, TEXTURED (with TRIPLANAR, BUMPED), DOUBLE_SIDED, SKIN (with
-// SKIN_UV or TRIPLANAR, and one LOOK_ variant of skin_look.glsl), and the variants of lighting.glsl.
+// Shades a metal/rough surface. Defines: SHADOW, PALETTE, TEXTURED (with TRIPLANAR, BUMPED), DOUBLE_SIDED, SKIN (with
+// SKIN_UV or TRIPLANAR, and one LOOK_ define of skin_look.glsl), and those of lighting.glsl.
 #include "draw/fragment_frame.glsl"
 #include "draw/surface/material.glsl"
 #include "draw/surface/shadow_read.glsl"
@@ -11,7 +11,7 @@ in vec3 place;
 const vec3 place = vec3(0);
 #endif
 #ifdef TRIPLANAR
-in vec3 objectPosition;  // position of the surface point in the object's own space (m)
+in vec3 objectPosition;  // position of the surface point in object space (m)
 in vec3 objectNormal;
 #include "draw/surface/three_sides.glsl"
 #endif

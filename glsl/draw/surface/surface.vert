@@ -30,7 +30,7 @@ uniform float bump;
 const float bump = 0.0;
 #endif
 flat out vec3 passedColor;
-flat out vec4 passedMaterial;  // material: roughness, metallic, translucency, bump height
+flat out vec4 passedMaterial;  // material values: roughness, metallic, translucency, bump height
 #endif
 #ifdef PALETTE
 layout(binding = paletteUnit) uniform samplerBuffer palette;
@@ -47,8 +47,8 @@ out vec3 place;
 #endif
 
 #ifdef GRID
-// Returns the normal from central differences, one-sided at the borders. Its direction agrees with the triangles (a, a
-// + width, a + 1).
+// Returns the normal from central differences, or one-sided ones at the borders. The normal points to the same side as
+// that of the triangles (a, a + width, a + 1).
 vec3 gridNormal(int i) {
   int x = i % grid.x, y = i / grid.x;
   vec3 left = worldPoint(i - min(x, 1)), right = worldPoint(i + min(grid.x - 1 - x, 1));

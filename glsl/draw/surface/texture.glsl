@@ -1,10 +1,10 @@
-// Colour of a material's texture, by uv or projected along three axes (three_sides.glsl), and the bump relief from its
-// brightness. Variants: TRIPLANAR, BUMPED.
+// Colour of a material's texture, by uv. TRIPLANAR: projected along three axes (three_sides.glsl) instead. BUMPED: also
+// computes the bump relief from the texture's brightness.
 #include "draw/surface/footprint.glsl"
 layout(binding = albedoUnit) uniform sampler2D albedo;
 
-// Returns the texture's colour at the point that is `shift` pixels to the right and up. Uses the taps of the exact
-// rasterizer because drivers differ in their anisotropic filtering, or lack it.
+// Returns the texture's colour at the point that is `shift` pixels to the right and up. Uses the same taps as the exact
+// rasterizer, because drivers differ in their anisotropic filtering or have none.
 vec3 textureAt(vec2 place, vec2 shift) {
   Seen seen = Seen(place, dFdx(place), dFdy(place));
   TextureShape shape = TextureShape(textureSize(albedo, 0), textureQueryLevels(albedo), ivec2(WRAP_REPEAT));
@@ -18,7 +18,7 @@ vec3 textureAt(vec2 place, vec2 shift) {
   return sum * perTap(print.taps);
 }
 
-// Returns the texels that a pixel covers at a uv position.
+// Returns the number of texels that a pixel at a uv position spans.
 float texelsAcross(vec2 place) {
   vec2 size = vec2(textureSize(albedo, 0));
   vec2 across = dFdx(place) * size, down = dFdy(place) * size;
@@ -48,7 +48,7 @@ vec3 textureColor(vec2 shift) {
 
 #ifdef BUMPED
 #include "draw/surface/raised_normal.glsl"
-// `bump`: height of white in the texture, in metres.
+// Returns the normal, tilted by the relief. `bump`: height of white in the texture (m).
 vec3 bumpedNormal(vec3 normal, vec3 p, float bump) {
   float aside = pixelsAside(texelsAPixel());
   vec2 rises = vec2(brightness(textureColor(vec2(aside, 0))) - brightness(textureColor(vec2(-aside, 0))),

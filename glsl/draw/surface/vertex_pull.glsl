@@ -1,4 +1,4 @@
-// Fetches the vertices of a sim::Surface by index, in world space. GRID: normals come from neighbouring vertices.
+// Fetches the vertices of a sim::Surface by index, in world space. GRID: computes normals from neighbouring vertices.
 #include "common/exact.glsl"
 #include "draw/bindings.glsl"
 #include "draw/surface/vertex_texel.glsl"

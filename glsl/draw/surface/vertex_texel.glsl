@@ -1,8 +1,8 @@
-// Vertex of a sim::Surface in the object's own space: a stored position, or a point of a height grid.
+// Reads a vertex of a sim::Surface in object space: a stored position, or a point of a height grid.
 layout(binding = positionUnit) uniform samplerBuffer positions;
-uniform ivec4 heightShape;  // xy vertices along x and z (x 0: no grid, positions are stored), z component that holds
-                            // the height, w bit mask of the sides on which the height is at least heightRim
-uniform vec4 heightGrid;    // grid: x and z of the first vertex, spacing, level of height 0 (m)
+uniform ivec4 heightShape;  // xy: number of vertices along x and z (x 0: no grid, positions are stored); z: component
+                            // that holds the height; w: bit mask of the sides where the height is at least heightRim
+uniform vec4 heightGrid;    // for grids: x and z of the first vertex, spacing, level of height 0 (m)
 uniform float heightRim;    // min height at the rim of the grid (m)
 
 vec3 vertexPlace(int i) {
@@ -22,7 +22,7 @@ vec3 vertexPlace(int i) {
 
 #ifdef PALETTE
 layout(binding = vertexColorUnit) uniform samplerBuffer vertexColors;
-uniform int colorComponent;  // component of the texel that holds the colour index: 0 for x, else w
+uniform int colorComponent;  // component of the texel that holds the colour index: x for 0, otherwise w
 
 // Returns the index of the vertex's colour in the palette.
 int vertexColor(int i) {

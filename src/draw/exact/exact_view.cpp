@@ -10,14 +10,15 @@ namespace simreel::draw {
 
 shader::ExactView exactView(const View& view, const scene::Camera& camera, glm::ivec2 size,
                             const LensPoint& through) {
-  // A point p has the depth d = f . (p - e). It appears half a width to the right of the picture's centre
-  // if r . (p - e) = d reach.x, so its pixel position times d is linear in p - e. In orthographic views the
-  // pixel position itself is linear in p - e. There the nearness 1 - (d - near) / span must be above 0 in
-  // all relevant cases: up to twice the far distance.
+  // A point p has the depth d = f . (p - e), where e is the eye and f the forward direction. With the
+  // vector r to the right, p appears half a width to the right of the picture's centre if r . (p - e) = d
+  // reach.x, so the pixel position times d is linear in p - e. In orthographic views the pixel position
+  // itself is linear in p - e. Their nearness 1 - (d - near) / span must be above 0 for all depths up to
+  // twice the far distance.
   const glm::vec2 half = 0.5F * glm::vec2(size);
   const glm::vec3 across = view.right / (view.reach.x * view.reach.x);
   const glm::vec3 up = view.up / (view.reach.y * view.reach.y);
-  // If the eye is moved by o, points in the focal plane keep their picture positions if rays turn by -o /
+  // If the eye moves by o, points in the focal plane keep their picture positions if rays turn by -o /
   // focus.
   const glm::vec3 turned = through.aside / through.focus;
   const float far = camera.far + view.farther;
@@ -47,8 +48,8 @@ shader::ExactView exactView(const View& view, const scene::Camera& camera, glm::
 namespace {
 
 /// Returns nearOfGround() for orthographic views. The ray through a pixel starts o.y above the eye's height
-/// and descends by -forward.y per metre, so a ground `down` above the eye has the depth (down - o.y) /
-/// forward.y.
+/// and descends by -forward.y per metre. A ground at the height `down` relative to the eye therefore has
+/// the depth (down - o.y) / forward.y.
 glm::vec4 nearOfLevel(const shader::ExactView& view, float down) {
   const float steep = view.forward.y, perSpan = view.forward.w;
   if (std::abs(steep) < 1e-6F) return {1e30F, 0, 0, 0};
@@ -113,8 +114,8 @@ glm::ivec2 rowsTowardsGround(const shader::ExactView& view, float height, int st
 }
 
 glm::vec4 nearOfGround(const shader::ExactView& view, float height) {
-  // A ray of depth 1 descends by -y, so the ground has the depth (height - eye.y) / y, and near / depth is
-  // affine on the picture.
+  // A ray of depth 1 descends by -y, so the ground has the depth (height - eye.y) / y. Therefore near /
+  // depth is affine in the pixel position.
   const float down = height - view.eye.y;
   if (isParallel(view)) return nearOfLevel(view, down);
   if (std::abs(down) < 1e-6F) return {1e30F, 0, 0, 0};

@@ -14,7 +14,7 @@ void GroupCounts::prepareLists(const gl::Buffer& counts, const Order& order,
 }
 
 unsigned GroupCounts::fixedGroups(unsigned parts) {
-  constexpr unsigned groups = 2048;  // about the number of workgroups that a GPU runs at once
+  constexpr unsigned groups = 2048;  // approximate number of workgroups that a GPU runs at the same time
   return gl::softwareDriver() ? 16U : std::max(groups / parts, 1U);
 }
 

@@ -9,24 +9,24 @@
 
 namespace simreel::draw {
 
-/// Computes the arguments of indirect dispatches on the GPU from counts that kernels have written
-/// (draw/exact/arguments.comp).
+/// Computes the arguments of indirect dispatches on the GPU (draw/exact/arguments.comp) from item counts
+/// that kernels have written.
 class GroupCounts {
  public:
-  static constexpr std::size_t bytes = 4 * sizeof(GLuint);  ///< per dispatch: three arguments and an unused
-                                                            ///< word
+  static constexpr std::size_t bytes = 4 * sizeof(GLuint);  ///< bytes per dispatch: three arguments and an
+                                                            ///< unused word
 
   struct Order {
     gl::Uniform<"first", int> first = 0;  ///< index of the first dispatch to fill
     gl::Uniform<"firstCount", int> firstCount = 0;
-    gl::Uniform<"counts", int> counts = 1;          ///< number of counts, starting at firstCount
-    gl::Uniform<"skipped", unsigned> skipped = 0U;  ///< items to skip of each count
-    gl::Uniform<"most", unsigned> most = ~0U;       ///< max items to take of each count
-    gl::Uniform<"times", unsigned> times = 1U;  ///< items per counted element; the total must be below 2^32
+    gl::Uniform<"counts", int> counts = 1;          ///< number of counts to convert, starting at firstCount
+    gl::Uniform<"skipped", unsigned> skipped = 0U;  ///< number of items to subtract from each count
+    gl::Uniform<"most", unsigned> most = ~0U;       ///< max number of items that a dispatch processes
+    gl::Uniform<"times", unsigned> times = 1U;  ///< factor of each count; the product must be below 2^32
     gl::Uniform<"each", unsigned> each = 1U;    ///< items per workgroup
     gl::Uniform<"parts", unsigned> parts = 1U;  ///< workgroups in the third dimension
-    gl::Uniform<"fewerParts", unsigned> fewerParts = ~0U;  ///< lower limit of that dimension if there are
-                                                           ///< many items
+    gl::Uniform<"fewerParts", unsigned> fewerParts = ~0U;  ///< min workgroups in the third dimension;
+                                                           ///< applies if there are many items
   };
   struct Arguments {
     static constexpr auto file = "draw/exact/arguments.comp";
@@ -41,9 +41,9 @@ class GroupCounts {
     kernel.dispatchIndirect(groups, number * bytes, given);
   }
 
-  /// Fills the arguments of kernels that process lists, on software drivers only. On GPUs, where filling
-  /// the arguments costs more than idle workgroups, dispatchList() uses a fixed number of workgroups that
-  /// stride through the list.
+  /// Fills the arguments of kernels that process lists, on software drivers only. On GPUs, idle workgroups
+  /// cost less than filling the arguments, so dispatchList() uses a fixed number of workgroups that stride
+  /// through the list.
   void prepareLists(const gl::Buffer& counts, const Order& order, const gl::Buffer& groups) const;
   template <class Interface>
   static void dispatchList(const gl::Kernel<Interface>& kernel, const gl::Buffer& groups,
@@ -52,7 +52,7 @@ class GroupCounts {
     if (!gl::softwareDriver()) return dispatchFixed(kernel, parts, given);
     dispatch(kernel, groups, number, given);
   }
-  /// Dispatches the fixed number of workgroups, on any device.
+  /// Dispatches a fixed number of workgroups on any device.
   template <class Interface>
   static void dispatchFixed(const gl::Kernel<Interface>& kernel, unsigned parts,
                             const std::type_identity_t<Interface>& given) {

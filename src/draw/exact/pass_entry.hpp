@@ -18,14 +18,14 @@ class Pass {
   /// True if the current picture, moment or band needs the pass.
   [[nodiscard]] virtual bool on() const { return true; }
   virtual void run() = 0;
-  /// Runs the pass once more to restore a band. It may write only the band's resources (ofBands).
+  /// Runs the pass again to restore the contents of a band. May write only resources of the band (ofBands).
   virtual void again() { run(); }
-  /// Prepares the pass to keep light and layers (ExactFrame::wanted).
+  /// Prepares the pass to store light and layers (ExactFrame::wanted).
   virtual void asked() {}
 };
 using PassMaker = std::unique_ptr<Pass>(ExactFrame& frame);
 
-/// A list of at most `most` names.
+/// A list of names with a fixed capacity of `most`.
 class Names {
  public:
   static constexpr std::size_t most = 8;
@@ -43,15 +43,15 @@ class Names {
   std::size_t count_ = 0;
 };
 
-/// Frequency of a pass: once per picture; per moment of the shutter; per view (moment and lens point); or
-/// per band of a view.
+/// Frequency of a pass: once per picture; once per moment of the shutter; once per view (moment and lens
+/// point); or once per band of a view.
 enum class Each { picture, moment, view, band };
 
 /// One entry of the pass list.
 struct PassEntry {
   std::string_view name;
   Each each;
-  const char* stage;  ///< name in `simreel bench`; null: the time counts for the next stage
+  const char* stage;  ///< stage name in `simreel bench`; null: the time counts towards the next stage
   Names reads, writes;
   Names kept;  ///< names under which `simreel bisect --passes` compares the pass's output
   PassMaker* make;
@@ -76,7 +76,8 @@ struct PassFault {
   const auto reads = [](std::string_view name) {
     return [name](const PassEntry& entry) { return entry.reads.has(name); };
   };
-  int before = 0;  // loop of the previous entry: 0 picture, 1 moments, 2 views and bands, 3 picture again
+  int before = 0;  // loop level of the previous entry: 0 picture, 1 moments, 2 views and bands, 3 picture
+                   // again
   for (auto entry = list.entries.begin(); entry != list.entries.end(); ++entry) {
     const bool ofPicture = entry->each == Each::picture;
     const int part = ofPicture ? (before == 0 ? 0 : 3) : entry->each == Each::moment ? 1 : 2;

@@ -21,7 +21,7 @@ void copyOut(const gl::Texture& texture, glm::ivec2 rows, GLenum type, std::span
 
 std::span<std::uint32_t> PassPicture::added(const char* pass, const char* part, glm::ivec2 size, int each,
                                             bool light) {
-  // `simreel bisect` would never compare a name that is missing from passNames().
+  // `simreel bisect` compares only the passes in passNames().
   SIMREEL_CHECK(std::find(passNames().begin(), passNames().end(), pass) != passNames().end());
   auto array = std::find_if(arrays.begin(), arrays.end(),
                             [&](const PassArray& one) { return one.pass == pass && one.part == part; });
@@ -52,7 +52,8 @@ void PassPicture::keep(const char* pass, const char* part, std::span<const std::
 void PassPicture::keepLight(const char* pass, const char* part, const gl::Texture& light, glm::ivec2 rows) {
   const auto words = added(pass, part, {light.width(), rows.y - rows.x}, 4, true);
   copyOut(light, rows, GL_FLOAT, words);
-  // Replaces -0 by 0, because devices differ in the zero that min and max return. No picture depends on it.
+  // Replaces -0 by 0, because devices differ in the sign of a zero that min and max return. Pictures do not
+  // depend on the sign.
   std::replace(words.begin(), words.end(), 0x80000000U, 0U);
 }
 

@@ -11,24 +11,24 @@
 
 namespace simreel::draw {
 
-/// Output of a pass, or one part of it. Rows start at the top.
+/// Output of a pass, or one part of the output. Row 0 is at the top.
 struct PassArray {
   std::string pass;    ///< name of the pass, one of passNames()
-  std::string part;    ///< "keys", "numbers"; "sun", "lamps", "openness"; "lens" (mean over all views);
-                       ///< "glows", "fields"; "film", "finished"
-  int width = 0;       ///< width in pixels, or in texels of a shadow map or of the bloom texture
+  std::string part;    ///< name of the part: "keys", "numbers"; "sun", "lamps", "openness"; "lens" (mean
+                       ///< over all views); "glows", "fields"; "film", "finished"
+  int width = 0;       ///< width in pixels, or in texels for shadow maps and the bloom texture
   int height = 0;      ///< height, in the same unit as the width
-  int each = 1;        ///< words per pixel: one per sample, or four for RGBA light
-  bool light = false;  ///< words are floats, with -0 replaced by 0
+  int each = 1;        ///< words per pixel: one for each sample, or four for RGBA light
+  bool light = false;  ///< true if the words are floats; -0 is stored as 0
   std::vector<std::uint32_t> words;
 };
 
-/// An object, or part of one, that has its own range of primitive ids.
+/// An object, or part of an object, with a separate range of primitive ids.
 struct DrawnThing {
-  std::string object;  ///< name in the scene; empty if it has none
+  std::string object;  ///< name in the scene; empty if the object has no name
   std::string kind;    ///< kind of primitive: "triangle", "ball" or "instance"
   unsigned firstId = 0;
-  unsigned each = 1;  ///< ids per instance: the number of its triangles
+  unsigned each = 1;  ///< ids per instance: the triangle count of the mesh, or 1
 };
 
 /// Outputs of all passes of a picture.
@@ -36,9 +36,9 @@ struct PassPicture {
   std::vector<PassArray> arrays;   ///< outputs in the order of the passes
   std::vector<DrawnThing> things;  ///< objects with primitive ids, sorted by firstId
 
-  // The keep functions append rows if the part exists already. They wait for the GPU.
+  // The keep functions append rows to an array, or create the array. They wait for the GPU.
 
-  /// Appends rows of 32-bit words. `words` may be longer than the rows.
+  /// Appends rows of 32-bit words. `words` may be longer than the rows; the surplus is ignored.
   void keep(const char* pass, const char* part, std::span<const std::uint32_t> words, glm::ivec2 size,
             int each);
   /// Appends the rows [rows.x, rows.y) of an RGBA32F texture.

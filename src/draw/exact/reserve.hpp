@@ -16,7 +16,8 @@ inline bool reserve(gl::Buffer& buffer, const char* label, std::size_t bytes) {
   return true;
 }
 
-/// Ensures the size of the buffer in the same way, and recreates its texel view if the buffer was replaced.
+/// Ensures the size of the buffer like the function above, and recreates the buffer's texel view if the
+/// buffer was replaced.
 inline bool reserve(gl::Buffer& buffer, gl::Texture& view, const char* label, std::size_t bytes,
                     GLenum format, std::size_t texelBytes) {
   if (!reserve(buffer, label, bytes)) return false;

@@ -7,7 +7,7 @@
 // Common parts of the kernels that shade the tiles of a picture.
 namespace simreel::draw {
 
-/// Value of `layer` that stands for the change of light by screen-space reflections, instead of a layer.
+/// Value of `layer` that selects the change of light by screen-space reflections.
 inline constexpr int shownReflections = -1;
 
 /// Uniforms, buffers and textures that draw/exact/tiles/shaded_tile.glsl declares.
@@ -21,9 +21,9 @@ struct TileFields {
   gl::Uniform<"tileCount", int> tileCount;
 };
 
-/// Shader inputs of draw/surface/lighting.glsl and its companions: lights, shadows, occlusion, and the
-/// output of shaded light. The lamps, the sun's shadow map transform and the environment are bound
-/// beforehand.
+/// Shader inputs of draw/surface/lighting.glsl and the files that it includes: lights, shadows, occlusion,
+/// and the sums that receive the light. The lamps, the transform of the sun's shadow map and the
+/// environment are bound beforehand.
 struct SceneLight {
   gl::Ambient<"environment"> environment;
   gl::Ambient<"LampBlock"> lampBlock;
@@ -40,9 +40,9 @@ struct SceneLight {
                                                       ///< thickness of reflected objects (m)
   gl::In<"layersLeave"> layersLeave;  ///< fraction of light that the blended layers in front let through,
                                       ///< per sample
-  gl::InOut<"ThroughBlock"> through;  ///< fraction of light that the blended layers so far let through, per
-                                      ///< sample; updated while layers are shaded
-  gl::Shared<"SpotBlock"> spots;      ///< visible surface points, to be lit by rays later
+  gl::InOut<"ThroughBlock"> through;  ///< fraction of light that the blended layers shaded so far let
+                                      ///< through, per sample; shading a layer updates it
+  gl::Shared<"SpotBlock"> spots;      ///< visible surface points that rays light later
   gl::InOut<"sums"> sums;             ///< summed light of each pixel
 };
 
@@ -52,20 +52,21 @@ struct ShadeVariant {
   gl::Flag<"FAST_NUMERICS"> fast;
   gl::Range<"ROWS", 1, 8> rows;
   gl::Flag<"OCCLUSION"> occlusion;
-  gl::Flag<"BEHIND"> behind;  ///< blended layers may lie in front
+  gl::Flag<"BEHIND"> behind;  ///< blended layers may be in front of the object
   gl::Flag<"RAYS"> rays;
   gl::Flag<"GROUND_REFLECTIVE"> groundReflective;
   gl::Flag<"REFLECTED"> reflected;
   gl::Range<"SHOWN", 1, 8> shown;
 };
-/// Defines for objects other than the ground. Smooth ones may reflect the ground below them (GROUND_BELOW).
+/// Defines for objects other than the ground. Smooth objects may reflect the ground below them
+/// (GROUND_BELOW).
 struct ThingVariant {
   ShadeVariant shade;
   gl::Flag<"GROUND_BELOW"> groundBelow;
 };
 
-/// Returns the variant that shades `layer` instead of light: one of `shownLayers`, counted from 1; 0:
-/// light; shownReflections: the change by reflections. `smooth`: true if the object reflects.
+/// Returns the variant of a kernel that shades `layer`. 0: light; i: layer i of `shownLayers`, counted from
+/// 1; shownReflections: the change by reflections. `smooth`: true if the object reflects.
 [[nodiscard]] inline ThingVariant showing(ThingVariant variant, int layer, bool smooth) {
   if (layer == shownReflections) {
     variant.shade.reflected = true;

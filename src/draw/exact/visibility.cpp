@@ -125,7 +125,7 @@ Visibility::Visibility(const std::string& label, glm::ivec2 size, int samples, b
 
 void Visibility::clear() const {
   // A kernel clears 50 times as fast as glClearNamedBufferData on some compute GPUs. Software drivers clear
-  // by a plain memory fill.
+  // with a plain memory fill.
   constexpr GLuint most = 0xffffffffU;
   if (!clear_) {
     glClearNamedBufferData(near_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &most);

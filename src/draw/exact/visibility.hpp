@@ -12,25 +12,26 @@
 
 namespace simreel::draw {
 
-/// Memory layout of a picture's depth keys and primitive ids, and the way they are found. `apart`: separate
-/// buffers, found in two passes; one read gets four keys or four ids. `pairs`: id and key of a sample
-/// stored together, found in two passes. `wholes`: like `pairs`, but found in one pass by 64-bit atomics.
-/// All layouts give the same picture.
+/// Memory layout of a picture's depth keys and primitive ids, and the method that finds them. `apart`: keys
+/// and ids are in separate buffers and are found in two passes; one read returns four keys or four ids.
+/// `pairs`: the id and key of a sample are stored together and are found in two passes. `wholes`: like
+/// `pairs`, but found in one pass with 64-bit atomics. All layouts give the same picture.
 enum class SampleLayout { apart, pairs, wholes };
-/// Returns the layout that the environment variable SIMREEL_SAMPLE_LAYOUT names, else the best one for the
-/// device. Throws UserError(usage) for an unknown name, UserError(device) if `wholes` lacks 64-bit atomics.
+/// Returns the layout named by the environment variable SIMREEL_SAMPLE_LAYOUT, or else the best one for the
+/// device. Throws UserError(usage) for an unknown name and UserError(device) if the device lacks the 64-bit
+/// atomics of `wholes`.
 [[nodiscard]] SampleLayout sampleLayout();
-/// Properties of a visibility buffer that kernels which read or write samples must know.
+/// Properties of a visibility buffer, for kernels that read or write samples.
 struct SampleKind {
   SampleLayout layout = SampleLayout::apart;
-  bool parallel = false;  ///< orthographic view: keys are computed from depth by the parallel formula of
-                          ///< draw/exact/depth.glsl
+  bool parallel = false;  ///< true for orthographic views: keys are computed from depth by the parallel
+                          ///< formula of draw/exact/depth.glsl
   auto operator<=>(const SampleKind&) const = default;
   bool operator==(SampleLayout other) const { return layout == other; }
 };
 
-// Groups of kernel interface fields. Each group declares the uniforms, buffers and defines of one GLSL
-// include file, named in its comment.
+// The following structs are groups of kernel inputs. Each declares the uniforms, buffers and defines of the
+// GLSL include file named in its comment.
 
 /// Uniforms, buffers and textures that glsl/draw/exact/sample_read.glsl declares.
 template <gl::Access access>
@@ -45,8 +46,9 @@ struct SampleVariant {
   gl::Choice<"SAMPLES", 1, 2, 4, 8, 16> samples;
   gl::Flag<"PAIRED"> paired;
 };
-/// Uniforms, buffers and textures that glsl/draw/exact/visible_sample.glsl declares. The results of its
-/// kernels do not depend on execution order, except that the ids of PASS 1 need a barrier after PASS 0.
+/// Uniforms, buffers and textures that glsl/draw/exact/visible_sample.glsl declares. The results of the
+/// kernels do not depend on the execution order, except that PASS 1 (ids) needs a barrier after PASS 0
+/// (keys).
 struct SampleTarget {
   gl::Ambient<"ViewBlock"> view;
   SampleFields<gl::Access::together> before;
@@ -63,8 +65,8 @@ struct TargetVariant {
   gl::Flag<"SUN_MAP"> sunMap;
   gl::Flag<"LAMP_MAP"> lampMap;
 };
-/// Defines of glsl/draw/exact/list_place.glsl, for kernels in which each invocation appends one entry to a
-/// list. BALLOT depends on the device.
+/// Defines of glsl/draw/exact/list_place.glsl, for kernels in which each invocation appends at most one
+/// entry to a list. The device determines BALLOT.
 struct ListVariant {
   gl::Flag<"BALLOT", "GL_KHR_shader_subgroup_basic", "GL_KHR_shader_subgroup_ballot"> ballot;
 };
@@ -96,8 +98,8 @@ enum class Target { picture, sunMap, lampMap };
 
 struct ClearSamples;
 
-/// Visibility buffer: depth key (smaller is nearer) and primitive id of the nearest primitive at each
-/// sample of a picture, 8 bytes per sample. Shadow maps have only keys.
+/// Visibility buffer: for each sample of a picture, the depth key (smaller is nearer) and the primitive id
+/// of the nearest primitive. Takes 8 bytes per sample. Shadow maps have only keys.
 class Visibility {
  public:
   static constexpr std::size_t sampleBytes = 8;
@@ -105,8 +107,7 @@ class Visibility {
   static std::size_t maxSamples();
   Visibility() = default;
   /// `samples`: 1, 2, 4, 8 or 16 per pixel. `ids`: true for pictures, whose layout is sampleLayout(); false
-  /// for shadow maps, which hold only keys. `parallel`: as in SampleKind. Throws UserError(device) beyond
-  /// the device's limits.
+  /// for shadow maps. `parallel`: as in SampleKind. Throws UserError(device) if a device limit is exceeded.
   Visibility(const std::string& label, glm::ivec2 size, int samples, bool ids, bool parallel = false);
 
   /// Marks all samples as empty.
@@ -147,30 +148,30 @@ class Visibility {
   int samples_ = 1;
   SampleLayout layout_ = SampleLayout::apart;
   bool parallel_ = false;
-  gl::Buffer near_;  ///< keys; in paired layouts also ids
+  gl::Buffer near_;  ///< keys; in paired layouts, id and key pairs
   gl::Buffer ids_;
   gl::Texture nearView_, nearFours_, idView_, idFours_;
   gl::Kernel<ClearSamples> clear_;
 };
 
 /// Max side (pixels) of a triangle's bounding box up to which one invocation rasterizes the triangle alone
-/// (small), or sixteen invocations do (medium; 0: never). Tuned for the device: software drivers execute
-/// all lanes of a workgroup anyway, GPUs need more invocations.
+/// (small), or sixteen invocations do (medium; 0: never). The values are tuned for the device: software
+/// drivers execute all lanes of a workgroup anyway, while GPUs need more invocations.
 int smallTriangle();
-int smallCopyTriangle();  ///< small triangles of mesh copies: a larger limit, because corners are
-                          ///< transformed again on each use
+int smallCopyTriangle();  ///< limit for small triangles of mesh copies; it is larger because each use
+                          ///< transforms the corners again
 int mediumTriangle();
-/// Same limits for balls, which need a ray per sample, and for glows. One workgroup handles a medium-sized
-/// ball or glow.
+/// Corresponding limits for balls, which need a ray per sample, and for glows. One workgroup handles a
+/// medium ball or glow.
 int smallBall();
 int smallGlow();
 int mediumBall();
-/// Returns the number of large triangles that are clipped once for all workgroups that rasterize them. 0 on
-/// GPUs, because an extra clipping dispatch costs more there.
+/// Returns the number of large triangles that are clipped once for all workgroups that rasterize them.
+/// Returns 0 on GPUs, where an extra dispatch for clipping costs more than it saves.
 int fansOfTriangles();
 
-/// Returns the dispatch size (invocations) for at least `items` items: workgroups of 64 in rows of at most
-/// 32,768 workgroups.
+/// Returns the dispatch size (invocations in x and y) for at least `items` items: workgroups of 64
+/// invocations in rows of at most 32,768 workgroups.
 [[nodiscard]] glm::ivec2 inRows(int items);
 
 }  // namespace simreel::draw

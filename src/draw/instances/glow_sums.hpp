@@ -21,20 +21,20 @@ struct GlowFields {
 struct SumGlows;
 
 /// Sums the light of additive sprites in 64-bit integers with kernels
-/// (glsl/draw/instances/glow_block.glsl), 24 bytes per pixel. Compute GPUs blend slowly because they have
-/// few blending units.
+/// (glsl/draw/instances/glow_block.glsl). The sums take 24 bytes per pixel. Compute GPUs have few blending
+/// units, so blending would be slow.
 class GlowSums {
  public:
-  /// True if this device sums sprites in this way: on the storage path.
+  /// True if this device uses this class: only on the storage path (gl::memoryPath()).
   [[nodiscard]] static bool used();
-  /// True if these instances are summed in this way.
+  /// True if this class sums the light of these instances.
   [[nodiscard]] static bool takes(const sim::Instances& instances);
 
-  /// Throws UserError(device), which names the limit, if the device has no buffer for that many pixels.
+  /// Throws UserError(device), which names the limit, if the sums exceed the device's buffer size.
   GlowSums(glm::ivec2 size, int samples);
 
-  /// Adds up to `capacity` instances of level 0 or, if `large`, of level 1, which may cover the whole
-  /// picture.
+  /// Adds up to `capacity` instances. `large` selects level 1, whose sprites may cover the whole picture,
+  /// instead of level 0.
   void add(bool large, const GlowFields& glows, const gl::Texture& depth, int capacity) const;
 
   /// Returns the sums, for a kernel that reads and clears them.
@@ -43,7 +43,8 @@ class GlowSums {
  private:
   gl::Buffer sums_;
   gl::Kernel<SumGlows> small_, large_;
-  static constexpr int slices = 8;  ///< number of slices of rows in which workgroups share a large glow
+  static constexpr int slices = 8;  ///< number of horizontal slices of the picture; several workgroups
+                                    ///< split a large glow by them
 };
 
 }  // namespace simreel::draw

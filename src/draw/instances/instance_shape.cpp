@@ -16,8 +16,8 @@ namespace simreel::draw {
 namespace {
 
 constexpr int sphereLevels = 5;
-constexpr std::size_t batchIndices = 4096;  // min number of indices per drawn instance; batches of copies
-                                            // keep the GPU busy
+constexpr std::size_t batchIndices = 4096;  // min number of indices per drawn instance; larger batches of
+                                            // copies keep the GPU busy
 
 struct Triangles {
   std::vector<glm::vec3> points;
@@ -56,9 +56,9 @@ float depthOfFacets(const Triangles& sphere) {
   return depth;
 }
 
-/// Returns the scale at which the outline of the facets has the same area as the outline of the unit
-/// sphere, averaged over all directions. The mean outline area of a convex body is a quarter of its surface
-/// (Cauchy). Unscaled icospheres look too small by up to 2% of the radius.
+/// Returns the scale at which the facets' outline has the same area as the unit sphere's, averaged over all
+/// directions. The mean outline area of a convex body is a quarter of its surface area (Cauchy). Unscaled
+/// icospheres would look too small by up to 2% of the radius.
 float fullScale(const Triangles& sphere) {
   double twice = 0;
   for (std::size_t i = 0; i < sphere.corners.size(); i += 3) {
@@ -69,7 +69,7 @@ float fullScale(const Triangles& sphere) {
   return static_cast<float>(std::sqrt(8.0 * std::numbers::pi / twice));
 }
 
-/// Divides each triangle into four, with the new points on the unit sphere.
+/// Divides each triangle into four and moves the new vertices onto the unit sphere.
 Triangles divided(const Triangles& coarse) {
   Triangles fine;
   fine.points = coarse.points;
@@ -95,7 +95,7 @@ Triangles divided(const Triangles& coarse) {
 }  // namespace
 
 struct InstanceShape::Builder {
-  std::vector<glm::vec4> vertices;  ///< alternating positions and normals
+  std::vector<glm::vec4> vertices;  ///< positions and normals, alternating
   std::vector<std::vector<unsigned>> levels;
 
   void add(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,

@@ -9,26 +9,26 @@
 
 namespace simreel::draw {
 
-/// The shape of instances, in GPU buffers. Index values are copy << vertexBits | vertex, and the indices of
-/// each level contain `batch` copies; glsl/draw/instances/instance_pull.glsl gives the reason.
+/// The shape of instances, in GPU buffers. An index value is copy << vertexBits | vertex, and the indices
+/// of each level contain `batch` copies; glsl/draw/instances/instance_pull.glsl explains why.
 class InstanceShape {
  public:
   struct Level {
     GLenum mode = GL_TRIANGLES;
     int firstIndex = 0;
-    int indexCount = 0;  ///< number of indices of all copies together
+    int indexCount = 0;  ///< number of indices of all copies
     int batch = 1;
     float swell = 0;  ///< spheres only: depth of facet centres below the corners, as a fraction of the
                       ///< radius
   };
 
-  /// A sprite of diameter 1, without vertex data. Level 0, for sprites of a few pixels, is a point, or a
-  /// square if `points` is false; level 1 is a square with corners 0 to 3.
+  /// Returns a sprite of diameter 1, without vertex data. Level 0, for sprites of a few pixels, is a point,
+  /// or a square if `points` is false. Level 1 is a square with corners 0 to 3.
   static InstanceShape sprite(bool points);
-  /// Icospheres whose outlines have, on average, the area of a disc of diameter 1. Level n has 20 * 4^n
-  /// triangles.
+  /// Returns icospheres whose outlines have, on average, the area of a disc of diameter 1. Level n has 20 *
+  /// 4^n triangles.
   static InstanceShape sphere();
-  /// A triangle mesh with unit normals per vertex.
+  /// Returns a triangle mesh with unit normals per vertex.
   static InstanceShape mesh(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
                             std::span<const unsigned> indices);
 
@@ -37,7 +37,7 @@ class InstanceShape {
   /// Returns the radius of the bounding sphere around the origin (m).
   [[nodiscard]] float radius() const { return radius_; }
   [[nodiscard]] const gl::Buffer& indices() const { return indices_; }
-  /// RGBA32F, two texels per vertex: position, normal. Empty for sprites.
+  /// Returns two RGBA32F texels per vertex: position, normal. Empty for sprites.
   [[nodiscard]] const gl::Texture& vertices() const { return view_; }
 
  private:

@@ -15,7 +15,8 @@ namespace simreel::draw {
   return instances.shape == sim::Instances::Shape::sprite;
 }
 
-/// Returns the view that glsl/draw/screen/copy_vertex.glsl takes as `turns`; any view if it is not read.
+/// Returns the texture for the input `turns` of glsl/draw/screen/copy_vertex.glsl, or any texture if the
+/// shader does not read `turns`.
 [[nodiscard]] inline const gl::Texture& turnsOf(const sim::Instances& instances) {
   return instances.turns != nullptr ? *instances.turns : *instances.velocities;
 }
@@ -32,10 +33,10 @@ struct InstanceFields {
   gl::Uniform<"perMassReference", float> perMassReference;
   gl::Uniform<"minPixels", float> minPixels;
 };
-/// `shapeRadius`: radius at size 1 (m).
+/// Returns the shader inputs of instances. `shapeRadius`: radius of the shape at size 1 (m).
 [[nodiscard]] InstanceFields instanceFields(const sim::Instances& instances, float shapeRadius,
                                             float minPixels);
-/// Shader inputs of glsl/draw/instances/instance_list.glsl that determine colours.
+/// Inputs of glsl/draw/instances/instance_list.glsl that determine the colours.
 struct InstanceLook {
   gl::In<"stops"> stops;
   gl::Uniform<"colorBy", int> colorBy;
@@ -46,7 +47,7 @@ struct InstanceLook {
   gl::Uniform<"brightness", float> brightness;
   gl::Uniform<"fade", float> fade;
 };
-/// The other shader inputs of glsl/draw/instances/instance_list.glsl: one level of a VisibleList.
+/// Further inputs of glsl/draw/instances/instance_list.glsl, which describe one level of a VisibleList.
 struct ListFields {
   gl::In<"list"> list;
   gl::In<"arguments"> arguments;

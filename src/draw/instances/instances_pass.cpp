@@ -11,9 +11,9 @@ namespace simreel::draw {
 
 namespace {
 
-/// Limit of the point size, because some drivers only support points up to 255 pixels.
+/// Max point size (pixels). Some drivers support only points up to 255 pixels.
 constexpr float maxPointGlow = 64.0F;
-/// A workgroup shares glows that are larger than this.
+/// Glows larger than this (pixels) are split between the invocations of a workgroup.
 constexpr float maxSmallSum = 5.0F;
 
 gl::Defines lightingDefines(const ShadowPass& shadow, const Lamps& lamps) {
@@ -112,11 +112,11 @@ void InstancesPass::fill(const sim::Instances& instances, std::size_t i, Viewer 
   const Entry& own = entry(instances, i);
   const InstanceShape& form = shape(instances);
   const bool forLight = viewer != Viewer::camera;
-  // Coarser in software drivers, where triangles cost most, but not in shadows, because surfaces show each
-  // texel of a small ball's shadow.
+  // Software drivers use coarser meshes, because triangles are expensive there, except for shadows, because
+  // a small ball's shadow on a surface shows each texel.
   const bool coarse = !forLight && gl::softwareDriver() && !isSprite(instances);
-  // Up to this size balls are drawn as squares of equal area, whose edge differs from the disc by 1/8 of
-  // the radius. Glows look the same as points.
+  // Up to this size (pixels) balls are drawn as squares of equal area, whose edge differs from that of the
+  // disc by 1/8 of the radius. Glows look the same as points.
   const float maxGlow = GlowSums::takes(instances) ? maxSmallSum : maxPointGlow;
   const SightFields sight{.instance = seenBy(viewer, instances),
                           .pointPixels = instances.additive ? maxGlow
@@ -198,7 +198,7 @@ void InstancesPass::castLampShadows(const sim::Drawables& drawables, int cells) 
     gl::give(shader, seenBy(Viewer::lamps, instances));
     for (int cell = 0; cell < cells; ++cell) {
       shader.set("cell", cell);
-      // Level 1 includes the sprites of a few texels here.
+      // In shadow maps, level 1 includes the sprites of a few texels.
       for (std::size_t level = isSprite(instances) ? 1 : 0; level < shape(instances).levels().size();
            ++level)
         drawLevel(shader, instances, *entries_[i].forLamps, level);

@@ -29,23 +29,24 @@ class InstancesPass {
   void growBounds(const sim::Drawables& drawables, const gl::Buffer& bounds) {
     bounds_.grow(drawables, shapes_, bounds);
   }
-  /// cullForLight() lists the instances in the box of the sun's map, whose transform must be bound.
+  /// cullForLight() lists the instances in the box of the sun's shadow map, whose transform must be bound.
   /// castShadows() draws them into the bound shadow map.
   void cullForLight(const sim::Drawables& drawables);
   void castShadows(const sim::Drawables& drawables);
-  /// The same two steps for lamp shadow maps. `cells`: number of maps.
+  /// These functions do the same for the lamps' shadow maps. `cells`: number of maps.
   void cullForLamps(const sim::Drawables& drawables);
   void castLampShadows(const sim::Drawables& drawables, int cells);
   /// Lists the instances that the camera may show.
   void cull(const sim::Drawables& drawables);
-  /// Draw into the bound framebuffer: first opaque instances, then, after all opaque objects, additive
-  /// ones.
+  /// These functions draw into the bound framebuffer. Draw opaque instances first, and additive ones after
+  /// all opaque objects.
   void drawOpaque(const sim::Drawables& drawables) { draw(drawables, false); }
   void drawAdditive(const sim::Drawables& drawables) { draw(drawables, true); }
-  /// Adds the light of the instances that GlowSums handles, in front of the depths in `depth`.
+  /// Adds the light of the instances that GlowSums handles to its sums, as far as they are in front of
+  /// `depth`.
   void sumUp(const sim::Drawables& drawables, const gl::Texture& depth, const GlowSums& sums);
 
-  /// Returns the lists of visible instances of drawables.instances[i], for tests.
+  /// These functions return the lists of visible instances of drawables.instances[i], for tests.
   [[nodiscard]] const VisibleList& visible(std::size_t i) const { return *entries_.at(i).forCamera; }
   [[nodiscard]] const VisibleList& visibleToSun(std::size_t i) const { return *entries_.at(i).forLight; }
 
@@ -58,7 +59,7 @@ class InstancesPass {
 
   Entry& entry(const sim::Instances& instances, std::size_t i);
   const InstanceShape& shape(const sim::Instances& instances) { return shapes_.of(instances); }
-  /// Programs of all levels of detail except the smallest sprites.
+  /// These functions return programs for all levels of detail except the smallest sprites.
   const gl::Program& program(const sim::Instances& instances);
   const gl::Program& shadowProgram(const sim::Instances& instances);
   const gl::Program& lampShadowProgram(const sim::Instances& instances);
@@ -72,8 +73,8 @@ class InstancesPass {
   void drawLevel(const gl::Program& program, const sim::Instances& instances, const VisibleList& list,
                  std::size_t level);
 
-  gl::Defines lightDefines_;  ///< defines for shading: sun and lamps
-  gl::Defines lampDefines_;   ///< defines of the lamps' shadow maps; empty without lamp shadows
+  gl::Defines lightDefines_;  ///< defines for shading with sun and lamps
+  gl::Defines lampDefines_;   ///< defines of the lamps' shadow maps; empty if no lamp casts shadows
   bool shadowed_;
   glm::ivec2 shadowSize_, size_;  ///< sizes (pixels) of the sun's shadow map and of the picture
   int samples_;

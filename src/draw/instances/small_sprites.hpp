@@ -20,8 +20,8 @@ struct SpriteFields {
 
 struct PrepareSprites;
 
-/// Draws sprites of a few pixels. A kernel writes four words for each visible one, from which points or
-/// squares are drawn. All instances and viewers share one buffer of 16 bytes per sprite, which is filled
+/// Draws sprites of a few pixels. A kernel writes four words for each visible sprite, from which a point or
+/// square is drawn. All instances and viewers share one buffer of 16 bytes per sprite, which is filled
 /// right before each draw.
 class SmallSprites {
  public:
@@ -31,10 +31,10 @@ class SmallSprites {
   enum class Use { ball, glow, shadow };
   struct Kind {
     Use use = Use::ball;
-    bool reflective = false, translucent = false;  ///< true if the balls' material is reflective or
+    bool reflective = false, translucent = false;  ///< true if the balls' material is reflective, or
                                                    ///< translucent
   };
-  /// `lighting`: defines of draw/surface/lighting.glsl, for balls.
+  /// `lighting`: defines of draw/surface/lighting.glsl, used for balls.
   explicit SmallSprites(const gl::Defines& lighting);
   const gl::Program& shader(Use use);
   /// Prepares up to `capacity` sprites and binds the inputs of shader().

@@ -24,7 +24,7 @@ struct ListVisible;
 
 /// Kernels that list the visible instances.
 struct CullKernels {
-  /// `lampDefines`: Lamps::shadowDefines().
+  /// `lampDefines`: result of Lamps::shadowDefines().
   explicit CullKernels(const gl::Defines& lampDefines);
   gl::Kernels<CullInstances> cull;
   gl::Kernels<TotalVisible> total;
@@ -32,8 +32,8 @@ struct CullKernels {
   gl::Kernel<ListVisible> list;
 };
 
-/// List of the visible ones among up to `capacity` instances, by level of detail and then by slot. Built
-/// from bit masks and prefix sums without atomics, so the order is always the same.
+/// List of the visible instances among up to `capacity`, ordered by level of detail and then by index. It
+/// is built from bit masks and prefix sums without atomics, so the order is always the same.
 class VisibleList {
  public:
   VisibleList(int capacity, int levels);
@@ -44,10 +44,10 @@ class VisibleList {
   [[nodiscard]] int capacity() const { return capacity_; }
   [[nodiscard]] int levels() const { return levels_; }
 
-  /// Visible slots, one word each.
+  /// Returns the indices of the visible instances, one word each.
   [[nodiscard]] const gl::Buffer& list() const { return list_.buffer; }
-  /// Eight words per level: count, instanceCount, firstIndex, baseVertex, baseInstance, index of the first
-  /// list entry, number of visible instances, 0.
+  /// Returns eight words per level: count, instanceCount, firstIndex, baseVertex, baseInstance, index of
+  /// the first list entry, number of visible instances, 0.
   [[nodiscard]] const gl::Buffer& arguments() const { return arguments_.buffer; }
   static constexpr int argumentBytes = 32;
   [[nodiscard]] ListFields fields(int level) const;
@@ -62,7 +62,7 @@ class VisibleList {
   };
   int capacity_;
   int levels_;
-  int words_;  ///< mask words per level, 32 slots each; a multiple of 64
+  int words_;  ///< mask words per level, 32 instances per word; a multiple of 64
   Words masks_, before_, blockCount_, blockFirst_, list_, arguments_;
 };
 

@@ -14,7 +14,7 @@ namespace {
 double smoothNoise(std::uint32_t light, std::uint32_t seed, double x) {
   const double below = std::floor(x);
   const double u = x - below;
-  // Modulo 2^32, so that times before 0 also work.
+  // The step wraps modulo 2^32, so that times before 0 also work.
   const auto step = static_cast<std::uint32_t>(static_cast<std::int64_t>(below));
   const double a = shader::signedUnit(shader::hash3({light, step, seed}).x);
   const double b = shader::signedUnit(shader::hash3({light, step + 1, seed}).x);
@@ -24,14 +24,13 @@ double smoothNoise(std::uint32_t light, std::uint32_t seed, double x) {
 }  // namespace
 
 double flickerNoise(std::uint32_t light, int seed, double x) {
-  constexpr std::uint32_t secondNoise = 0x80000000U;  // selects the second noise; a bit that seeds do not
-                                                      // use
+  constexpr std::uint32_t secondNoise = 0x80000000U;  // selects the second noise; seeds do not use this bit
   const auto word = static_cast<std::uint32_t>(seed);
   return (2.0 * smoothNoise(light, word, x) + smoothNoise(light, word | secondNoise, 2.7 * x)) / 3.0;
 }
 
 Flickered flickered(const scene::Flicker& flicker, std::string_view name, int seed, double seconds) {
-  // Hashes the name, so that a light keeps its flicker when other lights are added or removed.
+  // Uses a hash of the name, so that a light keeps its flicker when other lights are added or removed.
   const auto light = static_cast<std::uint32_t>(std::stoul(hashHex(name).substr(0, 8), nullptr, 16));
   const double x = seconds * flicker.rate;
   const auto channel = [&](std::uint32_t number) {

@@ -30,7 +30,7 @@ std::vector<std::uint32_t> lampCells(const std::vector<shader::Lamp>& lamps, int
   }
   for (std::size_t i = first; i < lamps.size(); ++i) {
     const glm::vec3 middle(lamps[i].place);
-    // Slightly larger, so that rounding into a neighbouring cell does not lose the lamp.
+    // Enlarges the range slightly, so that a rounding error cannot omit a cell that the lamp touches.
     const float far = 1.001F * reach(lamps[i]);
     const glm::ivec3 from =
         glm::clamp(glm::ivec3(glm::floor((middle - far - low) * perMetre)) - 1, glm::ivec3(0), count - 1);

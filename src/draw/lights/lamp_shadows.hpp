@@ -21,8 +21,8 @@ class LampShadows {
   explicit LampShadows(const Lamps& lamps);
 
   [[nodiscard]] bool on() const { return count_ > 0; }
-  /// Draws the maps of the updated lamps. `drawMore(cells)` draws the objects of other passes into the maps
-  /// 0 to cells - 1, with texture and state set.
+  /// Draws the shadow maps of the lamps as of their last update. `drawMore(cells)` draws the objects of
+  /// other passes into the maps 0 to cells - 1. The texture and the drawing state are already set.
   void draw(const sim::Drawables& drawables, const std::function<void(int cells)>& drawMore);
   /// Binds the maps for shaders.
   void bind() const;
@@ -40,8 +40,8 @@ class LampShadows {
   gl::Texture maps_;
   gl::Framebuffer target_;
   VertexArray vertices_;
-  std::map<std::pair<int, int>, gl::Buffer> indices_;  ///< full index buffers of grids whose own indices
-                                                       ///< cover only one row
+  std::map<std::pair<int, int>, gl::Buffer> indices_;  ///< full index buffers of grids; the grid's buffer
+                                                       ///< covers only one row
 };
 
 }  // namespace simreel::draw

@@ -16,7 +16,7 @@ namespace simreel::draw {
 
 namespace {
 
-/// Returns the position of a light; empty if it follows a missing path.
+/// Returns the position of a light, or nothing if the light follows a missing path.
 std::optional<glm::vec3> placeOf(const scene::Light& light, double seconds,
                                  const sim::Drawables& drawables) {
   if (!light.follow) return light.position.at(seconds);
@@ -25,12 +25,12 @@ std::optional<glm::vec3> placeOf(const scene::Light& light, double seconds,
   return sim::standingBy(*path->points, *light.follow, seconds).position;
 }
 
-/// Sets the atlas position and sampling values of lamp i's six maps.
+/// Sets the atlas position and the sampling values of lamp i's six maps.
 void setMaps(shader::Lamp& lamp, const LampOrder& order, std::size_t i) {
   const scene::Light& light = *order.lights[i];
   const auto side = static_cast<float>(light.shadowSize);
   const glm::vec2 atlas(order.atlas);
-  // The margin keeps the filter, with its bilinear taps, within the map of one face.
+  // The margin keeps the filter, including its bilinear reads, within the map of one face.
   const float margin = light.type == scene::Light::Type::area
                            ? 0.125F * side
                            : std::min(std::ceil(light.shadowSoftness) + 2.0F, 0.25F * side);
@@ -40,8 +40,8 @@ void setMaps(shader::Lamp& lamp, const LampOrder& order, std::size_t i) {
   lamp.sampling = glm::vec4(lamp.place.w, 2.0F / inner, light.shadowSoftness, 1.0F / side);
 }
 
-/// Cosines of half a cone's angles: at the edge, where its share of light is 0, and where the share reaches
-/// 1.
+/// Cosines of two angles from a cone's axis: at the edge, where the fraction of light is 0, and where the
+/// fraction reaches 1.
 struct Cone {
   double edge, full;
 };
@@ -54,8 +54,8 @@ Cone coneAt(const scene::Spot& spot, double seconds) {
   return {edge, std::max(ieee::cos(inner), edge + least)};
 }
 
-/// Returns the cone for coneShare() in glsl/draw/lights/point_light.glsl. Point lights have the share 1
-/// everywhere.
+/// Returns the cone for coneShare() in glsl/draw/lights/point_light.glsl. For point lights, coneShare()
+/// returns 1 everywhere.
 glm::vec4 coneOf(const scene::Light& light, glm::vec3 place, double seconds) {
   if (light.type != scene::Light::Type::spot) return {0, 0, 0, 1};
   const auto [edge, full] = coneAt(light.spot, seconds);
@@ -65,18 +65,20 @@ glm::vec4 coneOf(const scene::Light& light, glm::vec3 place, double seconds) {
   return {scale * direction, static_cast<float>(-edge / (full - edge))};
 }
 
-/// Returns the ratio of a light's luminous flux to its intensity (steradians). For a cone it is 2 pi times
-/// the integral of its share over the cosine: the share is 1 up to `full`, and beyond it the square of a
-/// linear function, with the mean 1/3.
+/// Returns the ratio of a light's luminous flux to its intensity (steradians). For a cone, the ratio is 2
+/// pi times the integral over the cosine of the fraction of light. The fraction is 1 up to `full`. Beyond,
+/// it is the square of a linear function, with the mean 1/3.
 double filledBy(const scene::Light& light, double seconds) {
-  if (light.type == scene::Light::Type::area) return std::numbers::pi;  // a Lambertian emitter on one side
+  if (light.type == scene::Light::Type::area)
+    return std::numbers::pi;  // solid angle pi: a Lambertian
+                              // emitter with one side
   if (light.type != scene::Light::Type::spot) return 4 * std::numbers::pi;
   const auto [edge, full] = coneAt(light.spot, seconds);
   return 2 * std::numbers::pi * ((1 - full) + (full - edge) / 3);
 }
 
-/// Sets half vectors and front of a rectangular light. The first side is horizontal; the front (the cross
-/// product of the sides) faces the target.
+/// Sets the half vectors and the front normal of a rectangular light. The first side is horizontal. The
+/// front, the cross product of the sides, faces the target.
 void setRectangle(shader::Lamp& lamp, const scene::Area& area, double seconds) {
   const glm::vec3 along = area.target.at(seconds) - glm::vec3(lamp.place);
   const glm::vec3 front = glm::length(along) > 1e-6F ? glm::normalize(along) : glm::vec3(0, -1, 0);

@@ -40,7 +40,7 @@ Lamps::Lamps(const scene::Scene& scene, Rasterizer rasterizer)
   glowAges_ = gl::Buffer("colours of lamps", count * sizeof(glm::vec4));
   glowPlacesView_ = gl::Texture::view("glows of lamps", GL_RGBA32F, glowPlaces_);
   glowAgesView_ = gl::Texture::view("colours of lamps", GL_RGBA32F, glowAges_);
-  // The radius is passed as mass, and the colour map position selects the lamp's colour.
+  // The glow's radius is passed as a mass. The position in the colour map selects the lamp's colour.
   glows_.positions = &glowPlacesView_;
   glows_.velocities = &glowAgesView_;
   glows_.capacity = static_cast<int>(count);
@@ -54,7 +54,7 @@ Lamps::Lamps(const scene::Scene& scene, Rasterizer rasterizer)
     return light->type != scene::Light::Type::area &&
            std::ranges::any_of(light->glow.keys(), [](const auto& key) { return key.value > 0; });
   });
-  // Glows are discs in space, because screen-space circles whose centre is outside the picture would extend
+  // Glows are discs in space. A circle in screen space whose centre is outside the picture would extend
   // less far into it.
   glows_.discs = true;
   glows_.material = &glowMaterial_;
@@ -85,7 +85,7 @@ void Lamps::updateGlows(double seconds) {
   std::vector<glm::vec4> ages;
   for (std::size_t i = 0; i < values_.size(); ++i) {
     const shader::Lamp& lamp = values_[i];
-    // The mean of (1 - (r/R)^2)^2 over the disc is 1/3; power includes the factor 1 / pi.
+    // The mean of (1 - (r/R)^2)^2 over the disc is 1/3. `power` includes the factor 1 / pi.
     const bool isRectangle = order_.lights[i]->type == scene::Light::Type::area;
     const float glow = isRectangle ? 0.0F : order_.lights[i]->glow.at(seconds);
     glowColors_[i] = glm::vec3(lamp.power) * (3.0F * lamp.power.w * glow);

@@ -12,11 +12,11 @@
 
 namespace simreel::draw {
 
-/// The lights of a scene ("lamps" in the code) in GPU buffers, and the glows that make them visible. Scenes
-/// without lights have no cost, and their shaders contain no lamp code.
+/// The lights of a scene ("lamps" in the code) in GPU buffers, and the glows that make the lights visible.
+/// A scene without lights costs nothing, and its shaders contain no lamp code.
 class Lamps {
  public:
-  /// The scene must outlive this object.
+  /// `scene` must outlive this object.
   explicit Lamps(const scene::Scene& scene, Rasterizer rasterizer = Rasterizer::driver);
 
   [[nodiscard]] bool on() const { return !order_.lights.empty(); }
@@ -25,9 +25,9 @@ class Lamps {
   [[nodiscard]] const std::vector<shader::Lamp>& values() const { return values_; }
   /// Updates all lamps to `seconds` of scene time and binds them for shaders.
   void update(double seconds, const sim::Drawables& drawables);
-  /// Returns the drawables plus the glows of the lamps: additive discs with the profile (1 - (r/R)^2)^2,
-  /// whose intensity towards the camera is the lamp's intensity times its `glow`. The result is valid until
-  /// the next update.
+  /// Returns the drawables plus the glows of the lamps. A glow is an additive disc of radius R with the
+  /// profile (1 - (r/R)^2)^2, whose intensity towards the camera is the lamp's intensity times its `glow`.
+  /// The result is valid until the next update.
   [[nodiscard]] sim::Drawables withGlows(const sim::Drawables& drawables) const;
 
   /// Returns the defines of programs that include glsl/draw/lights/lamps.glsl; empty without lights.
@@ -46,7 +46,7 @@ class Lamps {
   std::vector<shader::Lamp> values_;
   gl::Buffer lamps_;
   gl::Texture lampsView_;
-  gl::Buffer cells_;  ///< lampCells() of the lamps with a range
+  gl::Buffer cells_;  ///< result of lampCells() for the lamps with a range
   gl::Texture cellsView_;
 
   scene::Material glowMaterial_;
@@ -54,7 +54,7 @@ class Lamps {
   gl::Buffer glowPlaces_, glowAges_;
   gl::Texture glowPlacesView_, glowAgesView_;
   sim::Instances glows_;
-  bool glow_ = false;  ///< true if any lamp ever glows
+  bool glow_ = false;  ///< true if any lamp glows at any time
 };
 
 }  // namespace simreel::draw

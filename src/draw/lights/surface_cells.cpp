@@ -35,7 +35,7 @@ struct ListCells {
 namespace {
 
 constexpr std::size_t boxWords = 6;
-constexpr std::size_t argumentWords = 5;  // words per argument set of glDrawElementsIndirect
+constexpr std::size_t argumentWords = 5;  // words in the argument set of glDrawElementsIndirect
 
 }  // namespace
 

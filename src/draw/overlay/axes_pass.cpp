@@ -17,7 +17,8 @@ constexpr glm::vec3 groundColor(0.045F, 0.047F, 0.060F);  // colours of the axes
                                                           // sRGB-encoded
 constexpr glm::vec3 letterColor(0.80F, 0.82F, 0.86F);
 
-/// Appends rectangles of one colour: left, top, right, bottom, followed by the colour.
+/// A list of rectangles of one colour. Each entry has the edges left, top, right, bottom, followed by the
+/// colour.
 class Boxes {
  public:
   Boxes(std::vector<glm::vec4>& boxes, int unit) : boxes_(boxes), unit_(unit) {}
@@ -65,7 +66,7 @@ std::vector<Tick> ticksBetween(double first, double last, int max) {
     }
   const int digits = std::max(0, -decadeBelow(step * (1 + 1e-9)).exponent);
   const double low = std::min(first, last);
-  const double hair = 1e-4 * step;  // tolerance, because the ends are floats
+  const double hair = 1e-4 * step;  // tolerance for the rounding of the ends, which are floats
   std::vector<Tick> ticks;
   for (double i = std::ceil((low - hair) / step); i * step <= low + span + hair; ++i)
     ticks.push_back({(i * step - first) / (last - first), fmt::format("{:.{}f}", i * step + 0.0, digits)});
@@ -82,7 +83,7 @@ void AxesPass::append(const sim::Field& field, double seconds, std::vector<glm::
   Boxes out(boxes, u);
   out.fill(glm::vec4(part.x - margin.x, part.y, part.x, part.w), groundColor);
   out.fill(glm::vec4(part.x - margin.x, part.w, part.z, part.w + margin.y), groundColor);
-  // Returns the value at a pixel: linear between the centres of the first and the last cell.
+  // Returns the value at a pixel, interpolated linearly between the centres of the first and the last cell.
   const auto valueAt = [&](const sim::FieldDisplay::Axis& axis, int i, int pixel) {
     const double cell = view.origin[i] + pixel * view.perPixel[i] - 0.5;
     const auto first = static_cast<double>(axis.first.at(seconds));
@@ -107,11 +108,11 @@ void AxesPass::append(const sim::Field& field, double seconds, std::vector<glm::
       const int y = part.y + static_cast<int>(std::lround(tick.place * length));
       const glm::ivec2 size = out.size(tick.label);
       out.fill(glm::vec4(part.x - 4 * u, y - u / 2, part.x, y - u / 2 + u), letterColor);
-      // Leaves room for the name in the corner.
+      // Limits the position so that the name in the corner has room.
       const int top = std::clamp(y - size.y / 2 + u, part.y + 2 * u, part.w - size.y);
       out.text(tick.label, {part.x - 6 * u - size.x, top});
     }
-    // A name such as "k, kill rate" takes two lines in the corner below.
+    // Writes the name below the corner. A name such as "k, kill rate" takes two lines.
     const std::string& name = display.down->name;
     const std::size_t comma = name.find(", ");
     out.text(name.substr(0, comma), {part.x - margin.x + 4 * u, part.w + 6 * u});

@@ -19,22 +19,22 @@ struct Tick {
   double place;
   std::string label;
 };
-/// Returns ticks at round numbers between `first` and `last`, about `max` at most. `first` may be greater
-/// than `last`.
+/// Returns ticks at round numbers between `first` and `last`, approximately `max` at most. `first` may be
+/// greater than `last`.
 [[nodiscard]] std::vector<Tick> ticksBetween(double first, double last, int max);
 
-/// Draws the axes of fields (FieldDisplay::Axis) beside them, over the finished picture.
+/// Draws the axes of fields (FieldDisplay::Axis) next to the fields, over the finished picture.
 class AxesPass {
  public:
   explicit AxesPass(glm::ivec2 picture, Rasterizer rasterizer = Rasterizer::driver)
       : picture_(picture), exact_(rasterizer == Rasterizer::exact) {}
-  /// driver: draws into the bound framebuffer, over the finished picture.
+  /// Draws into the bound framebuffer, over the finished picture. Only for the driver's rasterizer.
   void draw(const sim::Drawables& drawables, double seconds);
-  /// exact: draws over the finished RGBA8 picture, whose first row is the top row.
+  /// Draws over the finished RGBA8 picture, whose first row is the top row. Only for the exact rasterizer.
   void draw(const sim::Drawables& drawables, double seconds, const gl::Texture& picture);
 
  private:
-  /// Appends the rectangles of one field, each followed by its colour.
+  /// Appends the rectangles of one field: for each rectangle its edges, then its colour.
   void append(const sim::Field& field, double seconds, std::vector<glm::vec4>& boxes) const;
 
   /// Returns the rectangles of all fields.
@@ -46,7 +46,7 @@ class AxesPass {
   gl::Program program_;
   gl::Buffer buffer_;
   gl::Texture view_;
-  std::vector<glm::vec4> present_;  ///< rectangles that the buffer holds
+  std::vector<glm::vec4> present_;  ///< rectangles that the buffer currently holds
   VertexArray vertices_;
 };
 

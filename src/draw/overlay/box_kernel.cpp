@@ -36,7 +36,8 @@ std::vector<Box> layered(const std::vector<glm::vec4>& boxes, glm::ivec2 picture
   for (std::size_t i = 0; i + 1 < boxes.size(); i += 2) {
     Box box{glm::clamp(glm::ivec4(boxes[i]), glm::ivec4(0), glm::ivec4(picture, picture)), boxes[i + 1]};
     if (box.at.x >= box.at.z || box.at.y >= box.at.w) continue;
-    // Above all rectangles that it overlaps; in the same layer if the overlapped one has the same colour.
+    // Puts the rectangle above all rectangles that it overlaps, or into the same layer as an overlapped
+    // rectangle of the same colour.
     for (const Box& below : found)
       if (overlap(box.at, below.at))
         box.layer = std::max(box.layer, below.layer + (below.color == box.color ? 0 : 1));

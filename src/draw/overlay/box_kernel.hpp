@@ -12,26 +12,26 @@ namespace simreel::draw {
 
 /// Rectangles in layers, painted from the first layer to the last.
 struct BoxLayers {
-  std::vector<glm::vec4> boxes;  ///< two per rectangle: left, top, right, bottom in whole pixels; encoded
-                                 ///< colour
-  std::vector<int> ends;         ///< end index of each layer, in rectangles
+  std::vector<glm::vec4> boxes;  ///< two entries per rectangle: left, top, right, bottom in whole pixels;
+                                 ///< then the sRGB-encoded colour
+  std::vector<int> ends;         ///< end of each layer, as an index of rectangles
 };
 /// Sorts rectangles into layers that give the same picture as painting `boxes` in order. Rectangles of one
-/// layer do not overlap unless they have the same colour. They are split into pieces of at most 16 x 16
-/// pixels and clipped to the picture.
+/// layer do not overlap unless they have the same colour. The rectangles are split into pieces of at most
+/// 16 x 16 pixels and clipped to the picture.
 [[nodiscard]] BoxLayers boxLayers(const std::vector<glm::vec4>& boxes, glm::ivec2 picture);
 
 struct PaintBoxes;
 
-/// Paints rectangles over the finished picture with a kernel. Keeps the buffer until the rectangles change.
+/// Paints rectangles over the finished picture with a kernel. Uploads the rectangles only when they change.
 class BoxList {
  public:
-  /// `target`: RGBA8, first row at the top. The caller must issue the image barrier.
+  /// `target`: RGBA8, first row at the top. The caller must call imageBarrier() afterwards.
   void paint(const std::vector<glm::vec4>& boxes, const gl::Texture& target);
 
  private:
   gl::Kernel<PaintBoxes> kernel_;   ///< created on first use
-  std::vector<glm::vec4> present_;  ///< rectangles that the buffer holds
+  std::vector<glm::vec4> present_;  ///< rectangles that the buffer currently holds
   BoxLayers layers_;
   gl::Buffer buffer_;
   gl::Texture view_;

@@ -12,7 +12,7 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr float capital = 7.5F;                   // height of a capital, in units of the chart layout
+constexpr float capital = 7.5F;                   // height of capitals, in units of the chart layout
 constexpr glm::vec3 dim(0.342F, 0.380F, 0.448F);  // linear RGB colour of the numbers on the axes
 
 /// Returns the number with spaces between thousands, for example 65 536.
@@ -43,7 +43,7 @@ const ChartLabels::Word& ChartLabels::word(const std::string& text) {
 }
 
 std::vector<sim::Writing> ChartLabels::of(const sim::Drawables& drawables) {
-  constexpr std::size_t enough = 500;  // size at which the cache is cleared
+  constexpr std::size_t enough = 500;  // number of entries at which the cache is cleared
   if (words_.size() > enough) words_.clear();
   std::vector<sim::Writing> all;
   for (const sim::Chart& chart : drawables.charts) {

@@ -11,12 +11,12 @@
 
 namespace simreel::draw {
 
-/// Text of charts, in the font that ships with simreel, so that pixels are the same everywhere.
+/// Text of charts, in the font that ships with simreel, so that the pixels are the same on every machine.
 class ChartLabels {
  public:
   explicit ChartLabels(glm::ivec2 picture) : picture_(picture) {}
-  /// Returns the text of all charts that have room for letters, for WritingPass: names in a row above the
-  /// curves and scales below. The result is valid until the next call.
+  /// Returns the text of all charts that have room for letters, for WritingPass: the names in a row above
+  /// the curves and the scales below. The result is valid until the next call.
   [[nodiscard]] std::vector<sim::Writing> of(const sim::Drawables& drawables);
 
  private:

@@ -15,10 +15,10 @@
 
 namespace simreel::draw {
 
-/// Position of the parts of a chart in a picture, in whole pixels from the top left.
+/// Positions of the parts of a chart in the picture, in whole pixels from the top left corner.
 struct ChartLayout {
   glm::ivec4 panel{0};      ///< edges of the panel: left, top, right, bottom
-  glm::ivec4 plot{0};       ///< area of the curves; same order
+  glm::ivec4 plot{0};       ///< edges of the area of the curves: left, top, right, bottom
   int unit = 1;             ///< width of thin lines (pixels); letters scale with it
   bool hasLetters = false;  ///< true if there is room for letters (ChartLabels)
 };
@@ -27,22 +27,22 @@ struct ChartLayout {
 struct CondenseChart;
 struct DrawChart;
 
-/// Draws curves of counts over the finished picture, without letters. A kernel reduces the steps to columns
-/// of pixels, so a frame takes the same time after a million steps.
+/// Draws the curves of charts over the finished picture; ChartLabels draws the letters. A kernel reduces
+/// the steps to columns of pixels, so a frame takes the same time after a million steps.
 class ChartPass {
  public:
   explicit ChartPass(glm::ivec2 picture, Rasterizer rasterizer = Rasterizer::driver)
       : picture_(picture), exact_(rasterizer == Rasterizer::exact) {}
-  /// driver: draws into the bound framebuffer, over the finished picture.
+  /// Draws into the bound framebuffer, over the finished picture. Only for the driver's rasterizer.
   void draw(const sim::Drawables& drawables);
-  /// exact: draws over the finished RGBA8 picture, whose first row is the top row.
+  /// Draws over the finished RGBA8 picture, whose first row is the top row. Only for the exact rasterizer.
   void draw(const sim::Drawables& drawables, const gl::Texture& picture);
 
  private:
   struct Kept {
     gl::Texture columns;
   };
-  /// Returns false if there is nothing to draw.
+  /// Prepares the curves. Returns false if there is nothing to draw.
   bool prepare(const sim::Drawables& drawables);
   void compile();
   void condense(const sim::Chart& chart, const ChartLayout& layout, Kept& kept) const;

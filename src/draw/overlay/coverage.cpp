@@ -10,14 +10,14 @@ namespace simreel::draw {
 
 namespace {
 
-/// Accumulates the areas to the right of polygon edges. Each entry of a row is the amount that its pixel
-/// adds to all pixels to its right, so a prefix sum gives the coverage.
+/// Accumulates the areas to the right of polygon edges. Each entry of a row holds the amount that an edge
+/// in this pixel adds to all pixels to the right, so a prefix sum gives the coverage.
 class Areas {
  public:
   explicit Areas(glm::ivec2 size)
       : size_(size), steps_(static_cast<std::size_t>(size.x + 1) * static_cast<std::size_t>(size.y)) {}
 
-  /// Adds an edge, in pixels of the box.
+  /// Adds an edge. Coordinates are in pixels from the box corner.
   void add(glm::dvec2 from, glm::dvec2 to) {
     if (from.y == to.y) return;
     const double turn = from.y < to.y ? 1 : -1;
@@ -50,7 +50,7 @@ class Areas {
            static_cast<std::size_t>(x);
   }
 
-  /// Adds a part of an edge that lies within one row, column by column.
+  /// Adds the part of an edge that lies within one row, column by column.
   void addInRow(int row, glm::dvec2 from, glm::dvec2 to, double turn) {
     if (to.x < from.x) std::swap(from, to);  // only the height of the part matters
     const double tall = std::abs(to.y - from.y), wide = to.x - from.x;

@@ -26,7 +26,7 @@ void FieldColors::update(const std::vector<glm::vec3>& wanted) {
   if (present_ == wanted) return;
   std::vector<glm::vec4> texels;
   texels.reserve(wanted.size());
-  // Invisibly dark colours become black, because their products could be subnormal.
+  // Very dark colours become black, because their products could be subnormal.
   for (const glm::vec3& color : wanted)
     texels.emplace_back(color * glm::vec3(glm::greaterThanEqual(glm::abs(color), glm::vec3(1e-8F))), 1.0F);
   if (present_.size() == wanted.size()) {

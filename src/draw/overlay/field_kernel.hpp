@@ -17,7 +17,7 @@ class FieldColors {
   gl::Texture stops;  ///< colours of the colour map, RGBA32F texel view
   gl::Buffer stopBuffer;
   int stopCount = 0;
-  /// Uploads the colours if they have changed. There must be at least one.
+  /// Uploads the colours if they have changed. `wanted` must have at least one colour.
   void update(const std::vector<glm::vec3>& wanted);
 
  private:
@@ -38,7 +38,7 @@ struct FieldInputs {
 };
 [[nodiscard]] FieldInputs fieldInputs(const sim::Field& field, const FieldColors& colors);
 struct FieldVariant {
-  gl::Choice<"CELLS", 0, 1, 2, 3> cells;  ///< storage format of the cells, as sim::Field::Cells
+  gl::Choice<"CELLS", 0, 1, 2, 3> cells;  ///< storage format of the cells; values as in sim::Field::Cells
   gl::Flag<"CATEGORIES"> categories;
   gl::Flag<"COLORED"> colored;
 };
@@ -46,17 +46,18 @@ struct FieldVariant {
 
 struct AverageField;
 
-/// Averages a whole field into a texture of the same or a smaller size: values (R32F), or linear light
-/// (RGBA16F, with the relative value in alpha). The bits are the same on every device. A texel averages at
-/// most 240 x 240 cells.
+/// Averages the cells of a field into the texels of a texture of the same or a smaller size. The texture
+/// holds values (R32F) or linear light (RGBA16F, with the relative value in alpha). The bits are the same
+/// on every device. A texel averages at most 240 x 240 cells.
 class FieldKernel {
  public:
-  /// Writes mip level 0.
+  /// Writes mip level 0 of the texture.
   void average(const sim::Field& field, const FieldColors& colors, const gl::Texture& texture,
                bool colored);
-  /// Max number of cells per texel side. Software drivers end loops after 65,535 iterations.
+  /// Max number of cells per texel and side. The limit is needed because software drivers end loops after
+  /// 65,535 iterations.
   static constexpr int maxReduction = 240;
-  /// Returns a texture for a field whose cells are averaged by `reduction` per side.
+  /// Returns a texture for a field. Each texel is the mean of `reduction` x `reduction` cells.
   [[nodiscard]] static gl::Texture texture(const sim::Field& field, int reduction, bool colored,
                                            int levels);
 

@@ -53,13 +53,13 @@ bool hasRelief(const sim::Field& field) {
 /// side.
 bool isMagnified(const sim::Field& field, int reduction, glm::ivec2 picture, double seconds) {
   const glm::dvec2 perPixel = fieldView(*field.display, field.size, picture, seconds).perPixel;
-  constexpr double most = 0.999;  // limit below 1, because of float rounding
+  constexpr double most = 0.999;  // slightly below 1, to allow for float rounding
   return reduction == 1 && perPixel.x <= most && perPixel.y <= most;
 }
 
-/// Returns the number of pixels, one below the other, per invocation. One for fields with relief, whose
-/// eight extra means over up to 42 elements a side could exceed the 65,535 loop iterations after which some
-/// drivers silently end a loop.
+/// Returns the number of vertically adjacent pixels per invocation. For fields with relief, the number is
+/// 1: they compute eight more means over up to 42 elements per side, and some drivers silently end a loop
+/// after 65,535 iterations.
 int rowsFor(const sim::Field& field) {
   return hasRelief(field) ? 1 : rowsAtOnce();
 }
@@ -70,7 +70,7 @@ int FieldPass::reductionFor(glm::ivec2 cells, glm::dvec2 perPixel) {
   const double under = std::min(std::min(perPixel.x, perPixel.y), 2.0 * FieldKernel::maxReduction);
   const int wanted = std::max(1, static_cast<int>(under / 2));
   const int min = (std::max(cells.x, cells.y) + maxTexels - 1) / maxTexels;
-  // If a reduced field of the wanted magnification would be too large for a texture, the cells are read
+  // If a reduced field with the required resolution would be too large for a texture, the cells are read
   // directly.
   return wanted < min ? 1 : wanted;
 }
@@ -97,7 +97,8 @@ void FieldPass::reduce(const sim::Field& field, Kept& kept, double seconds) {
 
 namespace {
 
-/// Returns the indices of the fields in the order of drawing: the scene's, with decorations above the rest.
+/// Returns the indices of the fields in drawing order: scene order, with decorations last, above the
+/// others.
 std::vector<std::size_t> decorationsLast(const sim::Drawables& drawables) {
   std::vector<std::size_t> order(drawables.fields.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -121,8 +122,8 @@ FieldDrawVariant FieldPass::variant(const sim::Field& field, const Kept& kept, d
   FieldDrawVariant all{.field = fieldVariant(field, kept.colored),
                        .reduced = kept.reduction > 1,
                        .over = over,
-                       // OPAQUE saves a read of the hidden picture, which software drivers do even in the
-                       // branch not taken.
+                       // OPAQUE avoids reading the hidden picture; software drivers would read it even in a
+                       // branch that is not taken.
                        .opaque = exact_ && over && field.display->opacity.at(seconds) >= 1,
                        .magnified = isMagnified(field, kept.reduction, picture_, seconds),
                        .smoothColors = hasSmoothColors(field),
@@ -179,7 +180,7 @@ void FieldPass::drawOver(const sim::Drawables& drawables, double seconds, const 
 void FieldPass::drawBehind(const sim::Drawables& drawables, double seconds, const gl::Texture& light,
                            bool topFirst) {
   SIMREEL_CHECK(exact_);
-  // Each field goes behind everything drawn so far, so the last field of the scene is drawn first.
+  // Each field is drawn behind everything drawn so far, so the last field of the scene is drawn first.
   for (std::size_t i = drawables.fields.size(); i-- > 0;) {
     const sim::Field& field = drawables.fields[i];
     if (shown(field, seconds) && field.display->layer == FieldLayer::behind)

@@ -42,32 +42,34 @@ struct FieldDrawVariant {
 
 struct DrawField;
 
-/// Draws fields over the picture or behind the scene. Reads cells directly from the simulation's memory. If
-/// four or more cells lie under a pixel, a kernel first averages blocks of cells.
+/// Draws fields over the picture or behind the scene. Reads the cells directly from the simulation's
+/// memory. If a pixel covers four or more cells, a kernel first averages blocks of cells.
 class FieldPass {
  public:
   explicit FieldPass(glm::ivec2 picture, Rasterizer rasterizer = Rasterizer::driver)
       : picture_(picture), exact_(rasterizer == Rasterizer::exact) {}
 
-  /// Averages fields that are drawn reduced. Call once per frame, before drawing.
+  /// Averages the fields that are drawn at reduced resolution. Call once per frame, before drawing.
   void prepare(const sim::Drawables& drawables, double seconds);
-  /// driver: draws into the bound framebuffer, in scene order. behind: linear light and coverage, last row
-  /// first; over: encoded, on the finished picture, top row first.
+  /// Draws into the bound framebuffer, in scene order. Layer `behind`: linear light and coverage, bottom
+  /// row first. Layer `over`: encoded, on the finished picture, top row first. Only for the driver's
+  /// rasterizer.
   void draw(const sim::Drawables& drawables, sim::FieldDisplay::Layer layer, double seconds);
-  /// exact: draws over the finished RGBA8 picture, whose first row is the top row.
+  /// Draws over the finished RGBA8 picture, whose first row is the top row. Only for the exact rasterizer.
   void drawOver(const sim::Drawables& drawables, double seconds, const gl::Texture& picture);
-  /// exact: draws behind everything that is in `light` (RGBA32F: premultiplied light and coverage). The
-  /// last row of `light` is the top row of the picture, or the first row if topFirst.
+  /// Draws behind everything in `light` (RGBA32F: premultiplied light and coverage). `topFirst`: the first
+  /// row of `light` is the top row of the picture; otherwise, the last row is. Only for the exact
+  /// rasterizer.
   void drawBehind(const sim::Drawables& drawables, double seconds, const gl::Texture& light,
                   bool topFirst = false);
-  /// Returns the number of cells per side that are averaged into one texel. The picture then has two to
-  /// three texels per pixel.
+  /// Returns the number of cells per side that are averaged into one texel. The reduced field then has two
+  /// to three texels per pixel.
   [[nodiscard]] static int reductionFor(glm::ivec2 cells, glm::dvec2 perPixel);
   /// True if an opaque field covers the whole picture.
   [[nodiscard]] bool hidesAll(const sim::Drawables& drawables, double seconds) const;
 
  private:
-  /// Data that is kept for one field of the drawables.
+  /// Data that is stored for one field of the drawables.
   struct Kept {
     FieldColors colors;
     gl::Texture reduced;
@@ -79,7 +81,7 @@ class FieldPass {
   void drawOne(const sim::Field& field, const Kept& kept, double seconds);
   void drawOneExactly(const sim::Field& field, const Kept& kept, double seconds, const gl::Texture& target,
                       int lastRow);
-  /// Returns the inputs that both rasterizers use.
+  /// Returns the shader inputs that both rasterizers use.
   static ShownField shownAs(const sim::Field& field, const Kept& kept, const FieldView& view,
                             double seconds);
   [[nodiscard]] FieldDrawVariant variant(const sim::Field& field, const Kept& kept, double seconds) const;
@@ -89,7 +91,7 @@ class FieldPass {
   FieldKernel kernel_;
   std::vector<Kept> kept_;
   gl::Kernels<DrawField> kernels_;
-  std::map<gl::Defines, gl::Program> programs_;  ///< programs of the driver's rasterizer, by variant
+  std::map<gl::Defines, gl::Program> programs_;  ///< programs for the driver's rasterizer, by variant
   VertexArray vertices_;
 };
 

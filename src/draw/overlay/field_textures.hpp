@@ -13,27 +13,29 @@
 
 namespace simreel::draw {
 
-/// Textures with mip maps for the fields that skins use. Each is updated once per frame by a kernel that
-/// reads the simulation's memory. Other fields are drawn by FieldPass directly from their cells.
+/// Textures with mip maps for the fields that skins use. A kernel that reads the simulation's memory
+/// updates each texture once per frame. FieldPass draws other fields directly from their cells.
 class FieldTextures {
  public:
   /// Takes the fields of skins from the scene's materials, and the texture resolution from the picture's
-  /// size. exact: without mip maps of the driver.
+  /// size. For the exact rasterizer, the textures have no mip maps.
   explicit FieldTextures(const scene::Scene& scene, Rasterizer rasterizer = Rasterizer::driver);
 
-  /// Texture of one field. The colours (`stops`, `stopCount`) are only used for values.
+  /// Texture of one field. The colours (`stops`, `stopCount`) are used only for fields of values.
   struct Entry : FieldColors {
     gl::Texture texture;  ///< R32F values, or RGBA16F linear light of categories. Row 0 is the field's row
-                          ///< 0. Repeats; has all mip levels unless exact.
+                          ///< 0. The texture repeats, and has all mip levels unless the rasterizer is
+                          ///< exact.
     glm::ivec2 cells{0, 0};  ///< size of the field in cells; the texture may be smaller, but covers exactly
                              ///< the field
-    int reduction = 1;       ///< cells per texel side, averaged
+    int reduction = 1;       ///< cells per side that a texel averages
     glm::vec2 range{0, 1};
     bool colored = false;  ///< true for categories: the texture holds colours
   };
-  /// Updates the textures of a frame's skins. Throws UserError(device) beyond GL_MAX_TEXTURE_SIZE.
+  /// Updates the textures of a frame's skins. Throws UserError(device) if a texture would exceed
+  /// GL_MAX_TEXTURE_SIZE.
   void update(const sim::Drawables& drawables);
-  /// Returns null if no field of that name was published or if no material uses it.
+  /// Returns the texture of a field, or null if no field of that name was published or no material uses it.
   [[nodiscard]] const Entry* find(const std::string& name) const;
 
  private:

@@ -18,7 +18,7 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr int capitals = 9;  // rows from the top of a line to the baseline
+constexpr int capitals = 9;  // number of rows from the top of a line to the baseline
 
 std::string printable(const std::string& text) {
   std::string result = text.substr(0, 64);

@@ -45,7 +45,7 @@ const gl::Texture& BloomPass::draw(const gl::Texture& light) const {
     const gl::Texture& fine = levels_[i - 1].down.texture;
     down_.fill(levels_[i].down, {.source = fine, .texel = texelOf(fine)});
   }
-  // All levels have equal weight, except the last one, which has the fractional rest of `reach_`.
+  // All levels have equal weight, except the last one, whose weight is the fractional part of `reach_`.
   const float whole = std::min(reach_, static_cast<float>(levels_.size()));
   const gl::Texture* coarse = &levels_.back().down.texture;
   float coarseFraction = whole - static_cast<float>(levels_.size() - 1);

@@ -42,14 +42,16 @@ struct BrightLightUp {
   gl::Uniform<"fraction", glm::vec2> fraction;
 };
 
-/// Bloom: light that lenses scatter around bright areas. Light above a threshold is downsampled through a
-/// chain of smaller textures and upsampled again. Without bloom in the scene nothing is allocated or run.
+/// Draws bloom, light that lenses scatter around bright areas. Light above a threshold is downsampled
+/// through a chain of smaller textures and upsampled again. If the scene has no bloom, nothing is allocated
+/// or run.
 class BloomPass {
  public:
   /// `samples`: samples per pixel of the light given to draw().
   BloomPass(const scene::Bloom& bloom, glm::ivec2 size, int samples);
   [[nodiscard]] bool on() const { return on_; }
-  /// Returns the scattered light at half the size of `light`, with the same total. Requires on().
+  /// Returns the scattered light at half the size of `light`, with the same total. May be called only if
+  /// on().
   const gl::Texture& draw(const gl::Texture& light) const;
 
  private:
@@ -58,7 +60,7 @@ class BloomPass {
   };
   bool on_;
   float threshold_;
-  float reach_;  ///< number of levels that share the light, the last one fractionally
+  float reach_;  ///< number of levels that receive light, the last one with a fractional weight
   ScreenProgram<BrightLight> first_;
   ScreenProgram<BrightLightDown> down_;
   ScreenProgram<BrightLightUp> up_;

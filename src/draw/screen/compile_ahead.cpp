@@ -11,8 +11,8 @@ namespace simreel::draw {
 
 namespace {
 
-/// Returns a smaller size for the rehearsal, which needs the same kernels. Powers of two remain powers of
-/// two, because machine code depends on that.
+/// Returns a smaller picture size for the rehearsal that needs the same kernels. Powers of two remain
+/// powers of two, because the machine code depends on them.
 glm::ivec2 rehearsedSize(glm::ivec2 size) {
   constexpr int enough = 640 * 400;
   while (size.x * size.y > enough) size = (size + 1) / 2;

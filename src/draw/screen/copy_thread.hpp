@@ -27,15 +27,16 @@ class CopyThread {
   CopyThread(const CopyThread&) = delete;
   CopyThread& operator=(const CopyThread&) = delete;
 
-  /// Returns false if the system grants no thread. The task must keep its address until wait() returns.
+  /// Starts a task. Returns false if the system cannot create a thread. The task must keep its address
+  /// until wait() returns.
   [[nodiscard]] bool start(Task& task);
-  /// Waits for the task and returns its bytes. Rethrows an error of the copy.
+  /// Waits for the task and returns the copied bytes. Rethrows an error of the copy.
   [[nodiscard]] std::vector<std::uint8_t> wait(Task& task);
 
  private:
   void work() noexcept;
 
-  std::mutex mutex_;  ///< guards all members below and the completion state of tasks
+  std::mutex mutex_;  ///< guards all members below and the completion flags of tasks
   std::condition_variable changed_;
   std::deque<Task*> waiting_;
   bool closed_ = false;

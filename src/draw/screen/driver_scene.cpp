@@ -35,7 +35,7 @@ struct DriverScene::State {
         bloom(scene.render.bloom, size, resolve.samples()),
         toneMap(scene.render, resolve.samples(), bloom.on()) {}
 
-  /// Warns once about each object whose material cannot be drawn in full.
+  /// Warns once about each object whose material is not fully supported.
   void sayFinishes(const sim::Drawables& drawables) {
     for (const sim::Surface& surface : drawables.surfaces) {
       if (!surface.material->finish.used() || !saidOf.insert(sim::objectName(surface)).second) continue;
@@ -46,7 +46,7 @@ struct DriverScene::State {
     }
   }
 
-  std::set<std::string> saidOf;  ///< names of objects that have had a warning
+  std::set<std::string> saidOf;  ///< names of objects with an earlier warning
   const scene::Scene& scene;
   const FieldTextures& fieldTextures;
   FieldPass& fields;
@@ -128,7 +128,7 @@ void DriverScene::draw(double seconds, const sim::Drawables& all, const Watch& w
   s.ground.draw();
   issued("ground", s.ground.on());
   s.instances.drawAdditive(drawables);
-  if (s.resolve.on()) {  // kernels read light and depth from here on; nothing draws into them any more
+  if (s.resolve.on()) {  // from here on, kernels read light and depth; nothing draws into them any more
     s.picture.framebuffer.bind();
     glTextureBarrier();
   }

@@ -10,19 +10,20 @@
 
 namespace simreel::draw {
 
-/// Draws a scene, except the overlays on the finished picture, with the driver's rasterizer: shadow maps;
-/// then fields behind the scene, surfaces, instances and ground into a multisampled linear target; then
-/// bloom, resolve, tone mapping and sRGB encoding.
+/// Draws a scene, except the overlays on the finished picture, with the driver's rasterizer. First it draws
+/// the shadow maps. Then it draws fields behind the scene, surfaces, instances and ground into a
+/// multisampled linear target. Finally it applies bloom, resolve, tone mapping and sRGB encoding.
 class DriverScene {
  public:
-  /// Objects shared with the overlay passes. All must outlive the DriverScene.
+  /// Objects that DriverScene shares with the overlay passes. All must outlive the DriverScene.
   struct Shared {
     const scene::Scene& scene;
     const FieldTextures& fieldTextures;
     FieldPass& fields;
     const Picture& picture;
   };
-  /// Throws UserError(device) for limits, UserError(inputOutput) or UserError(usage) for textures.
+  /// Throws UserError(device) if a device limit is exceeded, and UserError(inputOutput) or UserError(usage)
+  /// if a texture cannot be loaded.
   DriverScene(const Shared& shared, int samples);
   ~DriverScene();
   DriverScene(DriverScene&&) = delete;

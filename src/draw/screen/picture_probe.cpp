@@ -120,8 +120,8 @@ void drawTriangles(const gl::Framebuffer& target) {
   const gl::Texture relief = reliefTexture();
   const gl::Texture depths = depthTexture();
   const auto program = gl::Program::graphics("probe/triangles.vert", "probe/triangles.frag");
-  // Depth range 0.1 to 8, aspect 4:3. Constants, because the tangent function of libraries may round
-  // differently.
+  // Projection with a depth range of 0.1 to 8 and an aspect ratio of 4:3. The values are constants, because
+  // the tangent function of libraries may round differently.
   program.set("projection",
               glm::mat4(1.2F, 0, 0, 0, 0, 1.6F, 0, 0, 0, 0, -1.0253165F, -1, 0, 0, -0.20253165F, 0));
   target.bind();

@@ -31,7 +31,7 @@ Readback::~Readback() {
 void Readback::start(const gl::Framebuffer& framebuffer, int tag) {
   SIMREEL_CHECK(!full());
   Slot& slot = slots_[(oldest_ + count_) % slots_.size()];
-  // A draw framebuffer is bound too, because without a default framebuffer NVIDIA's driver 580 otherwise
+  // A draw framebuffer is bound too. Without it and without a default framebuffer, NVIDIA's driver 580
   // copies a hundred times more slowly.
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
   glBindBuffer(GL_PIXEL_PACK_BUFFER, slot.buffer.get());
@@ -46,7 +46,7 @@ void Readback::start(const gl::Framebuffer& framebuffer, int tag) {
 }
 
 void Readback::copyOn() {
-  if (gl::softwareDriver()) return;  // software drivers need the processors themselves
+  if (gl::softwareDriver()) return;  // software drivers use all processors themselves
   for (std::size_t i = 0; i < count_; ++i) {
     Slot& slot = slots_[(oldest_ + i) % slots_.size()];
     if (slot.copies) continue;

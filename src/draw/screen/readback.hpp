@@ -27,28 +27,28 @@ class Readback {
   Readback(const Readback&) = delete;
   Readback& operator=(const Readback&) = delete;
 
-  /// Starts to copy the framebuffer's RGBA8 pixels. If full(), call nextPicture() first.
+  /// Starts to copy the framebuffer's RGBA8 pixels. If full() is true, call nextPicture() first.
   void start(const gl::Framebuffer& framebuffer, int tag);
   [[nodiscard]] bool full() const { return count_ == slots_.size(); }
   [[nodiscard]] bool empty() const { return count_ == 0; }
   /// Blocks until the oldest copy is complete, so that nextPicture() does not wait for the GPU.
   void waitForOldest() const { static_cast<void>(reached(true)); }
   /// Returns the oldest picture, in the order of start(): its tag and width * height * 4 bytes, row 0 of
-  /// the framebuffer first. Returns nothing if no copy is in progress or, unless `wait`, if the oldest copy
-  /// is not complete.
+  /// the framebuffer first. Returns nothing if no copy is in progress. Also returns nothing if the oldest
+  /// copy is not complete and `wait` is false.
   [[nodiscard]] std::optional<std::pair<int, std::vector<std::uint8_t>>> nextPicture(bool wait);
 
  private:
   [[nodiscard]] bool reached(bool wait) const;
   struct Slot {
     gl::Handle<gl::DeleteBuffer> buffer;
-    const std::uint8_t* bytes = nullptr;  ///< mapped during the slot's whole lifetime
+    const std::uint8_t* bytes = nullptr;  ///< memory that is mapped during the slot's whole lifetime
     GLsync done = nullptr;
     int tag = 0;
     CopyThread::Task copy;
     bool copies = false;  ///< true while the thread copies the slot's picture
   };
-  /// True if the GPU has finished the slot's copy. `wait`: waits for it.
+  /// True if the GPU has finished the slot's copy. With `wait`, waits for the copy.
   static bool isThere(const Slot& slot, bool wait);
   void copyOn();
 
@@ -57,7 +57,7 @@ class Readback {
   std::array<Slot, maxUnderWay> slots_;
   std::size_t oldest_ = 0;
   std::size_t count_ = 0;
-  CopyThread thread_;  ///< last member, so that it ends before the memory is released
+  CopyThread thread_;  ///< last member, so that its destructor runs before the memory is released
 };
 
 }  // namespace simreel::draw

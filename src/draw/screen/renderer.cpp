@@ -25,7 +25,7 @@ namespace simreel::draw {
 
 namespace {
 
-/// Returns the name of an overlay that covers the picture, or null.
+/// Returns the name of an overlay in the picture, or null if there is none.
 const char* overlayOf(const sim::Drawables& drawables) {
   if (!drawables.writings.empty()) return "text";
   if (!drawables.charts.empty()) return "a chart";
@@ -35,8 +35,8 @@ const char* overlayOf(const sim::Drawables& drawables) {
   return nullptr;
 }
 
-/// Throws UserError(usage) for 16-bit output of a picture with an overlay, because overlays have 8 bits and
-/// no light values. `found`: name of the overlay.
+/// Throws UserError(usage) because 16-bit output does not support overlays, which have 8 bits and no light
+/// values. `found`: name of the overlay.
 void refuseOverlays(const char* found) {
   fail(ExitCode::usage,
        "--bits 16: {} lies over the picture, and what does has 8 bits; leave it out of the scene, or "
@@ -83,11 +83,11 @@ struct Renderer::State {
   std::optional<ExactScene> exact;
   std::optional<Motion> motion;
   PassPicture* passes = nullptr;
-  std::optional<bool> filmed;  ///< true if the kept light is as the film shows it; empty if no light is
-                               ///< kept
-  bool saidOverlay = false;    ///< true if the warning about missing overlays was given or is not wanted
+  std::optional<bool> filmed;  ///< true if the requested light is as the film shows it; empty if no light
+                               ///< is requested
+  bool saidOverlay = false;    ///< true if the warning about missing overlays was given or is disabled
 
-  /// Draws text over the finished picture: first of charts, then of objects.
+  /// Draws text over the finished picture: first that of charts, then that of objects.
   void write(const sim::Drawables& drawables) {
     sim::Drawables lettered;
     lettered.writings = labels.of(drawables);
@@ -105,8 +105,8 @@ void Renderer::State::tellFrame(double seconds, const sim::Drawables& drawables)
   frame.bindUniform(frameBinding, 0, sizeof values);
 }
 
-/// Draws a frame with the exact rasterizer. The moments are at the centres of equal parts of the exposure
-/// time, the latest one first.
+/// Draws a frame with the exact rasterizer. The exposure time is divided into equal parts; the moments are
+/// at their centres, the latest one first.
 void Renderer::State::drawExactly(const ExactScene::Moment& shown, const StageWatch& watch) {
   ExactScene::Exposure exposure{1, [&](int) { return shown; }};
   const double frameSeconds = 1.0 / scene.time.fps;
@@ -148,13 +148,13 @@ void Renderer::draw(double seconds, const sim::Drawables& drawables, const Stage
   if (overlay != nullptr && !std::exchange(s.saidOverlay, true))
     warn("OpenEXR has the light of the scene, without what lies over the picture: {}", overlay);
   s.tellFrame(seconds, drawables);
-  // Makes all writes of the simulations visible to texture fetches and index reads.
+  // Makes all writes of simulation kernels visible to texture fetches and index reads.
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT);
   s.fieldTextures.update(drawables);
   s.fields.prepare(drawables, seconds);
   if (watch && !drawables.fields.empty()) watch("fields");
-  if (s.filmed || !s.fields.hidesAll(drawables, seconds)) {  // the kept light also shows what is under
-                                                             // opaque fields
+  if (s.filmed || !s.fields.hidesAll(drawables, seconds)) {  // the requested light also shows objects that
+                                                             // opaque fields hide
     if (s.exact)
       s.drawExactly({seconds, &drawables}, watch);
     else

@@ -16,8 +16,8 @@ namespace simreel::draw {
 
 struct RendererOptions {
   std::optional<scene::Rasterizer> rasterizer;  ///< if set, replaces the scene's choice of rasterizer
-  /// Max bytes of visibility that the exact rasterizer keeps. Larger pictures are drawn in bands of rows,
-  /// with the same result.
+  /// Max bytes of the exact rasterizer's visibility buffer. Pictures that need more are drawn in bands of
+  /// rows, with the same result.
   std::size_t visibilityBytes = std::size_t{256} << 20;
 };
 
@@ -25,8 +25,8 @@ struct RendererOptions {
 class Renderer {
  public:
   /// Loads all textures of the scene's materials. Shaders are compiled on first use. Throws
-  /// UserError(device) for limits (samples, size), UserError(inputOutput) or UserError(usage) for textures.
-  /// The scene must outlive this object.
+  /// UserError(device) if a device limit (samples, size) is exceeded, and UserError(inputOutput) or
+  /// UserError(usage) if a texture cannot be loaded. The scene must outlive this object.
   Renderer(const scene::Scene& scene, glm::ivec2 size, int samples, const RendererOptions& options = {});
   ~Renderer();
   Renderer(Renderer&&) noexcept;
@@ -35,30 +35,33 @@ class Renderer {
   Renderer& operator=(const Renderer&) = delete;
 
   /// Callback after the commands of a stage have been issued. Stages without work are omitted; a stage may
-  /// be reported in several parts. Names: the stages in draw/exact/pass_list.hpp and "fields"; for the
-  /// driver's rasterizer "shadow", "surfaces", "instances", "ground", "bloom", "tone map", "fields".
+  /// be reported several times. Names of the exact rasterizer: the stages in draw/exact/pass_list.hpp and
+  /// "fields". Names of the driver's rasterizer: "shadow", "surfaces", "instances", "ground", "bloom",
+  /// "tone map", "fields".
   using StageWatch = std::function<void(const char* stage)>;
-  /// Issues the commands of the frame at `seconds` of scene time. Does not wait.
+  /// Issues the commands that draw the frame at `seconds` of scene time. Does not wait for the GPU.
   void draw(double seconds, const sim::Drawables& drawables, const StageWatch& watch = {});
 
-  /// Sets the objects of the frame that precedes the next draw(), from which motion starts. Required if
-  /// hearsBefore(); without it objects do not move.
+  /// Sets the objects of the frame that precedes the next draw(); motion starts at their positions.
+  /// Required if hearsBefore() is true; without it, objects do not move.
   void keepBefore(const sim::Drawables& before);
 
-  /// True if the renderer needs keepBefore(): for a shutter or for the velocities of keepLayers().
+  /// True if the renderer needs keepBefore(), which a shutter and the velocities of keepLayers() require.
   [[nodiscard]] bool hearsBefore() const;
 
-  /// Sets where the passes of later pictures are kept, replacing earlier contents; null: passes are not
-  /// kept. The CPU waits for the GPU to copy them. Requires the exact rasterizer.
+  /// Sets the object that receives the pass outputs of later pictures, replacing earlier contents. Null:
+  /// pass outputs are not stored. The CPU waits for the GPU to copy them. Requires the exact rasterizer.
   void keepPasses(PassPicture* passes);
 
-  /// Keeps light and layers of all later pictures. The CPU waits for them. Requires the exact rasterizer.
-  /// If light is kept as the film shows it, draw() throws UserError(usage) for pictures with overlays.
+  /// Requests the light and layers of all later pictures. The CPU then waits for the GPU. Requires the
+  /// exact rasterizer. If the light is requested as the film shows it, draw() throws UserError(usage) for
+  /// pictures with overlays.
   void keepLayers(const LightRequest& wanted);
   /// Returns the light and layers of the last picture.
   [[nodiscard]] PictureLayers takeLayers();
 
-  /// Framebuffer with the finished picture: RGBA8, sRGB-encoded; row 0 of a read-back is the top row.
+  /// Returns the framebuffer with the finished picture: RGBA8, sRGB-encoded. Row 0 of a read-back is the
+  /// top row.
   [[nodiscard]] const gl::Framebuffer& target() const;
 
  private:
@@ -66,9 +69,9 @@ class Renderer {
   std::unique_ptr<State> state_;
 };
 
-/// Determines the kernels that a Renderer needs for a frame with such drawables, and lets software drivers
-/// compile them on idle processors. Does not change pictures; does nothing if there is no benefit. Should
-/// be called before the first frame is simulated.
+/// Determines the kernels that a Renderer needs for a frame with these drawables, and lets software drivers
+/// compile them on idle processors. Does not change pictures. Does nothing if it would not save time.
+/// Should be called before the first frame is simulated.
 void compileAhead(const scene::Scene& scene, glm::ivec2 size, int samples, double seconds,
                   const sim::Drawables& drawables, const RendererOptions& options = {});
 

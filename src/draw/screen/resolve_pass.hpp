@@ -9,19 +9,19 @@ namespace simreel::draw {
 
 struct Resolve;
 
-/// On the storage path, resolves the scene's samples into one texture for later kernels and adds the sums
-/// of glows. On the texel path later passes read the samples themselves, so this pass does nothing.
+/// Resolves the scene's samples into one texture for later kernels and adds the sums of glows, on the
+/// storage path. On the texel path, later passes read the samples directly, so this pass does nothing.
 class ResolvePass {
  public:
   ResolvePass(glm::ivec2 size, int samples);
-  /// False on the texel path, where this pass does nothing.
+  /// Returns true on the storage path. On the texel path this pass does nothing.
   [[nodiscard]] bool on() const { return static_cast<bool>(resolved_); }
-  /// Samples per pixel of the light that draw() returns.
+  /// Returns the samples per pixel of the light that draw() returns.
   [[nodiscard]] int samples() const { return on() ? 1 : samples_; }
-  /// True if draw() reads light of samples without depth. Clearing the light is expensive on compute GPUs:
-  /// it is two thirds of the bytes to clear.
+  /// True if draw() reads the light of samples without depth, so that the light must be cleared. Clearing
+  /// is expensive on compute GPUs: the light is two thirds of the bytes of the targets.
   [[nodiscard]] bool needsClearedLight(const sim::Drawables& drawables) const;
-  /// Returns the sums that additive sprites are added to, or null if they are blended instead.
+  /// Returns the sums for additive sprites, or null if the sprites are blended.
   [[nodiscard]] const GlowSums* glows(const sim::Drawables& drawables);
   /// Returns the resolved light. `glows`: result of glows(). `cleared`: true if the light has been cleared.
   const gl::Texture& draw(const Targets& targets, const GlowSums* glows, bool cleared);

@@ -13,7 +13,7 @@ namespace simreel::draw {
 /// A texture that a ScreenProgram writes and other passes read.
 struct ScreenTarget {
   ScreenTarget() = default;
-  /// Reads beyond the border are clamped to it.
+  /// Creates the texture. Reads beyond its border return the nearest border texel.
   ScreenTarget(const char* label, GLenum format, glm::ivec2 size);
   gl::Texture texture;
   gl::Framebuffer framebuffer;
@@ -27,16 +27,18 @@ struct ScreenVariant {
   gl::Code<"KERNEL", "rgba16f"> layout = {};
 };
 
-/// A program that computes every pixel of a target (glsl/draw/screen/screen.glsl). On the storage path it
-/// is a kernel, because compute GPUs rasterize with few of their processors and write pixels slowly. On the
-/// texel path it is a full-screen triangle, because software drivers write images slowly. The interface
-/// must have a member `screen` of type ScreenFields, and its variant one of type ScreenVariant.
+/// A program that computes every pixel of a target (glsl/draw/screen/screen.glsl). On the storage path the
+/// program is a kernel, because compute GPUs rasterize with few of their processors and write pixels
+/// slowly. On the texel path it draws a full-screen triangle, because software drivers write images slowly.
+/// The interface must have a member `screen` of type ScreenFields, and its variant a member of type
+/// ScreenVariant.
 template <class Interface>
 class ScreenProgram {
  public:
   using Variant = typename Interface::Variant;
   ScreenProgram() = default;
-  /// `layout`: format qualifier of the target in GLSL. `vertices`: vertex shader of the triangle.
+  /// `layout`: format qualifier of the target in GLSL. `vertices`: vertex shader of the full-screen
+  /// triangle.
   explicit ScreenProgram(const char* layout, Variant variant = {}, const gl::Defines& common = {},
                          const char* vertices = "draw/screen/screen.vert") {
     if (gl::memoryPath() == gl::MemoryPath::storage) {

@@ -5,7 +5,7 @@
 
 namespace simreel::draw {
 
-/// The finished picture, RGBA8; row 0 is the top row.
+/// Framebuffer of the finished picture, RGBA8. Row 0 is the top row.
 struct Picture {
   /// Throws UserError(device), which names the limit, if the device does not support the size.
   explicit Picture(glm::ivec2 size);
@@ -20,7 +20,7 @@ struct Targets {
   /// of samples.
   Targets(glm::ivec2 size, int samples);
 
-  /// Clears depth and, if `lightToo`, light to 0 and alpha to 0 (empty: sky).
+  /// Clears depth. If `lightToo`, also sets light and alpha to 0, which means sky.
   void clear(bool lightToo) const;
 
   gl::Texture light;

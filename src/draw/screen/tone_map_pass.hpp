@@ -25,14 +25,14 @@ struct ToneMap {
   gl::Uniform<"bloomStrength", float> bloomStrength;
 };
 
-/// Averages the samples, puts them over the sky, applies exposure, vignette and film curve, and encodes
-/// sRGB.
+/// Averages the samples, composites them over the sky, applies exposure, vignette and film curve, and
+/// encodes sRGB.
 class ToneMapPass {
  public:
-  /// `render`: settings of the conversion from light to picture. `samples`: samples per pixel of the light
+  /// `render`: settings for the conversion of light to pictures. `samples`: samples per pixel of the light
   /// given to draw().
   ToneMapPass(const scene::Render& render, int samples, bool bloom);
-  /// Writes the picture. Adds `strength` times the bloom texture `glow`, or nothing if it is null.
+  /// Writes the picture. Adds `strength` times the bloom texture `glow`; adds nothing if `glow` is null.
   void draw(const gl::Texture& light, const Picture& picture, const gl::Texture* glow,
             float strength) const;
 

@@ -8,7 +8,7 @@
 namespace simreel::draw {
 
 /// Draws the ground plane, which fades out around the camera's target. Should be drawn last, because
-/// objects on it then hide most of it.
+/// objects in front then hide most of it.
 class GroundPass {
  public:
   GroundPass(const scene::Scene& scene, const ShadowPass& shadow, const Lamps& lamps);
@@ -19,7 +19,8 @@ class GroundPass {
  private:
   bool on_;
   bool shadowed_;
-  gl::Program lit_, shaded_;  ///< outside and inside the rectangle that shadows reach
+  gl::Program lit_, shaded_;  ///< programs for the ground outside and inside the rectangle that shadows can
+                              ///< reach
   VertexArray vertices_;
 };
 

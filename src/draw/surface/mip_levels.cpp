@@ -14,8 +14,8 @@ namespace simreel::draw {
 
 namespace {
 
-/// Linear light of each sRGB byte (IEC 61966-2-1), rounded to 1/65535. A table, because the pow() of
-/// libraries may round differently.
+/// Linear light of each sRGB byte (IEC 61966-2-1), rounded to 1/65535. Stored as a table, because the pow()
+/// of libraries may round differently.
 constexpr std::array<std::uint16_t, 256> linearTable = {
     0,     20,    40,    60,    80,    99,    119,   139,   159,   179,   199,   219,   241,   264,   288,
     313,   340,   367,   396,   427,   458,   491,   526,   562,   599,   637,   677,   718,   761,   805,
@@ -37,7 +37,7 @@ constexpr std::array<std::uint16_t, 256> linearTable = {
     65535};
 
 /// A texel in linear light with its weight, which is 255 times the alpha byte plus 1. Transparent texels
-/// count almost nothing, but give the colour of fully transparent areas.
+/// have almost no weight, but determine the colour of fully transparent areas.
 struct Weighted {
   std::uint32_t r, g, b;  ///< light times weight, in units of 1/65535
   std::uint32_t weight;   ///< weight of the texel in units of 1/256
@@ -51,7 +51,7 @@ Weighted weightedOf(const std::uint8_t* texel) {
           256 * weight};
 }
 
-/// Converts linear light to the nearest sRGB byte (the larger one of two equally near).
+/// Converts linear light to the nearest sRGB byte. If two bytes are equally near, returns the larger one.
 class Encoder {
  public:
   Encoder() {
@@ -70,7 +70,7 @@ class Encoder {
     return light < ends_[byte] ? byte : static_cast<std::uint8_t>(byte + 1);
   }
   void encode(const Weighted& from, std::uint8_t* texel) const {
-    // The min is needed because rounding of weighted means may exceed white slightly.
+    // The min is needed because rounding may raise a weighted mean slightly above white.
     const auto light = [](std::uint32_t color, std::uint32_t weight) {
       return static_cast<std::uint32_t>(
           std::min<std::uint64_t>((std::uint64_t{color} << 16U) / weight, 65535U * 256U));
@@ -95,15 +95,15 @@ class Encoder {
   std::array<std::uint8_t, (65535U * 256U >> bucketBits) + 1> starts_{};
 };
 
-/// Texels of the level above, along one axis, that a texel covers, with their weights.
+/// Range of texels of the level above, along one axis, that a texel covers, with their weights.
 struct Cover {
   int first;
   std::array<std::uint32_t, 3> weights;
 };
 
-/// If the level above has 2n texels, each of n texels covers two. If it has 2n + 1, each covers (2n + 1) /
-/// n: texel i covers (n - i) / n of the first of three, all of the second, and (i + 1) / n of the third.
-/// Weights are in units of 1/n.
+/// If the level above has 2n texels, each of the n texels covers two of them. If it has 2n + 1, each covers
+/// (2n + 1) / n. Texel i then covers (n - i) / n of the first, all of the second, and (i + 1) / n of the
+/// third of three texels. Weights are in units of 1/n.
 Cover coverOf(int i, int above) {
   if (above == 1) return {0, {1, 0, 0}};
   if (above % 2 == 0) return {2 * i, {1, 1, 0}};
@@ -115,7 +115,7 @@ Cover coverOf(int i, int above) {
 int coveredTexels(int above) {
   return above == 1 ? 1 : above % 2 == 0 ? 2 : 3;
 }
-/// Returns the sum of a cover's weights.
+/// Returns the sum of the weights of a Cover.
 std::uint64_t coverSum(int above) {
   return above % 2 == 0 ? 2U : static_cast<std::uint64_t>(above);
 }
@@ -124,12 +124,12 @@ struct Sum {
   std::uint64_t r = 0, g = 0, b = 0, weight = 0;
 };
 
-/// Computes one row of a level from the `Down` rows that it covers in the level above, with `Across` texels
-/// each.
+/// Computes one row of a level. The row covers `Down` rows of the level above; each texel covers `Across`
+/// texels per row.
 template <int Across, int Down>
 void averageRow(const std::array<const Weighted*, 3>& rows, const Cover& down, int above, int width,
                 std::uint64_t fractions, Weighted* made) {
-  // A constant 4 lets the compiler use a shift; most pictures have even sizes.
+  // If the total is the constant 4, the compiler uses a shift. Most pictures have even sides.
   const std::uint64_t total = Across == 2 && Down == 2 ? 4 : fractions;
   for (int x = 0; x < width; ++x) {
     const Cover across = coverOf(x, above);
@@ -156,13 +156,13 @@ constexpr AverageRow averages[3][3] = {{averageRow<1, 1>, averageRow<2, 1>, aver
                                        {averageRow<1, 2>, averageRow<2, 2>, averageRow<3, 2>},
                                        {averageRow<1, 3>, averageRow<2, 3>, averageRow<3, 3>}};
 
-/// Texels of the level above: either the picture, decoded row by row, or averaged texels.
+/// The level above: either the original picture, decoded row by row, or averaged texels.
 struct Above {
   glm::ivec2 size;
   std::span<const std::uint8_t> picture;  ///< bytes of the picture; if empty, `texels` is used instead
   std::vector<Weighted> texels;
 
-  /// Returns `count` rows from row `first` on. Decoded rows are stored in `room`.
+  /// Returns `count` rows, starting at row `first`. Decoded rows are stored in `room`.
   [[nodiscard]] std::array<const Weighted*, 3> rows(int first, int count,
                                                     std::vector<Weighted>& room) const {
     const auto width = static_cast<std::size_t>(size.x);

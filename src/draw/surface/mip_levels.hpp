@@ -7,7 +7,7 @@
 
 namespace simreel::draw {
 
-/// One mip level: RGBA, 8 bits each, x fastest; rgba.size() == 4 * size.x * size.y.
+/// One mip level in row-major order: RGBA, 8 bits each; rgba.size() == 4 * size.x * size.y.
 struct MipLevel {
   glm::ivec2 size{0, 0};
   std::vector<std::uint8_t> rgba;
@@ -15,9 +15,9 @@ struct MipLevel {
 
 /// Returns the smaller mip levels of a picture with sRGB colour and straight alpha, each half as large
 /// (rounded down), to 1x1. A texel is the alpha-weighted mean, in linear light, of the area that it covers
-/// in the level above; the plain mean if that area is fully transparent. Uses only integers, so the bytes
-/// are the same on every machine; results of glGenerateTextureMipmap in Mesa's software driver depend on
-/// the CPU vendor. Requires rgba.size() == 4 * size.x * size.y and sides of at most 32768.
+/// in the level above; if that area is fully transparent, the unweighted mean. Uses only integers, so the
+/// bytes are the same on every machine, whereas glGenerateTextureMipmap in Mesa's software driver depends
+/// on the CPU vendor. Requires rgba.size() == 4 * size.x * size.y and sides of at most 32768.
 [[nodiscard]] std::vector<MipLevel> mipLevels(glm::ivec2 size, std::span<const std::uint8_t> rgba);
 
 /// Returns the linear light of an sRGB byte, in units of 1/65535.

@@ -34,7 +34,7 @@ struct ShadowFit {
 
 namespace {
 
-constexpr int axes = 5;  // boundCount of glsl/draw/instances/bounds.glsl
+constexpr int axes = 5;  // value of boundCount in glsl/draw/instances/bounds.glsl
 
 gl::Texture makeMap(int size) {
   const int max = gl::limits().textureSize;
@@ -44,7 +44,7 @@ gl::Texture makeMap(int size) {
          "\"shadowSize\"",
          size, max);
   gl::Texture map = gl::Texture::image("shadow map", GL_DEPTH_COMPONENT32F, size, size);
-  // Border texels contain no caster, so clamping to them gives full light outside the map.
+  // No caster covers the border texels, so clamping to them gives full light outside the map.
   glTextureParameteri(map.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTextureParameteri(map.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   glTextureParameteri(map.name(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
@@ -85,7 +85,7 @@ void ShadowPass::fit(const sim::Drawables& drawables, const GrowMore& growMore) 
   growMore(boundKeys_);
   fit_.dispatch(1, {.bounds = boundKeys_, .light = light_});
   gl::barrier();
-  lightView_.bind(lightUnit);  // the instance culling that follows reads it; simulations bind other
+  lightView_.bind(lightUnit);  // the following instance culling reads the transform; simulations bind other
                                // textures to this unit
 }
 

@@ -19,25 +19,27 @@ class ShadowPass {
  public:
   explicit ShadowPass(const scene::Sun& sun);
 
-  /// Callback that extends the bounds (glsl/draw/instances/bounds.glsl) by the casters of other passes.
+  /// Callback that extends the bounds (glsl/draw/instances/bounds.glsl) so that they contain the casters of
+  /// other passes.
   using GrowMore = std::function<void(const gl::Buffer& bounds)>;
-  /// Computes the bounds and the map's transform. Afterwards draw() and bind() may be called.
+  /// Computes the bounds and the map's transform. Must be called before draw() and bind().
   void fit(const sim::Drawables& drawables, const GrowMore& growMore);
-  /// Draws the map. `drawMore` draws the casters of other passes into the map, which is bound with its
-  /// state set.
+  /// Draws the map. `drawMore` draws the casters of other passes into the map; the map is bound and the
+  /// drawing state is set.
   void draw(const sim::Drawables& drawables, const std::function<void()>& drawMore) const;
   /// Binds the map and its transform for shaders.
   void bind() const;
   [[nodiscard]] bool on() const { return on_; }
   [[nodiscard]] glm::ivec2 size() const { return {map_.width(), map_.height()}; }
-  /// Returns the defines of shaders that include draw/surface/shadow_read.glsl; empty without a shadow.
+  /// Returns the defines of shaders that include draw/surface/shadow_read.glsl. Empty if the sun casts no
+  /// shadow.
   [[nodiscard]] const gl::Defines& defines() const { return defines_; }
 
  private:
   bool on_;
   float softness_;
   gl::Defines defines_;
-  /// Returns the program of a surface. The program that displaces vertices is created on first use.
+  /// Returns the program that draws a surface. The program that displaces vertices is created on first use.
   [[nodiscard]] const gl::Program& drawOf(const sim::Surface& surface) const;
 
   gl::Kernels<SurfaceBounds> bounds_;

@@ -5,7 +5,7 @@
 
 namespace simreel::draw {
 
-/// Parameters of a skin, with the defaults of its look for the values that the scene leaves open.
+/// Parameters of a skin. Values that the scene does not set have the defaults of the skin's look.
 struct SkinLook {
   const char* define;  ///< define of glsl/draw/surface/skin.glsl
   glm::vec3 low;       ///< colour of low field values, linear RGB
@@ -13,14 +13,14 @@ struct SkinLook {
                        ///< 1
   float threshold;     ///< threshold as a fraction of the field's range
   float roughness;
-  float depth;  ///< relief height of the whole value range, in cells, times the skin's bump; negative: high
-                ///< values are low
+  float depth;  ///< relief height of the field's whole value range, in cells, times the skin's bump; if
+                ///< negative, high values are low
 };
 
 [[nodiscard]] SkinLook lookOf(const scene::Skin& skin);
 
-/// Returns the skin's threshold as a fraction of the range [first, last] of the field. If the range is
-/// empty, 0 to 1 is used instead.
+/// Returns the skin's threshold as a fraction of the field's range [first, last]. An empty range counts as
+/// 0 to 1.
 [[nodiscard]] float thresholdFraction(const scene::Skin& skin, glm::vec2 range);
 
 }  // namespace simreel::draw

@@ -43,7 +43,7 @@ namespace {
 gl::Texture emptyTexture(const std::string& label, GLenum format, int width, int height) {
   gl::Texture texture = gl::Texture::image(label, format, width, height, 0);
   texture.wrap(GL_REPEAT);
-  // Same as for texture files: no anisotropic filtering on software drivers, where it is too slow.
+  // As for texture files, software drivers use no anisotropic filtering, because it is too slow there.
   const float anisotropy = std::min(gl::limits().anisotropy, gl::softwareDriver() ? 1.0F : 8.0F);
   if (anisotropy > 1.0F) glTextureParameterf(texture.name(), GL_TEXTURE_MAX_ANISOTROPY_EXT, anisotropy);
   return texture;
@@ -76,7 +76,7 @@ void SkinTextures::update(const scene::Skin& skin, const FieldTextures::Entry& f
   const glm::vec2 range = field.colored ? glm::vec2(0, 1) : field.range;
   const float factor = 1.0F / (range.y == range.x ? 1.0F : range.y - range.x);
   const glm::ivec2 texels(width, height);
-  gl::barrier();  // waits for the writes of the field
+  gl::barrier();  // waits until kernels have written the field
   relief_.of({.colored = field.colored})
       .dispatch(texels, {.field = field.texture,
                          .relief = entry.relief,

@@ -29,18 +29,19 @@ struct SkinValues {
   gl::Uniform<"skinCells", glm::vec2> cells;
 };
 
-/// Textures that skins compute from their fields; one set for all surfaces with the same field, look and
-/// threshold.
+/// Textures that skins compute from their fields. All surfaces with the same field, look and threshold
+/// share one set.
 class SkinTextures {
  public:
   struct Entry {
-    gl::Texture relief;                ///< RGBA16F, mip-mapped, repeating; content as in
-                                       ///< glsl/draw/surface/skin_relief.comp
-    gl::Texture surroundings;          ///< R16F, mip-mapped, repeating: mean of the surrounding values
+    gl::Texture relief;                ///< RGBA16F, mip-mapped, repeating;
+                                       ///< glsl/draw/surface/skin_relief.comp describes the content
+    gl::Texture surroundings;          ///< R16F, mip-mapped, repeating: mean of the values around each
+                                       ///< texel
     gl::Texture colors;                ///< RGBA16F, mip-mapped, repeating; only for the look "map"
     float threshold = 0.5F;            ///< threshold as a fraction of the field's range
     glm::ivec2 cells{1, 1};            ///< size of the field in cells
-    [[nodiscard]] int levels() const;  ///< number of mip levels of each texture
+    [[nodiscard]] int levels() const;  ///< returns the number of mip levels of each texture
   };
 
   /// Compiles the kernels if any material of the scene has a skin. The scene must outlive this object.
@@ -49,7 +50,7 @@ class SkinTextures {
   void update(const FieldTextures& fields);
   /// Updates the textures of one skin.
   void update(const scene::Skin& skin, const FieldTextures::Entry& field);
-  /// Returns null if the skin's field was never published.
+  /// Returns the textures of a skin, or null if its field was never published.
   [[nodiscard]] const Entry* find(const scene::Skin& skin) const;
 
   /// Binds the textures and sets the uniforms of glsl/draw/surface/skin.glsl.

@@ -26,10 +26,10 @@ enum Feature : unsigned {
   palette = 256,
   bumped = 512,
   vertexColors = 1024,
-  lookShift = 11  ///< bit position of the skin's look
+  lookShift = 11  ///< bit offset of the skin's look
 };
 
-constexpr float mattRoughness = 0.6F;  // dielectrics rougher than this reflect too little to be visible
+constexpr float mattRoughness = 0.6F;  // dielectrics rougher than this have no visible reflections
 
 unsigned features(const scene::Material& material) {
   return (material.texture.empty() ? 0U : textured) | (material.translucency > 0 ? translucent : 0U) |
@@ -61,8 +61,8 @@ SurfacePass::SurfacePass(const scene::Scene& scene, const ShadowPass& shadow, co
   defines_.insert(defines_.end(), lamps.defines().begin(), lamps.defines().end());
   for (const scene::Object& object : scene.objects) {
     textures_.load(object.material.texture);
-    // Compiles variants for both grids and solid meshes, because the kind of surface is not known yet and
-    // both are common.
+    // Compiles the variants for grids and for solid meshes, because the kind of surface is not known yet
+    // and both are common.
     const unsigned wanted =
         object.material.skin ? skinFeatures(object.material, true) : features(object.material);
     program(wanted | grid | doubleSided);
@@ -125,7 +125,7 @@ void SurfacePass::setPlain(const scene::Material& material, bool isGrid, const g
   shader.set("perMetre", glm::vec2(material.textureScale));
   shader.set("bump", material.bump);
   if (const gl::Texture* albedo = textures_.load(material.texture)) {
-    // A sheet that shows the picture exactly once must not blend opposite borders.
+    // For a sheet that shows the picture exactly once, opposite borders must not blend.
     const bool once = isGrid && glm::vec2(material.textureScale) == glm::vec2(1);
     albedo->wrap(once ? GL_CLAMP_TO_EDGE : GL_REPEAT);
     albedo->bind(albedoUnit);
@@ -136,7 +136,7 @@ void SurfacePass::setSkin(const SkinTextures::Entry& entry, const scene::Skin& s
                           const gl::Program& shader) {
   SkinTextures::bind(entry, skin, shader);
   shader.set("textureScale", glm::vec2(skin.repeats));
-  // Triplanar projection uses square cells, whatever the shape of the field.
+  // Triplanar projection uses square cells for fields of any aspect ratio.
   const float shape = static_cast<float>(entry.cells.x) / static_cast<float>(entry.cells.y);
   shader.set("skinRepeats", glm::vec2(skin.repeats, skin.repeats * shape));
 }

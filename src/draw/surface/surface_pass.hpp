@@ -12,22 +12,22 @@
 
 namespace simreel::draw {
 
-/// True if a material reflects the sky visibly. Otherwise its shaders contain no sky reflection.
+/// True if a material visibly reflects the sky. The shaders of other materials contain no sky reflection.
 [[nodiscard]] bool isReflective(const scene::Material& material);
 [[nodiscard]] bool isReflective(const scene::Ground& ground);
-/// True if a surface with that roughness reflects the objects around it (mirrorRough in
+/// True if a surface with this roughness reflects the objects around it (mirrorRough in
 /// glsl/draw/exact/reflections/mirror_reach.glsl).
 [[nodiscard]] constexpr bool mirrorsScene(float roughness) {
   return roughness < 0.3F;
 }
 
-/// Draws surfaces with their materials by the driver's rasterizer. Each combination of material features
+/// Draws surfaces and their materials with the driver's rasterizer. Each combination of material features
 /// has its own program, because software drivers execute both sides of a branch.
 class SurfacePass {
  public:
   /// Compiles the programs and loads the textures that the scene's materials need.
   SurfacePass(const scene::Scene& scene, const ShadowPass& shadow, const Lamps& lamps);
-  /// Draws into the bound framebuffer. A skin whose field is missing has no effect.
+  /// Draws into the bound framebuffer. A skin without a field has no effect.
   void draw(const sim::Drawables& drawables, const SkinTextures& skins);
 
  private:

@@ -22,7 +22,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* checkpointFormat = "simreel-checkpoint";
 
-/// Removes the hash from the end of the text. Throws JsonError if it does not match the text before it.
+/// Removes the hash from the end of the text. Throws JsonError if the hash does not match the text before
+/// it.
 void checkHash(std::string& text) {
   const std::string_view all(text);
   if (all.size() < hashDigits ||
@@ -108,7 +109,7 @@ std::optional<Checkpoint> Checkpoint::read(const std::filesystem::path& file, co
   return std::nullopt;
 }
 
-/// Each size is checked against the bytes left, so the sum cannot exceed the file.
+/// Each size is compared with the number of remaining bytes, so the sum cannot exceed the file size.
 void Checkpoint::readParts(const JsonValue& header) {
   std::size_t left = text_.size() - payload_;
   const auto countBytes = [&](const JsonValue& size) {

@@ -14,28 +14,28 @@ namespace simreel::frame {
 
 /// Saved state of a simulation between two frames. File layout: a JSON header line (simulation, frame, and
 /// names and sizes of the parts), the table of counts, the parts, and a hash of everything before it
-/// (src/batch/README.md). Only the program version that wrote a checkpoint reads it, for any run of the
-/// same simulation, regardless of what the run draws.
+/// (src/batch/README.md). Only the program version that wrote a checkpoint can read it. It fits any run of
+/// the same simulation, regardless of which frames the run draws.
 class Checkpoint {
  public:
   /// Reads back the world's state and writes it atomically. `counts`: the table of counts up to the current
   /// frame. Throws UserError(inputOutput).
   static void write(const std::filesystem::path& file, const RunInfo& run, const std::string& stateHash,
                     const std::string& counts, sim::World& world);
-  /// Throws UserError(usage) if the file is not a complete checkpoint of this program version,
-  /// UserError(inputOutput) if it cannot be read.
+  /// Loads a checkpoint. Throws UserError(usage) if the file is not a complete checkpoint of this program
+  /// version, and UserError(inputOutput) if it cannot be read.
   [[nodiscard]] static Checkpoint load(const std::filesystem::path& file);
   /// Returns the reason why `run` cannot continue from the checkpoint, or nothing if it can. Reasons:
   /// another simulation, or fast numerics and a driver with another numerics fingerprint.
   [[nodiscard]] std::optional<std::string> mismatch(const RunInfo& run) const;
-  /// Reads a checkpoint. Returns nothing if the file does not exist, and also warns if the file exists but
-  /// `run` cannot continue from it. `lastFrame` is the last frame of the run; a checkpoint of a later frame
-  /// is rejected.
+  /// Reads a checkpoint. Returns nothing if the file does not exist. If `run` cannot continue from the
+  /// file, warns and returns nothing. `lastFrame`: last frame of the run; a checkpoint of a later frame is
+  /// rejected.
   [[nodiscard]] static std::optional<Checkpoint> read(const std::filesystem::path& file, const RunInfo& run,
                                                       int lastFrame);
 
-  /// Restores the state into a world of the same scene; the world's current frame becomes frame(). Throws
-  /// UserError(usage) if a part does not fit, which leaves the world unusable.
+  /// Restores the state into a world of the same scene; the world's current frame becomes frame(). If a
+  /// part does not fit, throws UserError(usage); the world is then unusable.
   void restore(sim::World& world) const;
 
   [[nodiscard]] int frame() const { return frame_; }
@@ -54,7 +54,7 @@ class Checkpoint {
   std::size_t countBytes_ = 0;
   std::vector<StatePart> parts_;
   std::string text_;         ///< content of the checkpoint file
-  std::size_t payload_ = 0;  ///< offset in text_ of the table of counts; the parts follow it
+  std::size_t payload_ = 0;  ///< offset of the table of counts in text_; the parts follow the table
 };
 
 }  // namespace simreel::frame

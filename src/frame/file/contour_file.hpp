@@ -9,21 +9,21 @@
 
 namespace simreel::frame {
 
-/// One closed contour: its level and its points in order. Collinear points are removed. The loop starts at
-/// its point with the lowest index in ContourLines.
+/// One closed contour: its level and its points in sequence. Collinear points are removed. The loop starts
+/// at the point with the lowest index in ContourLines.
 struct ContourLoop {
   int level = 1;
   std::vector<glm::vec2> points;
 };
 [[nodiscard]] std::vector<ContourLoop> contourLoops(const sim::ContourLines& lines);
 
-/// Returns the contours as SVG: one path for each level with all its loops, filled by the even-odd rule.
-/// One unit is one cell, y grows downwards. `size` is the field's size in cells.
+/// Returns the contours as SVG. Each level has one path with all its loops, filled by the even-odd rule.
+/// One unit is one cell, y grows downwards. `size`: size of the field in cells.
 [[nodiscard]] std::string encodeSvg(const sim::ContourLines& lines, glm::ivec2 size,
                                     std::span<const std::string> comments);
 
-/// Returns the contours as a GeoJSON FeatureCollection (RFC 7946): a LineString for each loop, with the
-/// first point repeated at its end and the property "level". Coordinates are cells with y upwards, because
+/// Returns the contours as a GeoJSON FeatureCollection (RFC 7946). Each loop becomes a LineString whose
+/// last point equals the first, with the property "level". Coordinates are cells with y upwards, because
 /// maps have north at the top: cell (x, y) is at [x, -y]. `path` (in cells; may be empty) becomes a
 /// LineString with the property "path". Each room becomes a Point at its centre with the properties "room"
 /// (from 1), "cells" and "area" (m^2).

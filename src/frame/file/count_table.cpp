@@ -10,7 +10,7 @@ namespace simreel::frame {
 
 namespace {
 
-/// Formats one cell. Floats use the shortest text that reads back as the same float.
+/// Formats one cell. For a float, uses the shortest text that is read back as the same float.
 std::string cell(const sim::World::CountNames& names, const glm::uvec4* row, std::size_t column) {
   const unsigned word = row[column / 4][static_cast<int>(column % 4)];
   return names.measured ? fmt::format("{}", std::bit_cast<float>(word)) : fmt::format("{}", word);
@@ -31,14 +31,14 @@ void CountTable::add(const sim::World::Summary& summary) {
   const auto count = [&](std::size_t i) {
     return static_cast<long>(summary.counts[i].size()) / names_[i].elements;
   };
-  if (rows_ == 0) {  // frame 0: one row with the counts of every object
+  if (rows_ == 0) {  // frame 0 has one row with the counts of every object
     std::vector<const glm::uvec4*> row;
     for (const auto& counts : summary.counts) row.push_back(counts.empty() ? nullptr : counts.data());
     addRow(summary.frame / fps_, row);
     return;
   }
-  // Row j of n (from 1) is at fraction j / n of the frame. Merges the rows of all objects in time order.
-  // Fractions are compared by cross-multiplication, so equal times match exactly.
+  // Row j of n (from 1) is at fraction j / n of the frame. The loop merges the rows of all objects in time
+  // order. Fractions are compared by cross-multiplication, so equal times match exactly.
   std::vector<long> next(names_.size(), 1);
   while (true) {
     long top = 0;

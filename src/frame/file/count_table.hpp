@@ -7,19 +7,20 @@
 
 namespace simreel::frame {
 
-/// Table of the simulations' counts (one row each step) or measurements (one row each frame), as CSV.
+/// Table of the simulations' counts (one row per step) or measurements (one row per frame), as CSV.
 /// Columns: step (the start is step 0), time (s), and "object.column" for each count. Objects with
-/// different step lengths share a row if their times are equal; other cells stay empty.
+/// different step lengths share a row if their times are equal; other cells are empty.
 class CountTable {
  public:
   /// `fps` is the scene's frame rate.
   CountTable(double fps, std::vector<sim::World::CountNames> names);
 
-  /// Appends the counts of the next frame. Frames must come in order, including pre-roll frames.
+  /// Appends the counts of the next frame. Must be called for all frames in ascending order, including
+  /// pre-roll frames.
   void add(const sim::World::Summary& summary);
-  /// Continues the table of an earlier run. `text` is the earlier table's text().
+  /// Continues the table of an earlier run. `text`: result of text() in the earlier run.
   void resume(std::string_view text);
-  /// True if no object has counts, or before the first frame.
+  /// True if the table has no rows: if no object has counts, or before the first frame.
   [[nodiscard]] bool empty() const { return names_.empty() || rows_ == 0; }
   [[nodiscard]] const std::string& text() const { return text_; }
   /// Returns the column names, comma separated. lastRow() returns the last row.

@@ -12,8 +12,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "floats are written as they lie in memory");
 
-/// Returns the header of NumPy format 1.0: magic, version, length of the rest, a Python dictionary, padding
-/// with spaces to a multiple of 64 bytes, line feed.
+/// Returns the header of NumPy format 1.0: magic, version, length of the remaining header, a Python
+/// dictionary, spaces up to a multiple of 64 bytes, line feed.
 std::string npyHeader(glm::ivec2 size) {
   std::string text =
       fmt::format("{{'descr': '<f4', 'fortran_order': False, 'shape': ({}, {}), }}", size.y, size.x);

@@ -14,7 +14,7 @@ enum class FieldFormat {
   pfm   ///< portable float map "Pf", little endian: one channel, last row first
 };
 
-/// Field files that a user chooses with --fields.
+/// Choice of field files by the option --fields.
 struct FieldChoice {
   FieldFormat format = FieldFormat::npy;
   std::vector<std::string> names;  ///< names of fields, OBJECT or OBJECT.PART; empty: all fields

@@ -20,11 +20,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* manifestFormat = "simreel-manifest";
-// versions: 2 added hashes of files; 3 moved machines to run.json; 4 added the manifest's own hash
+// changes by version: 2 added hashes of files; 3 moved machines to run.json; 4 added the manifest's hash
 constexpr int formatVersion = 4;
 constexpr int oldestVersion = 3;
 
-/// Returns the end of a manifest, with the hash of everything `before` it.
+/// Returns the end of a manifest, with a hash of the text `before`.
 std::string closing(std::string_view before) {
   return fmt::format(",\n  \"hash\": \"{}\"\n}}\n", hashHex(before));
 }

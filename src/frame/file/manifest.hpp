@@ -20,10 +20,10 @@ struct ManifestFrame {
   bool drawn = false;  ///< true if this process drew the frame; for run.json
 };
 
-/// Content of manifest.json, the file beside the frames that describes the run and holds the hashes of each
-/// frame. The manifest contains no time, path or machine, so all runs of one scene write the same bytes; if
-/// the pictures depend on the driver, the manifest also contains the fingerprint of the driver's numerics.
-/// The text ends with a hash of everything before it, so that later changes are detected.
+/// Content of manifest.json, the file next to the frames that describes the run and holds the hashes of
+/// each frame. The manifest contains no time, path or machine, so all runs of one scene write the same
+/// bytes. If the pictures depend on the driver, the manifest also contains the fingerprint of the driver's
+/// numerics. The text ends with a hash of everything before it, so that later changes are detected.
 struct Manifest {
   RunInfo run;
   std::string counts = {};  ///< hash of the table of counts; empty if there is no table
@@ -39,9 +39,8 @@ struct Manifest {
 [[nodiscard]] Manifest parseManifest(const std::string& text, const std::string& name);
 /// Reads a manifest file. Returns nothing if the file does not exist. Throws like parseManifest.
 [[nodiscard]] std::optional<Manifest> readManifest(const std::filesystem::path& path);
-/// Returns the first setting in which two runs differ so that their pixels may differ by more than a few
-/// bits, as text: "seed is 1 in this run and 2 in the earlier one". Returns nothing if the runs do not
-/// differ.
+/// Returns the first setting that differs between two runs and may change pixels by more than a few bits,
+/// as text: "seed is 1 in this run and 2 in the earlier one". Returns nothing if there is none.
 [[nodiscard]] std::optional<std::string> runDifference(const RunInfo& wanted, const RunInfo& stored);
 /// Returns a hash that is equal for two runs exactly if runDifference() finds no difference.
 [[nodiscard]] std::string runIdentity(const RunInfo& run);

@@ -15,7 +15,7 @@ namespace simreel::frame {
 
 namespace {
 
-/// Byte range of the lock file to lock, which may lie beyond the end of the file.
+/// Byte range of the lock file. It may be beyond the end of the file.
 struct Range {
   off_t begin;
   off_t length;  ///< length in bytes; 0 locks everything up to the end of the file, wherever that is
@@ -34,8 +34,8 @@ struct flock description(short kind, Range range) {
   return lock;
 }
 
-/// Locks a range without waiting. Uses open file description locks: they are independent of the process id,
-/// and closing another descriptor of the file does not release them.
+/// Locks a range without waiting. Uses open file description locks, which do not depend on the process id
+/// and are not released when another descriptor of the file is closed.
 bool tryLock(int file, Range range) {
   struct flock lock = description(F_WRLCK, range);
   return ::fcntl(file, F_OFD_SETLK, &lock) == 0;
@@ -54,8 +54,8 @@ void leave(int file, Range range) {
   (void)::fcntl(file, F_OFD_SETLK, &lock);
 }
 
-/// Returns the byte ranges of consecutive frames. The kernel keeps locks in a list, so more than 8192
-/// ranges are merged into one range that also covers frames outside the list.
+/// Returns the byte ranges of consecutive frames. The kernel keeps locks in a list. If there are more than
+/// 8192 ranges, they are therefore merged into one range that also covers frames outside the list.
 std::vector<Range> rangesOf(std::span<const int> frames) {
   constexpr std::size_t max = 8192;
   std::vector<Range> ranges;
@@ -162,8 +162,8 @@ bool OutputLock::ownsCheckpoint() const {
 
 void OutputLock::release() noexcept {
   if (file_ < 0) return;
-  // The file is unlinked while the shared range is locked. A program that has opened it meanwhile notices
-  // in its constructor that the file is gone and creates another.
+  // The file is unlinked while the shared range is locked. If another program has opened the file
+  // meanwhile, its constructor detects that the file is gone and creates a new one.
   if (waitFor(file_, sharedFiles) && tryLock(file_, {checkpoint.begin, 0})) ::unlink(path_.c_str());
   ::close(std::exchange(file_, -1));
 }

@@ -6,15 +6,15 @@
 
 namespace simreel::frame {
 
-/// Keeps two running programs from writing the same frames. The lock consists of byte ranges of the file
-/// "manifest.json.lock" beside the manifest; the kernel releases the locks when the process ends, however
-/// it ends. The last user removes the file, and a file left by a killed process is harmless. Runs that
-/// differ only in their frames may run at the same time. If the file system has no locks (some NFS mounts),
-/// nothing is guarded; if NFS supports locks, the locks work between machines.
+/// Prevents two running programs from writing the same frames. The lock consists of byte ranges of the file
+/// "manifest.json.lock" next to the manifest. The kernel releases the locks when the process ends for any
+/// reason. The last user removes the file; a file left by a killed process is harmless. Runs that differ
+/// only in their frames may run at the same time. If the file system does not support locks (some NFS
+/// mounts), the class has no effect. If NFS supports locks, they work between machines.
 class OutputLock {
  public:
   OutputLock() = default;
-  /// Locks `frames`, which must be ascending. `run` identifies everything else that the output depends on.
+  /// Locks `frames`, which must be ascending. `run`: identifies everything else that the output depends on.
   /// Throws UserError(inputOutput) if a running program has locked one of the frames or renders another
   /// run, or if the lock file cannot be created.
   OutputLock(const std::filesystem::path& manifest, const std::string& run, std::span<const int> frames);
@@ -29,7 +29,7 @@ class OutputLock {
   OutputLock(const OutputLock&) = delete;
   OutputLock& operator=(const OutputLock&) = delete;
 
-  /// Scope guard: while it exists, no other program writes the manifest and counts that the runs share.
+  /// Scope guard. While it exists, other programs do not write the manifest and counts that the runs share.
   /// Only one may exist at a time.
   class Shared {
    public:
@@ -42,8 +42,8 @@ class OutputLock {
     int file_;
   };
 
-  /// True if this program may write the checkpoint. The first of several programs that calls this owns the
-  /// checkpoint until it ends.
+  /// True if this program may write the checkpoint. Of several programs, the first one that calls this
+  /// function may write the checkpoint until the program ends.
   [[nodiscard]] bool ownsCheckpoint() const;
   void release() noexcept;
 

@@ -31,7 +31,7 @@ struct Placeholder {
   int digits;
 };
 
-/// Parses a `%d` or `%04d` at position `at`. Returns nothing if the text there is anything else.
+/// Parses a `%d` or `%04d` at position `at`. Returns nothing if the text at this position is anything else.
 std::optional<Placeholder> printfAt(const std::string& name, std::size_t at) {
   std::size_t i = at + 1;
   int digits = 0;
@@ -45,7 +45,8 @@ std::optional<Placeholder> printfAt(const std::string& name, std::size_t at) {
   return Placeholder{at, i + 1 - at, digits};
 }
 
-/// Returns all placeholders of a file name. Throws UserError(usage) if a '%' starts no valid placeholder.
+/// Returns all placeholders of a file name. Throws UserError(usage) if a '%' does not start a valid
+/// placeholder.
 std::vector<Placeholder> findPlaceholders(const std::string& output, const std::string& name) {
   std::vector<Placeholder> found;
   for (std::size_t i = 0; i < name.size();) {

@@ -14,11 +14,14 @@ struct OutputName {
 
   Kind kind = Kind::sequence;
   std::filesystem::path folder;  ///< folder of the files; empty for the current folder
-  std::string prefix;            ///< sequence: text before the frame number; otherwise the whole file name
-  std::string suffix;            ///< sequence: text after the frame number, including ".png" or ".exr"
-  int digits = 0;                ///< sequence: min number of digits, zero padded
-  bool wholeFolder = false;      ///< sequence: true if the output was given as a folder, not as a pattern
-  /// True if manifest.json, run.json and as-run.json are written beside the frames. Without them, a run
+  std::string prefix;            ///< for a sequence: text before the frame number; otherwise the whole file
+                                 ///< name
+  std::string suffix;            ///< for a sequence: text after the frame number, including ".png" or
+                                 ///< ".exr"
+  int digits = 0;                ///< for a sequence: min number of digits, zero padded
+  bool wholeFolder = false;      ///< for a sequence: true if the output was given as a folder rather than a
+                                 ///< pattern
+  /// True if manifest.json, run.json and as-run.json are written next to the frames. Without them, a run
   /// cannot be resumed.
   bool manifest = true;
 
@@ -29,20 +32,20 @@ struct OutputName {
   [[nodiscard]] std::filesystem::path file(int frame) const;
   /// Returns the file name of file(frame) without its folder.
   [[nodiscard]] std::string fileName(int frame) const;
-  /// Returns the path of the manifest. Empty for standard output.
+  /// Returns the path of the manifest; empty for standard output.
   [[nodiscard]] std::filesystem::path manifestFile() const;
-  /// Returns the path of run.json (run_log.hpp), beside the manifest.
+  /// Returns the path of run.json (run_log.hpp), next to the manifest.
   [[nodiscard]] std::filesystem::path runFile() const;
-  /// Returns the path of the scene as it was run, beside the manifest.
+  /// Returns the path of the scene with all changes applied, next to the manifest.
   [[nodiscard]] std::filesystem::path sceneFile() const;
-  /// Returns the path of the table of counts, beside the manifest. Empty for standard output.
+  /// Returns the path of the table of counts, next to the manifest; empty for standard output.
   [[nodiscard]] std::filesystem::path countFile() const;
-  /// Returns the path of the checkpoint, beside the manifest. Empty for outputs that cannot be resumed:
-  /// videos, standard output, frames without a manifest.
+  /// Returns the path of the checkpoint, next to the manifest. The path is empty for outputs that cannot be
+  /// resumed: videos, standard output, frames without a manifest.
   [[nodiscard]] std::filesystem::path checkpointFile() const;
-  /// Returns the path of a kept checkpoint of one frame: "checkpoint.000500".
+  /// Returns the path of a permanent checkpoint of one frame: "checkpoint.000500".
   [[nodiscard]] std::filesystem::path checkpointFile(int frame) const;
-  /// Returns the folder for the pieces of an output that is assembled from pieces.
+  /// Returns the folder for the pieces from which an output is assembled.
   [[nodiscard]] std::filesystem::path piecesFolder() const;
 
  private:
@@ -51,7 +54,7 @@ struct OutputName {
 
 /// Parses the value of `-o`: a folder (existing, with a trailing slash, or without an extension), a pattern
 /// with `####` or `%04d`, `name.png` for exactly one frame, a video file, or `-` for standard output.
-/// Creates no files. Throws UserError(usage) that lists what is supported.
+/// Creates no files. Throws UserError(usage), whose message lists the supported forms.
 [[nodiscard]] OutputName parseOutput(const std::string& output, std::size_t frameCount);
 
 }  // namespace simreel::frame

@@ -5,13 +5,13 @@
 
 namespace simreel::frame {
 
-/// Disk space reserved so that the manifest can still be written when frames have filled the disk. The
-/// space belongs to an unnamed file, so a killed process leaves nothing behind.
+/// Disk space that is reserved so that the manifest can still be written when frames have filled the disk.
+/// The space belongs to an unnamed file, which disappears even if the process is killed.
 class ReservedRoom {
  public:
   ReservedRoom() = default;
-  /// Reserves nothing if the file system does not support it or the disk is full. A full disk is reported
-  /// at the first frame.
+  /// Reserves space. If the file system does not support it or the disk is full, reserves nothing. A full
+  /// disk is reported at the first frame.
   ReservedRoom(const std::filesystem::path& folder, std::size_t bytes);
   ~ReservedRoom() { release(); }
   ReservedRoom(ReservedRoom&& other) noexcept : file_(std::exchange(other.file_, -1)) {}

@@ -11,9 +11,9 @@ struct FrameFile {
   std::vector<std::byte> bytes;
 };
 
-/// Description of a whole run. Everything that determines its pictures is in the manifest, which contains
-/// no time, path or machine, so two runs on any machines write the same bytes. The other members go to
-/// run.json (run_log.hpp).
+/// Description of a whole run. The manifest holds everything that determines the run's pictures. It
+/// contains no time, path or machine, so two runs on any machines write the same bytes. The other members
+/// are in run.json (run_log.hpp).
 struct RunInfo {
   std::string title;
   std::string sceneHash;
@@ -25,21 +25,22 @@ struct RunInfo {
   /// fingerprint of the driver's numerics; in the manifest unless exact()
   std::string fingerprint;
   std::string driver;  ///< renderer and version string of the driver; in run.json
-  /// CPU model; with the driver it identifies the machine; empty if unknown; in run.json
+  /// CPU model, which together with the driver identifies the machine; empty if unknown; in run.json
   std::string processor = {};
   std::string rasterizer = "driver";  ///< "driver" (rasterization by the OpenGL driver) or "exact"
   /// Scene changes as "path=value", from -D, --seed, --size, --fps, --samples and --rasterizer.
   std::vector<std::string> overrides = {};
-  /// Scene changes that place the camera where a trial run found the whole scene visible. In the manifest.
+  /// Scene changes that place the camera so that the whole scene is visible, as found in a trial run. In
+  /// the manifest.
   std::vector<std::string> camera = {};
-  /// scene::simulationHash; a checkpoint must have the same one to be resumed
+  /// result of scene::simulationHash; a run can resume only from a checkpoint with the same hash
   std::string simulation = {};
   std::string asRun = {};                 ///< scene text with all changes applied; written to as-run.json
   std::string asRunHash = {};             ///< hash of `asRun`; in the manifest; empty if unknown
   std::string command = {};               ///< command line as typed by the user; in run.json
   std::vector<std::string> folders = {};  ///< folders searched for files of the scene; in run.json
 
-  /// True if every machine produces the same bytes, so that the driver does not matter.
+  /// True if every machine produces the same bytes, regardless of the driver.
   [[nodiscard]] bool exact() const { return numerics == "exact" && rasterizer == "exact"; }
 };
 

@@ -28,14 +28,14 @@ struct RunRecord {
   [[nodiscard]] std::string machine() const;
 };
 
-/// Content of run.json, the file beside a manifest with everything that differs between runs of one scene.
+/// Content of run.json, the file next to a manifest with everything that differs between runs of one scene.
 struct RunLog {
   std::vector<RunRecord> runs;  ///< records of all runs, sorted by the time of their first write
 
   /// Returns the machine that drew a frame, or an empty text if unknown.
   [[nodiscard]] std::string machineOf(int frame) const;
-  /// Inserts the record or replaces the same run's earlier record. Removes its frames from all other
-  /// records, and removes records without frames.
+  /// Inserts the record, or replaces the earlier record of the same run. Removes the record's frames from
+  /// all other records, and removes records without frames.
   void put(const RunRecord& record);
 };
 
@@ -44,8 +44,8 @@ struct RunLog {
 [[nodiscard]] std::string runLogText(const RunLog& log);
 /// Parses run.json. Throws UserError(usage) with the file's `name` and the mistake.
 [[nodiscard]] RunLog parseRunLog(const std::string& text, const std::string& name);
-/// Reads run.json. Returns an empty log if the file is missing or unreadable, because the log only
-/// documents the past and nothing depends on it.
+/// Reads run.json. Returns an empty log if the file is missing or unreadable, because the log is only
+/// documentation.
 [[nodiscard]] RunLog readRunLog(const std::filesystem::path& file);
 
 }  // namespace simreel::frame

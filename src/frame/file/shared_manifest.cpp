@@ -17,8 +17,8 @@ namespace simreel::frame {
 
 namespace {
 
-/// Returns the frames to lock. A single picture or video is one file, so it locks number 0 whatever frames
-/// it shows.
+/// Returns the frames to lock. A single picture or video is one file, so number 0 is locked, regardless of
+/// its frames.
 std::vector<int> claimed(const OutputName& output, std::span<const int> frames) {
   if (output.kind != OutputName::Kind::sequence) return {0};
   return {frames.begin(), frames.end()};

@@ -16,25 +16,25 @@
 namespace simreel::frame {
 
 /// The manifest, table of counts and run.json of an output on disk. Several programs that render different
-/// frames of the same run may share them. Not thread-safe.
+/// frames of the same run may share these files. Not thread-safe.
 class SharedManifest {
  public:
   /// Locks the frames. Throws UserError(inputOutput) if another program renders one of them.
   SharedManifest(const OutputName& output, const RunInfo& run, std::span<const int> frames);
 
-  /// Reads the manifest of an earlier run with the same settings. Returns its entries for the frames of
-  /// this run. Keeps its entries for other frames whose files exist, so that rendering some frames again
-  /// does not drop the rest. If `existing` is resume or skip, throws UserError(usage) for a manifest of a
+  /// Reads the manifest of an earlier run with the same settings. Returns the entries for the frames of
+  /// this run. Keeps entries for other frames whose files exist, so that rendering some frames again does
+  /// not drop the others. If `existing` is resume or skip, throws UserError(usage) for a manifest of a
   /// different run, and warns if the manifest cannot be read.
   [[nodiscard]] std::map<int, ManifestFrame> inherit(Existing existing);
-  /// Returns the machine that drew a frame found by inherit(), if that is another machine and pictures
-  /// depend on the machine. Otherwise returns an empty text.
+  /// Returns the machine that drew a frame found by inherit(). Returns an empty text if this machine drew
+  /// the frame or if pictures do not depend on the machine.
   [[nodiscard]] std::string otherMachineOf(int frame) const;
   /// Writes the manifest, after syncing the folder so that the names of its frames are durable. Merges
   /// entries that other programs have added meanwhile. Writes nothing if there are no frames, because an
-  /// empty manifest would only block the next scene. Writes the table of counts alone if the output has no
-  /// manifest. `counts` is the table of counts, if any; an existing
-  /// longer table that starts with it and matches its stored hash is kept. Throws UserError(inputOutput).
+  /// empty manifest would only block the next scene. If the output has no manifest, writes only the table
+  /// of counts. `counts`: the table of counts, if any. An existing longer table is kept if it starts with
+  /// `counts` and matches its stored hash. Throws UserError(inputOutput).
   void write(Manifest manifest, std::string_view counts = {});
   [[nodiscard]] bool ownsCheckpoint() const { return lock_.ownsCheckpoint(); }
   /// Releases the locks, so that other programs may render the frames.
@@ -55,9 +55,10 @@ class SharedManifest {
   void storeScene();
 
   OutputName output_;
-  std::set<int> own_;  ///< frames that this program has locked and no other program writes
+  std::set<int> own_;  ///< frames that this program has locked, so that only it writes them
   OutputLock lock_;
-  Manifest others_;  ///< content of the manifest last read from disk, without the frames in own_
+  Manifest others_;  ///< content of the manifest when it was last read from disk, without the frames in
+                     ///< own_
   Version known_;    ///< version of the file on disk whose other frames are all in others_
   Clock::time_point began_ = Clock::now();
   RunRecord record_;  ///< record of this run for run.json

@@ -8,7 +8,7 @@
 
 namespace simreel::frame {
 
-/// Name and size of one array or number of the state that a world carries from frame to frame.
+/// Name and size of one array or number of the state that a world keeps from frame to frame.
 struct StatePart {
   std::string object, name;
   std::size_t bytes = 0;
@@ -27,7 +27,7 @@ struct WorldState {
 
 /// Restores parts into a world of the same simulation, and sets the world's current frame to `frame`.
 /// Throws UserError(usage) if a part does not fit, for example because it belongs to another simulation;
-/// the world is then unusable. `from` names the parts' origin in the message.
+/// the world is then unusable. `from`: origin of the parts, for the message.
 void putBack(sim::World& world, int frame, const std::vector<StatePart>& parts, std::string_view bytes,
              const std::string& from);
 

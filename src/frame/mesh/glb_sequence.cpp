@@ -24,8 +24,8 @@ std::string GlbSequence::text() const {
   return document.dump();
 }
 
-/// Adds views and accessors for the morph targets. Each holds the positions and normals of one frame after
-/// the first, minus the first frame's values.
+/// Adds views and accessors for the morph targets. Each target holds the positions and normals of one frame
+/// after the first, minus those of the first frame.
 void GlbSequence::describeTargets(Json& primitive) {
   const std::size_t count = first_.positions.size();
   const std::uint64_t bytes = sizeof(glm::vec3) * std::uint64_t{count};
@@ -48,7 +48,7 @@ void GlbSequence::describeAnimation(std::size_t times, std::size_t weights) {
     document_["meshes"][0]["extras"]["targetNames"].push_back(fmt::format("frame {}", plan_.frames[i]));
 }
 
-/// Writes the key times and weights: at frame i the weight of target i - 1 is 1, all others are 0.
+/// Writes the key times and weights. At frame i the weight of target i - 1 is 1, and all others are 0.
 void GlbSequence::writeTimesAndWeights() {
   std::vector<float> row(plan_.frames.size());
   for (std::size_t i = 0; i < row.size(); ++i) row[i] = plan_.seconds(i);
@@ -107,7 +107,7 @@ void GlbSequence::add(const sim::MeshTable& mesh) {
 
 void GlbSequence::finish() {
   const std::string document = text();
-  SIMREEL_CHECK(document.size() <= room_);  // unused space stays filled with blanks
+  SIMREEL_CHECK(document.size() <= room_);  // the unused space still contains blanks
   file_.put(glbHeader(0, 0).size(), std::as_bytes(std::span(document)));
   file_.finish();
 }

@@ -8,7 +8,7 @@ namespace simreel::frame {
 
 /// Writes a surface sequence as binary glTF with one morph target for each frame after the first. All sizes
 /// are known after the first frame. The JSON document comes before the binary data but contains the bounds
-/// of every target, so its space is reserved first and filled in last.
+/// of every target. Space for the document is therefore reserved first and filled last.
 class GlbSequence : public MeshSequence {
  public:
   GlbSequence(const std::filesystem::path& file, SequencePlan plan);

@@ -20,12 +20,12 @@ struct Bounds {
   [[nodiscard]] static Bounds of(std::span<const glm::vec3> points);
 };
 
-/// Builds the buffer views and accessors that describe the binary chunk of a glTF file, in the order of its
-/// bytes. All data consists of 4-byte words, so no padding is needed.
+/// Creates the buffer views and accessors that describe the binary chunk of a glTF file, in the order of
+/// the chunk's bytes. All data consists of 4-byte words, so no padding is needed.
 class GltfLayout {
  public:
-  /// Adds a view of `bytes` bytes behind the existing views, and returns its index. `target` is 0 if the
-  /// data is neither vertices nor indices. `stride` is 0 if only one accessor uses the view.
+  /// Adds a view of `bytes` bytes after the existing views, and returns its index. `target`: 0 if the data
+  /// is neither vertices nor indices. `stride`: 0 if only one accessor uses the view.
   std::size_t view(std::uint64_t bytes, int target, int stride = 0);
   /// Adds an accessor and returns its index. `type` is "SCALAR", "VEC2" or "VEC3".
   std::size_t accessor(std::size_t view, std::uint64_t offset, int component, std::size_t count,
@@ -47,19 +47,19 @@ class GltfLayout {
 /// Adds positions, normals, optional uvs and indices of a mesh to `layout`. Returns the glTF primitive that
 /// refers to them.
 [[nodiscard]] nlohmann::ordered_json addSurface(GltfLayout& layout, const sim::MeshTable& mesh);
-/// Returns the bytes of positions, normals, uvs and indices, as one span each, in the order of
+/// Returns the bytes of positions, normals, uvs and indices, one span per attribute, in the order of
 /// addSurface().
 [[nodiscard]] std::vector<std::span<const std::byte>> surfaceBytes(const sim::MeshTable& mesh);
 
-/// Returns a glTF document with one empty node. addMesh() adds the node's mesh with one primitive;
+/// Returns a glTF document with one empty node. addMesh() gives the node a mesh with one primitive.
 /// GltfLayout adds accessors and buffer.
 [[nodiscard]] nlohmann::ordered_json gltfDocument(const std::string& name,
                                                   std::span<const std::string> comments);
 void addMesh(nlohmann::ordered_json& document, const std::string& name,
              const nlohmann::ordered_json& primitive, bool doubleSided);
 
-/// Returns the bytes of a GLB file before its JSON text of `json` bytes (glTF 2.0 specification, 4.4).
-/// glbBinaryHeader() returns the bytes before the binary chunk.
+/// glbHeader() returns the bytes of a GLB file before its JSON text of `json` bytes (glTF 2.0
+/// specification, 4.4). glbBinaryHeader() returns the bytes before the binary chunk.
 [[nodiscard]] std::vector<std::byte> glbHeader(std::uint64_t json, std::uint64_t binary);
 [[nodiscard]] std::vector<std::byte> glbBinaryHeader(std::uint64_t binary);
 

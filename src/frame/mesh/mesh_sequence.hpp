@@ -10,13 +10,13 @@
 namespace simreel::frame {
 
 /// File formats that hold a surface at several frames.
-/// glb: binary glTF 2.0. The mesh is the first frame; a morph target with normals for each later frame
-/// holds the difference from the first. An animation sets the weights, so positions are interpolated
+/// glb: binary glTF 2.0. The mesh is the first frame. For each later frame, a morph target with normals
+/// holds the difference from the first frame. An animation sets the weights, so positions are interpolated
 /// linearly between frames.
-/// pc2: PointCache2 (J. Burnett, PointCache2 readme, "PC2 File Format"). Little endian; a 32-byte header
-/// with the first frame's number and the step between frames, then positions.
-/// mdd: LightWave Motion Designer (as read by Blender's MOD_meshcache_mdd.c). Big endian; counts, time of
-/// each frame in seconds since the first, then positions.
+/// pc2: PointCache2 (J. Burnett, PointCache2 readme, "PC2 File Format"), little endian. A 32-byte header
+/// has the first frame's number and the step between frames; the positions follow.
+/// mdd: LightWave Motion Designer (as read by Blender's MOD_meshcache_mdd.c), big endian. The file has
+/// counts, the time of each frame in seconds since the first, then the positions.
 inline constexpr std::array<const char*, 3> sequenceFormats = {"glb", "pc2", "mdd"};
 
 /// Properties of a sequence that are known before its first frame.
@@ -24,7 +24,7 @@ struct SequencePlan {
   std::string name;         ///< name of the surface
   std::vector<int> frames;  ///< frame numbers in ascending order
   double fps = 30;
-  std::vector<std::string> comments;  ///< written if the format supports comments
+  std::vector<std::string> comments;  ///< comments, written if the format supports them
 
   /// Returns the time (s) from the first frame to the frame with index `i`.
   [[nodiscard]] float seconds(std::size_t i) const {
@@ -33,7 +33,7 @@ struct SequencePlan {
 };
 
 /// Writes a surface sequence to one file. Frames are written as they are added; only the first is kept in
-/// memory. The file gets its final name in finish(); an unfinished file is removed.
+/// memory. finish() gives the file its final name. An unfinished file is removed.
 class MeshSequence {
  public:
   MeshSequence() = default;
@@ -42,15 +42,15 @@ class MeshSequence {
   MeshSequence& operator=(const MeshSequence&) = delete;
 
   /// Writes the next frame of the plan. Throws UserError(usage) if its triangles or its number of vertices
-  /// differ from the first frame, or if it does not fit the format. Throws UserError(inputOutput) if
-  /// writing fails.
+  /// differ from those of the first frame, or if the format cannot hold it. Throws UserError(inputOutput)
+  /// if writing fails.
   virtual void add(const sim::MeshTable& mesh) = 0;
   /// Completes the file after the last frame. Throws UserError(inputOutput).
   virtual void finish() = 0;
 };
 
 /// Opens a sequence file of the given format. Throws UserError(usage) if the format cannot hold these
-/// frames, and UserError(inputOutput).
+/// frames, and UserError(inputOutput) if the file cannot be created.
 [[nodiscard]] std::unique_ptr<MeshSequence> openSequence(const std::string& format,
                                                          const std::filesystem::path& file,
                                                          SequencePlan plan);

@@ -5,8 +5,8 @@
 
 namespace simreel::frame {
 
-/// Selects the vertices of a mesh that its triangles use, and keeps their order. Unused vertices are
-/// dropped because importers number vertices differently if a format contains unused ones.
+/// Selects the vertices of a mesh that its triangles use, in their original order. Unused vertices are
+/// dropped, because importers number vertices differently if a format contains unused ones.
 class NamedVertices {
  public:
   explicit NamedVertices(const sim::MeshTable& mesh);

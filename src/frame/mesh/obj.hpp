@@ -6,8 +6,8 @@
 
 namespace simreel::frame {
 
-/// Encodes a mesh as OBJ. Numbers use the shortest text that reads back exactly. `comments` are the first
-/// lines. v = 0 is the bottom row of a texture, as usual for OBJ.
+/// Encodes a mesh as OBJ. Each number is the shortest text that is read back exactly. `comments` are the
+/// first lines. v = 0 is the bottom row of a texture, as usual for OBJ.
 [[nodiscard]] std::string encodeObj(const sim::MeshTable& mesh, std::span<const std::string> comments);
 
 }  // namespace simreel::frame

@@ -6,13 +6,13 @@
 
 namespace simreel::frame {
 
-/// Encodes points as PLY (binary, little endian, 32-bit floats). `values` holds the rows one after the
-/// other, one value for each column. Each comment becomes a header line.
+/// Encodes points as PLY (binary, little endian, 32-bit floats). `values`: the rows in sequence, one value
+/// per column. Each comment becomes a header line.
 [[nodiscard]] std::vector<std::byte> encodePly(std::span<const char* const> columns,
                                                std::span<const float> values,
                                                std::span<const std::string> comments);
 
-/// Encodes points and triangles as PLY. `indices` holds three row indices for each triangle.
+/// Encodes points and triangles as PLY. `indices`: three row indices per triangle.
 [[nodiscard]] std::vector<std::byte> encodePly(std::span<const char* const> columns,
                                                std::span<const float> values,
                                                std::span<const unsigned> indices,

@@ -13,7 +13,7 @@ int stepOf(const SequencePlan& plan) {
   return frames.size() > 1 ? frames[1] - frames[0] : 1;
 }
 
-/// Checks the frames and returns `file`. Runs before the file is created.
+/// Checks the frames and returns `file`. It is called before the file is created.
 std::filesystem::path checked(PointCache::Format format, const SequencePlan& plan,
                               const std::filesystem::path& file) {
   const std::vector<int>& frames = plan.frames;
@@ -50,7 +50,7 @@ void PointCache::flush() {
 void PointCache::writeHeader(std::size_t points) {
   const std::vector<int>& frames = plan_.frames;
   if (format_ == Format::pc2) {
-    // POINTCACHE2 with its terminating zero byte
+    // "POINTCACHE2" with its terminating zero byte
     for (const char c : "POINTCACHE2") bytes_.push_back(static_cast<std::byte>(c));
     append(std::uint32_t{1});
     append(static_cast<std::uint32_t>(points));

@@ -7,8 +7,8 @@
 
 namespace simreel::frame {
 
-/// Writes the vertex positions of each frame as PC2 or MDD. The reader needs the triangles from another
-/// file.
+/// Writes the vertex positions of each frame as PC2 or MDD. These formats do not contain triangles, so
+/// readers take them from another file.
 class PointCache : public MeshSequence {
  public:
   enum class Format { pc2, mdd };

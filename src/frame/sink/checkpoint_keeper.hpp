@@ -16,17 +16,17 @@
 
 namespace simreel::frame {
 
-/// Settings for checkpoints. A run writes its state periodically, so that it can be resumed after a crash,
-/// and at chosen frames, so that other runs can start there.
+/// Settings for checkpoints. A run writes its state periodically, so that it can be resumed after a crash.
+/// It also writes its state at chosen frames, so that other runs can start there.
 struct Checkpoints {
-  std::filesystem::path file;  ///< periodic checkpoint; empty: none is written or read
-  double seconds = 60;         ///< interval between checkpoints; 0: none are written
+  std::filesystem::path file;  ///< periodic checkpoint; if empty, none is written or read
+  double seconds = 60;         ///< interval between checkpoints (s); if 0, none are written
   bool resume = false;         ///< true to resume from the existing periodic checkpoint
   RunInfo run = {};
-  /// Frames whose states are kept permanently, and their files. With `resume`, valid existing files are
-  /// kept.
+  /// Frames whose states are stored permanently, and the files of these states. With `resume`, valid
+  /// existing files are kept.
   std::map<int, std::filesystem::path> keep = {};
-  /// checkpoint at which the run begins; empty: the run begins at the scene's start
+  /// checkpoint at which the run begins; if empty, the run begins at the scene's start
   std::filesystem::path from = {};
   /// if `from` cannot be used: true to warn and begin at the scene's start, false to fail
   bool mayDoWithout = false;
@@ -40,11 +40,12 @@ class CheckpointKeeper {
   /// before it.
   CheckpointKeeper(Checkpoints how, const FrameSink& sink, int lastFrame, bool needsBefore);
 
-  /// Restores `world` and `counts` from a checkpoint if Checkpoints::resume is set and no missing frame
-  /// lies before that checkpoint. Otherwise restores Checkpoints::from, if it is set.
+  /// Restores `world` and `counts` from the periodic checkpoint if Checkpoints::resume is set and no frame
+  /// before that checkpoint is missing. Otherwise restores Checkpoints::from, if it is set.
   void resume(const std::vector<int>& frames, const std::function<bool(int frame)>& isMissing,
               sim::World& world, CountTable& counts);
-  /// Returns the frame of the restored checkpoint, or a number below every frame if none was restored.
+  /// Returns the frame of the restored checkpoint. If none was restored, returns a number below every
+  /// frame.
   [[nodiscard]] int resumedFrame() const { return resumedFrame_; }
   /// True if the summary belongs to a frame after the restored checkpoint. Throws UserError(different) if
   /// it belongs to the checkpoint's frame but has another state hash.
@@ -53,14 +54,14 @@ class CheckpointKeeper {
   [[nodiscard]] bool isDue() const { return how_.seconds > 0 && secondsSince(saved_) >= how_.seconds; }
   /// True if this run writes checkpoints.
   [[nodiscard]] bool writes() const;
-  /// True if the state of this frame must be kept permanently and does not exist yet.
+  /// True if the state of this frame must be stored permanently and does not exist yet.
   [[nodiscard]] bool keeps(int frame) const { return how_.keep.contains(frame); }
-  /// Returns the last frame whose state must be kept, or a number below every frame if no state must be
-  /// kept.
+  /// Returns the last frame whose state must be stored permanently. If there is none, returns a number
+  /// below every frame.
   [[nodiscard]] int lastKept() const { return how_.keep.empty() ? beforeAll : how_.keep.rbegin()->first; }
-  /// Writes the world's current state to the file for its frame. Throws UserError(inputOutput).
+  /// Writes the world's current state to the permanent file of its frame. Throws UserError(inputOutput).
   void keep(const std::string& stateHash, const std::string& counts, sim::World& world) const;
-  /// Writes the periodic checkpoint. All earlier frames must be stored already. If writing fails, warns and
+  /// Writes the periodic checkpoint. All earlier frames must already be stored. If writing fails, warns and
   /// writes no more checkpoints; the run continues.
   void save(const std::string& stateHash, const std::string& counts, sim::World& world);
   /// Removes the periodic checkpoint after a run has completed all frames up to `last`, unless the

@@ -74,7 +74,7 @@ std::vector<std::string> ffmpegArguments(const std::filesystem::path& file, int 
   // processors. A fixed number makes the output reproducible; more threads than processors cost little.
   result.insert(result.end(), {"-threads", "8"});
   // bitexact keeps version and time out of the file. The prefix "file:" prevents ffmpeg from interpreting a
-  // name with - or : as something else.
+  // name that contains - or : in another way.
   result.insert(result.end(), {"-fflags", "+bitexact", "-flags:v", "+bitexact", "file:" + file.string()});
   return result;
 }
@@ -123,9 +123,9 @@ void Ffmpeg::write(std::span<const std::byte> bytes) {
   const int error = writeAll(input_, bytes);
   if (error == 0) return;
   if (error != EPIPE) fail(ExitCode::inputOutput, "cannot write to ffmpeg: {}", std::strerror(error));
-  // ffmpeg closed its input, so it has ended or ends soon. Waits at most 2 s before killing it.
+  // ffmpeg closed its input, so it has ended or will end soon. Waits at most 2 s before killing it.
   constexpr int attempts = 200;
-  constexpr useconds_t pause = 10'000;  // microseconds
+  constexpr useconds_t pause = 10'000;  // interval in microseconds
   siginfo_t ended{};
   for (int k = 0; k < attempts && ended.si_pid == 0; ++k) {
     if (k > 0) ::usleep(pause);
@@ -145,8 +145,8 @@ void Ffmpeg::finish() {
 }
 
 int Ffmpeg::wait() {
-  // Waits first and reaps afterwards under the mutex, so that kill() in another thread never hits a reused
-  // process id.
+  // Waits first. Reads the exit status afterwards, under the mutex, so that kill() in another thread never
+  // signals a reused process id.
   siginfo_t ended{};
   while (::waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED | WNOWAIT) != 0 && errno == EINTR) {
   }

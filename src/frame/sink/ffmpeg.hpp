@@ -21,12 +21,12 @@ namespace simreel::frame {
 /// by one pixel.
 [[nodiscard]] std::pair<int, int> videoSize(const std::filesystem::path& file, int width, int height);
 
-/// A running ffmpeg process fed through a pipe. The messages of ffmpeg go to a memory file, so ffmpeg never
-/// blocks on a pipe reader.
+/// A running ffmpeg process that reads frames through a pipe. The messages of ffmpeg go to a memory file,
+/// so that ffmpeg never waits for a reader.
 class Ffmpeg {
  public:
-  /// Starts ffmpeg. Throws UserError(inputOutput); if ffmpeg is missing, the message says how to install
-  /// it.
+  /// Starts ffmpeg. Throws UserError(inputOutput) if it cannot be started. If ffmpeg is missing, the
+  /// message says how to install it.
   explicit Ffmpeg(const std::vector<std::string>& arguments);
   /// Kills the process if finish() was not called.
   ~Ffmpeg();
@@ -49,7 +49,7 @@ class Ffmpeg {
   [[noreturn]] void failed(int status);
   [[nodiscard]] std::string lastLine() const;
 
-  std::mutex mutex_;  ///< locked while the process is signalled or reaped
+  std::mutex mutex_;  ///< locked while a signal is sent to the process or its exit status is read
   pid_t process_ = -1;
   int input_ = -1;
   int messages_ = -1;

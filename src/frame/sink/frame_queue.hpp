@@ -13,14 +13,15 @@
 
 namespace simreel::frame {
 
-/// Worker threads behind a bounded queue that handle frames while drawing continues. With one thread,
-/// frames are handled in order. If no thread can be created, push() handles the frame itself.
+/// Worker threads with a bounded queue that handle frames while drawing continues. With one thread, frames
+/// are handled in order. If no thread can be created, push() handles the frame.
 class FrameQueue {
  public:
   /// Callback that handles one frame. The image is empty if only the additional files must be stored.
   using Handler = std::function<void(const FrameInfo&, const std::optional<Image>&)>;
 
-  /// Queue length for a single in-order thread: enough to absorb frames that take longer than others.
+  /// Queue length for a single in-order thread, enough to compensate for frames that take longer than
+  /// others.
   static constexpr std::size_t maxWaitingInOrder = 4;
 
   /// Creates up to `threads` threads. At most `max` frames wait in the queue, in addition to the frames
@@ -32,7 +33,7 @@ class FrameQueue {
   FrameQueue(FrameQueue&&) = delete;
   FrameQueue& operator=(FrameQueue&&) = delete;
 
-  /// Adds a frame; blocks while the queue is full. Rethrows an exception of the handler.
+  /// Adds a frame. Blocks while the queue is full. Rethrows an exception of the handler.
   void push(FrameInfo info, std::optional<Image> image);
   /// Waits until all frames are handled. Rethrows an exception of the handler.
   void settle();

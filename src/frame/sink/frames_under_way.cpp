@@ -47,7 +47,7 @@ void FramesUnderWay::draw(sim::World& world, std::optional<std::string> stateHas
     const Stopwatch time = timers_.watch(&StageTimes::readBack, frame);
     waiting_.back().files = fields_->read(frame, world.drawables().fields, sink_);
   }
-  // One readback slot stays free for the next picture.
+  // Keeps one readback slot free for the next picture.
   while (waiting_.size() >= draw::Readback::maxUnderWay) deliverOldest();
 }
 

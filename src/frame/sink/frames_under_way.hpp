@@ -23,26 +23,26 @@
 
 namespace simreel::frame {
 
-/// Pipeline between drawing and sink: while the device draws a frame, earlier frames are read back and
+/// Pipeline from drawing to the sink: while the device draws a frame, earlier frames are read back and
 /// encoded.
 class FramesUnderWay {
  public:
-  /// `awaitSummary` waits for the next state summary and calls know(). `fields` is null if no raw field
+  /// `awaitSummary`: waits for the next state summary and calls know(). `fields`: null if no raw field
   /// values are written.
   FramesUnderWay(const scene::Scene& scene, FrameSink& sink, const FieldFiles* fields, Progress& progress,
                  StageTimers& timers, std::function<void()> awaitSummary);
 
-  /// Makes the renderer receive each previous frame, if pictures have motion blur or velocities. Call it
-  /// before the first draw().
+  /// Makes the renderer receive each previous frame, if pictures have motion blur or velocities. Must be
+  /// called before the first draw().
   void follow(sim::World& world);
-  /// Makes the following pictures keep their light and the requested layers.
+  /// Makes the following pictures store their light and the requested layers.
   void keepLayers(const draw::LightRequest& wanted);
   /// Sets a callback that receives each picture before the sink does.
   void onPicture(std::function<void(int frame, const Image& image)> hear) { hear_ = std::move(hear); }
   /// True if a picture or additional file of the frame must be written.
   [[nodiscard]] bool misses(int frame) const;
   /// Draws the world's current frame if it must be written. If too many frames are in flight, first
-  /// delivers the oldest.
+  /// delivers the oldest one.
   void draw(sim::World& world, std::optional<std::string> stateHash);
   /// Sets the state hash of a frame in flight. Ignored for other frames.
   void know(int frame, const std::string& stateHash);
@@ -56,7 +56,7 @@ class FramesUnderWay {
   struct Waiting {
     int frame;
     bool drawn;
-    std::vector<FrameFile> files;  ///< stored once the frame's state is known to be valid
+    std::vector<FrameFile> files;  ///< stored when the frame's state is known to be valid
     std::shared_ptr<const draw::PictureLayers> layers;
     std::optional<std::string> stateHash;
   };
@@ -78,7 +78,8 @@ class FramesUnderWay {
   draw::Readback readback_;
   std::deque<Waiting> waiting_;
   int delivered_ = 0;
-  double toldEncode_ = 0;  ///< part of the sink's encodeSeconds() that has been reported to progress_
+  double toldEncode_ = 0;  ///< the time of the sink's encodeSeconds() that has been reported to progress_
+                           ///< so far
 };
 
 }  // namespace simreel::frame

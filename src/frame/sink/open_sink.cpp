@@ -37,8 +37,9 @@ std::unique_ptr<FrameSink> openSink(const OutputName& output, Existing existing,
 
 namespace {
 
-/// Throws UserError(inputOutput) if `folder` cannot be created. Tests this with a temporary folder of
-/// random name inside the nearest existing parent, because another run may be creating `folder` itself.
+/// Throws UserError(inputOutput) if `folder` cannot be created. Tests this by creating a temporary folder
+/// with a random name in the nearest existing parent, because another run may be creating `folder` at the
+/// same time.
 void checkFolder(const std::filesystem::path& folder) {
   std::filesystem::path above = folder;
   while (!above.empty() && !pathExists(above)) above = above.parent_path();

@@ -9,8 +9,8 @@
 
 namespace simreel::frame {
 
-/// Creates the sink for `output`. Throws UserError(usage) if the combination is not supported,
-/// UserError(inputOutput) if nothing can be written or files exist.
+/// Creates the sink for `output`. Throws UserError(usage) if the combination is not supported, and
+/// UserError(inputOutput) if the output is not writable or files exist.
 [[nodiscard]] std::unique_ptr<FrameSink> openSink(const OutputName& output, Existing existing,
                                                   const RunInfo& run, std::span<const int> frames,
                                                   const std::string& streamFormat);
@@ -18,7 +18,7 @@ namespace simreel::frame {
 /// Throws UserError(inputOutput) if an output file of one of the frames exists.
 void refuseExisting(const OutputName& output, std::span<const int> frames);
 
-/// Performs the checks of openSink() that need no device: existing files, and whether the location is
+/// Performs the checks of openSink() that need no device: files must not exist, and the location must be
 /// writable. Leaves no files behind. Throws like openSink().
 void checkOutput(const OutputName& output, Existing existing, std::span<const int> frames);
 

@@ -105,8 +105,8 @@ void Progress::clear() {
 void Progress::print() {
   lastShown_ = Clock::now();
   shown_ = true;
-  // Uses one column less, because a full line would wrap on some terminals. The escape sequence erases the
-  // rest of an older, longer line.
+  // Uses one column less than the terminal has, because a full line would wrap on some terminals. The
+  // escape sequence erases the remainder of an earlier, longer line.
   write(fmt::format("\r{}\x1b[K",
                     progressLine(done_, total_, secondsSince(begin_), columns(descriptor_) - 1)));
 }

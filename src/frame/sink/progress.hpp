@@ -14,7 +14,7 @@ struct StageTimes {
   double draw = 0;
   double readBack = 0;
   double encode = 0;  ///< CPU time of other threads that encode frames
-  double start = 0;   ///< device, shaders, textures: everything before the first step
+  double start = 0;   ///< time before the first step, for device, shaders and textures
   double wait = 0;    ///< time spent waiting for encoders, ffmpeg or the disk
 };
 
@@ -23,29 +23,29 @@ class Progress {
  public:
   enum class Mode { automatic, terminal, ndjson, none };
 
-  /// `automatic` shows a bar on a terminal and nothing otherwise. Tests pass another `descriptor`.
+  /// `automatic`: a bar on a terminal, otherwise nothing. Tests pass another `descriptor`.
   explicit Progress(Mode mode, int descriptor = 2);
   void start(int total);
   /// Reports the progress of the pre-roll steps before the first frame.
   void prepare(long done, long total);
-  /// Reports that a frame is done or already existed. `stages` holds the times of the frame and of
-  /// preceding frames that are not written. `stages.encode` is the encoding time of any frames since the
-  /// last call, because encoding runs in parallel.
+  /// Reports that a frame is done or already existed. `stages`: times of the frame and of preceding frames
+  /// that are not written. `stages.encode`: encoding time since the last call, of any frames, because
+  /// encoding runs in parallel.
   void frame(int number, const StageTimes& stages);
-  /// Reports the result of a scene check.
+  /// Reports the result of a check of the scene.
   void check(const std::string& what, int frame, std::optional<double> value, bool passed);
-  /// Reports the current counts. `names` and `row` are comma separated. ndjson only.
+  /// Reports the current counts, only in mode ndjson. `names` and `row` are comma separated.
   void counts(int frame, std::string_view names, std::string_view row);
-  /// Writes an event given as a JSON object. ndjson only.
+  /// Writes an event given as a JSON object, only in mode ndjson.
   void event(const std::string& object) const;
   /// True if events are written (mode ndjson).
   [[nodiscard]] bool tellsEvents() const { return mode_ == Mode::ndjson; }
-  /// Adds the name of a job to all following events, because several jobs share the output.
+  /// Adds the name of a job to all following events, because several jobs write to the same output.
   void ofJob(std::string job) { job_ = std::move(job); }
   /// Clears the bar, before other messages are printed.
   void clear();
-  /// Clears the bar and, in mode ndjson, writes the event "end". `status` is "ok", "interrupted" or
-  /// "failed"; `stages` holds the times of the whole run.
+  /// Clears the bar and, in mode ndjson, writes the event "end". `status`: "ok", "interrupted" or "failed";
+  /// `stages`: times of the whole run.
   void finish(const char* status = "ok", const StageTimes& stages = {});
 
  private:

@@ -28,7 +28,7 @@ bool keepsVelocity(const BesideFrames& beside) {
          });
 }
 
-/// One run: steps the world, evaluates each frame's state summary, and draws the wanted frames.
+/// One run of a scene: steps the world, evaluates each frame's state summary, and draws the wanted frames.
 class Run {
  public:
   Run(const scene::Scene& scene, const gl::Context& context, FrameSink& sink, Progress& progress,
@@ -54,7 +54,7 @@ class Run {
       frames_.onPicture([this](int frame, const Image& image) { watch_->drawn(frame, image); });
   }
 
-  /// Call first. Resumes from a checkpoint if requested and no wanted frame before it is missing.
+  /// Begins the run. Resumes from a checkpoint if requested and if no wanted frame before it is missing.
   void begin(const std::vector<int>& frames) {
     if (watch_ != nullptr) watch_->begin(world_);
     if (fields_ != nullptr) fields_->begin(world_.drawables().fields);
@@ -64,7 +64,7 @@ class Run {
 
   /// Simulates all frames up to `frame`, checks each for a lost state, and draws `frame` if it is wanted.
   void render(int frame) {
-    // Earlier frames are complete; otherwise the run would not have been resumed after them.
+    // Earlier frames are complete, because otherwise the run would not have resumed after them.
     if (frame < keeper_.resumedFrame()) return frames_.pass(frame);
     simulateTo(frame);
     const bool known = latest_ && latest_->frame == frame;
@@ -79,12 +79,12 @@ class Run {
 
   void drain() { frames_.drain(); }
 
-  /// Passes all counts so far to the sink, also if the run ended early.
+  /// Passes all counts so far to the sink, even if the run ended early.
   void writeCounts() {
     if (writesCounts_ && !counts_.empty()) sink_.addCounts(counts_.text());
   }
 
-  /// Stores all earlier frames, then the state. Call it between two frames.
+  /// Stores all earlier frames, then the state. Must be called between two frames.
   void saveCheckpoint() {
     if (!started_ || world_.frame() < 0 || !keeper_.writes() || !world_.isWhole()) return;
     lookAtPresent();
@@ -101,7 +101,7 @@ class Run {
   [[nodiscard]] const StageTimes& stages() { return timers_.stages(); }
 
  private:
-  /// Reports progress of objects that step before the first frame, while the world is being created.
+  /// While the world is being created, reports the progress of objects that step before the first frame.
   void prestepped(long done, long total) {
     const auto now = Clock::now();
     if (prestepTime_ > Clock::time_point()) timers_.stages().simulate += secondsSince(prestepTime_);
@@ -111,8 +111,8 @@ class Run {
   }
 
   /// Advances frame by frame and checks for signals, because a pre-roll or a distant frame takes long.
-  /// Intermediate frames use World::passTo(), after which the state must not be drawn or read; so does
-  /// frame `next` unless `seen` is true.
+  /// Intermediate frames use World::passTo(), after which the state must not be drawn or read. Frame `next`
+  /// uses it, too, unless `seen` is true.
   void advanceTo(int next, bool seen) {
     const long preroll = -world_.firstFrame();
     while (world_.frame() < next) {
@@ -126,7 +126,7 @@ class Run {
     }
   }
 
-  /// Makes the summary of the current frame the latest one.
+  /// Waits until the latest summary is that of the current frame.
   void lookAtPresent() {
     frames_.drain();
     if (!seen_) {
@@ -144,7 +144,7 @@ class Run {
   }
 
   /// Returns the next frame whose state summary is needed. Frame 0's summary also covers the whole
-  /// pre-roll, so pre-roll frames only need their own summaries if objects have counts.
+  /// pre-roll, so pre-roll frames need separate summaries only if objects have counts.
   [[nodiscard]] int nextFrame() const {
     if (started_) return world_.frame() + 1;
     if (keeper_.resumedFrame() >= 0) return keeper_.resumedFrame();
@@ -248,7 +248,7 @@ SequenceResult renderSequence(const scene::Scene& scene, const gl::Context& cont
   try {
     sink.finish();
   } catch (...) {
-    // The first failure is the cause; errors from the sink after it are consequences.
+    // The first failure is the cause. Later errors of the sink are consequences.
     if (!failure) failure = std::current_exception();
   }
   result.stages.encode += sink.encodeSeconds();

@@ -15,10 +15,10 @@ namespace simreel::frame {
 
 /// Result of rendering a sequence.
 struct SequenceResult {
-  int frames = 0;      ///< number of frames delivered or found already complete
+  int frames = 0;      ///< number of frames that were delivered or already complete
   int signal = 0;      ///< number of the signal that interrupted the run, or 0
   double seconds = 0;  ///< wall-clock time of the run
-  StageTimes stages;   ///< simulate and draw are device time on a GPU; encode is summed over all threads
+  StageTimes stages;   ///< simulate and draw are device time on a GPU; encode is the sum over all threads
 };
 
 /// Callback interface that observes selected frames of a run.
@@ -38,22 +38,23 @@ class FrameWatch {
 
 /// Additional outputs and options of renderSequence().
 struct BesideFrames {
-  /// writes raw field values of the same frames; null: none are written
+  /// writes raw field values of the same frames; if null, none are written
   FieldFiles* fields = nullptr;
-  /// start of the command, so that the time before the first step is counted
+  /// start of the command; used to measure the time before the first step
   Clock::time_point began = Clock::now();
   bool counts = true;  ///< true to pass the simulations' counts to the sink
   Checkpoints checkpoints = {};
   FrameWatch* watch = nullptr;  ///< observer of selected frames; may be null
-  /// Light and layers to keep, for picture formats other than 8-bit PNG.
+  /// Light and layers to store, for picture formats other than 8-bit PNG.
   std::optional<draw::LightRequest> layers = std::nullopt;
 };
 
-/// Simulates the scene from its start, or from a checkpoint before which no wanted frame is missing. Draws
-/// the wanted frames and passes them to the sink. Always calls sink.finish(). Frames that the sink does not
-/// want are still simulated. Throws UserError: device if a simulation lost its state (earlier frames are
-/// stored), inputOutput from the sink, different if a frame kept from an earlier run now has another state
-/// hash. Failing to write a checkpoint only warns. The checkpoint is removed after the last frame.
+/// Simulates the scene from its start, or from a checkpoint if no wanted frame before it is missing. Draws
+/// the wanted frames and passes them to the sink. Frames that the sink does not want are simulated, too.
+/// Always calls sink.finish(). Throws UserError(device) if a simulation lost its state (earlier frames are
+/// stored), UserError(inputOutput) from the sink, and UserError(different) if a frame stored by an earlier
+/// run now has another state hash. Only warns if a checkpoint cannot be written. The checkpoint is removed
+/// after the last frame.
 [[nodiscard]] SequenceResult renderSequence(const scene::Scene& scene, const gl::Context& context,
                                             const std::vector<int>& frames, FrameSink& sink,
                                             Progress& progress, const BesideFrames& beside = {});

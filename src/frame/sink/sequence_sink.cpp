@@ -47,7 +47,7 @@ class SequenceSink final : public FrameSink {
         file_(output_, run, frames) {
     manifest_.run = run;
     if (existing == Existing::error) refuseExisting(output_, frames_);
-    // Upper bounds for the size of run.json and for each frame in the manifest.
+    // Upper bounds (bytes) for run.json and for each frame in the manifest.
     constexpr std::size_t runBytes = 16384, frameBytes = 256;
     room_ = ReservedRoom(output_.folder, runBytes + frameBytes * frames_.size());
     auto known = file_.inherit(existing);
@@ -59,7 +59,7 @@ class SequenceSink final : public FrameSink {
 
   ~SequenceSink() override {
     if (finished_) return;
-    // An error elsewhere ended the run. The frames done so far can still be resumed.
+    // Another error ended the run. The frames stored so far can still be resumed.
     try {
       queue_.settle();
     } catch (...) {  // NOLINT(bugprone-empty-catch): the other error is the one to report.
@@ -135,14 +135,15 @@ class SequenceSink final : public FrameSink {
   /// State of a frame's file that already exists.
   struct Kept {
     bool exists = false;
-    /// empty file, or not a decodable picture: must be drawn again
+    /// true if the file is empty or not a decodable picture, so that it must be drawn again
     bool damaged = false;
-    std::optional<ManifestFrame> whole = {};  ///< manifest entry of a complete frame; nothing if not listed
-    /// how the file differs from pictures of this run; empty if it does not
+    std::optional<ManifestFrame> whole = {};  ///< manifest entry of a complete frame; nothing if the
+                                              ///< manifest does not list the frame
+    /// description of how the file differs from pictures of this run; empty if it does not differ
     std::string difference = {};
   };
 
-  /// Decides which frames need not be drawn. Uses all cores, because it reads all the files.
+  /// Determines which frames need not be drawn. Uses all cores, because it reads all the files.
   void keepWholeFrames(Existing existing, const std::map<int, ManifestFrame>& known) {
     std::vector<Kept> found(frames_.size());
     tbb::parallel_for(std::size_t{0}, frames_.size(), [&](std::size_t i) {
@@ -221,7 +222,7 @@ class SequenceSink final : public FrameSink {
         return kept;
       }
       const auto header = pngHeaderOf(bytes);
-      // deeper than 8 bits, but decodeImage() returns 8 bits
+      // the file is deeper than 8 bits, but decodeImage() returns 8 bits
       const bool deep = !header || header->depth != 8;
       if (!origin.told || !origin.difference.empty() || output_.isLight() || deep ||
           origin.driver != (manifest_.run.exact() ? std::string() : manifest_.run.driver)) {
@@ -337,7 +338,7 @@ class SequenceSink final : public FrameSink {
     if (folder_.made) fs::remove(output_.folder, notEmpty);
   }
 
-  /// Call in a catch block. Cleans up and rethrows the exception.
+  /// Cleans up and rethrows the current exception. Must be called in a catch block.
   [[noreturn]] void giveUp() {
     const std::exception_ptr error = std::current_exception();
     queue_.abandon();
@@ -360,8 +361,8 @@ class SequenceSink final : public FrameSink {
   Manifest manifest_;
   bool writingManifest_ = false;
   Clock::time_point manifestTime_ = Clock::now();
-  /// One worker per processor: the calling thread mostly waits for the device or for the workers. The last
-  /// member, so that its threads end before other members are destroyed.
+  /// One worker per processor, because the calling thread mostly waits for the device or for the workers.
+  /// This is the last member, so that its threads end before other members are destroyed.
   FrameQueue queue_{
       processorCount(), processorCount(),
       [this](const FrameInfo& info, const std::optional<Image>& image) { store(info, image); }};

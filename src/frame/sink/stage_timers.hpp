@@ -8,11 +8,11 @@
 
 namespace simreel::frame {
 
-/// Adds its own lifetime to the time of a stage.
+/// Adds the time from its construction to its destruction to the time of a stage.
 class Stopwatch {
  public:
   explicit Stopwatch(double& stage) : stage_(stage), begin_(Clock::now()) {}
-  /// Also adds its lifetime to the time of one frame. `ofFrame` must outlive the stopwatch.
+  /// Also adds that time to the time of one frame. `ofFrame` must outlive the stopwatch.
   Stopwatch(double& stage, double& ofFrame) : stage_(stage), ofFrame_(&ofFrame), begin_(Clock::now()) {}
   ~Stopwatch() {
     const double seconds = secondsSince(begin_);
@@ -28,8 +28,8 @@ class Stopwatch {
   Clock::time_point begin_;
 };
 
-/// Measures the stages of a run. Device work is measured with timer queries on a GPU, because commands run
-/// later, and with the CPU clock on a software driver.
+/// Measures the stages of a run. On a GPU, timer queries measure device work, because commands run later.
+/// On a software driver, the CPU clock does.
 class StageTimers {
  public:
   StageTimers() : byQuery_(!gl::softwareDriver()) {}
@@ -42,7 +42,7 @@ class StageTimers {
   [[nodiscard]] Stopwatch watch(double StageTimes::*stage, int frame) {
     return {stages_.*stage, ofFrame_[frame].*stage};
   }
-  /// Returns the times of a frame plus the times of earlier frames that have not been returned, and removes
+  /// Returns the times of a frame plus those of earlier frames that have not been returned yet. Removes
   /// them from the list.
   [[nodiscard]] StageTimes takeUpTo(int frame) {
     StageTimes sum;
@@ -65,8 +65,8 @@ class StageTimers {
     work();
     pending_.back().query.end();
   }
-  /// Measures the wait for the device on a software driver only. On a GPU the timer queries already cover
-  /// it.
+  /// Measures the wait for the device, only on a software driver. On a GPU, the timer queries already
+  /// include it.
   template <class Work>
   void wait(double StageTimes::*stage, int frame, const Work& work) {
     if (byQuery_) return work();

@@ -12,15 +12,15 @@
 namespace simreel::frame {
 
 /// Opens a sink that writes raw frames to a descriptor (standard output). `format` "rgba": bytes as in
-/// Image. "y4m": YUV4MPEG2 C444, 8 bits, full range, BT.601 matrix, which readers assume if a stream
-/// specifies none. The frame rate is computed by playedRate().
+/// Image. `format` "y4m": YUV4MPEG2 C444, 8 bits, full range, with the BT.601 matrix, which readers assume
+/// if a stream specifies none. playedRate() computes the frame rate.
 [[nodiscard]] std::unique_ptr<FrameSink> openStreamSink(const std::string& format, const RunInfo& run,
                                                         std::span<const int> frames, int descriptor = 1);
 
-/// Writes all bytes; retries after EINTR and waits while a pipe is full. Returns 0 or errno.
+/// Writes all bytes. Retries after EINTR and waits while a pipe is full. Returns 0 or errno.
 [[nodiscard]] int writeAll(int descriptor, std::span<const std::byte> bytes);
 
-/// Converts to three planes of width * height bytes: Y, Cb, Cr.
+/// Converts an image to three planes of width * height bytes: Y, Cb, Cr.
 [[nodiscard]] std::vector<std::uint8_t> toFullRangeYuv444(const Image& image);
 
 }  // namespace simreel::frame

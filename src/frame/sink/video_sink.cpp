@@ -60,7 +60,7 @@ class VideoSink final : public FrameSink {
 
   ~VideoSink() override {
     if (!queue_) return;
-    ffmpeg_->kill();  // otherwise the queue's thread might block on ffmpeg
+    ffmpeg_->kill();  // ends ffmpeg first, because the queue's thread might block on it
     queue_->abandon();
     removePart();
   }
@@ -85,7 +85,9 @@ class VideoSink final : public FrameSink {
   void finish() override {
     if (skipped_ || !queue_) return;
     queue_->close();
-    if (manifest_.frames.empty()) return;  // interrupted before the first frame, so there is no video
+    if (manifest_.frames.empty())
+      return;  // the run was interrupted before the first frame, so there is no
+               // video
     ffmpeg_->finish();
     seconds_ = queue_->seconds();
     queue_.reset();
@@ -104,7 +106,7 @@ class VideoSink final : public FrameSink {
     return file.parent_path() / (file.stem().string() + ".part" + file.extension().string());
   }
 
-  /// Keeps the existing file. Reads state hashes from its manifest, if that is readable.
+  /// Keeps the existing file. Reads state hashes from its manifest, if the manifest is readable.
   void skip() {
     skipped_ = true;
     std::optional<std::string> difference;
@@ -121,7 +123,7 @@ class VideoSink final : public FrameSink {
            *difference, output_.manifestFile().string());
   }
 
-  /// Reports an unwritable folder before the first frame is drawn, with a clearer message than ffmpeg's.
+  /// Reports a read-only folder before the first frame is drawn, with a clearer message than ffmpeg's.
   void refuseReadOnly() const {
     const fs::path folder = output_.folder.empty() ? fs::path(".") : output_.folder;
     if (::access(folder.c_str(), W_OK) != 0)
@@ -147,7 +149,7 @@ class VideoSink final : public FrameSink {
   fs::path part_;
   bool skipped_ = false;
   double seconds_ = 0;
-  Manifest manifest_;  ///< written by the queue's thread until the queue is closed
+  Manifest manifest_;  ///< only the queue's thread writes it until the queue is closed
   std::string counts_;
   std::optional<SharedManifest> shared_;
   std::optional<Ffmpeg> ffmpeg_;

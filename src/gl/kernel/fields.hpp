@@ -16,8 +16,8 @@
 #include <utility>
 #include <vector>
 
-/// Field types for the members of a kernel interface (gl/kernel/kernel.hpp). The type of each field
-/// contains its name in the shader.
+/// Field types for the members of a kernel interface (gl/kernel/kernel.hpp). The type of a field contains
+/// the field's name in the shader.
 namespace simreel::gl {
 
 /// A string as a template argument.
@@ -101,9 +101,9 @@ using Uniforms = typename UniformsOf<label, T, std::make_index_sequence<most>>::
 
 enum class Access { read, write, both, together };
 
-/// A storage block (`label` is the name of the block or of one of its members), a uniform block, a sampler,
-/// an image, or an array declared with the macros of glsl/common/memory.glsl or words.glsl, which are
-/// storage blocks or texel views depending on gl::memoryPath().
+/// A resource of a shader: a storage block (`label` is the name of the block or of one of its members), a
+/// uniform block, a sampler, an image, or an array declared with the macros of glsl/common/memory.glsl or
+/// words.glsl. Such arrays are storage blocks or texel views, depending on gl::memoryPath().
 template <Name label, Access wanted>
 struct ResourceField : Resource {
   using Field = void;
@@ -123,15 +123,15 @@ using Out = ResourceField<label, Access::write>;
 template <Name label>
 using InOut = ResourceField<label, Access::both>;
 
-/// A resource that several dispatches read and write without order among themselves: through atomics with
-/// commutative results, or each at separate addresses. These dispatches wait only for other kinds of
-/// access.
+/// A resource that several dispatches read and write in any order relative to each other: with atomics
+/// whose results do not depend on the order, or each at separate addresses. These dispatches wait only for
+/// other types of access.
 template <Name label>
 using Shared = ResourceField<label, Access::together>;
 
 /// A block, sampler or image, such as the values of a frame, that may stay bound for many kernels at the
-/// binding declared in GLSL. A dispatch without a value for it uses the current binding. The code that
-/// binds it issues the barriers.
+/// binding declared in GLSL. A dispatch that passes no value for it uses the current binding. The code that
+/// binds it must issue the barriers.
 template <Name label>
 struct Ambient : In<label> {
   static constexpr bool ambient = true;
@@ -153,8 +153,8 @@ struct Block : In<label> {
   Block(const Resource& resource) : In<label>(resource) {}
 };
 
-/// Field types for a Variant; each field becomes a #define. `all` returns the defines of each value that
-/// tools compile. `key` returns a distinct number for each value, less than `keys`.
+/// Field types for a Variant. Each field becomes a #define. `all` returns the defines of each value that
+/// tools compile. `key` returns a different number for each value; the number is less than `keys`.
 
 /// A define that is 1 or absent. If it is 1, the shader also requires the given GLSL extensions.
 template <Name label, Name... extensions>
@@ -190,7 +190,7 @@ struct Choice {
   }
   static std::vector<Defines> all() { return {{{name, std::to_string(values)}}...}; }
   static constexpr std::uint64_t keys =
-      sizeof...(values) + 1;  ///< the last key stands for a value that is not listed
+      sizeof...(values) + 1;  ///< the last key represents all values that are not listed
   [[nodiscard]] std::uint64_t key() const {
     std::uint64_t index = 0;
     static_cast<void>(((value == values || (++index, false)) || ...));
@@ -202,7 +202,7 @@ struct Choice {
 template <Name label>
 using Switch = Choice<label, 0, 1>;
 
-/// An integer within a range; tools compile both ends. If not set, it is not defined.
+/// An integer within a range. Tools compile both ends of the range. If it is not set, it is not defined.
 template <Name label, int least, int most>
 struct Range {
   using Field = void;
@@ -228,8 +228,8 @@ struct Range {
   bool defined = false;
 };
 
-/// Generated GLSL code as a define, for example a cell rule as a formula. If empty, it is not defined.
-/// Tools compile `sample`.
+/// Generated GLSL code as a define, for example the rule of a cell as a formula. If it is empty, it is not
+/// defined. Tools compile `sample`.
 template <Name label, Name sample>
 struct Code {
   using Field = void;

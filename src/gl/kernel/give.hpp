@@ -7,7 +7,7 @@
 
 namespace simreel::gl {
 
-/// Binds a resource to the sampler or block of that name in a linked program, if the program has one.
+/// If a linked program has a sampler or block of that name, binds a resource to it.
 void bindByName(GLuint program, const char* name, const Resource& resource);
 
 /// Passes kernel fields (uniforms, resources) to a graphics program. Names that the driver optimised away

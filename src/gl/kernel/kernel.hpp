@@ -30,7 +30,7 @@ struct VariantOf<Interface> {
   using Type = typename Interface::Variant;
 };
 
-/// Adds the defines of a variant to `defines`.
+/// Returns `defines` with the defines of a variant added.
 template <class Variant>
 Defines with(Defines defines, const Variant& variant) {
   visitFields(variant, [&](const auto& field) { field.addTo(defines); });
@@ -80,7 +80,7 @@ const KernelNames& namesOf() {
 template <class Interface>
 inline const bool listedKernel = (kernelInterfaces().push_back(&namesOf<Interface>()), true);
 
-/// A compute shader with a typed interface. `Interface` is a plain struct beside the code that runs the
+/// A compute shader with a typed interface. `Interface` is a plain struct next to the code that runs the
 /// kernel:
 ///
 ///     struct BlurKernel {
@@ -115,15 +115,15 @@ class Kernel {
       : base_(std::make_unique<KernelBase>(namesOf<I>(), with(common, variant))) {
     static_cast<void>(listedKernel<I>);
   }
-  /// Creates a kernel from a text instead of the file, for tests.
+  /// Creates a kernel from a text instead of a file, for tests.
   static Kernel ofText(const char* text) {
     Kernel kernel;
     kernel.base_ = std::make_unique<KernelBase>(namesOf<Interface>(), Defines{}, text);
     return kernel;
   }
 
-  /// Creates a kernel from generated GLSL text; `file` of the interface appears in messages. The text may
-  /// declare fewer names than the interface has.
+  /// Creates a kernel from generated GLSL text. The `file` of the interface is used in messages. The text
+  /// may declare fewer names than the interface has.
   static Kernel generated(const std::string& text, const Defines& defines) {
     Kernel kernel;
     kernel.base_ = std::make_unique<KernelBase>(namesOf<Interface>(), defines, text.c_str(), true);
@@ -146,7 +146,7 @@ class Kernel {
     run(given,
         [&](const KernelBase::Given& all) { base_->dispatchGroups(groups.x, groups.y, groups.z, all); });
   }
-  /// Runs the number of workgroups in the indirect command at byte `offset` of `commands`.
+  /// Runs as many workgroups as the indirect command at byte `offset` of `commands` says.
   template <class I = Interface>
   void dispatchIndirect(const Buffer& commands, std::size_t offset,
                         const std::type_identity_t<I>& given) const {
@@ -172,7 +172,7 @@ class Kernel {
   std::unique_ptr<KernelBase> base_;
 };
 
-/// True if 64-bit keys are enough to give every combination of the variant's values a distinct key.
+/// True if 64-bit keys can give every combination of the variant's values a different key.
 template <class Variant>
 consteval bool distinctKeys(const Variant& variant) {
   std::uint64_t keys = 1;
@@ -185,7 +185,7 @@ consteval bool distinctKeys(const Variant& variant) {
   return distinct;
 }
 
-/// Owns the kernels of one interface, one per variant, each created at its first use.
+/// Owns the kernels of one interface, one per variant. Each is created at its first use.
 template <class Interface>
 class Kernels {
  public:

@@ -29,7 +29,7 @@ bool change(UniformSlot::Value& value, const void* now) {
       value);
 }
 
-/// Returns "a" for "a", "a.b" and "a[1]".
+/// Returns the part of a name before the first '.' or '[': "a" for "a", "a.b" and "a[1]".
 std::string_view rootOf(std::string_view name) {
   return name.substr(0, name.find_first_of("[."));
 }
@@ -57,7 +57,7 @@ AccessLog::Memory memoryOf(const Resource& resource) {
 }
 
 GLenum imageAccess(const Resource& resource, Access access) {
-  // If an array is bound as a buffer plus texel view, shaders read it through the image and write it
+  // If an array is bound as a buffer and a texel view, shaders read it through the image and write it
   // through the block.
   if (resource.buffer() != 0 || access == Access::read) return GL_READ_ONLY;
   return access == Access::write ? GL_WRITE_ONLY : GL_READ_WRITE;
@@ -138,7 +138,7 @@ void KernelBase::checkActive() const {
 void KernelBase::checkTypes() const {
   for (const auto& number : names_.numbers)
     for (const auto& [name, type] : linked_->interface().numbers)
-      // A driver accepts an int value for a bool uniform.
+      // Drivers accept an int value for a bool uniform.
       if (namesNumber(number.name, name) && type != number.type &&
           !(type == GL_BOOL && number.type == GL_INT))
         fail(ExitCode::device, "the uniform \"{}\" of glsl/{} has another type than the program gives it",
@@ -264,7 +264,7 @@ void KernelBase::dispatchGroups(GLuint x, GLuint y, GLuint z, const Given& given
 
 void KernelBase::dispatchIndirect(const Buffer& commands, std::size_t offset, const Given& given) {
   if (rehearsed(given)) return;
-  // A command without groups must not trigger a compilation (like Program::dispatchIndirect).
+  // A command without groups must not cause a compilation (as in Program::dispatchIndirect).
   if (softwareDriver() && !linked_->dispatched()) {
     std::array<GLuint, 3> groups{};
     commands.read(offset, std::as_writable_bytes(std::span(groups)));

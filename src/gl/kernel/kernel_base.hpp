@@ -12,18 +12,18 @@
 
 namespace simreel::gl {
 
-/// The interface of a kernel (gl/kernel/kernel.hpp) as run-time data.
+/// Run-time description of the interface of a kernel (gl/kernel/kernel.hpp).
 struct KernelNames {
   struct Number {
     const char* name;
     GLenum type;
-    UniformSlot::Value zero;  ///< zero value of that type
+    UniformSlot::Value zero;  ///< zero value of the number's type
   };
   struct Memory {
     const char* name;
     Access access;
-    std::size_t blockBytes;  ///< size of a uniform block; 0: unknown
-    bool ambient;            ///< may stay bound between dispatches (gl::Ambient)
+    std::size_t blockBytes;  ///< size (bytes) of a uniform block; 0: unknown
+    bool ambient;            ///< true if the resource may stay bound between dispatches (gl::Ambient)
   };
   const char* file = "";
   std::vector<Number> numbers;
@@ -37,7 +37,7 @@ struct KernelNames {
 /// Throws UserError(device) that names the file, unless `text` declares all names of `names`.
 void checkDeclared(const KernelNames& names, const std::string& text);
 
-/// The part of a Kernel that does not depend on its interface type.
+/// The part of a Kernel that does not depend on the type of its interface.
 class KernelBase {
  public:
   /// Values of one dispatch, in the order of KernelNames.
@@ -46,7 +46,8 @@ class KernelBase {
     std::span<const Resource* const> memories;
   };
 
-  /// A non-null `text` replaces the shader file. `generated`: `text` may lack declarations.
+  /// `text`: used instead of the shader file if it is not null. `generated`: true if `text` may lack
+  /// declarations.
   KernelBase(const KernelNames& names, const Defines& defines, const char* text = nullptr,
              bool generated = false);
   ~KernelBase() { linked_->leave(this); }
@@ -69,12 +70,12 @@ class KernelBase {
   };
 
   [[nodiscard]] bool rehearsed(const Given& given) const;
-  /// Links at the first use, and looks up the locations of all names.
+  /// Links the program at the first use, and looks up the locations of all names.
   void resolve();
   void addSlots(std::size_t memory);
   void checkActive() const;
   void checkTypes() const;
-  /// Issues the due barriers (`more`, and those for the given resources), then sets uniforms and binds
+  /// Issues the required barriers (`more`, and those for the given resources), then sets uniforms and binds
   /// resources.
   void prepare(const Given& given, GLbitfield more);
   void setNumbers(const Given& given);

@@ -8,7 +8,7 @@
 namespace simreel::gl {
 
 /// A memory argument of a dispatch: a buffer or a part of one, a texture, or an array (a buffer with a
-/// texel view). It holds references only; the objects must live until the dispatch.
+/// texel view). It holds only references, so the objects must exist until the dispatch.
 class Resource {
  public:
   /// Creates an empty resource, for a name that a variant of the shader does not have.
@@ -23,24 +23,24 @@ class Resource {
     format_ = format;
   }
   // NOLINTEND(google-explicit-constructor)
-  /// Refers to `bytes` bytes of a buffer from `offset`; 0: all.
+  /// Refers to `bytes` bytes of a buffer, starting at `offset`. If `bytes` is 0, refers to all bytes.
   Resource(const Buffer& buffer, std::size_t offset, std::size_t bytes)
       : buffer_(buffer.name()), offset_(offset), bytes_(bytes) {}
-  /// Refers to a part of a buffer and a texel view of that part.
+  /// Refers to a part of a buffer and to a texel view of that part.
   Resource(const BufferPart& part, const Texture& texels) : Resource(part) {
     texture_ = &texels;
     format_ = texels.format();
   }
-  /// Refers to one level of a texture as an image with format `format`.
+  /// Refers to one level of a texture as an image of format `format`.
   Resource(const Texture& texture, GLint level, GLenum format)
       : texture_(&texture), level_(level), format_(format) {}
 
   [[nodiscard]] bool empty() const { return buffer_ == 0 && texture() == nullptr; }
-  /// OpenGL name of the buffer; 0 if none exists.
+  /// Returns the OpenGL name of the buffer, or 0 if there is none.
   [[nodiscard]] GLuint buffer() const { return buffer_; }
   [[nodiscard]] std::size_t offset() const { return offset_; }
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
-  /// The texture; null if none exists.
+  /// Returns the texture, or null if there is none.
   [[nodiscard]] const Texture* texture() const {
     return texture_ != nullptr && *texture_ ? texture_ : nullptr;
   }

@@ -3,7 +3,8 @@
 #include <tuple>
 #include <type_traits>
 
-/// Visits the members of a plain struct of fields (gl/kernel/fields.hpp), because C++20 has no reflection.
+/// Functions that visit the members of a plain struct of fields (gl/kernel/fields.hpp), because C++20 has
+/// no reflection.
 namespace simreel::gl {
 
 template <class T>
@@ -11,7 +12,7 @@ concept IsField = requires {
   typename T::Field;
 };
 
-/// Converts to any member type, to count the members of an aggregate.
+/// A type that converts to any member type; used to count the members of an aggregate.
 struct AnyField {
   template <class T>
     requires(IsField<T> || std::is_aggregate_v<T>)
@@ -31,7 +32,8 @@ consteval std::size_t memberCount() {
     return sizeof...(Members);
 }
 
-/// Calls `visit` with each field of `all` in order; for a nested struct, with each of its fields.
+/// Calls `visit` with each field of `all`, in order. For a nested struct, calls it with each field of the
+/// struct.
 template <class T, class Visit>
 constexpr void visitFields([[maybe_unused]] T& all, [[maybe_unused]] const Visit& visit) {
   constexpr std::size_t count = memberCount<std::remove_const_t<T>>();

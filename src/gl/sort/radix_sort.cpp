@@ -9,8 +9,8 @@ namespace simreel::gl {
 
 namespace {
 
-// Number of records of a tile. On the texel path one invocation counts a tile with 8-bit counters. On the
-// storage path a workgroup of 256 invocations ranks a tile in shared memory, 8 records per invocation
+// Number of records per tile. On the texel path, one invocation counts a tile with 8-bit counters. On the
+// storage path, a workgroup of 256 invocations ranks a tile in shared memory, 8 records per invocation
 // (sort_tile.glsl).
 constexpr int texelTile = 64;
 constexpr int maxTexelTile = 255;
@@ -27,7 +27,7 @@ int tileFor(int capacity) {
   return tilesOf(capacity, texelTile) > maxTexelTiles ? maxTexelTile : texelTile;
 }
 
-// The three kernels of a pass (sort_tile.glsl).
+// Arguments of the three kernels of a pass (sort_tile.glsl).
 
 struct SortArguments {
   Uniform<"count", int> count;
@@ -90,7 +90,7 @@ void RadixSort::pass(int count, int word, int shift) {
   const int tiles = tilesOf(count, tile_);
   const SortArguments arguments = {
       .count = count, .tiles = tiles, .tileRecords = tile_, .word = word, .shift = shift};
-  // One tile is processed by one invocation (texels) or by a workgroup of 256 (storage).
+  // A tile is processed by one invocation (texel path) or by a workgroup of 256 (storage path).
   const int invocations = texels_ ? tiles : tiles * 256;
   kernels_->count.dispatch(invocations, {.arguments = arguments, .records = records_, .digits = digits_});
   kernels_->scan.dispatch(1, {.arguments = arguments, .records = records_, .digits = digits_});

@@ -6,13 +6,14 @@
 
 namespace simreel::gl {
 
-/// Sorts records of four words {lower key, upper key, value, value} on the device without readback. Least
-/// significant digit first, four bits per pass, three dispatches per pass. The sort is stable, so all
-/// drivers give the same result. A pass reads each record twice and writes it once (48 bytes).
+/// Sorts records of four words {lower key, upper key, value, value} on the device without readback. Starts
+/// with the least significant digit; a pass sorts by four bits and takes three dispatches. The sort is
+/// stable, so all drivers give the same result. A pass reads each record twice and writes it once (48
+/// bytes).
 class RadixSort {
  public:
-  /// Creates a sorter for up to `capacity` records. Throws UserError(device) that names the device's limit
-  /// if it is exceeded.
+  /// Creates a sorter for up to `capacity` records. If a device limit is exceeded, throws UserError(device)
+  /// that names the limit.
   RadixSort(const std::string& label, int capacity);
   ~RadixSort();
   RadixSort(const RadixSort&) = delete;
@@ -20,13 +21,14 @@ class RadixSort {
   RadixSort(RadixSort&&) = delete;
   RadixSort& operator=(RadixSort&&) = delete;
 
-  /// Sorts records 0..count-1. The key consists of the lower `highBits` bits of the second word and, less
-  /// significant, the lower `lowBits` bits of the first word; both counts are multiples of 4 up to 32.
-  /// Waits for earlier kernels, and later kernels wait for it; other readers need gl::barrier().
+  /// Sorts the records 0 to count - 1. The more significant part of the key is the lower `highBits` bits of
+  /// the second word; the less significant part is the lower `lowBits` bits of the first word. Both numbers
+  /// are multiples of 4 up to 32. Waits for earlier kernels, and later kernels wait for it; other readers
+  /// need gl::barrier().
   void sort(int count, int lowBits, int highBits);
 
-  /// Records: input of sort(), and its output. Must be bound again after each sort, because the buffers are
-  /// swapped.
+  /// Returns the records, which are the input and the output of sort(). They must be bound again after each
+  /// sort, because the buffers are swapped.
   [[nodiscard]] WordsArray& records() { return records_; }
   [[nodiscard]] const WordsArray& records() const { return records_; }
 
@@ -37,9 +39,10 @@ class RadixSort {
 
   int capacity_;
   bool texels_;
-  int tile_;  ///< number of records of a tile
+  int tile_;  ///< number of records per tile
   WordsArray records_, next_;
-  WordsArray digits_;  ///< four elements per tile: the tile's record count for each digit; then the totals
+  WordsArray digits_;  ///< four elements per tile with the tile's record count for each digit; then the
+                       ///< totals
   std::unique_ptr<Kernels> kernels_;
 };
 

@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Returns the profile of a candidate: the name of the only folder in it that has a baseline.json.
+/// Returns the profile of a candidate: the name of the only folder in the candidate that has a
+/// baseline.json.
 std::string profileOf(const fs::path& folder) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error))
@@ -49,8 +50,8 @@ Candidate readCandidate(const fs::path& folder, const SceneResult& scene) {
   return kept;
 }
 
-/// Throws UserError(usage) if a frame's baseline is neither the one that the report saw nor the kept one,
-/// because another update happened since.
+/// Throws UserError(usage) if a frame's baseline is neither the one that the report saw nor the stored
+/// picture, because another update has happened since.
 void checkBaseline(const SceneResult& scene, const Candidate& kept) {
   const auto current =
       scene.profile.empty() ? std::nullopt : readPictures(baselineFolder(scene.file), scene.profile);

@@ -41,7 +41,7 @@ void promotePicture(const fs::path& kept, const SceneResult& picture, const fs::
   const std::string now = hashOf(baseline, "baseline");
   result.already = now == frame.pixels && (former.empty() || !pathExists(former));
   if (result.already) return;
-  // A renamed picture has no baseline under its new name yet.
+  // A renamed picture does not have a baseline under its new name yet.
   const std::string seen = former.empty() ? frame.expectedPixels : std::string();
   if (now != seen && now != frame.pixels)
     fail(ExitCode::usage, "the baseline {} has changed since that run; run the test again",

@@ -15,7 +15,7 @@ struct Acceptance {
 
 struct Accepted {
   std::string scene;
-  std::string problem;   ///< reason why it was not promoted; empty if it was
+  std::string problem;   ///< reason why the result was not promoted; empty if it was
   bool already = false;  ///< true if the baseline already has these pixels and this state
 };
 

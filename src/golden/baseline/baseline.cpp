@@ -36,7 +36,7 @@ void checkFormat(JsonObject& root) {
     throw JsonError(fmt::format("its format is {}, this program reads {}", format, baselineFormat));
 }
 
-/// Parses the origin of a frame. Older files only contain the numerics fingerprint.
+/// Parses the origin of a frame. Older files contain only the numerics fingerprint.
 Origin parseOrigin(JsonObject& frame) {
   if (const auto rasterizer = frame.find("rasterizer")) {
     if (!rasterizer->is("exact")) rasterizer->wrong("is not \"exact\"");
@@ -82,7 +82,7 @@ PictureBaseline picturesOf(JsonObject& root) {
       for (const std::string& name : {std::string(field.name), field.formerName()})
         if (const auto bound = tolerance.find(name)) {
           result.tolerance[field.name] = bound->number();
-          break;  // if both spellings are present, the former name stays unread and is reported as unknown
+          break;  // if both spellings are present, the former name is not read and is reported as unknown
         }
     tolerance.finish();
   }
@@ -159,7 +159,7 @@ std::string dump(const Json& json) {
 }
 
 /// Adds an accepted picture to the frame's entry. Returns the number of the picture's file: 0 for the
-/// baseline itself, else the number of the alternate.
+/// baseline, else the number of the alternate.
 int accept(PictureBaseline::Frame& stored, const PictureBaseline::Frame& made, bool alternate, int frame) {
   if (!alternate || stored.pixels.empty()) {
     stored = made;
@@ -189,7 +189,7 @@ void removeUnlisted(const fs::path& folder, const PictureBaseline& baseline) {
       removeFile(entry.path());
 }
 
-/// Returns the existing baseline, or an empty one if it cannot be read, so that it is written anew.
+/// Returns the existing baseline, or an empty one if it cannot be read, so that it is written again.
 /// writeBaseline() still refuses to overwrite Git LFS pointers and files with merge conflicts.
 template <class Result>
 Result orFresh(const std::function<std::optional<Result>()>& read) {
@@ -327,8 +327,8 @@ std::string picturesText(const PictureBaseline& baseline) {
   if (!baseline.tolerance.empty()) json["tolerance"] = baseline.tolerance;
   json["frames"] = Json::object();
   for (const auto& [frame, entry] : baseline.frames) {
-    // Items are never created as null and then grown, because nlohmann::json would terminate the program if
-    // that runs out of memory.
+    // Items are created with their content, because nlohmann::json would terminate the program if growing a
+    // null item runs out of memory.
     Json& item = json["frames"][std::to_string(frame)] = Json{{"pixels", entry.pixels}};
     if (entry.origin.exact)
       item["rasterizer"] = "exact";

@@ -36,8 +36,8 @@ struct PictureBaseline {
   };
   std::string profile;
   std::string version, driver, reason;      ///< properties of the run that wrote the baseline last
-  int width = 0, height = 0;                ///< size in pixels
-  std::map<std::string, double> tolerance;  ///< bounds set by hand; they override the scene's tolerance
+  int width = 0, height = 0;                ///< size of the pictures in pixels
+  std::map<std::string, double> tolerance;  ///< bounds added by hand; they override the scene's tolerance
   std::map<int, Frame> frames;
 };
 
@@ -45,7 +45,7 @@ struct StateBaseline {
   std::map<int, StateHashes> frames;
 };
 
-/// New baseline data from a run, not yet promoted.
+/// New baseline data from a run that has not been promoted yet.
 struct Candidate {
   PictureBaseline pictures;  ///< entries of this run's frames; `alternates` stays empty
   std::map<int, std::vector<std::byte>> png;
@@ -72,24 +72,24 @@ void checkReplaceable(const std::filesystem::path& folder, const std::string& pr
                                                           const std::string& profile);
 [[nodiscard]] std::optional<StateBaseline> readState(const std::filesystem::path& stateFolder);
 [[nodiscard]] std::vector<std::byte> readSteps(const std::filesystem::path& stateFolder);
-/// Returns the baseline of the driver's own profile, or else the shared one.
+/// Returns the picture baseline of the driver's profile, or else the shared one.
 [[nodiscard]] std::optional<PictureBaseline> choosePictures(const std::filesystem::path& folder,
                                                             const std::string& ownProfile);
 /// Returns the profile for a new baseline drawn by a driver: `ownProfile` if its folder exists, else the
 /// shared profile, unless the shared baseline was drawn with other numerics. `numerics` is a fingerprint as
-/// in Origin. Not for exact pictures, which only use the shared profile.
+/// in Origin. Do not use it for exact pictures, which have only the shared profile.
 [[nodiscard]] std::string profileToWrite(const std::filesystem::path& folder, const std::string& ownProfile,
                                          const std::string& numerics);
 
 /// Options of promote().
 struct Promotion {
   std::string reason;      ///< stored in baseline.json; if empty, the existing reason is kept
-  bool alternate = false;  ///< true to add an alternate instead of replacing
+  bool alternate = false;  ///< true to keep the baseline's frames that the candidate lacks
   bool keepOthers = true;  ///< true to keep frames that the candidate lacks
 };
-/// Writes the candidate's pictures and then its state into the baseline. Each file is written atomically.
-/// Keeps the tolerance set by hand. Throws UserError(inputOutput), and UserError(usage) for a fourth
-/// alternate.
+/// Writes the candidate's pictures and then its state into the baseline. Each file is written atomically. A
+/// tolerance that was added by hand remains. Throws UserError(inputOutput), and UserError(usage) for a
+/// fourth alternate.
 void promote(const std::filesystem::path& folder, const std::string& profile, const Candidate& candidate,
              const Promotion& how);
 
@@ -99,7 +99,8 @@ bool renewPasses(const std::filesystem::path& folder, const std::string& profile
                  const std::map<int, std::map<std::string, std::string>>& passes);
 
 /// Parse the contents of baseline.json and state.json. Throw UserError(inputOutput) with the file's name
-/// and the mistake. Leaves PictureBaseline::profile empty, because the profile is the folder's name.
+/// and the mistake. parsePictures() leaves PictureBaseline::profile empty, because the folder's name is the
+/// profile.
 [[nodiscard]] PictureBaseline parsePictures(const std::string& text, const std::string& name);
 [[nodiscard]] StateBaseline parseState(const std::string& text, const std::string& name);
 /// Return the texts of baseline.json and state.json, ending in a newline.

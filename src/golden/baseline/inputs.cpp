@@ -57,8 +57,8 @@ std::vector<fs::path> buffersOf(const fs::path& file) {
         const auto uri = buffer.find("uri");
         if (!uri || uri->text().starts_with("data:")) return;
         const fs::path beside = file.parent_path() / sim::decodePercent(uri->text());
-        // Files outside the glTF file's folder are never loaded, so neither their hash nor their existence
-        // is revealed.
+        // Files outside the glTF file's folder are never loaded, so that neither their hash nor their
+        // existence is revealed.
         if (liesBelow(beside, file.parent_path())) buffers.push_back(beside);
       });
   } catch (const std::runtime_error&) {  // NOLINT(bugprone-empty-catch)

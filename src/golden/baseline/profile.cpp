@@ -22,7 +22,7 @@ std::string lowered(std::string text) {
   return text;
 }
 
-/// Returns the runs of letters and digits in the text.
+/// Returns the words of a text: maximal sequences of letters and digits.
 std::vector<std::string> wordsOf(std::string_view text) {
   std::vector<std::string> words(1);
   for (const char c : text) {
@@ -53,8 +53,8 @@ bool matches(const std::string& text, const char* pattern) {
 }
 
 /// Returns the name of NVIDIA's architecture for a product. The first match wins, because names overlap:
-/// "Quadro RTX 4000" (Turing), "RTX 4000 Ada" and "GeForce RTX 4090" share words, and the GeForce RTX 2050
-/// is an Ampere.
+/// "Quadro RTX 4000" (Turing), "RTX 4000 Ada" and "GeForce RTX 4090" have words in common, and the GeForce
+/// RTX 2050 is an Ampere.
 std::string nvidiaName(const std::string& renderer) {
   struct Family {
     const char* pattern;
@@ -133,7 +133,8 @@ std::string intelName(const std::string& renderer) {
 
 std::string profileName(const std::string& renderer, bool fma) {
   const std::string text = lowered(renderer);
-  // Drivers layered on another driver, such as "zink Vulkan 1.3(AMD Radeon RX 7800 XT (RADV NAVI32))".
+  // Handles drivers layered on another driver, such as "zink Vulkan 1.3(AMD Radeon RX 7800 XT (RADV
+  // NAVI32))".
   for (const char* layer : {"zink", "d3d12", "virgl"}) {
     const std::size_t open = text.find('(');
     if (!text.starts_with(layer) || open == std::string::npos) continue;

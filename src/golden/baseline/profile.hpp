@@ -6,12 +6,12 @@ namespace simreel::golden {
 /// Returns a short name for the family of drivers and devices that round alike, derived from GL_RENDERER.
 /// The name is used for a folder of baselines. Examples: "llvmpipe (LLVM 15.0.6, 256 bits)" with FMA gives
 /// "llvmpipe-fma", a GeForce RTX 3080 "nvidia-ampere", a Radeon RX 6700 XT "amd-navi22". Layered drivers
-/// keep both names ("zink-nvidia-pascal"). At most 32 characters of [a-z0-9-]; "unknown" if nothing is
-/// left.
+/// keep both names ("zink-nvidia-pascal"). The name has at most 32 characters of [a-z0-9-]; it is "unknown"
+/// if none remain.
 /// `fma`: true if the processor has fused multiply-add, which changes llvmpipe's results.
 [[nodiscard]] std::string profileName(const std::string& renderer, bool fma);
 /// True if this processor has fused multiply-add. Returns true on architectures without a check, because
-/// every other current architecture has it.
+/// all other current architectures have it.
 [[nodiscard]] bool processorHasFma();
 /// Returns profileName() for this processor.
 [[nodiscard]] std::string ownProfile(const std::string& renderer);

@@ -101,7 +101,7 @@ class StaleParts {
         pictures->frames.erase(frame);
         add(place / pictureName(frame), fmt::format("frame {} is not tested", frame), remove_);
       }
-      // Writes the list before deleting files, because an unlisted picture does no harm if deleting fails.
+      // Writes the list before deleting files: if deleting fails, an unlisted picture does no harm.
       if (remove_ && !gone.empty()) writeFileAtomically(place / "baseline.json", picturesText(*pictures));
       ofFiles(place, *pictures, gone);
     });

@@ -15,12 +15,12 @@ namespace simreel::golden {
 [[nodiscard]] std::vector<Stale> staleParts(const std::filesystem::path& folder,
                                             std::span<const int> frames, bool exactPictures, bool remove);
 
-/// Finds baseline folders `<folder>/golden/<scene>` at any depth below `paths` whose scene does not exist.
-/// Sorted. Throws UserError(inputOutput) if a folder cannot be listed.
+/// Returns the baseline folders `<folder>/golden/<scene>` at any depth below `paths` whose scene does not
+/// exist, sorted. Throws UserError(inputOutput) if a folder cannot be listed.
 [[nodiscard]] std::vector<std::filesystem::path> baselinesWithoutScene(std::span<const std::string> paths);
 
-/// Removes the files of a baseline and then its empty folders. Returns false if other files were found,
-/// which are kept. Throws UserError(inputOutput).
+/// Removes the files of a baseline and then its empty folders. Keeps other files; returns false if there
+/// are any. Throws UserError(inputOutput).
 bool removeBaselines(const std::filesystem::path& folder);
 
 }  // namespace simreel::golden

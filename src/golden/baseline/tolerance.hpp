@@ -12,7 +12,8 @@ void setBound(scene::Tolerance& tolerance, const std::string& field, double valu
 /// maxChannelDiff alone must hold for every pixel. A bound on the number of pixels, a window, FLIP or the
 /// worst pixel replaces the requirement on every pixel.
 [[nodiscard]] scene::Tolerance strictTolerance(const std::map<std::string, double>& given);
-/// Returns the bounds that apply, by name. Includes maxDiffRatio if neither it nor maxDiffPixels was given.
+/// Returns the bounds that apply, by name. Includes maxDiffRatio if neither maxDiffRatio nor maxDiffPixels
+/// was given.
 [[nodiscard]] std::map<std::string, double> boundsInForce(scene::Tolerance tolerance);
 
 }  // namespace simreel::golden

@@ -15,7 +15,7 @@ namespace simreel::golden {
 
 namespace {
 
-/// Returns the shell command of a side with `trace` and its arguments appended.
+/// Returns the shell command of a side, with `trace` and its arguments appended.
 std::string traceCommand(const BisectSide& side, const std::vector<std::string>& more) {
   std::string command = side.command + " trace -q";
   for (const auto* words : {&side.arguments, &more})
@@ -45,7 +45,7 @@ class Tracing {
     if (!line) endedEarly("its header");
     return understood(child_, [&] { return readHeaderLine(*line); });
   }
-  /// Returns the next state line, or nothing after the last.
+  /// Returns the next state line, or nothing after the last one.
   std::optional<StateLine> state() {
     const auto line = child_.line();
     if (!line) {
@@ -125,8 +125,8 @@ class Search {
   }
 
  private:
-  /// Returns the next lines of both sides, or nothing after the last. Fails unless both lines are of the
-  /// same step. `before` describes what is missing if one side ends early.
+  /// Returns the next lines of both sides, or nothing after the last ones. Fails unless both lines are for
+  /// the same step. `before`: describes what is missing if one side ends early.
   std::optional<std::pair<StateLine, StateLine>> nextLines(Tracing& a, Tracing& b,
                                                            const std::string& before) {
     const auto x = a.state();
@@ -207,7 +207,7 @@ class Search {
                            found.step, found.frame));
   }
 
-  /// Compares the passes of the pictures of a frame whose states are equal.
+  /// Compares the passes of a frame's pictures; the states are equal.
   void comparePictures(int frame) {
     detail("bisect: the passes of frame {}", frame);
     const std::vector<std::string> arguments = {fmt::format("--dump={}:passes", frame), "-o", "-"};

@@ -24,7 +24,7 @@ struct DifferentArray {
 
 struct StateDifference {
   int frame = 0;
-  int step = 0;  ///< step of `steps`, from 1; 0: initial state, before any step
+  int step = 0;  ///< step of `steps`, from 1; 0 means the initial state, before any step
   int steps = 0;
   std::vector<DifferentArray> arrays;  ///< arrays of one object; empty if the runs are not repeatable
   /// reason if the search stopped because a side is not repeatable; may be empty
@@ -41,10 +41,10 @@ struct BisectResult {
 };
 
 /// Finds the first frame, step and element at which two runs differ. Runs `trace` on both sides: first all
-/// frames side by side, then the steps of the first differing frame, then the state itself. With `passes`,
-/// also compares the passes of exact pictures in frames with equal state. Throws UserError with a child's
-/// own message if it fails, UserError(usage) if the sides simulate different arrays, and Interrupted after
-/// SIGINT or SIGTERM.
+/// frames in parallel, then the steps of the first differing frame, then the state itself. With `passes`,
+/// also compares the passes of exact pictures in frames with equal state. If a child process fails, throws
+/// UserError with its message. Throws UserError(usage) if the sides simulate different arrays, and
+/// Interrupted after SIGINT or SIGTERM.
 [[nodiscard]] BisectResult bisect(const BisectSide& here, const BisectSide& there, int lastFrame,
                                   bool passes = false);
 

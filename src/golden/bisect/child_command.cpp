@@ -18,7 +18,8 @@ namespace simreel::golden {
 
 namespace {
 
-constexpr int patience = 50;  ///< poll timeout in ms, because a signal may arrive just before poll()
+constexpr int patience = 50;  ///< timeout of poll() in ms; needed because a signal may arrive just before
+                              ///< poll()
 constexpr std::size_t longestLine = std::size_t{16} << 20;
 
 /// Returns the most informative line of a program's messages: the first simreel error, else the first line

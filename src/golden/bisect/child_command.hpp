@@ -9,9 +9,9 @@
 
 namespace simreel::golden {
 
-/// A shell command whose output is read as it arrives. Messages (stderr) are kept in memory. Waiting for
+/// A shell command whose output is read as it arrives. Messages (stderr) are stored in memory. Waiting for
 /// the command throws Interrupted after SIGINT or SIGTERM. The destructor kills the command and all
-/// processes it started.
+/// processes that it started.
 class ChildCommand {
  public:
   /// Starts the command; `arguments` become $1, $2 ... `name` is used in messages, for example "this side".
@@ -25,12 +25,13 @@ class ChildCommand {
   ChildCommand(ChildCommand&&) = delete;
   ChildCommand& operator=(ChildCommand&&) = delete;
 
-  /// Returns the next line without its line end, or nothing after the last.
+  /// Returns the next line without its line end, or nothing after the last line.
   [[nodiscard]] std::optional<std::string> line();
   /// Returns all remaining output. Throws UserError(inputOutput) if it exceeds `maxBytes`.
   [[nodiscard]] std::vector<std::byte> rest(std::size_t maxBytes);
-  /// Waits for the command to end. Unless its exit code is 0, throws UserError with the command's own
-  /// message. Usage and device errors of a simreel keep their exit code; all others become inputOutput.
+  /// Waits for the command to end. Unless its exit code is 0, throws UserError with the command's message.
+  /// If the command is simreel, usage and device errors keep their exit code. All other errors become
+  /// inputOutput.
   void finish();
 
   [[nodiscard]] const std::string& name() const { return name_; }
@@ -48,7 +49,7 @@ class ChildCommand {
   pid_t process_ = -1;
   int output_ = -1;
   int messages_ = -1;
-  std::string read_;  ///< output that was read from the command and not yet returned
+  std::string read_;  ///< output that was read from the command and has not been returned yet
 };
 
 }  // namespace simreel::golden

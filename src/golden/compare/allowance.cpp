@@ -11,7 +11,7 @@ namespace simreel::golden {
 
 namespace {
 
-/// Pixel values of a picture with the queries needed by both tests.
+/// Pixel values of a picture, with the queries that both tests need.
 class Values {
  public:
   Values(const std::vector<float>& values, int width, int height)
@@ -20,20 +20,20 @@ class Values {
   [[nodiscard]] const float* at(int x, int y) const {
     return values_.data() + 4 * (std::size_t(y) * std::size_t(width_) + std::size_t(x));
   }
-  /// Returns the Rec. 601 luma over white, so that transparent pixels have a brightness, too.
+  /// Returns the Rec. 601 luma over white, so that transparent pixels also have a brightness.
   [[nodiscard]] float brightness(int x, int y) const {
     const float* p = at(x, y);
     const float luma = 0.299F * p[0] + 0.587F * p[1] + 0.114F * p[2];
     return 255 + (luma - 255) * (p[3] / 255);
   }
-  /// Calls visit(x, y) for all pixels within `radius` that lie inside the picture, including the centre.
+  /// Calls visit(x, y) for all pixels of the picture within `radius`, including the centre.
   template <class Visit>
   void around(int x, int y, int radius, const Visit& visit) const {
     for (int v = std::max(0, y - radius); v <= std::min(height_ - 1, y + radius); ++v)
       for (int u = std::max(0, x - radius); u <= std::min(width_ - 1, x + radius); ++u) visit(u, v);
   }
   /// True if more than two neighbours have exactly the pixel's colour. The border of the picture counts as
-  /// one.
+  /// one such neighbour.
   [[nodiscard]] bool inEvenPatch(int x, int y) const {
     int same = atBorder(x, y) ? 1 : 0;
     const float* middle = at(x, y);
@@ -45,7 +45,7 @@ class Values {
   [[nodiscard]] bool atBorder(int x, int y) const {
     return x == 0 || y == 0 || x == width_ - 1 || y == height_ - 1;
   }
-  /// True if a pixel within `radius` has this colour, with every channel within `apart`.
+  /// True if a pixel within `radius` has this colour; each channel may differ by at most `apart`.
   [[nodiscard]] bool has(const float* colour, int x, int y, int radius, double apart) const {
     bool found = false;
     around(x, y, radius, [&](int u, int v) {
@@ -62,7 +62,7 @@ class Values {
   int width_, height_;
 };
 
-/// True if the pixel of `one` is on an antialiased edge that `other` also has.
+/// True if the pixel of `one` is on an antialiased edge, and `other` has this edge, too.
 bool smooths(const Values& one, const Values& other, int x, int y) {
   const float middle = one.brightness(x, y);
   float darkest = 0, brightest = 0;

@@ -35,7 +35,7 @@ std::vector<std::string> layersOnlyIn(const Picture& one, const Picture& other) 
   return names;
 }
 
-/// Returns the pairs of layers that differ. Writes differences that no tolerance excuses to made.layers.
+/// Returns the pairs of layers that differ. Writes differences that no tolerance permits to made.layers.
 std::vector<LayerPair> pairLayers(const Picture& a, const Picture& b, Comparison& made) {
   std::vector<LayerPair> pairs;
   std::vector<std::string> clauses;
@@ -87,7 +87,7 @@ std::string layerWords(const std::vector<LayerPair>& pairs, const std::vector<Ex
   return clauses.empty() ? std::string() : fmt::format("layers that differ: {}", fmt::join(clauses, ", "));
 }
 
-/// Two pictures compared by float values, because at least one of them is deeper than 8 bits.
+/// Two pictures that are compared by float values, because at least one of them is deeper than 8 bits.
 struct DeepPair {
   std::vector<float> a, b;
   bool sameDepth;
@@ -111,7 +111,7 @@ struct DeepPair {
     }
     const double between = std::abs(double{a[i]} - double{b[i]});
     if (std::isnan(between)) return 255;  // one value is NaN, or two infinities differ in sign
-    // smallest reported difference, for values closer than the sRGB encoding resolves
+    // smallest reported difference; used for values closer than the sRGB encoding resolves
     constexpr double hair = 1e-6;
     return between == 0 ? (sameDepth ? hair : 0) : std::min(between, 255.0);
   }
@@ -149,7 +149,7 @@ void padToEach(Picture& a, Picture& b) {
 bool equalPixels(const Picture& a, const Picture& b) {
   if (a.depth != b.depth) return false;
   if (a.depth == Depth::unorm8) return a.image.bytes == b.image.bytes;
-  // Two NaNs count as equal.
+  // two NaNs count as equal
   return std::equal(a.values.begin(), a.values.end(), b.values.begin(), b.values.end(),
                     [](float x, float y) { return x == y || (std::isnan(x) && std::isnan(y)); });
 }

@@ -14,25 +14,26 @@ namespace simreel::golden {
 /// Result of comparing two pictures.
 struct Comparison {
   Metrics metrics;    ///< measured over the pixels that are not ignored
-  std::string sizes;  ///< "the picture is 20x12, its baseline 19x12"; empty if the sizes are equal
+  std::string sizes;  ///< text such as "the picture is 20x12, its baseline 19x12"; empty if the sizes are
+                      ///< equal
   /// Remark if the files declare different colour interpretations (profile, gamma), which are not applied.
-  /// Otherwise empty.
+  /// Empty if they declare the same.
   std::string colours;
-  /// Layer differences that no tolerance excuses: layers that only one file has or whose differences cannot
-  /// be measured. Otherwise empty.
+  /// Layer differences that no tolerance permits: layers that only one file has, or layers whose
+  /// differences cannot be measured. Empty if there are none.
   std::string layers;
-  std::string layerNote;        ///< layers that differ, with the worst place of each
+  std::string layerNote;        ///< layers that differ, each with its worst pixel
   frame::Image a, b;            ///< 8-bit versions for display, padded to the larger width and height
   std::vector<Excuse> excuses;  ///< excuse of each pixel; empty if no pixel is excused
-  /// Largest channel difference of each pixel, rounded up. Needed because the 8-bit `a` and `b` may hide
-  /// it.
+  /// Largest channel difference of each pixel in units of 1/255, rounded up. The 8-bit pictures `a` and `b`
+  /// may not show such a difference.
   std::vector<std::uint8_t> apart;
 };
 
 /// Compares pictures of any bit depth. Pictures of different sizes are padded at the right and bottom to
 /// the larger size, and the padding counts as different. Ignored pixels count as equal. Differences of deep
-/// pictures are fractions of 1/255; differences of layers are in 1/255 of the layer's unit. PSNR, SSIM and
-/// FLIP use the 8-bit versions.
+/// pictures may be fractions of 1/255; differences of layers are in 1/255 of the layer's unit. PSNR, SSIM
+/// and FLIP use the 8-bit versions.
 [[nodiscard]] Comparison compare(const Picture& baseline, const Picture& picture,
                                  const scene::Tolerance& tolerance, const Allowance& allowance,
                                  Measures measures = Measures::all);

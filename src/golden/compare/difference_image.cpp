@@ -30,7 +30,8 @@ std::array<Colour, 256> heatColours() {
   return colours;
 }
 
-/// Returns a quarter of the luma: the picture stays recognisable, and no grey is close to a heat colour.
+/// Returns a quarter of the luma, so that the picture stays recognisable and grey is never close to a heat
+/// colour.
 std::uint8_t dimmed(const std::uint8_t* pixel) {
   return static_cast<std::uint8_t>((54 * pixel[0] + 183 * pixel[1] + 19 * pixel[2]) / 1024 + 8);
 }

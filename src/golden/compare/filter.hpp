@@ -7,7 +7,7 @@
 
 namespace simreel::golden {
 
-/// Half of a symmetric or antisymmetric filter kernel: weights at distances of 0, 1, 2, ... pixels.
+/// One half of a symmetric or antisymmetric filter kernel: weights at distances of 0, 1, 2, ... pixels.
 using HalfKernel = std::vector<float>;
 
 /// Returns the Gaussian exp(-x^2 / (2 sigma^2)) for x = 0 to radius, normalized so that the whole kernel
@@ -15,7 +15,7 @@ using HalfKernel = std::vector<float>;
 [[nodiscard]] HalfKernel gaussianKernel(double sigma, int radius, double least = 0);
 
 /// Number of values that filters compute at a time. Filters therefore read and write beyond the end of a
-/// row.
+/// row, up to a multiple of this number.
 inline constexpr int filterStep = 32;
 
 /// Rows of floats with padding, so that the last step of a filter may exceed the row.
@@ -33,15 +33,17 @@ class Rows {
   std::vector<float> values_;
 };
 
-/// How a kernel k is applied to the values v[i] around a position, with v[0] at the position.
+/// Type of a kernel k, applied to the values v[i] around a position, where v[0] is the value at the
+/// position.
 enum class Shape {
   even,  ///< k[0] v[0] + sum over i of k[i] (v[i] + v[-i])
   odd,   ///< sum over i of k[i] (v[i] - v[-i])
-  /// sum over i of k[i] ((v[i] + v[-i]) - 2 v[0]): even, weights sum to 0; exactly 0 if v is constant
+  /// sum over i of k[i] ((v[i] + v[-i]) - 2 v[0]): even, with weights that sum to 0; the result is exactly
+  /// 0 if v is constant
   bend,
 };
 
-/// One of several filters over the same input.
+/// One filter of a group that reads the same input.
 struct Sum {
   const HalfKernel* kernel;
   float* out;
@@ -55,7 +57,7 @@ void filterRow(const float* in, std::ptrdiff_t step, int width,
                const std::array<Sum, sizeof...(shapes)>& sums) {
   constexpr std::size_t count = sizeof...(shapes);
   constexpr std::array<Shape, count> shapeOf = {shapes...};
-  // number of SIMD vectors per sum, few enough that all sums stay in registers
+  // number of SIMD vectors per sum, small enough that all sums stay in registers
   constexpr std::size_t wide = count == 1 ? 8 : count == 2 ? 4 : 2;
   static_assert(filterStep % (4 * wide) == 0);
   const auto taps = static_cast<std::ptrdiff_t>(sums[0].kernel->size());

@@ -25,13 +25,13 @@ struct Filters {
   /// Contrast sensitivity filters (section 4.1.1): sums of Gaussians a sqrt(pi / b) exp(-pi^2 d^2 / b),
   /// with d in degrees.
   HalfKernel achromatic, redGreen, blueYellow1, blueYellow2;
-  float share1 = 0, share2 = 0;  ///< weights of the two Gaussians of blue-yellow
+  float share1 = 0, share2 = 0;  ///< weights of the two Gaussians of the blue-yellow filter
   /// Feature detectors (section 4.2.1): a Gaussian and its first and second derivative.
   HalfKernel smooth, edge, point;
   int radius = 0;  ///< radius of the widest filter
 };
 
-/// Returns sigma in pixels of the Gaussian exp(-pi^2 d^2 / b) with d = x / pixelsPerDegree.
+/// Returns sigma (pixels) of the Gaussian exp(-pi^2 d^2 / b) with d = x / pixelsPerDegree.
 double contrastSigma(double b) {
   return std::sqrt(b / (2 * pi * pi)) * pixelsPerDegree;
 }
@@ -64,7 +64,8 @@ HalfKernel detector(double sd, int radius, bool second) {
 Filters makeFilters() {
   Filters f;
   const double achromatic = 0.0047, redGreen = 0.0053, blueYellow1 = 0.04, blueYellow2 = 0.025;
-  constexpr double negligible = 1e-9;  // fraction of the centre weight that floats cannot resolve
+  constexpr double negligible = 1e-9;  // fraction of the centre weight; smaller weights have no effect in
+                                       // float
   const int contrastRadius = static_cast<int>(std::ceil(3 * contrastSigma(blueYellow1)));
   f.achromatic = gaussianKernel(contrastSigma(achromatic), contrastRadius, negligible);
   f.redGreen = gaussianKernel(contrastSigma(redGreen), contrastRadius, negligible);
@@ -74,7 +75,7 @@ Filters makeFilters() {
   const double weight2 = contrastWeight(13.5, blueYellow2, contrastRadius);
   f.share1 = static_cast<float>(weight1 / (weight1 + weight2));
   f.share2 = static_cast<float>(weight2 / (weight1 + weight2));
-  // The distance from peak to trough of the edge detector is 0.082 degrees, which is two standard
+  // The distance from the peak to the trough of the edge detector is 0.082 degrees, which is two standard
   // deviations.
   const double sd = 0.5 * 0.082 * pixelsPerDegree;
   const int detectorRadius = static_cast<int>(std::ceil(3 * sd));
@@ -90,15 +91,16 @@ const Filters& filters() {
   return all;
 }
 
-/// Perceived version of a picture around one tile: contrast-filtered colours in Hunt-adjusted L*a*b*, and
-/// feature strengths. Computes one row at a time: filters down the columns first, then along the row.
+/// A picture as the model of FLIP perceives it around one tile: contrast-filtered colours in Hunt-adjusted
+/// L*a*b*, and feature strengths. Computes one row at a time: filters along the columns first, then along
+/// the row.
 class Seen {
  public:
   Seen(const frame::Image& image, const Tile& tile);
   /// Computes the perceived values of one row of the tile.
   void look(int row);
   [[nodiscard]] ThreeConstRows lab() const { return {made_.row(3), made_.row(4), made_.row(5)}; }
-  /// Gradient magnitudes of the edge and point detectors, which are applied to Y = 116 y.
+  /// Return the gradient magnitudes of the edge and point detectors, which are applied to Y = 116 y.
   [[nodiscard]] const float* edges() const { return made_.row(6); }
   [[nodiscard]] const float* points() const { return made_.row(7); }
 

@@ -14,9 +14,9 @@ namespace simreel::golden {
 
 namespace {
 
-/// Returns the matrix from linear RGB to XYZ relative to white: the rows of the sRGB matrix (exact
-/// fractions from the primaries' chromaticities), each divided by its sum. Transposed for GLM, which is
-/// column-major.
+/// Returns the matrix from linear RGB to XYZ relative to white. These are the rows of the sRGB matrix
+/// (exact fractions from the primaries' chromaticities), each divided by its sum. The matrix is transposed
+/// for GLM, which is column-major.
 glm::dmat3 relativeXyz() {
   const glm::dvec3 x(10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794);
   const glm::dvec3 y(2613072.0 / 12288897, 8788810.0 / 12288897, 887015.0 / 12288897);
@@ -110,7 +110,7 @@ void toHuntLab(const ThreeConstRows& ycxcz, int count, const ThreeRows& lab) {
 }
 
 void colourErrors(const ThreeConstRows& a, const ThreeConstRows& b, int count, float* errors) {
-  // Errors up to the fraction pc of the largest are mapped to 0 to pt, larger errors to pt to 1.
+  // Errors up to the fraction pc of the largest error are mapped to 0 to pt, larger errors to pt to 1.
   constexpr float pc = 0.4f, pt = 0.95f;
   static const float largest = largestError();
   const float knee = pc * largest, below = pt / knee, above = (1 - pt) / (largest - knee);

@@ -5,7 +5,7 @@
 namespace simreel::golden {
 
 // Colour space conversions of FLIP. Each function processes `count` pixels, with one row of floats per
-// coordinate; rows are padded to a multiple of 4. White is D65, which is linear RGB (1, 1, 1).
+// coordinate. The rows are padded to a multiple of 4. White is D65, linear RGB (1, 1, 1).
 
 struct ThreeRows {
   float *first, *second, *third;
@@ -25,8 +25,8 @@ void toYcxcz(const ThreeConstRows& rgb, int count, const ThreeRows& ycxcz);
 /// Converts YCxCz to RGB, clamps it to the RGB cube, and converts it to L* (0 to 100) and a*, b* multiplied
 /// by 0.01 L* (Hunt effect: colours look less saturated in the dark).
 void toHuntLab(const ThreeConstRows& ycxcz, int count, const ThreeRows& lab);
-/// Computes the HyAB distance to the power of 0.7, remapped to 0 to 1 (section 4.1.4 of the paper). Exactly
-/// 0 for equal colours.
+/// Computes the HyAB distance to the power of 0.7, remapped to 0 to 1 (section 4.1.4 of the paper). The
+/// result is exactly 0 for equal colours.
 void colourErrors(const ThreeConstRows& a, const ThreeConstRows& b, int count, float* errors);
 
 }  // namespace simreel::golden

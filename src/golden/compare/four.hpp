@@ -7,7 +7,7 @@
 namespace simreel::golden {
 
 // SIMD arithmetic on four neighbouring pixels. All processors execute the same operations in the same
-// order, so results are identical.
+// order, so the results are identical.
 
 using Four = float __attribute__((vector_size(16)));
 using FourInts = std::int32_t __attribute__((vector_size(16)));
@@ -34,10 +34,10 @@ inline Four squareRoot(Four x) {
   return Four{std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3])};
 }
 
-// The functions below take positive normal numbers and have relative errors below 1e-6.
+// The functions below need positive normal numbers and have relative errors below 1e-6.
 
-/// Cube root: an estimate within 4% from the float's bits, then two Halley steps, each of which triples the
-/// correct digits.
+/// Returns the cube root: first an estimate within 4% from the float's bits, then two Halley steps, each of
+/// which triples the correct digits.
 inline Four cubeRoot(Four x) {
   const Four third = __builtin_convertvector(std::bit_cast<FourInts>(x), Four) * (1 / 3.0f);
   Four root = std::bit_cast<Four>(__builtin_convertvector(third, FourInts) + 0x2a5137a0);
@@ -48,7 +48,8 @@ inline Four cubeRoot(Four x) {
   return root;
 }
 
-/// Base-2 logarithm: x = 2^n m with m between sqrt(1/2) and sqrt(2); ln m = 2 artanh((m - 1) / (m + 1)).
+/// Returns the base-2 logarithm: x = 2^n m with m between sqrt(1/2) and sqrt(2); ln m = 2 artanh((m - 1) /
+/// (m + 1)).
 inline Four log2Of(Four x) {
   const auto bits = std::bit_cast<FourInts>(x);
   const FourInts exponent = (bits - 0x3f3504f3) >> 23;
@@ -58,8 +59,8 @@ inline Four log2Of(Four x) {
   return __builtin_convertvector(exponent, Four) + 2.88539008f * t * series;  // the constant is 2 / ln 2
 }
 
-/// 2^y for y from -126 to 127: the integer part sets the exponent, the fraction (at most 1/2 in magnitude)
-/// uses the power series.
+/// Returns 2^y for y from -126 to 127. The integer part sets the exponent; a power series computes the
+/// factor of the fraction (at most 1/2 in magnitude).
 inline Four exp2Of(Four y) {
   constexpr float toWhole = 12582912;  // 1.5 * 2^23: floats of this size have no fraction bits
   const Four shifted = y + toWhole;
@@ -70,7 +71,7 @@ inline Four exp2Of(Four y) {
   return series * std::bit_cast<Four>((whole + 127) << 23);
 }
 
-/// x^y; exactly 0 if x = 0. |y log2 x| must be below 126.
+/// Returns x^y; exactly 0 if x = 0. |y log2 x| must be below 126.
 inline Four powerOf(Four x, Four y) {
   const Four power = exp2Of(y * log2Of(x));
   return x > 0 ? power : Four{};

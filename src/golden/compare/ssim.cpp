@@ -26,15 +26,15 @@ const HalfKernel& window() {
   return kernel;
 }
 
-/// Returns the index for position `i` of `count` values that are mirrored at both ends, with the end values
+/// Returns the index of position `i` in `count` values that are mirrored at both ends. The end values are
 /// repeated: c b a | a b c | c b a.
 int mirrored(int i, int count) {
   const int period = 2 * count, at = ((i % period) + period) % period;
   return std::min(at, period - 1 - at);
 }
 
-/// Range of window centres along a side: all whose window lies inside the picture, or every pixel if the
-/// side is shorter than a window.
+/// Range of window centres along a side: all whose window is inside the picture, or every pixel if the side
+/// is shorter than a window.
 struct Span {
   explicit Span(int side) : first(side > 2 * radius ? radius : 0), count(side - 2 * first) {}
   int first, count;
@@ -48,7 +48,7 @@ class TileSsim {
   [[nodiscard]] double sum(int channel);
 
  private:
-  /// Number of windowed sums: of a, b, a^2 + b^2 and a b. Means, variances and covariance follow from them.
+  /// Number of windowed sums: of a, b, a^2 + b^2 and a b. They determine means, variances and covariance.
   static constexpr int mapCount = 4;
 
   void load(int channel);

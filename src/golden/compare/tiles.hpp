@@ -8,8 +8,8 @@
 
 namespace simreel::golden {
 
-/// Part of a picture that is processed at a time, small enough for the filter results to stay in a core's
-/// cache.
+/// Part of a picture that is processed at a time. It is small enough for the filter results to stay in a
+/// core's cache.
 struct Tile {
   int index = 0;  ///< index of the tile in reading order
   int x = 0, y = 0;

@@ -31,7 +31,7 @@ std::string profileWords(std::string_view name, std::string_view bytes) {
                      hashHex(bytes).substr(0, digits));
 }
 
-/// Precedence by the PNG specification, 11.3.2: cICP, then iCCP, then sRGB, then gAMA and cHRM.
+/// Uses the precedence of the PNG specification, 11.3.2: cICP, then iCCP, then sRGB, then gAMA and cHRM.
 Words ofPng(std::string_view bytes) {
   std::string cicp, profile, gamma, primaries;
   bool srgb = false;
@@ -42,7 +42,7 @@ Words ofPng(std::string_view bytes) {
     if (type == "cICP") cicp = fmt::format("the colour space {:02x}", fmt::join(data, ""));
     if (type == "iCCP") profile = profileWords(data.substr(0, data.find('\0')), data);
     if (type == "sRGB") srgb = true;
-    constexpr std::uint32_t usual = 45455;  // gamma 1 / 2.2 in units of 1/100000
+    constexpr std::uint32_t usual = 45455;  // gamma 1 / 2.2, in units of 1/100000
     if (type == "gAMA" && number(data, 0, 4) != usual)
       gamma = fmt::format("gamma {:g}", number(data, 0, 4) / 1e5);
     if (type == "cHRM" && (number(data, 0, 4) != 31270 || number(data, 8, 4) != 64000))

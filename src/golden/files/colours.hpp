@@ -4,10 +4,10 @@
 
 namespace simreel::golden {
 
-/// Describes how a PNG, JPEG or Radiance file declares its values to be interpreted: "the colour profile
-/// Display P3 (1f0c9d3a)", "gamma 1", "turned (Exif orientation 6)", "EXPOSURE=2". Empty if it declares
-/// nothing or the default (sRGB). Pictures are compared by their raw values, so two files with equal values
-/// but different descriptions look different on a screen.
+/// Returns a description of how a PNG, JPEG or Radiance file declares its values to be interpreted: "the
+/// colour profile Display P3 (1f0c9d3a)", "gamma 1", "turned (Exif orientation 6)", "EXPOSURE=2". Empty if
+/// the file declares nothing or the default (sRGB). Pictures are compared by their raw values, so two files
+/// with equal values but different descriptions look different on a screen.
 [[nodiscard]] std::string colourWords(std::string_view bytes);
 
 }  // namespace simreel::golden

@@ -8,8 +8,8 @@ namespace simreel::golden {
 
 namespace {
 
-/// Returns the number (from 1) of the line with the first merge conflict mark if all three marks exist,
-/// else 0.
+/// Returns the line number (from 1) of the first merge conflict mark if the text has all three marks, else
+/// 0.
 long conflictLine(std::string_view text) {
   const auto lineAt = [&](std::string_view mark, std::size_t from) {
     if (from == 0 && text.starts_with(mark)) return std::size_t{0};
@@ -28,7 +28,7 @@ long conflictLine(std::string_view text) {
 std::string standsForAnother(std::string_view bytes) {
   if (bytes.starts_with("version https://git-lfs.github.com/spec/"))
     return "is a Git LFS pointer, not the file itself; fetch that with git lfs pull";
-  // PNG's signature is designed to reveal line end conversion: its CR LF became LF, or its LF became CR LF.
+  // PNG's signature is designed to reveal the conversion of line ends: CR LF became LF, or LF became CR LF.
   if (bytes.starts_with("\x89PNG\n\x1a") || bytes.starts_with("\x89PNG\r\r\n"))
     return "had its line ends converted; mark it as binary in .gitattributes (*.png binary) and restore it";
   constexpr std::size_t longestText = std::size_t{16} << 20;

@@ -31,7 +31,7 @@ namespace simreel::golden {
 namespace {
 
 constexpr double mostValues = 5e8;
-/// max number of values per file byte, above what any compression of OpenEXR reaches
+/// max number of values per file byte; OpenEXR's compressions never reach it
 constexpr double mostOfOneByte = 65536;
 
 std::string hashOf(const std::vector<std::uint32_t>& values) {
@@ -130,7 +130,7 @@ class PartLayers {
     part.readPixels(window.min.y, window.max.y);
   }
 
-  /// Copies values from the data window to the display window. Pixels outside of the data window are 0.
+  /// Copies values from the data window to the display window. Pixels outside of the data window become 0.
   [[nodiscard]] std::vector<std::uint32_t> placed(const std::vector<std::uint32_t>& values) const {
     const Imath::Box2i &data = header_.dataWindow(), &shown = header_.displayWindow();
     if (data == shown) return values;

@@ -11,8 +11,8 @@ namespace simreel::golden {
 struct PictureLayer {
   enum class Kind {
     number,   ///< floats, whose differences have a magnitude
-    exact,    ///< integers and identifiers: equal or not
-    content,  ///< known only by `hash`
+    exact,    ///< integers and identifiers, which are equal or not
+    content,  ///< data of which only `hash` is known
   };
   std::string name;  ///< channel name: "Z", or "shadows.Z" for a part named shadows
   Kind kind = Kind::number;
@@ -20,7 +20,7 @@ struct PictureLayer {
   std::string hash = {};            ///< hash of data that has no value for each pixel
   bool operator==(const PictureLayer&) const = default;
 
-  /// Returns a pixel's value as float. Only for Kind::number.
+  /// Returns a pixel's value as a float. Requires Kind::number.
   [[nodiscard]] float number(std::size_t pixel) const;
   /// Returns the difference of the two layers at a pixel in units of 1/255: 0 if the values are equal, else
   /// more than 0 and at most 255.

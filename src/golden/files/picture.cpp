@@ -38,7 +38,7 @@ Kind kindOf(std::string_view bytes) {
   return Kind::other;
 }
 
-/// Returns the name of a known but unsupported format; empty if unknown.
+/// Returns the name of a known but unsupported format, or an empty text.
 std::string foreignKind(std::string_view bytes) {
   if (bytes.starts_with("GIF8")) return "a GIF";
   if (bytes.starts_with("BM")) return "a BMP";
@@ -50,9 +50,9 @@ std::string foreignKind(std::string_view bytes) {
   return {};
 }
 
-/// True if a JPEG is complete. Walks its segments up to the scan, then the scan's bytes up to the next
-/// marker, and so on (ITU-T T.81, annex B). Needed because the decoder silently fills missing parts with
-/// grey.
+/// True if a JPEG is complete. Follows its segments up to the scan, then the scan's bytes up to the next
+/// marker, and so on (ITU-T T.81, annex B). The check is needed because the decoder silently fills missing
+/// parts with grey.
 bool jpegHasItsEnd(std::string_view bytes) {
   const auto at = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
   std::size_t i = 2;
@@ -95,7 +95,7 @@ void readBytes(const fs::path& path, const char* what, std::string& bytes) {
   const auto failed = [&](const char* verb) {
     fail(ExitCode::inputOutput, "cannot {} {} {}: {}", verb, what, path.string(), std::strerror(errno));
   };
-  // Opening a pipe without a writer would block forever.
+  // Checks the type first, because opening a pipe without a writer would block forever.
   std::error_code unknown;
   const auto kind = fs::status(path, unknown).type();
   if (kind == fs::file_type::fifo || kind == fs::file_type::character || kind == fs::file_type::block ||
@@ -119,8 +119,8 @@ void readBytes(const fs::path& path, const char* what, std::string& bytes) {
 
 namespace {
 
-/// Calls `read`. Removes the advice to restore the file from error messages, unless the file is a baseline:
-/// a picture that a program has just made must be made again, not restored.
+/// Calls `read`. Removes the advice to restore the file from error messages, unless the file is a baseline.
+/// A picture that a program has just made cannot be restored; the program must make it again.
 template <class Read>
 auto advised(const char* what, const Read& read) {
   try {
@@ -147,7 +147,7 @@ Picture decodeDeep(std::string_view bytes, const std::string& label) {
   if (pixels > mostPicturePixels)
     refuse(
         fmt::format("{}x{}, more than {} million pixels", size->x, size->y, mostPicturePixels / 1'000'000));
-  // deflate expands each byte to at most 1032 bytes, and a pixel has at least two.
+  // deflate expands each byte to at most 1032 bytes, and a pixel has at least two bytes
   if (static_cast<double>(pixels) * 2 > static_cast<double>(bytes.size()) * 1032)
     refuse(fmt::format("{}x{} pixels do not fit in its {} bytes", size->x, size->y, bytes.size()));
   const auto values = sim::stbDecode<std::uint16_t>(bytes, *size);
@@ -226,8 +226,8 @@ Picture decode(std::string_view bytes, const char* what, const std::string& name
     Picture picture = ofLight(sim::decodeExr(bytes, labelOf(what, name), restoreIt));
     picture.layers = readExrLayers(bytes, labelOf(what, name));
     picture.layered = true;
-    // A layer whose part has another display window has no value for each pixel, so it is only compared by
-    // hash.
+    // If a layer's part has another display window, the layer does not have a value for each pixel, so it
+    // is only compared by hash.
     for (PictureLayer& layer : picture.layers)
       if (layer.kind != PictureLayer::Kind::content && layer.bits.size() != picture.values.size() / 4)
         layer = {

@@ -10,7 +10,7 @@
 
 namespace simreel::golden {
 
-/// Max number of pixels. A file that claims more is damaged or not worth comparing.
+/// Max number of pixels. A file that declares more is damaged or too large to compare.
 inline constexpr std::size_t mostPicturePixels = std::size_t{1} << 28;
 
 /// Number format of a picture file.
@@ -20,29 +20,29 @@ enum class Depth {
   linear,   ///< linear light; 1 is screen white; any float
 };
 
-/// A decoded picture file. Rows from the top.
+/// A decoded picture file. Row 0 is at the top.
 struct Picture {
   /// 8-bit version for display: deep values are rounded, linear light is clamped and sRGB encoded
   frame::Image image;
   Depth depth = Depth::unorm8;
-  /// RGBA of each pixel if the file is deeper than 8 bits; else empty
+  /// RGBA of each pixel if the file is deeper than 8 bits; otherwise empty
   std::vector<float> values;
-  /// colour interpretation declared by the file, from colourWords()
+  /// colour interpretation that the file declares, from colourWords()
   std::string colours;
   std::string note = {};                  ///< parts of the file that were not decoded; may be empty
   std::vector<PictureLayer> layers = {};  ///< layers of an OpenEXR file
   bool layered = false;                   ///< true if the file format can have layers
 };
 
-/// Reads a whole file into `bytes` and reuses its memory. Throws UserError(inputOutput) if the file is
-/// unreadable, a pipe or a device. The message is one line that starts with `what` ("baseline") and the
-/// path.
+/// Reads a whole file into `bytes` and reuses the memory of `bytes`. Throws UserError(inputOutput) if the
+/// file is unreadable, a pipe or a device. The message is one line that starts with `what` ("baseline") and
+/// the path.
 void readBytes(const std::filesystem::path& path, const char* what, std::string& bytes);
 
-/// Decodes PNG (8 and 16 bits, grey, palette, alpha), JPEG, Radiance HDR, OpenEXR and PNM, recognised by
-/// their first bytes. Throws UserError(inputOutput) for other formats, damaged files, pictures larger than
-/// mostPicturePixels (OpenEXR, Radiance and PNM: more than 16384 pixels on a side), Git LFS pointers and
-/// the like (standsForAnother()).
+/// Decodes PNG (8 and 16 bits, grey, palette, alpha), JPEG, Radiance HDR, OpenEXR and PNM. The first bytes
+/// of the file determine the format. Throws UserError(inputOutput) for other formats, damaged files,
+/// pictures larger than mostPicturePixels (OpenEXR, Radiance and PNM: more than 16384 pixels per side), and
+/// files for which standsForAnother() returns a description, such as Git LFS pointers.
 [[nodiscard]] Picture decodePicture(std::string_view bytes, const char* what, const std::string& name);
 [[nodiscard]] Picture readPicture(const std::filesystem::path& path, const char* what);
 
@@ -50,16 +50,16 @@ void readBytes(const std::filesystem::path& path, const char* what, std::string&
 /// pixels.
 void checkPicture(std::string_view bytes, const char* what, const std::string& name);
 
-/// True if the file name has the extension of a picture. Includes formats that decodePicture() rejects by
-/// name, so that none is silently skipped.
+/// True if the file name has the extension of a picture. Includes formats that decodePicture() rejects with
+/// a message, so that no picture is silently skipped.
 [[nodiscard]] bool isPictureName(const std::filesystem::path& file);
 
-/// True if the file starts like a PNG, JPEG or OpenEXR picture, whatever its name. False for unreadable
-/// files and for PNM and Radiance, whose first bytes also occur in text files.
+/// True if the file has the first bytes of a PNG, JPEG or OpenEXR picture, regardless of its name. False
+/// for unreadable files and for PNM and Radiance, whose first bytes also occur in text files.
 [[nodiscard]] bool holdsPicture(const std::filesystem::path& file);
 
-/// Returns a hash of size, depth, all four channels and layers, independent of file format and encoder. 32
-/// hexadecimal digits.
+/// Returns a hash of size, depth, all four channels and layers (32 hexadecimal digits). It does not depend
+/// on file format and encoder.
 [[nodiscard]] std::string pictureHash(const Picture& picture);
 
 /// Returns RGBA values in units of 1/255 of the sRGB encoded range. Deep pictures have fractional values.

@@ -25,7 +25,8 @@ bool isText(const PngChunk& chunk) {
   return std::find(types.begin(), types.end(), chunk.type) != types.end();
 }
 
-/// Returns what is wrong with the header's pixel format (PNG specification 11.2.2), or an empty text.
+/// Returns a description of the mistake in the header's pixel format (PNG specification 11.2.2), or an
+/// empty text.
 std::string formatProblem(std::string_view header) {
   const auto [width, height, depth, colour, plain] = readPngHeader(header);
   constexpr std::array<std::uint32_t, 7> depths = {
@@ -36,7 +37,7 @@ std::string formatProblem(std::string_view header) {
   return fmt::format("is corrupt (colour type {} of {} bits); {}", colour, depth, restoreIt);
 }
 
-/// Returns what is wrong with the file, as a text to follow its name, or an empty text.
+/// Returns a description of the file's mistake that follows the file name, or an empty text.
 std::string problem(std::string_view file) {
   if (std::string other = standsForAnother(file); !other.empty()) return other;
   if (file.empty()) return fmt::format("is empty; {}", restoreIt);
@@ -63,12 +64,12 @@ std::string problem(std::string_view file) {
     pixels = pixels || chunk->type == "IDAT";
     if (chunk->type != "IEND") continue;
     if (!pixels) return fmt::format("is corrupt (it holds no pixels); {}", restoreIt);
-    return {};  // data after IEND does not belong to the picture (PNG specification 5.6)
+    return {};  // data after IEND is not part of the picture (PNG specification 5.6)
   }
   return cutOff;
 }
 
-/// Returns the next chunk that affects pixels, or nothing if the file is cut off.
+/// Returns the next chunk that affects pixels, or nothing if the file is truncated.
 std::optional<PngChunk> nextPixelChunk(std::string_view& rest) {
   auto chunk = takePngChunk(rest);
   while (chunk && isText(*chunk)) chunk = takePngChunk(rest);

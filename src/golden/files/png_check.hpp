@@ -22,8 +22,8 @@ void checkPng(std::span<const std::byte> file, const char* what, const std::stri
 /// Returns width and height of a file that passed checkPng, or nothing if it is not a PNG.
 [[nodiscard]] std::optional<std::pair<int, int>> sizeOfPng(std::span<const std::byte> file);
 
-/// True if two files that passed checkPng have the same chunks except for text and time, so their pixels
-/// are equal. False if one is not a PNG. If it returns false, the pixels may still be equal.
+/// True if two files that passed checkPng have the same chunks except for text and time, which implies
+/// equal pixels. False if one file is not a PNG. If the result is false, the pixels may still be equal.
 [[nodiscard]] bool sameEncodedPixels(std::span<const std::byte> a, std::span<const std::byte> b);
 
 }  // namespace simreel::golden

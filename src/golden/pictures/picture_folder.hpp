@@ -8,7 +8,7 @@ namespace simreel::golden {
 /// Files below a folder, as sorted relative paths with '/'.
 struct PictureFolder {
   std::vector<std::string> pictures;
-  /// Other files, and folders that are not searched, which end in '/'.
+  /// Files that are no pictures, and folders that are not searched, which end in '/'.
   std::vector<std::string> others;
 };
 
@@ -21,7 +21,7 @@ void markReport(const std::filesystem::path& folder);
 /// UserError(inputOutput) if a folder cannot be listed or links form a cycle.
 [[nodiscard]] PictureFolder listPictures(const std::filesystem::path& folder);
 
-/// Returns a shortened list of names: "notes.txt, .git/ and 3 more".
+/// Returns a list of names, shortened if it is long: "notes.txt, .git/ and 3 more".
 [[nodiscard]] std::string someOf(const std::vector<std::string>& names);
 
 }  // namespace simreel::golden

@@ -9,9 +9,10 @@ namespace simreel::golden {
 /// A picture to test. `name` is its path relative to both folders.
 struct PictureCase {
   std::string name;
-  std::filesystem::path expected, actual;  ///< paths of baseline and picture; empty if it does not exist
-  /// If the picture has no baseline of its own: name of a baseline with the same pixels whose own picture
-  /// is gone. `expected` is then that baseline.
+  std::filesystem::path expected, actual;  ///< paths of baseline and picture; empty if the file does not
+                                           ///< exist
+  /// If the picture has no baseline under its name: name of a baseline with the same pixels whose picture
+  /// no longer exists. `expected` is then the path of that baseline.
   std::string renamedFrom;
 };
 
@@ -21,8 +22,8 @@ struct PictureSet {
 };
 
 /// Pairs the pictures of two folders by path, and the remaining ones by pixels. Only pairs names for which
-/// `counts` returns true; its argument `made` is true if the picture exists, not only its baseline. Throws
-/// like listPictures().
+/// `counts` returns true. The argument `made` of `counts` is true if the picture exists, false if only its
+/// baseline does. Throws like listPictures().
 [[nodiscard]] PictureSet pairPictures(
     const std::filesystem::path& expected, const std::filesystem::path& actual,
     const std::function<bool(const std::string& name, bool made)>& counts);

@@ -138,7 +138,7 @@ class PictureTest {
     if (!broken.empty()) result_.messages.push_back(fmt::format("{}", fmt::join(broken, "; ")));
   }
 
-  /// Updates the baseline of a missing or failed picture, or keeps its files for the report.
+  /// Updates the baseline of a missing or failed picture, or stores its files for the report.
   void judge() {
     if (result_.xfail.empty() && update()) return;
     if (options_.artifacts.empty()) return;
@@ -180,7 +180,7 @@ class PictureTest {
     return write(name, frame::encodePng(image, {}));
   }
 
-  /// Copies the file itself, with alpha, if browsers can display it; else writes a PNG.
+  /// Copies the file, which preserves alpha, if browsers can display it. Otherwise, writes a PNG.
   std::string copyOf(const char* role, const ReadPicture& read, const fs::path& file) const {
     const std::string ending = lowerExtension(file);
     if (read.picture.depth != Depth::linear && (ending == ".png" || ending == ".jpg" || ending == ".jpeg"))

@@ -36,7 +36,7 @@ void RenderCommand::check() const {
          "{{output}}'");
 }
 
-/// Returns the value of {output} if the character `after` follows it.
+/// Returns the value of {output} when the character `after` follows it.
 std::string RenderCommand::outputOf(const SceneFile& scene, char after) const {
   if (!eachScene()) return folder.string();
   const std::string base = (folder / scene.name).string();
@@ -70,7 +70,7 @@ std::vector<std::string> RenderCommand::madeOf(const SceneFile& scene,
 void RenderCommand::makeRoom(const SceneFile& scene, const std::vector<SceneFile>& scenes) const {
   makeFolders((folder / scene.name).parent_path());
   if (!eachScene()) return;
-  // {output}/####.png needs the folder to exist.
+  // {output}/####.png requires that the folder exists.
   if (text.find("{output}/") != std::string::npos) makeFolders(folder / scene.name);
   for (const std::string& picture : madeOf(scene, scenes)) removeFile(folder / picture);
 }
@@ -78,7 +78,7 @@ void RenderCommand::makeRoom(const SceneFile& scene, const std::vector<SceneFile
 void RenderCommand::run(const SceneFile& scene, const std::vector<SceneFile>& /*scenes*/) const {
   const std::string command = fillIn(text, placeholders(scene));
   try {
-    // Redirects the output to the messages, of which only the end is ever shown.
+    // Redirects the output to the messages. Only the end of the messages is ever shown.
     ChildCommand child(
         "export SIMREEL_SCENE=\"$1\" SIMREEL_OUTPUT=\"$2\" SIMREEL_BASE=\"$3\"; shift 3; { " + command +
             "\n} >&2",

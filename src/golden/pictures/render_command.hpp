@@ -34,9 +34,9 @@ struct RenderCommand {
   [[nodiscard]] bool eachScene() const { return text.find("{scene}") != std::string::npos; }
   /// Returns the command for display. Fills in both placeholders if the names need no shell quotes.
   [[nodiscard]] std::string of(const SceneFile& scene) const;
-  /// Runs the command for each of the chosen scenes (indices), up to `jobs` at once. First removes pictures
-  /// of an earlier run. Returns the error of each scene, including the error that no picture was made.
-  /// Throws Interrupted after a signal.
+  /// Runs the command for each of the chosen scenes (indices), up to `jobs` at the same time. First removes
+  /// pictures of an earlier run. Returns the error of each scene; a scene for which no picture was made has
+  /// an error, too. Throws Interrupted after a signal.
   [[nodiscard]] std::vector<CommandEnd> runAll(const std::vector<SceneFile>& scenes,
                                                std::vector<std::size_t> chosen, std::size_t jobs) const;
 
@@ -57,8 +57,8 @@ struct RenderCommand {
 /// name of a file is its path without extension. Throws like findScenes().
 [[nodiscard]] std::vector<SceneFile> findInputs(std::span<const std::string> paths);
 
-/// Returns the scene of a picture: the one with the longest name that the picture's path starts with,
-/// followed by ".", "/" or the end. nullptr if no scene matches.
+/// Returns the scene to which a picture belongs: the one with the longest name that the picture's path
+/// starts with, followed by ".", "/" or the end. Returns nullptr if no scene matches.
 [[nodiscard]] const SceneFile* ownerOf(const std::string& picture, const std::vector<SceneFile>& scenes);
 
 }  // namespace simreel::golden

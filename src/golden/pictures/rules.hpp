@@ -21,7 +21,8 @@ struct Rectangle {
 /// Allowed differences for some pictures. Members without a value inherit from earlier rules; masks
 /// accumulate.
 struct Rule {
-  std::string match;                        ///< glob as in nameMatches(); empty: every picture
+  std::string match;                        ///< glob as in nameMatches(); empty: the rule applies to every
+                                            ///< picture
   std::map<std::string, double> tolerance;  ///< tolerance bounds by field name
   std::optional<bool> ignoreAntialiased;
   std::optional<int> searchRadius;

@@ -45,7 +45,7 @@ std::vector<std::string> fileNames(const fs::path& folder) {
   return names;
 }
 
-/// Files by the key that pairs them: a name or a frame number.
+/// Files by the key that pairs them, a name or a frame number.
 template <class Key>
 using Files = std::map<Key, fs::path>;
 
@@ -99,8 +99,8 @@ Metrics equalMetrics() {
   return metrics;
 }
 
-/// Decodes both pictures in parallel. Isolated, because a thread that waits here could otherwise start
-/// another pair, which reads its files into the same thread-local memory.
+/// Decodes both pictures in parallel. Uses isolation, because a thread that waits here could otherwise
+/// start another pair, which would read its files into the same thread-local memory.
 std::pair<Picture, Picture> decodeBoth(const Pair& pair, std::string_view fileA, std::string_view fileB) {
   std::pair<Picture, Picture> both;
   tbb::this_task_arena::isolate([&] {
@@ -145,8 +145,8 @@ PairList pairPatterns(const std::string& a, const std::string& b) {
 
 PairResult comparePair(const Pair& pair, const PairTerms& terms, const fs::path& differenceFile,
                        bool always) {
-  // Thread-local, because allocating fresh pages for every file takes longer than comparing equal files. Do
-  // not use after decoding: while compare() waits, the thread may start another pair.
+  // The buffers are thread-local, because allocating new pages for every file takes longer than comparing
+  // equal files. Do not use them after decoding: while compare() waits, the thread may start another pair.
   thread_local std::string fileA, fileB;
   readBytes(pair.a, "picture", fileA);
   checkPicture(fileA, "picture", pair.a.string());
@@ -155,8 +155,8 @@ PairResult comparePair(const Pair& pair, const PairTerms& terms, const fs::path&
   PairResult result;
   const bool wantsImage = !differenceFile.empty();
   const auto bytesA = std::as_bytes(std::span(fileA)), bytesB = std::as_bytes(std::span(fileB));
-  // If both files have the same chunks, decodes one of them, because an undecodable file must not count as
-  // equal.
+  // If both files have the same chunks, decodes only one of them. Decoding is needed because an undecodable
+  // file must not count as equal.
   if (sizeOfPng(bytesA) && sameEncodedPixels(bytesA, bytesB) && (!wantsImage || !always)) {
     const Picture picture = decodePicture(fileA, "picture", pair.a.string());
     result.metrics = equalMetrics();
@@ -201,7 +201,7 @@ void comparePairs(const std::vector<Pair>& pairs, const PairTerms& terms, const 
     try {
       fs::path image;
       if (!differenceFolder.empty()) {
-        // pair.name is a path below both folders, except for "frame N" of patterns.
+        // pair.name is a path below both folders, except for the names "frame N" of patterns.
         const bool named = pair.a.generic_string().ends_with(pair.name);
         image = differenceFolder / (named ? fs::path(pair.name) : pair.a.filename());
         if (lowerExtension(image) != ".png") image += ".png";

@@ -28,13 +28,13 @@ struct PairTerms {
 struct PairList {
   std::vector<Pair> pairs;  ///< pairs of files, sorted by name or frame number
   std::vector<std::string> onlyA, onlyB;
-  std::vector<std::string> passedOver;  ///< skipped: other files and hidden folders ("a/.git/")
+  std::vector<std::string> passedOver;  ///< skipped paths: other files and hidden folders ("a/.git/")
 };
 
 struct PairResult {
   enum class Outcome { equal, within, different, unreadable };
   Outcome outcome = Outcome::equal;
-  /// size of both, or of the padded pictures if sizes differ; 0 if unreadable
+  /// size of both pictures, or of the padded pictures if the sizes differ; 0 if a file is unreadable
   int width = 0, height = 0;
   std::optional<Metrics> metrics;   ///< measured differences; empty if a file could not be read
   std::vector<std::string> broken;  ///< reasons for the difference, one clause each
@@ -53,15 +53,16 @@ struct PairResult {
 /// UserError(inputOutput) if a folder cannot be listed.
 [[nodiscard]] PairList pairPatterns(const std::string& a, const std::string& b);
 
-/// Reads and compares two pictures; fills in the metrics also if they are equal. Pictures of different
-/// sizes count as different and are padded. If `differenceFile` is not empty, writes the difference image
-/// there, for equal pictures only if `always`. Throws UserError(inputOutput) with the file's name, without
-/// having written anything.
+/// Reads and compares two pictures. Fills in the metrics even if the pictures are equal. Pictures of
+/// different sizes count as different and are padded. If `differenceFile` is not empty, writes the
+/// difference image to that file, for equal pictures only if `always`. If it throws UserError(inputOutput)
+/// with the file's name, it has not written anything.
 [[nodiscard]] PairResult comparePair(const Pair& pair, const PairTerms& terms,
                                      const std::filesystem::path& differenceFile, bool always);
 
 /// Compares pairs in parallel. Calls `done` for each result in order, from one thread at a time. Unreadable
-/// files are reported as results. `differenceFolder` must exist; empty: no difference images.
+/// files are reported as results. `differenceFolder` must exist; if it is empty, no difference images are
+/// written.
 void comparePairs(const std::vector<Pair>& pairs, const PairTerms& terms,
                   const std::filesystem::path& differenceFolder,
                   const std::function<void(const Pair&, const PairResult&)>& done);

@@ -12,7 +12,7 @@ namespace simreel::golden {
 
 namespace {
 
-/// Copies a command while tracking quotes like /bin/sh. If the tracking is wrong, a value may be split into
+/// Copies a command and tracks quotes like /bin/sh. If the tracking is wrong, a value may be split into
 /// several words, but it is not executed, because it comes from a variable.
 class Filling {
  public:

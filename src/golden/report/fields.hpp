@@ -14,7 +14,7 @@ namespace simreel::golden {
 //  group     an object whose keys belong to the same struct
 //  counts    the number of scenes with each status
 
-/// T or const T: fields() serves both the Writer (const) and the Reader.
+/// T is S or const S, because fields() serves both the Writer (const) and the Reader.
 template <class S, class T>
 concept Is = std::same_as<std::remove_const_t<S>, T>;
 

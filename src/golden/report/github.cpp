@@ -16,8 +16,8 @@ namespace {
 /// Max number of annotations of each kind that GitHub shows.
 constexpr std::size_t mostShown = 10;
 
-/// Escapes the value of a workflow command (the part after "::"). Properties such as file= and title= also
-/// need ':' and ',' in `separators`.
+/// Escapes the value of a workflow command (the part after "::"). Properties such as file= and title= must
+/// also escape ':' and ',', which `separators` adds.
 std::string escaped(std::string_view text, std::string_view separators = "") {
   std::string result;
   for (const char c : cleanText(text)) {
@@ -45,8 +45,8 @@ std::string annotation(const char* level, const SceneResult& scene, std::string_
   return lineAnnotation(level, place, fmt::format("simreel: {} ({})", scene.name, what), message);
 }
 
-/// Joins the annotations of one kind; if there are too many, nine of them and one with the number of the
-/// rest.
+/// Joins the annotations of one kind. If there are too many, joins nine of them and one with the number of
+/// omitted annotations.
 std::string asMany(const std::vector<std::string>& all, const char* level) {
   const std::size_t shown = all.size() <= mostShown ? all.size() : mostShown - 1;
   std::string text;

@@ -26,8 +26,8 @@ std::string_view pageFile(std::string_view path) {
                   std::string(path));
 }
 
-/// Escapes '<' in JSON, so that no string can end the page's script element or start a comment in it.
-/// Outside of strings JSON contains no '<'.
+/// Escapes '<' in JSON, so that no string can end the page's script element or start a comment in it. JSON
+/// contains '<' only in strings.
 std::string withoutMarkup(const std::string& json) {
   std::string text;
   text.reserve(json.size());
@@ -41,9 +41,9 @@ std::string withoutMarkup(const std::string& json) {
 }
 
 /// Removes repetition from the data; the page's unpacked() restores it. Output: {"keys": [[...], ...],
-/// "texts": [...], "data": ...}. An object becomes [index of its key list, values...], a list [-1,
-/// values...], and a text that occurs several times {"t": index}. Packing reduces a report of 500 failures
-/// to a quarter.
+/// "texts": [...], "data": ...}. An object becomes [index of its key list, values...], a list becomes [-1,
+/// values...], and a text that occurs several times becomes {"t": index}. Packing reduces a report of 500
+/// failures to a quarter of its size.
 class Packer {
  public:
   std::string packed(const ordered_json& value) {
@@ -54,7 +54,7 @@ class Packer {
   }
 
  private:
-  // texts up to this length are kept, because {"t": index} is no shorter
+  // max length of texts that are not replaced, because {"t": index} is not shorter
   static constexpr std::size_t shortText = 10;
 
   struct Text {
@@ -102,7 +102,7 @@ class Packer {
 
 std::string htmlReport(const std::string& reportJson) {
   // Replaces each {{file}} in index.html by the content of that file. Inserted content is not searched
-  // again, so data may contain such marks.
+  // again, so data may contain {{...}}.
   std::string page;
   std::string_view rest = pageFile("index.html");
   while (true) {

@@ -7,16 +7,17 @@
 
 namespace simreel::golden {
 
-/// A source file of the report page that is built into the program: path below src/golden/report/page/, and
-/// text.
+/// A source file of the report page that is built into the program: its path below src/golden/report/page/,
+/// and its text.
 struct PageFile {
   const char* path;
   const char* text;
 };
 [[nodiscard]] std::span<const PageFile> pageFiles();
 
-/// Returns the report as a single HTML page that contains styles, scripts and the data. `reportJson` is the
-/// result of reportText(). The page only refers to the image files named in the data, relative to itself.
+/// Returns the report as a single HTML page that contains styles, scripts and the data. `reportJson`:
+/// result of reportText(). The page refers only to the image files named in the data, by paths relative to
+/// the page.
 [[nodiscard]] std::string htmlReport(const std::string& reportJson);
 
 /// Writes htmlReport(reportJson) atomically as index.html into the folder. Throws UserError(inputOutput)

@@ -66,7 +66,7 @@ class Writer {
   }
   static Json json(Status value) { return statusName(value); }
   static Json json(const std::string& value) { return value; }
-  /// Replaces infinity by the largest double and NaN by null, because JSON has neither.
+  /// Replaces infinity by the largest double and NaN by null, because JSON has neither infinity nor NaN.
   static Json json(double value) {
     constexpr double largest = std::numeric_limits<double>::max();
     return std::isnan(value) ? Json(nullptr) : Json(std::clamp(value, -largest, largest));
@@ -152,8 +152,8 @@ class Reader {
     const JsonValue json = object_.at(key);
     value = json.isNull() ? std::numeric_limits<double>::infinity() : json.number();
   }
-  /// Reads a path that must stay below the report's folder. `simreel accept` copies such files, so a report
-  /// from an untrusted place must not name other files.
+  /// Reads a path that must stay below the report's folder. `simreel accept` copies such files, and a
+  /// report from an untrusted source must not make it copy other files.
   void path(const char* key, std::string& value) {
     const JsonValue json = object_.at(key);
     value = json.text();

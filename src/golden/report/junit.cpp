@@ -1,4 +1,4 @@
-// JUnit XML as Jenkins, GitLab and others read it. tests/unit/junit.xsd defines what is valid.
+// Writes JUnit XML that Jenkins, GitLab and others can read. tests/unit/junit.xsd is its schema.
 #include "golden/report/junit.hpp"
 
 #include "golden/baseline/origin.hpp"
@@ -70,7 +70,7 @@ std::string outputText(const SuiteResult& suite, const SceneResult& scene) {
   return text + imageLines(suite, scene);
 }
 
-/// Returns one attachment line for each picture; a line must not contain anything else.
+/// Returns one attachment per line; such a line must not contain anything else.
 std::string attachments(const SceneResult& scene, const std::filesystem::path& pictures) {
   std::vector<std::string> paths;
   const auto add = [&](const std::string& path) {
@@ -132,7 +132,7 @@ std::string junitText(const SuiteResult& suite, const std::filesystem::path& pic
   declaration.append_attribute("version") = "1.0";
   declaration.append_attribute("encoding") = "UTF-8";
   xml_node root = document.append_child("testsuites");
-  // No "skipped" attribute here: the schema of Jenkins' xUnit plugin only allows it on <testsuite> and
+  // Omits the "skipped" attribute: the schema of Jenkins' xUnit plugin allows it only on <testsuite> and
   // otherwise rejects the file.
   setCounts(root, suite);
   setSeconds(root, suite.seconds);
@@ -142,7 +142,9 @@ std::string junitText(const SuiteResult& suite, const std::filesystem::path& pic
   setSeconds(node, suite.seconds);
   xml_node properties = node.append_child("properties");
   const auto property = [&](const char* name, const std::string& value) {
-    if (value.empty() && suite.unit == "picture") return;  // pictures of other programs have no device
+    if (value.empty() && suite.unit == "picture")
+      return;  // pictures of other programs were not drawn by a
+               // known device
     xml_node entry = properties.append_child("property");
     setText(entry, "name", name);
     setText(entry, "value", value);

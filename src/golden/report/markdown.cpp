@@ -21,7 +21,7 @@ constexpr std::size_t commandBytes = 50'000;
 constexpr std::size_t cellBytes = 300;
 
 /// Escapes text for Markdown, tables and HTML. Uses character references, which are never markup
-/// (CommonMark 6.2); a backslash before '|' would not work, because tables are parsed first.
+/// (CommonMark 6.2). A backslash before '|' would not work, because tables are parsed first.
 std::string markdown(std::string_view text) {
   constexpr std::string_view special = "&<>|`\\*_[]~#\"";
   std::string escaped;
@@ -60,7 +60,7 @@ std::string failureRow(const SuiteResult& suite, const SceneResult& scene) {
                      cell(scene.divergence ? scene.divergence->message : ""), cell(firstReason(scene)));
 }
 
-/// Lists stale baselines and notes of the run.
+/// Lists the stale baselines and notes of the run.
 std::string aboutRun(const SuiteResult& suite) {
   constexpr std::size_t most = 50;
   std::vector<std::string> lines;
@@ -95,7 +95,7 @@ std::string heading(const SuiteResult& suite) {
   return text;
 }
 
-/// Returns the command in a code fence that is longer than any run of backticks in it.
+/// Returns the command in a code fence that is longer than any sequence of backticks in the command.
 std::string commandBlock(const std::string& command) {
   if (command.empty()) return "";
   const std::string clean = cleanText(command);
@@ -107,7 +107,7 @@ std::string commandBlock(const std::string& command) {
   return fmt::format("Look at the pictures first. To accept this run:\n\n{0}sh\n{1}\n{0}\n", fence, clean);
 }
 
-/// Returns as many lines as fit into `room` bytes, and the number of remaining lines.
+/// Returns as many lines as fit into `room` bytes, and the number of omitted lines.
 std::pair<std::string, std::size_t> fitting(const std::vector<std::string>& lines, std::size_t room) {
   std::string text;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -141,7 +141,7 @@ std::string pictureRow(const SceneResult& scene, const PictureAddress& address) 
   return any ? fmt::format("| {} |{}\n", cell(scene.name), row) : "";
 }
 
-/// Returns a table with the pictures of at most 50 scenes that fit into `room` bytes.
+/// Returns a table with the pictures of at most 50 scenes, as many as fit into `room` bytes.
 std::string pictureTable(const SuiteResult& suite, const PictureAddress& address, std::size_t room) {
   constexpr std::size_t most = 50;
   std::string rows;
@@ -179,7 +179,7 @@ std::string markdownSummary(const SuiteResult& suite, const PictureAddress& addr
   }
   std::string text = heading(suite);
   const std::string command = commandBlock(suite.acceptCommand);
-  constexpr std::size_t words = 2000;  // space for the headings and sentences around the lists
+  constexpr std::size_t words = 2000;  // space (bytes) for the headings and sentences around the lists
   const std::size_t used = text.size() + command.size() + words;
   if (!failed.empty()) {
     const auto [rows, more] = fitting(failed, summaryBytes - used);

@@ -34,7 +34,7 @@ class Luggage {
   }
 
  private:
-  /// Returns the new path of "files/a/1.png" (or "report-files/a/1.png").
+  /// Returns the new path of a path such as "files/a/1.png" or "report-files/a/1.png".
   static std::string placeOf(const std::string& path) {
     const std::size_t slash = path.find('/');
     return "files/" + (slash == std::string::npos ? path : path.substr(slash + 1));
@@ -45,11 +45,11 @@ class Luggage {
     const fs::path source = from_ / path;
     path = placeOf(path);
     std::error_code unknown;
-    // Links are not followed, because a report from an untrusted place must not copy other files of this
-    // machine.
+    // Links are not followed, because a report from an untrusted source must not cause copies of other
+    // files of this machine.
     const fs::file_status status = fs::symlink_status(source, unknown);
     if (fs::is_directory(status)) {
-      // list complete before copying, because the copies may go below `source`
+      // completes the list before copying, because the copies may go below `source`
       std::vector<fs::path> files;
       for (const auto& entry : fs::recursive_directory_iterator(source, unknown))
         if (entry.is_regular_file(unknown) && !entry.is_symlink(unknown)) files.push_back(entry.path());
@@ -85,8 +85,8 @@ void checkTogether(const PartReport& first, const PartReport& part) {
   apart("version", first.suite.version, part.suite.version);
 }
 
-/// Adds a stale baseline, or merges it with the same message of another report. Prefers the more detailed
-/// message, which tells where a moved baseline went.
+/// Adds a stale baseline, or merges it with the entry of another report. Keeps the more detailed message,
+/// which tells where a moved baseline went.
 void addStale(const Stale& stale, std::vector<Stale>& all) {
   const auto known = std::find_if(all.begin(), all.end(), [&](const Stale& other) {
     return other.path == stale.path &&
@@ -180,7 +180,7 @@ Merged mergeReports(const std::vector<PartReport>& parts, const fs::path& folder
   }
   std::sort(all.scenes.begin(), all.scenes.end(),
             [](const SceneResult& a, const SceneResult& b) { return a.name < b.name; });
-  // Every part contains the same notes on whole folders, so duplicates are removed.
+  // Every report contains the same notes about whole folders, so duplicates are removed.
   std::vector<std::string> once;
   for (std::string& note : all.notes)
     if (std::find(once.begin(), once.end(), note) == once.end()) once.push_back(std::move(note));

@@ -18,13 +18,13 @@ struct PartReport {
 
 struct Merged {
   SuiteResult suite;  ///< merged report, with scenes sorted by name
-  /// Shards like "3/4" without a report, although other shards of the same number of parts have one.
+  /// Shards such as "3/4" without a report, although another shard "k/4" has one.
   std::vector<std::string> missingShards;
 };
 
-/// Merges the scenes of several reports, each scene in exactly one report, into one. Copies their pictures
-/// below `folder`/files; missing pictures are noted. Throws UserError(usage) if two reports contain the
-/// same scene or shard, or if the reports do not belong together.
+/// Merges several reports into one; each scene must be in exactly one report. Copies the pictures below
+/// `folder`/files; missing pictures are noted. Throws UserError(usage) if two reports contain the same
+/// scene or shard, or if the reports do not belong together.
 [[nodiscard]] Merged mergeReports(const std::vector<PartReport>& parts,
                                   const std::filesystem::path& folder);
 

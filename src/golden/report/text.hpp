@@ -6,9 +6,10 @@
 
 namespace simreel::golden {
 
-/// Returns the lines for one scene for a terminal, with ANSI colours if `color`. Shows messages that a
-/// scene repeats (of a frame, a check, the divergence) only once. `reportFolder` is prepended to image
-/// paths if not empty. `unit` is as in SuiteResult; a "picture" has no number of frames.
+/// Returns the lines for one scene for a terminal, with ANSI colours if `color`. A message that occurs
+/// several times in a scene (of a frame, a check, the divergence) is shown once. `reportFolder` is
+/// prepended to image paths if it is not empty. `unit` is as in SuiteResult; for a "picture", no number of
+/// frames is shown.
 [[nodiscard]] std::string sceneLine(const SceneResult& scene, bool color = false,
                                     const std::filesystem::path& reportFolder = {},
                                     const std::string& unit = "scene");

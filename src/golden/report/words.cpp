@@ -12,13 +12,13 @@ namespace simreel::golden {
 
 namespace {
 
-constexpr std::string_view replacement = "\xEF\xBF\xBD";  // U+FFFD
+constexpr std::string_view replacement = "\xEF\xBF\xBD";  // replacement character U+FFFD
 
-/// True if every reader accepts this well-formed UTF-8 character.
+/// True if every program can display this well-formed UTF-8 character.
 bool isPlain(std::string_view character) {
   if (character == "\t" || character == "\n") return true;
   return !steersTerminal(character) && character != "\xEF\xBF\xBE" &&
-         character != "\xEF\xBF\xBF";  // U+FFFE, U+FFFF
+         character != "\xEF\xBF\xBF";  // noncharacters U+FFFE, U+FFFF
 }
 
 }  // namespace

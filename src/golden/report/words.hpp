@@ -8,12 +8,14 @@
 
 namespace simreel::golden {
 
-/// Returns text that every reader accepts: invalid UTF-8, control characters that affect terminals (except
-/// tab and newline), and code points that XML 1.0 forbids become U+FFFD; "\r\n" and "\r" become "\n".
+/// Returns text that every program can display. U+FFFD replaces invalid UTF-8, control characters that
+/// affect terminals (except tab and newline), and code points that XML 1.0 forbids. "\r
+/// " and "\r" become "
+/// ".
 [[nodiscard]] std::string cleanText(std::string_view text);
 /// Returns the text up to the first newline.
 [[nodiscard]] std::string_view firstLine(std::string_view text);
-/// Cuts clean text to at most `bytes` bytes at a character boundary, with "..." for the rest.
+/// Cuts clean text to at most `bytes` bytes at a character boundary, and appends "..." if text was cut.
 [[nodiscard]] std::string shortened(std::string_view text, std::size_t bytes);
 /// Returns a number with its noun: "1 scene", "2 scenes".
 [[nodiscard]] std::string counted(long count, std::string_view thing);
@@ -25,8 +27,8 @@ namespace simreel::golden {
 [[nodiscard]] std::string firstReason(const SceneResult& scene);
 /// Returns "failed, then passed on attempt 2".
 [[nodiscard]] std::string flakyText(const SceneResult& scene);
-/// Returns how closely pictures had to match: "within 2 of 255: another machine with the same numerics drew
-/// the baseline". Empty if there is no baseline.
+/// Returns how closely the pictures had to match: "within 2 of 255: another machine with the same numerics
+/// drew the baseline". Empty if there is no baseline.
 [[nodiscard]] std::string comparedText(const SceneResult& scene);
 /// Returns the number of scenes whose pictures need not equal their baselines, with the reason: "15 scenes
 /// within 2 of 255 (another machine ...), 4 scenes within the tolerance (...)". Empty if all must be equal.
@@ -34,7 +36,7 @@ namespace simreel::golden {
 /// Returns the number of scenes with the given status.
 [[nodiscard]] long countOf(const SuiteResult& suite, Status status);
 /// Returns the frame that represents a scene: among the frames that did not pass, the one with the most
-/// pixels beyond the tolerance. nullptr if all passed.
+/// pixels beyond the tolerance. Returns nullptr if all passed.
 [[nodiscard]] const FrameResult* worstFrame(const SceneResult& scene);
 /// Returns the scenes that make the run fail, in order.
 [[nodiscard]] std::vector<const SceneResult*> failures(const SuiteResult& suite);

@@ -15,7 +15,7 @@ namespace simreel::golden {
 
 namespace {
 
-/// Parses the place in "FILE:12:5: error: ...", the format of the scene reader's messages.
+/// Parses the file and line in "FILE:12:5: error: ...", the format of the scene reader's messages.
 std::optional<Place> placeIn(std::string_view message) {
   const std::size_t end = message.find(": error: ");
   if (end == std::string_view::npos) return std::nullopt;
@@ -48,7 +48,7 @@ std::optional<int> lineOfCheck(const std::string& text, const CheckResult& check
     const scene::Node* found = node.find(key);
     return found == nullptr ? std::string() : found->text;
   };
-  // check.what has the form "energy of flag": the words of the check (suite/check.cpp).
+  // check.what has the form "energy of flag", with the words of the check (suite/check.cpp).
   for (std::size_t i = 0; i < checks->children.size(); ++i) {
     const scene::Node& one = checks->children[i];
     const std::string what = says(one, "what"), object = says(one, "object"), of = says(one, "of");
@@ -63,7 +63,7 @@ std::optional<int> lineOfCheck(const std::string& text, const CheckResult& check
   return std::nullopt;
 }
 
-/// Returns the object's name: "flag" for "triangle 12 of flag".
+/// Returns the object's name, for example "flag" for "triangle 12 of flag".
 std::string objectOf(const std::string& shows) {
   const std::size_t of = shows.rfind(" of ");
   return of == std::string::npos ? shows : shows.substr(of + 4);

@@ -17,9 +17,9 @@ namespace simreel::golden {
 
 namespace {
 
-/// Min standard deviation of luma: one step of 8 bits. Below it a picture counts as blank.
+/// Min standard deviation of luma, equal to one step of 8 bits. A picture with less counts as blank.
 constexpr double minDeviation = 1.0 / 255.0;
-/// Lower limit of |first value| for drift, because drift is relative to the first value.
+/// Lower limit of |first value| in the drift condition, because drift is relative to the first value.
 constexpr double tiny = 1e-12;
 
 constexpr const char* statisticNames[] = {"mean", "min", "max", "sum"};
@@ -71,7 +71,7 @@ class Checker::Resolver {
              fmt::join(tested_, ", "));
   }
 
-  /// Returns the indices of the objects that a check may refer to: the named one, or all.
+  /// Returns the indices of the objects to which a check may refer: the named one, or all.
   [[nodiscard]] std::vector<std::size_t> candidates(const std::string& where,
                                                     const scene::Check& check) const {
     std::vector<std::size_t> found;
@@ -172,7 +172,7 @@ class Checker::Resolver {
   std::span<const int> tested_;
 };
 
-/// State of one frame that has been read back. Reads each array and each object's quantities only once.
+/// State of one frame, read back from the GPU. Each array and each object's quantities are read only once.
 class Checker::StateOfFrame {
  public:
   explicit StateOfFrame(const sim::World& world) : world_(world) {}

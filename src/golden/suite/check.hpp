@@ -18,21 +18,21 @@ namespace simreel::golden {
 /// Evaluates the checks of a scene while its frames are made.
 class Checker {
  public:
-  /// Throws UserError(usage) if a check names an unknown object, array, component or quantity, with a list
-  /// of the known ones, or if a "not-blank" check is at a frame without picture. `testedFrames` are the
-  /// frames (ascending) for which picture() will be called.
+  /// Throws UserError(usage) if a check names an unknown object, array, component or quantity; the message
+  /// lists the known ones. Also throws it if a "not-blank" check is at a frame without picture.
+  /// `testedFrames`: frames (ascending) for which picture() will be called.
   Checker(const scene::Scene& scene, const sim::World& world, std::span<const int> testedFrames);
-  /// Returns the frames, besides the tested ones, that checks need. Ascending.
+  /// Returns the frames, in ascending order, that checks need besides the tested ones.
   [[nodiscard]] std::vector<int> frames() const;
   /// Evaluates the state checks of `frame`, which must be the world's current frame. Waits for the GPU and
-  /// reads back state only if a check of this frame needs it. Frames must ascend.
+  /// reads back state only if a check of this frame needs it. Call with ascending frames.
   void state(int frame, const sim::World& world);
   /// Evaluates the picture checks of a tested frame. May be called before or after state().
   void picture(int frame, const frame::Image& image);
-  /// Takes over the results of an earlier run at frames that this run does not make again.
+  /// Takes the results of an earlier run for frames that this run does not make again.
   void resume(const std::vector<CheckResult>& earlier);
   /// Returns one result for each check and frame so far, sorted by frame and then by the scene's order. For
-  /// checks with drift, the result's min and max are the tighter of the check's own bounds and the drift's
+  /// checks with drift, the result's min and max are the tighter of the check's bounds and the drift's
   /// bounds.
   [[nodiscard]] std::vector<CheckResult> results() const;
 
@@ -59,7 +59,7 @@ class Checker {
   void evaluate(int frame, const Look& look);
   static void checkContrast(const frame::Image& image, CheckResult& result);
   void checkFinite(const Item& item, StateOfFrame& state, CheckResult& result) const;
-  /// Checks a value against min, max and drift. Returns false if drift cannot be judged, because the value
+  /// Checks a value against min, max and drift. Returns false if drift cannot be checked, because the value
   /// at the first of the check's frames is unknown.
   static bool checkBounds(Item& item, double value, CheckResult& result);
 

@@ -16,11 +16,12 @@ enum class Component { x, y, z, w, length };
 
 /// Parses "x", "y", "z", "w" or "length". Returns nothing for other words.
 [[nodiscard]] std::optional<Component> componentOf(std::string_view word);
-/// Computes a statistic over all elements, in order and in double. NaN if a value is NaN or there are no
-/// elements, but the sum of no elements is 0.
+/// Computes a statistic over all elements, in order and in double. The result is NaN if a value is NaN or
+/// if there are no elements, except that the sum of no elements is 0.
 [[nodiscard]] double statistic(Statistic which, Component component, std::span<const glm::vec4> items);
 
-/// Number and first position of infinities and NaNs in an array, detected by their bits.
+/// Number of infinities and NaNs in an array and position of the first one. They are detected by their
+/// bits.
 struct NotFinite {
   std::size_t count = 0;    ///< number of components that are infinite or NaN
   std::size_t element = 0;  ///< element index of the first such component

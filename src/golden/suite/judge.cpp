@@ -66,8 +66,8 @@ struct Nearest {
   std::vector<std::string> broken;
 };
 
-/// Returns the baseline or alternate that violates the fewest bounds; among equals the one with the fewest
-/// pixels beyond, then the fewest differing pixels.
+/// Returns the baseline or alternate that violates the fewest bounds. Among equals, returns the one with
+/// the fewest pixels beyond the tolerance, then the one with the fewest differing pixels.
 Nearest nearest(const RunFrame& made, const Reference& reference, const PictureBaseline::Frame& stored,
                 Measures measures) {
   const bool near = asked(stored.origin, reference.here) == Asked::near;
@@ -89,7 +89,7 @@ Nearest nearest(const RunFrame& made, const Reference& reference, const PictureB
   return *best;
 }
 
-/// Returns the message for a picture whose pixels must all be equal but are not.
+/// Returns the message for a picture whose pixels must all be equal but differ.
 std::string unequal(const Metrics& metrics, const Origin& there, const Origin& here) {
   if (there.exact && !here.exact)
     return "the baseline was drawn exactly, this picture by the driver; write it anew with "
@@ -197,10 +197,11 @@ std::optional<PassPlace> placeOfDifference(const Reference& reference, const Run
   try {
     expected = referencePicture(reference, made.frame, alternate);
   } catch (const UserError&) {
-    return std::nullopt;  // judgeFrame() has reported the error already
+    return std::nullopt;  // judgeFrame() has already reported the error
   }
   if (expected.bytes.size() != made.image.bytes.size()) return std::nullopt;
-  constexpr std::size_t channels = 4;  // RGBA; alpha is not compared, because the files have none
+  constexpr std::size_t channels = 4;  // number of channels (RGBA); alpha is not compared, because the
+                                       // files have none
   const std::size_t pixels = expected.bytes.size() / channels;
   const auto color = [](const frame::Image& image, std::size_t pixel) {
     const auto* bytes = &image.bytes[channels * pixel];

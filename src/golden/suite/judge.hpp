@@ -13,12 +13,12 @@
 
 namespace simreel::golden {
 
-/// Baselines and settings that a run is compared with.
+/// Baselines and settings with which a run is compared.
 struct Reference {
   std::filesystem::path folder;             ///< folder of the scene's baselines
   std::optional<PictureBaseline> pictures;  ///< picture baseline; empty if the scene has no baseline
   std::optional<StateBaseline> state;
-  /// true if the scene's numerics are exact; whether pictures are exact is in `here`
+  /// true if the scene's numerics are exact; `here` says whether the pictures are exact
   bool exact = true;
   Origin here;                 ///< origin of this run's pictures
   scene::Tolerance tolerance;  ///< used if a driver drew the pictures and the fingerprints differ
@@ -34,23 +34,23 @@ struct Judgement {
   bool damaged = false;       ///< true if the picture's baseline is unusable
 };
 
-/// Judges one frame by these rules, in order. There must be a baseline. The state must be equal (always in
-/// exact numerics; in fast numerics if the numerics fingerprints are equal). The sizes must be equal. Equal
-/// pixel hashes pass. Otherwise the frame fails if one of the pictures is exact or if this machine drew the
-/// baseline. On another machine with equal fingerprints, the picture must be within brokenNearness(). All
-/// bounds of the tolerance must hold.
+/// Judges one frame by these rules, in order. There must be a baseline. The state must be equal (always
+/// with exact numerics; with fast numerics if the numerics fingerprints are equal). The sizes must be
+/// equal. Equal pixel hashes pass. Otherwise the frame fails if one of the pictures is exact or if this
+/// machine drew the baseline. On another machine with equal fingerprints, the picture must be within
+/// brokenNearness(). All bounds of the tolerance must hold.
 /// Accepted alternates count like the baseline. Fills in the metrics of differing pictures; image paths
 /// stay empty. Always reads the baseline's pictures and verifies their listed hashes. Quick measures omit
 /// SSIM and FLIP, unless a rule needs FLIP.
 [[nodiscard]] Judgement judgeFrame(const RunFrame& made, const Reference& reference,
                                    Measures measures = Measures::all);
 
-/// Returns the picture with which judgeFrame compared. `alternate` is as in FrameResult::alternate. Throws
-/// UserError(inputOutput).
+/// Returns the picture that judgeFrame compared with the frame. `alternate` is as in
+/// FrameResult::alternate. Throws UserError(inputOutput).
 [[nodiscard]] frame::Image referencePicture(const Reference& reference, int frame, int alternate);
 
-/// Returns the first pass and pixel at which a picture differs from its baseline. `drawn` holds the passes
-/// of the picture. Returns nothing if they are equal or the baseline's picture is unusable.
+/// Returns the first pass and pixel at which a picture differs from its baseline. `drawn`: outputs of the
+/// picture's passes. Returns nothing if they are equal or if the baseline's picture is unusable.
 [[nodiscard]] std::optional<PassPlace> placeOfDifference(const Reference& reference, const RunFrame& made,
                                                          int alternate, const PassDump& drawn);
 

@@ -66,8 +66,8 @@ class Runner {
     result_.simulateSeconds += secondsSince(begin);
   }
 
-  /// Adds a failed check for each data race in a user's kernels, because their result depends on the
-  /// machine.
+  /// Adds a failed check for each data race in a user's kernels, because the result of a race depends on
+  /// the machine.
   void searchRaces(int frame) {
     for (const std::string& line : world_.races())
       result_.checks.push_back({"races", frame, {}, {}, {}, false, line});

@@ -22,15 +22,15 @@ struct RunFrame {
 struct SceneRun {
   std::vector<RunFrame> frames;
   std::vector<CheckResult> checks;
-  double simulateSeconds = 0;  ///< wall-clock time, including the device's work
+  double simulateSeconds = 0;  ///< wall-clock time (s), including the device's work
 };
 
 /// Simulates and draws the given frames on the current context, and evaluates the scene's checks. Throws
 /// UserError like World, Renderer and Checker, and Interrupted after SIGINT or SIGTERM.
 [[nodiscard]] SceneRun runScene(const scene::Scene& scene, std::span<const int> frames);
 
-/// Returns the first difference between two runs of one scene, or an empty text: "frame 60: the state of
-/// flag.positions differs" or "frame 60: the pictures differ".
+/// Returns the first difference between two runs of one scene: "frame 60: the state of flag.positions
+/// differs" or "frame 60: the pictures differ". Returns an empty text if there is none.
 [[nodiscard]] std::string runDifference(const SceneRun& first, const SceneRun& second);
 
 }  // namespace simreel::golden

@@ -16,8 +16,8 @@ struct SceneFile {
 
 /// Returns the scenes in files and folders, sorted by name. A given file is always included. Folders are
 /// searched recursively, except hidden folders and folders named "golden". A .json file in a folder is
-/// included unless it is a sidecar (*.test.json) or clearly something else: valid JSON with neither
-/// "version" nor "objects". Throws UserError(usage) for a path that does not exist.
+/// included unless it is a sidecar (*.test.json) or valid JSON with neither "version" nor "objects". Throws
+/// UserError(usage) for a path that does not exist.
 [[nodiscard]] std::vector<SceneFile> findScenes(std::span<const std::string> paths);
 
 /// Returns the scenes whose name or path matches one of the globs (`*`, `?`, `[a-z]`; `*` also matches

@@ -24,7 +24,7 @@ namespace {
 
 /// Max size of steps.bin, small enough for a repository.
 constexpr std::size_t maxTraceBytes = std::size_t{96} << 10;
-/// Max number of differing runs whose pictures are kept.
+/// Max number of differing runs whose pictures are stored.
 constexpr std::size_t mostOtherRuns = 7;
 
 }  // namespace
@@ -92,7 +92,7 @@ void SceneTest::load() {
   if (exactPictures_) noteUnused();
 }
 
-/// Fills in which baseline the pictures are compared with and how closely they must match.
+/// Determines the baseline with which the pictures are compared, and how closely they must match.
 void SceneTest::describeBaseline() {
   if (!reference_.pictures) return;
   const PictureBaseline& pictures = *reference_.pictures;
@@ -218,8 +218,8 @@ void SceneTest::locate() {
   if (result_.divergence) result_.messages.push_back(result_.divergence->message);
 }
 
-/// Looks for an orphaned baseline with equal pictures if the scene has no baseline: the scene may have been
-/// renamed.
+/// If the scene has no baseline, searches for a baseline without scene that has equal pictures, because the
+/// scene may have been renamed.
 void SceneTest::findFormerName() {
   if (result_.status != Status::missing || reference_.pictures || reference_.state) return;
   for (const fs::path& folder : options_.orphans) {

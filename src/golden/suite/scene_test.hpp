@@ -13,11 +13,11 @@
 
 namespace simreel::golden {
 
-/// One attempt at testing a scene: runs, repeats, judges, updates baselines, and keeps files for the
-/// report.
+/// One attempt at testing a scene: runs the scene, repeats it, judges the results, updates baselines, and
+/// stores files for the report.
 class SceneTest {
  public:
-  /// `attempt` counts from 1. With retries, each attempt keeps its pictures in its own folder.
+  /// `attempt` counts from 1. With retries, each attempt stores its pictures in a separate folder.
   SceneTest(const SceneFile& file, const SuiteOptions& options, const Device& device, int attempt);
   ~SceneTest();
   SceneTest(SceneTest&&) = delete;
@@ -27,7 +27,7 @@ class SceneTest {
   /// Throws UserError if the scene cannot be tested.
   void run();
   [[nodiscard]] SceneResult& result() { return result_; }
-  /// True if a pixel differs by more than the scene's hardFail, which neither retries nor xfail excuse.
+  /// True if a pixel differs by more than the scene's hardFail, which neither retries nor xfail permit.
   [[nodiscard]] bool hardFailed() const;
   /// Returns the scene's baselines that no test uses.
   [[nodiscard]] std::vector<Stale>& stale() { return stale_; }
@@ -72,13 +72,13 @@ class SceneTest {
   std::vector<int> frames_;
   Reference reference_;
   SceneRun run_;
-  /// Runs with equal results that differ from the first run's.
+  /// A group of runs with equal results that differ from those of the first run.
   struct OtherRun {
     std::vector<int> numbers;
     SceneRun run;
   };
   std::vector<OtherRun> others_;
-  std::vector<int> likeFirst_ = {1};  ///< numbers of runs equal to the first run, including it
+  std::vector<int> likeFirst_ = {1};  ///< numbers of the runs equal to the first run, which is included
   int uncounted_ = 0;                 ///< number of further differing runs that are not stored in others_
   std::set<int> failedPictures_;
   std::optional<StepTrace> steps_;  ///< step trace of the baseline

@@ -1,4 +1,4 @@
-// Output of a scene's test: updated baselines, and the files needed by the report and `simreel accept`.
+// Output of a scene's test: updated baselines, and the files that the report and `simreel accept` need.
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "golden/baseline/stale.hpp"
@@ -67,7 +67,7 @@ void SceneTest::update() {
   const bool writeState =
       (changed && (stateIs("different") || damagedSteps_)) || (missing && stateIs("missing"));
   if (written.empty() && !writeState) return;
-  // The next run uses this profile alone, so a new profile must contain all frames.
+  // The next run uses only this profile, so a new profile must contain all frames.
   if (!written.empty() && profile != result_.profile) written.insert(frames_.begin(), frames_.end());
 
   Candidate made = candidate(writeState);
@@ -88,7 +88,7 @@ fs::path SceneTest::artifacts() const {
   return options_.retries > 0 ? folder / fmt::format("attempt{}", attempt_) : folder;
 }
 
-/// Judges all frames again against the baseline that was just written. All frames must pass now.
+/// Judges all frames again with the baseline that was just written. All frames must now pass.
 void SceneTest::judgeAgain(const std::string& profile) {
   const auto before = std::exchange(result_.frames, {});
   const scene::Tolerance tolerance = reference_.tolerance;
@@ -107,7 +107,7 @@ void SceneTest::judgeAgain(const std::string& profile) {
   if (result_.status == Status::pass) result_.status = Status::updated;
 }
 
-/// Moves the baselines of the scene's former name to the new one, with their alternates, tolerances and
+/// Moves the baselines of the scene's former name to the new name, with their alternates, tolerances and
 /// reasons.
 void SceneTest::takeFormerBaseline() {
   makeFolders(reference_.folder.parent_path());
@@ -137,11 +137,11 @@ void SceneTest::keepPicture(FrameResult& frame, const frame::Image& made) {
     if (expected.width == made.width && expected.height == made.height)
       frame.differenceImage = keep(number + ".difference.png", differenceImage(expected, made));
   } catch (const UserError& error) {
-    if (error.code() != ExitCode::inputOutput) throw;  // an unreadable baseline has been reported already
+    if (error.code() != ExitCode::inputOutput) throw;  // an unreadable baseline has already been reported
   }
 }
 
-/// Keeps each different picture of one frame that runs of this program produced. Returns false if all are
+/// Stores each different picture of one frame that runs of this program produced. Returns false if all are
 /// equal.
 bool SceneTest::keepRuns(std::size_t index) {
   struct Made {
@@ -184,7 +184,7 @@ void SceneTest::keepPictures() {
   }
 }
 
-/// Keeps everything that `simreel accept` would promote, in the layout of a baseline folder.
+/// Stores everything that `simreel accept` would promote, in the layout of a baseline folder.
 void SceneTest::keepCandidate() {
   const bool acceptable = result_.status == Status::fail || result_.status == Status::missing;
   // A damaged baseline must be restored, not replaced.

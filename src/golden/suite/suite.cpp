@@ -95,7 +95,8 @@ void addAttempts(std::vector<Attempt> attempts, SceneResult& result, int losses)
 Outcome testScene(const SceneFile& scene, const SuiteOptions& options, const Device& device, int losses) {
   const auto begin = Clock::now();
   std::vector<Attempt> attempts;
-  std::vector<std::vector<FrameResult>> earlier;  // frames of the earlier attempts, for their pictures
+  std::vector<std::vector<FrameResult>> earlier;  // frames of the earlier attempts, whose pictures are
+                                                  // added to the result
   int attempt = losses + 1;
   Outcome made = tryScene(scene, options, device, attempt);
   bool everHardFailed = made.hardFailed;

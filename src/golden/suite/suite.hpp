@@ -15,17 +15,18 @@
 namespace simreel::golden {
 
 struct SuiteOptions {
-  int repeats = 2;  ///< number of runs of each scene, which must agree
+  int repeats = 2;  ///< number of runs of each scene; their results must be equal
   int retries = 0;  ///< number of further attempts for a scene that fails
   bool allowFlaky = false;
-  Measures measures = Measures::all;  ///< quick: measures SSIM and FLIP only if a verdict needs them
+  Measures measures = Measures::all;  ///< quick: SSIM and FLIP are measured only if a verdict needs them
   Update update = Update::none;
   std::string reason;                          ///< reason for the update, stored in the baselines
   std::string profile;                         ///< profile to use instead of the driver's own; may be empty
   std::vector<std::filesystem::path> assets;   ///< additional folders that scenes may read
   std::map<std::string, double> tolerance;     ///< bounds from the command line, by field name
   std::filesystem::path reportFolder;          ///< folder of report.json; image paths are relative to it
-  std::filesystem::path artifacts;             ///< folder for pictures of failures; empty: none are kept
+  std::filesystem::path artifacts;             ///< folder for pictures of failures; if empty, none are
+                                               ///< stored
   std::vector<std::filesystem::path> orphans;  ///< baseline folders whose scene does not exist
 };
 
@@ -33,21 +34,22 @@ struct SuiteOptions {
 struct Device {
   Origin origin;  ///< origin of the pictures that it draws
   std::string profile, memoryPath;
-  std::string inexact;  ///< reason why the device does not support exact numerics; empty if it does
+  std::string inexact;  ///< reason why the device does not support exact numerics; empty if it supports
+                        ///< them
 };
 
 /// Tests a scene on the current context and optionally updates its baseline. A mistake in the scene or its
-/// baseline and a lost device become the scene's result; only Interrupted is thrown. `losses` is the number
-/// of earlier processes that died while testing this scene; each counts as an attempt.
+/// baseline and a lost device become the scene's result; only Interrupted is thrown. `losses`: number of
+/// earlier processes that died while testing this scene; each counts as an attempt.
 [[nodiscard]] Outcome testScene(const SceneFile& scene, const SuiteOptions& options, const Device& device,
                                 int losses = 0);
 
-/// Inserts failed attempts before a result's own attempts. A result that passed becomes flaky. `losses` is
-/// the number of still earlier attempts, which are added later.
+/// Inserts failed attempts before the attempts of a result. A result that passed becomes flaky. `losses`:
+/// number of even earlier attempts, which are added later.
 void addAttempts(std::vector<Attempt> attempts, SceneResult& result, int losses = 0);
 
-/// Inserts an attempt for each process that died while testing the scene before the scene's other attempts.
-/// `losses` holds their messages.
+/// Inserts an attempt for each process that died while testing the scene, before the scene's other
+/// attempts. `losses`: messages of these processes.
 void addLosses(const std::vector<std::string>& losses, Outcome& made);
 
 }  // namespace simreel::golden

@@ -80,7 +80,7 @@ StepTrace reduced(const StepTrace& trace, bool whole, std::uint32_t detailed) {
         rest = rest.subspan(array.words());
         if (step < steps && index > detailed) continue;
         const auto blocks = words.first(array.blocks());
-        if (whole)  // block sums add up to the array's sum modulo 2^32, like in the kernel
+        if (whole)  // block sums add up to the array's sum modulo 2^32, as in the kernel
           result.words.push_back(std::accumulate(blocks.begin(), blocks.end(), 0U));
         else
           result.words.insert(result.words.end(), blocks.begin(), blocks.end());
@@ -98,14 +98,16 @@ void locate(const StepTrace::Array& array, std::span<const std::uint32_t> run,
   std::vector<std::uint32_t> differing;
   for (std::uint32_t block = 0; block < array.blocks(); ++block)
     if (run[block] != baseline[block]) differing.push_back(block);
-  // The block sums may agree by chance while the weighted sums differ. The difference may then be anywhere.
+  // The block sums may be equal by chance while the weighted sums differ. The difference may then be
+  // anywhere in the array.
   const std::uint32_t first = differing.empty() ? 0 : differing.front() * array.perBlock;
   const std::uint32_t last =
       differing.empty() ? array.elements - 1 : std::min(first + array.perBlock, array.elements) - 1;
   found.firstElement = first;
   found.lastElement = last;
   if (differing.size() != 1) return;
-  // If only element i differs, the weighted sums differ by (i + 1) times the difference of the block sums.
+  // If only element i differs, the difference of the weighted sums is (i + 1) times the difference of the
+  // block sums.
   const std::uint32_t difference = run[differing.front()] - baseline[differing.front()];
   const std::uint32_t weighted = run[array.blocks()] - baseline[array.blocks()];
   std::optional<std::uint32_t> only;

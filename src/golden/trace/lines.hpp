@@ -11,13 +11,13 @@
 namespace simreel::golden {
 
 // Text output of `simreel trace`, which `simreel bisect` reads: one JSON object per line, and a binary
-// dump. Readers ignore unknown members, so different versions are compatible. Readers throw
-// std::runtime_error with the mistake in the text.
+// dump. Readers ignore unknown members, so that different versions are compatible. Readers throw
+// std::runtime_error with a text that describes the mistake.
 
 /// First line of a trace: the program, driver and traced run.
 struct TraceHeader {
   std::string version, driver, fingerprint, memoryPath;
-  std::string inexact;  ///< how the driver violates exact numerics; empty if it does not
+  std::string inexact;  ///< description of how the driver violates exact numerics; empty if it does not
   TracedRun run;
 };
 [[nodiscard]] std::string headerLine(const TraceHeader& header);
@@ -29,7 +29,7 @@ struct StateLine {
   std::string object;  ///< object name; empty if the line is for a whole frame
   int step = 0;        ///< step of `steps`, from 1; 0 if the line is for a whole frame
   int steps = 0;
-  /// array name such as "flag.positions" and hash of 32 hexadecimal digits
+  /// array name, such as "flag.positions", and hash of 32 hexadecimal digits
   std::vector<std::pair<std::string, std::string>> arrays;
   /// pass name and hash of the frame's picture, from hashesOf()
   std::vector<std::pair<std::string, std::string>> passes = {};
@@ -43,8 +43,8 @@ struct StateLine {
 constexpr std::size_t wordsPerElement = 4;
 constexpr std::size_t bytesPerElement = wordsPerElement * sizeof(std::uint32_t);
 
-/// Content of every state array. Format: a JSON line that lists the arrays, then their words as
-/// little-endian 32-bit floats, one array after the other.
+/// Content of all state arrays. Format: a JSON line that lists the arrays, then the words of all arrays in
+/// sequence, as little-endian 32-bit floats.
 struct StateDump {
   struct Array {
     std::string object, array;

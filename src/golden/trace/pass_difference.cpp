@@ -162,7 +162,8 @@ class Comparison {
 }  // namespace
 
 std::optional<float> nearnessOf(std::uint32_t key) {
-  constexpr std::uint32_t most = 0x7fffffffU;  // as in nearKey in glsl/draw/exact/triangles/triangle.glsl
+  constexpr std::uint32_t most = 0x7fffffffU;  // constant of nearKey() in
+                                               // glsl/draw/exact/triangles/triangle.glsl
   if (key > most) return std::nullopt;
   return std::bit_cast<float>(most - key);
 }

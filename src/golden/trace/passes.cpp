@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 
 static_assert(std::endian::native == std::endian::little, "dumps are copied as they lie in memory");
 
-// Must match glsl/draw/exact/tiles/tile_lists.glsl.
+// The values must match glsl/draw/exact/tiles/tile_lists.glsl.
 constexpr unsigned groundNumber = 0xfffffffeU;
 constexpr unsigned noNumber = 0xffffffffU;
 constexpr std::size_t passDigits = 16;

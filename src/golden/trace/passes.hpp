@@ -25,15 +25,15 @@ struct SeenThing {
 };
 /// Returns the thing with the primitive number of a sample.
 [[nodiscard]] SeenThing thingOfNumber(const draw::PassPicture& picture, unsigned number);
-/// Returns the thing at the first sample of a pixel that does not show the sky.
+/// Returns the thing at the first sample of a pixel that shows something other than the sky.
 [[nodiscard]] SeenThing thingAt(const draw::PassPicture& picture, int x, int y);
 /// True if all samples of a pixel show the same thing, so that the pixel's light comes from that thing
 /// alone.
 [[nodiscard]] bool showsOneThing(const draw::PassPicture& picture, int x, int y);
 
-/// Everything that the passes wrote, as written by `simreel trace --dump FRAME:passes`. Format: a JSON line
-/// that lists the arrays, then their little-endian 32-bit words, one array after the other. Reading throws
-/// std::runtime_error with the mistake.
+/// Outputs of all passes, as written by `simreel trace --dump FRAME:passes`. Format: a JSON line that lists
+/// the arrays, then the 32-bit little-endian words of all arrays in sequence. Reading throws
+/// std::runtime_error that describes the mistake.
 struct PassDump {
   int frame = 0;
   draw::PassPicture picture;

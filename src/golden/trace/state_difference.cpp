@@ -10,7 +10,7 @@ std::optional<std::uint64_t> ulpsBetween(std::uint32_t a, std::uint32_t b) {
   constexpr std::uint32_t sign = 0x80000000U;
   constexpr std::uint32_t infinity = 0x7f800000U;
   if ((a & ~sign) > infinity || (b & ~sign) > infinity) return std::nullopt;
-  // Maps sign and magnitude to a position on the line of all floats. Both zeros map to position 0.
+  // Maps sign and magnitude to a position in the order of all floats. Both zeros have position 0.
   const auto place = [](std::uint32_t bits) {
     const auto magnitude = static_cast<std::int64_t>(bits & ~sign);
     return (bits & sign) != 0 ? -magnitude : magnitude;

@@ -8,8 +8,8 @@
 
 namespace simreel::golden {
 
-/// Returns the number of representable floats between two floats given by their bits: 0 for +0 and -0, 1
-/// for neighbours. Returns nothing if one is NaN.
+/// Returns the number of steps between adjacent representable floats from one float to another, given by
+/// their bits: 0 for +0 and -0, 1 for neighbours. Returns nothing if one is NaN.
 [[nodiscard]] std::optional<std::uint64_t> ulpsBetween(std::uint32_t a, std::uint32_t b);
 
 /// Differences between two state arrays of equal size.
@@ -25,7 +25,7 @@ struct ArrayDifference {
   /// differing elements with NaN on one side; not included in maxUlps
   std::int64_t withNan = 0;
 };
-/// Compares the words of two arrays, four for each element. Both sides must have equal sizes.
+/// Compares the words of two arrays, four words per element. Both arrays must have equal sizes.
 [[nodiscard]] ArrayDifference compareWords(const std::vector<std::uint32_t>& here,
                                            const std::vector<std::uint32_t>& there);
 

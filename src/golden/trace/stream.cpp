@@ -19,7 +19,7 @@ namespace simreel::golden {
 
 namespace {
 
-/// Draws the current frame of a world and keeps the results of all passes.
+/// Draws the current frame of a world and stores the outputs of all passes.
 class PassDrawer {
  public:
   PassDrawer(const scene::Scene& scene, sim::World& world) : world_(world), renderer_(made(scene)) {

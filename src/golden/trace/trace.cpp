@@ -39,8 +39,8 @@ class Tracer {
 
   [[nodiscard]] const sim::World& world() const { return world_; }
 
-  /// Returns the words of one frame as in StepTrace. Index 0 is the initial state. Call with ascending
-  /// indices.
+  /// Returns the words of one frame as in StepTrace. Index 0 is the initial state. Must be called with
+  /// ascending indices.
   std::vector<std::uint32_t> frame(const StepTrace& layout, std::uint32_t index) {
     if (layout.arrays.empty()) return {};
     const std::vector<std::uint32_t> zero(layout.frameWords(index));
@@ -90,10 +90,10 @@ class Tracer {
   }
 
   sim::World world_;
-  gl::Kernel<BlockHash> hash_, ofPlanes_;  ///< kernels for elements and for planes
+  gl::Kernel<BlockHash> hash_, ofPlanes_;  ///< kernels for element arrays and for planes
   gl::Buffer sums_;
   AfterStep afterStep_;
-  std::vector<std::size_t> owners_;  ///< object index that owns each array
+  std::vector<std::size_t> owners_;  ///< for each array, the index of its object
 };
 
 TracedRun runOf(const StepTrace& trace) {
@@ -103,7 +103,7 @@ TracedRun runOf(const StepTrace& trace) {
   return run;
 }
 
-/// Returns a divergence if the traces have different arrays. Differences in block sizes are ignored.
+/// Returns a divergence if the traces have different arrays. Different block sizes are permitted.
 std::optional<Divergence> differentRuns(const TracedRun& run, const StepTrace& baseline) {
   const auto mismatch = compareRuns(run, runOf(baseline));
   if (!mismatch) return std::nullopt;
@@ -153,7 +153,7 @@ StepTrace traceRun(const scene::Scene& scene, int lastFrame, std::size_t maxByte
 
 std::optional<Divergence> compareTraces(const StepTrace& run, const StepTrace& baseline) {
   if (auto other = differentRuns(runOf(run), baseline)) return other;
-  if (run.arrays.empty()) return std::nullopt;  // nothing to compare, whatever the number of frames
+  if (run.arrays.empty()) return std::nullopt;  // the run has no arrays, so nothing can be compared
   if (run.arrays != baseline.arrays || run.detailed != baseline.detailed) {
     const bool whole = run.arrays != baseline.arrays;
     const std::uint32_t detailed = std::min(run.detailed, baseline.detailed);

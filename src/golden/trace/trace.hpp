@@ -14,8 +14,8 @@
 
 namespace simreel::golden {
 
-/// Hashes of every state array after every step of a run, detailed enough to find where another run first
-/// differs. Small enough to be stored in a baseline (steps.bin).
+/// Hashes of all state arrays after every step of a run. They are detailed enough to find where another run
+/// first differs, and small enough to be stored in a baseline (steps.bin).
 struct StepTrace {
   struct Array {
     std::string object, name;
@@ -31,7 +31,7 @@ struct StepTrace {
   std::vector<Array> arrays;
   std::int32_t firstFrame = 0;  ///< frame of the initial state: 0, or negative with pre-roll
   std::uint32_t frames = 0;     ///< number of frames stepped after firstFrame
-  /// number of frames, from the start, that keep every step; later frames keep only the last
+  /// number of frames, from the start, that store every step; later frames store only the last step
   std::uint32_t detailed = 0;
   /// Words of the initial state, then of each frame. Within a frame they are ordered by array, then by
   /// step.
@@ -42,8 +42,8 @@ struct StepTrace {
   [[nodiscard]] std::size_t totalWords() const;
 };
 
-/// Called after each step (from 1) of each object, before the state is hashed. The world's current frame is
-/// still the previous one. Tests use it to modify the state.
+/// Callback after each step (from 1) of each object, before the state is hashed. The world's current frame
+/// is still the previous one. Tests use it to modify the state.
 using AfterStep = std::function<void(const sim::World& world, std::size_t object, int step)>;
 
 /// Simulates the scene from its start to `lastFrame` without drawing, and hashes every step in blocks as
@@ -51,9 +51,9 @@ using AfterStep = std::function<void(const sim::World& world, std::size_t object
 /// UserError like World.
 [[nodiscard]] StepTrace traceRun(const scene::Scene& scene, int lastFrame, std::size_t maxBytes,
                                  const AfterStep& afterStep = {});
-/// Returns the first step at which a run differs from the baseline, or nothing if all frames that both have
-/// are equal. Traces with different blocks or different numbers of detailed frames are first reduced to
-/// their common detail. Elements are named by index.
+/// Returns the first step at which a run differs from the baseline, or nothing if all frames that both
+/// contain are equal. Traces with different blocks or different numbers of detailed frames are first
+/// reduced to their common detail. Elements are named by index.
 [[nodiscard]] std::optional<Divergence> compareTraces(const StepTrace& run, const StepTrace& baseline);
 /// Runs the scene as far as needed and compares it with the baseline. Elements get their user-visible
 /// names.

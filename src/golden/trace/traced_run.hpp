@@ -33,20 +33,21 @@ struct TracedRun {
 /// Returns the user-visible name of an element of an object: "particle (12, 30)".
 [[nodiscard]] std::string elementName(const sim::World& world, const std::string& object, long element);
 
-// The functions below are shared by `simreel test`, which compares with a baseline's trace, and `simreel
-// bisect`, which compares with another program.
+// `simreel test` and `simreel bisect` both use the functions below. The former compares with a baseline's
+// trace, the latter with another program.
 
 /// First difference that makes two runs incomparable.
 struct RunMismatch {
-  /// Texts for the two sides: "starts at frame -3", "has flag.positions of 63 elements in 4 steps a frame".
+  /// Texts for the two sides, such as "starts at frame -3", "has flag.positions of 63 elements in 4 steps a
+  /// frame".
   std::string here, there;
-  /// array that differs or only one side has; without names if the difference is elsewhere
+  /// array that differs or that only one side has; without names if the difference is elsewhere
   TracedArray array;
 };
 [[nodiscard]] std::optional<RunMismatch> compareRuns(const TracedRun& here, const TracedRun& there);
 
-/// True if a step (from 1) ends before another step of the same frame in simulated time. Needed because
-/// each object is stepped through the whole frame in turn.
+/// True if a step (from 1) ends before another step of the same frame in simulated time. This is needed
+/// because objects are stepped through a whole frame one after another.
 [[nodiscard]] bool isEarlierStep(int step, int steps, int otherStep, int otherSteps);
 
 }  // namespace simreel::golden

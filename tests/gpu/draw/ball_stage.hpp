@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-/// A sphere mesh in the form in which a simulation publishes surfaces.
+/// A sphere mesh, stored like a surface that a simulation publishes.
 struct SphereStage {
   SphereStage(glm::vec3 middle, float radius) {
     constexpr int rings = 64;

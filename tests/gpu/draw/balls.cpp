@@ -1,4 +1,4 @@
-// Tests opaque instances and their shadows against a surface of the same shape, mesh instances, and bloom.
+// Tests opaque instances and their shadows against surfaces of the same shape, mesh instances, and bloom.
 #include "base/file.hpp"
 #include "gpu/draw/ball_stage.hpp"
 
@@ -11,8 +11,8 @@ using Shape = sim::Instances::Shape;
 
 namespace {
 
-/// Returns a scene for a ball above the ground, with the sun from the side and a nearby camera that sees
-/// the ball off centre.
+/// Returns a scene for a ball above the ground. The sun is at the side. The camera is near, and the ball is
+/// not at the picture's centre.
 scene::Scene ballScene() {
   scene::Scene scene;
   scene.camera.position = glm::vec3(0.3F, 1.6F, 4);
@@ -62,7 +62,7 @@ TEST_CASE("an instance drawn as sphere or sprite, with its shadow, equals a sphe
         group.instances.shape = shape;
         const Difference d = compare(drawn(scene, {{}, {group.instances}}, {161, 121}, samples), wanted);
         CHECK(d.mean < 0.25);
-        // Only pixels along silhouettes differ, because their coverage differs.
+        // Only pixels along silhouettes differ, because they are partly covered.
         CHECK(d.far < 60);
       }
     }
@@ -100,8 +100,8 @@ TEST_CASE("light per ball area is continuous across the levels of detail") {
   scene::Scene scene = darkScene();
   scene.sun.shadow = false;
   scene.sun.intensity = 1.0F;
-  // Returns the light in the picture divided by the squared radius; the radius in pixels is around 1.6, the
-  // threshold for small balls.
+  // Returns the light in the picture divided by the squared radius of the ball. The radius is around 1.6
+  // pixels, the limit for small balls.
   const auto light = [&](float pixels) {
     const float metres = pixels / (0.5F * 257 / std::tan(0.5F * 0.6981317F)) * 5;
     std::vector<glm::vec3> places;
@@ -118,7 +118,7 @@ TEST_CASE("light per ball area is continuous across the levels of detail") {
     return sum / (static_cast<double>(pixels) * static_cast<double>(pixels));
   };
   const double fine = light(1.7F);
-  // Large balls lose a little light because pixels crossed by the edge are shaded at the edge.
+  // Large balls lose a little light, because pixels on the outline are shaded at the outline.
   CHECK(light(1.5F) == doctest::Approx(fine).epsilon(0.1));
   CHECK(light(0.9F) == doctest::Approx(fine).epsilon(0.15));
   CHECK(light(4.0F) == doctest::Approx(fine).epsilon(0.1));
@@ -131,7 +131,7 @@ TEST_CASE("small balls are brighter on the side of the sun") {
   scene.sun.intensity = 1.0F;
   scene.sun.direction = glm::vec3(1, 0.7F, 0.5F);
   InstanceStage ball(std::vector<glm::vec3>(1, glm::vec3(0)));
-  // The radius is 1.5 pixels and the centre lies in the middle of a pixel.
+  // The radius is 1.5 pixels, and the ball's centre is at a pixel's centre.
   ball.instances.size = 2 * 1.5F / (0.5F * 65 / std::tan(0.5F * 0.6981317F)) * 5;
   ball.material.color = glm::vec3(0.5F);
   const Picture p = drawn(scene, {{}, {ball.instances}}, {65, 65});
@@ -149,7 +149,8 @@ TEST_CASE("mirroring the light mirrors the shading of small balls") {
   ball.material.color = glm::vec3(0.5F);
   const auto lit = [&](float x, float y) {
     scene.sun.direction = glm::vec3(x, y, 0.5F);
-    return drawn(scene, {{}, {ball.instances}}, {65, 65}, 1);  // one sample lies in the middle of its pixel
+    return drawn(scene, {{}, {ball.instances}}, {65, 65}, 1);  // with one sample per pixel, the sample is
+                                                               // at the pixel's centre
   };
   const Picture plain = lit(1, 0.7F);
   const Picture other = lit(-1, 0.7F);
@@ -160,7 +161,7 @@ TEST_CASE("mirroring the light mirrors the shading of small balls") {
     for (int x = -2; x <= 2; ++x) {
       const int here = plain.brightness(32 + x, 32 + y);
       most = std::max(most, here);
-      // The tolerance covers dithering, which differs between pixels.
+      // The tolerance covers dithering, whose offset differs between pixels.
       CHECK(std::abs(here - other.brightness(32 - x, 32 + y)) <= 3);
       CHECK(std::abs(here - below.brightness(32 + x, 32 - y)) <= 3);
       CHECK(std::abs(here - turned.brightness(32 - y, 32 - x)) <= 3);
@@ -225,7 +226,7 @@ TEST_CASE(
     for (const int away : {14, 20, 30}) {
       CAPTURE(away);
       const int right = on.brightness(65 + away, 65);
-      // The tolerance is needed because half-size texels are not symmetric about the middle of a picture of
+      // The tolerance is needed because half-size texels are not symmetric about the centre of a picture of
       // odd size.
       for (const int other :
            {on.brightness(65 - away, 65), on.brightness(65, 65 + away), on.brightness(65, 65 - away)})
@@ -235,7 +236,7 @@ TEST_CASE(
     CHECK(on.brightness(65 + 14, 65) > on.brightness(65 + 24, 65) + 5);
     CHECK(on.brightness(65 + 24, 65) > on.brightness(65 + 50, 65) + 2);
     CHECK(shown(2, 1).brightness(65 + 14, 65) > on.brightness(65 + 14, 65) + 10);
-    CHECK(shown(1, 30).bytes == shown(2, 30).bytes);  // no pixel exceeds the threshold
+    CHECK(shown(1, 30).bytes == shown(2, 30).bytes);  // none of the pixels exceeds the threshold
   }
 }
 

@@ -33,8 +33,8 @@ struct ChartStage {
   sim::Chart chart;
 };
 
-/// Returns the first and last row, counted from the top of the plot, where `channel` dominates in the
-/// plot's column `x`; -1 for both if there is no such row.
+/// Returns the first and last row, counted from the top of the plot, in which `channel` dominates in the
+/// plot's column `x`. Returns -1 for both if there is none.
 glm::ivec2 span(const Picture& picture, const draw::ChartLayout& layout, int x, int channel) {
   glm::ivec2 rows(-1);
   for (int y = layout.plot.y; y < layout.plot.w; ++y) {
@@ -107,7 +107,7 @@ TEST_CASE("charts: names have the colours of their curves, and pixels outside th
         outside += !in && picture.brightness(x, y) > 0;
       }
     // The number of red pixels equals the area within the outlines of the name.
-    draw::ChartLabels labels(size);  // owns the outlines that `written` refers to
+    draw::ChartLabels labels(size);  // contains the outlines to which `written` refers
     const std::vector<sim::Writing> written = labels.of({.charts = {stage.chart}});
     REQUIRE(written.size() == 4);  // two names and two axis labels
     double area = 0;

@@ -17,8 +17,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-/// A grid of vertices in the form in which a cloth publishes it: rows along x, each next row below (towards
-/// -y of the grid's plane).
+/// A grid of vertices, stored like a cloth that a simulation publishes. Rows run along x; each row is below
+/// the previous one (towards -y of the grid's plane).
 struct GridStage {
   GridStage(glm::ivec2 size, glm::vec3 corner, glm::vec3 alongX, glm::vec3 alongY) {
     std::vector<glm::vec4> points;
@@ -114,8 +114,8 @@ inline simreel::scene::Scene darkScene() {
   return scene;
 }
 
-/// Double-precision version of the tone map in glsl/draw/screen/film.glsl. Returns the sRGB byte of linear
-/// light before dithering.
+/// Returns the sRGB byte of linear light before dithering, computed like the tone map in
+/// glsl/draw/screen/film.glsl but in double precision.
 inline std::array<double, 3> filmByte(std::array<double, 3> light) {
   const double into[3][3] = {
       {0.59719, 0.35458, 0.04823}, {0.07600, 0.90834, 0.01566}, {0.02840, 0.13383, 0.83777}};
@@ -136,7 +136,7 @@ inline std::array<double, 3> filmByte(std::array<double, 3> light) {
   return result;
 }
 
-/// True if each channel of `c` differs from `wanted` by at most `tolerance`.
+/// True if each channel of `c` differs from that of `wanted` by at most `tolerance`.
 inline bool near(glm::ivec3 c, const std::array<double, 3>& wanted, double tolerance) {
   for (int i = 0; i < 3; ++i)
     if (std::abs(c[i] - wanted[static_cast<std::size_t>(i)]) > tolerance) return false;

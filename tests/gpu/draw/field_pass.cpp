@@ -1,4 +1,4 @@
-// Tests how fields are drawn: every cell type, geometry, averages and layers.
+// Tests how fields are drawn: all types of cells, geometry, averages and layers.
 #include "gpu/draw/field_stage.hpp"
 
 #include <algorithm>
@@ -19,8 +19,8 @@ Picture shown(std::vector<sim::Field> fields, glm::ivec2 size, const scene::Scen
   return drawn(scene, drawables, size);
 }
 
-/// True if the pixel has this linear colour within `off` sRGB steps: half a step of rounding plus the error
-/// of the power function.
+/// True if the pixel has this linear colour within `off` sRGB steps. The default covers half a step of
+/// rounding plus the error of the power function.
 bool has(const Picture& picture, int x, int y, glm::dvec3 linear, double off = 0.7) {
   const glm::ivec3 c = picture.at(x, y);
   for (int i = 0; i < 3; ++i)
@@ -72,7 +72,7 @@ TEST_CASE("fields: category cells have the colour of their number") {
     FieldStage stage(
         cells, {13, 9}, [](int x, int y) { return (x + y) % 5; }, {3, 5, 2}, stops);
     stage.field.categories = true;
-    stage.display.smooth = true;  // ignored for categories
+    stage.display.smooth = true;  // has no effect for categories
     const Picture picture = shown({stage.field}, {26, 18});
     for (int y = 0; y < 18; ++y)
       for (int x = 0; x < 26; ++x)
@@ -88,8 +88,8 @@ TEST_CASE("fields: a pixel is the area-weighted average of the light under it") 
     FieldStage stage(Cells::bits, size, bit);
     stage.display.fit = Fit::stretch;
     const Picture picture = shown({stage.field}, pixels);
-    // If at least four cells lie under a pixel, blocks of cells are averaged first, and a block on a pixel
-    // border counts by its overlap, so the tolerance is wider.
+    // If a pixel covers at least four cells, blocks of cells are averaged first. A block on a pixel border
+    // counts by its overlap, so the tolerance is larger.
     const double under = std::min(double(size.x) / pixels.x, double(size.y) / pixels.y);
     const double allowed = under < 4 ? 0.004 : 0.12;
     for (int py = 0; py < pixels.y; ++py)
@@ -110,8 +110,7 @@ TEST_CASE("fields: a pixel is the area-weighted average of the light under it") 
 
 TEST_CASE("fields: downscaled categories average colours, not category numbers") {
   testContext();
-  // Cells are red and blue. The colour of the average number would be green; the average of the light is
-  // purple.
+  // Cells are red and blue. Averaging the numbers would give green; averaging the light gives purple.
   const std::vector<glm::vec3> stops = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   FieldStage stage(
       Cells::bytes, {120, 80}, [](int x, int y) { return 2 * ((x + y) % 2); }, {3, 5, 1}, stops);
@@ -128,7 +127,7 @@ TEST_CASE("fields: smooth values are interpolated linearly between cell centres"
   for (int y = 4; y < 20; ++y)
     for (int x = 4; x < 28; ++x)
       CHECK(has(picture, x, y, glm::dvec3(0.1 * ((x + 0.5) / 8 - 0.5) + 0.2 * ((y + 0.5) / 8 - 0.5))));
-  // Beyond the middle of the last cell, the value of that cell is used.
+  // Beyond the centre of the last cell, the value of that cell is used.
   CHECK(has(picture, 31, 12, glm::dvec3(0.3 + 0.2 * (12.5 / 8 - 0.5))));
 }
 
@@ -175,7 +174,7 @@ TEST_CASE("fields: zoom, centre and tiling place cells at the expected pixels") 
   stage.display.border = {0, 0, 1};
   stage.display.zoom = 2.0F;
   stage.display.center = glm::vec3(0.25F, 0.75F, 0);
-  // A cell takes 8 pixels, and cell (2, 6) starts at the picture's centre.
+  // A cell spans 8 pixels, and cell (2, 6) starts at the picture's centre.
   Picture picture = shown({stage.field}, {32, 32});
   CHECK(has(picture, 16, 16, glm::dvec3(value(2, 6))));
   CHECK(has(picture, 15, 15, glm::dvec3(value(1, 5))));
@@ -186,7 +185,7 @@ TEST_CASE("fields: zoom, centre and tiling place cells at the expected pixels") 
   CHECK(has(picture, 31, 31, {0, 0, 1}));
   stage.display.tiled = true;
   picture = shown({stage.field}, {32, 32});
-  // A cell takes 2 pixels, and the picture's centre lies in cell (2, 6).
+  // A cell spans 2 pixels, and the picture's centre is in cell (2, 6).
   for (int y = 0; y < 32; ++y)
     for (int x = 0; x < 32; ++x)
       CHECK(has(picture, x, y,
@@ -206,7 +205,7 @@ TEST_CASE(
   sheet.material.color = glm::vec3(0.9F, 0, 0);
   const sim::Drawables both{.surfaces = {sheet.surface}, .fields = {stage.field}};
   const Picture behind = drawn(scene, both, {35, 35});
-  // the sky is hidden by the field
+  // the field hides the sky
   CHECK(std::abs(behind.at(3, 3).y - filmByte({0.18, 0.18, 0.18})[1]) <= 2);
   CHECK(std::abs(behind.at(3, 31).y - filmByte({0.5, 0.5, 0.5})[1]) <= 2);
   CHECK(behind.at(17, 17).x > 2 * behind.at(17, 17).y);  // the sheet hides the field

@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-/// A field with a hand-made buffer: padded rows, gaps between cells and an offset of the first word.
+/// A field in a buffer with padded rows, gaps between cells and an offset of the first word.
 struct FieldStage {
   using Cells = simreel::sim::Field::Cells;
   struct Memory {
@@ -28,7 +28,8 @@ struct FieldStage {
     field.rowWords = (size.x * apart + perWord - 1) / perWord + memory.rowPadding;
     field.firstWord = memory.firstWord;
     field.cellWords = apart;
-    // Fills padding and gaps with all bits set, a NaN as float, so that reads of them are noticed.
+    // Fills padding and gaps with words whose bits are all set (NaN as a float), so that reads of them are
+    // detected.
     std::vector<std::uint32_t> words(
         static_cast<std::size_t>(memory.firstWord + field.rowWords * size.y + 3) / 4 * 4, 0xffffffffU);
     for (int y = 0; y < size.y; ++y)

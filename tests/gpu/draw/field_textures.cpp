@@ -89,7 +89,7 @@ TEST_CASE("field textures average blocks of cells, and the coarsest mip level av
         CHECK(all[static_cast<std::size_t>(ty * side.x + tx)].r ==
               doctest::Approx(sum / count).epsilon(1e-5));
       }
-    // The coarsest mip level is the mean, because every cell is in exactly one block.
+    // The coarsest mip level is the mean over the field, because every cell is in exactly one block.
     CHECK(texels(entry->texture, 5).at(0).r == doctest::Approx(1.0 / 7).epsilon(0.1).scale(0));
   }
 }
@@ -99,7 +99,7 @@ TEST_CASE("field textures of categories hold colours and follow palette changes"
   FieldStage stage(Cells::bytes, {64, 64}, [](int x, int) { return x % 2; }, {3, 5, 1},
                    {{1, 0, 0}, {0, 0.5F, 2}});
   stage.field.categories = true;
-  draw::FieldTextures textures(withSkin("grid", 8));  // 32 texels per side, two cells to a texel
+  draw::FieldTextures textures(withSkin("grid", 8));  // 32 texels per side, each of two cells per side
   textures.update({.fields = {stage.field}});
   const auto* entry = textures.find("grid");
   REQUIRE(entry != nullptr);

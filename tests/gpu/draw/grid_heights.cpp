@@ -1,5 +1,5 @@
-// Tests grids whose positions hold only heights and whose index buffer covers one row against equal grids
-// in full.
+// Tests grids that store only heights and the indices of one row, against equal grids that store full
+// positions and all indices.
 #include "gpu/draw/lamp_stage.hpp"
 
 #include <cmath>
@@ -18,7 +18,7 @@ constexpr float hillCell = 0.25F, hillBase = 0.4F, hillRim = 0.3F;
 constexpr glm::vec2 hillCorner(-1.5F, -1);
 
 struct HillStage {
-  /// `component` selects the position component that holds the height; -1 stores full positions.
+  /// `component`: component of the positions that holds the height; -1 to store full positions.
   explicit HillStage(int component) {
     std::vector<glm::vec4> points, colors;
     std::vector<std::uint16_t> numbers;
@@ -26,7 +26,7 @@ struct HillStage {
     for (int y = 0; y < hillSize.y; ++y)
       for (int x = 0; x < hillSize.x; ++x) {
         const float bump = 0.5F * static_cast<float>((x * 5 + y * 3) % 7) / 7.0F;
-        const bool walled = x == 0 || y == hillSize.y - 1;  // west and south
+        const bool walled = x == 0 || y == hillSize.y - 1;  // true on the west and south sides
         const float height = walled ? std::max(bump, hillRim) : bump;
         const auto color = static_cast<float>((x + y) % 3);
         const glm::vec4 whole(hillCorner.x + static_cast<float>(x) * hillCell, hillBase + height,

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-/// A temporary PNG file of sRGB and alpha, row by row; deleted with this object.
+/// A temporary PNG file with sRGB colours and alpha. The destructor deletes it.
 class ImageFile {
  public:
   ImageFile(int width, int height, const std::vector<std::uint8_t>& rgba)

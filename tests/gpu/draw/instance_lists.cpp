@@ -1,4 +1,4 @@
-// Tests the visible lists of instances, their levels of detail and small sprites against double-precision
+// Tests the lists of visible instances, their levels of detail and small sprites against double-precision
 // references. Also compares balls very close to the camera with an equal surface.
 #include "gl/element_array.hpp"
 #include "gpu/draw/ball_stage.hpp"
@@ -27,8 +27,8 @@ namespace {
 
 constexpr float exponent = 4;
 
-/// Returns balls of very different sizes around the camera's target. All are alive; some lie behind the
-/// eye, some beside the picture.
+/// Returns balls of very different sizes around the camera's target. All are alive. Some are behind the
+/// eye, some are outside the picture.
 std::vector<glm::vec4> cloud(int count) {
   Dice dice(11);
   std::vector<glm::vec4> places;
@@ -45,26 +45,26 @@ struct Eye {
         pixels(0.5 * double{frame.size.y} / glm::length(dvec3(frame.rayUp))) {}
   dvec3 place, forward;
   glm::dmat4 matrix;
-  double pixels;  ///< size in pixels of 1 m at a distance of 1 m
+  double pixels;  ///< size (pixels) of 1 m at a distance of 1 m
 
   [[nodiscard]] double depth(dvec3 p) const { return glm::dot(p - place, forward); }
   [[nodiscard]] dvec4 clip(dvec3 p) const { return matrix * dvec4(p, 1); }
 };
 
-/// Returns value > bound; empty if `value` is too close to `bound` to decide.
+/// Returns whether value > bound. Returns nothing if `value` is too close to `bound` to decide.
 std::optional<bool> above(double value, double bound, double near = 1e-4) {
   if (std::abs(value - bound) < near * std::max(1.0, std::abs(bound))) return std::nullopt;
   return value > bound;
 }
 
-/// Returns the logical and of all parts; empty if the result depends on an unknown part.
+/// Returns the logical and of all parts, or nothing if the result depends on an unknown part.
 std::optional<bool> all(const std::vector<std::optional<bool>>& parts) {
   if (std::any_of(parts.begin(), parts.end(), [](auto part) { return part == false; })) return false;
   return std::find(parts.begin(), parts.end(), std::nullopt) == parts.end() ? std::optional(true)
                                                                             : std::nullopt;
 }
 
-/// True if a ball is at least partly on the inner side of all six frustum planes.
+/// Returns whether a ball is at least partly on the inner side of all six frustum planes.
 std::optional<bool> inSight(const Eye& eye, dvec3 p, double radius) {
   std::vector<std::optional<bool>> parts;
   const glm::dmat4 rows = glm::transpose(eye.matrix);
@@ -82,7 +82,7 @@ std::optional<bool> middleInSight(const Eye& eye, dvec3 p) {
               above(0.9999 * clip.w, std::abs(clip.z))});
 }
 
-/// Returns for each slot the level of detail whose list contains it; -1 if no list does.
+/// Returns, for each instance, the level of detail whose list contains it, or -1 if no list does.
 std::vector<int> levelsOf(const draw::VisibleList& visible) {
   std::vector<int> levels(static_cast<std::size_t>(visible.capacity()), -1);
   const auto arguments = visible.arguments().readAll<unsigned>();
@@ -94,7 +94,7 @@ std::vector<int> levelsOf(const draw::VisibleList& visible) {
   return levels;
 }
 
-/// Compares the levels with the expected levels; skips slots whose expected level is unknown.
+/// Compares the levels with the expected levels. Skips instances whose expected level is unknown.
 void compareLevels(const std::vector<int>& levels, int levelCount,
                    const std::function<std::optional<int>(std::size_t)>& expected) {
   std::size_t wrong = 0, unknown = 0;
@@ -111,7 +111,7 @@ void compareLevels(const std::vector<int>& levels, int levelCount,
   CHECK(*std::min_element(used.begin(), used.end()) > 3);
 }
 
-/// An unpacked small sprite, written by the last kernel of small sprites.
+/// An unpacked small sprite, written by the kernel of small sprites that ran last.
 struct Square {
   dvec3 place;
   double side;
@@ -174,7 +174,7 @@ TEST_CASE("instances: visible instances are listed in the level of detail for th
       const Eye eye(stage.values);
       const bool sphere = shape == Shape::sphere;
       const double reach = sphere ? double{draw::InstanceShape::sphere().radius()} : 0.5;
-      const double least = sphere ? 0 : additive ? 1.25 : 0.57;  // minimum radius in pixels
+      const double least = sphere ? 0 : additive ? 1.25 : 0.57;  // min radius in pixels
       const double points = !additive ? 1.6 : draw::GlowSums::used() ? 5 : 64;
       const double error = gl::softwareDriver() ? 0.5 : 0.2;
       const int levels = stage.pass.visible(0).levels();
@@ -198,7 +198,8 @@ TEST_CASE("instances: visible instances are listed in the level of detail for th
         }
         return level;
       };
-      // At this size the smallest sprites are all widened. None may be lost at the picture's borders.
+      // At this size, all of the smallest sprites are enlarged. None may be missing at the picture's
+      // borders.
       if (size.y < 20 && !sphere) {
         std::size_t wrong = 0;
         const auto found = levelsOf(stage.pass.visible(0));
@@ -222,7 +223,7 @@ TEST_CASE("instances: the sun's map lists instances that reach into it, small on
   sim::Instances& instances = group.instances;
   instances.massExponent = exponent;
   instances.size = 0.35F;
-  instances.boundsMin = glm::vec3(-2.1F, -1.8F, -1.9F);  // smaller than the true bounds
+  instances.boundsMin = glm::vec3(-2.1F, -1.8F, -1.9F);  // the bounds are smaller than the true ones
   instances.boundsMax = glm::vec3(2, 2, 2);
   const sim::Drawables drawables{{}, {instances}};
   stage.shadow.fit(drawables, [&](const gl::Buffer& bounds) { stage.pass.growBounds(drawables, bounds); });
@@ -320,15 +321,17 @@ TEST_CASE(
         if (light.z > 1e-6) CHECK(glm::length(square.light - light) < 0.004 * glm::length(light) + 6e-8);
         continue;
       }
-      // The visible hemisphere's normals face the eye with a mean cosine of 2/3. Light is evaluated at four
-      // corners with unit normals.
+      // The normals of the visible hemisphere face the eye with a mean cosine of 2/3. Light is evaluated at
+      // four corners with unit normals.
       const dvec3 towards = glm::normalize(eye.place - p);
       const dvec3 right = glm::normalize(glm::cross(dvec3(stage.values.rayUp), towards)),
                   up = glm::cross(towards, right);
       const double aside = std::sqrt((1 - 4.0 / 9) / 2);
       const double middle = glm::dot(towards, sun) * 2 / 3;
       const dvec2 gain = aside * dvec2(glm::dot(right, sun), glm::dot(up, sun));
-      if (middle < std::abs(gain.x) + std::abs(gain.y) + 0.1) continue;  // a corner faces away from the sun
+      if (middle < std::abs(gain.x) + std::abs(gain.y) + 0.1)
+        continue;  // skips balls with a corner that
+                   // faces away from the sun
       ++lit;
       CHECK(std::abs(square.slope.x - gain.x / middle) < 0.008 + 0.02 * std::abs(gain.x / middle));
       CHECK(std::abs(square.slope.y - gain.y / middle) < 0.008 + 0.02 * std::abs(gain.y / middle));

@@ -12,7 +12,7 @@ class Dice {
     const std::uint32_t word = ((state_ >> ((state_ >> 28U) + 4U)) ^ state_) * 277803737U;
     return static_cast<float>(((word >> 22U) ^ word) >> 8U) / 16777216.0F;
   }
-  /// Returns a random point in the cube from -1 to 1.
+  /// Returns a random point in the cube from (-1, -1, -1) to (1, 1, 1).
   glm::vec3 cube() {
     const float x = (*this)() * 2 - 1;
     const float y = (*this)() * 2 - 1;
@@ -23,7 +23,7 @@ class Dice {
   std::uint32_t state_;
 };
 
-/// Instances in the form in which a simulation publishes them.
+/// Instances, stored like those that a simulation publishes.
 struct InstanceStage {
   InstanceStage(const std::vector<glm::vec4>& places, const std::vector<glm::vec4>& speeds)
       : positions(simreel::gl::Buffer::of<glm::vec4>("instance positions", places)),
@@ -35,7 +35,7 @@ struct InstanceStage {
     instances.capacity = static_cast<int>(places.size());
     instances.material = &material;
   }
-  /// Instances at rest with a mass of 1 kg and an age of 0.
+  /// Creates instances with a velocity of 0, a mass of 1 kg and an age of 0.
   explicit InstanceStage(const std::vector<glm::vec3>& places)
       : InstanceStage(
             [&] {

@@ -14,7 +14,7 @@ using Shape = sim::Instances::Shape;
 
 namespace {
 
-/// Returns positions in a cube around the camera's target and velocities; some instances are dead, some
+/// Returns positions in a cube around the camera's target, and velocities. Some instances are dead; some
 /// have NaN or infinite values.
 std::pair<std::vector<glm::vec4>, std::vector<glm::vec4>> mixed(int count) {
   Dice dice(3);
@@ -30,7 +30,7 @@ std::pair<std::vector<glm::vec4>, std::vector<glm::vec4>> mixed(int count) {
     places[33].z = std::numeric_limits<float>::infinity();
     speeds[40].w = lost;
     places[31] = glm::vec4(0, 0, 0, 1);
-    speeds[31].w = 0;  // alive at age 0
+    speeds[31].w = 0;  // this instance is alive at age 0
   }
   return {places, speeds};
 }
@@ -39,7 +39,6 @@ enum class Sight { out, in, edge };
 
 /// Tests a sphere against the six frustum planes in double precision. Returns `edge` if the result is too
 /// close to decide.
-/// decide.
 Sight inSight(const glm::mat4& matrix, glm::vec4 place, double radius) {
   if (!(std::abs(place.x) + std::abs(place.y) + std::abs(place.z) < 1e6F)) return Sight::out;
   const glm::dvec4 at(place.x, place.y, place.z, 1);
@@ -84,7 +83,7 @@ long callsOfFrame(int count) {
 TEST_CASE("visible instances are listed in slot order, without dead and NaN instances") {
   testContext();
   const scene::Scene scene = plainScene();
-  // The size is fine enough that the minimum size of glows has no effect and coarse enough that some glows
+  // The size is large enough that the min size of glows has no effect, and small enough that some glows
   // count as small.
   PassStage stage(scene, draw::GlowSums::used() ? glm::ivec2(160, 90) : glm::ivec2(640, 360));
   for (const int count : {1, 31, 1021, 70001}) {
@@ -170,8 +169,8 @@ TEST_CASE("each visible instance is in exactly one level of detail, and each lev
   group.instances.additive = true;
   PassStage flat(scene, {640, 360});
   flat.pass.cull({{}, {group.instances}});
-  // Glows are widened to a minimum size, so none of the spheres' instances is missing, and a few more may
-  // be visible.
+  // Glows are enlarged to a min size. Therefore all instances of the spheres are visible, and a few more
+  // may be.
   const auto sprites = flat.pass.visible(0).arguments().readAll<unsigned>();
   CHECK(sprites[6] + sprites[14] >= all.size());
 }
@@ -243,7 +242,7 @@ TEST_CASE("small glows conserve their light at any size") {
     glow.instances.brightness = brightness;
     glow.material.color = glm::vec3(1);
     const Picture p = drawn(scene, {{}, {glow.instances}}, {65, 65});
-    // Converts bytes to approximate light; the film curve is nearly linear for small values.
+    // Converts bytes to approximate light. The film curve is nearly linear for small values.
     double sum = 0;
     for (int y = 0; y < 65; ++y)
       for (int x = 0; x < 65; ++x) sum += std::pow(std::max(p.at(x, y).y - 3, 0) / 255.0, 2.2);
@@ -295,7 +294,8 @@ TEST_CASE("many glows have the light of one glow with their total brightness") {
     int apart = 0;
     for (std::size_t i = 0; i < one.bytes.size(); ++i)
       apart = std::max(apart, std::abs(int{one.bytes[i]} - int{many.bytes[i]}));
-    CHECK(apart <= (draw::GlowSums::used() ? 1 : 20));  // half-float blending rounds at each step
+    CHECK(apart <= (draw::GlowSums::used() ? 1 : 20));  // the tolerance is larger with half-float blending,
+                                                        // which rounds at each step
   }
 }
 

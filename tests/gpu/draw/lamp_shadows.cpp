@@ -1,4 +1,4 @@
-// Tests shadows of a scene's lights against geometry worked out by hand.
+// Tests shadows of a scene's lights against geometry computed by hand.
 #include "gpu/draw/ball_stage.hpp"
 #include "gpu/draw/lamp_stage.hpp"
 #include "scene/load.hpp"
@@ -16,8 +16,8 @@ using namespace simreel;
 
 namespace {
 
-/// Returns a square sheet perpendicular to `direction`, centred at `distance` metres along it; `side` is in
-/// metres.
+/// Returns a square sheet that is perpendicular to `direction` and centred at `distance` metres along it.
+/// `side`: in metres.
 GridStage across(glm::vec3 direction, float distance, float side) {
   const glm::vec3 helper = std::abs(direction.y) > 0.9F ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
   const glm::vec3 right = glm::normalize(glm::cross(helper, direction));
@@ -35,8 +35,8 @@ std::vector<glm::vec3> directions() {
   return all;
 }
 
-/// Returns a scene whose camera looks at the back of a translucent screen that is lit by a lamp at the
-/// origin; 4 m on the screen span 65 pixels.
+/// Returns a scene whose camera faces the back of a translucent screen, which a lamp at the origin lights.
+/// 4 m on the screen span 65 pixels.
 scene::Scene screened(glm::vec3 direction, bool shadow) {
   scene::Scene scene = darkScene();
   scene.camera.position = 12.0F * direction;
@@ -95,12 +95,13 @@ TEST_CASE("lights: shadows are correct on all six cube faces and across their ed
     GridStage caster = across(direction, 1, 1);
     const Picture plain = drawn(screened(direction, false), {.surfaces = {screen.surface}}, {65, 65}, 1);
     const scene::Scene scene = screened(direction, true);
-    // The unshadowed screen shows neither seams nor shadow acne.
+    // Without a shadow, the screen has no seams and no shadow acne.
     const Picture lit = drawn(scene, {.surfaces = {screen.surface}}, {65, 65}, 1);
     CHECK(plain.brightness(32, 32) > 600);
     for (int y = 2; y < 63; ++y)
       for (int x = 2; x < 63; ++x) REQUIRE(std::abs(lit.brightness(x, y) - plain.brightness(x, y)) < 9);
-    // A sheet of 1 m at a distance of 1 m casts a shadow of 2 m at 2 m: half of the screen's 65 pixels.
+    // A sheet of 1 m at a distance of 1 m casts a shadow of 2 m at 2 m, which is half of the screen's 65
+    // pixels.
     const Picture shaded = drawn(scene, {.surfaces = {screen.surface, caster.surface}}, {65, 65}, 1);
     for (int y = 2; y < 63; ++y)
       for (int x = 2; x < 63; ++x) {
@@ -121,8 +122,8 @@ TEST_CASE("lights: shadow edges are smooth ramps") {
   scene.lights[0].shadowSize = 64;
   GridStage half({3, 3}, {0.2F, 0.5F, -3}, {4, 0, 0}, {0, 0, 6});
   half.material.color =
-      glm::vec3(0);  // black, because a bright border beside the shadow would be the largest step
-  scene.camera.position = glm::vec3(-4, 20, 0);  // the camera is beside the sheet
+      glm::vec3(0);  // black, because a bright border next to the shadow would be the largest step
+  scene.camera.position = glm::vec3(-4, 20, 0);  // the camera is next to the sheet
   scene.camera.target = glm::vec3(-0.01F, 0, 0);
   const Picture picture = drawn(scene, {.surfaces = {half.surface}}, {257, 65}, 1);
   int largest = 0;
@@ -153,7 +154,7 @@ TEST_CASE("lights: no shadow acne under grazing light, on coarse maps and on rou
   scene.lights[0].shadowSize = 64;
   GridStage wide({33, 33}, {-3, 1, -3}, {6, 0, 0}, {0, 0, 6});
   CHECK(apart(scene, {.surfaces = {wide.surface}}) == 0);
-  // From the distant camera the ball is drawn with fewer facets than in the shadow maps of the nearby lamp.
+  // The camera is distant, so it sees the ball with fewer facets than the shadow maps of the nearby lamp.
   InstanceStage ball(std::vector<glm::vec3>(1, glm::vec3(0, 1, 0)));
   ball.instances.shape = sim::Instances::Shape::sphere;
   ball.instances.size = 1.1F;
@@ -167,10 +168,10 @@ TEST_CASE("lights: a shadow starts at the foot of a standing object") {
   testContext();
   scene::Scene scene = fromAbove();
   scene.lights = {lampAt({-3, 2, 0}, 60, true)};
-  GridStage wall({3, 3}, {0, 1, -1}, {0, -1, 0}, {0, 0, 2});  // vertical, in the plane x = 0
+  GridStage wall({3, 3}, {0, 1, -1}, {0, -1, 0}, {0, 0, 2});  // a vertical wall in the plane x = 0
   wall.material.color = glm::vec3(0.0F);
   const Picture picture = drawn(scene, {.surfaces = {wall.surface}}, {129, 129});
-  // At this distance a shadow texel is 1.4 cm wide and a pixel is 6.2 cm wide.
+  // At this distance, a shadow texel is 1.4 cm wide and a pixel is 6.2 cm wide.
   for (const int x : {66, 68, 75, 90}) CHECK(picture.brightness(x, 64) < 12);
   CHECK(picture.brightness(62, 64) > 150);
 }
@@ -263,7 +264,7 @@ TEST_CASE("lights: only the triangles that the GPU counted cast shadows") {
   testContext();
   scene::Scene scene = fromAbove();
   scene.lights = {lampAt({0, 2, 0}, 20, true)};
-  GridStage sheet({2, 4}, {-0.5F, 1, -1.5F}, {1, 0, 0}, {0, 0, 3});  // three quads
+  GridStage sheet({2, 4}, {-0.5F, 1, -1.5F}, {1, 0, 0}, {0, 0, 3});  // a sheet of three quads
   GridStage first({2, 2}, {-0.5F, 1, -1.5F}, {1, 0, 0}, {0, 0, 1});
   const std::array<unsigned, 5> six = {6, 1, 0, 0, 0};
   const gl::Buffer arguments = gl::Buffer::of<unsigned>("arguments", six);

@@ -1,7 +1,7 @@
 #pragma once
 #include "gpu/draw/draw_stage.hpp"
 
-/// Returns a white light that is itself invisible.
+/// Returns a white light without a visible glow.
 inline simreel::scene::Light lampAt(glm::vec3 place, float candela, bool shadow) {
   simreel::scene::Light light;
   light.position = place;
@@ -28,8 +28,8 @@ inline simreel::scene::Scene fromAbove() {
   return scene;
 }
 
-/// Returns the point on the plane under the centre of pixel (x, y) of a picture of fromAbove() with `size`
-/// x `size` pixels.
+/// Returns the point of the plane at the centre of pixel (x, y), for a picture of fromAbove() with `size` x
+/// `size` pixels.
 inline glm::dvec3 placeOf(int x, int y, int size) {
   return {8 * (x + 0.5) / size - 4, 0, 8 * (y + 0.5) / size - 4};
 }

@@ -1,4 +1,4 @@
-// Tests the lights of a scene on every type of drawable against closed forms.
+// Tests the lights of a scene on all types of drawables against closed forms.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "draw/lights/lamp_shadows.hpp"
@@ -20,8 +20,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 /// Returns pi times the specular lobe of a spherical light for F0 = 0.04: GGX, Smith's shadowing and
-/// Schlick's Fresnel term, written independently of the shaders. `spread` is the light's radius divided by
-/// its distance.
+/// Schlick's Fresnel term, implemented independently of the shaders. `spread`: the light's radius divided
+/// by its distance.
 double lobeOf(glm::dvec3 normal, glm::dvec3 view, glm::dvec3 light, double roughness, double spread) {
   const glm::dvec3 half = glm::normalize(view + light);
   const double nh = std::fmax(glm::dot(normal, half), 0);
@@ -102,7 +102,7 @@ TEST_CASE("lights: a spot lights its cone and fades towards the edge") {
           };
           const double cosine =
               glm::dot(glm::normalize(p - glm::dvec3(place)), glm::normalize(glm::dvec3(target - place)));
-          // within half a pixel of the cone's edge
+          // skips points within half a pixel of the cone's edge
           if (softness == 0 && std::abs(cosine - edge) < 0.03) continue;
           const double line = softness == 0 ? (cosine > edge ? 1 : 0)
                                             : std::clamp((cosine - edge) / (full - edge), 0.0, 1.0);
@@ -196,7 +196,7 @@ TEST_CASE("lights: sixteen lights add up to their sum, at their animated intensi
     scene.lights.clear();
     for (int i = 0; i < 16; ++i) {
       scene.lights.push_back(lampAt({0.2F, 1, 0.1F}, 0, i < shadowed));
-      // Every second light is off at time 0; the remaining lights have twice their share of the intensity.
+      // Every second light is off at time 0. The other lights have twice their share of the intensity.
       const float now = i % 2 == 0 ? 1.0F : 0.0F;
       scene.lights.back().intensity = scene::Animated<float>({{0, now}, {1, 1 - now}}, scene::Ease::linear);
       scene.lights.back().shadowSize = 32 + i;
@@ -210,7 +210,7 @@ TEST_CASE("lights: sixteen lights add up to their sum, at their animated intensi
 
 TEST_CASE("lights: every type of drawable is lit") {
   testContext();
-  // The light is on the camera's side of the object, in an otherwise dark scene.
+  // The light is on the camera's side of the object. There is no other light.
   scene::Scene scene = darkScene();
   scene.sun.intensity = 0.0F;
   const auto gained = [&](const sim::Drawables& drawables) {
@@ -262,9 +262,9 @@ TEST_CASE("lights: every type of drawable is lit") {
   scene.sun.shadow = true;
   GridStage left({3, 3}, {-2, 0.5F, -2}, {1, 0, 0}, {0, 0, 1});
   GridStage right({3, 3}, {1, 0.5F, 1}, {1, 0, 0}, {0, 0, 1});
-  // the sampled point is outside the shadow bounds
+  // the sampled point is outside the bounds of the sun's shadow map
   CHECK(gained({.surfaces = {right.surface}}) > 60);
-  // the sampled point is within the shadow bounds
+  // the sampled point is inside the bounds of the sun's shadow map
   CHECK(gained({.surfaces = {left.surface, right.surface}}) > 60);
 }
 
@@ -335,8 +335,8 @@ TEST_CASE("lights: a visible light has the brightness of its candela") {
   scene.lights[0].radius = 0.4F;
   for (const int samples : {1, 4}) {
     const Picture picture = drawn(scene, {}, {65, 65}, samples);
-    // 65 pixels span 2 * 5 m * tan(20 degrees). At r radii from the centre the disc has (1 - r^2)^2 of the
-    // radiance at the centre.
+    // 65 pixels span 2 * 5 m * tan(20 degrees). At a distance of r radii from the centre, the disc has (1 -
+    // r^2)^2 of the radiance at the centre.
     const double metres = 10 * std::tan(20 * pi / 180) / 65;
     for (const int aside : {0, 3, 5}) {
       const double r = aside * metres / 0.4;
@@ -361,7 +361,7 @@ TEST_CASE("lights: scenes without lights compile no light code, and too many lig
   CHECK(none.defines().empty());
   CHECK(!draw::LampShadows(none).on());
   scene.lights.assign(8, lampAt({0, 1, 0}, 1, true));
-  // eight lights of six maps each, one row of six maps per light
+  // eight lights with six maps each; each light has one row of six maps
   const int side = gl::limits().textureSize / 4;
   for (scene::Light& light : scene.lights) light.shadowSize = side;
   const draw::Lamps lamps(scene);

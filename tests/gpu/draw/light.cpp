@@ -1,4 +1,4 @@
-// Tests shading and shadows of the sun against geometry worked out by hand.
+// Tests shading and shadows of the sun against geometry computed by hand.
 #include "gpu/draw/instance_stage.hpp"
 
 #include <cmath>
@@ -39,7 +39,7 @@ TEST_CASE("a matt sheet facing the sun has its own colour on both sides, with an
       sheet.material.color = glm::vec3(0.5F, 0.25F, 0.1F);
       sheet.material.roughness = 1.0F;
       const Picture picture = drawn(scene, {.surfaces = {sheet.surface}}, {65, 65});
-      // Specular part of the sun: F0 / 4 at roughness 1 if light, view and normal are aligned.
+      // Specular part of the sun's light: F0 / 4 at roughness 1, if light, view and normal are aligned.
       const double mirrored = 0.04 / 4;
       CHECK(near(picture.at(32, 32), filmByte({0.5 + mirrored, 0.25 + mirrored, 0.1 + mirrored}), 2.5));
       // Normals at the borders (one-sided differences) equal those in the middle.
@@ -76,7 +76,8 @@ TEST_CASE("metal reflects the sky, tinted by its colour") {
 
 TEST_CASE("a sheet's shadow lies at its projection from the sun") {
   testContext();
-  // The sun is at 45 degrees on the +x side: a point 2 m up shades the ground 2 m further towards -x.
+  // The sun is at 45 degrees on the +x side, so a point at a height of 2 m shades the ground 2 m further
+  // towards -x.
   const scene::Scene scene = groundScene(glm::vec3(1, 1, 0));
   GridStage sheet({8, 8}, {0.5F, 2, -1}, {2, 0, 0}, {0, 0, 2});
   for (const int samples : {1, 4}) {
@@ -85,7 +86,7 @@ TEST_CASE("a sheet's shadow lies at its projection from the sun") {
       return picture.brightness(32 + static_cast<int>(std::floor(x * 8)),
                                 32 + static_cast<int>(std::floor(z * 8)));
     };
-    // The shadow spans x from -1.5 to 0.5 and z from -1 to 1. From above, the sheet hides x > 0.55.
+    // The shadow spans x from -1.5 to 0.5 and z from -1 to 1. Seen from above, the sheet hides x > 0.55.
     const int lit = ground(-3, 3);
     CHECK(lit > 200);
     for (const float x : {-1.3F, -0.5F, 0.3F})
@@ -103,7 +104,7 @@ TEST_CASE("disabling the sun's shadow removes it, and a lit sheet shows no shado
   scene.sun.shadow = false;
   const Picture plain = drawn(scene, {.surfaces = {sheet.surface}}, {64, 64});
   CHECK(std::abs(plain.brightness(28, 32) - plain.brightness(8, 56)) < 12);
-  // Under grazing light and with a coarse shadow map, the sheet must still be lit everywhere.
+  // Even under grazing light and with a coarse shadow map, the whole sheet must be lit.
   scene = groundScene(glm::vec3(1, 0.12F, 0.3F));
   scene.sun.shadowSize = 128;
   GridStage wide({8, 8}, {-3, 1, -3}, {6, 0, 0}, {0, 0, 6});

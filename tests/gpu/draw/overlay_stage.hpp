@@ -9,8 +9,8 @@
 
 #include <doctest/doctest.h>
 
-/// Returns a picture of random bytes, with random opacities unless `opaque` is set. Driver blending equals
-/// the kernels only for opaque pictures; for other pictures only the kernels handle straight alpha.
+/// Returns a picture of random bytes, with random opacities unless `opaque` is set. The driver's blending
+/// equals that of the kernels only for opaque pictures, because only the kernels support straight alpha.
 inline OverlayPicture<OverlayBytes> someBytes(glm::ivec2 size, bool opaque = false) {
   OverlayPicture<OverlayBytes> picture{size, {}};
   std::minstd_rand random(7);
@@ -65,7 +65,7 @@ int differing(const OverlayPicture<T>& a, const OverlayPicture<T>& b) {
   return count;
 }
 
-/// Maximum and mean difference of two pictures, in steps of 1/255.
+/// Max and mean difference of two pictures, in steps of 1/255.
 struct Distance {
   int max = 0;
   double mean = 0;
@@ -81,12 +81,12 @@ inline Distance distance(const OverlayPicture<OverlayBytes>& a, const OverlayPic
   return distance;
 }
 
-/// Runs the CPU twin for the field of a stage on a picture. If the pass averages blocks of cells first, the
-/// twin does, too.
+/// Runs the CPU version for the field of a stage on a picture. If the pass first averages blocks of cells,
+/// so does the CPU version.
 struct FieldOnPicture {
   FieldInputs inputs;
   glm::ivec4 part{0};
-  glm::ivec2 texels{0};  ///< size of the averaged field; zero if nothing is averaged
+  glm::ivec2 texels{0};  ///< size of the averaged field; zero if cells are not averaged
 
   FieldOnPicture(const FieldStage& stage, glm::ivec2 picture) {
     const simreel::sim::Field& field = stage.field;

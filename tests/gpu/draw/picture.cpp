@@ -47,7 +47,8 @@ TEST_CASE("sRGB bytes follow the film curve over its whole range") {
     scene.sun.intensity = 0.0F;
     const Picture picture = drawn(scene, {}, {8, 8});
     const auto wanted = filmByte({light, light * 0.5, light * 0.25});
-    // The tolerance covers 1/2 of rounding, 1/2 of dithering and the approximate power function.
+    // The tolerance covers 1/2 for rounding, 1/2 for dithering, and the error of the approximate power
+    // function.
     for (int x = 0; x < 4; ++x) CHECK(farthest(picture.at(x, 3), wanted) <= 2);
   }
 }
@@ -140,7 +141,7 @@ TEST_CASE("exceeding a GL limit names the limit and its value") {
 
 TEST_CASE("a texture without repeats does not bleed across opposite borders") {
   testContext();
-  // The two texels are black, then white. A repeated texture would be grey at both borders.
+  // The two texels are black and white. If the texture repeated, both borders would be grey.
   const auto file = temporaryFile("two_texels.png");
   writeFileAtomically(file, frame::encodePng({2, 1, {0, 0, 0, 255, 255, 255, 255, 255}}, {}));
   GridStage stage({5, 4}, {-1, 1, 0}, {2, 0, 0}, {0, -2, 0});

@@ -61,7 +61,7 @@ TEST_CASE("skin: a constant field gives the plain colour and the surface's own n
 
 TEST_CASE("skin: a step in the field is an edge between two colours, one pixel wide") {
   testContext();
-  // The transition takes place within one cell, and a cell covers ten pixels.
+  // The transition takes place within one cell, which covers ten pixels.
   const FieldStage field(Cells::floats, {8, 5}, [](int x, int) { return x >= 4 ? 1.0 : 0.0; });
   scene::Material material = grown(Look::leather);
   material.skin->bump = 0;
@@ -78,7 +78,7 @@ TEST_CASE("skin: a step in the field is an edge between two colours, one pixel w
     if (x > 70) CHECK(high);
   }
   CHECK(between <= 2);
-  CHECK(between >= 1);  // antialiased
+  CHECK(between >= 1);  // the edge is antialiased
 }
 
 TEST_CASE("skin: the threshold is a field value, and its default is the middle of the range") {
@@ -103,7 +103,7 @@ TEST_CASE("skin: the threshold is a field value, and its default is the middle o
 
 TEST_CASE("skin: relief shades the same way for mirrored uvs and on both faces") {
   testContext();
-  // One ridge in the middle, along y. The ridge is mirror-symmetric.
+  // There is one ridge in the middle, along y. It is mirror-symmetric.
   const FieldStage field(Cells::floats, {32, 32}, [](int x, int) {
     return 0.5 - 0.5 * std::cos(2 * std::numbers::pi * (x + 0.5) / 32);
   });
@@ -120,7 +120,7 @@ TEST_CASE("skin: relief shades the same way for mirrored uvs and on both faces")
   for (const float bump : {-2.0F, 2.0F}) {
     CAPTURE(bump);
     material.skin->bump = bump;
-    const float raised = bump < 0 ? 1 : -1;  // the leather look maps high values to low relief
+    const float raised = bump < 0 ? 1 : -1;  // for the look of leather, high values are low
     for (const bool mirrored : {false, true}) {
       CAPTURE(mirrored);
       const Picture front = worn(material, field, squareMesh(mirrored), fromRight);
@@ -129,7 +129,7 @@ TEST_CASE("skin: relief shades the same way for mirrored uvs and on both faces")
       CHECK(raised * static_cast<float>(back.brightness(82, 65) - back.brightness(48, 65)) > 60);
     }
   }
-  // A ridge across v, seen from above: rows of the field run downwards.
+  // The ridge runs across v and is seen from above. Rows of the field run downwards.
   const FieldStage across(Cells::floats, {32, 32}, [](int, int y) {
     return 0.5 - 0.5 * std::cos(2 * std::numbers::pi * (y + 0.5) / 32);
   });
@@ -147,7 +147,7 @@ TEST_CASE("skin: triplanar projection of a square equals its uv projection, and 
   const auto oblique = [](scene::Scene& scene, sim::Surface&) {
     scene.sun.direction = glm::vec3(0.6F, 0.4F, 0.5F);
   };
-  // 96 x 48 cells cover 2 m x 1 m and repeat twice vertically: half a copy per metre.
+  // 96 x 48 cells cover 2 m x 1 m and repeat twice vertically, so there is half a copy per metre.
   sim::Mesh byUv = squareMesh();
   for (std::size_t i = 0; i < byUv.uvs.size(); ++i)
     byUv.uvs[i] = {0.5F * byUv.positions[i].x, -byUv.positions[i].y};
@@ -158,7 +158,7 @@ TEST_CASE("skin: triplanar projection of a square equals its uv projection, and 
   byUv.uvs.clear();
   material.skin->projection = scene::Skin::Projection::uv;
   CHECK(maxApart(worn(material, field, byUv, oblique), expected) <= 2);
-  // Uses all three projection planes: every side of the sphere shows the pattern.
+  // The sphere needs all three projection planes: every side shows the pattern.
   sim::Mesh sphere = sim::sphereMesh(1.0F, {49, 25});
   sphere.uvs.clear();
   material.skin->bump = 0;
@@ -181,8 +181,8 @@ TEST_CASE("skin: triplanar projection of a square equals its uv projection, and 
 
 TEST_CASE("skin: a sphere and a torus show no seam") {
   testContext();
-  // The seam is in front. If the mesh is turned by half and the field is rolled by half, the picture stays
-  // the same and the seam is behind.
+  // The seam is in front. If the mesh is turned by half a turn and the field is shifted by half its width,
+  // the picture stays the same and the seam is behind.
   const auto value = [](int x, int y) { return waves(x / 64.0, y / 32.0); };
   const FieldStage field(Cells::floats, {64, 32}, value);
   const FieldStage rolled(Cells::floats, {64, 32}, [&](int x, int y) { return value(x + 32, y); });
@@ -267,8 +267,8 @@ TEST_CASE("skin: cracks glow in proportion to the field's excess over the thresh
   material.skin->bump = 0;
   material.skin->high = glm::vec3(0.5F, 0.3F, 0.15F);
   const auto dark = [](scene::Scene& scene, sim::Surface&) { scene.sun.intensity = 0.0F; };
-  // For the last pair, hardly any value lies above the threshold; the width of the range above it is
-  // clamped to at least 0.05.
+  // For the last pair, hardly any value is above the threshold. The width of the range above it is clamped
+  // to at least 0.05.
   for (const auto& [threshold, value] :
        {std::pair(0.4, 0.3), {0.4, 0.45}, {0.4, 0.6}, {0.4, 0.8}, {0.4, 1.0}, {0.97, 1.0}}) {
     CAPTURE(threshold);

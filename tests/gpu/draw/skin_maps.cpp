@@ -1,4 +1,4 @@
-// Tests skins as tileable maps: rolling the field rolls the maps, borders match, and colours and normals
+// Tests skins as tileable maps: shifting the field shifts the maps, borders match, and colours and normals
 // equal those on surfaces.
 #include "draw/surface/skin_maps.hpp"
 
@@ -111,8 +111,8 @@ TEST_CASE("skin maps: differences across the border are no larger than those ins
 
 TEST_CASE("skin maps: heights and normals on a slope equal their closed form") {
   testContext();
-  // A triangle wave of 64 cells: it rises by 1/32 per cell to the middle, then falls. Its height is `depth`
-  // cells.
+  // The field is a triangle wave of 64 cells. It rises by 1/32 per cell up to the middle, then falls. Its
+  // height is `depth` cells.
   const FieldStage field(Cells::floats, {64, 6},
                          [](int x, int) { return x < 32 ? x / 32.0 : (64 - x) / 32.0; });
   scene::Material material = grown(Look::map);
@@ -125,7 +125,8 @@ TEST_CASE("skin maps: heights and normals on a slope equal their closed form") {
     CHECK(relief.w == doctest::Approx(x < 32 ? x / 32.0 : (64 - x) / 32.0).epsilon(0.002));
     if (x % 32 != 0) CHECK(glm::distance(glm::vec3(relief), x < 32 ? up : down) < 1e-3F);
   }
-  // NaN and values more than one range width below the range are clamped to one range width below it.
+  // NaN and values more than one range width below the range are clamped to one range width below the
+  // range.
   const FieldStage lost(Cells::floats, {12, 6}, [](int x, int) {
     return x == 3 ? std::numeric_limits<double>::quiet_NaN() : x == 8 ? -7.0 : 0.25;
   });
@@ -135,13 +136,14 @@ TEST_CASE("skin maps: heights and normals on a slope equal their closed form") {
     CHECK(glm::distance(glm::vec3(pits.relief[2 * 12 + x]), into) < 1e-3F);
     CHECK(glm::distance(glm::vec3(pits.relief[2 * 12 + x + 2]), glm::vec3(-into.x, 0, into.z)) < 1e-3F);
   }
-  // The wave runs down the rows, and the y axis of the normal points up, against the rows.
+  // The wave varies along the rows' direction. The y axis of the normal points up, in the direction of
+  // decreasing row indices.
   const FieldStage rows(Cells::floats, {6, 64},
                         [](int, int y) { return y < 32 ? y / 32.0 : (64 - y) / 32.0; });
   const draw::SkinMaps tall = mapsOf(material, rows, {6, 64});
   CHECK(tall.relief[10 * 6].y == doctest::Approx(-up.x).epsilon(0.01));
   CHECK(tall.relief[50 * 6].y == doctest::Approx(up.x).epsilon(0.01));
-  // A negative bump inverts normal and height.
+  // With a negative bump, normal and height are inverted.
   material.skin->bump = -1;
   const draw::SkinMaps sunk = mapsOf(material, field, {64, 6});
   CHECK(sunk.relief[10].x == doctest::Approx(-up.x).epsilon(0.01));

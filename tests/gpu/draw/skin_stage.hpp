@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/// A mesh in the form in which a simulation publishes surfaces. The surface has uvs only if the mesh has
+/// A mesh, stored like a surface that a simulation publishes. The surface has uvs only if the mesh has
 /// them.
 struct MeshStage {
   explicit MeshStage(const simreel::sim::Mesh& mesh) {
@@ -45,8 +45,8 @@ struct MeshStage {
   simreel::sim::Surface surface;
 };
 
-/// Returns a square of 2 m in the plane z = 0 that faces +z, with v downwards and u to the right, or to the
-/// left if `mirrored`.
+/// Returns a square with sides of 2 m in the plane z = 0 that faces +z. v increases downwards; u increases
+/// to the right, or to the left if `mirrored`.
 inline simreel::sim::Mesh squareMesh(bool mirrored = false) {
   simreel::sim::Mesh mesh;
   for (const float y : {1.0F, -1.0F})
@@ -85,7 +85,7 @@ inline simreel::scene::Scene roomWith(const simreel::scene::Material& material) 
   return scene;
 }
 
-/// Returns the maximum difference of a channel between two pictures.
+/// Returns the max difference of any channel between two pictures.
 inline int maxApart(const Picture& a, const Picture& b) {
   int max = 0;
   for (std::size_t i = 0; i < a.bytes.size(); ++i) max = std::max(max, std::abs(a.bytes[i] - b.bytes[i]));

@@ -21,8 +21,8 @@ using namespace simreel;
 
 namespace {
 
-/// Returns texel i of the next smaller mip level of the row `values`, in double precision. Odd sizes use
-/// three weighted texels.
+/// Returns texel i of the next smaller mip level of the row `values`, in double precision. For odd sizes, a
+/// texel is a weighted mean of three texels.
 double meanOf(const std::vector<double>& values, int i) {
   const auto count = static_cast<int>(values.size());
   if (count == 1) return values[0];
@@ -65,7 +65,7 @@ TEST_CASE("float textures have the mip levels of the reference filter, also at o
     const gl::Texture texture = gl::Texture::image("numbers", GL_RGBA16F, width, height, 0);
     std::vector<float> above;
     for (int i = 0; i < 4 * width * height; ++i)
-      // exactly representable as half floats
+      // the values are exactly representable as half floats
       above.push_back(static_cast<float>((i * 7919) % 2003 - 900) / 512.0F);
     glTextureSubImage2D(texture.name(), 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, above.data());
     draw::NumberMips mips;

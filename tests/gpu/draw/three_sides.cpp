@@ -24,7 +24,7 @@ struct Ball {
   SphereStage stage;
 };
 
-/// Draws the ball from the side `direction`, centred in the picture.
+/// Draws the ball from the side `direction`. The ball is at the picture's centre.
 Picture seenFrom(const Ball& ball, glm::vec3 direction, glm::vec3 light) {
   scene::Scene scene = darkScene();
   scene.camera.position = 5.0F * direction;
@@ -42,7 +42,7 @@ bool isMost(glm::ivec3 c, int channel) {
 
 TEST_CASE("textures without uv: a triplanar texture is upright and not mirrored from all sides") {
   testContext();
-  // Upper texels are red and green, lower texels are blue and white.
+  // The upper texels are red and green, the lower texels are blue and white.
   const ImageFile file(2, 2, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 255});
   const Ball ball(file.path());
   for (const glm::vec3& side : {glm::vec3(0, 0, 1), glm::vec3(1, 0, 0), glm::vec3(0, 0, -1),
@@ -51,7 +51,7 @@ TEST_CASE("textures without uv: a triplanar texture is upright and not mirrored 
     CAPTURE(side.y);
     CAPTURE(side.z);
     const Picture picture = seenFrom(ball, side, side);
-    // The texture's origin is at the ball's centre; the texture's first texel lies to the right and below.
+    // The texture's origin is at the ball's centre. The texture's first texel is to the right and below.
     CHECK(isMost(picture.at(64 + 29, 64 + 29), 0));
     CHECK(isMost(picture.at(64 - 29, 64 + 29), 1));
     CHECK(isMost(picture.at(64 + 29, 64 - 29), 2));
@@ -61,8 +61,8 @@ TEST_CASE("textures without uv: a triplanar texture is upright and not mirrored 
 
 TEST_CASE("relief of a texture: bright texels are raised, and slopes facing the light are brighter") {
   testContext();
-  // The white texel's centre is 0.25 m right of the middle; grey centres are 0.75 m right and 0.25 m left
-  // of the middle.
+  // The centre of the white texel is 0.25 m to the right of the middle. The centres of grey texels are 0.75
+  // m to the right and 0.25 m to the left of the middle.
   const ImageFile file(2, 1, {255, 255, 255, 255, 128, 128, 128, 255});
   Ball ball(file.path());
   ball.stage.material.textureScale = glm::vec3(1);
@@ -71,7 +71,7 @@ TEST_CASE("relief of a texture: bright texels are raised, and slopes facing the 
     return seenFrom(ball, {0, 0, 1}, {1, 0, 1}).brightness(x, 64);
   };
   const int rising = 64;
-  const int falling = 64 + 29;  // 0.5 m right of the middle
+  const int falling = 64 + 29;  // 0.5 m to the right of the middle
   CHECK(brightness(0.5F, rising) < brightness(0, rising) - 15);
   CHECK(brightness(-0.5F, rising) > brightness(0, rising) + 5);
   CHECK(brightness(0.5F, falling) > brightness(-0.5F, falling) + 5);
@@ -81,8 +81,8 @@ TEST_CASE(
     "relief of a texture: a slope of hundreds of pixels is shaded evenly, except within 25 pixels of its "
     "ends") {
   testContext();
-  // A pixel is 2 mm and a texel 200 pixels wide; the brightness rises from grey at pixel 100 to white at
-  // pixel 300.
+  // A pixel is 2 mm wide, and a texel is 200 pixels wide. The brightness rises from grey at pixel 100 to
+  // white at pixel 300.
   const ImageFile file(2, 1, {128, 128, 128, 255, 255, 255, 255, 255});
   GridStage square({2, 2}, glm::vec3(-2, 2, 0), glm::vec3(4, 0, 0), glm::vec3(0, -4, 0));
   square.material.color = glm::vec3(0.3F);
@@ -97,7 +97,7 @@ TEST_CASE(
     square.material.bump = bump;
     return drawn(scene, {.surfaces = {square.surface}}, {401, 9}, 1);
   };
-  // Adds the specular reflection straight back, F0 / 4.
+  // Includes the specular reflection straight back, F0 / 4.
   const auto albedo = [](int x) { return 0.01 + 0.3 * (0.21586 + 0.78414 * (x + 0.5 - 100.5) / 200); };
   const auto byteOf = [](double light) { return filmByte({light, light, light})[1]; };
   for (const float bump : {0.0F, 1.0F}) {

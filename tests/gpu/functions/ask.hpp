@@ -1,7 +1,7 @@
 #pragma once
 // Tests single shader functions of the simulation models: the GPU must return the same values as the same
-// file compiled as C++. Many of the inputs are equal, zero or on an edge, because scenes rarely reach cases
-// such as a distance of exactly 0.
+// file compiled as C++. Many of the inputs are equal, zero or on an edge, because scenes rarely produce
+// cases such as a distance of exactly 0.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "gl/buffer.hpp"
@@ -17,8 +17,8 @@
 
 constexpr int questions = 30011;
 
-/// Returns a file of this folder. Includes of this folder are replaced by the included text, because the
-/// shader include path does not contain the folder.
+/// Returns the text of a file in this folder. Replaces includes of files in this folder by their text,
+/// because the shader include path does not contain the folder.
 inline std::string functionsText(const std::string& name) {
   const std::string there = "gpu/functions/";
   std::string text = simreel::readFile(sourceFolder() + "/tests/" + there + name, "shader");
@@ -53,15 +53,15 @@ inline std::vector<glm::vec4> answersOfDevice(const std::string& name, const std
   try {
     testContext().check();
   } catch (const simreel::UserError& error) {
-    // Mesa warns "used uninitialized" about globals that asked() sets. The warning is dropped here, or the
-    // next test's check() would report it.
+    // Mesa warns "used uninitialized" about globals that asked() sets. The warning is discarded, because
+    // otherwise check() in the next test would report it.
     if (std::string(error.what()).find("used uninitialized") == std::string::npos) throw;
   }
   return found;
 }
 
-// Zeros of either sign are equal, because GLSL's min, max and clamp may return either zero, and no model
-// depends on the sign.
+// True if two results count as equal. Zeros of either sign are equal, because GLSL's min, max and clamp may
+// return either zero, and no model depends on the sign.
 inline bool alike(float a, float b) {
   return a == b || (std::isnan(a) && std::isnan(b));
 }

@@ -1,6 +1,6 @@
 #include "cloth/types.glsl"
 
-// A smaller ClothStep.
+// Like ClothStep, but smaller.
 struct ToldCloth {
   vec4 gravity, wind, airVelocity, gustDrift, origin, alongX, alongY;
   vec4 clamped[4];
@@ -24,7 +24,7 @@ float lineStretch[segmentLinks];
 
 #include "gpu/functions/solids_none.glsl"
 
-// Returns a particle of a creased sheet; one particle in five is pinned.
+// Returns a particle of a creased sheet. One particle in five is pinned.
 FUNCTION vec4 loadPosition(int i) {
   vec3 off = somePlace(i, sheet);
   int row = i / 5;
@@ -107,7 +107,7 @@ FUNCTION void prepare(int i) {
   }
 }
 
-// Returns results of solving the first segment of a line of up to 20 links between separators.
+// Returns results of the solver for the first segment of a line that separators divide. The line has up to 20 links.
 FUNCTION vec4 askedOfLine(int i) {
   lineLinks = 2 + someOf(i, 1, 19);
   lineRest = 0.5f;

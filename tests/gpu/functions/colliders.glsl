@@ -37,7 +37,7 @@ FUNCTION void prepare(int i) {
     stepData.colliders[2].a = vec4(0.6f, 0.0f, 0.8f, 0.0f);
     stepData.colliders[2].plane = 1;
   }
-  // The mesh is rotated by 90 degrees about y: x to z, z to -x.
+  // The mesh is rotated by 90 degrees about y, which maps x to z and z to -x.
   meshData.count = 1;
   meshData.meshes[0].into[0] = vec4(0.0f, 0.0f, -1.0f, 0.25f);
   meshData.meshes[0].into[1] = vec4(0.0f, 1.0f, 0.0f, -0.125f);
@@ -53,8 +53,8 @@ FUNCTION void prepare(int i) {
   meshData.meshes[0].friction = float(someOf(i, 80, 3) - 1) * 0.5f;
 }
 
-// Tests the analytic shapes, the distance field alone, and pushing out of the mesh after short moves, long moves
-// and moves from beside the mesh.
+// Tests the analytic shapes, the distance field alone, and the resolution of mesh penetrations after short moves, long
+// moves and moves from the side.
 FUNCTION vec4 asked(int i) {
   prepare(i);
   Motion m;

@@ -2,7 +2,7 @@ ContactStep contactStep;
 
 #include "contact/model.glsl"
 
-// Tests a vertex-face or edge-edge pair of cloths, balls and solids, at its current positions and after a move.
+// Tests a vertex-face or edge-edge pair of cloths, balls and solids, at the current positions and after a move.
 FUNCTION vec4 asked(int i) {
   contactStep.perDt = 64.0f;
   contactStep.recovery = 0.25f;

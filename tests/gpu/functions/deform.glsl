@@ -1,6 +1,6 @@
 DeformStep deformStep;
 
-// Returns depth and rim of the footprint trail.
+// Returns depth and rim of the trail of footprints.
 FUNCTION vec4 loadTrail(int i) {
   vec3 print_ = somePlace(i, 30);
   return vec4(abs(print_.x), abs(print_.y), 0.0f, 0.0f);

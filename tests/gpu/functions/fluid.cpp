@@ -1,4 +1,5 @@
-// A separate source from functions.cpp, because water and fluid define border constants of the same names.
+// Tests fluid functions. This is a separate source file because the water and fluid headers define border
+// constants of the same names.
 #include "gpu/functions/ask.hpp"
 #include "sim/core/shader_code.hpp"
 #include "sim/fluid/plan.hpp"

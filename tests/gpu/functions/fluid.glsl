@@ -1,4 +1,4 @@
-// A smaller FluidSolidSet.
+// Like FluidSolidSet, but smaller.
 struct FewSolids {
   FluidSolid solids[3];
   vec4 growth[1];

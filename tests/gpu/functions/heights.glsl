@@ -8,7 +8,7 @@ FUNCTION vec4 loadHeights(int i) {
 
 #include "mesh/height_model.glsl"
 
-// Tests positions over the height grid, on its sides and corners, and beside it.
+// Tests positions above the height grid, on its sides and corners, and outside it.
 FUNCTION vec4 asked(int i) {
   heightGrid.corner = vec2(-1.0f, -0.5f);
   heightGrid.perCell = vec2(2.0f, 1.0f);

@@ -4,8 +4,8 @@ FUNCTION uvec3 diced(int i, int k) {
   return hash3(uvec3(uint(i), uint(k), 77u));
 }
 
-// Returns one of the five numbers -1, -0.5, 0, 0.5 and 1, so that equal values are common; one result in four is
-// any number between -1 and 1.
+// Returns one of the five numbers -1, -0.5, 0, 0.5 and 1, so that equal values are common. One result in four is any
+// number between -1 and 1.
 FUNCTION float someNumber(uint bits) {
   precise float few = float(int((bits >> 4u) % 5u) - 2) * 0.5f;
   return (bits & 3u) == 0u ? signedUnit(bits) : few;

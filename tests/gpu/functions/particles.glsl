@@ -1,6 +1,6 @@
 #include "particles/types.glsl"
 
-// A smaller ParticleStep.
+// Like ParticleStep, but smaller.
 struct ToldParticles {
   ParticleFields fields, fieldsBefore;
   Pace pace;

@@ -3,7 +3,7 @@
 WallGrid wallGrid;
 int land;
 
-// Returns the contour class of a sample: two thirds have class 0 or 1, and the outer ring has class 0.
+// Returns the contour class of a sample. Two thirds of the samples have class 0 or 1, and the outer ring has class 0.
 FUNCTION int loadWallClass(int x, int y) {
   if (x < 1 || y < 1 || x > wallGrid.samples.x - 2 || y > wallGrid.samples.y - 2) return 0;
   int drawn = someOf(16 * y + x, land, 6);

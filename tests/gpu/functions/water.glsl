@@ -3,7 +3,7 @@ WaterLook look;
 ivec2 size;
 int lake;
 
-// Returns a water cell: beds in steps, shores, dry cells and thin water layers.
+// Returns a water cell. Cells have stepped beds, shores, dry areas and thin layers of water.
 FUNCTION vec4 loadWater(int i) {
   vec3 flows = somePlace(i, lake);
   uvec3 bits = diced(i, lake + 1);
@@ -20,7 +20,7 @@ FUNCTION vec4 loadWaterAt(int x, int y) {
 #include "water/step.glsl"
 #include "water/look.glsl"
 
-// Tests a cell of a small lake; each invocation has a different lake.
+// Tests a cell of a small lake. Each invocation has a different lake.
 FUNCTION vec4 asked(int i) {
   lake = 2 * i;
   size = ivec2(5, 3);

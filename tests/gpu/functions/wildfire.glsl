@@ -2,7 +2,7 @@
 
 WildfireStep stepData;
 
-// Returns a climb factor that is linear in i, from 0 to 4; any table would do for the test.
+// Returns a climb factor that is linear in i, from 0 to 4. Any table would be suitable for the test.
 FUNCTION float climbFactor(int i) {
   precise float factor = float(i) * 0.0078125f;
   return factor;
@@ -17,7 +17,7 @@ FUNCTION vec4 asked(int i) {
   stepData.emberReach = 31.25f;
   stepData.emberSpread = someOf(i, 3, 256);
   uvec3 bits = diced(i, 4);
-  // One component in three exceeds the wind's range and does not fit into the gale's bits.
+  // One component in three exceeds the wind's range, so that it does not fit into the bits of the gale.
   vec3 wind = 20.0f * somePlace(i, 5);
   uint gale = i % 16 == 1 ? uint(i % 3) : i % 4 == 0 ? stillAir : galeOf(wind.x, wind.y, 1.0f);
   uint incline = i % 3 == 0 ? evenGround : bits.x & 0xffffu;

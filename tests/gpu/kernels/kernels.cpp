@@ -1,5 +1,5 @@
-// Tests user kernels on the GPU: their results have the same bits as the program's exact functions compiled
-// as C++.
+// Tests user kernels on the GPU: their results must have the same bits as the program's exact functions
+// compiled as C++.
 #include "kernels/kernels.hpp"
 
 #include "gl/buffer.hpp"
@@ -43,7 +43,7 @@ int bindingOf(const kernels::Kernel& kernel, const std::string& name) {
 
 constexpr std::size_t guards = 2;
 
-/// Returns `expression` evaluated by an HLSL kernel for each pair (x, y) of `pairs`.
+/// Returns the values of `expression`, evaluated by an HLSL kernel for each pair (x, y) of `pairs`.
 std::vector<float> results(const std::string& expression, const std::vector<float>& pairs) {
   const kernels::Kernel kernel = lowered("expression.hlsl",
                                          "StructuredBuffer<float2> _In; RWStructuredBuffer<float> _Out;\n"
@@ -205,7 +205,7 @@ TEST_CASE("user kernels: texture filtering uses weights in full precision") {
   glTextureSubImage2D(texture.name(), 0, 0, 0, 4, 2, GL_RGBA, GL_FLOAT, texels.data());
   REQUIRE(kernel.textures.size() == 1);
   texture.bind(static_cast<GLuint>(kernel.textures[0].binding));
-  // The texels are 0 1 4 9 in the first row and 16 25 36 49 in the second.
+  // The texels are 0 1 4 9 in the first row and 16 25 36 49 in the second row.
   std::vector<float> at = {0.5F, 0.25F, 0.375F, 0.25F, 0.3F, 0.6F, 0.0F,   0.25F,
                            1.0F, 0.75F, -0.3F,  0.4F,  2.2F, 0.5F, 0.875F, 0.25F};
   at.resize(at.size() + 2 * guards);
@@ -230,7 +230,7 @@ TEST_CASE("user kernels: texture filtering uses weights in full precision") {
   CHECK(clampedLinear[4] == 49.0F);
   CHECK(clampedLinear[7] == 9.0F);
   CHECK(clampedLinear[8 + 3] == 3.0F);
-  CHECK(clampedLinear[8 + 4] == 0.0F);  // outside of the image
+  CHECK(clampedLinear[8 + 4] == 0.0F);  // reads outside of the image return 0
   const std::vector<float> repeated = filtered(0);
   CHECK(repeated[0] == 4.0F);
   CHECK(repeated[4] == 16.0F);

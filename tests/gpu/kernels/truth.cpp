@@ -1,5 +1,6 @@
-// Compares every exact function of users' kernels with doubles of the CPU's library, for ordinary numbers,
-// for any bits and for edges. The stored hashes of all results must be the same on every driver.
+// Tests all exact functions of users' kernels against doubles of the CPU's library, for ordinary numbers,
+// for arbitrary bits and for edge cases. The hashes of all results must equal the stored hashes on every
+// driver.
 #include "gpu/kernel_guards.hpp"
 
 #include <algorithm>
@@ -22,8 +23,8 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
                  inf = std::numeric_limits<double>::infinity();
 
-/// An expression of x and y, its value in doubles, its allowed error relative to the value and to 1, and
-/// where this error holds. The hash is of the first `hashed` inputs.
+/// An expression of x and y, its value in doubles, its max error relative to the value and to 1, and the
+/// domain for which this error holds. `hash`: hash of the results for the first `hashed` inputs.
 struct Function {
   const char* expression;
   double (*truth)(double x, double y);
@@ -139,8 +140,9 @@ const Function functions[] = {
 };
 // clang-format on
 
-/// Returns pairs of numbers: all pairs of edges, then numbers of any bits, of moderate magnitude, and from
-/// -10 to 10, in turns. Numbers below 1e-30 become zero, as the functions take them.
+/// Returns pairs of numbers: all pairs of edge cases, then alternately numbers of arbitrary bits, of
+/// moderate magnitude, and from -10 to 10. Numbers below 1e-30 become zero, because the functions treat
+/// them as zero.
 std::vector<float> inputs(std::size_t count) {
   std::vector<float> edges = {
       0,     1,           0.5F,      2,     3,      1e-30F,     1e30F,    1.1e30F,       8e37F,
@@ -175,7 +177,7 @@ std::vector<float> inputs(std::size_t count) {
   return pairs;
 }
 
-/// Returns the results of all functions for each pair, function by function.
+/// Returns the results of all functions for all pairs, ordered by function.
 std::vector<float> results(const std::vector<float>& pairs) {
   const std::size_t count = pairs.size() / 2;
   std::string text =

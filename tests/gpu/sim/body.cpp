@@ -1,5 +1,5 @@
-// Tests skinned bodies: the kernel against its CPU twin bit for bit, against its equation in double
-// precision, and cloth on bodies.
+// Tests skinned bodies: the kernel against its CPU twin bit for bit, and against its equation in double
+// precision. Also tests cloth on bodies.
 #include "gpu/context.hpp"
 #include "gpu/sim/words.hpp"
 #include "reference/body_twin.hpp"
@@ -105,7 +105,7 @@ TEST_CASE("body: skinned vertices and normals equal the equation in double preci
     farthest = std::max(farthest, glm::length(place - glm::dvec3(positions[i])));
     mostTurned = std::max(mostTurned, glm::length(normal - glm::dvec3(normals[i])));
   }
-  CHECK(farthest < 2e-6);  // metres
+  CHECK(farthest < 2e-6);  // in metres
   CHECK(mostTurned < 1e-5);
 }
 
@@ -212,7 +212,7 @@ TEST_CASE(
     const glm::dvec3 expected(way * glm::dvec4(glm::dvec3(first[x]), 1));
     CHECK(glm::length(expected - glm::dvec3(twin.positions[x])) < 1e-5);
   }
-  // No free particle penetrates a capsule by more than the pull of one substep.
+  // Free particles must not penetrate a capsule farther than one substep can pull them.
   double deepest = 0;
   for (const sim::ColliderShape& shape : colliders) {
     const sim::CarriedCapsule capsule = sim::carriedAt(shape, 20 / 30.0);

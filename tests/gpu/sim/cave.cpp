@@ -23,7 +23,7 @@ sim::CaveParameters cave(int width, int height) {
   return p;
 }
 
-/// Returns caves of odd sizes, of one cell, of more than a word, and with rows that fill whole words and
+/// Returns caves of odd sizes, of one cell, of more than one word, and with rows that fill whole words and
 /// groups of words.
 std::vector<sim::CaveParameters> someCaves() {
   std::vector<sim::CaveParameters> all = {cave(1, 1),    cave(1, 40),  cave(77, 1),
@@ -57,7 +57,7 @@ void checkCells(const sim::CaveGrowth& growth, const CaveTwin& twin, const char*
   CHECK(got == twin.words());
 }
 
-/// Returns the minimum total distance that connects all rooms: Prim's spanning tree over the Manhattan
+/// Returns the min total length of connections between all rooms: Prim's spanning tree over the Manhattan
 /// distances of all pairs of cells.
 long leastLength(const CaveTwin& twin, glm::ivec2 size) {
   const std::vector<int> region = twin.regions(false);

@@ -92,7 +92,8 @@ sim::MeshColliderPlan planOf(const scene::Scene& scene) {
 TEST_CASE("collide: distance fields equal their CPU twin, also if a search takes many rounds") {
   testContext();
   const test::TemporaryFile file("field.obj", test::boxObj({0.37, 0.21, 0.3}));
-  // The centre of a sphere is equally close to all of its faces, so the search there takes many rounds.
+  // The centre of a sphere is equally close to all of its faces, so the search from the centre takes many
+  // iterations.
   const auto scene = test::parsedScene(movingMeshes(file) + R"(,
     "globe": {"mesh": {"shape": "sphere", "radius": 0.4, "resolution": [301, 203], "collides": true,
       "distanceCells": 22}})");

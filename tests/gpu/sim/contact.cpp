@@ -52,7 +52,7 @@ struct PlaceModel {
 #undef precise
 #undef FUNCTION
 
-/// A rigidly moved mesh on the GPU, with the vertex positions for the CPU twin.
+/// A rigidly moved mesh on the GPU. Also provides the vertex positions for the CPU twin.
 class MovedSolid : public sim::ContactSolid {
  public:
   using Place = glm::mat4 (*)(double time);
@@ -71,8 +71,8 @@ class MovedSolid : public sim::ContactSolid {
   void moveTo(int substep, int substeps) override { vertices_->moveTo(substep, substeps); }
   [[nodiscard]] const gl::Vec4Array& now() const override { return vertices_->now(); }
   [[nodiscard]] const gl::Vec4Array& next() const override { return vertices_->next(); }
-  /// Returns the vertices for the CPU twin: lerped by `share` between the placements at times `begin` and
-  /// `end`.
+  /// Returns the vertices for the CPU twin, interpolated linearly between the placements at times `begin`
+  /// and `end` with the weight `share`.
   [[nodiscard]] std::vector<glm::vec4> at(double begin, double end, double share) const {
     const auto rows = [&](double time) {
       const glm::mat4 m = glm::transpose(place_(time));
@@ -95,8 +95,8 @@ class MovedSolid : public sim::ContactSolid {
   std::unique_ptr<sim::MovedVertices> vertices_;
 };
 
-/// Links of a simulation outside any world: reports a lock-step group with a fixed number of steps per
-/// frame and nothing else.
+/// Links of a simulation outside any world. It has only a lock-step group with a fixed number of steps per
+/// frame.
 class GroupAlone final : public sim::Links {
  public:
   explicit GroupAlone(int steps) : steps_(steps) {}
@@ -264,7 +264,8 @@ sim::ParticleParameters fallingBalls() {
   group.totalMass = 0.05F;
   group.position = glm::vec3(0.01F, 0.3F, 0);
   group.velocity = glm::vec3(0.1F, -2, 0);
-  sim::Emitter& emitter = p.emitters.emplace_back();  // born and removed between and inside the sheets
+  sim::Emitter& emitter = p.emitters.emplace_back();  // particles are born and removed between and inside
+                                                      // the sheets
   emitter.rate = 55;
   emitter.lifetime = 0.15F;
   emitter.mass = 0.001F;
@@ -314,8 +315,8 @@ TEST_CASE("cloths in contact with moving and static solids equal their CPU twins
 
 namespace {
 
-/// Steps a scene whose first object is a cloth that touches the second object. Checks that no edge of one
-/// object passes through a face of the other. Returns the lowest height of the cloth in the last frames.
+/// Steps a scene whose first object is a cloth that touches the second object. Checks that the edges of one
+/// object never pass through faces of the other. Returns the min height of the cloth in the last frames.
 float stepApart(const char* text, int frames) {
   testContext();
   const scene::Scene scene = scene::parseScene(text, "test.json", {}, sim::kinds());

@@ -1,4 +1,4 @@
-// Tests the chart of a fluid's drag and lift: one value for each frame, drawn or not.
+// Tests the chart of a fluid's drag and lift: one value per frame, whether the frame is drawn or not.
 #include "gpu/context.hpp"
 #include "sim/fluid/chart.hpp"
 #include "sim/fluid/fluid.hpp"
@@ -103,8 +103,8 @@ TEST_CASE("fluid chart: drag and lift are recorded for each frame, also for fram
   double most = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto shown = [&](int curve) { return rows[i][curve] / 16777216.0 * 8 - 3; };
-    // This inflow goes down, so the lift, which counts upwards, is negative; the drag, to the right, is
-    // positive.
+    // This inflow goes down, so the lift, which is positive upwards, is negative. The drag, to the right,
+    // is positive.
     CHECK(shown(0) == doctest::Approx(std::clamp(measured[i][9] / 2500, -3.0, 5.0)).epsilon(1e-5));
     CHECK(shown(1) == doctest::Approx(std::clamp(measured[i][8] / 2500, -3.0, 5.0)).epsilon(1e-5));
     if (i > 0) CHECK(shown(1) > 0.1);

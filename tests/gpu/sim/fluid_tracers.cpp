@@ -81,7 +81,8 @@ void checkTracers(const std::string& sides) {
 
 }  // namespace
 
-// Equation of the streaks: over = color + (under - color) exp(-trail brightness / 4096).
+// Equation of the streaks, where `under` is the field's colour: over = color + (under - color) exp(-trail
+// brightness / 4096).
 TEST_CASE("tracers: streaks are blended over the displayed field, cell by cell") {
   testContext();
   const auto worldOf = [](const std::string& more) {

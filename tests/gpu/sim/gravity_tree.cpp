@@ -56,8 +56,8 @@ struct Errors {
   double median, max99;  ///< median and 99th percentile, relative to the body's exact acceleration
 };
 
-/// Returns errors against all pairs in double precision. `relativeToMean` takes errors relative to the root
-/// mean square of all accelerations; it is needed for bodies on a line, where the forces of both sides
+/// Returns errors against all pairs in double precision. `relativeToMean`: errors are relative to the root
+/// mean square of all accelerations. This is needed for bodies on a line, where the forces of both sides
 /// cancel in the middle.
 Errors errorsOf(const std::vector<glm::vec4>& bodies, const std::vector<glm::vec4>& got, const Setup& setup,
                 bool relativeToMean = false) {
@@ -170,7 +170,7 @@ TEST_CASE("the gravity tree's root holds the total mass and the centre of mass")
 }
 
 TEST_CASE("gravity tree forces move the centre of mass only slightly") {
-  // Approximating bodies by nodes breaks Newton's third law for pairs, so a net force remains. It must be
+  // Approximating bodies by nodes violates Newton's third law for pairs, so a net force remains. It must be
   // small compared with the sum of force magnitudes.
   for (const Cloud cloud : {Cloud::plummer, Cloud::disk, Cloud::twoClusters}) {
     const auto bodies = bodiesOf(cloud, 5003);

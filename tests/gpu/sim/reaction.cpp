@@ -70,7 +70,7 @@ void comparePlanes(const std::vector<float>& got, const std::vector<float>& want
   CHECK_MESSAGE(different == 0, different, " of ", got.size(), " cells differ, first ", first, ": ",
                 got[first], " for ", want[first]);
   CHECK(std::isfinite(most - least));
-  CHECK(most - least > 1e-3F);  // the state is not constant
+  CHECK(most - least > 1e-3F);  // the state must not be constant
 }
 
 /// Steps the GPU simulation and the CPU evaluator and compares every bit of the state.
@@ -117,9 +117,9 @@ const std::string small = R"X("dt": 0.01, "steps": 3, "lets": {"w": "u*u - lapla
 
 }  // namespace
 
-// Pointwise functions use the same code for all boundaries and methods, so each boundary and each method is
-// tested with them once. Stencils depend on both, so every pair is tested. A kernel with all functions
-// takes ten times as long to compile as a kernel of stencils.
+// Pointwise functions use the same code for all boundaries and methods, so they are tested once with each
+// boundary and once with each method. Stencils depend on both, so they are tested with every pair. A kernel
+// with all functions takes ten times as long to compile as a kernel of stencils.
 TEST_CASE(
     "reaction: every function and every stencil equal the evaluator, on every boundary, by every method") {
   const std::array<const char*, 3> boundaries = {"torus", "no-flux", "fixed"},
@@ -158,7 +158,7 @@ TEST_CASE("reaction: every preset equals the evaluator") {
 }
 
 TEST_CASE("reaction in a volume equals the evaluator: every function, boundary and method, odd sizes") {
-  // The rule of the plane, plus derivatives along z and terms that differ between layers.
+  // The rule for planes, plus derivatives along z and terms that differ between layers.
   std::string deep = everything;
   deep.replace(deep.find("ddy(u*v)"), 8, "ddz(u*v)");
   deep.replace(deep.find("x*0.001"), 7, "z*0.003 + depth*0.001 + ddz(nu)*0.001");
@@ -166,7 +166,7 @@ TEST_CASE("reaction in a volume equals the evaluator: every function, boundary a
     for (const char* boundary : {"torus", "no-flux", "fixed"}) {
       CAPTURE(boundary);
       CAPTURE(rk4);
-      // each boundary and each method is tested once with all functions
+      // all functions are tested once with each boundary and once with each method
       const bool all = rk4 == (std::string(boundary) == "torus");
       auto p =
           rule((all ? deep : small) + fmt::format("\"depth\": 9, \"boundary\": \"{}\", \"method\": \"{}\"",
@@ -268,7 +268,7 @@ TEST_CASE(
     "reaction: several steps per pass give the same bits and the same report of divergence as single "
     "steps") {
   testContext();
-  // Kernels that run several steps per pass support ddy on a torus only, because ddy changes sign under
+  // Kernels that run several steps per pass support ddy only on a torus, because ddy changes sign under
   // reflection.
   const std::string three = R"X("dt": 0.1, "steps": 11, "lets": {"all": "u + v + w"}, "species": {
     "u": {"diffusion": 0.3, "start": "abs(random(1))", "rate": "u*(1 - all - v) + 0.01*corners(w)"},
@@ -308,7 +308,7 @@ TEST_CASE(
   odd.boundary = sim::RuleBoundary::noFlux;
   const sim::ReactionPlan single(odd, "r", 5, plateFrame);
   CHECK(!sim::stripsCan(single.rule(), single.program(), odd.space(), odd.boundary, 64));
-  // The state diverges at some cell and step.
+  // The state diverges in some cell at some step.
   auto p = rule(
       R"X("dt": 1, "species": {"u": {"start": "1 + 0.3*random(1)", "rate": "u^3"}, "v": {"diffusion": 0.1, "rate": "u"}})X");
   p.size = {64, 48};

@@ -1,4 +1,4 @@
-// Tests rules that read fields of other objects: the values are those at the start of the frame,
+// Tests rules that read fields of other objects: the values must be those at the start of the frame,
 // independent of the stepping order, and equal the CPU's bit for bit.
 #include "gpu/context.hpp"
 #include "scene/load.hpp"
@@ -44,7 +44,7 @@ std::vector<float> valuesOf(const sim::World& world, const std::string& name) {
   return sim::fieldValues(fieldOf(drawables, name));
 }
 
-/// Readers of bits, bytes, floats and colours, two rules that read each other, and a rule that reads
+/// Rules that read bits, bytes, floats and colours, two rules that read each other, and a rule that reads
 /// itself.
 const std::string manyReaders = R"X(
   "guest": {"reaction": {"size": [23, 31], "dt": 0.05, "steps": 3,
@@ -136,9 +136,9 @@ TEST_CASE("reaction reads fields of every kind with its twin's bits, also fields
   sameBits(valuesOf(passed, "host"), shown);
 }
 
-// du/dt = v and dv/dt = -u, each with the other's value held constant for a frame. With the frame duration
-// H this gives u' = u + H v and v' = v - H u simultaneously. The expected values are computed in double
-// precision; both grids have 4x4 cells.
+// The rules are du/dt = v and dv/dt = -u, where each reads the other's value, which is constant during a
+// frame. With the frame duration H, a frame gives u' = u + H v and v' = v - H u. The expected values are
+// computed in double precision; both grids have 4x4 cells.
 TEST_CASE("reactions that read each other both read the state before the frame") {
   testContext();
   const auto one = [](const char* other, const char* rate, const char* start) {
@@ -162,8 +162,8 @@ TEST_CASE("reactions that read each other both read the state before the frame")
   }
 }
 
-// A field that is linear in x and y is reproduced exactly by bilinear sampling on any grid, except beyond
-// the centres of its outermost cells.
+// Bilinear sampling reproduces a field that is linear in x and y exactly on any grid, except beyond the
+// centres of its outermost cells.
 TEST_CASE("a field on another grid is sampled at the same place of the picture") {
   testContext();
   for (const glm::ivec2 size :
@@ -190,8 +190,8 @@ TEST_CASE("a field on another grid is sampled at the same place of the picture")
   }
 }
 
-// A mesh samples grids at its texture coordinates or by projection from a side ("maps"). Objects on the
-// same mesh are read cell by cell, independent of their positions.
+// A mesh samples grids at its texture coordinates or by projection from a side ("maps"). If two objects are
+// on the same mesh, cells are read directly, independent of the positions of the objects.
 TEST_CASE("reaction on a mesh reads grids and its own mesh with its twin's bits") {
   testContext();
   const scene::Scene scene = ofObjects(R"X(
@@ -222,7 +222,8 @@ TEST_CASE("reaction on a mesh reads grids and its own mesh with its twin's bits"
   }
 }
 
-// Independent trilinear interpolation between cell centres; clamped beyond the outermost centres.
+// Independent trilinear interpolation between cell centres. Positions beyond the outermost centres are
+// clamped.
 double trilinear(const std::vector<float>& values, glm::ivec3 sources, glm::dvec3 at) {
   double sum = 0;
   for (int corner = 0; corner < 8; ++corner) {
@@ -261,7 +262,7 @@ TEST_CASE(
     sameBits(valuesOf(world, "fine"), fine.field.stage[0]);
     sameBits(valuesOf(world, "fine.w"), fine.field.stage[1]);
   }
-  sameBits(valuesOf(world, "alike"), source);  // equal sizes are read cell by cell
+  sameBits(valuesOf(world, "alike"), source);  // fields of equal size are read cell by cell
   const std::vector<float> got = valuesOf(world, "fine");
   double worst = 0;
   for (int z = 0; z < 28; ++z)
@@ -275,7 +276,7 @@ TEST_CASE(
   CHECK(worst < 60 * 0x1p-15);  // weights are multiples of 2^-15; neighbouring values differ by up to 15
 }
 
-// With one Euler step a frame, two objects that read each other equal one object with two species.
+// With one Euler step per frame, two objects that read each other equal one object with two species.
 TEST_CASE(
     "two reactions that read each other on one mesh equal one reaction with two species, bit for bit") {
   testContext();

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-/// A field of floats or bits in the memory layout of simulations.
+/// A field of floats or bits, in the memory layout of simulations.
 struct FieldInMemory {
   FieldInMemory(glm::ivec2 size, const std::function<float(int, int)>& value, bool bits = false) {
     field.name = &name;
@@ -42,7 +42,7 @@ struct FieldInMemory {
   simreel::sim::Field field;
 };
 
-/// The solid of a field; its buffers have grown until everything fits.
+/// The solid of a field. Its buffers have grown until everything fits.
 struct SolidOnDevice {
   SolidOnDevice(const simreel::sim::SolidShape& shape, const FieldInMemory& from) : solid("solid", shape) {
     solid.make(from.field, shape.heights);
@@ -53,7 +53,7 @@ struct SolidOnDevice {
   int growths = 0;
 };
 
-/// Returns true with the given probability, from a hash of the coordinates.
+/// Returns true with the given probability. The result is computed from a hash of the coordinates.
 inline bool chance(unsigned x, unsigned y, unsigned seed, double probability) {
   unsigned h = x * 73856093U ^ y * 19349663U ^ seed * 83492791U;
   h = (h ^ h >> 15U) * 0x2c1b3c6dU;

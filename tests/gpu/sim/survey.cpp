@@ -1,5 +1,5 @@
 // Tests that automatic cameras frame the motion of cloth and particles. A simulated run measures the
-// motion, and the expected motion is known here in closed form.
+// motion, and the expected motion is computed here in closed form.
 #include "sim/world/survey.hpp"
 
 #include "draw/camera.hpp"
@@ -59,7 +59,7 @@ TEST_CASE("survey: a falling sheet is framed from its start to its lowest positi
   CHECK(extent.low.y == doctest::Approx(1 - 4.9 * seconds * seconds).epsilon(0.02).scale(0));
   CHECK(extent.low.x == doctest::Approx(-0.35).epsilon(1e-4).scale(0));
   CHECK(survey.framed[0].box.min.y == extent.low.y);
-  // A sheet is dropped from the framing once it has left its expected room (1 m high) by more than its
+  // A sheet is excluded from the framing when it has left its expected space (1 m high) by more than its
   // size.
   scene::Scene longer = sceneGoing(looseSheet(1), R"("time": {"duration": 5}, )");
   const SeenExtent kept = wayOf(sim::surveyMotion(longer).framed[0]);
@@ -72,7 +72,7 @@ TEST_CASE("survey: a jet is framed up to its top, and one stray particle is igno
     "look": {"size": 0.001}, "emitters": [{"velocity": [0, 4, 0], "spread": 0, "speedVariation": 0, "lifetime": 1}]}}})",
                                   R"("time": {"start": 2, "duration": 1}, )");
   const SeenExtent extent = wayOf(sim::surveyMotion(scene).framed.at(0));
-  // The top is at v^2 / (2 g); the pre-roll has filled the jet.
+  // The jet's top is at v^2 / (2 g). The pre-roll has filled the jet.
   CHECK(extent.high.y == doctest::Approx(1).epsilon(0.02).scale(0));
   CHECK(std::abs(extent.high.x) < 0.01F);
   scene::Scene stray =
@@ -121,7 +121,7 @@ TEST_CASE("survey: a motion fills the picture and stays inside it at every frame
     CHECK(high.y < 0.95F);
     CHECK(low.y > -0.95F);
     CHECK(std::max({high.x - low.x, high.y - low.y}) > 1.2F);
-    CHECK(sim::frameMotion(scene).remark.empty());  // framing runs only once
+    CHECK(sim::frameMotion(scene).remark.empty());  // the framing runs only once
   }
 }
 

@@ -1,4 +1,4 @@
-// Tests floats that touch each other: the GPU equals the CPU twin bit for bit.
+// Tests floats that touch each other: the GPU must equal the CPU twin bit for bit.
 #include "gpu/context.hpp"
 #include "reference/water_twin.hpp"
 #include "sim/water/water.hpp"
@@ -93,7 +93,7 @@ TEST_CASE("water with floats in contact equals its CPU twin, also across the sea
     CHECK(crowdDiffers(gpu->state()[0].buffer->readAll<glm::vec4>(), twin.cells) == 0);
     CHECK(crowdDiffers(gpu->state()[1].buffer->readAll<glm::vec4>(), twin.floats) == 0);
     CHECK(crowdDiffers(gpu->state()[2].buffer->readAll<glm::ivec4>(), twin.displaced) == 0);
-    // The bodies collided: the first one did not travel on freely.
+    // The bodies have collided, so the first one was stopped.
     if (!torus) CHECK(twin.floats[2].x < 1.0F);
   }
   std::filesystem::remove(file);

@@ -1,5 +1,5 @@
-// Compares rectangular lights with integrals over them in double precision; also tests lights of limited
-// range, and the cells that list them.
+// Tests rectangular lights against integrals in double precision, lights with a limited range, and the
+// cells that list these lights.
 #include "draw/lights/lamp_values.hpp"
 #include "draw/picture_code.hpp"
 
@@ -33,7 +33,7 @@ struct Rectangle {
   glm::dvec3 middle, across, up;
 };
 
-/// Integrates cos(receiver) cos(light) / d^2 over the front side, by many small pieces.
+/// Integrates cos(receiver) cos(light) / d^2 over the front side, which is divided into many small pieces.
 double integral(const Rectangle& r, glm::dvec3 p, glm::dvec3 normal, int pieces = 300) {
   const glm::dvec3 area = glm::cross(r.across, r.up) * (4.0 / (pieces * pieces));
   double sum = 0;
@@ -66,7 +66,8 @@ scene::Light endingAt(const char* name, float range, glm::vec3 place) {
 }  // namespace
 
 TEST_CASE("area light: a plate above a plate has the tabulated form factor") {
-  // Howell's catalogue, C-11 (differential element to a parallel rectangle below its corner), four times.
+  // Uses Howell's catalogue, C-11 (differential element to a parallel rectangle below its corner), four
+  // times.
   const double a = 0.7, b = 0.4, h = 0.9;
   const Rectangle plate{{0, h, 0}, {a, 0, 0}, {0, 0, b}};
   const double x = a / h, y = b / h;
@@ -157,7 +158,7 @@ TEST_CASE(
         CAPTURE(roughness);
         CAPTURE(height);
         CAPTURE(p.x);
-        if (wanted < 0.004) continue;  // skips values that are hardly visible
+        if (wanted < 0.004) continue;  // skips values too small to be visible
         const double factor = found / wanted;
         worst = std::fmax(worst, std::fmax(factor, 1 / factor));
       }
@@ -228,5 +229,5 @@ TEST_CASE("range: grid cells list every lamp that reaches into them") {
     }
   }
   CHECK(reached > 1000);
-  CHECK(listed < 8 * reached);  // cells must not list many more lights than reach them
+  CHECK(listed < 8 * reached);  // cells must not list many more lights than can reach them
 }

@@ -1,4 +1,4 @@
-// Colours of black bodies, and white balance.
+// Tests the colours of black bodies and the white balance.
 #include "draw/black_body.hpp"
 
 #include <cmath>
@@ -17,8 +17,8 @@ glm::dvec3 xyzOf(glm::dvec3 rgb) {
           0.0193339 * rgb.r + 0.1191920 * rgb.g + 0.9503041 * rgb.b};
 }
 
-/// Integrates Planck's law with the CIE 1931 observer, by the fit of Wyman, Sloan and Shirley (JCGT 2,
-/// 2013).
+/// Integrates Planck's law with the CIE 1931 observer, approximated by the fit of Wyman, Sloan and Shirley
+/// (JCGT 2, 2013).
 glm::dvec3 planck(double kelvin) {
   const auto lobe = [](double at, double middle, double below, double above) {
     const double t = (at - middle) / (at < middle ? below : above);
@@ -44,8 +44,8 @@ glm::dvec2 placeOf(glm::dvec3 xyz) {
 
 TEST_CASE(
     "black body: colours equal CIE illuminant A and Planck's law integrated over the standard observer") {
-  const glm::dvec2 a =
-      placeOf(xyzOf(draw::blackBodyColor(2855.6)));  // illuminant A; CIE 15 gives 0.44758, 0.40745
+  const glm::dvec2 a = placeOf(xyzOf(draw::blackBodyColor(2855.6)));  // illuminant A; CIE 15 gives the
+                                                                      // chromaticity 0.44758, 0.40745
   CHECK(std::abs(a.x - 0.44758) < 1e-3);
   CHECK(std::abs(a.y - 0.40745) < 1e-3);
   for (const double kelvin : {2000., 2700., 3999., 4001., 5000., 6504., 9000., 15000., 25000.}) {
@@ -68,7 +68,7 @@ TEST_CASE("white balance: the light it is set for becomes grey") {
     CHECK(shown.z == doctest::Approx(shown.y).epsilon(1e-4));
     CHECK(shown.y == doctest::Approx(1).epsilon(1e-4));
   }
-  // A balance for warm light makes white bluish, a balance for cool light makes it yellowish.
+  // A balance for warm light makes white bluish; a balance for cool light makes it yellowish.
   CHECK((draw::whiteBalance(3000) * glm::vec3(1)).z > 1.2F);
   CHECK((draw::whiteBalance(12000) * glm::vec3(1)).z < 0.9F);
 }

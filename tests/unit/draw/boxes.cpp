@@ -1,4 +1,4 @@
-// Rectangles in layers: any order within a layer gives the same picture.
+// Tests rectangles in layers: within a layer, any order gives the same picture.
 #include "draw/overlay/box_kernel.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Pictures copied by a separate thread.
+// Tests that a separate thread copies pictures.
 #include "draw/screen/copy_thread.hpp"
 
 #include <array>

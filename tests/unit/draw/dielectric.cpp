@@ -1,4 +1,4 @@
-// A dielectric surface: Fresnel's equations and Snell's law, compared with double precision.
+// Tests Fresnel's equations and Snell's law for a dielectric surface against double precision.
 #include "draw/picture_code.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ using namespace simreel::shader;  // NOLINT: the model is written in GLSL's name
 #undef precise
 #undef FUNCTION
 
-/// Computes reflectance from the angles: r = sin(a - b) / sin(a + b) and tan(a - b) / tan(a + b).
+/// Computes the reflectance from the angles: r = sin(a - b) / sin(a + b) and tan(a - b) / tan(a + b).
 double mirrored(double angle, double eta) {
   const double sine = eta * std::sin(angle);
   if (sine >= 1) return 1;
@@ -45,7 +45,7 @@ TEST_CASE("clear surfaces: reflection follows Fresnel's equations from both side
       worst = std::max(worst, std::abs(found - dielectric::mirrored(angle, eta)));
     }
   CHECK(worst < 2e-4);
-  // At Brewster's angle only one polarization is reflected.
+  // At Brewster's angle, only one polarization is reflected.
   const double brewster = std::atan(1.5);
   const double across = std::cos(2 * brewster);
   CHECK(dielectric::dielectricFresnel(static_cast<float>(std::cos(brewster)), 1 / 1.5F) ==

@@ -1,4 +1,4 @@
-// Environment light: the data made from a picture, and the values that shaders read.
+// Tests environment light: the data computed from a picture, and the values that shaders read.
 #include "draw/environment.hpp"
 
 #include "base/error.hpp"
@@ -34,7 +34,7 @@ glm::vec4 environmentTexel(int i) {
 
 constexpr double pi = std::numbers::pi;
 
-/// Returns the direction of a pixel's centre, for a picture whose middle points towards -z.
+/// Returns the direction of a pixel's centre, for a picture whose centre is in the direction -z.
 glm::dvec3 looksAt(int x, int y, glm::ivec2 size) {
   const double u = 2 * pi * ((x + 0.5) / size.x - 0.5), v = pi * (y + 0.5) / size.y;
   return {std::sin(v) * std::sin(u), std::cos(v), -std::sin(v) * std::cos(u)};
@@ -85,7 +85,7 @@ TEST_CASE("environment: directions map to the right texels, also with rotation")
   load(pictureOf(light));
   for (const glm::vec3& way : ways)
     CHECK(glm::length(environmentAt(way, 0) - glm::vec3(light(glm::dvec3(way)))) < 0.02F);
-  // Directions along edges of the map, from both sides.
+  // Directions along the edges of the map, from both sides.
   for (int i = 0; i < 400; ++i) {
     const double angle = 2 * pi * i / 400;
     for (const double y : {-0.99, -0.3, -1e-4, 1e-4, 0.4}) {
@@ -94,7 +94,7 @@ TEST_CASE("environment: directions map to the right texels, also with rotation")
       CHECK(glm::length(environmentAt(glm::vec3(way), 0) - glm::vec3(light(way))) < 0.02F);
     }
   }
-  load(pictureOf(light), 1, 90);  // with a turn of 90 degrees, the middle points towards +x
+  load(pictureOf(light), 1, 90);  // with a turn of 90 degrees, the picture's centre is in the direction +x
   for (const glm::vec3& way : ways) {
     const glm::dvec3 before(way.z, way.y, -way.x);
     CHECK(glm::length(environmentAt(way, 0) - glm::vec3(light(before))) < 0.02F);
@@ -118,7 +118,7 @@ TEST_CASE("environment: irradiance is the integral over the hemisphere") {
             2 * pi / size.x * (std::cos(pi * y / size.y) - std::cos(pi * (y + 1) / size.y));
         sum += light(d) * (std::fmax(glm::dot(d, glm::dvec3(way)), 0) * angle / pi);
       }
-    // Second-degree harmonics are accurate to a few hundredths of the maximum.
+    // Second-degree harmonics are accurate to a few hundredths of the max.
     CHECK(glm::length(environmentAmbient(way) - glm::vec3(sum)) < 0.06F);
   }
 }
@@ -133,7 +133,8 @@ TEST_CASE("environment: rough reflections are the mean over a GGX lobe") {
   for (const double roughness : {0.25, 0.5, 0.75, 1.0})
     for (const glm::dvec3& way :
          {lamp, glm::normalize(lamp + glm::dvec3(0.2, 0.1, 0)), glm::dvec3(0, 1, 0)}) {
-      // Half vectors weighted by D(h) cos, with the eye along the normal; reflections weighted by cos.
+      // Half vectors are weighted by D(h) cos, with the eye along the normal. Reflections are weighted by
+      // cos.
       const double alpha = roughness * roughness;
       double sum = 0, weights = 0;
       for (int y = 0; y < size.y; ++y)

@@ -1,4 +1,4 @@
-// The position of a field's cells in a picture.
+// Tests the position of a field's cells in a picture.
 #include "draw/overlay/field_view.hpp"
 
 #include <doctest/doctest.h>
@@ -11,7 +11,7 @@ TEST_CASE("a field fits into its rectangle of the picture") {
   display.fit = Fit::contain;
   draw::FieldView view = draw::fieldView(display, {100, 50}, {400, 400}, 0);
   CHECK(view.perPixel == glm::dvec2(0.25));
-  CHECK(view.origin == glm::dvec2(0, -25));  // a border of 100 pixels above the field
+  CHECK(view.origin == glm::dvec2(0, -25));  // there is a border of 100 pixels above the field
   CHECK(view.part == glm::dvec4(0, 0, 400, 400));
   display.fit = Fit::cover;
   view = draw::fieldView(display, {100, 50}, {400, 400}, 0);

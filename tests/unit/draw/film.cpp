@@ -1,4 +1,4 @@
-// The tone curves from light to a picture, and pictures without a background.
+// Tests the tone curves from light to a picture, and pictures without a background.
 #include "draw/picture_code.hpp"
 
 #include <array>
@@ -23,7 +23,7 @@ using namespace simreel;
 
 namespace {
 
-/// AgX implemented independently: log2 over 16.5 stops, the curve's powers one by one, and gamma 2.2.
+/// Implements AgX independently: log2 over 16.5 stops, the powers of the curve one by one, and gamma 2.2.
 glm::dvec3 agx(glm::dvec3 light) {
   const glm::dmat3 inset(0.842479062253094, 0.0423282422610123, 0.0423756549057051, 0.0784335999999992,
                          0.878468636469772, 0.0784336, 0.0792237451477643, 0.0791661274605434,
@@ -39,7 +39,8 @@ glm::dvec3 agx(glm::dvec3 light) {
   return v;
 }
 
-/// Hable's curve with the constants of its author: A 0.15, B 0.5, C 0.1, D 0.2, E 0.02, F 0.3, white 11.2.
+/// Implements Hable's curve with its author's constants: A 0.15, B 0.5, C 0.1, D 0.2, E 0.02, F 0.3, white
+/// 11.2.
 double hable(double light) {
   const auto curve = [](double x) {
     return (x * (0.15 * x + 0.1 * 0.5) + 0.2 * 0.02) / (x * (0.15 * x + 0.5) + 0.2 * 0.3) - 0.02 / 0.3;
@@ -87,12 +88,12 @@ TEST_CASE("film: grey stays grey, the curve is monotonic, and zero light is blac
 }
 
 TEST_CASE("transparent: partly covered pixels store unpremultiplied light of the covering surface") {
-  // An object that covers a quarter of the pixel, and its light over the background.
+  // An object covers a quarter of the pixel; its light is composited over the background.
   CHECK(shader::coverOf(0.25F, glm::vec3(0)) == 0.25F);
   const glm::vec3 own = shader::lightOfCover(0.25F * glm::vec3(0.8F, 2, 0.1F), 0.25F);
   CHECK(own.x == doctest::Approx(0.8F));
   CHECK(own.y == doctest::Approx(2));
-  // Composited over any background, the result equals drawing over that background.
+  // Compositing the result over any background must equal drawing over that background.
   const float hidden = shader::coverOf(0.25F, glm::vec3(0.1F, 0.2F, 0.05F));
   CHECK(hidden == doctest::Approx(0.25 + 0.75 * 0.2));
   CHECK(shader::coverOf(0, glm::vec3(9)) == 1.0F);

@@ -1,5 +1,5 @@
-// Normal maps, clear coat and sheen: compares their shader files on the CPU with the equations implemented
-// independently in double precision.
+// Tests normal maps, clear coat and sheen: runs their shader files on the CPU and compares with the
+// equations, implemented independently in double precision.
 #include "draw/picture_code.hpp"
 #include "unit/help.hpp"
 
@@ -42,7 +42,7 @@ struct Numbers {
   std::uniform_real_distribution<double> from{-1, 1};
 };
 
-/// A triangle's plane with uvs: position = origin + u tangent + v bitangent; tangent and bitangent are
+/// A triangle's plane with uvs: position = origin + u tangent + v bitangent. Tangent and bitangent are
 /// arbitrary.
 struct Plane {
   glm::dvec3 tangent, bitangent;
@@ -54,8 +54,8 @@ struct Plane {
   }
 };
 
-/// MikkTSpace's frame: tangent along u, bitangent by a cross product with the sign of the uv's handedness;
-/// glTF's y points against v.
+/// Returns the normal in MikkTSpace's frame: the tangent is along u, the bitangent is a cross product with
+/// the sign of the uv's handedness. glTF's y points against v.
 glm::dvec3 mikkNormal(const Plane& plane, glm::dvec3 front, glm::dvec3 t) {
   const glm::dvec3 n = front;
   const glm::dvec3 along = glm::normalize(plane.tangent - n * glm::dot(n, plane.tangent));
@@ -109,7 +109,7 @@ TEST_CASE("normal maps: red tilts along u, green upwards in the picture") {
 
 TEST_CASE("normal maps: normals that vary within a pixel increase its roughness") {
   CHECK(finish::spreadRoughness(0.3F, {0.5F, 0.5F, 1.0F}) == 0.3F);
-  // a unit normal rounded to bytes causes no extra roughness
+  // a unit normal rounded to bytes adds no roughness
   CHECK(finish::spreadRoughness(0.3F, {0.5F, 0.5F, 0.996F}) == 0.3F);
   const double length = 0.8;
   const double shorter = (0.99 - length) / length;
@@ -120,8 +120,7 @@ TEST_CASE("normal maps: normals that vary within a pixel increase its roughness"
 TEST_CASE("clear coat: the base loses the light that the coat reflects") {
   for (const float roughness : {0.0F, 0.2F, 0.7F})
     for (const float nv : {0.05F, 0.4F, 1.0F}) {
-      const glm::vec2 share =
-          finish::ambientLobe(roughness, nv);  // ambientLobe() itself is tested in lobes.cpp
+      const glm::vec2 share = finish::ambientLobe(roughness, nv);  // lobes.cpp tests ambientLobe()
       const double mirrored = 0.04 * static_cast<double>(share.x) + static_cast<double>(share.y);
       const glm::vec3 light = finish::coated({1, 2, 4}, {0.5F, 0, 0}, 0.6F, roughness, nv);
       CHECK(light.y == doctest::Approx(2 * (1 - 0.6 * mirrored)).epsilon(1e-5));
@@ -149,7 +148,8 @@ TEST_CASE("sheen: the lobe and its integral equal their formula") {
         finish::sheenLobe(n, glm::vec3(view), glm::vec3(light), static_cast<float>(roughness));
     CHECK(lobe == doctest::Approx(std::numbers::pi * spread * seen).epsilon(2e-3).scale(0.01));
   }
-  // Uniform light of 1: integrates D V cos over the hemisphere by the midpoint rule with 200 x 200 parts.
+  // For uniform light of 1, integrates D V cos over the hemisphere by the midpoint rule with 200 x 200
+  // parts.
   for (const double roughness : {0.3, 0.5, 0.9})
     for (const double nv : {0.3, 0.6, 1.0}) {
       const glm::dvec3 view(std::sqrt(1 - nv * nv), 0, nv);
@@ -168,7 +168,7 @@ TEST_CASE("sheen: the lobe and its integral equal their formula") {
       CHECK(std::abs(finish::sheenAlbedo(static_cast<float>(roughness), static_cast<float>(nv)) - sum) <
             0.06);
     }
-  // Fibres reduce the light from below by as much as they reflect.
+  // Fibres reduce the light from below by the light that they reflect.
   const float kept = finish::underFibres({1, 1, 1}, {0, 0, 0}, {0, 0, 0}, {0.5F, 0.25F, 0}, 0.5F, 0.3F).x;
   CHECK(kept == doctest::Approx(1 - 0.5 * finish::sheenAlbedo(0.5F, 0.3F)));
   const glm::vec3 own = finish::underFibres({0, 0, 0}, {2, 2, 2}, {1, 1, 1}, {0.5F, 0.25F, 0}, 0.5F, 0.3F);

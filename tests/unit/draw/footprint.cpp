@@ -1,4 +1,5 @@
-// Texture filtering over a pixel's footprint, implemented independently in double precision.
+// Tests texture filtering over a pixel's footprint against an independent implementation in double
+// precision.
 #include "draw/picture_code.hpp"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ struct TextureReads {
 #undef precise
 #undef FUNCTION
 
-/// Returns the texel that is read for a texel number of any size (OpenGL 4.5, table 8.20).
+/// Returns the index of the texel that is read for an index outside the texture (OpenGL 4.5, table 8.20).
 int wrappedTexel(double at, int count, int wrap) {
   if (wrap == WRAP_CLAMP) return static_cast<int>(std::clamp(at, 0.0, count - 1.0));
   if (wrap == WRAP_REPEAT) return static_cast<int>(at - count * std::floor(at / count));
@@ -39,7 +40,7 @@ int wrappedTexel(double at, int count, int wrap) {
   return static_cast<int>(count - 1 - (fromMiddle >= 0 ? fromMiddle : -1 - fromMiddle));
 }
 
-/// Interpolates between texel centres, which are at halves.
+/// Interpolates between texel centres, which are at integers plus one half.
 double between(const TextureReads& texture, double u, double v, int level, glm::ivec2 wrap) {
   const glm::ivec2 side = glm::max(texture.size >> level, glm::ivec2(1));
   const double x = u * side.x - 0.5;
@@ -56,8 +57,8 @@ double between(const TextureReads& texture, double u, double v, int level, glm::
   return sum;
 }
 
-/// Filters trilinearly at the width of the shorter side, or a quarter of the longer side, with taps along
-/// the longer side.
+/// Filters trilinearly, with taps along the longer side of the footprint. The width is the shorter side,
+/// but at least a quarter of the longer side.
 double seen(const TextureReads& texture, glm::dvec2 at, glm::dvec2 across, glm::dvec2 up, glm::ivec2 wrap) {
   const auto texels = [&](glm::dvec2 d) { return std::hypot(d.x * texture.size.x, d.y * texture.size.y); };
   const bool wide = texels(across) >= texels(up);
@@ -114,7 +115,7 @@ TEST_CASE("footprints: texels, mip levels and taps equal double precision") {
       several += print.taps > 1 ? 1 : 0;
       const auto found = static_cast<double>(texture.readAt(at.at, print, shape));
       const double wanted = seen(texture, at.at, at.across, at.up, wrap);
-      // Occasionally the last digit changes the number of taps.
+      // In rare cases, a rounding error changes the number of taps.
       far += std::abs(found - wanted) > 2e-4 ? 1 : 0;
     }
     CAPTURE(size.x);

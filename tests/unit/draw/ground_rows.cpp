@@ -1,4 +1,4 @@
-// Rows of the picture in which the ground may be visible.
+// Tests the range of picture rows in which the ground may be visible.
 #include "draw/exact/exact_view.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 using simreel::draw::rowsTowardsGround;
 using simreel::shader::ExactView;
 
-/// Returns a camera at `height` (m), pitched up by `pitch` and rotated by `roll` (tangents).
+/// Returns a camera at `height` (m), pitched up by `pitch` and rolled by `roll` (tangents of the angles).
 ExactView viewOf(float height, float pitch, float roll, glm::ivec2 size) {
   ExactView view{};
   view.eye = {0, height, 0, 0};

@@ -1,4 +1,4 @@
-// The sample points of a lens, and the shift of the picture between them.
+// Tests the sample points of a lens, and the shift of the picture between them.
 #include "draw/lens.hpp"
 
 #include "draw/exact/exact_view.hpp"
@@ -54,8 +54,8 @@ TEST_CASE("lens: sample points cover a disc evenly, and also polygons") {
       top = std::max(top, at.y);
     }
     CHECK(glm::length(sum) < 0.01F);
-    // Mean square along each axis of a regular polygon with corners on the unit circle: (2 + cos(2 pi / n))
-    // / 12.
+    // Mean square along each axis of a regular n-gon with corners on the unit circle: (2 + cos(2 pi / n)) /
+    // 12.
     const float mean = (2 + std::cos(6.2831853F / static_cast<float>(blades))) / 12;
     CHECK(squares.x == doctest::Approx(mean).epsilon(0.03));
     CHECK(squares.y == doctest::Approx(mean).epsilon(0.03));
@@ -78,7 +78,7 @@ TEST_CASE(
     CHECK(std::abs(glm::dot(point.aside, view.forward)) < 1e-7F);
     CHECK(point.focus == doctest::Approx(glm::length(view.target - view.eye)));
   }
-  // The focal length is 12 mm / tan(20 degrees) = 32.97 mm; the lens radius is half of it over 1.4.
+  // The focal length is 12 mm / tan(20 degrees) = 32.97 mm. The lens radius is half of it divided by 1.4.
   CHECK(radius == doctest::Approx(0.03297 / 2.8).epsilon(0.01));
   camera.lens->focus = 3.5F;
   CHECK(draw::lensPoints(camera, view, 0).front().focus == 3.5F);
@@ -95,7 +95,7 @@ TEST_CASE(
   const draw::View view = draw::viewAt(camera, 0, size, {});
   const glm::vec3 right = glm::normalize(view.right), up = glm::normalize(view.up);
   const shader::ExactView middle = draw::exactView(view, camera, size);
-  const glm::vec2 perMetre = 0.5F * glm::vec2(size) / view.reach;  // pixels per metre at distance 1 m
+  const glm::vec2 perMetre = 0.5F * glm::vec2(size) / view.reach;  // pixels per metre at a distance of 1 m
   std::mt19937 random(3);
   std::uniform_real_distribution<float> any(-1, 1);
   for (int i = 0; i < 200; ++i) {

@@ -1,4 +1,5 @@
-// Lights as passed to shaders: flicker, order, units, and the functions of point_light.glsl on the CPU.
+// Tests lights as passed to shaders: flicker, order, units, and the functions of point_light.glsl on the
+// CPU.
 #include "base/hash.hpp"
 #include "draw/lights/flicker.hpp"
 #include "draw/lights/lamp_values.hpp"
@@ -24,7 +25,7 @@ using namespace simreel::shader;  // NOLINT: the model is written in GLSL's name
 #undef precise
 #undef FUNCTION
 
-/// The hash of Jarzynski and Olano, implemented independently: the first word of the hash of a, b, c,
+/// Implements the hash of Jarzynski and Olano independently. Returns the first word of the hash of a, b, c,
 /// scaled to -1 to 1.
 double hashed(std::uint64_t a, std::uint64_t b, std::uint64_t c) {
   constexpr std::uint64_t mask = 0xffffffffU;
@@ -68,7 +69,7 @@ TEST_CASE("flicker: values interpolate hashes at integer times smoothly, also be
         const double wanted = (2 * noise(light, word, x) + noise(light, word | 0x80000000U, 2.7 * x)) / 3;
         CHECK(draw::flickerNoise(light, seed, x) == doctest::Approx(wanted).epsilon(1e-12));
       }
-  // Exact bits of the noise, equal on every machine.
+  // The noise must have exactly these bits on every machine.
   CHECK(draw::flickerNoise(5, 1, 0.0) == -0.6277528603871664);
   CHECK(draw::flickerNoise(5, 1, 2.5) == 0.08005954697728157);
   CHECK(draw::flickerNoise(5, 1, -7.25) == -0.2712058568360887);
@@ -87,7 +88,7 @@ TEST_CASE(
   for (int i = 0; i < frames; ++i) {
     const draw::Flickered now = draw::flickered(flicker, "torch", 3, i / 60.0);
     REQUIRE(std::abs(now.factor - 1) <= 0.4F);
-    // The maximum slopes of the two noises, 3 and 3 * 2.7, over a frame.
+    // The bound is the max slope of the two noises, 3 and 3 * 2.7, times the duration of a frame.
     REQUIRE(std::abs(now.factor - last) < 0.4 * (2 * 3 + 3 * 2.7) / 3 * 7 / 60 * 1.001);
     for (int axis = 0; axis < 3; ++axis) REQUIRE(std::abs(now.moved[axis]) <= 0.1F);
     sum += now.factor;
@@ -95,8 +96,8 @@ TEST_CASE(
     last = now.factor;
   }
   CHECK(sum / frames == doctest::Approx(1).epsilon(0.01));
-  // Uniform hashes have variance 1/3; smooth interpolation keeps 26/35 of it, and the sum of the two noises
-  // 5/9.
+  // Uniform hashes have the variance 1/3. Smooth interpolation keeps 26/35 of it, and the sum of the two
+  // noises keeps 5/9.
   CHECK(std::sqrt(squares / frames) ==
         doctest::Approx(0.4 * std::sqrt(26.0 / 35 * 5 / 9 / 3)).epsilon(0.05).scale(0));
   const auto at = [&](const char* name, int seed) {
@@ -130,7 +131,7 @@ TEST_CASE("lamps: lamps with shadows come first, and their maps do not overlap")
   CHECK(lamps[1].maps.x * 576 == doctest::Approx(33));
   CHECK(lamps[1].maps.y * 129 == doctest::Approx(33));
   CHECK(lamps[1].maps.z * 129 == doctest::Approx(96));
-  // Margins of ceil(3) + 2 texels on each side.
+  // There are margins of ceil(3) + 2 texels on each side.
   CHECK(lamps[1].maps.w == doctest::Approx(23.0 / 33));
   CHECK(lamps[1].sampling.y == doctest::Approx(2.0 / 23));
 }
@@ -201,7 +202,7 @@ TEST_CASE("point light: a light of 1 candela emits 4 pi lumens through any close
   constexpr int sectors = 403;
   double flux = 0;
   for (int r = 0; r < rings; ++r)
-    for (int s = 0; s < sectors; ++s) {  // samples on a sphere of 1.3 m, a radius other than the light's
+    for (int s = 0; s < sectors; ++s) {  // samples on a sphere of 1.3 m, which is not the light's radius
       const double y = 1 - 2 * (r + 0.5) / rings;
       const double turn = 2 * std::numbers::pi * (s + 0.5) / sectors;
       const double across = std::sqrt(1 - y * y);
@@ -244,7 +245,7 @@ TEST_CASE("lights: lumens are the integral of intensity over all directions") {
       for (int i = 0; i < steps; ++i) {
         const double cosine = -1 + 2 * (i + 0.5) / steps;
         const double sine = std::sqrt(1 - cosine * cosine);
-        // `towards` the light; the axis of the cone points down
+        // unit vector to the light; the axis of the cone points down
         const glm::vec3 towards(sine, cosine, 0);
         sum += static_cast<double>(coneShare(towards, lamp.cone)) * 2 / steps;
       }

@@ -1,5 +1,5 @@
-// Compares the lobe of draw/surface/shading.glsl on the CPU with its equations implemented independently in
-// double precision, and the fit of its reflection of uniform surroundings with the integral.
+// Tests the lobe of draw/surface/shading.glsl on the CPU against its equations, implemented independently
+// in double precision, and the fit of its reflection of uniform surroundings against the integral.
 #include "draw/picture_code.hpp"
 
 #include <cmath>
@@ -17,14 +17,13 @@ namespace {
 
 namespace lobes = simreel::shader;
 
-/// Smith's Lambda of GGX, for a direction at the cosine c to the normal.
+/// Returns Smith's Lambda of GGX for a direction whose cosine with the normal is c.
 double hidden(double c, double alpha) {
   const double tan2 = 1 / (c * c) - 1;
   return (std::sqrt(1 + alpha * alpha * tan2) - 1) / 2;
 }
 
-/// Returns x for the part proportional to F0 and y for the white part (F0 x + y), of pi D G2 F / (4 nl nv);
-/// the normal is z.
+/// Returns pi D G2 F / (4 nl nv) as x and y of F0 x + y, where y is the white part. The normal is z.
 glm::dvec2 lobeOf(glm::dvec3 view, glm::dvec3 light, double alpha) {
   const glm::dvec3 half = glm::normalize(view + light);
   const double cos2 = half.z * half.z;
@@ -45,8 +44,8 @@ glm::dvec2 mirroredOf(double nv, double alpha) {
   for (int i = 0; i < steps; ++i)
     for (int j = 0; j < steps; ++j) {
       const double u = (i + 0.5) / steps;
-      const double turn =
-          std::numbers::pi * (j + 0.5) / steps;  // half a turn only; the other half is a mirror image
+      const double turn = std::numbers::pi * (j + 0.5) / steps;  // covers only half a turn; the second half
+                                                                 // is a mirror image
       const double cosine = std::sqrt((1 - u) / (1 + (alpha * alpha - 1) * u));
       const double sine = std::sqrt(1 - cosine * cosine);
       const glm::dvec3 half(sine * std::cos(turn), sine * std::sin(turn), cosine);
@@ -79,12 +78,12 @@ TEST_CASE("lobes: the lobe is GGX with Smith shadowing and Schlick Fresnel, and 
     const glm::vec2 back =
         lobes::lobe({0, 0, 1}, glm::vec3(light), glm::vec3(view), static_cast<float>(alpha));
     if (wanted.x + wanted.y > 59) continue;
-    // D uses 1.00001 instead of 1, which keeps smooth surfaces finite.
+    // D uses 1.00001 instead of 1, so that it is finite on smooth surfaces.
     CHECK(there.x == doctest::Approx(wanted.x).epsilon(2e-3).scale(1e-3));
     CHECK(there.y == doctest::Approx(wanted.y).epsilon(2e-3).scale(1e-3));
     CHECK(back.x == doctest::Approx(there.x).epsilon(1e-5));
   }
-  // A mirror reflecting the middle of a light is limited to the brightness that pixels can show.
+  // The reflection of a light's centre in a mirror is limited to the brightness that pixels can show.
   const glm::vec2 smooth = lobes::lobe({0, 0, 1}, {0, 0, 1}, {0, 0, 1}, 0.002F);
   CHECK(smooth.x == 60);
   CHECK(smooth.y < 1e-20F);
@@ -110,7 +109,7 @@ TEST_CASE("lobes: the reflected fraction of uniform light is the lobe's integral
       if (nv > 0.5) CHECK(white < 0.006);  // the error is small compared with F0 = 0.04
     }
   MESSAGE("largest error of x + y ", worst, ", of y ", worstWhite);
-  // At maximum roughness the integral has a closed form: 1 - nv ln(1 + 1 / nv).
+  // At roughness 1, the integral has a closed form: 1 - nv ln(1 + 1 / nv).
   for (const double nv : {0.1, 0.25, 0.5, 0.75, 1.0}) {
     const double wanted = 1 - nv * std::log(1 + 1 / nv);
     const glm::dvec2 sum = mirroredOf(nv, 1);
@@ -118,7 +117,7 @@ TEST_CASE("lobes: the reflected fraction of uniform light is the lobe's integral
     const glm::vec2 fit = lobes::ambientLobe(1, static_cast<float>(nv));
     CHECK(std::abs(fit.x + fit.y - wanted) < 0.032);
   }
-  // For a mirror it is almost exactly Schlick's term.
+  // For a mirror, the fit is almost exactly Schlick's term.
   for (const double nv : {0.1, 0.5, 1.0}) {
     const glm::vec2 fit = lobes::ambientLobe(0, static_cast<float>(nv));
     CHECK(fit.y == doctest::Approx(std::pow(1 - nv, 5)).epsilon(1e-5));

@@ -16,7 +16,7 @@ using draw::MipLevel;
 
 namespace {
 
-/// Returns noise with alpha 255 everywhere, or with alpha that is often 0 or 255.
+/// Returns noise. Alpha is 255 everywhere if `opaque`, otherwise it is often 0 or 255.
 std::vector<std::uint8_t> noise(glm::ivec2 size, bool opaque) {
   std::vector<std::uint8_t> rgba(4 * static_cast<std::size_t>(size.x * size.y));
   std::uint32_t state = 12345;
@@ -39,8 +39,8 @@ double encoded(double light) {
   return 255 * (light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055);
 }
 
-/// The same filter implemented independently: overlaps of intervals, in double precision, light and alpha
-/// separate.
+/// An independent implementation of the filter: overlaps of intervals, in double precision, with separate
+/// light and alpha.
 struct Texel {
   double r = 0, g = 0, b = 0, alpha = 0;  // light is not premultiplied by alpha
 };
@@ -113,7 +113,7 @@ TEST_CASE("mip levels agree with the same filter in double precision, also at od
         for (std::size_t i = 0; i < twin.texels.size(); ++i) {
           const Texel& t = twin.texels[i];
           const double wanted[] = {encoded(t.r), encoded(t.g), encoded(t.b)};
-          // Colours with nearly zero alpha are inaccurate, because weights are multiples of 1/65026.
+          // If alpha is nearly zero, colours are inaccurate, because weights are multiples of 1/65026.
           if (t.alpha > 0.02 || t.alpha == 0)
             for (std::size_t c = 0; c < 3; ++c)
               worst = std::max(worst, std::abs(level.rgba[4 * i + c] - wanted[c]));
@@ -121,7 +121,8 @@ TEST_CASE("mip levels agree with the same filter in double precision, also at od
         }
       }
       CHECK(levels.back().size == glm::ivec2(1, 1));
-      CHECK(worst < (opaque ? 0.53 : 0.6));  // rounding, plus errors of the table and the weights
+      CHECK(worst < (opaque ? 0.53 : 0.6));  // the tolerance covers rounding and the errors of the table
+                                             // and the weights
       CHECK(worstAlpha < 0.52);
     }
 }
@@ -138,7 +139,7 @@ TEST_CASE("mip levels: a uniform colour stays uniform") {
 }
 
 TEST_CASE("mip levels: transparent texels do not bleed") {
-  // Invisible green beside opaque red.
+  // An invisible green texel is next to an opaque red one.
   const std::vector<std::uint8_t> rgba = {255, 0, 0, 255, 0, 255, 0, 0};
   const auto level = draw::mipLevels({2, 1}, rgba).front();
   CHECK(level.rgba == std::vector<std::uint8_t>{255, 0, 0, 128});

@@ -1,4 +1,4 @@
-// Cameras that orbit their target.
+// Tests cameras that orbit their target.
 #include "draw/camera.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// The list of passes of an exact picture: invalid lists, and properties of the actual list.
+// Tests the list of passes of an exact picture: invalid lists, and properties of the actual list.
 #include "draw/exact/pass_list.hpp"
 
 #include <set>

@@ -1,5 +1,5 @@
-// The points at which a pixel's light is sampled (glsl/draw/exact/rays/sequence.glsl) stay evenly
-// distributed after any scrambling.
+// Tests that the points at which a pixel's light is sampled (glsl/draw/exact/rays/sequence.glsl) stay
+// evenly distributed after any scrambling.
 #include "sim/core/shader_code.hpp"
 
 #include <algorithm>
@@ -19,8 +19,8 @@ using namespace simreel::shader;  // NOLINT: the model is written in GLSL's name
 
 namespace {
 
-/// Returns the maximum number of points per cell if the unit square is divided into as many cells as there
-/// are points.
+/// Divides the unit square into as many cells as there are points. Returns the max number of points per
+/// cell.
 int fullest(const std::vector<vec3>& points, int first, int second, int columns) {
   const int rows = static_cast<int>(points.size()) / columns;
   std::vector<int> counts(points.size());

@@ -1,4 +1,4 @@
-// The penumbra of a sun with a disc, by its shader file on the CPU.
+// Tests the penumbra of a sun with a disc: runs its shader file on the CPU.
 #include "draw/picture_code.hpp"
 #include "reference/disc_points.hpp"
 
@@ -13,7 +13,7 @@ using namespace simreel;
 
 namespace {
 
-/// Depth of the nearest caster at each texel of the shadow map.
+/// Returns the depth of the nearest caster at a texel of the shadow map.
 std::function<float(glm::ivec2)> casters;
 
 using namespace simreel::shader;  // NOLINT: the model is written in GLSL's names
@@ -28,13 +28,13 @@ float casterNear(glm::ivec2 texel) {
 #undef precise
 #undef FUNCTION
 
-/// Returns a receiver with a penumbra radius of 100 texels per map depth.
+/// Returns a receiver whose penumbra has a radius of 100 texels per unit of map depth.
 SunReceiver receiver(glm::vec2 middle, float near) {
   return {middle, near, {0, 0}, 100.0F, 1.0F, 60.0F};
 }
 
-/// Returns the fraction of a unit disc beyond x from its centre: the visible part of the sun behind an
-/// edge.
+/// Returns the fraction of a unit disc that is farther than x from its centre: the visible part of the sun
+/// behind an edge.
 double beyond(double x) {
   if (x <= -1 || x >= 1) return x < 0 ? 1 : 0;
   return (std::acos(x) - x * std::sqrt(1 - x * x)) / std::numbers::pi;
@@ -55,7 +55,7 @@ TEST_CASE(
       worst = std::max(worst, std::abs(found - wanted));
     }
     CAPTURE(gap);
-    CHECK(worst < 0.04);  // the error of 32 sample points on the disc
+    CHECK(worst < 0.04);  // the tolerance is the error of 32 sample points on the disc
   }
 }
 
@@ -72,7 +72,7 @@ TEST_CASE("sun disc: penumbra width is clamped to its min and max") {
 }
 
 TEST_CASE("sun disc: a caster in the receiver's plane casts no shadow; a standing caster does") {
-  // A plane that rises by 0.004 per texel along x and falls by 0.002 along y.
+  // The plane rises by 0.004 per texel along x and falls by 0.002 along y.
   const glm::vec2 rise(0.004F, -0.002F);
   const auto plane = [&](glm::vec2 at) { return 0.5F + rise.x * (at.x - 400) + rise.y * (at.y - 400); };
   SunReceiver r = receiver({400, 400}, 0.5F + 5e-3F);

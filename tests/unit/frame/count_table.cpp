@@ -1,4 +1,5 @@
-// The table beside the frames: counts of each step, and quantities measured once per frame.
+// Tests the table that is written next to the frames: counts of each step, and quantities measured once per
+// frame.
 #include "frame/file/count_table.hpp"
 
 #include <bit>

@@ -1,4 +1,4 @@
-// Checks NPY and PFM byte by byte.
+// Tests NPY and PFM files byte by byte.
 #include "frame/file/field_file.hpp"
 
 #include "base/error.hpp"

@@ -14,12 +14,13 @@
 
 namespace simreel::frame::test {
 
-/// Reads a binary glTF file of one buffer by the rules of the glTF 2.0 specification only, independently of
-/// any library. Comments give the sections of the rules.
+/// Reads a binary glTF file with one buffer. Uses only the rules of the glTF 2.0 specification,
+/// independently of any library. Comments name the sections of the rules.
 class GlbFile {
  public:
   explicit GlbFile(const std::filesystem::path& file) : bytes_(readFile(file, "glTF file")) {
-    // glTF 4.4: a header, a JSON chunk and a binary chunk, all multiples of 4 bytes.
+    // By glTF 4.4, a file has a header, a JSON chunk and a binary chunk. Their sizes are multiples of 4
+    // bytes.
     REQUIRE(bytes_.size() > 28);
     REQUIRE(bytes_.substr(0, 4) == "glTF");
     REQUIRE(word(4) == 2);
@@ -38,7 +39,7 @@ class GlbFile {
 
   [[nodiscard]] const nlohmann::json& document() const { return document_; }
 
-  /// Returns the values of an accessor, floats or (3.6.2.2: component type 5125) indices.
+  /// Returns the values of an accessor: floats, or indices (3.6.2.2: component type 5125).
   template <class T>
   [[nodiscard]] std::vector<T> values(const nlohmann::json& number) const {
     const nlohmann::json& accessor = document_["accessors"].at(number.get<std::size_t>());
@@ -49,7 +50,7 @@ class GlbFile {
     const std::size_t count = accessor["count"];
     const std::size_t begin = accessor.value("byteOffset", std::size_t{0});
     const std::size_t stride = view.value("byteStride", width * sizeof(T));
-    // glTF 3.6.2.4: aligned to 4 bytes, and the last row ends within the view.
+    // By glTF 3.6.2.4, rows are aligned to 4 bytes and the last row ends within the view.
     REQUIRE(begin % 4 == 0);
     REQUIRE(begin + stride * (count - 1) + width * sizeof(T) <= view["byteLength"]);
     std::vector<T> found(width * count);
@@ -60,8 +61,8 @@ class GlbFile {
     return found;
   }
 
-  /// Returns rows of three floats; 3.6.2.5: if the accessor has bounds, the bounds equal the minimum and
-  /// maximum of its values.
+  /// Returns rows of three floats. If the accessor has bounds, checks that they equal the min and max of
+  /// its values (3.6.2.5).
   [[nodiscard]] std::vector<glm::vec3> rows(const nlohmann::json& number) const {
     const std::vector<float> flat = values<float>(number);
     std::vector<glm::vec3> found;

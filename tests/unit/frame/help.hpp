@@ -14,7 +14,7 @@
 
 namespace simreel::frame::test {
 
-/// Creates an empty folder and removes it in the destructor.
+/// A temporary, empty folder. The destructor removes it.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -37,7 +37,7 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// Returns a picture of smooth colours with some texture, opaque, different for each seed.
+/// Returns an opaque picture of smooth colours with some texture. It is different for each seed.
 inline Image picture(int width, int height, int seed = 0) {
   Image image{width, height, {}};
   for (int y = 0; y < height; ++y)
@@ -57,7 +57,7 @@ inline FrameInfo frameInfo(int frame) {
   return {frame, fmt::format("state{}", frame)};
 }
 
-/// Returns code and message of the UserError thrown by `action`.
+/// Returns the code and message of the UserError that `action` throws.
 template <class Action>
 std::pair<ExitCode, std::string> errorOf(const Action& action) {
   try {

@@ -1,5 +1,5 @@
-// A surface over several frames in one file: glTF by its specification, and sequences that cannot be
-// stored.
+// Tests files that hold a surface at several frames: glTF by its specification, and sequences that cannot
+// be stored.
 #include "frame/mesh/mesh_sequence.hpp"
 
 #include "base/error.hpp"
@@ -26,7 +26,7 @@ namespace {
 using frame::test::GlbFile;
 using frame::test::TemporaryFolder;
 
-/// Two moved triangles that share an edge; no triangle uses the first vertex.
+/// Two moved triangles with a common edge. The first vertex is unused.
 sim::MeshTable movedPair(float by) {
   sim::MeshTable mesh;
   mesh.positions = {{9, 9, 9}, {0, by, 0}, {1, 0, 0}, {1, 0, 1 + 2 * by}, {0, 0, 1}};
@@ -107,12 +107,12 @@ TEST_CASE("mesh sequences: glTF animates by morph targets and weights") {
   const nlohmann::json& mesh = document["meshes"][0];
   REQUIRE(mesh["primitives"].size() == 1);
   const nlohmann::json& primitive = mesh["primitives"][0];
-  CHECK(primitive.value("mode", 4) == 4);  // glTF 5.24: mode 4 is triangles
+  CHECK(primitive.value("mode", 4) == 4);  // by glTF 5.24, mode 4 is triangles
   CHECK(glb.values<std::uint32_t>(primitive["indices"]) == std::vector<std::uint32_t>{0, 2, 1, 0, 3, 2});
   REQUIRE(primitive["targets"].size() == 2);
   CHECK(mesh["extras"]["targetNames"] == nlohmann::json({"frame 5", "frame 8"}));
-  CHECK(!mesh.contains("weights"));  // glTF 3.7.2.2: weights default to 0
-  // glTF 3.11: one channel animates the weights of the node with the mesh; the sampler's times are in
+  CHECK(!mesh.contains("weights"));  // by glTF 3.7.2.2, weights default to 0
+  // By glTF 3.11, one channel animates the weights of the node with the mesh. The sampler's times are in
   // seconds.
   REQUIRE(document["animations"].size() == 1);
   const nlohmann::json& animation = document["animations"][0];
@@ -126,7 +126,7 @@ TEST_CASE("mesh sequences: glTF animates by morph targets and weights") {
   CHECK(glb.values<float>(sampler["input"]) == std::vector<float>{0, 0.1F, 0.4F});
   const std::vector<float> weights = glb.values<float>(sampler["output"]);
   REQUIRE(weights.size() == 6);
-  // glTF 3.7.2.2: the result is the mesh's attribute plus the weighted sum of the targets.
+  // By glTF 3.7.2.2, the result is the mesh's attribute plus the weighted sum of the targets.
   for (std::size_t key = 0; key < 3; ++key) {
     const sim::MeshTable wanted = movedPair(0.5F * static_cast<float>(key));
     for (const auto& [name, table] :

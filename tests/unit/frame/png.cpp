@@ -26,7 +26,7 @@ std::uint32_t bigEndian(const std::vector<std::byte>& file, std::size_t at) {
   return value;
 }
 
-/// Returns all chunks, after checking their CRCs.
+/// Checks the CRCs of all chunks and returns the chunks.
 std::vector<Chunk> chunksOf(const std::vector<std::byte>& file) {
   std::vector<Chunk> chunks;
   const auto* text = reinterpret_cast<const char*>(file.data());
@@ -41,7 +41,8 @@ std::vector<Chunk> chunksOf(const std::vector<std::byte>& file) {
   return chunks;
 }
 
-/// Checks that a picture with the given colours decodes exactly, and that encoding twice gives equal bytes.
+/// Checks that a picture with the given colours decodes exactly, and that encoding it twice gives equal
+/// bytes.
 void checkRoundTrip(int width, int height, std::uint8_t (*byte)(std::size_t)) {
   CAPTURE(width);
   CAPTURE(height);
@@ -51,7 +52,7 @@ void checkRoundTrip(int width, int height, std::uint8_t (*byte)(std::size_t)) {
   const auto file = encodePng(image, {});
   CHECK((decodeImage(file, "test").bytes == image.bytes));
   CHECK((encodePng(image, {}) == file));
-  // Noise must not make the file larger than stored blocks plus the other chunks.
+  // For noise, the file must not be larger than with stored blocks, plus the other chunks.
   CHECK(file.size() < image.bytes.size() / 4 * 3 + std::size_t(height) * 2 + 1024);
 }
 
@@ -136,7 +137,7 @@ TEST_CASE("png: a broken file is a user error that names the file") {
   const std::string deep = "P5 64 64 65535\n" + std::string(std::size_t{64} * 64 * 2, 'x');
   CHECK(errorOf([&] { (void)decodeImage(std::as_bytes(std::span(deep)), "deep.pgm"); }).first ==
         ExitCode::inputOutput);
-  // Any single wrong byte either decodes or is a user error; it never crashes.
+  // A file with any single wrong byte must decode or cause a UserError. It must not crash.
   for (std::size_t i = 0; i < file.size(); ++i) {
     auto wrong = file;
     wrong[i] ^= std::byte{0x5a};
@@ -146,7 +147,7 @@ TEST_CASE("png: a broken file is a user error that names the file") {
 }
 
 TEST_CASE("png: decompressing returns the compressed bytes") {
-  // Filtered rows of 4 bytes to 2 million, some close to the 64 KiB of a stored block.
+  // The filtered rows have 4 bytes to 2 million. Some sizes are close to the 64 KiB of a stored block.
   for (const auto& [width, height] : {std::pair{1, 1},
                                       {2, 2},
                                       {3, 7},
@@ -166,7 +167,7 @@ TEST_CASE("png: decompressing returns the compressed bytes") {
     checkRoundTrip(width, height, [](std::size_t i) {
       return static_cast<std::uint8_t>((i / 5000) % 2 == 0 ? random(i) >> 24 : i % 97);
     });
-    // Halving probabilities give the deepest Huffman codes.
+    // Probabilities that are halved from value to value give the deepest Huffman codes.
     checkRoundTrip(width, height, [](std::size_t i) {
       return static_cast<std::uint8_t>(std::countl_zero(random(i) | 1u));
     });
@@ -176,8 +177,8 @@ TEST_CASE("png: decompressing returns the compressed bytes") {
 TEST_CASE(
     "png: the first bytes are stored uncompressed, because a compressor without history would hash an "
     "address") {
-  // Regression test: without a history the compressor hashed an address and chose other matches in 2 of
-  // 100,000 runs. 7 bytes of headers, then the rows' first 32 bytes.
+  // Regression test: without a dictionary the compressor hashed an address and chose other matches in 2 of
+  // 100,000 runs. The data start with 7 bytes of headers, then the first 32 bytes of the rows.
   const auto chunks = chunksOf(encodePng(picture(96, 54), {}));
   const auto data =
       std::find_if(chunks.begin(), chunks.end(), [](const Chunk& c) { return c.type == "IDAT"; });

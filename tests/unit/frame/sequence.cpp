@@ -25,7 +25,7 @@ std::vector<int> upTo(int count) {
   return frames;
 }
 
-/// Renders the frames that the sink requests; returns them.
+/// Renders the frames that the sink requests, and returns their numbers.
 std::vector<int> renderInto(const std::string& output, Existing existing, int count,
                             const RunInfo& run = runInfo()) {
   const auto frames = upTo(count);
@@ -78,7 +78,7 @@ TEST_CASE(
   };
   CHECK(bytes("a", here) == bytes("b", there));
   CHECK(readRunLog(folder / "b/run.json").machineOf(2) == "Testium 4; another");
-  // Pictures of the driver depend on the fingerprint.
+  // Pictures of the driver depend on the numerics fingerprint.
   here.rasterizer = there.rasterizer = "driver";
   CHECK(bytes("c", here) != bytes("d", there));
   CHECK(contains(text(folder / "c/manifest.json"), "\"fingerprint\": \"fingerprint\""));
@@ -149,7 +149,7 @@ TEST_CASE("sequence: resume redraws missing, truncated and changed frames") {
   CHECK(sink->summary() == (folder / "000000.png").string() + " ... " + (folder / "000007.png").string());
   sink->finish();
 
-  // A frame missing from the manifest is drawn; without a manifest all frames are drawn.
+  // A frame missing from the manifest is drawn. Without a manifest, all frames are drawn.
   Manifest partial = parseManifest(manifest, "manifest");
   partial.frames.erase(2);
   writeFileAtomically(folder / "manifest.json", manifestText(partial));
@@ -214,9 +214,9 @@ TEST_CASE("sequence: skipping lists existing frames that declare this run") {
   std::filesystem::remove(folder / "manifest.json");
   CHECK(renderInto(folder.string(), Existing::skip, 3).empty());
   CHECK(text(folder / "manifest.json") == manifest);
-  // Existing::skip keeps a picture without the metadata of a run (frame 0), but does not list it in the
-  // manifest, so a later Existing::resume draws that frame again. Existing::skip itself redraws damaged and
-  // empty pictures (frames 1 and 2).
+  // Existing::skip keeps a picture that lacks the metadata of a run (frame 0), but does not list it in the
+  // manifest. A later Existing::resume therefore draws that frame again. Existing::skip draws damaged and
+  // empty pictures again (frames 1 and 2).
   std::filesystem::remove(folder / "manifest.json");
   writeFileAtomically(folder / "000000.png", encodePng(picture(32, 18), {}));
   std::filesystem::resize_file(folder / "000001.png", 100);
@@ -275,7 +275,7 @@ TEST_CASE("sequence: skipping refuses frames of a different run, by manifest or 
         if (listed) CHECK(text(manifest) == before);
       }
     }
-    // The size of a foreign picture is checked.
+    // For a picture of another program, the size is checked.
     if (light) continue;
     const auto first = parseOutput(output, 2).file(0);
     writeFileAtomically(first, encodePng(picture(30, 18), {}));
@@ -337,7 +337,7 @@ TEST_CASE("sequence: an unwritable output is one user error") {
       errorOf([&] { renderInto((folder / "file/out/").string(), Existing::error, 2); });
   CHECK(code == ExitCode::inputOutput);
   CHECK(contains(message, "cannot create folder"));
-  // A folder stands in place of the frame's file.
+  // A folder has the name of the frame's file.
   std::filesystem::create_directories(folder / "g/000030.png/x");
   const auto blocked = errorOf([&] { renderInto((folder / "g").string(), Existing::overwrite, 40); });
   CHECK(blocked.first == ExitCode::inputOutput);

@@ -1,4 +1,4 @@
-// Meshes and contours as files, read back by other programs' readers: glTF by assimp.
+// Tests meshes and contours as files, read back by readers of other programs (glTF by assimp).
 #include "base/file.hpp"
 #include "draw/camera.hpp"
 #include "frame/file/contour_file.hpp"
@@ -15,7 +15,7 @@ using namespace simreel;
 
 namespace {
 
-/// A tetrahedron with outward faces, and an unused vertex between its corners.
+/// Returns a tetrahedron with outward faces. One of the vertices is unused.
 sim::MeshTable tetrahedron() {
   sim::MeshTable mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {9, 9, 9}, {0, 1, 0}, {0, 0, 1}};
@@ -66,8 +66,8 @@ TEST_CASE("a mesh without triangles gives a binary glTF without meshes") {
 TEST_CASE("contours are written as loops without points on straight lines") {
   sim::ContourLines lines;
   lines.size = {5, 5};
-  // A square of side 2 with a point in the middle of each side, and a triangle of another level,
-  // interleaved.
+  // A square of side 2 with a point in the middle of each side, and a triangle of another level. Their
+  // points are interleaved.
   lines.points = {{1, 1}, {0, 0}, {2, 1}, {3, 1}, {1, 0}, {3, 3}, {1, 3}, {0, 1}, {1, 2}};
   lines.next = {2, 4, 3, 5, 7, 6, 8, 1, 0};
   lines.levels = {1, 2, 1, 1, 2, 1, 1, 2, 1};

@@ -32,7 +32,7 @@ void renderVideo(const std::string& output, Existing existing = Existing::error,
   sink->finish();
 }
 
-/// Sets PATH for its lifetime.
+/// Sets the environment variable PATH during its lifetime.
 class SearchPath {
  public:
   explicit SearchPath(const std::string& value) : old_(std::getenv("PATH")) {
@@ -52,7 +52,7 @@ bool ffmpegInstalled() {
   return std::system("command -v ffmpeg ffprobe >/dev/null 2>&1") == 0;
 }
 
-/// Renders with a program named ffmpeg that runs the script; returns the error.
+/// Renders with a program named ffmpeg that runs the script. Returns the error.
 std::pair<ExitCode, std::string> withFakeFfmpeg(const std::string& script) {
   const TemporaryFolder folder;
   writeFileAtomically(folder / "ffmpeg", std::string_view("#!/bin/sh\n" + script + "\n"));
@@ -97,7 +97,7 @@ TEST_CASE("video: bytes do not depend on the number of processors") {
   for (const char* name : {".mp4", ".webm", ".avi"}) {
     renderVideo((folder / (std::string("all") + name)).string(), Existing::error, runInfo(320, 180));
     REQUIRE(::sched_setaffinity(0, sizeof one, &one) ==
-            0);  // ffmpeg inherits this affinity to one processor
+            0);  // this thread's affinity to one processor, which ffmpeg inherits
     renderVideo((folder / (std::string("one") + name)).string(), Existing::error, runInfo(320, 180));
     REQUIRE(::sched_setaffinity(0, sizeof all, &all) == 0);
     CHECK(readFile(folder / (std::string("all") + name), "video") ==
@@ -125,7 +125,7 @@ TEST_CASE("video: ffmpeg writes each format, with a manifest") {
       "csv=p=0 " +
       (folder / "v.mp4").string() + ")\" = 34,18,12";
   CHECK(std::system(probe.c_str()) == 0);
-  // Rendering twice gives equal bytes.
+  // Rendering twice must give equal bytes.
   renderVideo((folder / "w.mp4").string(), Existing::error, runInfo(33, 17));
   CHECK((readFile(folder / "w.mp4", "video") == readFile(folder / "v.mp4", "video")));
   for (const auto& entry : std::filesystem::directory_iterator(folder.string()))
@@ -187,12 +187,12 @@ TEST_CASE("video: a missing or dying ffmpeg is a one-line error and never a hang
   CHECK(contains(withFakeFfmpeg("kill -SEGV $$").second, "signal 11 (SIGSEGV)"));
   CHECK(contains(withFakeFfmpeg("kill -KILL $$").second, "was ended by signal 9 (SIGKILL)"));
   CHECK(contains(withFakeFfmpeg("exit 0").second, "before the video was complete"));
-  // More output on standard error than a pipe holds.
+  // The program writes more to standard error than a pipe can hold.
   CHECK(contains(
       withFakeFfmpeg("head -c 1000000 /dev/zero >&2; echo >&2; echo end >&2; cat >/dev/null; exit 1")
           .second,
       ": end"));
-  // ffmpeg closes its input and continues.
+  // The program closes its input and keeps running.
   CHECK(contains(withFakeFfmpeg("exec <&-; exec sleep 60").second, "closed its input"));
 }
 
@@ -219,7 +219,7 @@ TEST_CASE("stream: y4m has the right header, frames and values") {
     sink->finish();
   });
   const std::string header = "YUV4MPEG2 W2 H1 F60000:1001 Ip A1:1 C444 XCOLORRANGE=FULL\n";
-  // White; then red: Y 76, Cb 85, Cr 255 by the JFIF formula.
+  // The first pixel is white. The second is red: Y 76, Cb 85, Cr 255 by the JFIF formula.
   const std::string frame = "FRAME\n\xff\x4c\x80\x55\x80\xff";
   CHECK((bytes == header + frame + frame));
   for (int grey = 0; grey < 256; ++grey) {
@@ -242,7 +242,7 @@ TEST_CASE("a video of every fifth frame plays at the scene's speed") {
   CHECK(rate(59.94, {0, 2, 4}) == "30000/1001");
   CHECK(rate(12.5, {0, 1}) == "12500/1000");
   CHECK(rate(30, {0, 1, 3}) ==
-        "30/1");  // frames at uneven distances: uses the scene's rate, with a warning
+        "30/1");  // the frames are not evenly spaced, so the scene's rate is used, with a warning
 }
 
 TEST_CASE("stream: a closed pipe and an unknown format are user errors") {

@@ -66,7 +66,7 @@ TEST_CASE("the contrast of pictures is the standard deviation of luma") {
   const Contrast flat = contrastOf(picture({90, 90, 90, 90}));
   CHECK(flat.oneColour);
   CHECK(flat.lumaDeviation == doctest::Approx(0).epsilon(1e-12));
-  // Two levels, half each: the deviation is half their distance.
+  // The picture has two levels, each in half of the pixels, so the deviation is half their difference.
   const Contrast two = contrastOf(picture({100, 102, 100, 102}));
   CHECK(!two.oneColour);
   CHECK(two.lumaDeviation == doctest::Approx(1.0 / 255).epsilon(1e-9));

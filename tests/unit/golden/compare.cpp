@@ -53,9 +53,9 @@ TEST_CASE("pictures are compared per channel, including alpha, and differences a
   CHECK(metrics.ratioBeyond == doctest::Approx(3.0 / 15));
   CHECK(golden::measure(a, b, tolerance(2)).pixelsBeyond == 4);
   CHECK(golden::measure(a, b, tolerance(20)).pixelsBeyond == 0);
-  // Squared differences: 9 + 9 + 400 + 400 over 45 values for opaque pixels. Transparent pixels use the
-  // worse of compositing over black, where round(100 / 255 of a value) is 39 compared with 40, 38, 31 and
-  // 47 (and 35 for the alpha), and over white.
+  // The squared differences are 9 + 9 + 400 + 400 over 45 values for opaque pixels. For transparent pixels,
+  // the worse result of compositing over black and over white counts. Over black, round(100 / 255 of a
+  // value) is 39 compared with 40, 38, 31 and 47 (and 35 for the alpha).
   auto solid = a, other = b;
   for (std::size_t i = 3; i < a.bytes.size(); i += 4) solid.bytes[i] = other.bytes[i] = 255;
   const auto psnrOf = [](double squares) {
@@ -158,7 +158,7 @@ TEST_CASE("all given bounds must hold; without bounds, 2% of pixels may differ")
   CHECK(broken(t).size() == 2);
   t.hardFail = 39;
   CHECK(broken(t)[0] == "the pixel at x 3, y 4 differs by 40 (hardFail is 39)");
-  t = tolerance(255);  // no difference exceeds it, but hardFail always applies
+  t = tolerance(255);  // none of the differences exceeds the tolerance, but hardFail always applies
   t.hardFail = 39;
   CHECK(broken(t).size() == 1);
   t = tolerance(12, 1);
@@ -201,7 +201,8 @@ TEST_CASE("a difference image shows all differing pixels and only those") {
   REQUIRE(heat.width == 256);
   REQUIRE(heat.bytes.size() == a.bytes.size());
   for (int x = 0; x < 256; ++x) {
-    // A difference of 1/255 is bright blue, half the range is red or orange; equal pixels are dark grey.
+    // A difference of 1/255 is bright blue, and half the range is red or orange. Equal pixels are dark
+    // grey.
     CHECK(at(heat, x, 1, 2) > 200);
     CHECK(spread(heat, x, 1) > 100);
     CHECK(at(heat, x, 0, 0) > 200);

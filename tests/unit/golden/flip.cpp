@@ -1,5 +1,5 @@
-// Compares FLIP and SSIM with values calculated by hand. tests/cli/golden/test_diff.py compares with other
-// programs.
+// Tests FLIP and SSIM against values calculated by hand. tests/cli/golden/test_diff.py compares them with
+// other programs.
 #include "golden/compare/flip.hpp"
 
 #include "golden/compare/ssim.hpp"
@@ -21,7 +21,7 @@ frame::Image uniform(int width, int height, int r, int g, int b) {
   return image;
 }
 
-/// Returns HyAB^0.7 of two Hunt-adjusted colours L, a, b.
+/// Returns HyAB^0.7 of two Hunt-adjusted colours (L, a, b).
 double powered(const std::array<double, 3>& a, const std::array<double, 3>& b) {
   return std::pow(std::abs(a[0] - b[0]) + std::hypot(a[1] - b[1], a[2] - b[2]), 0.7);
 }
@@ -41,13 +41,14 @@ TEST_CASE("flip: green against blue is 1, equal pictures are 0") {
 }
 
 TEST_CASE("flip: black against white and two greys equal values worked out by hand") {
-  // Uniform pictures have no features, so only the colours contribute: a* = b* = 0, HyAB = dL*.
+  // Uniform pictures have no features, so only the colours contribute: a* = b* = 0, and HyAB is the
+  // difference of L*.
   const double largest = powered(green, blue), knee = 0.4 * largest;
   const double blackWhite = std::pow(100, 0.7);
   const double expected = 0.95 + (blackWhite - knee) / (largest - knee) * 0.05;
   CHECK(golden::flipMean(uniform(9, 40, 0, 0, 0), uniform(9, 40, 255, 255, 255)) ==
         doctest::Approx(expected).epsilon(1e-5));
-  // L* of sRGB 119 and 94, from the linear value y: 116 y^(1/3) - 16.
+  // L* of the sRGB values 119 and 94, from the linear value y: 116 y^(1/3) - 16.
   const auto lightness = [](double byte) {
     return 116 * std::cbrt(std::pow((byte / 255 + 0.055) / 1.055, 2.4)) - 16;
   };
@@ -58,7 +59,7 @@ TEST_CASE("flip: black against white and two greys equal values worked out by ha
 }
 
 TEST_CASE("flip: the error is symmetric, and rows outside the filter's radius do not matter") {
-  // The error of a difference in the last rows of a tall picture must not depend on equal rows above.
+  // Equal rows at the top of a tall picture must not change the error of a difference in its last rows.
   auto low = frame::test::picture(30, 60), changed = low;
   for (std::size_t i = 4 * 30 * 45; i < 4 * 30 * 47; ++i) changed.bytes[i] ^= 0x30;
   const auto map = golden::flipMap(low, changed), swapped = golden::flipMap(changed, low);
@@ -81,7 +82,8 @@ TEST_CASE("flip: the error is symmetric, and rows outside the filter's radius do
 
 TEST_CASE("ssim: two greys equal a value worked out by hand, equal pictures are 1") {
   const auto a = uniform(20, 9, 50, 100, 200), b = uniform(20, 9, 60, 100, 180);
-  // No variance: (2 m n + C1) / (m^2 + n^2 + C1) in each channel, C1 = (0.01 * 255)^2.
+  // Without variance, the SSIM of each channel is (2 m n + C1) / (m^2 + n^2 + C1) with the means m and n
+  // and C1 = (0.01 * 255)^2.
   const auto similarity = [](double m, double n) {
     return (2 * m * n + 6.5025) / (m * m + n * n + 6.5025);
   };

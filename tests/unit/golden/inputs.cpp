@@ -17,7 +17,7 @@ TEST_CASE("inputs: inputs are the scene, its sidecar, referenced files and glTF 
     writeFileAtomically(file(name), text);
   };
   write("a.json", "{}");
-  // Files outside the scene's folder are not inputs, because no mesh is made from them.
+  // Files outside the scene's folder are not inputs, because they are not loaded for meshes.
   write(
       "m.gltf",
       R"({"buffers": [{"uri": "my%20buffer.bin"}, {"uri": "data:;base64,AA"}, {}, {"uri": "/etc/hostname"},

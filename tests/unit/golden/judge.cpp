@@ -30,7 +30,7 @@ Origin otherMachine() {
   return origin;
 }
 
-/// A grey frame with `count` pixels brighter by `step`.
+/// Returns a grey frame in which `count` pixels are brighter by `step`.
 RunFrame made(int count, int step) {
   RunFrame frame;
   frame.image = {width, height, std::vector<std::uint8_t>(4 * width * height, 128)};
@@ -95,7 +95,7 @@ TEST_CASE("judge: the criteria depend on the machine that drew the baseline") {
   other = maker;
   other.numerics = "others";
   CHECK(asked(maker, other) == Asked::tolerance);
-  // Earlier baselines: drawing fingerprint and machine are unknown.
+  // In earlier baselines, drawing fingerprint and machine are unknown.
   CHECK(asked({"numerics", "", "", ""}, maker) == Asked::near);
   CHECK(asked({"others", "", "", ""}, maker) == Asked::tolerance);
   CHECK(asked({"numerics", "drawing", "", ""}, {"numerics", "drawing", "", ""}) == Asked::near);
@@ -122,12 +122,12 @@ TEST_CASE("judge: another machine with equal numerics may differ by 2 of 255 in 
   CHECK(judged(1, 1).asked == "near");
   simreel::test::checkHas(judged(1, 3).message, "differs by 3 (on another machine by 2 at most)");
   simreel::test::checkHas(judged(25, 1).message, "of the pixels differ (on another machine 2% at most)");
-  // A stricter scene is stricter on every machine.
+  // A stricter tolerance of the scene applies on every machine.
   scene::Tolerance none;
   none.maxChannelDiff = 0;
   none.maxDiffRatio = 0;
   CHECK(!passes(baseline.judged(made(1, 1), otherMachine(), none)));
-  // State must be equal everywhere.
+  // The state must be equal on every machine.
   RunFrame moved = made(0, 0);
   moved.state["flag.positions"] = "bb";
   simreel::test::checkHas(baseline.judged(moved, otherMachine()).message,
@@ -159,7 +159,7 @@ TEST_CASE("judge: quick measuring skips SSIM and FLIP unless the verdict needs t
   scene::Tolerance bound;
   bound.maxFlipMean = 0.5;
   CHECK(quick(other, bound) == whole);
-  CHECK(quick(otherMachine(), {}) == whole);  // the quick test compares the mean FLIP error too
+  CHECK(quick(otherMachine(), {}) == whole);  // the quick test also compares the mean FLIP error
 }
 
 TEST_CASE("judge: different numerics use the scene's tolerance") {

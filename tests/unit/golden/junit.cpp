@@ -28,7 +28,7 @@ pugi::xml_node caseOf(pugi::xml_node suite, const char* name) {
   return suite.find_child_by_attribute("testcase", "name", name);
 }
 
-/// Returns xmllint's messages about the text, validated against junit.xsd; empty if it is valid.
+/// Validates the text against junit.xsd. Returns xmllint's messages, or an empty text if it is valid.
 std::string lint(const std::string& text) {
   const frame::test::TemporaryFolder folder;
   writeFileAtomically(folder / "junit.xml", text);

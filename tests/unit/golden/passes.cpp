@@ -13,8 +13,8 @@ using namespace simreel;
 
 namespace {
 
-/// A picture of 3x2 pixels with two samples each: a cloth before the ground and the sky, with spheres and
-/// copies behind it.
+/// Returns a picture of 3x2 pixels with two samples each. It shows a cloth in front of the ground and the
+/// sky, with spheres and copies behind it.
 golden::PassDump smallPicture() {
   golden::PassDump dump;
   dump.frame = 7;
@@ -60,7 +60,7 @@ TEST_CASE("passes: IDs in a pass are translated to object and primitive") {
   CHECK(golden::thingAt(picture, 2, 1).name() == "the sky");
   CHECK(golden::thingAt(picture, 3, 1).name() == "the sky");
   CHECK(golden::thingOfNumber({}, 3).name() == "the primitive 3");
-  CHECK(golden::showsOneThing(picture, 0, 0));  // two triangles of the same object count as one thing
+  CHECK(golden::showsOneThing(picture, 0, 0));  // two triangles of one object count as one thing
   CHECK_FALSE(golden::showsOneThing(picture, 1, 0));
   CHECK(golden::showsOneThing(picture, 1, 1));
   CHECK_FALSE(golden::showsOneThing(picture, -1, 1));
@@ -82,7 +82,7 @@ TEST_CASE("passes: each pass hash covers all outputs of its pass") {
   after.erase("visibility");
   CHECK(golden::firstDifferentPass(before, after) == "visibility");
   CHECK(golden::firstDifferentPass(after, before) == "visibility");
-  // The same words in another shape are a different picture.
+  // A picture of another shape is different even if its words are equal.
   auto turned = smallPicture();
   std::swap(arrayOf(turned, "light").width, arrayOf(turned, "light").height);
   CHECK(golden::firstDifferentPass(before, golden::hashesOf(turned.picture)) == "light");

@@ -1,5 +1,5 @@
-// Files that count as having equal pixels without decoding. tests/cli/golden/test_diff.py tests refused
-// files.
+// Tests the detection of files with equal pixels without decoding. tests/cli/golden/test_diff.py tests
+// rejected files.
 #include "golden/files/png_check.hpp"
 #include "unit/frame/help.hpp"
 

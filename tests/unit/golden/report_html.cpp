@@ -20,14 +20,15 @@ std::size_t count(const std::string& text, const std::string& what) {
   return n;
 }
 
-/// Returns the text between the data's script tags.
+/// Returns the text of the script element with the data.
 std::string dataOf(const std::string& page) {
   const std::string open = "<script id=\"data\" type=\"application/json\">";
   const auto begin = page.find(open) + open.size();
   return page.substr(begin, page.find("</script>", begin) - begin);
 }
 
-/// Unpacks the data as model.js does: an object is its keys, then its values; lists begin with -1.
+/// Unpacks the data as model.js does: an object is the index of its key list and its values; a list begins
+/// with -1.
 nlohmann::json unpacked(const nlohmann::json& all, const nlohmann::json& packed) {
   if (packed.is_object()) return all["texts"].at(packed.at("t").get<std::size_t>());
   if (!packed.is_array()) return packed;
@@ -84,11 +85,11 @@ TEST_CASE("html report: all files are embedded once and nothing external is refe
     if (std::string(file.path) == "index.html") continue;
     CAPTURE(file.path);
     CHECK(count(page, file.text) == 1);
-    // Neither text may end its script or style element early.
+    // Page files must not contain text that ends their script or style element early.
     CHECK(std::string(file.text).find("</") == std::string::npos);
   }
   CHECK(count(page, "{{") == 0);
-  // The only address is the name of the SVG namespace.
+  // The only URL in the page is the name of the SVG namespace.
   CHECK(count(page, "://") == 1);
   CHECK(count(page, "http://www.w3.org/2000/svg") == 1);
   CHECK(count(page, "innerHTML") == 0);

@@ -1,4 +1,4 @@
-// report.json: a written report is read back; a damaged one is refused with one line.
+// Tests report.json: a written report is read back; a damaged one is rejected with a message of one line.
 #include "base/error.hpp"
 #include "golden/report/json.hpp"
 #include "unit/frame/help.hpp"
@@ -27,7 +27,7 @@ std::string messageFor(const std::string& text) {
   return message;
 }
 
-/// Returns the message about the full report after `change`.
+/// Applies `change` to the full report and returns the error message of parsing it.
 template <class Change>
 std::string refusalOf(const Change& change) {
   Json json = Json::parse(reportText(golden::test::fullSuite()));
@@ -166,7 +166,7 @@ TEST_CASE("missing, unknown and repeated keys of a report are refused") {
         "out/report.json: environment[\"a\\nb\"] is unknown");
   CHECK(messageFor(R"({"format": 1, "format": 1})") ==
         "out/report.json: the key \"format\" stands twice in one object");
-  // Keys of different objects may be equal, and order is free.
+  // Objects may have equal keys, and the order of keys is arbitrary.
   Json json = Json::parse(reportText(golden::test::fullSuite()));
   json["simreel"].swap(json["command"]);
   const auto sorted = nlohmann::json::parse(json.dump());
@@ -254,7 +254,7 @@ TEST_CASE("any value of a report replaced by a value of any type causes at most 
                          Json::array(),
                          Json::object(),
                          Json::array({Json::array()})};
-  // All elements of an array are read alike, so the first element with a member represents all.
+  // All elements of an array are parsed in the same way, so the first element with a member represents all.
   const auto kind = [](std::string path) {
     std::erase_if(path, [](char c) { return c >= '0' && c <= '9'; });
     return path;

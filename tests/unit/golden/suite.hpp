@@ -44,7 +44,7 @@ inline SceneResult scene(const std::string& name, Status status) {
   return s;
 }
 
-/// A scene result with every member set.
+/// Returns a scene result in which every member is set.
 inline SceneResult failedScene() {
   SceneResult s = scene("flag", Status::fail);
   s.messages = {"frame 60: 312 pixels differ", "the state differs from frame 60 on"};
@@ -69,7 +69,7 @@ inline SceneResult failedScene() {
   return s;
 }
 
-/// A suite with one scene of every status, and every member of every struct in use.
+/// Returns a suite with one scene for each status. Every member of every struct is set in some scene.
 inline SuiteResult fullSuite() {
   SuiteResult suite;
   suite.version = "0.1.0";
@@ -94,7 +94,7 @@ inline SuiteResult fullSuite() {
   return suite;
 }
 
-/// Names and messages with characters that need escaping.
+/// Text for names and messages, with characters that need escaping.
 inline const std::string odd =
     "a\"b'\\ </script> ]]> & <b> | ` *x* 100% a,b:c\r\nsecond\tline \x1B[31m\x01 caf\xC3\xA9 \xE2\x82\xAC";
 inline const std::string notUtf8 = "bad \xFF\xFE \xC3( \xED\xA0\x80 \xF0\x9F end \xE2\x82";
@@ -109,7 +109,7 @@ inline SuiteResult oddSuite() {
   return suite;
 }
 
-/// oddSuite with invalid UTF-8 in names and messages.
+/// Returns oddSuite() with invalid UTF-8 in names and messages.
 inline SuiteResult brokenSuite() {
   SuiteResult suite = oddSuite();
   SceneResult& s = suite.scenes[1];

@@ -15,7 +15,7 @@ TEST_CASE("thumbnails average whole blocks of pixels") {
   const frame::Image small = thumbnail(image, 3);
   CHECK(small.width == 3);
   CHECK(small.height == 1);
-  // Pixels 0 1 5 6, 2 3 7 8, and the last column's 4 9.
+  // The blocks are pixels 0 1 5 6, pixels 2 3 7 8, and pixels 4 9 of the last column.
   CHECK(small.bytes == std::vector<std::uint8_t>{60, 61, 62, 63, 100, 101, 102, 103, 130, 131, 132, 133});
   CHECK(thumbnail(image, 1).width == 1);
   CHECK(thumbnail(image, 1).bytes[0] == 90);

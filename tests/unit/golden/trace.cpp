@@ -1,4 +1,4 @@
-// Step traces without a device: layout, file, comparison. Also runs in the sanitizer build.
+// Tests step traces without a device: layout, file, comparison. Also runs in the sanitizer build.
 #include "golden/trace/trace.hpp"
 
 #include "base/error.hpp"
@@ -21,7 +21,7 @@ using Arrays = std::vector<StepTrace::Array>;
 
 const Arrays twoArrays = {{"flag", "positions", 137, 137, 3}, {"flag", "velocities", 70, 70, 3}};
 
-/// Replaces the hash of an element; any function of all arguments works.
+/// Returns a number in place of an element's hash; any function of all arguments is suitable.
 std::uint32_t elementHash(int frame, std::uint32_t array, std::uint32_t step, std::uint32_t element) {
   std::uint32_t h =
       static_cast<std::uint32_t>(frame) * 2654435761U + array * 40503U + step * 7919U + element;
@@ -33,7 +33,7 @@ std::uint32_t elementHash(int frame, std::uint32_t array, std::uint32_t step, st
 using Disturb = std::function<std::uint32_t(int frame, std::uint32_t array, std::uint32_t step,
                                             std::uint32_t element, std::uint32_t hash)>;
 
-/// Computes block sums and the weighted sum as glsl/common/block_hash.comp does.
+/// Computes block sums and the weighted sum like glsl/common/block_hash.comp.
 StepTrace made(const Arrays& arrays, int first, int last, std::size_t maxBytes,
                const Disturb& disturb = {}) {
   StepTrace trace = layOut(arrays, first, last, maxBytes);
@@ -57,7 +57,7 @@ StepTrace made(const Arrays& arrays, int first, int last, std::size_t maxBytes,
   return trace;
 }
 
-/// Changes one element from a step on, like a run that deviates from its baseline.
+/// Returns a function that changes one element from a step on, like a run that deviates from its baseline.
 Disturb from(int frame, std::uint32_t array, std::uint32_t step, std::uint32_t element, std::uint32_t by) {
   return [=](int f, std::uint32_t a, std::uint32_t s, std::uint32_t i, std::uint32_t h) {
     const bool later = f > frame || (f == frame && s >= step);
@@ -101,8 +101,8 @@ TEST_CASE("a trace is as fine as its byte limit allows") {
     CHECK(trace.arrays[0].perBlock >= last);
     last = trace.arrays[0].perBlock;
   }
-  // One block per array and every step: 4 * (4 + 8 * 3 * 4) = 400 bytes; with less, frames lose their
-  // steps.
+  // With one block per array and every step, a trace has 4 * (4 + 8 * 3 * 4) = 400 bytes. With less space,
+  // later frames keep fewer steps.
   CHECK(layOut(twoArrays, -3, 5, 400).detailed == 8);
   const auto partly = layOut(twoArrays, -3, 5, 399);
   CHECK(partly.detailed == 7);
@@ -161,7 +161,7 @@ TEST_CASE("absurd sizes in a trace file allocate no memory") {
       INFO(at, " ", value);
       CHECK(!decodeRefusal(damaged).empty());
     }
-  // A block size that does not divide evenly in the kernel would give other sums.
+  // A block size that the kernel cannot divide evenly would give other sums.
   auto uneven = encodeTrace(made({{"a", "b", 64, 64, 1}}, 0, 1, 12));
   const std::uint32_t perBlock = 97;
   std::memcpy(uneven.data() + 38, &perBlock, sizeof perBlock);
@@ -185,7 +185,7 @@ TEST_CASE("a trace without arrays is cheap for any claimed number of frames") {
   CHECK_FALSE(compareTraces(trace, other));
   CHECK(reduced(trace, true, 0).words.empty());
   CHECK(std::clock() - start <
-        CLOCKS_PER_SEC);  // processor time; microseconds, because no time is spent per frame
+        CLOCKS_PER_SEC);  // processor time in microseconds; no time is spent per frame
 }
 
 TEST_CASE("one changed element is located exactly at any position") {
@@ -216,7 +216,7 @@ TEST_CASE("an element whose hash differs by a high power of two gives a range, n
   REQUIRE(found.has_value());
   CHECK(found->firstElement <= 10);
   CHECK(found->lastElement >= 10);
-  CHECK(found->lastElement > found->firstElement);  // a factor (i + 1) of the weighted sum makes every
+  CHECK(found->lastElement > found->firstElement);  // the factor (i + 1) of the weighted sum makes every
                                                     // second i indistinguishable
 }
 

@@ -1,4 +1,4 @@
-// Reads back the output of `simreel trace`, and compares two states.
+// Tests the parser of the output of `simreel trace`, and the comparison of two states.
 #include "golden/trace/lines.hpp"
 #include "golden/trace/state_difference.hpp"
 

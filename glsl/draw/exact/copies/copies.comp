@@ -1,6 +1,6 @@
-// Rasterizes the triangles of visible mesh copies, one per invocation. Larger triangles go on a list instead:
-// medium-sized ones from the list's end (medium_copies.comp), large ones from its start (large_copies.comp). Variants
-// of raster_triangle.glsl, BALLOT.
+// Rasterizes the small triangles of visible mesh copies, one per invocation. Appends larger triangles to a list:
+// medium-sized ones from the list's end (medium_copies.comp), large ones from its start (large_copies.comp). Defines:
+// those of raster_triangle.glsl, and BALLOT.
 #include "draw/exact/copies/raster_copy.glsl"
 #include "draw/exact/triangles/fill_box.glsl"
 layout(local_size_x = 64) in;
@@ -12,8 +12,8 @@ uniform int part;         // index of the current dispatch
 uniform int mostCopies;   // max number of copies in one dispatch
 uniform int parts;
 uniform int listRoom;      // capacity of the list of larger triangles
-// Longest side in pixels of the box of a medium-sized triangle. If this is not above the limit of small triangles, no
-// triangle is medium-sized.
+// Max side (pixels) of the bounding box of a medium-sized triangle. If this is not above the limit of small triangles,
+// no triangle is medium-sized.
 uniform int mediumPixels;
 #include "draw/exact/list_place.glsl"
 

@@ -1,4 +1,4 @@
-// Triangles of mesh copies, by index of the instance and of the triangle.
+// Reads triangles of mesh copies, by index of the instance and of the triangle.
 #include "common/once.glsl"
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/instances/instance_source.glsl"
@@ -34,7 +34,7 @@ vec3 pointOf(Copy copy, int vertex) {
   return p;
 }
 
-// Returns the vertex normal in world space, not of unit length.
+// Returns the vertex normal in world space. The normal does not have unit length.
 vec3 normalOf(Copy copy, int vertex) {
   return turnedBy(copy, texelFetch(shape, 2 * vertex + 1).xyz);
 }

@@ -1,5 +1,5 @@
-// Lists the mesh copies that may be visible, in any order. SUN_MAP: lists the copies that may reach the sun's shadow
-// map. One invocation tests one copy.
+// Lists the mesh copies that may be visible to the camera, in any order. SUN_MAP: lists the copies that may cast a
+// shadow into the sun's shadow map instead. One invocation tests one copy.
 #define EXACT_PICTURE
 #include "draw/exact/instances/ball_source.glsl"
 #ifdef SUN_MAP
@@ -35,7 +35,7 @@ void main() {
   int slot = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
   if (slot >= capacity) return;
   vec4 position = texelFetch(positions, slot);
-  // Slightly enlarged as a margin for the rounding of vertices.
+  // The radius is slightly enlarged to allow for the rounding of vertices.
   precise float radius = 1.001f * radiusOf(position, texelFetch(velocities, slot));
   if (!(radius > 0.0f) || radius > 1e9f || !isSeen(position, radius)) return;
   listedCopies[firstListed + int(nextPlace(draw_))] = uint(slot);

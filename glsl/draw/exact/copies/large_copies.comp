@@ -1,5 +1,5 @@
-// Rasterizes the large triangles of mesh copies, and those that extend far beyond the picture, from the list of
-// copies.comp. Workgroups share the tiles of each triangle in turn. Variants of raster_triangle.glsl.
+// Rasterizes the triangles of mesh copies in the list of copies.comp that are large or extend far beyond the picture.
+// For each triangle, the workgroups split the tiles between them. Defines: those of raster_triangle.glsl.
 #include "draw/exact/copies/raster_copy.glsl"
 #include "draw/exact/triangles/fill_fan.glsl"
 layout(binding = largeUnit) uniform usamplerBuffer large;

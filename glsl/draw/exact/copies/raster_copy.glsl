@@ -1,5 +1,5 @@
-// Shared code of the kernels that rasterize mesh copies. Each pair of a visible copy and a triangle has an index, which
-// starts at 0 in each dispatch. Variants of raster_triangle.glsl.
+// Code that the kernels that rasterize mesh copies have in common. An index identifies a pair of a visible copy and a
+// triangle; it starts at 0 in each dispatch. Defines: those of raster_triangle.glsl.
 #define EXACT_PICTURE
 #include "draw/frame_block.glsl"
 #include "draw/exact/triangles/raster_triangle.glsl"
@@ -13,13 +13,13 @@
 #include "draw/instances/instance_list.glsl"
 #endif
 layout(binding = listUnit) uniform usamplerBuffer listedCopies;
-uniform int firstListed;  // first entry of these copies in the list of visible copies
-uniform int skipped;      // number of list entries that earlier dispatches have drawn
+uniform int firstListed;  // index of the first entry of these copies in the list of visible copies
+uniform int skipped;      // number of list entries that earlier dispatches have handled
 
 struct CopyTriangle {
-  vec3 a, b, c;        // projected corners: pixels times depth to the right and down, and depth; in the sun's shadow
-                       // map texels, and 1
-  float na, nb, nc;    // nearness of the corners to the sun, used in the sun's shadow map
+  vec3 a, b, c;        // projected corners. x and y: pixels to the right and down, times depth; z: depth. In the sun's
+                       // shadow map, x and y: texels; z: 1
+  float na, nb, nc;    // nearness of the corners to the sun; used only for the sun's shadow map
   uint id;
 };
 

@@ -1,6 +1,6 @@
-// Shades mesh copies tile by tile. Each triangle in a pixel is shaded once: at the pixel's centre if the centre is on
-// the triangle, else at the first sample that shows it. Variants: SAMPLES, SHADOW (with SHADOW_TAPS), OCCLUSION,
-// REFLECTED, RAYS, and the variants of draw/surface/lighting.glsl.
+// Shades mesh copies tile by tile. Each triangle in a pixel is shaded once: at the pixel's centre if the triangle
+// covers it, else at the first sample that shows the triangle. Defines: SAMPLES, SHADOW (with SHADOW_TAPS), OCCLUSION,
+// REFLECTED, RAYS, and those of draw/surface/lighting.glsl.
 #define EXACT_PICTURE
 #include "common/once.glsl"
 #include "draw/exact/tiles/lit_tile.glsl"
@@ -19,7 +19,7 @@
 #include "draw/exact/rays/spots.glsl"
 #include "draw/exact/rays/rounded_place.glsl"
 #endif
-uniform vec3 material;  // material: roughness, metallic, translucency
+uniform vec3 material;  // material values: roughness, metallic, translucency
 vec3 material_ = once(material);
 
 vec4 lightOf(ivec2 pixel, uint number, int sampleAt) {
@@ -40,7 +40,7 @@ vec4 lightOf(ivec2 pixel, uint number, int sampleAt) {
   vec3 p = placeOnRay(ray, depth);
   precise vec3 mean = w.x * normalOf(copy, corners.x) + w.y * normalOf(copy, corners.y) + w.z * normalOf(copy, corners.z);
   vec3 normal = unitOf(mean);
-  normal = weights.turned ? -normal : normal;  // flips the normal because an open mesh shows its back sides
+  normal = weights.turned ? -normal : normal;  // flips the normal on back sides, which an open mesh may show
 #ifdef RAYS
   vec3 ca = pointOf(copy, corners.x), cb = pointOf(copy, corners.y), cc = pointOf(copy, corners.z);
   precise vec3 first = cb - ca;

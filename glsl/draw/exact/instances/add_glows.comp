@@ -16,7 +16,8 @@ void main() {
   for (int i = 0; i < 3; ++i) {
     uint lower = glowSums[word + i], upper = glowSums[word + 3 + i];
     any_ |= lower | upper;
-    // Converts 16-bit halves, which floats hold exactly, because drivers round larger integers differently.
+    // Converts each word as two 16-bit halves, because floats hold 16-bit integers exactly, while drivers round larger
+    // ones differently.
     precise float fine = float(lower & 0xffffu) * 5.9604645e-8f + float(lower >> 16) * 0.00390625f;
     precise float sum = light[i] + (float(min(upper, 0xffffffu)) * glowUpper + fine);
     light[i] = sum;

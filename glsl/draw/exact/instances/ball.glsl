@@ -1,4 +1,4 @@
-// Balls in perspective and parallel views: pixel bounds and intersection with rays. Compiles as GLSL and as C++.
+// Balls in perspective and orthographic views: pixel bounds and intersection with rays. Compiles as GLSL and as C++.
 #include "common/exact.glsl"
 
 struct Ball {
@@ -22,7 +22,8 @@ FUNCTION Ball ballAt(vec3 p, float radius, vec3 eye, vec3 forward) {
   return ball;
 }
 
-// Returns the hit at the parameter `t` of a ray. `a`: vector from the centre to the ray's point at the centre's depth.
+// Returns the hit at the ray parameter `t`. `a`: vector from the ball's centre to the point of the ray at the centre's
+// depth.
 FUNCTION BallHit ballHitAfter(Ball ball, vec3 a, vec3 ray, float beyond, float t) {
   precise vec3 outwards = a + ray * t;
   precise float depth = ball.depth + t;
@@ -33,8 +34,9 @@ FUNCTION BallHit ballHitAfter(Ball ball, vec3 a, vec3 ray, float beyond, float t
   return hit;
 }
 
-// Returns the first hit of a ray of depth 1 from the eye. With a = ray * depth - middle it solves |a + t ray| = radius.
-// The vector a is about as short as the ball's radius, so the difference of squares loses little precision.
+// Returns the first hit of a ray of depth 1 that starts at the eye. With a = ray * depth - middle, the function solves
+// |a + t ray| = radius for t. The vector a is about as short as the ball's radius, so the difference of squares loses
+// little precision.
 FUNCTION BallHit ballHit(Ball ball, vec3 ray) {
   precise vec3 a = ray * ball.depth - ball.middle;
   float rr = exactDot(ray, ray), b = exactDot(a, ray), aa = exactDot(a, a);
@@ -43,8 +45,8 @@ FUNCTION BallHit ballHit(Ball ball, vec3 ray) {
   return ballHitAfter(ball, a, ray, beyond, t);
 }
 
-// Returns the hit of a parallel ray that starts at `aside` from the eye and goes along `forward` (unit), with a = aside
-// + forward * depth - middle.
+// Returns the hit of a parallel ray that starts at eye + `aside` and has the unit direction `forward`. Here a = aside +
+// forward * depth - middle.
 FUNCTION BallHit ballHitAlong(Ball ball, vec3 aside, vec3 forward) {
   precise vec3 a = aside + forward * ball.depth - ball.middle;
   float b = exactDot(a, forward), aa = exactDot(a, a);
@@ -53,8 +55,8 @@ FUNCTION BallHit ballHitAlong(Ball ball, vec3 aside, vec3 forward) {
   return ballHitAfter(ball, a, forward, beyond, t);
 }
 
-// Returns the range of pixels along one picture axis that a ball covers in a parallel view; first > second if none.
-// `along`: pixels per metre.
+// Returns the range of pixels along one picture axis that a ball covers in an orthographic view. If the ball covers
+// none, first > second. `along`: pixels per metre.
 FUNCTION vec2 ballSpanAlong(Ball ball, vec3 along, float size) {
   precise float middle = exactDot(ball.middle, along) + 0.5f * size;
   precise float half_ = ball.radius * exactSqrt(exactDot(along, along));
@@ -65,18 +67,17 @@ FUNCTION vec2 ballSpanAlong(Ball ball, vec3 along, float size) {
   return vec2(max(from, 0.0f), min(to, size));
 }
 
-// Returns the depth at which the ray meets the disc through the ball's centre that faces the eye.
+// Returns the depth at which the ray hits the disc around the ball's centre that faces the eye.
 FUNCTION float discDepth(Ball ball, vec3 ray) {
   float along = exactDot(ray, ball.middle);
   precise float depth = exactDot(ball.middle, ball.middle) * exactReciprocal(max(along, 1e-6f));
   return depth;
 }
 
-// Returns the range of pixels along one picture axis that a ball may cover in a perspective view; first > second if
-// none.
-// The range ends at the tangent planes through the eye: positions x with X - x D = radius |along - x forward|, where
-// `along` is pixels times depth per metre. A ball close to the eye may cover the whole axis unless it is beyond a side
-// of the picture.
+// Returns the range of pixels along one picture axis that a ball may cover in a perspective view. If the ball covers
+// none, first > second. The range ends at the tangent planes through the eye. For a ball with the depth D and
+// X = middle . along, these are the positions q with |X - q D| = radius |along - q forward|, where `along` is pixels
+// times depth per metre. A ball close to the eye may cover the whole axis unless it is beyond a side of the picture.
 FUNCTION vec2 ballSpan(Ball ball, vec3 along, vec3 forward, float size) {
   float x = exactDot(ball.middle, along), aa = exactDot(along, along), af = exactDot(along, forward);
   precise vec3 last = along - forward * size;

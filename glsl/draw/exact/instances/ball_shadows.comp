@@ -1,5 +1,6 @@
-// Rasterizes balls as discs that face the sun into the sun's shadow map, one per invocation. Large discs go on a list.
-// LARGE: rasterizes the listed discs; workgroups share the tiles of each disc in turn. Requires SAMPLES 1 and PASS 0.
+// Rasterizes balls into the sun's shadow map, as discs that face the sun, one per invocation. Appends large discs to a
+// list. LARGE: rasterizes the listed discs; for each disc, the workgroups split the tiles between them. Requires
+// SAMPLES 1 and PASS 0.
 #define EXACT_PICTURE
 #include "draw/frame_block.glsl"
 #include "draw/exact/visible_sample.glsl"
@@ -29,7 +30,7 @@ Disc discOf(int number, out uint key) {
   precise float radius = radiusOf(position, texelFetch(velocities, number)) * exactReciprocal(lightTexel());
   disc.middle = middle;
   disc.radius = radius;
-  precise float near = 1.0f - place.z - 4e-7f;  // depth offset, the same as for triangles without slope in
+  precise float near = 1.0f - place.z - 4e-7f;  // depth offset, equal to that of triangles without slope in
                                                 // raster_triangle.glsl
   key = nearKey(max(near, 0.0f));
   return disc;
@@ -59,7 +60,8 @@ void main() {
     drawLarge(int(texelFetch(largeList, firstLarge + int(entry)).x));
 }
 #else
-// Unused elements of a buffer often lie at one place, each as large as the whole map: the first one has the texels of all.
+// True if the disc equals the previous one, which then writes the same texels. Unused elements of a buffer are often
+// equal, and each may be as large as the whole map.
 bool equalsPrevious(int number) {
   return number > 0 && texelFetch(positions, number) == texelFetch(positions, number - 1) &&
          texelFetch(velocities, number) == texelFetch(velocities, number - 1);

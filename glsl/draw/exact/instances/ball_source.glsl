@@ -1,4 +1,4 @@
-// The ball of an instance in view space, by index. A hidden instance has the radius 0.
+// Returns the ball of an instance in view space, by index. A hidden instance has the radius 0.
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/instances/ball.glsl"

@@ -1,5 +1,5 @@
-// Rasterizes the small balls of instances, one per invocation. The others go on a list (large_balls.comp): large balls
-// from its start and, with MEDIUM, medium-sized balls from its end. Variants: SAMPLES, PASS.
+// Rasterizes the small balls of instances, one per invocation. Appends the other balls to a list (large_balls.comp):
+// large balls from its start and, with MEDIUM, medium-sized balls from its end. Defines: SAMPLES, PASS.
 #define EXACT_PICTURE
 #include "draw/exact/instances/raster_ball.glsl"
 #include "draw/exact/instances/box.glsl"
@@ -9,9 +9,9 @@ layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint cou
 #include "draw/exact/list_place.glsl"
 uniform int draw_;        // index of the current instances among all drawn instances
 uniform int firstLarge;   // first entry of the current instances in the list of larger balls
-uniform int smallPixels;  // longest side of a small ball's box in pixels
+uniform int smallPixels;  // max side (pixels) of a small ball's bounding box
 #ifdef MEDIUM
-uniform int mediumPixels;  // longest side of a medium-sized ball's box in pixels
+uniform int mediumPixels;  // max side (pixels) of a medium-sized ball's bounding box
 uniform int draws;
 #endif
 

@@ -6,7 +6,8 @@ struct Disc {
   float radius;
 };
 
-// Returns the box of the pixels whose centres may lie on the disc (first pixel, last pixel); last < first if none.
+// Returns the rectangle (first pixel, last pixel) of the pixels whose centres may lie on the disc. If there are none,
+// last < first.
 FUNCTION ivec4 pixelsOfDisc(Disc disc, ivec2 size) {
   precise vec2 low = disc.middle - disc.radius + 0.5f;
   precise vec2 high = disc.middle + disc.radius - 0.5f;

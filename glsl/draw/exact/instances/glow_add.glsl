@@ -1,4 +1,4 @@
-// Adds light to the sums of draw/instances/glow_block.glsl in front of the visible samples. Variant SAMPLES.
+// Adds light in front of the visible samples to the sums of draw/instances/glow_block.glsl. Define: SAMPLES.
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/triangles/triangle.glsl"
 #define GLOW_FIRST_ROW view.rows.x
@@ -14,9 +14,9 @@ int samplesBefore(ivec2 pixel, float near) {
   return count;
 }
 
-// Adds light to the integer sums: three words for the lower parts, three for the upper parts.
+// Adds light to the integer sums. Three words hold the lower parts of r, g and b, and three words the upper parts.
 void addUnits(ivec2 pixel, vec3 light) {
-  vec3 all_ = min(light, vec3(6e4f));  // clamped because larger values show as white anyway
+  vec3 all_ = min(light, vec3(6e4f));  // clamps the light, because larger values are displayed as white anyway
   precise vec3 uppers = all_ * 0.00390625f;
   vec3 upper = floor(uppers);
   precise vec3 lower = (all_ - upper * glowUpper) * glowUnits;
@@ -30,7 +30,7 @@ void addUnits(ivec2 pixel, vec3 light) {
   }
 }
 
-// Adds the fraction `inside` of the light, weighted by the fraction of visible samples.
+// Adds the light times `inside`, a fraction, and times the fraction of visible samples.
 void addPart(ivec2 pixel, vec3 light, float inside, int samples) {
   if (samples == 0) return;
   precise float part = inside * float(samples) * perSamples();

@@ -1,5 +1,5 @@
-// Glows in the picture. A small glow is a disc in the picture; a large glow is a disc in space that faces the eye, so
-// the camera can fly through it. BALL: an additive sphere of uniform light instead.
+// Glows in the picture. A small glow is a disc in the picture plane. A large glow is a disc in space that faces the
+// eye, so that the camera can fly through it. BALL: the glow is an additive sphere of uniform light instead.
 #include "draw/exact/instances/ball_source.glsl"
 #include "draw/exact/instances/glow_add.glsl"
 #include "draw/exact/instances/disc.glsl"
@@ -20,7 +20,7 @@ bool farEnough(float depth, float near) {
   return depth >= view.near && near >= view.nearOverFar;
 }
 
-// Clips a box to the current band of picture rows.
+// Clips a pixel rectangle to the current band of picture rows.
 ivec4 inBand(ivec4 box) {
   return ivec4(box.x, max(box.y, view.rows.x), box.z, min(box.w, view.rows.y - 1));
 }
@@ -78,12 +78,13 @@ void addGlow(GlowDisc glow, Rays rays, ivec2 pixel) {
   addPart(pixel, glow.light, 1.0f, samples);
 }
 #else
-// Adds the light times (1 - (distance / radius)^2)^2.
+// Adds the glow's light to a pixel, multiplied by (1 - (distance / radius)^2)^2.
 void addGlow(GlowDisc glow, Rays rays, ivec2 pixel) {
   float perRadius = exactReciprocal(glow.round_ ? glow.disc.radius : glow.ball.radius);
   precise vec2 place = vec2(pixel) + 0.5f;
   vec3 ray = rayAt(rays, place), middle = glow.ball.middle;
-  // The disc's plane through its centre m faces the eye; the ray meets it at the depth m.m / m.ray.
+  // The disc is perpendicular to the vector m from the eye to its centre, so the ray hits it at the depth (m . m) / (m
+  // . ray).
 #ifdef PARALLEL
   const float towards = 1.0f;
   float depth = glow.ball.depth;

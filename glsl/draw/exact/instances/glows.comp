@@ -1,14 +1,14 @@
-// Adds the light of small glows to the sums, one glow per invocation. The others go on a list: large glows from its
-// start and, with MEDIUM, medium-sized glows from its end. LARGE: handles the listed glows; with MEDIUM first the
-// medium-sized ones, one per workgroup, then the large ones, whose tiles workgroups share in turn. Variants: BALL,
-// SAMPLES.
+// Adds the light of small glows to the sums, one glow per invocation. Appends the other glows to a list: large glows
+// from its start and, with MEDIUM, medium-sized glows from its end. LARGE: handles the listed glows. With MEDIUM, it
+// first handles the medium-sized ones, one per workgroup. Then it handles the large ones; for each glow, the workgroups
+// split the tiles between them. Defines: BALL, SAMPLES.
 #define EXACT_PICTURE
 #include "draw/exact/instances/glow_disc.glsl"
 uniform int draw_;        // index of the current instances among all additive instances
 uniform int firstLarge;   // first entry of the current instances in the list of larger glows
-uniform int smallPixels;  // longest side of a small glow's box in pixels
+uniform int smallPixels;  // max side (pixels) of a small glow's bounding box
 #ifdef MEDIUM
-uniform int mediumPixels;  // longest side of a medium-sized glow's box in pixels
+uniform int mediumPixels;  // max side (pixels) of a medium-sized glow's bounding box
 uniform int draws;
 #endif
 #ifdef LARGE

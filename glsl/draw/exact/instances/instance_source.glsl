@@ -1,4 +1,4 @@
-// Instances by index, for the exact rasterizer.
+// Reads instances by index, for the exact rasterizer.
 #include "draw/instances/instance.glsl"
 uniform int capacity;
 int capacity_ = once(capacity);

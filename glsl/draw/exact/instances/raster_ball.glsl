@@ -1,10 +1,11 @@
-// Rasterizes balls by a ray for each sample. Variants of visible_sample.glsl.
+// Rasterizes balls with one ray per sample. Defines: those of visible_sample.glsl.
 #include "draw/exact/visible_sample.glsl"
 #include "draw/exact/triangles/triangle.glsl"
 #include "draw/exact/instances/ball_source.glsl"
 #include "draw/exact/instances/rays.glsl"
 
-// Returns the box of the pixels that the ball may cover (first pixel, last pixel); last < first if none.
+// Returns the rectangle (first pixel, last pixel) of the pixels that the ball may cover. If there are none, last <
+// first.
 ivec4 pixelsOfBall(Ball ball) {
   precise float farthest = ball.depth + ball.radius;
   if (!(ball.radius > 0.0f) || farthest < view.near) return ivec4(0, 0, -1, -1);
@@ -25,8 +26,8 @@ void putBall(Ball ball, Rays rays, ivec2 pixel, uint id) {
     precise vec2 place = vec2(pixel * 16 + samplePlace(s)) * 0.0625f;
     BallHit hit = hitOf(ball, rayAt(rays, place));
 #ifdef LAMP_MAP
-    // Casters are discs through the ball's centre that face the lamp, so the lit half lies in front of them and does
-    // not shadow itself.
+    // In lamp maps, a ball is a disc through its centre that faces the lamp. The lit half of the ball lies in front of
+    // the disc, so the ball does not shadow itself.
     hit.depth = discDepth(ball, rayAt(rays, place));
 #endif
     float near = nearOf(hit.depth);

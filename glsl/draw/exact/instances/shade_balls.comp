@@ -1,8 +1,8 @@
-// Shades balls tile by tile. Each ball in a pixel is shaded once: at the pixel's centre if the centre is on the ball,
-// else at the first sample that shows it. Balls of a few pixels are shaded at the four corners of a square with their
-// outline's area, like the driver's small sprites (draw/instances/small_sprites.comp), because they would twinkle
-// otherwise. Variants: SAMPLES, SHADOW (with SHADOW_TAPS), OCCLUSION, REFLECTED (not for balls of a few pixels), RAYS,
-// and the variants of draw/surface/lighting.glsl.
+// Shades balls tile by tile. Each ball in a pixel is shaded once: at the pixel's centre if the ball covers it, else at
+// the first sample that shows the ball. Balls of a few pixels would twinkle. They are therefore shaded at the four
+// corners of a square with the area of their outline, like the driver's small sprites
+// (draw/instances/small_sprites.comp). Defines: SAMPLES, SHADOW (with SHADOW_TAPS), OCCLUSION, REFLECTED (not for balls
+// of a few pixels), RAYS, and those of draw/surface/lighting.glsl.
 #define EXACT_PICTURE
 #include "common/once.glsl"
 #include "draw/exact/tiles/lit_tile.glsl"
@@ -19,9 +19,9 @@
 #ifdef RAYS
 #include "draw/exact/rays/spots.glsl"
 #endif
-uniform vec3 material;  // material: roughness, metallic, translucency
+uniform vec3 material;  // material values: roughness, metallic, translucency
 vec3 material_ = once(material);
-uniform float squarePixels;  // balls with at most this radius in pixels are shaded as squares
+uniform float squarePixels;  // max radius (pixels) of balls that are shaded as squares
 float squarePixels_ = once(squarePixels);
 
 // The point of a ball that is shaded for a pixel or sample.
@@ -41,8 +41,8 @@ Place placeOn(Ball ball, ivec2 pixel, int firstSample) {
   return Place(hit.outwards, ray);
 }
 
-// Returns the bilinear weight of a corner (-1 or 1) of the square at the pixel's centre; `perHalf`: 1 / half the
-// square's side.
+// Returns the bilinear weight, at the pixel's centre, of a corner of the square (each coordinate -1 or 1). `perHalf`: 1
+// / half the square's side.
 float weightOf(Ball ball, Facing facing, vec2 corner, float perHalf, ivec2 pixel) {
   Rays rays = Rays(view.ray.xyz, view.rayAcross.xyz, view.rayDown.xyz);
   precise vec3 aside = alongRay(rayAt(rays, shadingPlace(pixel, -1)), ball.depth) - ball.middle;
@@ -68,11 +68,11 @@ vec4 lightOf(ivec2 pixel, uint slot, int sampleAt) {
   Place place = placeOn(ball, pixel, sampleAt);
   precise vec3 backwards = -directionOf(place.ray);
   vec3 towards = small ? facing.towards : unitOf(backwards);
-  precise vec3 middle = 0.6666667f * facing.towards;  // the mean cosine between a ball's visible normals and the view
-                                                      // is 2/3
+  precise vec3 middle = 0.6666667f * facing.towards;  // mean visible normal: the mean cosine between a ball's visible
+                                                      // normals and the view is 2/3
   precise vec3 lit = position.xyz + (small ? ball.radius * middle : place.outwards);
 #if defined SHADOW && !defined REFLECTED
-  // The lookup normal is the sun's direction, because a ball's normals already darken its unlit half.
+  // The shadow is looked up with the sun's direction as normal, because a ball's normals already darken its unlit half.
   float fraction = sunFractionOn(lit, frame.sunDirection.xyz);
 #else
   const float fraction = 1.0f;
@@ -83,7 +83,7 @@ vec4 lightOf(ivec2 pixel, uint slot, int sampleAt) {
   vec3 firstNormal = unitOf(place.outwards);
 #ifdef REFLECTED
   facing_ = firstNormal;
-  // Width of a half pixel on the ball (m), larger where the surface turns away from the view.
+  // Width of a half-resolution pixel on the ball (m). The width grows where the surface turns away from the view.
   precise vec3 aside = lit - view.eye.xyz;
 #ifdef PARALLEL
   const float depth = 1.0f;

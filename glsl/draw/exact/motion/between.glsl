@@ -1,4 +1,4 @@
-// Linear interpolation between two frames. `part`: 0 at the previous frame, 1 at the current frame.
+// Interpolates linearly between two frames. `part`: 0 at the previous frame, 1 at the current frame.
 #include "common/exact.glsl"
 uniform float part;
 

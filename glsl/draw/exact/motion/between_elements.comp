@@ -1,6 +1,6 @@
-// Interpolates instances between two frames. An instance that is new in its slot moves along its velocity instead. An
-// instance counts as new if the slot was empty, if it is younger than before, or if it moved more than twice as far as
-// both velocities allow. One invocation handles one instance.
+// Interpolates instances between two frames. An instance that is new at its index moves along its velocity instead. An
+// instance counts as new if the previous frame had no instance at this index, if the instance is younger than that one
+// was, or if it moved more than twice as far as both velocities allow. One invocation handles one instance.
 #include "draw/bindings.glsl"
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/motion/between.glsl"
@@ -21,7 +21,7 @@ void main() {
   vec4 velocityBefore = texelFetch(velocitiesBefore, i), velocity = texelFetch(velocitiesNow, i);
   precise vec3 way = now.xyz - before.xyz;
   precise float swiftest = 2.0f * (exactDot(velocity.xyz, velocity.xyz) + exactDot(velocityBefore.xyz, velocityBefore.xyz));
-  // Upper bound of the squared movement (2 (|v| + |v before|) t)^2.
+  // Upper bound of (2 (|v| + |v before|) t)^2, the square of twice the movement that both velocities allow.
   precise float farthest = 4.0f * swiftest * seconds * seconds;
   bool same = velocityBefore.w >= 0.0f && velocity.w >= velocityBefore.w && exactDot(way, way) <= farthest;
   precise float rest = (1.0f - part) * seconds;

@@ -1,5 +1,4 @@
-// Copies the positions and velocities of instances, to keep them for the next frame. One invocation copies one
-// instance.
+// Copies the positions and velocities of instances for use in the next frame. One invocation copies one instance.
 #include "draw/bindings.glsl"
 #include "draw/exact/bindings.glsl"
 layout(local_size_x = 64) in;

@@ -1,5 +1,5 @@
 // Writes a surface's vertices and normals in world space, as input of the interpolation between frames. One invocation
-// writes one vertex. Variants: GRID, DEFORMED, PALETTE.
+// writes one vertex. Defines: GRID, DEFORMED, PALETTE.
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/triangles/world_vertex.glsl"
 layout(local_size_x = 64) in;

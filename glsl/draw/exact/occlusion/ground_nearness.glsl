@@ -1,5 +1,6 @@
-// Nearness of the ground at the centre of a half pixel, 0 without ground. nearnessPerMetre() converts a nearness to 1 /
-// depth (1/m) or, for parallel rays, to metres before the far end of the depth range.
+// Returns the nearness of the ground at the centre of a half-resolution pixel, or 0 without ground. nearnessPerMetre()
+// converts a nearness to 1 / depth (1/m) or, in orthographic views, to the distance (m) from the far end of the depth
+// range.
 #include "draw/exact/ground_plane.glsl"
 float perNear = exactReciprocal(view.near);
 

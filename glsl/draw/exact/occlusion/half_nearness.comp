@@ -1,5 +1,5 @@
 // Writes the nearness of the nearest sample in each half pixel (block of 2x2 pixels) of the current band of picture
-// rows. GROUND: including the ground. One invocation handles ROWS half pixels, one below the other. Variants: SAMPLES,
+// rows. GROUND: the ground counts too. One invocation handles ROWS vertically adjacent half pixels. Defines: SAMPLES,
 // PAIRED.
 #define EXACT_PICTURE
 #include "draw/frame_block.glsl"

@@ -1,12 +1,13 @@
-// Pictures at half size. Half pixel (i, j) covers the four pixels from (2 i, 2 j) on. Nearness is 1 / depth (1/m),
-// which is affine on the picture of a plane; 0 without content. Compiles as GLSL and as C++.
+// Pictures at half resolution. A half pixel (i, j) is the block of 2x2 pixels whose first pixel is (2 i, 2 j). Nearness
+// is 1 / depth (1/m), or 0 for empty half pixels; for points of a plane, it is affine in the picture position. Compiles
+// as GLSL and as C++.
 #ifndef EXACT_HALF_PIXELS
 #define EXACT_HALF_PIXELS
 #include "common/exact.glsl"
 
-// Returns the nearness difference that corresponds to the fraction `part` of the distance. PARALLEL: nearness is in
-// metres, and the distance is replaced by 1.37 times the picture's height, the distance from which a view of 40 degrees
-// would be as wide. The including file declares `view`.
+// Returns the difference of nearness for a depth difference of `part` times the distance. PARALLEL: nearness is in
+// metres, and the distance is replaced by 1.37 times the picture's height, the distance at which a view of 40 degrees
+// has the same height. The including file declares `view`.
 FUNCTION float partOf(float here, float part) {
 #ifdef PARALLEL
   precise float height = float(view.size.y) * exactSqrt(exactDot(vec3(view.rayDown), vec3(view.rayDown)));
@@ -18,9 +19,9 @@ FUNCTION float partOf(float here, float part) {
 }
 
 // Returns the change of nearness per half pixel to the right or downwards, from a half pixel and its two neighbours. If
-// the surface is smooth and convex towards the eye, it is the mean of the two differences; else it is the smaller
-// difference, which does not cross an edge. The plane of this slope never lies behind a point of a convex or flat
-// surface, so such surfaces do not occlude themselves.
+// the surface is smooth and convex towards the eye, the result is the mean of the two differences. Otherwise it is the
+// smaller difference, which does not cross an edge. A plane with this slope is never behind a point of a convex or flat
+// surface, so the surface does not occlude itself.
 FUNCTION float slopeBetween(float before, float here, float behind) {
   precise float to = here - before;
   precise float from = behind - here;

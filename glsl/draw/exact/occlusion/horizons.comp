@@ -1,5 +1,5 @@
 // Computes the occluded and the total ambient light of each half pixel (block of 2x2 pixels) by
-// draw/exact/occlusion/horizons.glsl. One invocation handles ROWS half pixels, one below the other. Variants: SLICES,
+// draw/exact/occlusion/horizons.glsl. One invocation handles ROWS vertically adjacent half pixels. Defines: SLICES,
 // STEPS.
 #define EXACT_PICTURE
 #include "draw/frame_block.glsl"
@@ -7,7 +7,7 @@
 layout(local_size_x = 8, local_size_y = 8 / ROWS) in;
 layout(r32f, binding = nearnessImage) readonly restrict uniform imageBuffer nearness;
 layout(std430, binding = halfPixelBinding) writeonly restrict buffer ArcBlock { vec2 arcs[]; };
-uniform vec3 reach;  // x max distance of occluders (m), y max distance in half pixels, z half pixels per metre at depth
+uniform vec3 reach;  // x: max distance of occluders (m); y: the same in half pixels; z: half pixels per metre at depth
                      // 1
 vec3 reach_ = once(reach);
 ivec2 halfSize = (view.size + 1) / 2;
@@ -25,7 +25,8 @@ void main() {
     ivec2 at = first + ivec2(0, row);
     if (at.x >= halfSize.x || at.y >= halfSize.y) continue;
     float here = nearnessAt(at);
-    // A loop of at most one round instead of a branch, because software drivers execute both sides of a branch.
+    // Uses a loop of at most one iteration instead of a branch, because software drivers execute both sides of a
+    // branch.
     Arcs found = Arcs(0.0f, 0.0f);
     for (int i = here > 0.0f ? 0 : 1; i < 1; ++i) found = arcsOf(halfPlaceOf(at, here));
     arcs[at.y * halfSize.x + at.x] = vec2(found.lost, found.all_);

@@ -1,16 +1,17 @@
-// Cosine-weighted ambient light that objects around a point block (J. Jimenez et al., "Practical realtime strategies
+// Cosine-weighted ambient light that objects around a point occlude (J. Jimenez et al., "Practical realtime strategies
 // for accurate indirect occlusion", SIGGRAPH 2016). Compiles as GLSL and as C++. The including file declares `view`,
 // SLICES, STEPS, float nearnessAt(ivec2 half pixel), which is 0 outside the picture, and vec3 reach_: max distance of
 // occluders (m), max distance (half pixels), half pixels per metre at depth 1.
-// A slice is a plane through the eye, visible as a line through the half pixel. Let r be the ray of the half pixel and
-// u its change per half pixel along the line. The point that is visible t half pixels further, at depth e, is e (r + t
-// u). Seen from the shaded point d r, its direction is r (1 - d / e) + t u, two numbers along r and across it. The
-// horizon on each side is the highest such direction, given as its angle h from the direction to the eye. With the
-// angle g of the normal in that plane, the light below the horizon is (cos g - cos(2 h - g) + 2 h sin g) / 4 for each
-// side, and cos g + g sin g in total without occluders. Nearness is affine on planes, so samples between two half
-// pixels are estimated along the plane of the shaded point; on that plane the estimate is exact.
-// PARALLEL: all rays go along f, and nearness is in metres before the far end of the depth range. The direction is f
-// times the nearness difference, plus t u across.
+// A slice is a plane through the eye, visible as a line through the half pixel. Let d be the depth of the shaded point,
+// r the ray of the half pixel and u the change of r per half pixel along the line. The point that is visible t half
+// pixels further, at depth e, is e (r + t u). Seen from the shaded point d r, its direction is r (1 - d / e) + t u,
+// which has one component along r and one across r. The horizon on each side is the highest of these directions, given
+// as its angle h from the direction to the eye. With the angle g of the normal in that plane, the light below the
+// horizon is (cos g - cos(2 h - g) + 2 h sin g) / 4 for each side, and cos g + g sin g in total without occluders.
+// Nearness is affine on planes, so samples between two half pixels are estimated along the plane of the shaded point.
+// For points of that plane the estimate is exact.
+// PARALLEL: all rays go along f, and nearness is the distance (m) from the far end of the depth range. The direction is
+// f times the nearness difference, plus t u across.
 #include "common/exact_acos.glsl"
 #include "draw/exact/ground_plane.glsl"
 #include "draw/exact/occlusion/half_pixels.glsl"
@@ -27,13 +28,15 @@ struct HalfPlace {
 struct Slice {
   vec2 along;           // unit direction of the slice in the picture
   float ray;            // length of the half pixel's ray
-  float forth, across;  // change of the ray per half pixel along the slice: component along the ray, and across it
-  float sine, cosine;   // sine and cosine of the angle between normal and direction to the eye, in the slice's plane
-  float weight;         // weight of the slice: length of the normal's projection to the slice's plane times the slice's
-                        // angular width
+  float forth, across;  // change of the ray per half pixel along the slice: component along the ray, and component
+                        // across it
+  float sine, cosine;   // sine and cosine of the angle between the normal and the direction to the eye, in the slice's
+                        // plane
+  float weight;         // weight of the slice: length of the normal's projection onto the slice's plane, times the
+                        // slice's angular width
 };
 
-// Ambient light: occluded part, and total.
+// Ambient light: the occluded part and the total.
 struct Arcs {
   float lost;
   float all_;
@@ -63,7 +66,7 @@ FUNCTION HalfPlace halfPlaceOf(ivec2 at, float here) {
   return place;
 }
 
-// Returns the light of one side by the formula in the file's first comment.
+// Returns the light of one side by the formula in the comment at the start of this file.
 FUNCTION float arcTo(float cosine, float normalSine, float normalCosine) {
   precise float square = 1.0f - cosine * cosine;
   float sine = exactSqrt(max(square, 0.0f));
@@ -75,9 +78,9 @@ FUNCTION float arcTo(float cosine, float normalSine, float normalCosine) {
   return arc;
 }
 
-// Returns the cosine of the horizon angle on one side (1 or -1). Occluders beyond the max distance do not count; closer
-// than 4/9 of it they count fully. Steps get shorter towards the point; `shift` (0 to 1) offsets them by a fraction of
-// a step.
+// Returns the cosine of the horizon angle on one side (1 or -1). Occluders beyond the max distance do not count;
+// occluders closer than 4/9 of it count fully. Steps get shorter towards the point. `shift` (0 to 1) offsets the steps
+// by a fraction of a step.
 FUNCTION float horizonOf(HalfPlace place, Slice slice, float side, float shift) {
   precise float low = -side * slice.sine;
   precise float horizon = low;
@@ -111,7 +114,7 @@ FUNCTION float horizonOf(HalfPlace place, Slice slice, float side, float shift) 
   return horizon;
 }
 
-// Returns |N| of the plane's normal N with N . r = -nearness and N . u = -slope . along.
+// Returns |N|, where N is the vector along the plane's normal with N . r = -nearness and N . u = -slope . along.
 FUNCTION float normalLength(HalfPlace place, vec3 ray, vec3 across, vec3 down) {
 #ifdef PARALLEL
   precise vec2 tilt = place.slope * vec2(exactInverseSqrt(exactDot(across, across)), exactInverseSqrt(exactDot(down, down)));
@@ -124,7 +127,7 @@ FUNCTION float normalLength(HalfPlace place, vec3 ray, vec3 across, vec3 down) {
   return length_;
 }
 
-// Returns the slice with the angle `turn`, 0 to 1 for half a turn. `perNormal`: 1 / |N|.
+// Returns the slice at the angle `turn`, where 0 to 1 means half a turn. `perNormal`: 1 / |N|.
 FUNCTION Slice sliceOf(HalfPlace place, vec3 ray, vec3 right, vec3 down, float turn, float perNormal) {
   precise float angle = 3.14159265f * turn;
   vec2 along = vec2(exactCos(angle), exactSin(angle));
@@ -158,8 +161,8 @@ FUNCTION Slice sliceOf(HalfPlace place, vec3 ray, vec3 right, vec3 down, float t
   return slice;
 }
 
-// Returns the light of a half pixel that has content. Each 4x4 block of half pixels uses 16 different angles and evenly
-// shifted steps.
+// Returns the light of a half pixel that is not empty. Each 4x4 block of half pixels uses 16 different angles and 16
+// evenly spaced offsets of the steps.
 FUNCTION Arcs arcsOf(HalfPlace place) {
   vec3 ray = directionOf(rayThrough(vec2(2 * place.at + 1)));
   precise vec3 right = 2.0f * vec3(view.rayAcross);

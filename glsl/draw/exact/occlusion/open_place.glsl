@@ -1,6 +1,6 @@
-// Returns the fraction of ambient light that reaches a point: the mean of the four half pixels around its pixel,
-// weighted towards half pixels at a similar depth. Compiles as GLSL and as C++. The including file declares `view` and
-// vec2 opennessAt(ivec2 half pixel), which returns openness and nearness.
+// Returns the fraction of ambient light that reaches a point. The fraction is the mean over the four half pixels around
+// the point, weighted towards half pixels at a similar depth. Compiles as GLSL and as C++. The including file declares
+// `view` and vec2 opennessAt(ivec2 half pixel), which returns openness and nearness.
 #include "common/exact.glsl"
 #include "draw/exact/occlusion/half_pixels.glsl"
 

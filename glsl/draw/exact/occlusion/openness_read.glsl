@@ -1,4 +1,4 @@
-// Ambient occlusion of shaded points. Without OCCLUSION the openness is 1 everywhere.
+// Returns the ambient occlusion of shaded points. Without OCCLUSION the openness is 1 everywhere.
 #ifdef OCCLUSION
 #include "draw/exact/bindings.glsl"
 layout(rg32f, binding = opennessImage) readonly restrict uniform imageBuffer openness;

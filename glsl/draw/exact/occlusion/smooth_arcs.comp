@@ -1,6 +1,6 @@
 // Smooths the occluded and total ambient light of half pixels (blocks of 2x2 pixels) along rows. DOWN: smooths along
 // columns and writes the openness (draw/exact/occlusion/smooth_arcs.glsl) and nearness of each half pixel. One
-// invocation handles ROWS half pixels side by side in that direction, in groups that share their reads.
+// invocation handles ROWS adjacent half pixels in the smoothing direction, in groups that share their reads.
 #define EXACT_PICTURE
 #include "draw/exact/view_block.glsl"
 layout(local_size_x = 8, local_size_y = 8 / ROWS) in;
@@ -33,7 +33,7 @@ void smoothAtOnce(ivec2 first) {
     nearest = max(nearest, seen[i + 3].z);
     sums[i] = vec2(0.0f, 1.0f);
   }
-  // A loop of at most one round instead of a branch, because software drivers execute both sides of a branch.
+  // Uses a loop of at most one iteration instead of a branch, because software drivers execute both sides of a branch.
   for (int once_ = nearest > 0.0f ? 0 : 1; once_ < 1; ++once_)
     for (int i = 0; i < atOnce; ++i) {
       ArcsBeside beside;

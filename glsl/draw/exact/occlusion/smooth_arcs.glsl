@@ -1,10 +1,10 @@
-// Sums the occluded and total light along a row or column of half pixels, over neighbours on the plane of the middle
-// one. The weights are a box of four convolved with itself, so a pattern with a period of four half pixels vanishes,
-// even if it grows or fades. Compiles as GLSL and as C++.
+// Sums the occluded and the total light along a row or column of half pixels, over the neighbours that are on the plane
+// of the middle one. The weights are a box of four convolved with itself. A pattern with a period of four half pixels
+// therefore vanishes, even if its amplitude changes. Compiles as GLSL and as C++.
 #include "draw/exact/occlusion/half_pixels.glsl"
 
-// Seven half pixels side by side, the middle one has index 3: occluded light, total light, nearness (0 outside the
-// picture).
+// Seven adjacent half pixels; the middle one has index 3. Each has occluded light, total light and nearness (0 outside
+// the picture).
 struct ArcsBeside {
   vec3 of[7];
 };

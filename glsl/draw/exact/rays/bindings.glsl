@@ -1,17 +1,17 @@
 // Binding points of the ray tracing kernels in draw/exact/rays. Compiles as GLSL and as C++ (src/draw/exact/rays).
 #ifndef EXACT_RAY_BINDINGS
 #define EXACT_RAY_BINDINGS
-// Texture units of texel views.
-// Triangles and balls in the order of their hierarchies, and the nodes of the hierarchies.
+// Texture units of texel views: triangles and balls in the order of their hierarchies, and the nodes of the
+// hierarchies.
 const int solidUnit = 20, solidNodeUnit = 21, ballUnit = 22, ballNodeUnit = 23;
-const int rayUnit = 24, rayHitUnit = 25, rayLightUnit = 26;  // rays of paths, their hits and their light
+const int rayUnit = 24, rayHitUnit = 25, rayLightUnit = 26;  // texel views: rays of paths, their hits and their light
 const int spotUnit = 27, spotListUnit = 28;
-// Geometry of all surfaces: vertex positions, triangle corners, vertex words.
+// Texel views: geometry of all surfaces (vertex positions, triangle corners, vertex words).
 const int solidPlaceUnit = 29, solidCornerUnit = 30, solidWordUnit = 31;
 const int solidIdUnit = 32, ballLookUnit = 33, rayLookUnit = 34, spotLightUnit = 35;
-// Vertices' texture positions, texels of skins, listed paths or rays, emitters.
+// Texel views: texture positions of vertices, texels of skins, listed paths or rays, emitters.
 const int rayLayUnit = 36, raySkinUnit = 37, rayListUnit = 38, rayEmitterUnit = 39;
-const int recordUnit = 0;  // sort records in the order of the hierarchy; a binding of INPUT_WORDS
+const int recordUnit = 0;  // texel view: sort records in the order of the hierarchy; bound as INPUT_WORDS
 // Binding points of storage blocks.
 const int outPlaceBinding = 0, outWordBinding = 1, outCornerBinding = 2, outRecordBinding = 3, rayBoundsBinding = 4;
 const int outNodeBinding = 5, outIdBinding = 6, outLayBinding = 8;

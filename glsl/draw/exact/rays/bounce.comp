@@ -1,7 +1,7 @@
 // Shades the hits of the paths' continuation rays. A ray that leaves the scene adds the sky's light. At a hit point,
-// the kernel starts a shadow ray towards one light and a second continuation ray that adds the sky's light if nothing
-// blocks it. One invocation handles one path. Variants: SAMPLES; LAMPS and the other light variants; ENVIRONMENT;
-// TRIANGLES, BALLS, GROUND; LAID and the other material variants; BALLOT.
+// the kernel starts two rays. A shadow ray goes towards one light. A second continuation ray adds the sky's light if
+// nothing blocks the ray. One invocation handles one path. Defines: SAMPLES; LAMPS and the other light defines;
+// ENVIRONMENT; TRIANGLES, BALLS, GROUND; LAID and the other material defines; BALLOT.
 #define EXACT_PICTURE
 #define LISTS_RAYS
 #include "draw/frame_block.glsl"
@@ -22,30 +22,31 @@ layout(binding = rayUnit) uniform samplerBuffer rays;
 layout(binding = rayHitUnit) uniform usamplerBuffer rayHits;
 layout(binding = rayLightUnit) uniform samplerBuffer onwardLight;
 
-// Returns the number of rays per steradian that all samples of the pixel together send in a direction, from the
+// Returns the number of rays per steradian that all samples of the pixel together send in a direction. `density`:
 // probability density of one sample.
 float allTowards(float density) {
   precise float all_ = density * float(sampleMask + 1u);
   return all_;
 }
 
-// Returns the light of the sky behind the fraction `share` of a ray. Includes the sun if the ray comes from the
-// specular lobe and hits the sun's disc.
+// Returns the sky's light for a ray, times the fraction `share` of the ray. Includes the sun if the ray was sampled
+// from the specular lobe and hits the sun's disc.
 vec3 beyond(vec3 direction, float roughness, float lobeShare, float density, float share) {
   precise vec3 light = skyLight(direction, skyFactor(roughness, lobeShare), roughness, lobeShare, allTowards(density));
   float angle = sunAngle();
   precise float likely = density * angle;
   bool sun = likely > 0.0f && isOnSun(direction);
-  // The sun's radiance is irradiance / angle. The weight of the lobe's samples against the sun's own samples is density
-  // / (density + 1 / angle) (multiple importance sampling).
+  // The sun's radiance is irradiance / angle. Samples of the lobe have the weight density / (density + 1 / angle)
+  // relative to samples of the sun (multiple importance sampling).
   precise float both = 1.0f + likely;
   precise vec3 ofSun = frame.sunLight.rgb * (3.14159265f * density * exactReciprocal(both));
   precise vec3 sum = (sun ? light + ofSun : light) * share;
   return sum;
 }
 
-// Starts a shadow ray from a hit point towards one light: sun or lamp, chosen with a probability proportional to its
-// light, or in half of the samples an emitting triangle. Returns the light that needs no shadow ray (OPEN_SUN).
+// Starts a shadow ray from a hit point towards one light. The light is the sun or a lamp, chosen with a probability
+// proportional to its light, or in half of the samples an emitting triangle. Returns the light that needs no shadow ray
+// (OPEN_SUN).
 vec3 towardsLight(int path, Facet f, vec3 weight, vec3 u) {
 #ifdef EMITTERS
   if (emitterCount > 0) {
@@ -132,7 +133,7 @@ void main() {
     rayLight[nextSure * paths + path] = vec4(there ? sure : vec3(0), 0.0f);
     return;
   }
-  // Rough surfaces that gather light from smooth ones would give rare, very bright samples. The hit surface is
+  // A rough surface that receives light from smooth surfaces would get rare, very bright samples. The hit surface is
   // therefore treated as rougher.
   precise float least = 0.7f + (roughness - 0.7f) * from.w;
   Facet f = foundFacet(at, p, towards.xyz, uintBitsToFloat(hit.x), uintBitsToFloat(hit.zw), least, rayWidth(from.xyz, uintBitsToFloat(hit.x), weight.w));
@@ -150,8 +151,8 @@ void main() {
   sure = sure + certain + through * openLamps(f);
 #ifdef EMITTERS
   if (max(f.emission.x, max(f.emission.y, f.emission.z)) > 0.0f) {
-    // Weight of multiple importance sampling: this ray found the emitter by chance, and emitter sampling could have
-    // found it as well.
+    // Weight of multiple importance sampling: this ray hit the emitter by chance, but emitter sampling could also have
+    // chosen the point.
     precise float square = uintBitsToFloat(hit.x) * uintBitsToFloat(hit.x);
     float found = emitterCount > 0 ? emitterDensity(f.sought, square, abs(exactDot(f.facing, towards.xyz))) : 0.0f;
     precise float both = weight.w + found;

@@ -1,9 +1,9 @@
-// Grows the bounding box of all triangles or (BALLS) balls, stored as ordered keys. Each invocation first reduces a
-// strided share, then updates the box with atomics.
+// Extends the bounding box, stored as ordered keys, by all triangles. BALLS: by all balls instead. Each invocation
+// first reduces the items of a strided range, then updates the box with atomics.
 #include "draw/exact/rays/solids.glsl"
 #include "draw/ordered_key.glsl"
 layout(local_size_x = 64) in;
-// Bounding box as six keys: low xyz, high xyz.
+// Bounding box as six keys: low x, y, z, then high x, y, z.
 layout(std430, binding = rayBoundsBinding) restrict buffer BoundsBlock { uint bounds[]; };
 uniform int count;
 uniform int invocations;

@@ -1,8 +1,8 @@
-// Samples the direction in which light continues at a clear (transmissive) surface: reflected or refracted at a
-// microfacet of a GGX surface, with the probability of Fresnel's equations (Walter et al., "Microfacet models for
-// refraction through rough surfaces", EGSR 2007). The microfacets are sampled as visible from the view direction, so
-// the weight contains only the remaining masking term. Part of facet.glsl.
-const float surely = 1e9f;  // sample density of directions that no other sampling method finds (1/sr)
+// Samples the direction in which light continues at a clear (transmissive) surface. Light is reflected or refracted at
+// a microfacet of a GGX surface, with the probabilities of Fresnel's equations (Walter et al., "Microfacet models for
+// refraction through rough surfaces", EGSR 2007). The microfacets are sampled from those visible from the view
+// direction, so the weight is only the other masking term. Part of facet.glsl.
+const float surely = 1e9f;  // density (1/sr) for directions that only this sampling method finds
 
 FUNCTION Onward clearOnward(Facet f, vec3 u) {
   vec3 facet = unitOf(facetSeen(f.normal, f.nv, f.alpha, f.view, u.x, u.y));
@@ -10,12 +10,12 @@ FUNCTION Onward clearOnward(Facet f, vec3 u) {
   float mirrored = clearFresnel(f, cosine);
   bool mirror = u.z < mirrored;
   precise vec3 back = facet * (2.0f * cosine) - f.view;
-  // The second side of a thin sheet bends transmitted light back: its direction is the mirror image of the reflected
-  // one, equally rough.
+  // The second side of a thin sheet bends transmitted light back. The transmitted direction is the mirror image of the
+  // reflected one and equally rough.
   precise vec3 behind = back - f.normal * (2.0f * exactDot(f.normal, back));
   vec3 bent = refractedDirection(f.view, facet, etaOf(f));
   vec3 direction = mirror ? back : f.thin ? behind : bent;
-  // Mirrors a direction back if it is on the wrong side of the geometric surface only because of the shading normal.
+  // Mirrors the direction back if it is on the wrong side of the geometric surface only because of the shading normal.
   float side = exactDot(f.facing, direction);
   float wrong = (mirror ? side < 0.0f : side > 0.0f) ? side : 0.0f;
   precise vec3 turned_ = direction - f.facing * (2.0f * wrong);
@@ -39,8 +39,8 @@ FUNCTION Onward clearOnward(Facet f, vec3 u) {
 }
 
 // Samples the direction in which light continues if the coat over a clear surface reflects it. The weight is the coat's
-// light, as in facetOf() and finishedLobes(), divided by the probability of the coat's lobe, which includes the factor
-// `coats`.
+// light, as in facetOf() and finishedLobes(), divided by the probability of the coat's lobe. This probability includes
+// the factor `coats`.
 FUNCTION Onward coatOnward(Facet f, vec2 u) {
   vec3 facet = unitOf(facetSeen(f.coatNormal, f.coatNv, f.coatAlpha, f.view, u.x, u.y));
   float cosine = clamp(exactDot(f.view, facet), 0.0f, 1.0f);

@@ -1,5 +1,5 @@
-// Counts the rays of a range that trace.comp really traces (length above 0), for `simreel bench`. One invocation tests
-// one ray.
+// Counts the rays of a range that trace.comp traces (length above 0), for `simreel bench`. One invocation tests one
+// ray.
 #include "draw/exact/rays/bindings.glsl"
 layout(local_size_x = 64) in;
 layout(binding = rayUnit) uniform samplerBuffer rays;

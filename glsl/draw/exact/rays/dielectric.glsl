@@ -1,10 +1,11 @@
-// A smooth boundary between two clear media. `eta`: index of refraction on the viewer's side divided by the index on
-// the other side. Compiles as GLSL and as C++.
+// Reflection and refraction at a smooth boundary between two clear media. `eta`: index of refraction on the viewer's
+// side divided by the index on the opposite side. Compiles as GLSL and as C++.
 #ifndef EXACT_RAY_DIELECTRIC
 #define EXACT_RAY_DIELECTRIC
 #include "common/exact.glsl"
 
-// Returns the reflected fraction of unpolarized light by Fresnel's equations; 1 for total internal reflection.
+// Returns the fraction of unpolarized light that is reflected, by Fresnel's equations. The fraction is 1 for total
+// internal reflection.
 FUNCTION float dielectricFresnel(float cosine, float eta) {
   precise float sine2 = eta * eta * (1.0f - cosine * cosine);
   precise float under = 1.0f - sine2;
@@ -19,8 +20,8 @@ FUNCTION float dielectricFresnel(float cosine, float eta) {
   return under <= 0.0f ? 1.0f : min(mirrored, 1.0f);
 }
 
-// Returns the refracted direction by Snell's law for light seen from `view`; both directions point away from the
-// surface point. There must be no total internal reflection.
+// Returns the direction, refracted by Snell's law, from which light reaches the viewer. `view` and the result point
+// away from the surface point. There must be no total internal reflection.
 FUNCTION vec3 refractedDirection(vec3 view, vec3 normal, float eta) {
   float cosine = exactDot(view, normal);
   precise float under = 1.0f - eta * eta * (1.0f - cosine * cosine);

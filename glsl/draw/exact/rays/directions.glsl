@@ -1,4 +1,4 @@
-// Sampled directions: discs, cosine hemispheres and GGX lobes. Compiles as GLSL and as C++.
+// Samples directions: from discs, cosine hemispheres and GGX lobes. Compiles as GLSL and as C++.
 #ifndef EXACT_RAY_DIRECTIONS
 #define EXACT_RAY_DIRECTIONS
 #include "draw/exact/rays/ray_shapes.glsl"

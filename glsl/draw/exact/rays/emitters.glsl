@@ -1,7 +1,7 @@
 // Emitting triangles as light sources for sampling. A triangle is chosen with a probability proportional to its area
-// times brightness, then a point of it uniformly. Variants: EMITTERS, LAID.
+// times brightness; then a uniformly distributed point on it. Defines: EMITTERS, LAID.
 #include "draw/exact/rays/looks.glsl"
-// One entry per emitter: x end of its interval in a cumulative distribution over 0..2^24, y index of the triangle.
+// One entry per emitter. x: end of its interval in a cumulative distribution over 0..2^24; y: index of the triangle.
 layout(binding = rayEmitterUnit) uniform usamplerBuffer emitters;
 layout(binding = solidPlaceUnit) uniform samplerBuffer solidPlaces;
 #include "draw/exact/rays/solid_words.glsl"
@@ -9,9 +9,9 @@ layout(binding = solidPlaceUnit) uniform samplerBuffer solidPlaces;
 #include "draw/exact/rays/lays.glsl"
 #endif
 uniform int emitterCount;
-uniform float perEmission;  // 1 / sum of area times brightness over all emitters
+uniform float perEmission;  // 1 / (sum of area times brightness over all emitters)
 
-// Returns the first emitter whose interval ends beyond u.
+// Returns the first emitter whose interval ends above u.
 int emitterAt(float u) {
   precise float part = u * 16777216.0f;
   uint wanted = uint(int(part));
@@ -25,7 +25,7 @@ int emitterAt(float u) {
   return low;
 }
 
-// Returns the density, per solid angle (1/sr), with which emitter sampling finds a point; `square`: squared distance,
+// Returns the density (1/sr) with which emitter sampling chooses a point. `square`: squared distance to the point;
 // `cosine`: cosine at the emitter.
 float emitterDensity(vec3 emission, float square, float cosine) {
   precise float density = brightnessOf(emission) * perEmission * square * exactReciprocal(max(cosine, 1e-4f));
@@ -70,8 +70,8 @@ Emitting emittingTowards(vec3 p, vec3 u) {
   return found;
 }
 
-// Returns the emitter's light that a facet sends to its view. `weighed`: applies the multiple importance sampling
-// weight because continuation rays can find the emitter as well.
+// Returns the emitter's light that a facet reflects to the viewer. `weighed`: true to apply the weight of multiple
+// importance sampling, if continuation rays may hit the emitter too.
 vec3 emittedLight(Facet f, Emitting e, bool weighed) {
   Lobed lobed = lobeTowards(f, e.direction);
   float nl = exactDot(f.normal, e.direction);

@@ -1,7 +1,7 @@
-// Facet: a shading point of the ray tracer and its reflection model, a GGX lobe over a diffuse surface that receives
-// the light that the lobe does not reflect. Light is irradiance / pi, as in draw/surface/shading.glsl. EMITTERS: the
-// facet may emit light. FINISHED: it may have a coat and fibres on top and may transmit light (finished_facet.glsl).
-// Compiles as GLSL and as C++.
+// A facet is a shading point of the path tracer with its reflection model. A GGX lobe lies over a diffuse surface,
+// which receives the light that the lobe does not reflect. Light is irradiance / pi, as in draw/surface/shading.glsl.
+// EMITTERS: the facet may emit light. FINISHED: the facet may have a coat and fibres on top and may transmit light
+// (finished_facet.glsl). Compiles as GLSL and as C++.
 #ifndef EXACT_RAY_FACET
 #define EXACT_RAY_FACET
 #include "draw/surface/shading.glsl"
@@ -13,7 +13,7 @@
 
 struct Facet {
   vec3 place;
-  vec3 facing;  // unit geometric normal on the viewer's side
+  vec3 facing;  // unit geometric normal that points to the viewer's side
   vec3 normal;
   vec3 view;    // unit vector to the viewer
   vec3 matt;    // diffuse colour
@@ -21,25 +21,25 @@ struct Facet {
   float roughness;
   float alpha;
   float translucency;
-  float off;    // offset of ray origins from the surface (m)
-  float lift;   // height of the rounded position above the flat triangle (m; rounded_place.glsl)
+  float off;    // offset (m) of ray origins from the surface
+  float lift;   // height (m) of the rounded position above the flat triangle (rounded_place.glsl)
   float nv;     // cosine between normal and view, above 0
-  float mirrors;  // probability that a sample continues by the GGX lobe
+  float mirrors;  // probability that a sample continues with the GGX lobe
 #ifdef EMITTERS
   vec3 emission;
-  vec3 sought;  // emission as emitter sampling estimates it: without the emission map; 0 for skins
+  vec3 sought;  // emission as emitter sampling assumes it: without the emission map; 0 for skins
 #endif
 #ifdef FINISHED
-  float kept;  // fraction of lobe and diffuse light that coat and fibres let through
+  float kept;  // fraction of the light of lobe and diffuse surface that coat and fibres let through
   float coat;  // strength of the coat
   vec3 coatNormal;
   float coatAlpha;
   float coatNv;
-  float coats;  // probability that a sample continues by the coat's lobe
+  float coats;  // probability that a sample continues with the coat's lobe
   vec3 fibres;
   float fibreRoughness;
-  float glass;   // fraction of light for which the clear (transmissive) surface replaces lobe and diffuse surface
-  float clear;   // fraction of the clear surface after the losses in coat and fibres
+  float glass;   // fraction of the light for which the clear (transmissive) surface replaces lobe and diffuse surface
+  float clear;   // fraction of the clear surface, reduced by the losses in coat and fibres
   float clearF0;
   float ior;
   vec3 tint;
@@ -53,13 +53,13 @@ FUNCTION float brightnessOf(vec3 c) {
   return b;
 }
 
-// `material`: roughness, metallic, translucency. `reach`: distance from the viewer (m).
+// Returns a facet. `material`: roughness, metallic, translucency. `reach`: distance from the viewer (m).
 FUNCTION Facet facetOf(vec3 place, vec3 facing, vec3 normal, vec3 view, vec3 base, vec3 material, float reach) {
   Facet f;
   f.place = place;
   f.view = view;
   f.facing = exactDot(facing, view) < 0.0f ? -facing : facing;
-  // Bends a shading normal that faces away from the viewer back by the necessary amount.
+  // If the shading normal points away from the viewer, bends it back just far enough.
   float seen = exactDot(normal, view);
   precise float missing = 0.02f - seen;
   precise vec3 bent = normal + view * max(missing, 0.0f);
@@ -77,7 +77,7 @@ FUNCTION Facet facetOf(vec3 place, vec3 facing, vec3 normal, vec3 view, vec3 bas
   precise vec3 mirrored = f.f0 * lobed.x + lobed.y;
   float lobeShare = max(brightnessOf(mirrored), 1e-4f), mattShare = max(brightnessOf(matt), 0.0f);
   precise float all_ = lobeShare + mattShare;
-  // Min probability for the lobe: at grazing angles it reflects much more than its mean, and rare samples would be
+  // The lobe has a min probability. At grazing angles it reflects much more than its mean, and rare samples would be
   // noisy.
   precise float likely = lobeShare * exactReciprocal(all_);
   f.mirrors = mattShare > 0.0f ? max(likely, 0.2f) : 1.0f;
@@ -110,8 +110,8 @@ FUNCTION float mattCosine(Facet f, float nl) {
   return direct;
 }
 
-// Returns the origin of a ray in the given direction: above the visible side or, for transmitted light, below the flat
-// triangle.
+// Returns the origin of a ray in the given direction. The origin is above the visible side, or below the flat triangle
+// for transmitted light.
 FUNCTION vec3 beginning(Facet f, vec3 direction) {
   bool lets = f.translucency > 0.0f;
 #ifdef FINISHED
@@ -123,23 +123,24 @@ FUNCTION vec3 beginning(Facet f, vec3 direction) {
   return p;
 }
 
-// Response to light from one direction: pi times the lobe's value times the cosine, and the density with which the lobe
-// samples that direction.
+// Response of a facet to light from one direction: pi times the lobe's value times the cosine, and the density with
+// which the lobe samples the direction.
 struct Lobed {
   vec3 light;
   float density;
 #ifdef FINISHED
   float coatDensity;
-  float roughness;  // roughness of lobe and coat, averaged by their light
-  vec3 fibres;      // light of the fibres, in the units of `light`
-  float clear;      // light of the clear surface, in the units of `light`
+  float roughness;  // roughness of lobe and coat: mean weighted by their light
+  vec3 fibres;      // light of the fibres, in the unit of `light`
+  float clear;      // light of the clear surface, in the unit of `light`
   float clearDensity;
 #endif
 };
 #ifdef FINISHED
 #include "draw/exact/rays/finished_facet.glsl"
 #else
-// Returns the specular light of lamps and sun, which the lobe's own samples cannot hit; `lobed`: x and y of F0 x + y.
+// Returns the specular light of lamps and sun, which samples of the lobe cannot hit. `lobed`: x and y of the expression
+// F0 x + y.
 FUNCTION vec3 mirroredBy(Facet f, vec2 lobed) {
   precise vec3 mirrored = f.f0 * lobed.x + lobed.y;
   return mirrored;
@@ -186,19 +187,19 @@ FUNCTION float densityTowards(Facet f, Lobed lobed, float nl) {
   return density;
 }
 
-// Samples the direction in which a path continues, by the lobe or by the diffuse surface. The weight is the total
+// Samples the direction in which a path continues, from the lobe or the diffuse surface. The weight is the total
 // response of both divided by the total density of both (Veach and Guibas, "Optimally Combining Sampling Techniques",
 // SIGGRAPH 1995).
 struct Onward {
   vec3 direction;
   vec3 weight;
   float density;  // sample density of the direction (1/sr)
-  float share;    // fraction of the response that comes from the lobe
+  float share;    // fraction of the response that is due to the lobe
 #ifdef FINISHED
   float roughness;
 #endif
 };
-// Returns a microfacet normal, sampled with the numbers u and v from the normals visible from `view`; unit length.
+// Returns a unit microfacet normal, sampled with the random numbers u and v from the normals visible from `view`.
 // `cosine`: cosine between `axis` and view.
 FUNCTION vec3 facetSeen(vec3 axis, float cosine, float alpha, vec3 view, float u, float v) {
   vec3 right = rightOf(axis), up = upOf(axis);
@@ -239,7 +240,7 @@ FUNCTION Onward onwardFrom(Facet f, vec3 u) {
   vec3 facet = facetSeen(axis, cosine, alpha, f.view, u.x, u.y);
   precise vec3 mirrored = facet * (2.0f * exactDot(f.view, facet)) - f.view;
   vec3 direction = mirror ? mirrored : cosineDirection(through ? -f.normal : f.normal, u.x, u.y);
-  // Mirrors a direction back out of the surface if it points inside only because of the shading normal.
+  // If a direction points into the surface only because of the shading normal, mirrors it back out.
   float side = exactDot(f.facing, direction), shaded = exactDot(f.normal, direction);
   bool turned = through ? side > 0.0f && shaded < 0.0f : side < 0.0f && shaded > 0.0f;
   float away = turned ? side : 0.0f;

@@ -1,8 +1,8 @@
-// Additional layers of a facet: fibres (draw/surface/sheen.glsl) over lobe and diffuse surface, a coat (coat.glsl) over
+// Further layers of a facet: fibres (draw/surface/sheen.glsl) over lobe and diffuse surface, a coat (coat.glsl) over
 // the fibres, and a clear (transmissive) surface that replaces a fraction of lobe and diffuse surface. Each layer
-// receives the light that the layers above leave. Part of facet.glsl.
+// receives the light that the layers above let through. Part of facet.glsl.
 
-// Returns the probability that a sample continues by the lobe or the diffuse surface.
+// Returns the probability that a sample continues with the lobe or the diffuse surface.
 FUNCTION float restOf(Facet f) {
   precise float rest = (1.0f - f.coats) * (1.0f - f.glass);
   return rest;
@@ -14,12 +14,12 @@ FUNCTION Facet withFibres(Facet f, vec3 color, float roughness) {
   f.fibres = color;
   f.fibreRoughness = roughness;
   f.kept = max(kept, 0.0f);
-  // Fibres are sampled with the diffuse surface, so at least half of the samples are diffuse.
+  // Samples of the diffuse surface also sample the fibres, so at least half of the samples are diffuse.
   f.mirrors = most > 0.0f ? min(f.mirrors, 0.5f) : f.mirrors;
   return f;
 }
 
-// Adds a coat. `normal`: normal on the viewer's side, without relief.
+// Adds a coat. `normal`: normal that points to the viewer's side, without relief.
 FUNCTION Facet withCoat(Facet f, vec3 normal, float strength, float roughness) {
   precise float missing = 0.02f - exactDot(normal, f.view);
   precise vec3 bent = normal + f.view * max(missing, 0.0f);
@@ -38,7 +38,7 @@ FUNCTION Facet withCoat(Facet f, vec3 normal, float strength, float roughness) {
   return f;
 }
 
-// Adds a clear surface. `share`: fraction of the non-metallic part; `tint`: factor on transmitted light.
+// Adds a clear surface. `share`: fraction of the non-metallic part that is clear; `tint`: factor of transmitted light.
 FUNCTION Facet withGlass(Facet f, float share, float metallic, float ior, bool thin, bool inside, vec3 tint) {
   precise float glass = share * (1.0f - metallic);
   precise float clear = f.kept * glass;
@@ -56,19 +56,19 @@ FUNCTION Facet withGlass(Facet f, float share, float metallic, float ior, bool t
   f.tint = tint;
   return f;
 }
-// Applies the accumulated losses to the diffuse colour. Call after all layers are added.
+// Applies the accumulated losses to the diffuse colour. Must be called after all layers are added.
 FUNCTION Facet settled(Facet f) {
   precise vec3 matt = f.matt * f.kept;
   f.matt = matt;
   return f;
 }
 
-// Returns the index of refraction on the viewer's side divided by the index on the other side.
+// Returns the index of refraction on the viewer's side divided by the index on the opposite side.
 FUNCTION float etaOf(Facet f) {
   return f.inside ? f.ior : exactReciprocal(f.ior);
 }
-// Returns the fraction of light that a clear surface reflects at the given cosine. A thin sheet reflects at both of its
-// sides, including all inter-reflections.
+// Returns the fraction of light that a clear surface reflects at the given cosine. A thin sheet reflects at both sides,
+// including all inter-reflections.
 FUNCTION float clearFresnel(Facet f, float cosine) {
   float once_ = dielectricFresnel(cosine, etaOf(f));
   precise float all_ = 1.0f + once_;
@@ -76,16 +76,16 @@ FUNCTION float clearFresnel(Facet f, float cosine) {
   return f.thin ? both : once_;
 }
 
-// Returns the specular light of lamps and sun by lobe and clear surface, because the lobes' own samples cannot hit
-// lamps and sun. Inside a solid the clear surface reflects none of their light.
+// Returns the specular light of lamps and sun from lobe and clear surface, because samples of the lobes cannot hit
+// lamps and sun. Inside a solid, the clear surface reflects no light of lamps and sun.
 FUNCTION vec3 mirroredBy(Facet f, vec2 lobed) {
   float clear = f.inside ? 0.0f : f.clear;
   precise vec3 f0 = f.f0 * f.kept + clear * f.clearF0;
   precise vec3 mirrored = f0 * lobed.x + (f.kept + clear) * lobed.y;
   return mirrored;
 }
-// Returns the light of coat and fibres for light from `towards`; `coatAlpha`: alpha of the coat's lobe, widened for the
-// size of the light (widenedAlpha()).
+// Returns the light that coat and fibres reflect, for light from `towards`. `coatAlpha`: alpha of the coat's lobe,
+// widened for the size of the light (widenedAlpha()).
 FUNCTION vec3 overLight(Facet f, vec3 towards, float coatAlpha) {
   float nl = max(exactDot(f.normal, towards), 0.0f), coated_ = max(exactDot(f.coatNormal, towards), 0.0f);
   vec2 lobed = lobe(f.coatNormal, f.view, towards, coatAlpha);

@@ -1,5 +1,5 @@
-// Layers of a visible spot (FINISHED). Also packs two values of a continuation ray into one number: the lobe's fraction
-// of the response, plus twice the roughness in steps of 1/255.
+// Layers of a visible spot (FINISHED). Also packs two values of a continuation ray into one number: the fraction of the
+// response that is due to the lobe, plus twice the roughness in steps of 1/255.
 #include "draw/exact/rays/finished_look.glsl"
 
 Facet finishedSpot(Facet f, int at, vec3 base, float metallic) {

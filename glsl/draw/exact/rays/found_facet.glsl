@@ -1,4 +1,4 @@
-// Computes the shading point (facet) where a ray hits the scene. Variants: TRIANGLES, BALLS, GROUND; LAID, RAISED,
+// Computes the shading point (facet) where a ray hits the scene. Defines: TRIANGLES, BALLS, GROUND; LAID, RAISED,
 // SKINS, EMITTERS, FINISHED.
 #include "draw/exact/rays/rounded_place.glsl"
 #include "draw/exact/rays/looks.glsl"
@@ -126,7 +126,7 @@ Facet foundBall(int at, vec3 p, vec3 along, float t, float least) {
 }
 #endif
 
-// `least`: min roughness of the facet; `width` (m): width over which textures are filtered for the ray.
+// Returns the facet of a hit. `least`: min roughness of the facet; `width`: filter width of textures (m).
 Facet foundFacet(int at, vec3 p, vec3 along, float t, vec2 weight, float least, float width) {
 #ifdef BALLS
   if (at >= ballBit && at != groundHit) return foundBall(at - ballBit, p, along, t, least);

@@ -1,7 +1,7 @@
 // Appends a surface to the ray scene: vertices in world space, the vertex words for shading (normal, colour as half
-// floats, index in the material table) and triangles. One invocation handles one vertex and one triangle. Variants:
-// GRID, DEFORMED, COUNTED, PALETTE, VERTEX_COLORS; LAID: also writes the uv or, with TRIPLANAR, the position in the
-// surface's own space.
+// floats, index in the material table) and triangles. One invocation handles one vertex and one triangle. Defines:
+// GRID, DEFORMED, COUNTED, PALETTE, VERTEX_COLORS. LAID: also writes the uv or, with TRIPLANAR, the position in the
+// surface's object space.
 #include "draw/exact/rays/bindings.glsl"
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/triangles/world_vertex.glsl"
@@ -26,7 +26,7 @@ uniform int vertexCount;
 uniform int firstVertex;
 uniform int triangleCount;
 uniform int firstTriangle;
-uniform ivec2 rowOf;  // layout of a grid's indices, as `rowOf` in draw/exact/triangles/surface_triangle.glsl
+uniform ivec2 rowOf;  // layout of a grid's indices; see `rowOf` in draw/exact/triangles/surface_triangle.glsl
 uniform uint owner;
 uniform vec3 color;
 #ifdef LAID
@@ -34,7 +34,7 @@ layout(std430, binding = outLayBinding) writeonly restrict buffer LayBlock { vec
 #ifdef TRIPLANAR
 uniform float modelScale;
 #elif defined GRID
-uniform vec2 perGrid;  // 1 / (grid - 1): factor from grid coordinates to uv
+uniform vec2 perGrid;  // 1 / (grid - 1), the factor that converts grid coordinates to uv
 #else
 layout(binding = uvUnit) uniform samplerBuffer uvs;
 #endif

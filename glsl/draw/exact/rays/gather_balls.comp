@@ -1,4 +1,4 @@
-// Appends the balls of instances to the ray scene: centre and radius (m; 0 if not shown), colour and index in the
+// Appends the balls of instances to the ray scene: centre and radius (m; 0 for hidden balls), colour and index in the
 // material table. One invocation handles one instance.
 #define EXACT_PICTURE
 #include "draw/frame_block.glsl"

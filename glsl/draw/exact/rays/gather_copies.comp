@@ -1,5 +1,5 @@
-// Appends the triangles of mesh copies to the ray scene, with three own vertices each. One invocation handles one
-// triangle.
+// Appends the triangles of mesh copies to the ray scene. Each triangle has three separate vertices. One invocation
+// handles one triangle.
 #define EXACT_PICTURE
 #include "draw/frame_block.glsl"
 #include "draw/exact/rays/bindings.glsl"

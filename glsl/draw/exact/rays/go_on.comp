@@ -1,6 +1,6 @@
-// Continues paths whose ray has hit a clear surface: the ray is reflected or refracted, and the path is listed for the
-// next round. One invocation handles one path. GOES_ON: reads the paths from the list of the previous round, else
-// handles all paths. Variants: SAMPLES; LAID and the other material variants.
+// Continues paths whose ray has hit a clear surface. The ray is reflected or refracted, and the path is listed for the
+// next round. One invocation handles one path. GOES_ON: the paths are those that the previous round listed; otherwise,
+// all paths. Defines: SAMPLES; LAID and the other material defines.
 #define EXACT_PICTURE
 #define PATHS_GO_ON
 #include "draw/frame_block.glsl"
@@ -17,7 +17,7 @@ layout(binding = rayListUnit) uniform usamplerBuffer goingOn;
 #endif
 layout(std430, binding = outListBinding) writeonly restrict buffer NextBlock { uint next[]; };
 layout(std430, binding = outCountBinding) restrict buffer CountBlock { uint listed; };
-uniform int going;  // number of paths to handle in this round
+uniform int going;  // number of paths in this round
 uniform int round_;
 
 void main() {
@@ -41,10 +41,10 @@ void main() {
   Facet f = glassFacet(found.facet, found.owner, found.base, found.metallic, found.inside);
   PathStart start = pathStart(path);
   vec3 u = samplePoint(start.number, sampleMask, start.seed, uint(5 + round_));
-  if (u.z >= f.glass) return;  // the opaque fraction of the surface ends the path here
+  if (u.z >= f.glass) return;  // the path ends here, at the opaque fraction of the surface
   precise float own = u.z * exactReciprocal(f.glass);
-  bool byCoat = own < f.coats;  // the coat's share of the clear fraction; the coat over the opaque fraction is shaded
-                                // in bounce.comp
+  bool byCoat = own < f.coats;  // true for the coat's fraction of the clear part; bounce.comp shades the coat over the
+                                // opaque part
   precise float rest = 1.0f - f.coats;
   precise float after = (own - f.coats) * exactReciprocal(rest);
   own = f.coats > 0.0f ? after : own;
@@ -54,8 +54,8 @@ void main() {
   precise vec3 absorbed = lookOf(found.owner, absorbLook).xyz * t;
   vec3 left = f.inside ? vec3(exactExp(-absorbed.x), exactExp(-absorbed.y), exactExp(-absorbed.z)) : vec3(1);
   precise vec3 counts = weight.rgb * onward.weight * left;
-  // The sun behind a clear surface is visible only through a clear spot. For other spots shadow rays that pass straight
-  // through clear surfaces bring the sun's light.
+  // Through a clear spot, the path may show the sun. At other spots, shadow rays, which pass straight through clear
+  // surfaces, already bring the sun's light.
   bool shows = lookOf(int(texelFetch(spots, 4 * start.at + 3).x & 0x7fffffffu), sheenLook).w > 0.0f && weight.w > 0.0f;
   outRays[2 * ray] = vec4(beginning(f, onward.direction), from.w);
   outRays[2 * ray + 1] = vec4(onward.direction, farAway);

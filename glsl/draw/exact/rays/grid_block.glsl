@@ -1,8 +1,8 @@
-// Quantization grid for the boxes of a hierarchy, from the bounds of the whole scene.
+// Quantization grid for the boxes of a hierarchy, computed from the bounds of the whole scene.
 #include "draw/exact/rays/bindings.glsl"
 #include "draw/exact/rays/ray_box.glsl"
 #include "draw/ordered_key.glsl"
-// Bounding box of the scene as six keys: low xyz, high xyz.
+// Bounding box of the scene as six keys: low x, y, z, then high x, y, z.
 layout(std430, binding = rayBoundsBinding) readonly restrict buffer BoundsBlock { uint bounds[]; };
 vec3 lowBound() {
   return vec3(fromOrderedKey(bounds[0]), fromOrderedKey(bounds[1]), fromOrderedKey(bounds[2]));

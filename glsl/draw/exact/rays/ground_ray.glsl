@@ -1,4 +1,4 @@
-// Intersection of rays with the ground plane.
+// Intersects rays with the ground plane.
 #ifndef EXACT_GROUND_RAY
 #define EXACT_GROUND_RAY
 #include "draw/surface/ground_alpha.glsl"

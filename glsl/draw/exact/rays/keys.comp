@@ -1,5 +1,5 @@
-// Writes the sort record of each triangle or (BALLS) ball: the index of its box's centre along a space-filling curve.
-// Missing or invalid items get the last key. One invocation handles one item.
+// Writes the sort record of each triangle: the index of the centre of its box along a space-filling curve. BALLS: of
+// each ball instead. Missing or invalid items get the last key. One invocation handles one item.
 #include "draw/exact/rays/solids.glsl"
 #include "draw/exact/rays/grid_block.glsl"
 #include "common/words.glsl"

@@ -1,5 +1,5 @@
-// Textures (maps) and, with SKINS, skins at a triangle hit, by uv or by triplanar projection, filtered over the width
-// that the ray represents. Variant LAID.
+// Textures (maps) and, with SKINS, skins at a triangle hit, by uv or by triplanar projection. They are filtered over
+// the width that the ray represents. Define: LAID.
 #include "draw/exact/rays/lays.glsl"
 #include "draw/surface/three_sides.glsl"
 #include "draw/surface/normal_map.glsl"
@@ -7,10 +7,10 @@
 #include "draw/exact/rays/looks.glsl"
 
 struct Laid {
-  Seen x, y, z;   // texture positions and their changes in the three projections; with uv only x is used
+  Seen x, y, z;   // texture positions and their changes in the three projections; with uv, only x is used
   vec3 weight;
   vec3 side;
-  vec3 right;     // change of the world position that belongs to the uv changes `across` and `up`
+  vec3 right;     // changes of the world position for the uv changes `across` and `up`
   vec3 above;
   bool sides;     // true for triplanar projection
 };
@@ -39,7 +39,7 @@ Seen laidBetween(vec2 at, vec2 right, vec2 above, vec2 repeats) {
   return seen;
 }
 
-// Returns v in the axes of the surface's own space, in metres.
+// Returns v in the axes of the surface's object space, in metres.
 vec3 inOwnSpace(int owner, vec3 v, float scale) {
   vec3 own = vec3(exactDot(lookOf(owner, modelLook).xyz, v), exactDot(lookOf(owner, modelLook + 1).xyz, v), exactDot(lookOf(owner, modelLook + 2).xyz, v));
   precise vec3 turned = own * exactReciprocal(scale);
@@ -50,7 +50,8 @@ vec3 fromOwnSpace(int owner, vec3 own, float scale) {
   return v;
 }
 
-// a, b, c: corners of the triangle; `normal`: unit, from the corners' normals; `width`: filter width in metres.
+// Returns the textures at a hit. a, b, c: corners of the triangle; `normal`: unit normal interpolated from the corners;
+// `width`: filter width (m).
 Laid laidAt(int owner, ivec3 vertices, vec3 a, vec3 b, vec3 c, vec3 weight, vec3 facing, vec3 normal, float width) {
   vec4 how = lookOf(owner, laidLook);
   vec3 la = texelFetch(lays, vertices.x).xyz, lb = texelFetch(lays, vertices.y).xyz, lc = texelFetch(lays, vertices.z).xyz;
@@ -62,7 +63,7 @@ Laid laidAt(int owner, ivec3 vertices, vec3 a, vec3 b, vec3 c, vec3 weight, vec3
   vec3 aside = exactCross(facing, along);
   float reach = exactDot(second, along), height = exactDot(second, aside);
   float perHeight = abs(height) > 1e-20f ? exactReciprocal(height) : 0.0f;
-  // Changes of the texture position per metre along the first edge and across it.
+  // Changes of the texture position per metre along the first edge and perpendicular to it.
   precise vec3 change = (lb - la) * perLength;
   precise vec3 changeAside = ((lc - la) - change * reach) * perHeight;
   precise vec3 right = here + change * width;
@@ -101,8 +102,8 @@ vec4 mapLaid(Laid laid, ivec4 map) {
   return sum;
 }
 
-// Returns the world-space height gradient, tangential to the surface, from the slopes along u and v in the three
-// projections.
+// Returns the gradient of the height in world space, tangential to the surface. x, y, z: slopes along u and v in the
+// three projections.
 vec3 riseLaid(int owner, Laid laid, vec3 normal, vec2 x, vec2 y, vec2 z) {
   float scale = lookOf(owner, laidLook).w;
   vec3 own = riseFromSides(laid.weight, laid.side, x, y, z);
@@ -139,9 +140,9 @@ LaidNormal normalLaid(int owner, Laid laid, vec3 normal, ivec4 map) {
   return LaidNormal(unitOf(raised), mean);
 }
 #ifdef RAISED
-// Returns the normal tilted by the bump relief of the texture's brightness, as draw/exact/surface/surface_texture.glsl
-// does for pixels. The height difference is taken over the ray's width, or over one texel if that is wider. `white`:
-// height of white (m); `normal`: on the viewer's side.
+// Returns the normal, tilted by a relief whose height is the texture's brightness;
+// draw/exact/surface/surface_texture.glsl does the same for pixels. The height difference is taken over the ray's
+// width, or over one texel if that is wider. `white`: height of white (m); `normal` points to the viewer's side.
 vec3 normalRaised(Laid laid, vec3 normal, ivec4 map, float white) {
   TextureShape shape = mapShape(map);
   precise float texels = 0.0f;
@@ -161,8 +162,8 @@ vec3 normalRaised(Laid laid, vec3 normal, ivec4 map, float white) {
     Footprint print = footprintOf(seen, shape);
     precise vec2 right = seen.across * aside;
     precise vec2 above = seen.up * aside;
-    // Rounds 0 and 1 sample along `across`, 2 and 3 along `up`. The loop lets software drivers compile these texture
-    // reads once.
+    // Rounds 0 and 1 sample along `across`, 2 and 3 along `up`. In a loop, software drivers compile these texture reads
+    // only once.
     for (int i = 0; i < 4; ++i) {
       precise float sign_ = (i & 1) == 0 ? laidWeight(laid, side) : -laidWeight(laid, side);
       precise vec2 end_ = (i & 1) == 0 ? seen.at + (i < 2 ? right : above) : seen.at - (i < 2 ? right : above);

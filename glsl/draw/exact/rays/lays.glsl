@@ -4,5 +4,5 @@
 #include "draw/exact/rays/bindings.glsl"
 #include "draw/exact/surface/map_read.glsl"
 layout(binding = rayLayUnit) uniform samplerBuffer lays;  // texture position of each vertex: uv, or position in the
-                                                          // surface's own space (m)
+                                                          // surface's object space (m)
 #endif

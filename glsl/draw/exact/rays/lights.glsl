@@ -1,4 +1,4 @@
-// Sun, lamps and sky as light sources for rays. Variants: LAMPS, SHADOWED_LAMPS, SPOTS as in draw/lights/lamps.glsl;
+// Sun, lamps and sky as light sources for rays. Defines: LAMPS, SHADOWED_LAMPS, SPOTS as in draw/lights/lamps.glsl;
 // ENVIRONMENT.
 #include "draw/sky.glsl"
 #include "draw/exact/rays/facet.glsl"
@@ -16,7 +16,7 @@
 #endif
 #endif
 
-// Returns the solid angle of the sun in steradians; 0 for a point-like sun.
+// Returns the solid angle of the sun (sr); 0 for a sun without angular size.
 float sunAngle() {
   precise float angle = 3.14159265f * frame.sunSpread * frame.sunSpread;
   return angle;
@@ -41,10 +41,10 @@ bool isOnSun(vec3 direction) {
 // Returns the sky's light from one direction. `factor`: result of skyFactor(), from frame.ambient for diffuse surfaces
 // to 1 for mirrors. `share`: fraction of the surface's response that is its specular lobe. `all_`: number of rays per
 // steradian in this direction. An environment picture is blurred so that gaps between few rays do not become noise
-// (Colbert and Krivanek, "GPU-Based Importance Sampling", GPU Gems 3, 2007): the blur is the roughness whose lobe, of
-// solid angle 4 pi alpha^2 with alpha = roughness^2, is as large as the solid angle of one ray. The blur is at most
-// half the roughness for specular surfaces (`share` 1) and 0.5 for diffuse ones (`share` 0). More rays give a sharper
-// picture.
+// (Colbert and Krivanek, "GPU-Based Importance Sampling", GPU Gems 3, 2007). A lobe of roughness r has the solid angle
+// 4 pi alpha^2 with alpha = r^2. The blur is the roughness whose lobe is as large as the solid angle of one ray. The
+// blur is at most half the roughness for specular surfaces (`share` 1) and 0.5 for diffuse ones (`share` 0). With more
+// rays the picture is sharper.
 vec3 skyLight(vec3 direction, float factor, float roughness, float share, float all_) {
 #ifdef ENVIRONMENT
   precise float most = 0.5f * (1.0f + (roughness - 1.0f) * share);
@@ -68,7 +68,7 @@ float skyFactor(float roughness, float share) {
 
 #ifdef LAMPS
 #ifdef AREAS
-// Returns the light of rectangular lamp i with a luminance of 1 / pi.
+// Returns the light of rectangular lamp i for a luminance of 1 / pi.
 vec3 rectangleLightOn(Facet f, int i) {
   vec3 middle = lampPlace(i).xyz, across = lampAcross(i).xyz, up = lampUp(i).xyz;
   float lit = rectangleShare(f.place, f.normal, middle, across, up);
@@ -99,8 +99,8 @@ vec3 rectangleLightOn(Facet f, int i) {
 }
 #endif
 
-// Returns the unshadowed light of lamp i that the facet sends to its view. The facet's lobe is widened by the lamp's
-// size (draw/lights/point_light.glsl).
+// Returns the light of lamp i, without shadow, that the facet reflects to the viewer. The facet's lobe is widened by
+// the lamp's size (draw/lights/point_light.glsl).
 vec3 lampLightOn(Facet f, int i) {
   Arrival a = arrivalAt(f.place, lampPlace(i), lampPower(i).w);
   float nl = exactDot(f.normal, a.towards);
@@ -134,7 +134,8 @@ vec3 lampLightOn(Facet f, int i) {
   return light;
 }
 
-// Returns a sampled point of lamp i: on a disc of the ball's radius that faces p, or on the rectangle.
+// Returns a sampled point of lamp i: on the rectangle of a rectangular lamp, or on a disc with the radius of the lamp's
+// ball that faces p.
 vec3 lampPlaceAt(vec3 p, int i, float u, float v) {
   vec4 ball = lampPlace(i);
 #ifdef AREAS
@@ -166,7 +167,7 @@ float lampReach(vec3 p, int i, vec3 direction, float way) {
 }
 #endif
 
-// Returns the light of all lamps without shadows.
+// Returns the light of all lamps that cast no shadows.
 vec3 openLamps(Facet f) {
   precise vec3 sum = vec3(0);
 #if defined LAMPS
@@ -183,7 +184,7 @@ vec3 openLamps(Facet f) {
   return sum;
 }
 
-// One lamp with shadows, chosen with a probability proportional to its light; the light is divided by that probability.
+// A lamp with shadows, chosen with a probability proportional to its light. Its light is divided by that probability.
 struct Chosen {
   int lamp;  // index of the lamp; -1 if no lamp gives light
   vec3 light;

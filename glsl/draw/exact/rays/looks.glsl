@@ -1,4 +1,4 @@
-// Access to the material table of the ray scene (look_table.glsl).
+// Reads the material table of the ray scene (look_table.glsl).
 #ifndef EXACT_RAY_LOOKS
 #define EXACT_RAY_LOOKS
 #include "draw/exact/rays/bindings.glsl"
@@ -11,7 +11,7 @@ uvec4 lookWords(int owner, int which) {
 vec4 lookOf(int owner, int which) {
   return uintBitsToFloat(lookWords(owner, which));
 }
-// True if rays may pass the material (holes, blending or transmission), so a hit needs a closer test.
+// True if rays may pass through the material (holes, blending or transmission), so that a hit needs a closer test.
 bool letsThrough(int owner) {
   return lookOf(owner, layerLook).w != 0.0f || lookOf(owner, sheenLook).w > 0.0f;
 }

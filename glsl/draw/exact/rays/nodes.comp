@@ -1,6 +1,6 @@
-// Computes the boxes of one level of a hierarchy: LEAVES: boxes of leaves around their items; else boxes of parents
-// around two children. Node 1 is the root, the children of node n are 2n and 2n + 1, and leaf i is node leaves + i and
-// holds the items heldBy(). One invocation computes one node.
+// Computes the boxes of one level of a hierarchy: boxes of parents around their two children. LEAVES: boxes of leaves
+// around their items instead. Node 1 is the root; the children of node n are 2n and 2n + 1. Leaf i is node leaves + i
+// and holds the items that heldBy() returns. One invocation computes one node.
 #include "draw/exact/rays/bindings.glsl"
 #include "draw/exact/rays/ray_box.glsl"
 #include "draw/exact/rays/leaf.glsl"

@@ -1,8 +1,9 @@
-// Writes the triangles or (BALLS) balls in the order of the sorted records, with their boxes. One invocation writes one
-// item.
-// Triangle: a, b and c, each with one word of the box. Bit 31 of the first word: casts no shadow; bit 15: may let rays
-// through.
-// Ball: centre and radius; then the box and the ball's index. Bit 31 of the first box word: casts no shadow.
+// Writes the triangles in the order of the sorted records, with their boxes. BALLS: writes the balls instead. One
+// invocation writes one item.
+// A triangle has the corners a, b and c, each with one word of the box. In the first word, bit 31 means that the
+// triangle casts no shadow, and bit 15 that it may let rays through.
+// A ball has centre and radius, then the box and the ball's index. Bit 31 of the first box word means that the ball
+// casts no shadow.
 #include "draw/exact/rays/solids.glsl"
 #include "draw/exact/rays/grid_block.glsl"
 #include "common/words.glsl"

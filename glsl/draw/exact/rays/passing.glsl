@@ -1,5 +1,5 @@
-// Triangles that rays may pass: holes, blended surfaces and, for shadow rays (ANY_HIT), clear surfaces. Variants:
-// PASSAGES, LAID.
+// Triangles through which rays may pass: holes, blended surfaces and, for shadow rays (ANY_HIT), clear surfaces.
+// Defines: PASSAGES, LAID.
 #include "draw/exact/rays/met_triangle.glsl"
 #include "draw/exact/rays/dielectric.glsl"
 #include "draw/surface/shading.glsl"
@@ -9,8 +9,8 @@
 #include "draw/exact/rays/lays.glsl"
 #endif
 #ifdef ANY_HIT
-vec3 passed_ = vec3(1), depths_ = vec3(0);  // transmitted fraction of light, and path lengths inside solids times
-                                            // absorption
+vec3 passed_ = vec3(1), depths_ = vec3(0);  // fraction of light that is transmitted, and path lengths inside solids
+                                            // times absorption
 
 vec3 lightPassed() {
   precise vec3 light = passed_ * vec3(exactExp(-max(depths_.x, 0.0f)), exactExp(-max(depths_.y, 0.0f)), exactExp(-max(depths_.z, 0.0f)));
@@ -34,8 +34,8 @@ vec4 colorPassed(ivec3 vertices, int owner, vec2 weight) {
 }
 
 #ifdef ANY_HIT
-// A shadow ray exactly through an edge hits both triangles but must be attenuated by one only: the triangle on whose
-// side the edge runs upwards as seen along the ray.
+// A shadow ray exactly through a common edge hits both triangles, but only one may attenuate it. This is the triangle
+// for which the edge, seen along the ray, runs upwards.
 bool ownsUp(float weight, vec3 from, vec3 to, bool turned) {
   bool up = to.y > from.y || (to.y == from.y && to.x > from.x), down = to.y < from.y || (to.y == from.y && to.x < from.x);
   return weight != 0.0f || (turned ? down : up);
@@ -50,8 +50,8 @@ bool ownsPlace(Ray ray, int at) {
   return ownsUp(wa, v, w, turned) && ownsUp(wb, w, u, turned) && ownsUp(wc, u, v, turned);
 }
 
-// Attenuates a shadow ray at a clear surface. The ray goes straight on without refraction; the fraction reflected as
-// seen from outside is lost.
+// Attenuates a shadow ray at a clear surface. The ray goes straight on without refraction. The fraction that the
+// surface reflects, computed for light from outside, is lost.
 void passGlass(Ray ray, int at, ivec3 vertices, int owner, vec2 weight, float t, vec3 tint, float share) {
   vec3 a = metPlace(at, 0);
   precise vec3 first = metPlace(at, 1) - a;
@@ -78,7 +78,7 @@ void passGlass(Ray ray, int at, ivec3 vertices, int owner, vec2 weight, float t,
 }
 #endif
 
-// Returns `best` if the ray passes through the hit, else `hit`.
+// Returns `best` if the ray passes through the hit, otherwise `hit`.
 RayHit hitOrPassed(Ray ray, RayHit hit, RayHit best) {
   ivec3 vertices = metCorners(hit.at);
   int owner = ownerOf(vertices);
@@ -103,7 +103,7 @@ RayHit hitOrPassed(Ray ray, RayHit hit, RayHit best) {
   return best;
 #else
   if (layers.w >= 0.0f) return hit;
-  // Blended surfaces are hit with the probability of their opacity.
+  // A ray hits a blended surface with a probability equal to the opacity.
   uvec3 mixed = hash3(floatBitsToUint(ray.along) ^ floatBitsToUint(ray.origin) ^ uvec3(uint(hit.at), 0u, 0u));
   precise float u = float(int(mixed.x >> 8)) * 5.9604645e-8f;
   return u < opacity ? hit : best;

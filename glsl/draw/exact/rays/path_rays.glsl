@@ -1,8 +1,8 @@
-// Rays of paths, stored kind by kind with `paths` rays of each kind: shadow rays from the spot to the sun and to a
-// lamp, the continuation ray, and from its hit point a shadow ray and a second continuation ray. rayLight holds, for
-// each ray, the light that it brings if nothing blocks it (first continuation ray: weight of the light at its hit
-// point). Two more entries per path hold the light that needs no ray: of the spot and of the continuation ray's hit
-// point. LISTS_RAYS: rays that bring light are listed; others are not traced.
+// Rays of paths, stored kind by kind with `paths` rays of each kind. The kinds are: shadow rays from the spot to the
+// sun and to a lamp, the continuation ray, and from its hit point a shadow ray and a second continuation ray. rayLight
+// holds, for each ray, the light that the ray brings if nothing blocks it. For the first continuation ray, it holds the
+// weight of the light at the hit point. Two more entries per path hold the light that needs no ray: of the spot and of
+// the continuation ray's hit point. LISTS_RAYS: rays that bring light are listed; others are not traced.
 #include "draw/exact/rays/hits.glsl"
 const int sunKind = 0, lampKind = 1, onwardKind = 2, nextLightKind = 3, nextOnwardKind = 4;
 const int spotSure = 5, nextSure = 6;
@@ -32,7 +32,7 @@ void putNone(int kind, int path) {
   rayLight[i] = vec4(0);
 }
 #ifdef LISTS_RAYS
-// Stores a ray that may bring light and appends it to the first or second list. Each list has room for `paths` entries.
+// Stores a ray that may bring light and appends it to list 0 or 1. Each list has room for `paths` entries.
 void putLightRay(int list, int kind, int path, vec3 origin, vec3 direction, float far, vec3 light) {
   if (max(light.x, max(light.y, light.z)) <= 0.0f) {
     putNone(kind, path);

@@ -1,10 +1,10 @@
-// Spots of a pixel: the samples of a pixel that show the same primitive share one spot. Variants: SAMPLES, PAIRED.
+// Spots of a pixel. The samples of a pixel that show the same primitive share one spot. Defines: SAMPLES, PAIRED.
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/sample_read.glsl"
 #include "draw/exact/tiles/tile_lists.glsl"
 
-// Returns the number of samples that show the same primitive as sample s; 0 if an earlier sample shows it or the sample
-// is empty.
+// Returns the number of samples that show the same primitive as sample s. Returns 0 if an earlier sample shows the
+// primitive or if the sample is empty.
 int samplesShowing(int first, int s) {
   uint id = idAt(first + s);
   int same = 0;
@@ -16,7 +16,7 @@ int samplesShowing(int first, int s) {
   return id == emptyId ? 0 : same;
 }
 
-// Returns the share of the pixel's rays for a spot that `same` samples show.
+// Returns the number of the pixel's `rays` that a spot gets if `same` samples show it.
 int raysOf(int same, int rays) {
   return max((rays * same + SAMPLES - 1) / SAMPLES, 1);
 }

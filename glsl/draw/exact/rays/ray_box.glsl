@@ -1,8 +1,8 @@
 // Boxes of a hierarchy, and their intersection with rays. Compiles as GLSL and as C++.
-// A box is quantized to a grid of 32,768 cells along each axis of the scene, at least one cell larger than its contents
-// on each side. A ray crosses the plane q of the grid at the distance q a + c, which is monotonic in q after rounding.
-// A ray therefore never enters the contents before the box, to the bit, and the order in which boxes are visited cannot
-// change the result.
+// A box is quantized to a grid of 32,768 cells along each axis of the scene, and is at least one cell larger than its
+// contents on each side. A ray crosses the plane q of the grid at the distance q a + c, which is monotonic in q even
+// after rounding. A ray therefore never reaches the contents before the box, whatever the rounding, so the order in
+// which boxes are visited cannot change the result.
 #ifndef EXACT_RAY_BOX
 #define EXACT_RAY_BOX
 #include "common/exact.glsl"
@@ -34,7 +34,7 @@ FUNCTION uvec3 asCells(vec3 cells) {
   return uvec3(uint(int(held.x)), uint(int(held.y)), uint(int(held.z)));
 }
 
-// Returns the box in three words: low x and y, low z and high x, high y and z.
+// Returns the box in three words: low x and y; low z and high x; high y and z.
 FUNCTION uvec3 packedBox(RayGrid grid, vec3 low, vec3 high) {
   vec3 per = perCell(grid);
   precise vec3 lowCell = (low - grid.low) * per;
@@ -50,11 +50,11 @@ FUNCTION uvec3 joinedBox(uvec3 a, uvec3 b) {
   uint highY = max(a.z & 0x7fffu, b.z & 0x7fffu), highZ = max(a.z >> 16 & 0x7fffu, b.z >> 16 & 0x7fffu);
   return uvec3(lowX | lowY << 16, lowZ | highX << 16, highY | highZ << 16);
 }
-// An empty box: no ray enters it, and it does not enlarge a joined box.
+// An empty box. No ray enters it, and a union with it does not become larger.
 const uint emptyBoxX = 0x7fff7fffu, emptyBoxY = 0x00007fffu, emptyBoxZ = 0u;
 
-// A ray in grid coordinates: distances q a + c (m) at which it crosses the grid's planes, and the axes along which it
-// goes down.
+// A ray in grid coordinates. The ray crosses plane q of the grid at the distance q a + c (m). The flags tell along
+// which axes the ray goes down.
 struct RayPlanes {
   vec3 a;
   vec3 c;
@@ -80,16 +80,16 @@ FUNCTION RayPlanes rayPlanes(RayGrid grid, vec3 origin, vec3 direction) {
   return planes;
 }
 
-// Max of the components and 0; and min of the components, if none is negative. Both compare bits as integers, because
-// the bits of positive floats have the order of their values, integer comparisons are faster on some drivers, and NaN
-// cannot occur.
+// greatestFromZero() returns the max of the components and 0. The second function returns the min of the components, if
+// none is negative. Both compare bits as integers, because the bits of positive floats have the order of their values,
+// integer comparisons are faster on some drivers, and NaN cannot occur.
 FUNCTION float greatestFromZero(vec3 v) {
   return intBitsToFloat(max(max(floatBitsToInt(v.x), floatBitsToInt(v.y)), max(floatBitsToInt(v.z), 0)));
 }
 FUNCTION float leastAbove(vec3 v) {
   return intBitsToFloat(min(min(floatBitsToInt(v.x), floatBitsToInt(v.y)), floatBitsToInt(v.z)));
 }
-// True if from <= to, for from >= 0; `to` may be negative.
+// True if from <= to, where from >= 0; `to` may be negative.
 FUNCTION bool isWithin(float from, float to) {
   return floatBitsToInt(from) <= floatBitsToInt(to);
 }

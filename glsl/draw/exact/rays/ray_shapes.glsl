@@ -1,9 +1,9 @@
 // Intersection of rays with triangles and balls. Compiles as GLSL and as C++.
 // The corners of a triangle are transformed to ray coordinates (two across the ray, one along it). Three products of
-// the coordinates give the side of each edge on which the ray passes. Two triangles that share an edge get the same
-// product with opposite sign, so no ray slips through between them, and a ray exactly through the edge hits both. A
-// triangle seen edge-on (sum of the products about zero) is not hit. Of several hits at the same distance the first in
-// the hierarchy's order counts.
+// the coordinates tell on which side of each edge the ray passes. Two triangles with a common edge get the same product
+// with opposite sign. Therefore no ray slips through between them, and a ray exactly through the edge hits both. A
+// triangle seen edge-on (sum of the products about zero) is not hit. Of several hits at the same distance, the first
+// one in the hierarchy's order counts.
 #ifndef EXACT_RAY_SHAPES
 #define EXACT_RAY_SHAPES
 #include "draw/exact/rays/ray_box.glsl"
@@ -11,17 +11,18 @@
 struct Ray {
   vec3 origin;  // origin of the ray in metres
   vec3 along;   // unit direction of the ray
-  vec3 right;   // unit vectors across the ray's direction
+  vec3 right;   // unit vectors perpendicular to the ray's direction
   vec3 up;
 };
 
 struct RayHit {
   float t;   // distance of the hit along the ray in metres
-  int at;    // index of the hit object in the hierarchy's order; -1 without a hit
+  int at;    // index of the hit object in the hierarchy's order; -1 if there is no hit
   vec2 weight;  // barycentric weights of the triangle's second and third corner
 };
 
-// Unit vectors across a unit vector n (Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017).
+// These functions return unit vectors perpendicular to a unit vector n (Duff et al., "Building an Orthonormal Basis,
+// Revisited", JCGT 6(1), 2017).
 FUNCTION vec3 rightOf(vec3 n) {
   float side = n.z < 0.0f ? -1.0f : 1.0f;
   precise float sum = side + n.z;
@@ -51,8 +52,8 @@ FUNCTION vec3 alongRay(Ray ray, vec3 p) {
   return vec3(exactDot(ray.right, from), exactDot(ray.up, from), exactDot(ray.along, from));
 }
 
-// Returns the hit of a triangle if it is nearer than `best`, else `best`. `span`: distances at which the ray enters and
-// leaves the triangle's box.
+// Returns the hit of a triangle if it is nearer than `best`, otherwise `best`. `span`: distances at which the ray
+// enters and leaves the triangle's box.
 FUNCTION RayHit nearerTriangle(Ray ray, vec3 a, vec3 b, vec3 c, vec2 span, int at, RayHit best) {
   vec3 u = alongRay(ray, a), v = alongRay(ray, b), w = alongRay(ray, c);
   precise float wa = v.x * w.y - v.y * w.x;
@@ -73,8 +74,8 @@ FUNCTION RayHit nearerTriangle(Ray ray, vec3 a, vec3 b, vec3 c, vec2 span, int a
   return hit;
 }
 
-// Returns the hit of a ball if it is nearer than `best`, else `best`. The hit is the ray's entry into the ball, or its
-// exit if the ray starts inside.
+// Returns the hit of a ball if it is nearer than `best`, otherwise `best`. The hit is the point where the ray enters
+// the ball, or leaves it if the ray starts inside.
 FUNCTION RayHit nearerBall(Ray ray, vec3 middle, float radius, vec2 span, int at, RayHit best) {
   precise vec3 to = middle - ray.origin;
   float nearest = exactDot(to, ray.along);

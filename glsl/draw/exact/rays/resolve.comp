@@ -1,4 +1,4 @@
-// Adds the light of the spots to the pixels. One invocation handles one pixel. Variants: SAMPLES, PAIRED.
+// Adds the light of the spots to the pixels. One invocation handles one pixel. Defines: SAMPLES, PAIRED.
 #include "draw/exact/rays/bindings.glsl"
 #include "draw/exact/rays/pixel_spots.glsl"
 #include "draw/exact/fixed.glsl"

@@ -1,7 +1,7 @@
 // Sample points in the unit cube for the light of a pixel: three dimensions of Sobol's sequence (direction numbers of
 // Joe and Kuo, 2008). The order of the points and each coordinate are Owen-scrambled (1995) with a hash in which a bit
-// depends only on higher bits (Laine and Karras, "Stratified Sampling for Stochastic Transparency", 2011). Uses integer
-// arithmetic only. Compiles as GLSL and as C++, after common/hash.glsl.
+// depends only on higher bits (Laine and Karras, "Stratified Sampling for Stochastic Transparency", 2011). Only integer
+// arithmetic is used. Compiles as GLSL and as C++, after common/hash.glsl.
 #ifndef EXACT_RAY_SEQUENCE
 #define EXACT_RAY_SEQUENCE
 
@@ -14,7 +14,7 @@ FUNCTION uint reversedBits(uint x) {
   return r;
 }
 
-// Changes each bit depending on the lower bits only.
+// Hash in which each bit of the result depends only on the same and the lower bits of x.
 FUNCTION uint mixedUpwards(uint x, uint seed) {
   uint r = x + seed;
   r ^= r * 0x5a3e9c66u;
@@ -24,14 +24,15 @@ FUNCTION uint mixedUpwards(uint x, uint seed) {
   return r;
 }
 
-// Owen scrambling: changes each bit depending on the higher bits only.
+// Owen scrambling: a hash in which each bit of the result depends only on the same and the higher bits.
 FUNCTION uint owenScrambled(uint x, uint seed) {
   return reversedBits(mixedUpwards(reversedBits(x), seed));
 }
 
 const int sequenceBits = 10;  // number of bits in a sample index
 
-// Second and third dimension of the Sobol sequence: bit b of the index i selects direction number v.
+// These functions return the second and third dimension of the Sobol sequence. If bit b of the index i is set, the
+// result includes direction number b.
 FUNCTION uint sobolSecond(uint i) {
   uint x = 0u, v = 0x80000000u;
   for (int b = 0; b < sequenceBits; ++b) {
@@ -56,7 +57,7 @@ FUNCTION float unitFraction(uint bits) {
   return u;
 }
 
-// Returns sample i of the set `which` of a pixel with the given seed; `mask`: bit mask of all sample indices.
+// Returns sample i of set `which` for a pixel with the given seed. `mask`: bit mask that all sample indices fit into.
 FUNCTION vec3 samplePoint(uint i, uint mask, uint seed, uint which) {
   uvec3 seeds = hash3(uvec3(seed, which, 0x9e3779b9u)), more = hash3(uvec3(which, seed, 0x85ebca6bu));
   uint at = owenScrambled(i, seeds.x) & mask;

@@ -1,5 +1,5 @@
-// Skins at ray hits, for laid_on.glsl. The texels of all skins are in one buffer; takeSkin() loads the parameters of
-// one owner's skin into global variables.
+// Skins at ray hits, for laid_on.glsl. One buffer holds the texels of all skins. takeSkin() loads the skin parameters
+// of one owner into global variables.
 layout(binding = raySkinUnit) uniform usamplerBuffer skinTexels;
 int skinFirst_ = 0, reliefLevels_ = 1, skinLook_ = 0;
 ivec2 reliefSize_ = ivec2(1);

@@ -1,8 +1,9 @@
-// Triangles of the whole scene in world space or (BALLS) balls, by index, with their bounding boxes.
+// Reads the triangles of the whole scene in world space, by index, and their bounding boxes. BALLS: reads balls
+// instead.
 #include "draw/exact/rays/bindings.glsl"
 #include "common/exact.glsl"
 #ifdef BALLS
-// Centre and radius of each ball (m); radius 0 if not shown.
+// Centre and radius of each ball (m); the radius is 0 for hidden balls.
 layout(binding = solidPlaceUnit) uniform samplerBuffer places;
 
 struct Solid {
@@ -17,7 +18,8 @@ Solid solidOf(int i) {
   return Solid(ball, low, high, ball.w > 0.0f);
 }
 #else
-layout(binding = solidPlaceUnit) uniform samplerBuffer places;     // position of each vertex (m); w 0 if invalid
+layout(binding = solidPlaceUnit) uniform samplerBuffer places;     // position of each vertex (m); w is 0 for invalid
+                                                                   // vertices
 layout(binding = solidCornerUnit) uniform usamplerBuffer corners;  // three vertex indices per triangle
 
 struct Solid {

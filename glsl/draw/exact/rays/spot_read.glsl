@@ -1,5 +1,5 @@
-// Access to spots and their paths. The kernel handles the spots of a list from `firstSpot` on, and for each spot the
-// samples from `firstRaySample` on.
+// Reads spots and their paths. The kernel handles the spots of a list from index `firstSpot` on, and for each spot the
+// samples from index `firstRaySample` on.
 #include "draw/exact/rays/bindings.glsl"
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/unit_vector.glsl"
@@ -11,7 +11,7 @@ uniform int firstSpot;
 uniform int spotCount;
 uniform int firstRaySample;
 uniform uint sampleMask;
-uniform uint samplesBefore;  // number of samples that other points of the lens have used
+uniform uint samplesBefore;  // number of samples that earlier lens points have used
 
 struct PathStart {
   int at;       // index of the spot where the path starts

@@ -1,14 +1,14 @@
-// Visible spots: surface points that the shading kernels store instead of lighting them. A spot has four texels, stored
-// at the first sample of the pixel that shows it. The ray kernels light the spots later.
+// Visible spots: surface points that the shading kernels store instead of lighting them. The ray kernels light the
+// spots later. A spot has four texels, stored at the index of the first sample of the pixel that shows the spot.
 #ifndef EXACT_RAY_SPOTS
 #define EXACT_RAY_SPOTS
 #include "draw/exact/rays/bindings.glsl"
 #include "draw/exact/unit_vector.glsl"
 layout(std430, binding = outSpotBinding) writeonly restrict buffer SpotBlock { uvec4 spots[]; };
 
-// Stores a spot. `facing`: geometric normal on the viewer's side; `normal`: shading normal. `share`: fraction of the
-// spot's light that reaches the picture. `owner`: index in the material table, plus bit 31 if seen from inside;
-// `smooth_`: normal without relief; `lift`: height of the point above the flat triangle (m).
+// Stores a spot. `facing`: geometric normal that points to the viewer's side; `normal`: shading normal; `share`:
+// fraction of the spot's light that reaches the picture; `owner`: index in the material table, plus bit 31 if the spot
+// is seen from inside; `smooth_`: normal without relief; `lift`: height of the point above the flat triangle (m).
 void keepSpot(int sampleAt, vec3 p, vec3 facing, vec3 normal, vec3 base, vec3 material, float share, uint owner, vec3 smooth_, float lift) {
   spots[4 * sampleAt] = uvec4(floatBitsToUint(p), packedUnit(facing));
   spots[4 * sampleAt + 1] = uvec4(floatBitsToUint(base), packedUnit(normal));
@@ -18,7 +18,7 @@ void keepSpot(int sampleAt, vec3 p, vec3 facing, vec3 normal, vec3 base, vec3 ma
 void keepSpot(int sampleAt, vec3 p, vec3 facing, vec3 normal, vec3 base, vec3 material, float share) {
   keepSpot(sampleAt, p, facing, normal, base, material, share, 0u, facing, 0.0f);
 }
-// Replaces `share` of a stored spot, once it is known how much light the layers in front of it let through.
+// Replaces `share` of a stored spot when the light that the layers in front let through is known.
 void keepShare(int sampleAt, float share) {
   spots[4 * sampleAt + 2].w = floatBitsToUint(share);
 }

@@ -1,5 +1,6 @@
-// Starts the paths at the visible spots: a shadow ray to the sun, one to a lamp, and a continuation ray. One invocation
-// handles one path. Variants: SAMPLES; LAMPS and the other light variants; ENVIRONMENT; BALLOT.
+// Starts the paths at the visible spots. Each path has a shadow ray to the sun, a shadow ray to a lamp, and a
+// continuation ray. One invocation handles one path. Defines: SAMPLES; LAMPS and the other light defines; ENVIRONMENT;
+// BALLOT.
 #define EXACT_PICTURE
 #define LISTS_RAYS
 #include "draw/frame_block.glsl"
@@ -31,8 +32,8 @@ Facet facetAt(int at) {
   return f;
 }
 
-// Starts the shadow ray to the sun. Continuation rays find the sun too, so the light is weighted by the density of both
-// methods. Returns the light that needs no shadow ray (OPEN_SUN).
+// Starts the shadow ray to the sun. Continuation rays may hit the sun too, so the light is weighted by the densities of
+// both methods. Returns the light that needs no shadow ray (OPEN_SUN).
 vec3 towardsSun(int path, Facet f, vec3 u) {
   vec3 direction = sunDirectionAt(u.x, u.y);
   float nl = exactDot(f.normal, direction), angle = sunAngle();
@@ -53,8 +54,8 @@ vec3 towardsSun(int path, Facet f, vec3 u) {
   return vec3(0);
 }
 
-// Starts the shadow ray to a lamp, or to an emitting triangle: always if no lamp casts shadows, else in half of the
-// samples.
+// Starts the shadow ray to a lamp or to an emitting triangle. An emitting triangle is chosen always if no lamp casts
+// shadows, else in half of the samples.
 void towardsLamp(int path, Facet f, vec3 u) {
   precise float times = 1.0f;
 #ifdef EMITTERS

@@ -1,10 +1,12 @@
 // Traces rays, one per invocation.
 // A ray has two texels: origin and an unused number; unit direction and length (m; 0: no ray). The result has four
-// words: distance, index in the triangle order (-1: no hit; with ballBit: ball order; groundHit), and the weights of
-// the triangle's second and third corner. ANY_HIT: the result is the transmitted fraction of light (x; PASSAGES: rgb)
-// instead; objects that cast no shadow are ignored.
-// GOES_ON: the rays are listed; LISTED: the rays are in two lists whose lengths are in a buffer. Variants: TRIANGLES,
-// BALLS, GROUND; PASSAGES, LAID.
+// words: the distance, the index of the hit object, and the weights of the triangle's second and third corner. The
+// index refers to the triangle order; -1 means no hit; with ballBit, it refers to the ball order; groundHit means the
+// ground.
+// ANY_HIT: the result is the transmitted fraction of light (x; with PASSAGES rgb) instead, and objects that cast no
+// shadow are ignored.
+// GOES_ON: only listed rays are traced. LISTED: the rays are in two lists whose lengths are in a buffer. Defines:
+// TRIANGLES, BALLS, GROUND; PASSAGES, LAID.
 #define EXACT_PICTURE
 #include "draw/frame_block.glsl"
 #include "draw/exact/rays/bindings.glsl"
@@ -27,7 +29,7 @@ layout(std430, binding = outCountBinding) readonly restrict buffer RayListCountB
 
 void main() {
   int i = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
-#ifdef LISTED  // rays come from two lists; the second starts at firstRay
+#ifdef LISTED  // The rays come from two lists. The second list starts at firstRay.
   int first = int(counters[0]);
   if (i >= first + int(counters[1])) return;
   i = int(texelFetch(goingOn, i < first ? i : firstRay + i - first).x);

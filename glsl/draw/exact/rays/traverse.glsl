@@ -1,5 +1,5 @@
-// Traversal of the hierarchies of triangles (TRIANGLES) and balls (BALLS). ANY_HIT: ends at the first hit that casts a
-// shadow.
+// Traverses the hierarchies of triangles (TRIANGLES) and balls (BALLS). ANY_HIT: the traversal ends at the first hit
+// that casts a shadow.
 #include "draw/exact/rays/ray_shapes.glsl"
 #include "draw/exact/rays/hits.glsl"
 
@@ -31,7 +31,8 @@ RayHit testTriangle(Ray ray, RayPlanes planes, RayHit best, int i) {
   vec2 span = spanIn(planes, a.w, b.w, c.w);
   RayHit hit = nearerTriangle(ray, uintBitsToFloat(a.xyz), uintBitsToFloat(b.xyz), uintBitsToFloat(c.xyz), span, i, best);
 #ifdef PASSAGES
-  // A loop of at most one round instead of a branch, so that software drivers skip the closer test if no ray needs it.
+  // Uses a loop of at most one iteration instead of a branch, so that software drivers skip the closer test if no ray
+  // needs it.
   for (bool closer = hit.at != best.at && (a.w & 0x80008000u) == 0x8000u; closer; closer = false) hit = hitOrPassed(ray, hit, best);
 #endif
   return taken(hit, best, a.w);

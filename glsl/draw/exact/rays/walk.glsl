@@ -1,10 +1,10 @@
 // Stackless traversal of a hierarchy, nearest child first. The tree is complete, so the bits of `trail` can mark the
-// levels above a node at which the sibling is still to be visited. The macro defines a function NAME that reads NODES
-// and calls TEST for the items of a leaf; the traversal ends early if WALK_OVER is true. Compiles as GLSL and as C++.
+// levels above a node at which the sibling must still be visited. The macro defines a function NAME that reads NODES
+// and calls TEST for the items of a leaf. The traversal ends early if WALK_OVER is true. Compiles as GLSL and as C++.
 #include "draw/exact/rays/ray_shapes.glsl"
 #include "draw/exact/rays/leaf.glsl"
 
-// Returns the index of the lowest set bit, from the exponent of a float, because drivers expand findLSB to many
+// Returns the index of the lowest set bit. Uses the exponent of a float, because drivers expand findLSB to many
 // operations.
 FUNCTION int lowestBit(uint bits) {
   uint lowest = bits & (~bits + 1u);

@@ -1,7 +1,7 @@
-// Computes one level of the mip pyramid that reflections read (levels.glsl) from the level before: light and coverage
-// are the mean of four cells, nearness is their max; both are 0 without content. FIRST: computes level 0 from the light
-// of the pixels and the nearness that the occlusion pass found. GROUND: removes the ground, which mirrored_ground.glsl
-// handles. One invocation writes ROWS cells, one below the other.
+// Computes one level of the mip pyramid that reflections read (levels.glsl) from the previous level. Light and coverage
+// are the mean of four cells, nearness is their max; both are 0 for empty cells. FIRST: computes level 0 from the light
+// of the pixels and the nearness of the occlusion pass. GROUND: removes the ground, which mirrored_ground.glsl handles.
+// One invocation writes ROWS vertically adjacent cells.
 #define EXACT_PICTURE
 #include "common/once.glsl"
 #include "common/exact.glsl"
@@ -25,7 +25,7 @@ uniform ivec2 size;  // picture size in pixels
 uniform int level;
 ivec2 half_ = (size + 1) / 2, room = levelRoom(half_), end = levelSize(half_, level), last = levelSize(half_, level - 1) - 1;
 
-// Returns the light of a cell of the level before; zero beyond the border.
+// Returns the light of a cell of the previous level, or zero beyond the border.
 vec4 lightBefore(ivec2 at) {
 #ifdef FIRST
   return imageLoad(sums, min(at, size - 1));
@@ -57,7 +57,8 @@ void main() {
 #endif
     nearest[place] = near;
     precise vec4 mean = vec4(0.0f);
-    // A loop of at most one round instead of a branch, because software drivers execute both sides of a branch.
+    // Uses a loop of at most one iteration instead of a branch, because software drivers execute both sides of a
+    // branch.
     for (int i = near > 0.0f ? 0 : 1; i < 1; ++i)
       mean = 0.25f * ((lightBefore(a) + lightBefore(b)) + (lightBefore(c) + lightBefore(d)));
     lit[place] = mean;

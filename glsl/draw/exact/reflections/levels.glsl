@@ -1,5 +1,5 @@
-// Memory layout of a mip pyramid in one buffer: level 0 on the left, the other levels beside it, one below the other. A
-// row is one and a half times as wide as level 0, and the sides of level 0 are rounded up to whole cells of the last
+// Memory layout of a mip pyramid in one buffer. Level 0 is on the left; the other levels are stacked to the right of
+// it. A row is one and a half times as wide as level 0. The sides of level 0 are rounded up to whole cells of the last
 // level. Compiles as GLSL and as C++.
 #ifndef EXACT_LEVELS
 #define EXACT_LEVELS
@@ -13,7 +13,7 @@ FUNCTION ivec2 levelSize(ivec2 size, int level) {
   return (size + ((1 << level) - 1)) >> level;
 }
 
-// Returns the buffer index of a cell. `room`: levelRoom() of level 0.
+// Returns the buffer index of a cell. `room`: result of levelRoom() for level 0.
 FUNCTION int levelPlace(ivec2 room, int level, ivec2 at) {
   int down = level > 0 ? room.y - (room.y >> (level - 1)) : 0;
   int right = level > 0 ? room.x : 0;

@@ -5,14 +5,14 @@
 #include "common/exact.glsl"
 #ifndef MIRROR_TWIN
 #include "common/once.glsl"
-uniform vec2 mirrorReach;  // x max length of rays (m), y assumed thickness of objects (m)
+uniform vec2 mirrorReach;  // x: max length of rays (m); y: assumed thickness of objects (m)
 vec2 mirrorReach_ = once(mirrorReach);
 #endif
 
-// Roughness up to which reflections count fully, and from which they do not count.
+// Max roughness for which reflections have full weight, and min roughness for which they have none.
 const float mirrorSmooth = 0.1f, mirrorRough = 0.3f;
 
-// Returns the smoothstep 3 t^2 - 2 t^3 of x clamped to 0..1.
+// Returns the smoothstep 3 t^2 - 2 t^3, where t is x clamped to 0..1.
 FUNCTION float easedBetween(float x) {
   float t = clamp(x, 0.0f, 1.0f);
   precise float eased = t * t * (3.0f - 2.0f * t);

@@ -1,8 +1,8 @@
-// Reflections of the ground plane, whether the ground is visible in the picture or not, because rays can be intersected
-// with a plane exactly. The ambient occlusion at the reflected point is unknown. It is assumed to equal the mirror's
-// occlusion where the mirror touches the ground, and to fade to none at half the occlusion radius (twice the thickness
-// of objects). The sun's light on the ground is added with the shading; lamps' light on the ground comes with the
-// reflections (REFLECTED), once for four pixels.
+// Reflections of the ground plane, inside and outside the picture, because rays can be intersected with a plane
+// exactly. The ambient occlusion at the reflected point is unknown. It is assumed to equal the mirror's occlusion where
+// the mirror touches the ground, and to fade to none at half the occlusion radius (twice the thickness of objects). The
+// sun's light on the ground is added with the shading. The lamps' light on the ground is added with the reflections
+// (REFLECTED), once for four pixels.
 #include "draw/exact/rays/ground_ray.glsl"
 #include "draw/exact/reflections/mirror_reach.glsl"
 #include "draw/surface/ground_light.glsl"

@@ -1,22 +1,26 @@
-// Screen-space reflections: traces a ray from a visible point through the content of the picture (M. McGuire and M.
+// Screen-space reflections. They trace a ray from a visible point through the content of the picture (M. McGuire and M.
 // Mara, "Efficient GPU screen-space ray tracing", Journal of Computer Graphics Techniques 3(4), 2014, for the path on
 // the picture and the thickness; Y. Uludag, "Hi-Z screen-space cone-traced reflections", GPU Pro 5, 2014, for the
 // levels). Compiles as GLSL and as C++. The including file declares `view`, float nearestAt(level, cell) and vec4
 // litAt(level, cell) of half pixels (blocks of 2x2 pixels), and vec2 mirrorReach_: max length of rays and thickness of
 // objects (m).
-// On the picture a ray is a line, and its nearness is affine along the line, as for planes: n(t) = n0 + t n', t in half
-// pixels. A cell of a level holds the nearness of the nearest point below it. If that point is farther away than the
-// ray in the whole cell, the ray hits nothing there and continues with larger cells; otherwise it continues with
-// smaller cells. In a half pixel the ray has hit something if three conditions hold:
-//   nearest(t1) > n(t1): at the end t1 of its path through the half pixel the ray is behind the visible surface.
-//   1 / nearest - 1 / n(t) < thickness: at the nearer end the ray is behind it by less than the thickness.
-//   nearest > nearness of the mirror's own plane, by more than the plane's change over a half pixel.
-// The weight of a hit falls from 1 to 0 in these cases: the ray is far behind the visible surface (beyond the surface's
-// change over a half pixel, sooner for a curved mirror); the hit is in the last tenth of the picture's height before
-// its border; it is in the farther half of the max length; the ray comes towards the eye, because the back sides of
-// objects are not visible; the mirror is so curved that neighbours reflect points 1/8 to 3/4 half pixels apart, which
-// would be noise; the roughness goes from 0.1 to 0.3, because rougher mirrors would need blurred edges. The rest of the
-// weight counts as a miss.
+// On the picture a ray is a line, and its nearness is affine along the line, as for planes: n(t) = n0 + t n', with t in
+// half pixels. A cell of a level holds the nearness of the nearest point that it covers. If that point is farther away
+// than the ray in the whole cell, the ray hits nothing there and continues with larger cells. Otherwise it continues
+// with smaller cells. In a half pixel the ray has hit something if these three conditions hold:
+// 1. nearest(t1) > n(t1). At the end t1 of its path through the half pixel the ray is behind the visible surface.
+// 2. 1 / nearest - 1 / n(t) < thickness. At its nearer end the ray is behind the surface by less than the thickness.
+// 3. nearest is greater than the nearness of the mirror's plane, by more than the plane's change over a half pixel.
+// The weight of a hit falls from 1 to 0 in these cases:
+// - the ray is far behind the visible surface (by more than the surface's change over a half pixel, sooner for a curved
+// mirror);
+// - the hit is within a tenth of the picture's height of its border;
+// - the hit is in the farther half of the max length;
+// - the ray comes towards the eye, because the back sides of objects are not visible;
+// - the mirror is so curved that neighbouring half pixels reflect points 1/8 to 3/4 half pixels apart, which would be
+// noise;
+// - the roughness goes from 0.1 to 0.3, because rougher mirrors would need blurred edges.
+// The remaining weight counts as a miss.
 #include "common/exact.glsl"
 #include "draw/exact/depth.glsl"
 #include "draw/exact/occlusion/half_pixels.glsl"
@@ -31,7 +35,7 @@ struct MirrorWay {
   float nearness;  // nearness at the start of the path (1/m)
   float rate;      // change of nearness per half pixel along the path
   float speed;     // half pixels per metre at the start of the path
-  vec2 slope;      // change of nearness per half pixel on the mirror's own plane
+  vec2 slope;      // change of nearness per half pixel on the mirror's plane
   float turns;     // angle between the mirror's normals at neighbouring half pixels (radians)
   float end;       // length of the path in half pixels
   float counts;    // weight of the reflection; 0 if there is no path
@@ -43,8 +47,8 @@ struct MirrorHit {
   float spread;  // distance, in half pixels, between the points that neighbouring half pixels reflect
 };
 
-// Returns the distance (m) from the start to position t of the path. For parallel rays it is t / speed, else it follows
-// from perspective.
+// Returns the distance (m) from the start to position t of the path. In orthographic views it is t / speed; otherwise
+// it follows from perspective.
 FUNCTION float metresAlong(MirrorWay way, float t) {
 #ifdef PARALLEL
   precise float metres = t * exactReciprocal(way.speed);
@@ -56,9 +60,9 @@ FUNCTION float metresAlong(MirrorWay way, float t) {
   return metres;
 }
 
-// Returns the path of a ray from p in the unit `direction`. `ground`: distance (m) at which the ray hits the ground, -1
-// if never; `facing`: unit normal of the surface; `towards`: unit vector to the eye; `turns`: angle between the normals
-// of neighbouring half pixels (radians).
+// Returns the path of a ray from p in the unit `direction`. `ground`: distance (m) at which the ray hits the ground, or
+// -1 if it does not; `facing`: unit normal of the surface; `towards`: unit vector to the eye; `turns`: angle between
+// the normals of neighbouring half pixels (radians).
 FUNCTION MirrorWay mirrorWay(vec3 p, vec3 direction, float ground, vec3 facing, vec3 towards, float turns, float roughness) {
   precise vec3 aside = p - vec3(view.eye);
   precise float depth = exactDot(vec3(view.forward), aside);
@@ -93,7 +97,7 @@ FUNCTION MirrorWay mirrorWay(vec3 p, vec3 direction, float ground, vec3 facing, 
   precise float reach = metres * speed;
 #else
   precise float rate = -recedes * nearness * nearness * perSpeed;
-  // t = speed l d / (d + l d') for the distance l (m), with the depth d that changes by d' per metre.
+  // t = speed l d / (d + l d') for the distance l (m), where the depth d changes by d' per metre.
   float metres = ground < 0.0f ? mirrorReach_.x : min(ground, mirrorReach_.x);
   precise float ahead = depth + metres * recedes;
   float held = max(ahead, view.near);
@@ -140,12 +144,12 @@ FUNCTION vec2 slopesAt(ivec2 at, float here) {
   return vec2(slopeBetween(left, here, right), slopeBetween(above, here, below));
 }
 
-// Returns the position between `low` and `high` at which the path meets the plane through a half pixel's nearest point,
-// with the slope from its neighbours. If the ray is behind that plane earlier, it came from beside the object, whose
-// edge the half pixel shows; the result is then beyond `low`.
+// Returns the position between `low` and `high` at which the path meets a plane. The plane goes through the nearest
+// point of a half pixel, with the slope from its neighbours. If the ray is behind that plane earlier, it came from the
+// side of the object whose edge the half pixel shows; the result is then beyond `low`.
 FUNCTION float meetingPlane(MirrorWay way, ivec2 at, float here, vec2 slope, float low, float high) {
   precise vec2 aside = way.from - (vec2(at) + 0.5f);
-  // The nearest point of a half pixel lies about a third of a half pixel off its centre.
+  // The nearest point of a half pixel is about a third of a half pixel from its centre.
   precise float bias = 0.3f * (abs(slope.x) + abs(slope.y));
   precise float apart = here - bias + (slope.x * aside.x + slope.y * aside.y) - way.nearness;
   precise float closing = way.rate - (slope.x * way.along.x + slope.y * way.along.y);
@@ -156,7 +160,7 @@ FUNCTION float meetingPlane(MirrorWay way, ivec2 at, float here, vec2 slope, flo
   return closes && t > early ? clamp(t, low, high) : within;
 }
 
-// A cell that the path crosses between t and `next`. `here`, `there`: nearness of the ray at both ends.
+// A cell that the path crosses between t and `next`. `here`, `there`: nearness of the ray at t and at `next`.
 struct MirrorCell {
   ivec2 at;
   float nearest;
@@ -165,7 +169,7 @@ struct MirrorCell {
   float there;
 };
 
-// `beyond`: 1 if the path goes towards larger cell coordinates; `perWay`: 1 / way.along.
+// Returns the cell at t. `beyond`: 1 if the path goes towards larger cell coordinates; `perWay`: 1 / way.along.
 FUNCTION MirrorCell mirrorCell(MirrorWay way, ivec2 beyond, vec2 perWay, float t, int level) {
   precise vec2 q = way.from + way.along * t;
   ivec2 at = ivec2(floor(q)) >> level;
@@ -233,7 +237,7 @@ FUNCTION MirrorHit followMirrored(MirrorWay way) {
   return hit;
 }
 
-// Returns the bilinear mean of four cells of a level around a position (half pixels).
+// Returns the bilinear mean of the four cells of a level around a position (half pixels).
 FUNCTION vec4 litAround(int level, vec2 place) {
   precise float perCell = intBitsToFloat((127 - level) << 23);
   precise vec2 at = place * perCell - 0.5f;
@@ -248,9 +252,9 @@ FUNCTION vec4 litAround(int level, vec2 place) {
   return mean;
 }
 
-// Returns the light of the reflected objects times its weight, and the weight in w; the rest of the reflection comes
-// from the surroundings. For a rough mirror the light is averaged over half the width of its lobe, 2 roughness^2 per
-// metre of distance.
+// Returns the light of the reflected objects times its weight, and the weight in w. The surroundings supply the
+// remaining light. For a rough mirror the light is averaged over half the width of its lobe, 2 roughness^2 per metre of
+// distance.
 FUNCTION vec4 lightMirrored(MirrorWay way, MirrorHit hit, float roughness) {
   precise vec2 q = way.from + way.along * hit.at;
   precise vec2 size = 0.5f * vec2(view.size);

@@ -1,6 +1,6 @@
-// Halves the size of a bloom level with thirteen taps in five overlapping squares, so that small lights do not shimmer
-// as they move (J. Jimenez, "Next generation post processing in Call of Duty: Advanced Warfare", SIGGRAPH 2014). Each
-// tap is at a corner of four texels. One invocation writes one texel.
+// Halves the size of a bloom level. The filter has thirteen taps in five overlapping squares, so that small lights do
+// not shimmer as they move (J. Jimenez, "Next generation post processing in Call of Duty: Advanced Warfare", SIGGRAPH
+// 2014). Each tap is at a corner of four texels. One invocation writes one texel.
 #include "draw/exact/screen/light_read.glsl"
 #include "common/exact.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -1,4 +1,4 @@
-// Writes the light above the bloom threshold at half the picture's size, like draw/screen/bloom_first.glsl. One
+// Writes the light above the bloom threshold at half the picture's size, as draw/screen/bloom_first.glsl does. One
 // invocation writes one texel.
 #include "draw/exact/screen/light_read.glsl"
 #include "common/exact.glsl"

@@ -1,5 +1,5 @@
-// Adds the light of the coarser bloom levels, enlarged with a tent filter of 3 by 3 bilinear taps, to one level. One
-// invocation writes one texel.
+// Adds the light of the coarser bloom levels to one level. A tent filter of 3 by 3 bilinear taps enlarges the coarser
+// light. One invocation writes one texel.
 #include "draw/exact/screen/light_read.glsl"
 #include "draw/exact/screen/twice_as_large.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -8,10 +8,10 @@ LIGHT_PICTURE(bloomUnit, scatteredImage, fine);
 layout(rgba32f, binding = sumImage) writeonly restrict uniform image2D sum_;
 uniform ivec2 size;        // size of the result in texels
 uniform ivec2 coarseSize;
-uniform vec2 fraction;     // x weight of the fine level, y weight of the coarse level
+uniform vec2 fraction;     // x: weight of the fine level; y: weight of the coarse level
 
-// Returns the weights of four texels in one axis: three taps of weights 1, 2, 1, one texel apart, each interpolated
-// between two texels.
+// Returns the weights of four texels on one axis. The filter has three taps of weights 1, 2, 1, one texel apart, each
+// interpolated between two texels.
 vec4 weights(int i) {
   float second = secondWeight(i);
   precise vec4 w = vec4(1, 2, 1, 0) * (1.0f - second) + vec4(0, 1, 2, 1) * second;

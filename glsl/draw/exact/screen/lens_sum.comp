@@ -1,4 +1,4 @@
-// Averages the light of several renderings, one for each point of a lens. Each dispatch adds the light in `sums` to the
+// Averages the light of several renderings, one for each lens point. Each dispatch adds the light in `sums` to the
 // total; the last one writes the mean to `sums`. One invocation handles one pixel.
 #include "common/exact.glsl"
 #include "draw/frame_block.glsl"
@@ -8,7 +8,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba32f, binding = sumImage) restrict uniform image2D sums;
 layout(rgba32f, binding = lightImage) restrict uniform image2D total;
 uniform int first;    // 1 if `sums` holds the light of the first lens point
-uniform float share;  // 1 / number of lens points if this is the last lens point; else 0
+uniform float share;  // 1 / number of lens points if this is the last lens point; otherwise 0
 
 void main() {
   ivec2 at = ivec2(gl_GlobalInvocationID.xy);

@@ -1,5 +1,5 @@
-// Access to the texels of light pictures in RGBA32F. LIGHT_IMAGES: reads them as images, which takes half the time on
-// software drivers; else as textures.
+// Reads texels of light in RGBA32F. LIGHT_IMAGES: reads them as images, which takes half the time on software drivers;
+// otherwise as textures.
 #include "draw/bindings.glsl"
 #include "draw/exact/bindings.glsl"
 #ifdef LIGHT_IMAGES

@@ -1,6 +1,6 @@
-// Writes the finished picture as bytes: light over the sky, or over nothing with TRANSPARENT, through lens and film.
-// BLOOM: adds the bloom light. LINEAR: writes the light before lens and film. DEEP: writes the film's values without
-// rounding to bytes. One invocation writes ROWS pixels, one below the other.
+// Writes the finished picture as bytes: light over the sky, after lens and film. TRANSPARENT: without the sky. BLOOM:
+// adds the bloom light. LINEAR: writes the light before lens and film instead. DEEP: writes the film's values without
+// rounding to bytes. One invocation writes ROWS vertically adjacent pixels.
 #define EXACT_PICTURE
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"
@@ -25,7 +25,7 @@ uniform float bloomStrength;
 float bloomStrength_ = once(bloomStrength);
 #endif
 
-// Rounds a fraction of white to a byte / 255, a value that every driver stores as that byte.
+// Rounds a fraction of white to a multiple of 1/255, a value that every driver stores as the same byte.
 float asByte(float x) {
   precise float scaled = clamp(x, 0.0f, 1.0f) * 255.0f + 0.5f;
   precise float byte_ = floor(scaled) * 0.0039215687f;

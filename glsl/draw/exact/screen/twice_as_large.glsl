@@ -1,5 +1,5 @@
 // Interpolation weights for reading a level at twice its size. Compiles as GLSL and as C++.
-// The centre of texel i is at i / 2 - 1/4 in the half-size level: a quarter of a texel before or behind the centre of
+// In the half-size level, the centre of texel i is at i / 2 - 1/4, a quarter of a texel before or behind the centre of
 // texel i / 2.
 
 // Returns the first of the two texels; secondWeight() returns the weight of the second.

@@ -1,12 +1,13 @@
 // Returns the fraction of an area light that reaches a point, by the method of sun_disc.glsl. The method applies
-// because nearness on a shadow map face (1 / distance along the face's axis) is affine over a plane, like depth in the
-// sun's map.
+// because the nearness on a shadow map face (1 / distance along the face's axis) is affine over a plane, like the depth
+// in the sun's map.
 #include "draw/exact/shadows/shadow_filter.glsl"
 #include "draw/exact/shadows/disc_points.glsl"
 
 struct AreaReceiver {
   vec2 middle;   // position of the receiver on the map in texels
-  float near;    // receiver's nearness: distance of the nearest caster / distance of the receiver
+  float near;    // receiver's nearness, relative to the nearest caster: distance of that caster / distance of the
+                 // receiver
   vec2 rise;     // change of the receiver's nearness per texel along its surface
   float spread;  // radius of the penumbra (texels) per unit of nearness between caster and receiver
   float least;   // min radius of the filter in texels
@@ -19,7 +20,7 @@ float mapNear(usamplerBuffer keys, ShadowMap map, vec2 place) {
   return key > nearKey(0.0f) ? -1e30f : intBitsToFloat(int(nearKey(0.0f) - key));
 }
 
-// Casters among 128 points spread evenly over a disc: their number and the sum of their nearness.
+// Casters at 128 points spread evenly over a disc: their number and the sum of their nearness.
 struct Casters {
   int count;
   float near;
@@ -30,7 +31,8 @@ Casters castersWithin(usamplerBuffer keys, ShadowMap map, AreaReceiver r, float 
   Casters found = Casters(0, 0.0f);
   for (int i = 0; i < 32; ++i) {
     precise vec2 middle = (0.94f * radius) * discPoints[i];
-    for (int k = 0; k < 4; ++k) {  // the four corners of a square as large as the spacing of the disc points
+    for (int k = 0; k < 4; ++k) {  // loop over the four corners of a square whose side is the spacing of the disc
+                                   // points
       precise vec2 way = middle + ((k & 1) == 0 ? 1.0f : -1.0f) * ((k & 2) == 0 ? aside : turned);
       precise vec2 place = r.middle + way;
       precise float plane = r.near + r.rise.x * way.x + r.rise.y * way.y;

@@ -1,6 +1,7 @@
-// Lists, for several faces of the lamps' shadow maps, the triangles of the merged mesh (merge_mesh.comp) that the face
-// may show. A triangle completely beyond one side of the face, by more than rounding, is left out; a listed triangle
-// may still be invisible. One invocation tests one triangle. Variants of lamp_list.glsl, BALLOT.
+// For several faces of the lamps' shadow maps, lists the triangles of the merged mesh (merge_mesh.comp) that the face
+// may show. A triangle is left out if it is completely beyond one side of the face, by more than a rounding error. A
+// listed triangle may still be invisible. One invocation tests one triangle. Defines: those of lamp_list.glsl, and
+// BALLOT.
 #include "draw/exact/bindings.glsl"
 #include "draw/lights/lamp_list.glsl"
 layout(local_size_x = 64) in;
@@ -18,13 +19,13 @@ bool allBelow(vec3 v, float least) {
   return max(v.x, max(v.y, v.z)) < least;
 }
 
-// True if all three corners, at the distances x along the face's axis, are beyond the side y = x.
+// True if all three corners are beyond the side y = x of the face. x: distances along the face's axis.
 bool allBeyond(vec3 x, vec3 y) {
   precise vec3 within = x - y + 1e-5f * (abs(x) + abs(y));
   return allBelow(within, 0.0f);
 }
 
-// True if a face that covers |y|, |z| <= x may show the triangle.
+// True if the triangle may be visible in a face that covers |y| <= x and |z| <= x.
 bool mayShow(vec3 x, vec3 y, vec3 z, float nearest) {
   return !(allBelow(x, nearest) || allBeyond(x, y) || allBeyond(x, -y) || allBeyond(x, z) || allBeyond(x, -z));
 }

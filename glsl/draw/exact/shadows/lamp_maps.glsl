@@ -1,5 +1,5 @@
 // Returns the fraction of a lamp's light that reaches a point, filtered in shader code over a few texels of its shadow
-// maps (as draw/lights/lamp_shadow.glsl). `maps` of a lamp: x texels on a side of a map, y texels of an atlas row, z
+// maps (like draw/lights/lamp_shadow.glsl). `maps` of a lamp: x texels per side of a map, y texels per atlas row, z
 // first row of the lamp's maps, w fraction of a map's side that spans 90 degrees.
 #include "draw/lights/faces.glsl"
 #include "draw/exact/shadows/shadow_filter.glsl"
@@ -8,14 +8,14 @@
 #endif
 layout(binding = lampMapUnit) uniform usamplerBuffer lampKeys;
 
-// `nl`: cosine between the normal and the direction to the lamp. The lookup point is offset to the lit side of the
-// surface so that the surface does not shadow itself.
+// Returns the fraction of the lamp's light. `nl`: cosine between the normal and the direction to the lamp. The lookup
+// point is offset to the lit side of the surface so that the surface does not shadow itself.
 float lampFraction(int lamp, vec3 from, vec3 normal, float nl) {
   vec4 maps = lampMaps(lamp), sampling = lampSampling(lamp);
   vec3 a = abs(from);
   precise float turned = 4.0f * nl;
 #ifdef AREAS
-  // A part of a rectangle may be above the horizon although its centre is below.
+  // Part of a rectangle may be above the horizon although its centre is below.
   turned = lampUp(lamp).w > 0.0f ? 1.0f : turned;
 #endif
   precise float lift = clamp(turned, -1.0f, 1.0f) * (sampling.y * max(a.x, max(a.y, a.z))) * (0.5f + 0.5f * sampling.z);
@@ -33,7 +33,8 @@ float lampFraction(int lamp, vec3 from, vec3 normal, float nl) {
 #ifdef AREAS
   vec4 up = lampUp(lamp);
   if (up.w > 0.0f) {
-    // Disc with the rectangle's area, in texels of a map at the distance 1 m; and the surface's plane on the map.
+    // Computes a disc with the rectangle's area, in texels of a map at the distance 1 m, and the surface's plane on the
+    // map.
     vec3 across = onFace(face, normal);
     float perTexel = exactReciprocal(sampling.y);
     precise float area = 0.318309886f * exactReciprocal(up.w);

@@ -1,5 +1,5 @@
 // Appends a surface to the merged mesh of shadow casters: vertices in world space, and triangles in any order. One
-// invocation handles one vertex and one triangle. Variants: DEFORMED, COUNTED.
+// invocation handles one vertex and one triangle. Defines: DEFORMED, COUNTED.
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/triangles/world_vertex.glsl"
 layout(local_size_x = 64) in;
@@ -13,7 +13,7 @@ layout(std430, binding = drawArgumentBinding) readonly restrict buffer DrawArgum
 uniform int vertexCount;
 uniform int firstVertex;
 uniform int triangleCount;
-uniform ivec2 rowOf;  // layout of a grid's indices, as `rowOf` in draw/exact/triangles/surface_triangle.glsl
+uniform ivec2 rowOf;  // layout of a grid's indices; see `rowOf` in draw/exact/triangles/surface_triangle.glsl
 
 void main() {
   int i = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);

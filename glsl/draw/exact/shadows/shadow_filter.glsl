@@ -1,8 +1,8 @@
-// Shadow map filter in shader code: returns the fraction of light that reaches a point, filtered over a few texels.
+// Shadow map filter in shader code. Returns the fraction of light that reaches a point, filtered over a few texels.
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/triangles/triangle.glsl"
 
-// Place of a map in the key buffer.
+// Location of a map in the key buffer.
 struct ShadowMap {
   int side;    // side of the map in texels
   int first;   // index of the map's first key
@@ -27,7 +27,7 @@ float litAround(usamplerBuffer keys, ShadowMap map, vec2 place, uint key) {
   return lit;
 }
 
-// Four taps in a square turned by 27 degrees, whose steps overlap to a smooth ramp.
+// Four taps in a square turned by 27 degrees; together their steps form a smooth ramp.
 float litByFour(usamplerBuffer keys, ShadowMap map, vec2 middle, uint key, float radius) {
   precise vec2 u = radius * vec2(0.667f, 0.333f);
   precise vec2 v = radius * vec2(-0.333f, 0.667f);
@@ -41,7 +41,7 @@ float litByFour(usamplerBuffer keys, ShadowMap map, vec2 middle, uint key, float
   return fraction;
 }
 
-// 16 points of a sunflower spiral on the unit disc: x radius exactSqrt((i + 1/2) / 16), y and z cosine and sine of
+// 16 points of a sunflower spiral on the unit disc. x: radius exactSqrt((i + 1/2) / 16); y and z: cosine and sine of
 // 2.399963 i.
 const vec3 sunflower[16] = vec3[](
     vec3(0.176776692f, 0.999999881f, 0.0f), vec3(0.306186229f, -0.737368882f, 0.675490618f),

@@ -1,8 +1,8 @@
 // Returns the fraction of a sun with an angular size that reaches a point. First it averages the distance of the
-// casters around the point, then it filters the map over the resulting penumbra, whose width is that distance times the
-// sun's angular size (Fernando 2005, "Percentage-closer soft shadows"). The including file declares float
-// casterNear(ivec2 texel), which returns 1 - depth of the caster or a value below all casters, and the points of
-// disc_points.glsl. Compiles as GLSL and as C++.
+// casters around the point. Then it filters the map over the resulting penumbra, whose width is that distance times the
+// sun's angular size (Fernando 2005, "Percentage-closer soft shadows"). The including file declares the points of
+// disc_points.glsl and float casterNear(ivec2 texel), which returns 1 - depth of the caster, or a value below all
+// casters if there is none. Compiles as GLSL and as C++.
 #ifndef EXACT_SUN_DISC
 #define EXACT_SUN_DISC
 #include "common/exact.glsl"
@@ -12,14 +12,14 @@ const int discTaps = 32;  // number of points in discPoints
 struct SunReceiver {
   vec2 middle;   // position of the receiver on the map in texels
   float near;    // receiver's nearness: 1 - depth; negative behind every caster
-  vec2 rise;     // change of the receiver's nearness per texel along its surface, so that the surface's plane casts no
-                 // shadow on itself
+  vec2 rise;     // change of the receiver's nearness per texel along its surface; it prevents the surface's plane from
+                 // shadowing itself
   float spread;  // radius of the penumbra (texels) per unit of depth between caster and receiver
   float least;   // min radius of the filter in texels
   float most;    // max radius of the filter in texels
 };
 
-// Returns the nearness of the receiver's plane at the offset `way` (texels).
+// Returns the nearness of the receiver's plane at the offset `way` (texels) from the receiver.
 FUNCTION float planeNear(SunReceiver r, vec2 way) {
   precise float near = r.near + r.rise.x * way.x + r.rise.y * way.y;
   return near;
@@ -30,8 +30,8 @@ FUNCTION bool isShaded(SunReceiver r, vec2 way) {
   return casterNear(ivec2(floor(place))) > planeNear(r, way);
 }
 
-// Returns the number of lit points among the four corners of a square around the offset `way`. `aside`: offset of the
-// first corner from the square's centre.
+// Returns the number of lit points among the four corners of a square, whose centre has the offset `way`. `aside`:
+// offset of the first corner from the centre.
 FUNCTION int litOfFour(SunReceiver r, vec2 way, vec2 aside) {
   precise vec2 turned = vec2(-aside.y, aside.x);
   precise vec2 one = way + aside;
@@ -43,7 +43,7 @@ FUNCTION int litOfFour(SunReceiver r, vec2 way, vec2 aside) {
 }
 
 FUNCTION float sunDiscFraction(SunReceiver r) {
-  // The nearness of casters is at most 1.
+  // Limits the search radius, because the nearness of casters is at most 1.
   precise float widest = (1.0f - r.near) * r.spread;
   float search = clamp(widest, r.least, r.most);
   int casters = 0;
@@ -61,7 +61,7 @@ FUNCTION float sunDiscFraction(SunReceiver r) {
   precise float between = sum * exactReciprocal(float(casters)) - r.near;
   precise float wide = between * r.spread;
   float radius = clamp(wide, r.least, r.most);
-  // The squares have the side of the points' spacing, so all their corners are spread evenly over the disc.
+  // The side of the squares is the spacing of the points, so all corners are spread evenly over the disc.
   precise vec2 aside = radius * vec2(0.033f, 0.1f);
   int lit = 0;
   for (int i = 0; i < discTaps; ++i) {

@@ -1,5 +1,5 @@
-// Returns the fraction of sunlight that reaches a point: filtered over frame.shadowSoftness texels of the sun's shadow
-// map (SHADOW_TAPS), or over the penumbra of the sun's disc (SUN_DISC).
+// Returns the fraction of sunlight that reaches a point. SHADOW_TAPS: filtered over frame.shadowSoftness texels of the
+// sun's shadow map. SUN_DISC: filtered over the penumbra of the sun's disc.
 #ifndef EXACT_SUN_MAP
 #define EXACT_SUN_MAP
 #include "draw/exact/light_place.glsl"
@@ -16,10 +16,11 @@ float casterNear(ivec2 texel) {
 #include "draw/exact/shadows/disc_points.glsl"
 #include "draw/exact/shadows/sun_disc.glsl"
 
-// `normal`: normal of the receiving surface, which casts no shadow on itself if it is flat.
+// Returns the fraction of sunlight at a point. `normal`: normal of the receiving surface; a flat surface casts no
+// shadow on itself.
 float sunFraction(vec3 place, vec3 normal) {
   float perDepth = exactReciprocal(lightDepth());
-  precise float perTexel = lightTexel() * perDepth;  // depth difference that equals the width of a texel
+  precise float perTexel = lightTexel() * perDepth;  // difference of depth that equals the width of a texel
   float along = max(exactDot(normal, frame.sunDirection.xyz), 0.1f);
   precise vec2 across = vec2(exactDot(normal, frame.lightRight.xyz), exactDot(normal, frame.lightUp.xyz));
   precise vec2 rise = across * (-perTexel * exactReciprocal(along));
@@ -33,7 +34,7 @@ float sunFraction(vec3 place, vec3 normal) {
 float sunFraction(vec3 place, vec3 normal) {
   int side = int(frame.shadowTexels);
   precise float near = 1.0f - place.z;
-  uint key = nearKey(max(near, 0.0f));  // clamped so that a point behind every caster counts as inside the map
+  uint key = nearKey(max(near, 0.0f));  // limits the value so that a point behind every caster counts as inside the map
   precise vec2 middle = place.xy * frame.shadowTexels;
   ShadowMap map = ShadowMap(side, 0, side);
 #if SHADOW_TAPS == 4
@@ -44,7 +45,7 @@ float sunFraction(vec3 place, vec3 normal) {
 }
 #endif
 
-// Offsets the lookup point to the lit side of the surface so that the surface does not shadow itself.
+// Offsets the lookup point to the lit side of the surface, so that the surface does not shadow itself.
 float sunFractionOn(vec3 p, vec3 normal) {
   precise float turned = 4.0f * exactDot(normal, frame.sunDirection.xyz);
   precise float lift = clamp(turned, -1.0f, 1.0f) * lightTexel() * (0.5f + 0.5f * frame.shadowSoftness);

@@ -1,4 +1,4 @@
-// Material maps with texture filtering in shader code, from a buffer with the texels of all maps
+// Material maps with texture filtering in shader code. One buffer holds the texels of all maps
 // (src/draw/exact/surface/map_texels.hpp).
 #ifndef EXACT_MAP_READ
 #define EXACT_MAP_READ
@@ -7,8 +7,8 @@
 #include "draw/surface/footprint.glsl"
 layout(binding = mapTexelUnit) uniform usamplerBuffer texelsOfMaps;
 
-// `map`: width, height, number of levels with the wraps along u and v from bits 8 and 10 on, index of the map's level
-// table.
+// `map`: width; height; number of levels, with the wrap modes of u and v from bits 8 and 10 on; index of the map's
+// level table.
 TextureShape mapShape(ivec4 map) {
   return TextureShape(map.xy, map.z & 255, ivec2(map.z >> 8 & 3, map.z >> 10));
 }
@@ -19,7 +19,7 @@ vec4 mapTexel(int at) {
   return value;
 }
 
-// Bilinear read, as in FILTERED of footprint.glsl; `first`: index of the level's first texel.
+// Reads with bilinear filtering, for FILTERED of footprint.glsl. `first`: index of the level's first texel.
 vec4 mapBetween(vec2 uv, int level, int first, TextureShape shape) {
   Around around = texelsAround(uv, level, shape);
   ivec4 t = around.texels;

@@ -1,8 +1,8 @@
-// Shades one surface tile by tile. Each triangle in a pixel is shaded once: at the pixel's centre if the centre is on
-// the triangle, else at the first sample that shows it. JOINED: shades several surfaces without textures. Variants:
-// SAMPLES; SHADOW (with SHADOW_TAPS), OCCLUSION, REFLECTED, RAYS, PALETTE, VERTEX_COLORS, DOUBLE_SIDED; TEXTURED
-// (BUMPED) or SKIN (with a LOOK_ variant of draw/surface/skin_look.glsl), by uv of a GRID or a mesh, or TRIPLANAR; maps
-// (surface_maps.glsl), EMISSION, COAT, SHEEN; BLENDED (a transparent layer); and the variants of
+// Shades one surface tile by tile. Each triangle in a pixel is shaded once: at the pixel's centre if the triangle
+// covers it, else at the first sample that shows the triangle. JOINED: shades several surfaces without textures.
+// Defines: SAMPLES; SHADOW (with SHADOW_TAPS), OCCLUSION, REFLECTED, RAYS, PALETTE, VERTEX_COLORS, DOUBLE_SIDED;
+// TEXTURED (BUMPED) or SKIN (with a LOOK_ define of draw/surface/skin_look.glsl), by uv of a GRID or a mesh, or
+// TRIPLANAR; maps (surface_maps.glsl), EMISSION, COAT, SHEEN; BLENDED (a blended layer); and those of
 // draw/surface/lighting.glsl.
 #define EXACT_PICTURE
 #include "common/once.glsl"
@@ -10,7 +10,7 @@
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/triangles/owners.glsl"
 layout(binding = lookUnit) uniform samplerBuffer looks;
-bool mirrors = false, bothSides = false;  // properties of the surface that is being shaded, like color_ and material_
+bool mirrors = false, bothSides = false;  // properties, like color_ and material_, of the surface that is being shaded
 #endif
 #include "draw/exact/tiles/lit_tile.glsl"
 #include "draw/exact/triangles/surface_triangle.glsl"
@@ -45,7 +45,7 @@ vec3 emission_ = once(emission);
 #endif
 #ifdef COAT
 #include "draw/surface/coat.glsl"
-uniform vec2 coat;  // coat: x strength, y roughness
+uniform vec2 coat;  // coat; x: strength, y: roughness
 vec2 coat_ = once(coat);
 #endif
 #ifdef BLENDED
@@ -83,7 +83,7 @@ void takeLook(uint number) {
 const bool bothSides = true;
 uniform vec3 color;
 vec3 color_ = once(color);
-uniform vec3 material;  // material: roughness, metallic, translucency
+uniform vec3 material;  // material values: roughness, metallic, translucency
 vec3 material_ = once(material);
 #endif
 
@@ -162,7 +162,7 @@ vec4 lightOf(ivec2 pixel, uint triangle, int sampleAt) {
   keepSurfaceSpot(spot, look, normal, firstSample(pixel) + sampleAt, owner_, clear_);
 #else
 #if defined SHOWN || defined REFLECTED
-  light = vec3(0);  // the outputs SHOWN and REFLECTED contain no emission
+  light = vec3(0);  // the outputs of SHOWN and REFLECTED contain no emission
 #endif
 #ifdef REFLECTED
   facing_ = spot.turned ? -spot.normal : spot.normal;
@@ -172,7 +172,7 @@ vec4 lightOf(ivec2 pixel, uint triangle, int sampleAt) {
 #if defined COAT && !defined SHOWN
 #ifdef SHEEN
   vec3 fibres = sheen_;
-  sheen_ = vec3(0);  // the coat lies over the fibres, so it is shaded without fibres
+  sheen_ = vec3(0);  // the coat is above the fibres, so its light contains no fibres
 #endif
   vec3 smoothNormal = spot.normal;
 #ifdef DOUBLE_SIDED

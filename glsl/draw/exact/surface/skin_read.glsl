@@ -1,5 +1,6 @@
 // Materials generated from a simulation field (draw/surface/skin.glsl), with texture filtering in shader code.
-// SKIN_TAKEN: reads one of several skins; the including file declares its parameters and the index of its first texel.
+// SKIN_TAKEN: reads one of several skins; the including file declares the skin's parameters and the index of its first
+// texel.
 #include "common/once.glsl"
 #include "draw/bindings.glsl"
 #include "draw/surface/footprint.glsl"
@@ -29,7 +30,7 @@ vec2 skinCells_ = once(skinCells);
 
 struct SkinTexel {
   vec4 relief;
-  vec4 around;  // x mean of q in a ring around the texel, yzw colour
+  vec4 around;  // x: mean of q in a ring around the texel; yzw: colour
 };
 
 SkinTexel skinTexel(int at) {
@@ -37,7 +38,8 @@ SkinTexel skinTexel(int at) {
   return SkinTexel(vec4(unpackHalf2x16(words.x), unpackHalf2x16(words.y)), vec4(unpackHalf2x16(words.z), unpackHalf2x16(words.w)));
 }
 
-// Bilinear read of all values of a texel, as in FILTERED of footprint.glsl; `first`: index of the level's first texel.
+// Reads all values of a texel with bilinear filtering, for FILTERED of footprint.glsl. `first`: index of the level's
+// first texel.
 SkinTexel skinBetween(vec2 uv, int level, int first, TextureShape shape) {
   Around around = texelsAround(uv, level, shape);
   ivec4 t = around.texels;
@@ -88,7 +90,7 @@ SkinArea skinArea(Seen seen) {
   vec4 mean = found.relief;
   precise float spread = mean.y - mean.x * mean.x;
   precise float beyond = print.longer - 1.0f;
-  // No variance for pixels smaller than a texel, because q is only interpolated there.
+  // Pixels smaller than a texel have no variance, because q is only interpolated there.
   precise float variance = max(spread, 0.0f) * clamp(beyond, 0.0f, 1.0f);
   SkinArea area;
   area.q = mean.x;

@@ -1,5 +1,5 @@
-// Writes all mip levels of a skin's textures to one list of texels for draw/exact/surface/skin_read.glsl, as half
-// floats: relief, ring mean, colour. One invocation writes one texel.
+// Writes all mip levels of a skin's textures to one list of texels for draw/exact/surface/skin_read.glsl. A texel holds
+// relief, ring mean and colour as half floats. One invocation writes one texel.
 #include "draw/exact/bindings.glsl"
 #include "draw/bindings.glsl"
 layout(local_size_x = 64) in;

@@ -1,5 +1,5 @@
-// Material maps at a shading point of a surface (surface_seen.glsl). Variants: BASE_MAP, NORMAL_MAP, METAL_ROUGH_MAP,
-// OCCLUSION_MAP, EMISSION_MAP.
+// Reads the material maps at a shading point of a surface (surface_seen.glsl). Defines: BASE_MAP, NORMAL_MAP,
+// METAL_ROUGH_MAP, OCCLUSION_MAP, EMISSION_MAP.
 #include "draw/exact/surface/map_read.glsl"
 #include "draw/surface/normal_map.glsl"
 #define MAP(NAME)     \
@@ -68,7 +68,7 @@ Relief reliefOn(SurfaceSeen seen, Spot spot) {
     float weight = side == 0 ? w.x : side == 1 ? w.y : w.z;
     vec3 texel = mapAt(sideSeen(seen, side), normalMap_).xyz;
     vec3 t = tangentNormal(texel, normalStrength_);
-    vec2 rises = vec2(-t.x, t.y);  // slopes of the relief to the right and downwards in the map
+    vec2 rises = vec2(-t.x, t.y);  // slopes of the relief in the map, to the right and downwards
     if (side == 0) x = rises;
     if (side == 1) y = rises;
     if (side == 2) z = rises;

@@ -1,17 +1,17 @@
-// Texture coordinates of a surface's shading point and their changes per pixel: by uv, or with TRIPLANAR along three
-// axes of the surface's own space.
+// Texture coordinates of a surface's shading point and their changes per pixel: uv coordinates or, with TRIPLANAR,
+// projections along the three axes of the surface's object space.
 #include "common/once.glsl"
 #include "draw/surface/footprint.glsl"
 #include "draw/surface/three_sides.glsl"
-uniform vec2 textureScale;  // repeats of the texture along u and v, or per metre
+uniform vec2 textureScale;  // repeats of the texture along u and v or, for triplanar projection, per metre
 vec2 textureScale_ = once(textureScale);
 #ifdef TRIPLANAR
 uniform mat4 model;
 mat4 model_ = once(model);
-uniform float modelScale;  // scale of lengths in the model matrix
+uniform float modelScale;  // length scale of the model matrix
 float modelScale_ = once(modelScale);
 
-// Returns the position in the surface's own space in metres, for the weights w of the corners.
+// Returns the position in the surface's object space (m), for the weights w of the corners.
 vec3 ownPlace(Spot spot, vec3 w) {
   precise vec3 mean = w.x * vertexPlace(spot.corners.x - firstVertex_) +
                       w.y * vertexPlace(spot.corners.y - firstVertex_) +
@@ -53,7 +53,7 @@ SurfaceSeen surfaceSeen(Spot spot) {
   return seen;
 }
 
-// Returns a bit mask of the projections with a weight above 0.
+// Returns a bit mask of the projections whose weight is above 0.
 int sidesThatShow(vec3 weight) {
   return (weight.x > 0.0f ? 1 : 0) | (weight.y > 0.0f ? 2 : 0) | (weight.z > 0.0f ? 4 : 0);
 }
@@ -73,7 +73,7 @@ SurfaceSeen surfaceSeen(Spot spot) {
 }
 #endif
 
-// Returns the point of the triangle's plane that the neighbouring pixel at the offset `aside` sees.
+// Returns the point of the triangle's plane that is visible at the pixel offset `aside`.
 vec3 planePlace(Spot spot, vec2 aside) {
   precise vec2 at = spot.at + aside;
   return placeUnder(weightsBeside(spot, aside), spot.a.z, spot.b.z, spot.c.z, rayThrough(at));

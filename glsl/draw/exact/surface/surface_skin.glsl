@@ -1,12 +1,12 @@
-// Applies a skin at a shading point of a surface: TRIPLANAR along three axes (draw/surface/three_sides.glsl), else by
-// uv.
+// Applies a skin at a shading point of a surface. TRIPLANAR: projects the skin along three axes
+// (draw/surface/three_sides.glsl) instead of using uv.
 #include "draw/exact/surface/skin_read.glsl"
 
 // Field values and gradient over the footprint of a pixel.
 struct SkinSeen {
   SkinArea area;
   float change2;  // squared change of q per pixel
-  vec3 rise;      // gradient of q along the surface, per cell
+  vec3 rise;      // gradient of q along the surface (change per cell)
 };
 
 struct SpotSkin {
@@ -26,7 +26,7 @@ SkinArea noArea() {
 SkinSeen skinSeen(Spot spot, vec3 normal) {
   SurfaceSeen seen = surfaceSeen(spot);
   vec3 w = seen.weight;
-  // Loops only over the projections with a weight above 0, as in surface_texture.glsl.
+  // Loops only over the projections with a weight above 0; surface_texture.glsl gives the reason.
   SkinArea x = noArea(), y = noArea(), z = noArea();
   int left = sidesThatShow(w);
   while (left != 0) {

@@ -1,4 +1,4 @@
-// A shading point of a surface that a pixel shows.
+// A shading point: the point of a surface that a pixel shows.
 #include "draw/arithmetic.glsl"
 #include "draw/exact/ground_plane.glsl"
 #include "draw/exact/weights.glsl"
@@ -17,17 +17,17 @@ layout(binding = paletteUnit) uniform samplerBuffer vertexTints;
 
 struct Spot {
   ivec3 corners;      // vertex indices of the triangle's three corners
-  vec3 a, b, c;       // the triangle's corners projected to the picture
+  vec3 a, b, c;       // corners of the triangle, projected to the picture
   vec3 weight;        // barycentric weights of the corners
-  vec2 at;            // position on the picture in pixels
+  vec2 at;            // position in the picture (pixels)
   vec3 place;         // world position of the shading point (m)
   vec3 normal;        // unit normal of the shading point
   vec3 view;          // unit vector to the eye
-  bool turned;        // true if the triangle is seen from behind
+  bool turned;        // true if the triangle's back side is visible
 };
 
-// Returns the world position of a point of the triangle. w: weights of the corners with the depths a, b, c; `ray`: ray
-// of the picture position.
+// Returns the world position of a point of the triangle. w: weights of the corners, whose depths are a, b and c; `ray`:
+// ray through the picture position.
 vec3 placeUnder(vec3 w, float a, float b, float c, vec3 ray) {
   precise float depth = w.x * a + w.y * b + w.z * c;
   return placeOnRay(ray, depth);
@@ -58,14 +58,14 @@ Spot spotOf(ivec3 corners, ivec2 pixel, int firstSample) {
   return spot;
 }
 
-// Returns the barycentric weights at the neighbouring pixel at the offset `aside`, on the same triangle's plane.
+// Returns the barycentric weights on the triangle's plane at the pixel offset `aside`.
 vec3 weightsBeside(Spot spot, vec2 aside) {
   precise vec2 at = spot.at + aside;
   return ofSumOne(weightsAround(spot.a, spot.b, spot.c, at));
 }
 
 #ifdef REFLECTED
-// Returns the angle between the normals of neighbouring half pixels (radians), the larger of both axes.
+// Returns the angle between the normals of neighbouring half pixels (radians): the larger of the angles along x and y.
 float turnsOn(Spot spot) {
   vec3 a = unpackedUnit(texelFetch(vertices, spot.corners.x).w), b = unpackedUnit(texelFetch(vertices, spot.corners.y).w);
   vec3 c = unpackedUnit(texelFetch(vertices, spot.corners.z).w);

@@ -1,5 +1,5 @@
-// A material's texture at a shading point of a surface (surface_seen.glsl). BUMPED: adds the relief of the texture's
-// brightness.
+// Reads a material's texture at a shading point of a surface (surface_seen.glsl). BUMPED: adds a relief whose height is
+// the texture's brightness.
 #include "common/once.glsl"
 #include "draw/exact/surface/texture_read.glsl"
 #include "draw/surface/raised_normal.glsl"
@@ -8,7 +8,7 @@ uniform float bump;  // height of white in metres
 float bump_ = once(bump);
 #endif
 
-// The texture's colour at the pixel, and at the offset `aside` (pixels) to the right, left, above and below.
+// Colours of the texture at the pixel and at offsets of `aside` pixels to the right, left, above and below.
 struct Patch {
   vec3 color;
 #ifdef BUMPED
@@ -27,7 +27,7 @@ Patch noPatch() {
   return patch_;
 }
 
-// Adds the colours of one projection with the given weight.
+// Adds the colours of one projection, multiplied by its weight.
 Patch withSide(Patch patch_, Seen seen, float weight) {
   precise vec3 color = patch_.color + weight * textureSeen(seen, vec2(0));
   patch_.color = color;

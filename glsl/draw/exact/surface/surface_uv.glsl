@@ -1,4 +1,4 @@
-// The uv of a surface's shading point and its changes per pixel. GRID: computed from the vertex indices.
+// Returns the uv of a surface's shading point and its changes per pixel. GRID: computes the uv from the vertex indices.
 #include "draw/exact/surface/vertex_uv.glsl"
 
 Seen seenByUv(Spot spot, vec2 repeats) {

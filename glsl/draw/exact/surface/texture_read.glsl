@@ -1,6 +1,6 @@
-// A material's texture with filtering in shader code, from a list of texels (src/draw/exact/surface/texel_lists.hpp),
-// because software drivers read buffers several times as fast as 2D textures. Each entry also holds its right
-// neighbour.
+// Reads a material's texture with filtering in shader code, from a list of texels
+// (src/draw/exact/surface/texel_lists.hpp), because software drivers read buffers several times as fast as 2D textures.
+// Each entry holds a texel and its right neighbour.
 #include "common/once.glsl"
 #include "draw/bindings.glsl"
 #include "draw/surface/footprint.glsl"
@@ -12,19 +12,19 @@ int albedoLevels_ = once(albedoLevels);
 uniform bool albedoRepeats;
 bool albedoRepeats_ = once(albedoRepeats);
 
-// Returns linear light from components in 1/65535.
+// Converts components in units of 1/65535 to linear light.
 vec3 albedoLight(uint rg, uint b) {
   precise vec3 light = vec3(rg & 0xffffu, rg >> 16, b) * 1.5259022e-5f;
   return light;
 }
 
-// Bilinear read, as in FILTERED of footprint.glsl; `first`: index of the level's first texel.
+// Reads with bilinear filtering, for FILTERED of footprint.glsl. `first`: index of the level's first texel.
 vec3 albedoBetween(vec2 uv, int level, int first, TextureShape shape) {
   Around around = texelsAround(uv, level, shape);
   ivec4 t = around.texels;
   int width = max(shape.size.x >> level, 1);
   uvec4 up = texelFetch(albedo, first + t.y * width + t.x), down = texelFetch(albedo, first + t.w * width + t.x);
-  bool alone = t.x == t.z;  // true at a clamped border, where both texels are the same
+  bool alone = t.x == t.z;  // true at a clamped border, where the two texels are the same
   vec3 p = albedoLight(up.x, up.y), r = albedoLight(down.x, down.y);
   vec3 q = alone ? p : albedoLight(up.z, up.w), s = alone ? r : albedoLight(down.z, down.w);
   precise vec3 upper = p + (q - p) * around.part.x;
@@ -56,7 +56,7 @@ float texelsAPixel(Seen seen) {
   return footprintOf(seen, albedoShape()).longer;
 }
 
-// `shift`: offset in pixels to the right and up.
+// Returns the texture's colour. `shift`: offset in pixels to the right and up.
 vec3 textureSeen(Seen seen, vec2 shift) {
   precise vec2 uv = seen.at + seen.across * shift.x + seen.up * shift.y;
   return albedoAt(uv, footprintOf(seen, albedoShape()), albedoShape());

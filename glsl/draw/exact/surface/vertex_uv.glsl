@@ -1,17 +1,17 @@
-// The uv of a surface's vertex. GRID: computed from the vertex index.
+// Returns the uv of a surface's vertex. GRID: computes the uv from the vertex index.
 #include "draw/bindings.glsl"
 #ifdef GRID
 #include "common/once.glsl"
 uniform ivec2 grid;
 ivec2 grid_ = once(grid);
-uniform vec2 perGrid;  // 1 / (grid - 1): factor from grid coordinates to uv
+uniform vec2 perGrid;  // 1 / (grid - 1), the factor that converts grid coordinates to uv
 vec2 perGrid_ = once(perGrid);
 uniform float perRow;  // 1 / number of vertices in a row of the grid
 float perRow_ = once(perRow);
 
 vec2 uvOf(int vertex) {
-  // Software drivers divide integers lane by lane. The float quotient is off by at most one for up to five million
-  // rows.
+  // Divides in float, because software drivers divide integers lane by lane. The quotient is off by at most one for up
+  // to five million rows.
   int i = vertex - firstVertex_;
   precise float about = float(i) * perRow_;
   int row = int(about);

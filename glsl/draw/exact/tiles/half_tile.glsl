@@ -1,4 +1,4 @@
-// Half pixels (blocks of 2x2 pixels) of a tile, for values that are computed once for four pixels.
+// Half pixels (blocks of 2x2 pixels) of a tile, for values that four pixels have in common.
 const int halfPixels = 16;
 
 // Returns pixel k (0 to 3) of half pixel i.

@@ -1,11 +1,12 @@
-// Shades the pixels of a tile, each primitive of a pixel once. The including file declares vec4 lightOf(pixel, number,
-// first sample).
-// A software driver computes a vector of invocations as long as one of them has work, and pixels show one to four
-// primitives. Therefore an invocation handles one primitive after the other of all its pixels, so it is rarely idle.
-// REFLECTED: the change by reflections is computed once for the four pixels of a half pixel and each part of the
-// object, at the first sample that shows the part. uint partOfThing(number) returns the part of a primitive.
+// Shades the pixels of a tile; each primitive of a pixel is shaded once. The including file declares vec4
+// lightOf(pixel, number, first sample).
+// On a software driver, a vector of invocations runs as long as any of them has work, and a pixel shows one to four
+// primitives. Therefore an invocation handles the primitives of all its pixels one after another, so that it is rarely
+// idle. REFLECTED: the change by reflections is computed once for each half pixel (four pixels) and each part of the
+// object, at the first sample that shows the part. uint partOfThing(number) returns the part to which a primitive
+// belongs.
 #if defined REFLECTED && !defined GROUND_BELOW
-// Only the ground that mirrors show is lit here, and it needs neither shadow maps nor lamps.
+// Only the ground in mirrors is shaded here; it needs neither shadow maps nor lamps.
 #undef SHADOW
 #undef LAMPS
 #endif
@@ -13,8 +14,8 @@
 
 vec4 lightOf(ivec2 pixel, uint number, int firstSample);
 
-// Returns the sample in the mask `left` whose primitive is shaded next. The order is by surface, then by sample, so the
-// sums of light have a fixed order.
+// Returns the sample from the mask `left` whose primitive is shaded next. The order is by surface, then by sample, so
+// that the light is summed in a fixed order.
 int firstToLight(PixelIds shown, int left) {
 #ifdef JOINED
   uint least = emptyId;
@@ -32,7 +33,7 @@ int firstToLight(PixelIds shown, int left) {
 #include "draw/exact/tiles/half_tile.glsl"
 uint partOfThing(uint number);
 
-// Returns the mask of the samples in `left` that show the part.
+// Returns the mask of the samples from `left` that show the part.
 int samplesOfPart(PixelIds shown, int left, uint part) {
   int same = 0;
   for (int s = 0; s < SAMPLES; ++s) same |= (left >> s & 1) != 0 && partOfThing(shown.of[s]) == part ? 1 << s : 0;
@@ -84,7 +85,7 @@ void lightTile(uint firstId, uint numbers) {
 }
 #else
 void lightTile(uint firstId, uint numbers) {
-  const int together = min(ROWS, 32 / SAMPLES);  // pixels per round, with one mask bit per sample
+  const int together = min(ROWS, 32 / SAMPLES);  // pixels per round; the mask of a round has one bit per sample
   ivec2 corner = tileToShade();
   if (corner.x < 0) return;
   for (int begin = 0; begin < ROWS; begin += together) {

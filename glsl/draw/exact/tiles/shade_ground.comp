@@ -1,4 +1,4 @@
-// Shades the ground tile by tile. Variants: SAMPLES, SHADOWED (with SHADOW_TAPS), GROUND_REFLECTIVE, LAMPS, OCCLUSION,
+// Shades the ground tile by tile. Defines: SAMPLES, SHADOWED (with SHADOW_TAPS), GROUND_REFLECTIVE, LAMPS, OCCLUSION,
 // REFLECTED, RAYS.
 #define EXACT_PICTURE
 #include "draw/exact/tiles/shaded_tile.glsl"
@@ -24,7 +24,7 @@ int samplesOfGround(ivec2 pixel) {
   return samples;
 }
 
-// Returns the ground's light in a pixel; `samples`: mask of the samples that show the ground.
+// Returns the ground's light in a pixel. `samples`: mask of the samples that show the ground.
 vec4 lightGround(ivec2 pixel, int samples) {
   int first = findLSB(samples);
   vec3 ray = rayThrough(shadingPlace(pixel, -1));
@@ -50,7 +50,7 @@ vec4 lightGround(ivec2 pixel, int samples) {
   facing_ = vec3(0, 1, 0);
   vec3 eyewards = unitOf(towards);
   vec4 met = vec4(0.0f), light = vec4(0.0f);
-  // A ray that misses the ground may see the sky; it gets no reflection.
+  // A ray that misses the ground may see the sky. It gets no reflection.
   for (int i = depth >= view.near ? 0 : 1; i < 1; ++i)
     met = lightMet(p, vec3(-eyewards.x, abs(eyewards.y), -eyewards.z), -1.0f, eyewards, frame.groundRoughness);
   for (int i = met.w > 0.0f ? 0 : 1; i < 1; ++i) light = groundReflected(p, eyewards, met, opennessOn(pixel, p));
@@ -68,8 +68,8 @@ void main() {
   ivec2 corner = tileToShade();
   if (corner.x < 0) return;
 #ifdef REFLECTED
-  // Computed once for the four pixels of a half pixel. A tile equals a cell of level 2; if that cell is empty, all
-  // samples of the tile show the ground.
+  // The reflection is computed once for the four pixels of a half pixel. A tile equals a cell of level 2. If that cell
+  // is empty, all samples of the tile show the ground.
   bool clear = nearestAt(2, ivec2(corner.x >> 3, corner.y >> 3)) == 0.0f;
   for (int i = int(gl_LocalInvocationIndex); i < halfPixels; i += 64 / ROWS) {
     ivec4 samples = ivec4(0);

@@ -1,5 +1,5 @@
-// The tile of a workgroup from a list of tiles.comp, and the content of the invocation's pixels. One invocation handles
-// ROWS pixels, 1 or 8. Variants: SAMPLES, PAIRED.
+// Reads the tile of a workgroup from a list of tiles.comp, and the content of the invocation's pixels. One invocation
+// handles ROWS pixels, 1 or 8. Defines: SAMPLES, PAIRED.
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/tiles/tile_lists.glsl"
@@ -12,7 +12,7 @@ layout(rgba32f, binding = sumImage) restrict uniform image2D sums;
 uniform int draw_;
 uniform int tileCount;
 
-// Returns the first pixel of the workgroup's tile, or -1 if there is no tile left.
+// Returns the first pixel of the workgroup's tile, or -1 if the list has no more tiles.
 ivec2 tileToShade() {
   uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
   if (entry >= texelFetch(tileCounts, draw_).x) return ivec2(-1);
@@ -20,8 +20,8 @@ ivec2 tileToShade() {
   return ivec2(tile & 0xffffu, tile >> 16) * tileSide + ivec2(0, view.rows.x);
 }
 
-// Returns pixel i of the invocation in the tile that starts at `corner`. The invocations of one vector of a software
-// driver form a 4x2 block, because fewer primitive edges cross a block than a row.
+// Returns pixel i of the invocation in the tile whose first pixel is `corner`. On software drivers, the invocations of
+// one vector form a 4x2 block, because fewer primitive edges cross a block than a row.
 ivec2 pixelOf(ivec2 corner, int i) {
   int at = i * (64 / ROWS) + int(gl_LocalInvocationIndex);
   return corner + ivec2((at & 3) | (at >> 1 & 4), (at >> 2 & 1) | (at >> 3 & 6));
@@ -54,7 +54,7 @@ PixelIds idsOf(ivec2 pixel) {
   return ids;
 }
 
-// Returns the mask of the samples that show one of the `numbers` ids from `first` on.
+// Returns the mask of the samples that show one of the ids first to first + numbers - 1.
 int samplesOf(PixelIds shown, uint first, uint numbers) {
   int shows = 0;
   for (int s = 0; s < SAMPLES; ++s) shows |= shown.of[s] >= first && shown.of[s] - first < numbers ? 1 << s : 0;
@@ -70,8 +70,9 @@ int samplesLike(PixelIds shown, int first) {
   return same;
 }
 
-// Returns the share of the pixel that the light of the given samples (mask) contributes. BEHIND: reduced by transparent
-// layers in front. BLENDED: reduced likewise, and the layer reduces the share of everything behind it.
+// Returns the fraction of the pixel's light that comes from the samples in the mask. BEHIND: the blended layers in
+// front reduce the fraction. BLENDED: they reduce it too, and the shaded layer reduces the fraction of everything
+// behind it.
 #ifdef BLENDED
 layout(std430, binding = throughBinding) restrict buffer ThroughBlock { float through[]; };
 
@@ -107,7 +108,7 @@ float shareOf(ivec2 pixel, int samples, float alpha) {
 }
 #endif
 
-// RAYS: a spot is lit later, so its share is stored.
+// RAYS: rays light a spot later, so its fraction is stored.
 #if defined RAYS && (defined BLENDED || defined BEHIND)
 void keepShare(int sampleAt, float share);
 
@@ -117,7 +118,7 @@ void keepShareOf(ivec2 pixel, int samples, float share, float alpha) {
 }
 #endif
 
-// Adds the light of the given samples (mask) to a sum; alpha accumulates the covered fraction of the pixel.
+// Adds the light of the samples in the mask to a sum. Alpha accumulates the covered fraction of the pixel.
 vec4 withLight(ivec2 pixel, vec4 before, vec4 light, int samples) {
   float share = shareOf(pixel, samples, light.a);
 #ifdef BLENDED
@@ -134,7 +135,7 @@ void addLight(ivec2 pixel, vec4 light, int samples) {
   imageStore(sums, pixel, withLight(pixel, imageLoad(sums, pixel), light, samples));
 }
 
-// Returns the position of the pixel's centre (s = -1) or of sample s, in pixels.
+// Returns the position (pixels) of sample s, or of the pixel's centre for s = -1.
 vec2 shadingPlace(ivec2 pixel, int s) {
   ivec2 sixteenth = pixel * 16 + (s < 0 ? ivec2(8) : samplePlace(s));
   precise vec2 place = vec2(sixteenth) * 0.0625f;

@@ -1,8 +1,8 @@
 // Adds the ground to the visibility buffer and lists, for each drawn surface, the tiles that show it. One workgroup
-// handles one tile, one invocation ROWS pixels, one below the other. GROUND: two additional lists hold the tiles whose
-// ground no shadow can reach, and the other tiles with ground (SHADOW). GROUND_KEYS: also writes the ground's depth
-// keys. EMPTIES: also clears the light of all pixels. FEW: at most 32 lists including the ground's; FOURS: at most 4
-// times FOURS lists without the ground's. Variants: SAMPLES, PAIRED.
+// handles one tile; one invocation handles ROWS vertically adjacent pixels. GROUND: two more lists hold the tiles whose
+// ground is without shadow, and the other tiles with ground (SHADOW). GROUND_KEYS: also writes the ground's depth keys.
+// EMPTIES: also clears the light of all pixels. FEW: there are at most 32 lists including those of the ground. FOURS:
+// there are at most 4 times FOURS lists without those of the ground. Defines: SAMPLES, PAIRED.
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/tiles/tile_lists.glsl"
@@ -25,7 +25,7 @@ layout(std430, binding = nearBinding) writeonly restrict buffer NearBlock { uint
 layout(std430, binding = idBinding) writeonly restrict buffer IdBlock { uint ids[]; };
 #define PUT_ID(at, id) ids[at] = id
 #else
-// Ids of four samples, because software drivers store four values at once.
+// ids of four samples per entry, because software drivers store four values at once
 layout(std430, binding = idBinding) writeonly restrict buffer IdBlock { uvec4 ids[]; };
 #define PUT_FOUR(at, four) ids[(at) / 4] = four
 #endif
@@ -41,16 +41,16 @@ uniform int draws;
 uniform int tileCount;
 uniform int firstTileRow;
 #ifdef FOURS
-uniform ivec4 firstFour, nextFour;  // first ids of the surfaces (firstIds), padded with values above all ids
-uvec4 firsts = uvec4(firstFour), next = uvec4(nextFour);  // first ids, read once per invocation instead of in each
-                                                          // round of a loop
+uniform ivec4 firstFour, nextFour;  // first ids of the surfaces (firstIds), padded with values greater than all ids
+uvec4 firsts = uvec4(firstFour), next = uvec4(nextFour);  // copies of the first ids, which are thus read once per
+                                                          // invocation instead of in each iteration
 #endif
 #ifdef GROUND
-// Nearness of the ground: x at the centre of the picture's first pixel, y and z change per pixel to the right and
-// downwards, w max difference within a pixel.
+// Nearness of the ground. x: at the centre of the picture's first pixel; y and z: change per pixel to the right and
+// downwards; w: max difference within a pixel.
 uniform vec4 groundNear;
 vec4 groundAffine = groundNear;
-// Extents of rays, times the near plane's depth: x max extent of a ray of depth 1 along x or z, y and z max change of a
+// Bounds of rays of depth 1, times the near plane's depth. x: max of |x| and |z| of a ray; y and z: max change of a
 // ray's x and z within a pixel.
 uniform vec3 groundRays;
 vec3 raysAround = groundRays;
@@ -64,8 +64,8 @@ shared uint shown[1];  // visibility flags: one bit per surface
 shared uint shown[64];
 #endif
 
-// Surfaces that the invocation's pixels show. With FEW they are added with one atomic at the end, because software
-// drivers execute atomics lane by lane.
+// Surfaces that the invocation's pixels show. With FEW, one atomic adds them at the end, because software drivers
+// execute atomics lane by lane.
 uint mine = 0u;
 void show(int draw) {
 #ifdef FEW
@@ -78,7 +78,7 @@ bool isShown(int draw) {
   return (shown[draw >> 5] >> (draw & 31) & 1u) != 0u;
 }
 
-// Number of samples that are read together: 4, or 1 with fewer than four samples per pixel.
+// Number of samples that are read together: 4, or 1 if a pixel has fewer than four samples.
 #if SAMPLES < 4
 const int together = 1;
 #define FETCHED(ALONE, FOURS, AT) uvec4(ALONE(AT))
@@ -113,9 +113,9 @@ void showId(uint id) {
 
 #ifdef GROUND
 #ifdef SHADOW
-// Returns 2 if a shadow may reach the ground in the whole pixel, 1 if none reaches it anywhere in the pixel, else 3.
-// The test for a point p at depth d uses p / d = eye / d + ray, which is affine on the picture, times the near plane's
-// depth; `middle`: near plane / d at the pixel's centre.
+// Returns 2 if a shadow may reach the ground everywhere in the pixel, 1 if no shadow can reach it anywhere in the
+// pixel, else 3. For a point p of the ground at depth d, the test uses p / d = eye / d + ray, which is affine in the
+// picture position, times the near plane's depth. `middle`: near plane / d at the pixel's centre.
 int shadowAround(ivec2 pixel, float middle) {
   precise vec2 place = vec2(pixel) + 0.5f;
   vec3 ray = rayThrough(place);
@@ -133,8 +133,8 @@ int shadowAround(ivec2 pixel, float middle) {
 }
 #endif
 
-// Returns what all samples with these keys show: the values of groundAt(), or 3 if the samples must be tested one by
-// one.
+// Returns the content that all samples with these keys have, as a value of groundAt(), or 3 if the samples must be
+// tested one by one.
 int groundOf(ivec2 pixel, uvec4 keys) {
   uint nearest = min(min(keys.x, keys.y), min(keys.z, keys.w)), farthest = max(max(keys.x, keys.y), max(keys.z, keys.w));
   precise float middle = groundAffine.x + groundAffine.y * float(pixel.x) + groundAffine.z * float(pixel.y);
@@ -157,7 +157,7 @@ int groundOf(ivec2 pixel, uvec4 keys) {
   precise float leastNear = view.nearOverFar * 1.001f;
   bool seen = farther >= leastNear && steep >= leastSteep && nearer <= 0.999f && within >= raysAround.x;
 #ifdef PARALLEL
-  seen = false;  // the bounds above hold only for rays from a point, so all samples are tested one by one
+  seen = false;  // The bounds above hold only for perspective views, so all samples are tested one by one.
 #endif
   bool all_ = seen && nearKey(max(farther, 0.0f)) < nearest;
   return none ? 0 : all_ ? kind : 3;
@@ -204,8 +204,8 @@ void look(ivec2 pixel) {
 #endif
     bool changed = all_;
     onGround = max(onGround, all_ ? kind : 0);
-    // Tests samples one by one in a loop that ends at once if no test is needed, because software drivers execute both
-    // sides of a branch.
+    // Tests samples one by one. Uses a loop that ends at once if no test is needed, because software drivers execute
+    // both sides of a branch.
     int left_ = kind == 3 ? (1 << together) - 1 : 0;
     while (left_ != 0) {
       int i = findLSB(left_);
@@ -232,7 +232,7 @@ void look(ivec2 pixel) {
 #ifdef FOURS
   for (int s = 0; s < SAMPLES; ++s) showId(seen[s]);
 #else
-  while (left != 0) {  // one round for each surface that the pixel shows
+  while (left != 0) {  // one iteration for each surface that the pixel shows
     uint id = emptyId;
     for (int s = SAMPLES - 1; s >= 0; --s) id = (left >> s & 1) != 0 ? seen[s] : id;
     left &= left - 1;

@@ -1,8 +1,8 @@
-// Rasterizes the triangles in the tile lists of bins.glsl: finds the nearest triangle at each sample, or the smallest
-// id among equally near ones, including the content that is already in the visibility buffer. One workgroup handles one
-// tile, one invocation a part of a column, whose samples stay in registers in groups of four. A group holds samples of
-// one pixel or, with fewer than four samples per pixel, of several rows. SUN_MAP or LAMP_MAP: keys only. Variant
-// SAMPLES.
+// Rasterizes the triangles in the tile lists of bins.glsl. At each sample it finds the nearest triangle, or the lowest
+// id among equally near ones, and compares it with the existing content of the visibility buffer. One workgroup handles
+// one tile. One invocation handles part of a column, whose samples stay in registers in groups of four. A group holds
+// samples of one pixel or, with fewer than four samples per pixel, of several rows. SUN_MAP or LAMP_MAP: keys only.
+// Define: SAMPLES.
 #include "draw/exact/sample_read.glsl"
 #include "draw/exact/triangles/triangle.glsl"
 #include "draw/exact/triangles/bins.glsl"
@@ -17,7 +17,7 @@ ivec2 mapSize = ivec2(mapTexels);
 #define PICTURE_ROWS view.rows
 #endif
 #ifdef LAMP_MAP
-uniform int firstKey;   // index of this map's first key in the atlas of all lamps
+uniform int firstKey;   // index of the first key of this map in the atlas of all lamps
 uniform int keyStride;  // number of keys from one row of the map to the next
 #endif
 #if defined SUN_MAP || defined LAMP_MAP
@@ -50,9 +50,9 @@ layout(std430, binding = idBinding) writeonly restrict buffer IdBlock { uvec4 id
 uniform int binTiles;
 uniform int rounds;
 uniform int round_;
-const int noId = 0x7fffffff;  // placeholder id, larger than all triangle ids
+const int noId = 0x7fffffff;  // placeholder id, greater than all triangle ids
 
-// Row of the pixel, and sample index, of sample i in group j.
+// These functions return the row of the pixel, and the sample index, of sample i in group j.
 int rowOf(int j, int i) {
   return (4 * j + i) / SAMPLES;
 }
@@ -60,7 +60,8 @@ int sampleOf(int j, int i) {
   return (4 * j + i) % SAMPLES;
 }
 
-// Returns the position of sample i in the first group of its kind, in 1/16 pixel from the corner of the first pixel.
+// Returns the position of sample i in the first group with the same pattern, in 1/16 pixel from the corner of the first
+// pixel.
 ivec2 placeOf(int f, int i) {
   return samplePlace(sampleOf(f, i)) + ivec2(0, SAMPLES < 4 ? 16 * rowOf(0, i) : 0);
 }
@@ -85,7 +86,7 @@ uvec4 keysAt(ivec2 pixel, int j) {
 #endif
 }
 
-// Returns the ids of a group; empty samples get noId, so that ids can be compared as signed integers.
+// Returns the ids of a group. Empty samples get noId, so that ids can be compared as signed integers.
 ivec4 idsAt(ivec2 pixel, int j) {
 #if SAMPLES < 4
   uvec4 found = uvec4(idAt(indexOf(pixel, j, 0)), idAt(indexOf(pixel, j, 1)), idAt(indexOf(pixel, j, 2)),
@@ -96,7 +97,7 @@ ivec4 idsAt(ivec2 pixel, int j) {
   return ivec4(min(found, uvec4(noId)));
 }
 
-// Converts keys to floats, which compare fastest; `none`: value for empty samples.
+// Converts keys to floats, whose comparison is fastest. `none`: value for empty samples.
 vec4 nearOf(uvec4 keys, float none) {
   vec4 near = uintBitsToFloat(0x7fffffffu - keys);
   return vec4(keys.x == ~0u ? none : near.x, keys.y == ~0u ? none : near.y, keys.z == ~0u ? none : near.z,
@@ -108,7 +109,7 @@ uint keyOf(float near) {
 }
 
 // A group of four samples relative to a triangle: edge function E / 16 of each edge, distance below the triangle's
-// first corner, and change of nearness across from that corner.
+// first corner, and change of nearness to the right of that corner.
 struct Four {
   ivec4 ab, bc, ca, down;
   vec4 across;

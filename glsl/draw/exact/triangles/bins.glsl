@@ -1,10 +1,10 @@
-// Lists of triangles by picture tile, for software drivers, on which atomics cost more than everything else. Each tile
-// is rasterized by one workgroup alone (binned.comp). A list consists of nodes (index of the next node, index of the
-// triangle), with node indices starting at 1. The corners of a triangle take three texels. Every `roundTriangles`
-// triangles start new lists (rounds), so that no loop gets too long; each shadow map face has its own lists.
+// Lists of triangles by picture tile, for software drivers, on which atomics cost more than everything else. One
+// workgroup rasterizes each tile (binned.comp). A list consists of nodes (index of the next node, index of the
+// triangle); node indices start at 1. The corners of a triangle take three texels. Each group of `roundTriangles`
+// triangles (a round) has separate lists, so that no loop gets too long. Each shadow map face has separate lists, too.
 #include "draw/exact/bindings.glsl"
-// Number of words before the heads of the lists: number of used shared nodes, number of listed triangles, number of
-// non-empty tiles by round, and number of listed triangles by shadow map face.
+// Number of words before the heads of the lists. The words hold: number of used shared nodes, number of listed
+// triangles, number of non-empty tiles by round, and number of listed triangles by shadow map face.
 const int binCounts = 512;
 const int firstTileCount = 2, firstFaceCount = 256;
 const int binTexels = 3;
@@ -25,7 +25,7 @@ uniform int sharedNodes;      // number of nodes in the shared pool
 uniform uint firstSharedNode;
 
 // Lists a triangle. Returns false if there is no room, or if the triangle is too large for binned.comp or for the loop
-// here.
+// in this function.
 bool bin(Triangle t, uint id) {
   ivec2 first = max(t.low / subpixels, ivec2(0, PICTURE_ROWS.x)) / tileSide;
   ivec2 last = min(t.high / subpixels, ivec2(PICTURE_SIZE.x, PICTURE_ROWS.y) - 1) / tileSide;

@@ -1,10 +1,11 @@
-// Clips a triangle to the near plane and to the guard band around the picture. Corners are vec3: pixels times depth to
-// the right and down, and depth (m). Compiles as GLSL and as C++.
+// Clips a triangle to the near plane and to the guard band around the picture. A corner is a vec3: pixels to the right
+// and down, times depth, and depth (m). Compiles as GLSL and as C++.
 #ifndef EXACT_CLIP
 #define EXACT_CLIP
 #include "draw/exact/fixed.glsl"
 
-// Returns a value that is not negative inside plane k: 0 is the near plane, 1 to 4 are the sides of the guard band.
+// Returns a value that is not negative inside plane k. Plane 0 is the near plane, planes 1 to 4 are the sides of the
+// guard band.
 FUNCTION float insideOf(int k, vec3 v, vec2 size, float nearest) {
   precise float depth = v.z - nearest;
   precise float left = v.x + float(guardPixels) * v.z;

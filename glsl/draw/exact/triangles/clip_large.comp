@@ -1,5 +1,5 @@
 // Clips the large triangles of one surface that triangles.comp has listed, one per invocation. BINS: lists the clipped
-// triangles by tiles, and appends the triangles without room there to another list. Variants: LAMP_MAP, COUNTED.
+// triangles by tile, and appends triangles for which there is no room to another list. Defines: LAMP_MAP, COUNTED.
 #ifdef BINS
 #include "draw/exact/triangles/raster.glsl"
 #include "draw/exact/triangles/crossing.glsl"

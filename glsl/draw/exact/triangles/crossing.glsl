@@ -1,5 +1,6 @@
-// Conservative ranges of pixels or tiles in a row that a triangle's edges leave, in float arithmetic. An edge crosses
-// rows at x = at + slope (y - from), in 1/256 pixel; `side`: 1 if the inside is to its right, -1 if it is to its left.
+// Conservative ranges of the pixels or tiles of a row that are inside a triangle's edges, in float arithmetic. An edge
+// crosses rows at x = at + slope (y - from), in 1/256 pixel. `side`: 1 if the triangle is to the right of the edge, -1
+// if it is to the left.
 struct Crossing {
   float slope;
   int side;
@@ -11,8 +12,8 @@ Crossing crossingOf(Edge edge) {
   return Crossing(slope, sign(edge.step_.y));
 }
 
-// Returns the first and last pixel of a row that may lie inside one edge, within `span`. `top`: upper side of the row
-// (1/256 pixel).
+// Limits the range `span` of a row to the pixels that may be inside one edge. Returns the first and last pixel. `top`:
+// upper side of the row (1/256 pixel).
 ivec2 between(ivec2 span, Edge edge, Crossing crossing, int top) {
   precise float upper = crossing.slope * float(top - edge.from.y);
   precise float lower = upper + crossing.slope * 256.0f;
@@ -21,8 +22,8 @@ ivec2 between(ivec2 span, Edge edge, Crossing crossing, int top) {
   return ivec2(crossing.side > 0 ? max(span.x, first) : span.x, crossing.side < 0 ? min(span.y, last) : span.y);
 }
 
-// Returns the first and last tile of a row of tiles that may lie inside one edge. The tolerance covers the float errors
-// of the largest triangles, a few 1/256 pixel inside the picture.
+// Limits the range `span` of a row of tiles to the tiles that may be inside one edge. Returns the first and last tile.
+// The tolerance covers the float errors of the largest triangles, a few 1/256 pixel inside the picture.
 ivec2 tilesBetween(ivec2 span, Edge edge, Crossing crossing, int row) {
   const int tile = tileSide * subpixels;
   precise float upper = crossing.slope * float(row * tile - edge.from.y);

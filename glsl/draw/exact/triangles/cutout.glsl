@@ -1,5 +1,5 @@
-// Holes in the triangle that is being rasterized, at samples where the material's opacity is below a limit (CUTOUT).
-// The opacity is read at each sample, filtered over the footprint of the pixel. Variant GRID.
+// Holes of the triangle that is being rasterized, at samples where the material's opacity is below a limit (CUTOUT).
+// The opacity is read at each sample, filtered over the footprint of the pixel. Define: GRID.
 #include "draw/exact/weights.glsl"
 #include "draw/exact/surface/vertex_uv.glsl"
 #include "draw/exact/surface/map_read.glsl"
@@ -7,9 +7,9 @@ uniform ivec4 colorMap;
 ivec4 colorMap_ = once(colorMap);
 uniform vec2 textureScale;
 vec2 textureScale_ = once(textureScale);
-uniform vec2 opacityLimit;  // x opacity of the whole material, y min opacity of a visible sample
+uniform vec2 opacityLimit;  // x: opacity of the whole material; y: min opacity of a visible sample
 vec2 opacityLimit_ = once(opacityLimit);
-vec3 cutA = vec3(0), cutB = vec3(0), cutC = vec3(0);  // the triangle's corners projected to the picture
+vec3 cutA = vec3(0), cutB = vec3(0), cutC = vec3(0);  // corners of the triangle, projected to the picture
 vec2 cutUvA = vec2(0), cutUvB = vec2(0), cutUvC = vec2(0);
 
 void cutTriangle(ivec3 corners, vec3 a, vec3 b, vec3 c) {

@@ -1,10 +1,10 @@
 // Clipped large triangles, stored as triangle fans. clip_large.comp writes their corners once for all workgroups that
-// rasterize them. A triangle without room here is clipped again by each workgroup.
+// rasterize them. If there is no room for a triangle, each workgroup clips it again.
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/triangles/clip.glsl"
 #include "draw/exact/triangles/triangle.glsl"
-const int fanTexels = 8;  // texels of a fan; each holds x, y, nearness and the number of corners
-uniform int fanRoom;   // capacity of the buffer in fans
+const int fanTexels = 8;  // texels per fan; each texel holds x, y, nearness and the number of corners
+uniform int fanRoom;   // capacity of the buffer (fans)
 #ifdef FACES
 int firstFan = face_ * fanRoom;
 #else

@@ -1,5 +1,5 @@
-// Rasterizes a triangle with a box of at most 64 pixels a side. Sixteen invocations handle it in blocks of 4 by 4
-// pixels.
+// Rasterizes a triangle whose bounding box has at most 64 pixels per side. Sixteen invocations handle the triangle in
+// blocks of 4 by 4 pixels.
 #include "draw/exact/triangles/raster_triangle.glsl"
 const uint teamSize = 16u;
 

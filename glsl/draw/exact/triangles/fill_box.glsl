@@ -1,8 +1,8 @@
-// Rasterizes a small triangle row by row, over the pixels between its edges; float rounding does not affect the result.
+// Rasterizes a small triangle row by row, over the pixels between its edges. Float rounding does not affect the result.
 // BRANCHES: the device saves time if an invocation skips work.
 #include "draw/exact/triangles/raster_triangle.glsl"
 #include "draw/exact/triangles/crossing.glsl"
-uniform int smallPixels;  // longest side of a small triangle's box in pixels
+uniform int smallPixels;  // max side (pixels) of a small triangle's bounding box
 
 void fillBox(Triangle t, uint id) {
   ivec2 first = max(t.low >> 8, ivec2(0, PICTURE_ROWS.x));
@@ -32,9 +32,9 @@ void fillBox(Triangle t, uint id) {
   }
 }
 
-// Returns the longest side of a triangle's box (1/256 pixel), which decides how the triangle is rasterized. On software
-// drivers slivers count as small, because they cover little of their tiles and often come in large numbers. The limits
-// keep the edge function E below 2^31 near the triangle; partial products may wrap around.
+// Returns the longer side of a triangle's bounding box (1/256 pixel), which determines how the triangle is rasterized.
+// On software drivers slivers count as small, because they cover little of their tiles and often occur in large
+// numbers. The limits keep the edge function E below 2^31 near the triangle; partial products may wrap around.
 int drawnAs(Triangle t) {
   int longest = max(t.high.x - t.low.x, t.high.y - t.low.y);
 #ifndef BRANCHES

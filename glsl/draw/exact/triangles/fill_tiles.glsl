@@ -1,4 +1,4 @@
-// Rasterizes a triangle tile by tile; workgroups of 8 by 8 invocations share its tiles in turn.
+// Rasterizes a triangle tile by tile. Workgroups of 8 by 8 invocations split the tiles between them.
 #include "draw/exact/triangles/raster_triangle.glsl"
 #include "draw/exact/triangles/crossing.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -15,7 +15,7 @@ void fillTile(Triangle t, ivec2 corner, uint id) {
   if (mask != 0 && pixel.x < PICTURE_SIZE.x && pixel.y < PICTURE_ROWS.y) putPixel(t, pixel, mask, id);
 }
 
-// Workgroups share the tiles by rows and, if there are many workgroups, also by columns.
+// Workgroups split the tiles by rows and, if there are many workgroups, also by columns.
 void fillTiles(Triangle t, uint id) {
   ivec2 first = max(t.low / subpixels, ivec2(0, PICTURE_ROWS.x)) / tileSide;
   ivec2 last = min(t.high / subpixels, ivec2(PICTURE_SIZE.x, PICTURE_ROWS.y) - 1) / tileSide;

@@ -1,6 +1,6 @@
 // Appends a surface to the joined surfaces: vertices in world space, triangles, and the owner word of each triangle
 // (twice the index of the surface, plus 1 if both sides are visible). One invocation handles one vertex and one
-// triangle. Variants: GRID, DEFORMED.
+// triangle. Defines: GRID, DEFORMED.
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/triangles/world_vertex.glsl"
 layout(local_size_x = 64) in;
@@ -13,7 +13,7 @@ uniform int vertexCount;
 uniform int firstVertex;
 uniform int triangleCount;
 uniform int firstTriangle;
-uniform ivec2 rowOf;  // layout of a grid's indices, as `rowOf` in draw/exact/triangles/surface_triangle.glsl
+uniform ivec2 rowOf;  // layout of a grid's indices; see `rowOf` in draw/exact/triangles/surface_triangle.glsl
 uniform uint owner;
 
 void main() {

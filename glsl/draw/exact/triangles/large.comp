@@ -1,7 +1,7 @@
-// Rasterizes the large triangles, and those that extend far beyond the picture, from the list of triangles.comp.
-// Workgroups share the tiles of each triangle in turn. CLIPS: handles only the triangles without room in
-// clip_large.comp, as a separate program because software drivers would execute the clipping for the others too. BINS:
-// handles the triangles that clip_large.comp could not list by tiles. Variants: SAMPLES, PASS, SUN_MAP, COUNTED.
+// Rasterizes the triangles in the list of triangles.comp that are large or extend far beyond the picture. For each
+// triangle, the workgroups split the tiles between them. CLIPS: handles only the triangles for which clip_large.comp
+// had no room. This is a separate program because software drivers would execute the clipping for all triangles. BINS:
+// handles the triangles that clip_large.comp could not list by tile. Defines: SAMPLES, PASS, SUN_MAP, COUNTED.
 #include "draw/exact/triangles/raster.glsl"
 #include "draw/exact/triangles/fill_fan.glsl"
 layout(binding = largeUnit) uniform usamplerBuffer large;

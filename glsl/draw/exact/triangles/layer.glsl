@@ -1,5 +1,5 @@
-// Depth peeling of blended surfaces (LAYER): at each sample the next layer may only show triangles behind the previous
-// layer, or the next higher id among equally near triangles, and not behind opaque surfaces.
+// Depth peeling of blended surfaces (LAYER). At each sample, the next layer shows only triangles behind the previous
+// layer, or at equal depth those with a higher id, and none behind opaque surfaces.
 #include "draw/exact/bindings.glsl"
 uniform bool firstLayer;
 #ifdef PAIRED

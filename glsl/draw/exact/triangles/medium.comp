@@ -1,5 +1,5 @@
-// Rasterizes the medium-sized triangles, listed by triangles.comp from the end of its list, with sixteen invocations
-// each. Variants: SAMPLES, PASS, SUN_MAP, COUNTED.
+// Rasterizes the medium-sized triangles, which are at the end of the list of triangles.comp. Sixteen invocations handle
+// one triangle. Defines: SAMPLES, PASS, SUN_MAP, COUNTED.
 #include "draw/exact/triangles/raster.glsl"
 #include "draw/exact/triangles/fill_blocks.glsl"
 layout(local_size_x = 64) in;

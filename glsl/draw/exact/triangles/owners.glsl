@@ -1,4 +1,4 @@
-// Owning surface of each triangle of joined surfaces (join.comp).
+// Returns the surface to which a triangle of joined surfaces belongs (join.comp).
 layout(binding = ownerUnit) uniform usamplerBuffer owners;
 int ownerOf(uint number) {
   return int(texelFetch(owners, int(number)).x >> 1);

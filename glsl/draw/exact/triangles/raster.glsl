@@ -1,5 +1,6 @@
-// Shared code of the kernels that rasterize the triangles of surfaces. JOINED: triangles of draw::JoinedSurfaces;
-// seeSides() first reads if both sides of a triangle are visible. Variants of raster_triangle.glsl.
+// Code that the kernels that rasterize the triangles of surfaces have in common. JOINED: triangles of
+// draw::JoinedSurfaces; seeSides() first reads whether both sides of a triangle are visible. Defines: those of
+// raster_triangle.glsl.
 #include "draw/exact/triangles/surface_triangle.glsl"
 #include "draw/exact/triangles/raster_triangle.glsl"
 uniform uint firstId;

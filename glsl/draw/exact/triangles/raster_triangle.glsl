@@ -1,6 +1,6 @@
-// Rasterizes triangles. In shadow maps triangles are moved away from the light by their slope. ADDS: adds light to the
-// sums of glows; CUTOUT: triangles have holes; LAYER: triangles of blended surfaces, one layer at a time. Variants of
-// visible_sample.glsl.
+// Rasterizes triangles. In shadow maps, triangles are moved away from the light in proportion to their slope. ADDS:
+// adds light to the sums of glows. CUTOUT: triangles have holes. LAYER: triangles of blended surfaces, one layer at a
+// time. Defines: those of visible_sample.glsl.
 #include "draw/exact/visible_sample.glsl"
 #include "draw/exact/triangles/triangle.glsl"
 #include "draw/exact/triangles/clip.glsl"
@@ -11,7 +11,7 @@
 #include "draw/exact/triangles/layer.glsl"
 #endif
 #ifdef SUN_MAP
-uniform float slopeOffset;  // factor of the depth offset: number of texels times the triangle's slope
+uniform float slopeOffset;  // depth offset in texels of slope: the triangle's slope times this number of texels
 const float nearest = 0.0f;
 #endif
 #ifdef LAMP_MAP
@@ -32,7 +32,7 @@ vec3 addedLight = vec3(0.0f);
 Triangle drawnTriangle(Corner a, Corner b, Corner c) {
   Triangle t = triangleOf(a, b, c);
 #if defined SUN_MAP || defined LAMP_MAP
-  // A polygon offset: the slope times slopeOffset texels, plus a small constant for depth rounding.
+  // Polygon offset: slope times slopeOffset texels, plus a small constant for depth rounding.
   precise float offset = max(abs(t.acrossNear), abs(t.downNear)) * slopeOffset * float(subpixels) + 4e-7f;
   precise float near = t.near - offset;
   precise float least = t.least - offset;
@@ -79,7 +79,7 @@ void putPixel(Triangle t, ivec2 pixel, int mask, uint id) {
     if ((mask >> s & 1) != 0) putSample(t, pixel, s, keyAt(sampleIndex(pixel, s)), id);
 #else
   int at = firstSample(pixel);
-  for (int s = 0; s < SAMPLES; s += 4) {  // a software driver reads four keys as fast as one
+  for (int s = 0; s < SAMPLES; s += 4) {  // a software driver reads four keys as fast as one key
     uvec4 before = fourKeysAt(at + s);
     for (int i = 0; i < 4; ++i)
       if ((mask >> (s + i) & 1) != 0) putSample(t, pixel, s + i, before[i], id);

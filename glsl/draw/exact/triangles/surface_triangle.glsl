@@ -1,6 +1,6 @@
-// Triangles of one surface, by index: indices, and the vertices that vertices.comp wrote. LAMP_MAP: triangles of the
-// merged mesh, whose vertices are projected here for each face. FACES: one dispatch handles several faces
-// (draw/exact/view_block.glsl).
+// Reads triangles of one surface by index: the vertex indices, and the vertices that vertices.comp wrote. LAMP_MAP:
+// triangles of the merged mesh, whose vertices are projected here for each face. FACES: one dispatch handles several
+// faces (draw/exact/view_block.glsl).
 #include "common/once.glsl"
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/vertex.glsl"
@@ -25,7 +25,8 @@ uvec4 vertexOf(int i) {
 layout(binding = indexUnit) uniform usamplerBuffer indices;
 uniform int firstVertex;
 int firstVertex_ = once(firstVertex);
-uniform int triangleCount;  // number of triangles; negative: the GPU wrote it to the arguments of the surface's draw
+uniform int triangleCount;  // number of triangles; if negative, the GPU has written the number to the surface's draw
+                            // arguments
 #ifdef FACES
 int firstIndex = 3 * face_ * triangleCount, list = face_;
 #else
@@ -54,8 +55,8 @@ int trianglesToDraw() {
 }
 #endif
 
-uniform ivec2 rowOf;  // x triangles in a row of a grid that stores the indices of one row only, y vertices per row; 0:
-                      // indices of all triangles are stored
+uniform ivec2 rowOf;  // for a grid that stores the indices of only one row, x: triangles per row, y: vertices per row;
+                      // 0 if the indices of all triangles are stored
 ivec2 rowOf_ = once(rowOf);
 
 ivec3 cornersOf(int triangle) {
@@ -70,7 +71,7 @@ vec3 placeOf(uvec4 vertex) {
 #ifdef PARALLEL
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/corner_place.glsl"
-// Returns the vertex position in the rasterizer's form (draw/exact/corner_place.glsl).
+// Returns the vertex position in the form that the rasterizer needs (draw/exact/corner_place.glsl).
 vec3 drawnPlace(uvec4 vertex) {
   return rasterPlace(placeOf(vertex));
 }

@@ -1,22 +1,22 @@
 // A triangle in the picture: covered samples and nearness. Compiles as GLSL and as C++.
-// Corners are rounded to 1/256 pixel; coverage is then computed in integers. For an edge from p to q with the
-// triangle's inside on its left, E(s) = (q - p) x (s - p) is not negative inside. A sample exactly on an edge belongs
-// to the triangle for which the edge is a top or left edge, so exactly one of two triangles that share the edge covers
-// it.
+// Corners are rounded to 1/256 pixel. Coverage is then computed in integers. For an edge from p to q with the triangle
+// on its left, the edge function E(s) = (q - p) x (s - p) is not negative inside. A sample exactly on an edge belongs
+// to the triangle for which the edge is a top or left edge, so exactly one of two triangles with a common edge covers
+// the sample.
 #ifndef EXACT_TRIANGLE
 #define EXACT_TRIANGLE
 #include "draw/exact/fixed.glsl"
 
-// A corner of a triangle, from the vertex kernels' pixels times depth to the right and down, and depth (m).
+// A corner of a triangle, computed from a projected vertex (pixels to the right and down, times depth, and depth in m).
 struct Corner {
   ivec2 at;    // position of the corner in 1/256 pixel
-  float near;  // nearness: near plane / depth, 0 to 1, affine on the picture
+  float near;  // nearness: near plane / depth, 0 to 1, affine in the picture position
 };
 
 struct Edge {
   ivec2 from;  // start of the edge in 1/256 pixel
   ivec2 step_;  // vector from the edge's start to its end
-  int bias;    // 0 if samples on the edge belong to the triangle, else -1
+  int bias;    // 0 if samples on the edge belong to the triangle, otherwise -1
 };
 
 struct Triangle {
@@ -26,7 +26,7 @@ struct Triangle {
   float acrossNear;    // change of nearness per 1/256 pixel to the right
   float downNear;      // change of nearness per 1/256 pixel downwards
   float least, most;   // min and max nearness of the corners
-  bool turned;         // true if the triangle is seen from behind
+  bool turned;         // true if the triangle's back side is visible
   bool empty;          // true if the triangle's area is zero
 };
 
@@ -45,12 +45,13 @@ FUNCTION Edge edgeOf(ivec2 from, ivec2 to) {
   Edge edge;
   edge.from = from;
   edge.step_ = to - from;
-  // The inside is to the left of an edge if y points up. With y down, left edges go down and top edges go to the left.
+  // With y up, the triangle is to the left of an edge. With y down, left edges therefore go down and top edges go to
+  // the left.
   edge.bias = edge.step_.y > 0 || (edge.step_.y == 0 && edge.step_.x < 0) ? 0 : -1;
   return edge;
 }
 
-// Returns the sign of u x v for integers whose products exceed 32 bits.
+// Returns the sign of the cross product u x v, for integers whose products exceed 32 bits.
 FUNCTION int crossSign(ivec2 u, ivec2 v) {
   int high1, low1, high2, low2;
   imulExtended(u.x, v.y, high1, low1);
@@ -59,7 +60,7 @@ FUNCTION int crossSign(ivec2 u, ivec2 v) {
   return uint(low1) > uint(low2) ? 1 : low1 == low2 ? 0 : -1;
 }
 
-// Sets up the triangle with the inside to the left of its edges, for corners in either order.
+// Sets up a triangle that lies to the left of its edges, for corners in either order.
 FUNCTION Triangle triangleOf(Corner a, Corner first, Corner second) {
   int sign_ = crossSign(first.at - a.at, second.at - a.at);
   Corner b = first, c = second;
@@ -77,7 +78,7 @@ FUNCTION Triangle triangleOf(Corner a, Corner first, Corner second) {
   t.high = max(a.at, max(b.at, c.at));
   t.least = min(a.near, min(b.near, c.near));
   t.most = max(a.near, max(b.near, c.near));
-  // Plane through the three corners: near = a + gradient . (place - a), by Cramer's rule.
+  // Computes the plane through the three corners, near = a + gradient . (place - a), by Cramer's rule.
   precise vec2 ab = vec2(b.at - a.at);
   precise vec2 ac = vec2(c.at - a.at);
   precise float up = b.near - a.near;
@@ -100,7 +101,7 @@ FUNCTION float nearAt(Triangle t, ivec2 at) {
   return clamp(near, t.least, t.most);
 }
 
-// Returns the depth key of a sample: smaller keys are nearer, empty samples have the largest key.
+// Returns the depth key of a sample. Nearer samples have smaller keys; empty samples have the largest key.
 FUNCTION uint nearKey(float near) {
   return 0x7fffffffu - uint(floatBitsToInt(near));
 }
@@ -111,10 +112,10 @@ FUNCTION int edgeAt(Edge edge, ivec2 at) {
   return edge.step_.y * to.x - edge.step_.x * to.y + edge.bias;
 }
 
-// Returns the edge function E / 16, rounded down, at a position; the result is clamped if no sample of a tile around
-// the position can change the sign. For a position 16 h + l from the edge's start it is step x h + floor((step x l +
-// bias) / 16). The result is exact in 32 bits if it is below 2^30, even if partial products wrap around; float
-// arithmetic decides well enough if that holds.
+// Returns the edge function E / 16 at a position, rounded down. The result is clamped if all samples of a tile around
+// the position have the same sign. For a position 16 h + l from the edge's start, the result is step x h + floor((step
+// x l + bias) / 16). It is exact in 32 bits if it is below 2^30, even if partial products wrap around. Float arithmetic
+// is precise enough to decide whether that holds.
 FUNCTION int edgeOverSixteen(Edge edge, ivec2 at) {
   const int most = 0x3fffffff;
   ivec2 to = at - edge.from;

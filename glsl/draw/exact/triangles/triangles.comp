@@ -1,6 +1,6 @@
-// Rasterizes the small triangles of one surface, one per invocation. Larger triangles go on a list: medium-sized ones
-// from its end (medium.comp), large ones from its start (large.comp). BINS: unclipped triangles are listed by tiles
-// (bins.glsl) instead of rasterized; in shadow maps only those that are not very small. Variants: SAMPLES, PASS,
+// Rasterizes the small triangles of one surface, one per invocation. Appends larger triangles to a list: medium-sized
+// ones from its end (medium.comp), large ones from its start (large.comp). BINS: unclipped triangles are listed by tile
+// (bins.glsl) instead of rasterized; in shadow maps, very small ones are rasterized anyway. Defines: SAMPLES, PASS,
 // SUN_MAP, LAMP_MAP, COUNTED, BALLOT.
 #include "draw/exact/triangles/raster.glsl"
 #include "draw/exact/triangles/fill_box.glsl"
@@ -17,12 +17,13 @@ int draw_ = face_;
 uniform int draw_;         // index of the current surface among all drawn surfaces
 #endif
 uniform int draws;
-// Longest side in pixels of the box of a medium-sized triangle. If this is not above the limit of small triangles, no
-// triangle is medium-sized.
+// Max side (pixels) of the bounding box of a medium-sized triangle. If this is not above the limit of small triangles,
+// no triangle is medium-sized.
 uniform int mediumPixels;
 #include "draw/exact/list_place.glsl"
 #if defined BINS && (defined LAMP_MAP || defined SUN_MAP)
-// Shadow maps have one sample per texel and no ids, so a few atomics cost less than all samples of a tile.
+// Shadow maps have one sample per texel and no ids, so for a small triangle a few atomics cost less than all samples of
+// a tile.
 const int smallerBy = 4;
 #else
 const int smallerBy = 1;

@@ -1,6 +1,6 @@
-// Projects the vertices of one surface for the rasterizer: pixels times depth to the right and down, depth (m), packed
-// normal; invalid vertices are marked (draw/exact/vertex.glsl). PARALLEL: as in draw/exact/corner_place.glsl. SUN_MAP:
-// texels of the sun's shadow map, 1, nearness to the sun. One invocation handles one vertex. Variants: GRID, DEFORMED.
+// Projects the vertices of one surface for the rasterizer: pixels to the right and down, times depth; depth (m); packed
+// normal. Invalid vertices are marked (draw/exact/vertex.glsl). PARALLEL: as in draw/exact/corner_place.glsl. SUN_MAP:
+// texels of the sun's shadow map; 1; nearness to the sun. One invocation handles one vertex. Defines: GRID, DEFORMED.
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/triangles/world_vertex.glsl"
 #include "draw/exact/vertex.glsl"

@@ -1,4 +1,4 @@
-// Vertices of a sim::Surface in world space, by index, in exact arithmetic. Variants: GRID, DEFORMED as in
+// Reads vertices of a sim::Surface in world space, by index, in exact arithmetic. Defines: GRID, DEFORMED as in
 // draw/surface/surface.vert.
 #include "draw/bindings.glsl"
 #include "common/exact.glsl"
@@ -27,9 +27,10 @@ vec3 worldPlace(int i) {
   return q;
 }
 
-// worldNormal() returns the normal of vertex i, not of unit length.
+// worldNormal() returns the normal of vertex i. The normal does not have unit length.
 #ifdef GRID
-// Central differences, one-sided at the borders. The direction agrees with the triangles (a, a + width, a + 1).
+// Uses central differences, or one-sided ones at the borders. The normal points to the same side as that of the
+// triangles (a, a + width, a + 1).
 vec3 worldNormal(int i) {
   int x = i % grid.x, y = i / grid.x;
   precise vec3 right = worldPlace(i + min(grid.x - 1 - x, 1)) - worldPlace(i - min(x, 1));
@@ -37,8 +38,8 @@ vec3 worldNormal(int i) {
   return exactCross(down, right);
 }
 #elif defined DEFORMED
-// Returns the normal from the differences of four displaced points. In the rest pose, they lie on both sides of the
-// vertex along tangent and bitangent, at the distance rest.w (length of its shortest edge).
+// Computes the normal from the differences of four displaced points. Before the displacement, the points lie on both
+// sides of the vertex along tangent and bitangent, at the distance rest.w (length of its shortest edge).
 vec3 worldNormal(int i) {
   vec4 rest = texelFetch(positions, i);
   vec3 normal = texelFetch(normals, i).xyz;

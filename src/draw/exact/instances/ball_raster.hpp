@@ -11,14 +11,15 @@ struct SmallBalls;
 struct LargeBalls;
 struct BallShadows;
 
-/// Rasterizes balls (sprites and spheres), with a ray per sample in pictures and as discs in the sun's map.
-/// The result does not depend on execution order.
+/// Rasterizes balls (sprites and spheres): with one ray per sample in pictures, as discs in the sun's
+/// shadow map. The result does not depend on the execution order.
 class BallRaster {
  public:
   using Into = Target;
-  /// Balls with a bounding box of at most `smallPixels` (0 to 64) per side are rasterized by one invocation
-  /// each, medium ones of at most `mediumPixels` (up to 64) by one workgroup, larger ones by many
-  /// workgroups, tile by tile. The limits do not change the result. The sun's map has no medium class.
+  /// One invocation rasterizes a ball whose bounding box has at most `smallPixels` (0 to 64) per side. One
+  /// workgroup rasterizes a medium ball, of at most `mediumPixels` (up to 64) per side. Many workgroups
+  /// rasterize a larger ball, tile by tile. The limits do not change the result. In the sun's map, balls
+  /// are either small or large.
   BallRaster(Into into, int samples, int smallPixels = smallBall(), int mediumPixels = mediumBall());
 
   /// Writes depth keys into a buffer that may already contain other objects. The uniform blocks and, for
@@ -26,7 +27,7 @@ class BallRaster {
   /// no ids.
   void drawNearest(const std::vector<const sim::Instances*>& balls, const std::vector<unsigned>& firstIds,
                    const Visibility& into, const MapPart& part = {});
-  /// Writes the ids of the balls that are nearest, after all objects have written their keys.
+  /// Writes the ids of the nearest balls. Call after all objects have written their keys.
   void drawNumbers(const Visibility& into);
 
  private:

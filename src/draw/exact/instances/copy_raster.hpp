@@ -16,14 +16,14 @@ struct MediumCopies;
 struct LargeCopies;
 
 /// Rasterizes mesh copies with kernels: first lists the potentially visible copies, then handles one
-/// triangle of one copy per invocation. The result does not depend on execution order.
+/// triangle of one copy per invocation. The result does not depend on the execution order.
 class CopyRaster {
  public:
   using Into = Target;
-  /// Triangles with a bounding box of at most `smallPixels` (0 to 64) per side are rasterized by one
-  /// invocation each, medium ones of at most `mediumPixels` (up to 64) by sixteen invocations, larger ones
-  /// by workgroups, tile by tile. `pairs`: max number of (copy, triangle) pairs per dispatch. These limits
-  /// do not change the result.
+  /// One invocation rasterizes a triangle whose bounding box has at most `smallPixels` (0 to 64) per side.
+  /// Sixteen invocations rasterize a medium triangle, of at most `mediumPixels` (up to 64) per side.
+  /// Workgroups rasterize larger triangles, tile by tile. `pairs`: max number of (copy, triangle) pairs per
+  /// dispatch. These limits do not change the result.
   CopyRaster(Into into, int samples, int smallPixels = smallCopyTriangle(), unsigned pairs = pairsAtOnce(),
              int mediumPixels = mediumTriangle());
 
@@ -41,16 +41,16 @@ class CopyRaster {
   /// have no ids.
   void drawNearest(const std::vector<Copies>& copies, const std::vector<unsigned>& firstIds,
                    const Visibility& into, const MapPart& map = {});
-  /// Writes the ids of the copies that are nearest, after all objects have written their keys.
+  /// Writes the ids of the nearest copies. Call after all objects have written their keys.
   void drawNumbers(const Visibility& into);
-  /// Adds light in front of the visible surfaces to the sums of GlowRaster.
+  /// Adds the light of additive copies in front of the visible surfaces to the sums of GlowRaster.
   void addLight(const std::vector<Copies>& copies, const Visibility& into, const gl::Buffer& sums);
 
   [[nodiscard]] CopySource source(const Copies& copies, unsigned firstId);
 
  private:
   enum class Pass { nearest, numbers, light };
-  /// Copies that one dispatch handles.
+  /// Range of copies that one dispatch handles.
   struct Part {
     std::size_t draw;
     int skipped;
@@ -71,7 +71,7 @@ class CopyRaster {
   std::vector<Part> parts_;
   std::vector<InstanceColors> colors_;
   std::map<const InstanceShape*, gl::Texture> indices_;
-  const gl::Buffer* glows_ = nullptr;  ///< sums that addLight() adds to
+  const gl::Buffer* glows_ = nullptr;  ///< light sums that addLight() increases
   gl::Kernel<CullCopies> cull_;
   gl::Kernels<SmallCopies> copyKernels_;
   gl::Kernels<MediumCopies> mediumKernels_;

@@ -40,16 +40,17 @@ struct ShadeCopies {
 
 namespace {
 
-constexpr std::uint64_t lastId = 0xfffffff0;  // larger ids stand for the ground and for empty samples
+constexpr std::uint64_t lastId = 0xfffffff0;  // max primitive id; larger ids mean the ground and empty
+                                              // samples
 
-/// Max radius (pixels) of sprites that are shaded as squares, like the driver's small sprites.
+/// Max radius (pixels) up to which sprites are shaded as squares, like the driver's small sprites.
 constexpr float squarePixels = 1.6F;
 
 bool isMesh(const sim::Instances& instances) {
   return instances.shape == sim::Instances::Shape::mesh;
 }
 
-/// Returns the first id after `count` more ids.
+/// Returns the first free id after `count` more ids. Throws UserError(device) if there are not enough ids.
 unsigned after(unsigned firstId, std::uint64_t count) {
   if (firstId + count > lastId)
     fail(ExitCode::device,

@@ -17,15 +17,15 @@ struct ShadeBalls;
 struct ShadeCopies;
 
 /// Draws instances with kernels in exact arithmetic. The primitive ids of opaque instances follow the ids
-/// of the surfaces: the draw's first id plus the index of the instance (times its triangle count for
-/// meshes).
+/// of the surfaces. The id of an instance is the draw's first id plus the index of the instance; for
+/// meshes, the index is multiplied by the triangle count.
 class ExactInstances {
  public:
   ExactInstances(int samples, Lighting lighting);
 
-  /// Sets the lighting variant of later shading. The lights stay the same.
+  /// Sets the lighting variant of the following shade() calls. The lights stay the same.
   void light(const ThingVariant& variant) { lighting_.variant = variant; }
-  /// Selects what is shaded, as SurfaceShading::selectLayer().
+  /// Selects the layer that shade() computes; see SurfaceShading::selectLayer().
   void selectLayer(int layer) { shown_ = layer; }
   /// True if any opaque instances reflect the scene.
   [[nodiscard]] static bool anyMirrors(const sim::Drawables& drawables);
@@ -33,7 +33,8 @@ class ExactInstances {
   void growBounds(const sim::Drawables& drawables, const gl::Buffer& bounds) {
     bounds_.grow(drawables, shapes_, bounds);
   }
-  /// Draws into the sun's map, which may already contain other objects. The map's transform must be bound.
+  /// Draws into the sun's shadow map, which may already contain other objects. The map's transform must be
+  /// bound.
   void castShadows(const sim::Drawables& drawables, const Visibility& map, const MapPart& part);
   /// Draws into one lamp map, whose view must be bound.
   void castLampShadows(const sim::Drawables& drawables, const Visibility& maps, const MapPart& part);
@@ -42,19 +43,20 @@ class ExactInstances {
   void number(const sim::Drawables& drawables, unsigned firstId, std::vector<unsigned>& firstIds);
   /// Writes the depth keys. Must run before any object writes ids.
   void drawNearest(const Visibility& picture);
-  /// Writes the ids, after all objects have written their keys.
+  /// Writes the ids. Call after all objects have written their keys.
   void drawNumbers(const Visibility& picture);
-  /// Appends the objects with their id ranges.
+  /// Appends the drawn objects with their id ranges to `things`.
   void describe(std::vector<DrawnThing>& things) const;
   struct Numbered {
     const sim::Instances* instances;
-    unsigned firstId, each;  ///< firstId: id of the first instance; each: ids per instance
+    unsigned firstId, each;  ///< firstId: id of the first instance; each: number of ids per instance
   };
   [[nodiscard]] std::vector<Numbered> numbered() const;
-  /// Adds the light of opaque instances. Their draws are the objects of the tile lists from `firstThing`
-  /// on.
+  /// Adds the light of opaque instances. The draws are objects firstThing, firstThing + 1, ... of the tile
+  /// lists.
   void shade(const ShadedTiles& tiles, int firstThing, const SceneLight& light);
-  /// True if any instances add light (glows). The ground is then written into the depth keys too.
+  /// True if any instances are glows, which add light. The ground must then also be written into the depth
+  /// keys.
   [[nodiscard]] static bool anyAdd(const sim::Drawables& drawables);
   /// Adds the light of glows in front of the visible surfaces to `light`.
   void addLight(const sim::Drawables& drawables, const Visibility& picture, const gl::Texture& light);

@@ -14,19 +14,19 @@ struct GlowKernel;
 struct AddGlows;
 
 /// Sums the light of additive sprites and spheres in 64-bit integers, 24 bytes per pixel
-/// (glsl/draw/instances/glow_block.glsl). The result does not depend on the order.
+/// (glsl/draw/instances/glow_block.glsl). The result does not depend on the order of the additions.
 class GlowRaster {
  public:
-  static constexpr std::int64_t sumBytes = 24;  ///< bytes of the sums per pixel
+  static constexpr std::int64_t sumBytes = 24;  ///< bytes per pixel
 
-  /// Glows with a box of at most `smallPixels` per side are handled by one invocation each, medium ones of
-  /// at most `mediumPixels` by one workgroup, larger ones by many workgroups.
+  /// One invocation handles a glow whose bounding box has at most `smallPixels` per side. One workgroup
+  /// handles a medium glow, of at most `mediumPixels` per side. Many workgroups handle a larger glow.
   explicit GlowRaster(int samples, int smallPixels = smallGlow(), int mediumPixels = mediumBall());
 
-  /// Allocates the sums of a picture. Throws UserError(device), which names the limit, if the device has no
-  /// room.
+  /// Allocates the sums for a picture. Throws UserError(device), which names the limit, if a device limit
+  /// is exceeded.
   void prepare(glm::ivec2 size);
-  /// Sums the light in front of the visible surfaces, including the ground. The uniform blocks must be
+  /// Sums the light of glows in front of the visible surfaces and the ground. The uniform blocks must be
   /// bound.
   void draw(const std::vector<const sim::Instances*>& glows, const Visibility& picture);
   /// Returns the sums, for other kernels that add light.

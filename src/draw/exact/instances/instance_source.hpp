@@ -2,7 +2,7 @@
 #include "draw/instances/instance_values.hpp"
 #include "gl/kernel/kernel.hpp"
 
-// Shader inputs of kernels that read instances, one group per GLSL include file.
+// Shader inputs of kernels that read instances. Each struct declares the inputs of one GLSL include file.
 namespace simreel::draw {
 
 /// Uniforms, buffers and textures that draw/exact/instances/instance_source.glsl declares.

@@ -19,8 +19,8 @@ struct CopyElements;
 struct BetweenVertices;
 struct BetweenElements;
 
-/// Interpolates between two frames: vertices and instances move linearly from their previous to their
-/// current positions, like the two motion steps of a path tracer. An object whose keyframes make it jump
+/// Interpolates between two frames. Vertices and instances move linearly from their previous to their
+/// current positions, like the two motion steps of a path tracer. An object that jumps between keyframes
 /// keeps its previous position until the jump and has its current position after it. Surfaces whose
 /// triangles the GPU rebuilds (with `arguments`), fields and charts do not move.
 class Motion {
@@ -28,7 +28,7 @@ class Motion {
   /// `fast`: uses built-in arithmetic instead of exact arithmetic.
   explicit Motion(bool fast);
 
-  /// Keeps the objects of the previous frame.
+  /// Stores the objects of the previous frame.
   void keep(const sim::Drawables& before);
   /// Sets the objects of the current frame at time `at` (s), `seconds` after the previous frame. Pointers
   /// in `now` must stay valid while between() is used.
@@ -60,19 +60,20 @@ class Motion {
   };
   struct Moving {
     std::string object;
-    int count = 0;  ///< number of elements; 0: does not move
+    int count = 0;  ///< number of elements; 0 if the object does not move
     int indices = 0;
     unsigned still = 0;
     glm::mat4 model{1.0F};
-    bool moves = false;              ///< true if it moves between the two frames, as far as the CPU can
-                                     ///< tell
+    bool moves = false;              ///< true if the object moves between the two frames, as far as the CPU
+                                     ///< can tell
     double jumped = 0;               ///< time (s) of the object's last jump
-    std::optional<float> jump = {};  ///< interpolation parameter of a jump between the two frames
+    std::optional<float> jump = {};  ///< interpolation parameter of a jump between the two frames, if there
+                                     ///< is one
     Elements before, now, shown;
   };
 
-  /// Returns the interpolation parameter of a jump, from the times (s) of the last jump before the previous
-  /// and the current frame.
+  /// Returns the interpolation parameter of a jump. `before` and `now`: times (s) of the object's last
+  /// jump, as of the previous and the current frame.
   [[nodiscard]] std::optional<float> jumpAt(double before, double now) const;
   void toWorld(const sim::Surface& surface, const Elements& into);
   void copy(const sim::Instances& instances, const Elements& into);
@@ -85,7 +86,8 @@ class Motion {
   gl::Kernel<BetweenVertices> betweenVertices_;
   gl::Kernel<BetweenElements> betweenElements_;
   std::vector<Moving> surfaces_, instances_;
-  std::vector<sim::Place> places_;  ///< camera targets of the previous frame; `lagging_` likewise
+  std::vector<sim::Place> places_;  ///< camera targets in the previous frame; lagging_: likewise for
+                                    ///< targets that follow with a delay
   std::vector<glm::vec3> lagging_;
   Elements copied_;                            ///< copy of the velocities that velocitiesOf() reads back
   const sim::Drawables* drawables_ = nullptr;  ///< objects of the current frame

@@ -58,7 +58,7 @@ glm::vec3 Velocities::onMesh(const Mesh& mesh, unsigned triangle, const glm::dve
   return glm::vec3(way / seconds_);
 }
 
-// Least squares solution of place - a = v (b - a) + w (c - a).
+// Solves place - a = v (b - a) + w (c - a) for v and w by least squares.
 glm::dvec3 sharesOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
                     const glm::dvec3& place) {
   const glm::dvec3 ab = b - a, ac = c - a, ap = place - a;

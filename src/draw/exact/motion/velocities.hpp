@@ -10,28 +10,28 @@
 
 namespace simreel::draw {
 
-/// World velocities of drawn objects, by primitive id. Points of surfaces move by their displacement since
-/// the previous frame, instances by their own velocities.
+/// World velocities of drawn objects, by primitive id. The velocity of a surface point is its displacement
+/// since the previous frame per second; instances have stored velocities.
 class Velocities {
  public:
-  /// `motion`: already begun. `seconds`: time between the two frames. `part`: interpolation parameter of
-  /// the drawn moment (0 at the previous frame, 1 at the current one).
+  /// `motion`: must have begun the frame (Motion::begin()). `seconds`: time between the two frames. `part`:
+  /// interpolation parameter of the drawn moment (0 at the previous frame, 1 at the current one).
   Velocities(Motion& motion, double seconds, float part)
       : motion_(motion), seconds_(seconds), part_(static_cast<double>(part)) {}
 
   /// Adds surface i of the frame, with at most `triangles` ids from `firstId` on.
   void addSurface(const sim::Surface& surface, std::size_t i, unsigned firstId, int triangles);
-  /// Adds instances i of the frame, with `each` ids per instance.
+  /// Adds instances i of the frame, with ids from `firstId` on and `each` ids per instance.
   void addInstances(std::size_t i, unsigned firstId, unsigned each);
-  /// Returns the velocity (m/s) of the point at `place` (m) of the primitive `number`; 0 if it does not
-  /// move.
+  /// Returns the velocity (m/s) of the point at `place` (m) on the primitive with id `number`; 0 if the
+  /// primitive does not move.
   [[nodiscard]] glm::vec3 at(unsigned number, const glm::dvec3& place) const;
 
  private:
   struct Mesh {
     unsigned firstId = 0, end = 0;
-    glm::ivec2 row{0};  ///< grids: triangles per row, and vertices from one row to the next; 0: the mesh
-                        ///< has indices
+    glm::ivec2 row{0};  ///< for grids: triangles per row, and vertices from one row to the next; 0 for
+                        ///< meshes with indices
     std::vector<unsigned> indices;
     Motion::Way way;
   };
@@ -48,7 +48,7 @@ class Velocities {
 };
 
 /// Returns the barycentric weights (each 0 to 1, sum 1) of the triangle's point nearest to the projection
-/// of `place` onto its plane. For degenerate triangles, the first corner.
+/// of `place` onto its plane. For degenerate triangles, returns the weights of the first corner.
 [[nodiscard]] glm::dvec3 sharesOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
                                   const glm::dvec3& place);
 

@@ -21,12 +21,12 @@ struct SmoothArcs;
 /// Computes ambient occlusion in screen space (glsl/draw/exact/occlusion/horizons.glsl) at half resolution.
 class Occlusion {
  public:
-  /// Number of slices per half pixel, and of steps per slice and side.
+  /// Number of slices per half-resolution pixel, and of steps per slice on each side of the pixel.
   static constexpr int slices = 2, steps = 5;
-  /// Creates an object that is off.
+  /// Creates an object that computes no occlusion.
   Occlusion() = default;
-  /// Prepares for pictures of `size`. `visibility`: a buffer with their layout, for all rows or a band.
-  /// `ground`: true if the ground is drawn.
+  /// Prepares for pictures of `size`. `visibility`: a buffer with the pictures' layout, for all rows or one
+  /// band. `ground`: true if the ground is drawn.
   Occlusion(glm::ivec2 size, const Visibility& visibility, bool ground);
 
   [[nodiscard]] bool on() const { return static_cast<bool>(horizons_); }
@@ -35,18 +35,18 @@ class Occlusion {
   void add(const Visibility& visibility, const shader::ExactView& view) const;
   /// Computes the occlusion after all bands have been added. `radius`: max distance of occluders (m).
   void find(const shader::ExactView& view, float radius) const;
-  /// Openness and nearness of half pixels, row by row.
+  /// Returns the openness and nearness of half-resolution pixels, row by row.
   [[nodiscard]] const gl::Texture& openness() const { return openness_.view; }
   [[nodiscard]] glm::ivec2 size() const { return half_; }
-  /// Nearness of half pixels (1/m), row by row; 0 if empty.
+  /// Returns the nearness of half-resolution pixels (1/m), row by row; 0 for empty pixels.
   [[nodiscard]] const gl::Texture& nearness() const { return nearness_.view; }
-  /// Waits for the GPU and returns, row by row, two values per half pixel: openness from 0 to 1, and
-  /// nearness (1/m; 0 if empty).
+  /// Waits for the GPU and returns, row by row, two values per half-resolution pixel: openness from 0 to 1,
+  /// and nearness (1/m; 0 if empty).
   [[nodiscard]] std::vector<GLuint> read() const { return openness_.buffer.readAll<GLuint>(); }
 
  private:
-  /// One value per half pixel. Kernels write it as a storage block, because software drivers write images
-  /// more slowly.
+  /// Buffer with one value per half-resolution pixel. Kernels write it as a storage block, because software
+  /// drivers write images more slowly.
   struct Kept {
     Kept() = default;
     Kept(const std::string& label, GLenum format, std::size_t bytes, glm::ivec2 size);
@@ -60,8 +60,8 @@ class Occlusion {
   Kept nearness_, arcs_, smooth_, openness_;
 };
 
-/// Returns the uniforms of Occlusion::find(): max distance of occluders (m), max distance in the picture
-/// (half pixels), and half pixels per metre at depth 1.
+/// Returns the uniforms of Occlusion::find(): max distance of occluders (m), the same in the picture
+/// (half-resolution pixels), and half-resolution pixels per metre at depth 1.
 [[nodiscard]] glm::vec3 reachOnPicture(const shader::ExactView& view, float radius);
 
 }  // namespace simreel::draw

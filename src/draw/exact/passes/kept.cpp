@@ -4,8 +4,8 @@ namespace simreel::draw {
 
 namespace {
 
-/// Keeps the keys and ids of the band's samples; for the first band also the shadow maps and the list of
-/// objects.
+/// Stores the keys and ids of the band's samples as pass outputs. For the first band, also stores the
+/// shadow maps and the list of objects.
 class KeptVisibilityPass final : public FramePass {
  public:
   using FramePass::FramePass;

@@ -11,8 +11,8 @@ namespace simreel::draw {
 
 namespace {
 
-/// Creates the requested layers. Some are computed from visibility; normals and albedo are shaded like
-/// light. All show the first view, except that object coverage is a mean over all views.
+/// Creates the requested layers. Some are computed from visibility. Normals and albedo are shaded like
+/// light. All layers show the first view, except that object coverage is a mean over all views.
 class LayersPass final : public FramePass {
  public:
   using FramePass::FramePass;
@@ -99,7 +99,7 @@ void LayersPass::keepShown() {
 }
 
 /// Collects the motion of all objects with primitive ids. The drawn surfaces are copies of the moment's
-/// surfaces and are matched by their buffers.
+/// surfaces. Equal buffers identify matching surfaces.
 std::optional<Velocities> LayersPass::velocitiesNow() const {
   const ExactScene::Exposure& exposure = *f.asked.exposure;
   if (exposure.motion == nullptr || (!wants(Layer::velocity) && !wants(Layer::vector))) return std::nullopt;
@@ -129,7 +129,8 @@ std::optional<Velocities> LayersPass::velocitiesNow() const {
   return velocities;
 }
 
-/// Returns the camera's views now and one frame earlier, or nothing if the vector layer is not requested.
+/// Returns the camera's current view and the view one frame earlier, or nothing if the vector layer is not
+/// requested.
 std::optional<CameraWay> LayersPass::cameraWayNow() const {
   const ExactScene::Exposure& exposure = *f.asked.exposure;
   if (exposure.motion == nullptr || !wants(Layer::vector)) return std::nullopt;

@@ -33,7 +33,7 @@ class MeanPass final : public FramePass {
     gl::barrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
     if (f.number == 0) middle_ = exactView(f.seen, f.scene.camera, f.size);
     if (!last) return;
-    f.values = middle_;  // the sky is drawn through the centre of the lens
+    f.values = middle_;  // the sky is drawn once, through the centre of the lens
     f.tellView();
     if (f.passes != nullptr) f.passes->keepLight("light", "lens", f.light, {0, f.size.y});
   }

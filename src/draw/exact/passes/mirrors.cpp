@@ -9,12 +9,12 @@ namespace simreel::draw {
 
 namespace {
 
-/// True if there is a ground that reflects the scene.
+/// True if the ground is visible and reflects the scene.
 bool groundMirrors(const ExactFrame& frame) {
   return frame.ground && frame.occludes() && mirrorsScene(frame.scene.ground->roughness);
 }
 
-/// Determines if any object reflects the scene.
+/// Determines whether any object reflects the scene.
 class MirrorsPass final : public FramePass {
  public:
   using FramePass::FramePass;
@@ -40,7 +40,7 @@ class MirroredPass final : public FramePass {
   void run() override { f.reflections->see(f.light, f.occlusion.nearness()); }
 };
 
-/// Adds to the band's light the change that reflections make.
+/// Adds the change of light by reflections to the band's light.
 class ReflectedPass final : public FramePass {
  public:
   using FramePass::FramePass;

@@ -37,7 +37,7 @@ class ThingsPass final : public FramePass {
   }
 
  private:
-  /// Switches shading to kernels that support blended layers. Scenes without blended surfaces use cheaper
+  /// Switches to shading kernels that support blended layers. Scenes without blended surfaces use cheaper
   /// kernels.
   void beginLayers() {
     if (f.layered) return;
@@ -45,7 +45,7 @@ class ThingsPass final : public FramePass {
     f.surfaces.light(f.lit());
     f.instances.light(f.lit());
   }
-  /// Warns once about each object whose material cannot be drawn in full.
+  /// Warns once about each object whose material is not fully supported.
   void sayFinishes() {
     for (const sim::Instances& instances : f.drawables.instances)
       if (instances.material != nullptr && instances.material->finish.used() &&
@@ -61,7 +61,7 @@ class ThingsPass final : public FramePass {
              objectName(surface));
   }
 
-  std::set<std::string> said_;  ///< names of objects that have had a warning
+  std::set<std::string> said_;  ///< names of objects with an earlier warning
 };
 
 class JoinedPass final : public FramePass {
@@ -77,7 +77,7 @@ class ViewPass final : public FramePass {
   void run() override {
     constexpr std::array<GLfloat, 4> none = {0, 0, 0, 0};
     f.values = exactView(f.seen, f.scene.camera, f.size, f.point);
-    f.values.rows = {0, 0};  // no band has been found yet
+    f.values.rows = {0, 0};  // no band of the view has been drawn yet
     if (f.rays) f.rays->seeThrough(f.number, f.views);
     if (!ShadedTiles::emptiesLight()) glClearTexImage(f.light.name(), 0, GL_RGBA, GL_FLOAT, none.data());
   }

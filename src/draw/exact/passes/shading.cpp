@@ -17,7 +17,8 @@ class BlendedPass final : public FramePass {
     if (!f.rays) return add(f.light, {});
     add(f.light, [this](const Visibility& layer) { f.addRays(layer); });
   }
-  /// Restores the band only. The light has been added already, so the output goes to an unused texture.
+  /// Restores only the band's data. The light has already been added, so the output goes to an unused
+  /// texture.
   void again() override {
     if (!unused_)
       unused_ = gl::Texture::image("light of layers, once more", GL_RGBA32F, f.size.x, f.size.y);
@@ -49,7 +50,7 @@ class SurfacesPass final : public FramePass {
   }
 };
 
-/// Adds the light of glows. Glows have no depth that reflections could use, so they come last.
+/// Adds the light of glows. This pass is last because reflections cannot use glows, which have no depth.
 class GlowsPass final : public FramePass {
  public:
   using FramePass::FramePass;

@@ -11,9 +11,9 @@ class VisibilityPass final : public FramePass {
   using FramePass::FramePass;
   void run() override {
     number();
-    gl::barrier();  // another pass may still read the previous band
+    gl::barrier();  // waits because another pass may still read the previous band
     f.visibility.clear();
-    f.instances.drawNearest(f.visibility);  // must precede the id pass of the triangles
+    f.instances.drawNearest(f.visibility);  // must run before the triangles write their ids
     f.apart.drawNearest(f.visibility);
     if (f.joins)
       f.triangles.drawJoined(f.visibility, f.joined);
@@ -38,8 +38,8 @@ class VisibilityPass final : public FramePass {
     next = f.apart.number(next, f.firstIds);
     f.instances.number(f.drawables, next, f.firstIds);
   }
-  /// Groups the surfaces for shading: consecutive plain surfaces of joined surfaces form one group, others
-  /// are shaded one by one.
+  /// Groups the surfaces for shading. Consecutive plain surfaces among joined surfaces form one group.
+  /// Other surfaces are shaded one by one.
   void gather() {
     const std::span<const TriangleRaster::Drawn> drawn = f.triangles.drawn();
     f.gathered.clear();
@@ -72,8 +72,8 @@ class TilesPass final : public FramePass {
   }
 
   ShadedTiles tiles_;
-  std::optional<ShadedTiles> again_;  ///< tile lists for bands that are restored; does not clear the band's
-                                      ///< light
+  std::optional<ShadedTiles> again_;  ///< tile lists for bands that are restored; making them does not
+                                      ///< clear the band's light
 };
 
 }  // namespace

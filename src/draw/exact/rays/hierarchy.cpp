@@ -66,10 +66,10 @@ struct SolidNodes {
 
 namespace {
 
-/// Min number of items per leaf, if there are that many.
+/// Min number of items per leaf, if the tree has at least that many.
 constexpr int leastOfLeaf = 2;
 constexpr int boundsInvocations = 4096;
-/// Numbers of significant key bits in the first and the second word of a sort record, as in keys.comp.
+/// Significant key bits in the first and in the second word of a sort record, as in keys.comp.
 constexpr int lowKeyBits = 12, highKeyBits = 24;
 
 SolidPlaces placesOf(const Hierarchy::Solids& solids) {

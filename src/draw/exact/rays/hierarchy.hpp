@@ -13,9 +13,9 @@ struct SolidKeys;
 struct SolidOrder;
 struct SolidNodes;
 
-/// Sorts triangles or balls along a space-filling curve and builds a complete binary tree of boxes over
-/// them, with kernels. Node 1 is the root, the children of node n are 2n and 2n + 1. A leaf holds two to
-/// four items, or one if there is only one. The bits are the same on every machine.
+/// Sorts triangles or balls along a space-filling curve and builds a complete binary tree of bounding boxes
+/// over them, with kernels. Node 1 is the root; the children of node n are 2n and 2n + 1. A leaf holds two
+/// to four items, or one if the tree has only one item. The bits are the same on every machine.
 class Hierarchy {
  public:
   enum class Of { triangles, balls };
@@ -24,23 +24,24 @@ class Hierarchy {
     int count = 0;
     const gl::Texture* places = nullptr;
     const gl::Texture* corners = nullptr;  ///< for triangles only: indices of the corners
-    const gl::Texture* words = nullptr;    ///< vertex words of triangles; the last word holds the owner
+    const gl::Texture* words = nullptr;    ///< vertex words of triangles; the last word of a vertex holds
+                                           ///< the material index (owner)
     const gl::Texture* ballLooks = nullptr;
     const gl::Texture* looks = nullptr;
   };
   explicit Hierarchy(Of of) : of_(of) {}
 
-  /// Extends the bounds (six ordered keys) by all items.
+  /// Extends the bounds (six ordered keys) so that they contain all items.
   void growBounds(const Solids& solids, const gl::Buffer& bounds);
-  /// Builds the tree when the bounds of the whole scene are complete. Throws UserError(device) if the
-  /// device cannot hold it.
+  /// Builds the tree. Call when the bounds of the whole scene are complete. Throws UserError(device) if the
+  /// tree exceeds a device limit.
   void build(const Solids& solids, const gl::Buffer& bounds);
   [[nodiscard]] int count() const { return count_; }
   [[nodiscard]] int leaves() const { return leaves_; }
-  /// Triangles only: the original index of each triangle, in sorted order.
+  /// Triangles only: returns the original index of each triangle, in sorted order.
   [[nodiscard]] const gl::Texture& ids() const { return idView_; }
   [[nodiscard]] const gl::Buffer& sorted() const { return sorted_; }
-  /// Texel views of the sorted items and of the tree; empty if there are no items.
+  /// Return texel views of the sorted items and of the tree, or empty resources if there are no items.
   [[nodiscard]] gl::Resource sortedTexels() const {
     return count_ > 0 ? gl::Resource(sortedView_) : gl::Resource();
   }
@@ -54,7 +55,7 @@ class Hierarchy {
 
   Of of_;
   int count_ = 0, leaves_ = 1;
-  int room_ = 0;  ///< max number of items that the sort buffers can hold
+  int room_ = 0;  ///< capacity of the sort buffers (items)
   std::optional<gl::RadixSort> sort_;
   gl::Kernel<SolidBounds> bounds_;
   gl::Kernel<SolidKeys> keys_;

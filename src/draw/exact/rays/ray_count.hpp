@@ -10,8 +10,8 @@ namespace simreel::draw {
 struct CountRays;
 
 /// Counts the rays of path-traced pictures while an object of this class exists. The CPU then waits for
-/// each step. Used by `simreel bench` after its timings. At most one object may exist at a time; it belongs
-/// to the current context.
+/// each step. `simreel bench` counts rays after its timings. At most one object may exist at a time; it
+/// belongs to the current context.
 class RayCount {
  public:
   RayCount();
@@ -26,10 +26,9 @@ class RayCount {
 
   /// Returns the existing object, or null.
   [[nodiscard]] static RayCount* current();
-  /// Counts the rays in [first, first + count) that have a length above 0. The rays must be written
-  /// already.
+  /// Counts the rays with a length above 0 among [first, first + count). The rays must already be written.
   void add(const gl::Texture& rays, int first, int count);
-  /// Counts rays whose length is known to be above 0.
+  /// Counts `count` rays, all with a length above 0.
   void add(int count) { rays_ += static_cast<std::uint64_t>(count); }
 
  private:

@@ -10,15 +10,15 @@
 
 namespace simreel::draw {
 
-/// Emitting triangles, among which glsl/draw/exact/rays/emitters.glsl chooses.
+/// Emitting triangles, from which glsl/draw/exact/rays/emitters.glsl draws light samples.
 class RayEmitters {
  public:
   void begin();
-  /// Adds the triangles [first, first + count), whose emission has the given brightness. Waits for the GPU.
-  /// `places` and `corners`: buffers of all triangles, as written by glsl/draw/exact/rays/gather.comp.
+  /// Adds the triangles [first, first + count). Waits for the GPU. `places` and `corners`: buffers of all
+  /// triangles, as written by glsl/draw/exact/rays/gather.comp. `brightness`: emission of the triangles.
   void add(const gl::Buffer& places, const gl::Buffer& corners, int first, int count, double brightness);
   void finish();
-  /// `places`: texel view of the buffer given to add().
+  /// Returns the shader inputs of the emitters. `places`: texel view of the buffer passed to add().
   [[nodiscard]] EmitterFields fields(const gl::Texture& places) const;
 
  private:

@@ -5,7 +5,7 @@
 // Shader inputs of kernels in draw/exact/rays that read the ray scene.
 namespace simreel::draw {
 
-/// Materials of triangles: shader inputs of looks.glsl, solid_words.glsl, lays.glsl and the maps.
+/// Shader inputs of looks.glsl, solid_words.glsl, lays.glsl and the material maps: materials of triangles.
 struct RayLookFields {
   gl::In<"looks"> looks;
   gl::In<"corners"> corners;
@@ -14,14 +14,14 @@ struct RayLookFields {
   gl::In<"texelsOfMaps"> maps;
 };
 
-/// Triangles and balls in hierarchy order: shader inputs of met_triangle.glsl and found_facet.glsl.
+/// Shader inputs of met_triangle.glsl and found_facet.glsl: triangles and balls in hierarchy order.
 struct SortedSolids {
   gl::In<"sortedSolids"> solids;
   gl::In<"solidIds"> ids;
   gl::In<"sortedBalls"> balls;
 };
 
-/// Hierarchies of triangles and balls: shader inputs of traverse.glsl.
+/// Shader inputs of traverse.glsl: hierarchies of triangles and balls.
 struct SolidTrees {
   gl::In<"solidNodes"> solidNodes;
   gl::In<"ballNodes"> ballNodes;
@@ -31,7 +31,7 @@ struct SolidTrees {
   gl::Uniform<"ballLeaves", int> ballLeaves;
 };
 
-/// Materials of balls and skins: shader inputs of found_facet.glsl and skin_hit.glsl.
+/// Shader inputs of found_facet.glsl and skin_hit.glsl: materials of balls and skins.
 struct FoundFields {
   gl::In<"ballLooks"> ballLooks;
   gl::In<"skinTexels"> skinTexels;
@@ -45,11 +45,11 @@ struct EmitterFields {
   gl::Uniform<"perEmission", float> perEmission;
 };
 
-/// Features of the ray scene, which select kernel variants.
+/// Features of the ray scene. They select kernel variants.
 struct RayFeatures {
   bool triangles = false, balls = false, ground = false;
   bool laid = false, skins = false, emitters = false, finished = false;
-  bool passages = false;  ///< true if rays may pass any material: holes, blending or transmission
+  bool passages = false;  ///< true if rays may pass through any material (holes, blending or transmission)
   bool raised = false;
 };
 
@@ -62,8 +62,8 @@ struct TraceRays {
     gl::Flag<"LAID"> laid = {};
     gl::Flag<"PASSAGES"> passages = {};
     gl::Flag<"ANY_HIT"> anyHit = {};
-    gl::Flag<"LISTED"> listed = {};   ///< the rays are in two lists
-    gl::Flag<"GOES_ON"> goesOn = {};  ///< the rays are in one list
+    gl::Flag<"LISTED"> listed = {};   ///< the kernel reads its rays from two lists
+    gl::Flag<"GOES_ON"> goesOn = {};  ///< the kernel reads its rays from one list
   };
   gl::Ambient<"FrameBlock"> frame = {};
   SortedSolids solids;

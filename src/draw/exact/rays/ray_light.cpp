@@ -39,7 +39,7 @@ struct PathVariant {
   gl::Flag<"FINISHED"> finished;
   gl::Flag<"EMITTERS"> emitters;
 };
-/// Shader inputs with the lamps and the environment.
+/// Shader inputs of kernels that compute the light of paths, with the lamps and the environment.
 struct PathLight {
   gl::Ambient<"environment"> environment;
   gl::Ambient<"LampBlock"> lampBlock;
@@ -147,17 +147,18 @@ struct ResolveSpots {
 
 namespace {
 
-/// From glsl/draw/exact/rays/path_rays.glsl: number of ray kinds per path, and of light entries that need
-/// no ray.
+/// Constants of glsl/draw/exact/rays/path_rays.glsl: number of ray kinds per path, and number of light
+/// entries that need no ray.
 constexpr int kinds = 5, sure = 2;
 constexpr int onwardRays = 2, nextRays = 3;  // kind of the continuation ray, and first of the two kinds of
-                                             // rays from its hit point; kinds 0 and 1 are the shadow rays
-                                             // from the spot
-/// Max number of reflections and refractions by clear surfaces per path.
+                                             // rays that start at its hit point; kinds 0 and 1 are the
+                                             // shadow rays that start at the spot
+/// Max number of successive reflections and refractions at clear surfaces per path.
 constexpr int mostClear = 24;
 
-/// Number of paths that are traced at once. Small on software drivers, so that dispatches stay short. 740
-/// MB on GPUs, because 2^18 paths leave a large GPU idle for a third of the time.
+/// Returns the number of paths that are traced together. It is small on software drivers, so that
+/// dispatches are short. On GPUs the paths take 740 MB; with 2^18 paths, a large GPU would be idle for a
+/// third of the time.
 int pathsAtOnce() {
   return gl::softwareDriver() ? 1 << 15 : 1 << 21;
 }
@@ -192,7 +193,7 @@ void RayLight::seeThrough(int point, int points) {
   samplesBefore_ = static_cast<unsigned>(point * raySamples_);
 }
 
-/// Clears the counter of the lists that kernels write.
+/// Clears the counter that kernels use to append to lists.
 void RayLight::clearCounts() {
   constexpr GLuint zero = 0;
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -243,8 +244,8 @@ RayPaths RayLight::pathsOf(int firstSpot, int spots, int firstSample, int paths)
           .paths = paths};
 }
 
-/// Continues paths at clear surfaces until they hit another surface. The order of the list is
-/// device-dependent, which is harmless because paths are independent.
+/// Continues paths at clear surfaces until they hit another surface. The order of the list depends on the
+/// device, but paths are independent, so the result does not.
 void RayLight::goOn(int firstSpot, int spots, int firstSample, int paths) {
   int going = paths;
   for (int round = 0; round < mostClear && going > 0; ++round) {
@@ -276,7 +277,7 @@ void RayLight::goOn(int firstSpot, int spots, int firstSample, int paths) {
   }
 }
 
-/// Traces the shadow rays of two kinds that the last kernel listed.
+/// Traces the listed shadow rays of two kinds; the last kernel wrote the lists.
 void RayLight::traceLight(int firstKind, int paths) {
   if (RayCount* counted = RayCount::current()) counted->add(rayView_, firstKind * paths, 2 * paths);
   scene_.traceLight(rayView_, hits_, lightRayView_, count_, paths);

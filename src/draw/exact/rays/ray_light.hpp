@@ -17,13 +17,15 @@ struct BouncePaths;
 struct SumPaths;
 struct ResolveSpots;
 
-/// Lights a picture by path tracing: light of the sun, lamps and sky, and one bounce of indirect light.
-/// Shading kernels with RAYS store spots instead of lighting them; paths start at these spots.
+/// Lights a picture by path tracing: computes light of the sun, lamps and sky, and one bounce of indirect
+/// light. With the define RAYS, shading kernels store surface points (spots) instead of lighting them;
+/// paths start at these spots.
 class RayLight {
  public:
-  /// Max indirect light per sample, in units of the picture's white before the film. Suppresses fireflies.
+  /// Max indirect light per sample, relative to the light that the picture shows as white. The limit
+  /// suppresses fireflies.
   static constexpr float mostOnward = 10.0F;
-  /// Max samples of a band. Each takes 88 bytes.
+  /// Max number of samples per band. Each sample needs 88 bytes.
   static constexpr std::size_t mostSamples = std::size_t{1} << 20U;
 
   struct Options {
@@ -31,19 +33,20 @@ class RayLight {
     bool ground = false;
     bool openSun = false;  ///< true if nothing casts a shadow in the sunlight
   };
-  /// `samples`: number of samples of a band.
+  /// `samples`: number of samples per band.
   RayLight(const Options& options, const Lighting& lighting, std::size_t samples, RayLooks looks);
 
   /// Builds the ray scene of a picture. The frame's uniform block must be bound.
   void build(const sim::Drawables& drawables) { scene_.build(drawables); }
-  /// Selects lens point `point` of `points`. The points share the samples of each pixel.
+  /// Selects lens point number `point` of `points`. The lens points split the samples of each pixel between
+  /// them.
   void seeThrough(int point, int points);
   [[nodiscard]] const RayLooks& looks() const { return scene_.looks(); }
   /// Returns the buffer into which shading kernels store spots, the visible surface points
   /// (glsl/draw/exact/rays/spots.glsl).
   [[nodiscard]] const gl::Buffer& spots() const { return spots_; }
-  /// Adds the light of a band's spots to `sums`. The view, the lights and the frame must be bound. `white`:
-  /// light that the picture shows as white.
+  /// Adds the light of a band's spots to `sums`. The uniform blocks of view, lights and frame must be
+  /// bound. `white`: light that the picture shows as white.
   void add(const Visibility& visibility, const gl::Texture& sums, int rows, float white);
 
  private:

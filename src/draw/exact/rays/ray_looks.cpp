@@ -24,7 +24,8 @@ glm::uvec4 bitsOf(glm::vec4 v) {
           std::bit_cast<unsigned>(v.w)};
 }
 
-/// Returns the absorption coefficient a (1/m): the fraction e^(-a distance) of light passes.
+/// Returns the absorption coefficient a (1/m). The material transmits the fraction e^(-a distance) of
+/// light.
 glm::vec3 absorptionOf(const scene::Finish& finish) {
   glm::vec3 absorbed(0);
   if (finish.thin) return absorbed;
@@ -34,7 +35,8 @@ glm::vec3 absorptionOf(const scene::Finish& finish) {
   return absorbed;
 }
 
-/// Returns the alpha mode in the material table: cutoff of holes (above 0), -1: blended, 0: opaque.
+/// Returns the alpha mode as a number in the material table. Above 0: cutoff of holes; -1: blended; 0:
+/// opaque.
 float limitOf(const scene::Finish& finish) {
   if (finish.alpha == scene::Alpha::opaque) return 0;
   return finish.alpha == scene::Alpha::cut ? std::max(finish.cutoff, 1e-6F) : -1.0F;

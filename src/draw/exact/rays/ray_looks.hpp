@@ -15,25 +15,25 @@
 namespace simreel::draw {
 
 /// Material table of the path tracer (glsl/draw/exact/rays/look_table.glsl), with the maps and skins that
-/// materials use. Owner 0 has no properties beyond those that its spots store.
+/// the materials use. Index 0 means a material without further properties than the spots store.
 class RayLooks {
  public:
-  /// The surface shading must have loaded the maps and updated the skin texels.
+  /// The surface shading must already have loaded the maps and updated the skin texels.
   RayLooks(MapTexels& maps, const SkinTextures& skins, const SkinTexels& skinTexels)
       : maps_(maps), skins_(skins), skinTexels_(skinTexels) {}
 
   void begin();
-  /// Adds a material to the table and returns its index (owner).
+  /// Adds a material to the table and returns its index (the owner).
   unsigned add(const sim::Surface& surface);
   unsigned add(const scene::Material& particles);
   /// Uploads the table after the last add().
   void finish();
 
-  /// Returns the owner of a surface's material; 0 if the material has no maps, skin or other layers and is
-  /// opaque.
+  /// Returns the table index (owner) of a surface's material. Returns 0 if the material is opaque and has
+  /// no maps, skin or additional layers.
   [[nodiscard]] unsigned ownerOf(const scene::Material& material) const;
-  /// isLaid(): true if the surface has a texture or skin, so its vertices store texture positions.
-  /// fromThreeSides(): true if the projection is triplanar instead of by uv.
+  /// isLaid() returns true if the surface has a texture or skin, so that its vertices store texture
+  /// coordinates. fromThreeSides() returns true if the texture projection is triplanar rather than by uv.
   [[nodiscard]] static bool isLaid(const sim::Surface& surface);
   [[nodiscard]] static bool fromThreeSides(const sim::Surface& surface);
   [[nodiscard]] static float scaleOf(const sim::Surface& surface);

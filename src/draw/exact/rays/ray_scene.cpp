@@ -186,7 +186,7 @@ void RayScene::gatherBalls(const sim::Instances& balls, InstanceColors& colors, 
                                                  .looks = ballLookBuffer_});
 }
 
-/// Adds the surfaces that emit light by their material (not by a skin) to the emitters.
+/// Adds the surfaces whose material (not skin) emits light to the emitters.
 void RayScene::findEmitters(const sim::Drawables& drawables) {
   emitters_.begin();
   int triangle = 0;

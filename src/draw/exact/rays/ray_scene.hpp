@@ -15,8 +15,8 @@ struct GatherSurface;
 struct GatherCopies;
 struct GatherBalls;
 
-/// Scene of the path tracer: triangles of all surfaces and mesh copies, balls, and the ground. Glows are
-/// not part of it.
+/// Scene of the path tracer: the triangles of all surfaces and mesh copies, the balls and the ground, but
+/// not the glows.
 class RayScene {
  public:
   RayScene(bool ground, RayLooks looks)
@@ -26,17 +26,17 @@ class RayScene {
   /// Builds the scene. The frame's uniform block must be bound. Throws UserError(device) if the scene
   /// exceeds the device's limits.
   void build(const sim::Drawables& drawables);
-  /// Finds the first hit of the rays [first, first + count) of a buffer. `hits` has the same indexing as
-  /// `rays`.
+  /// Finds the first hit of the rays [first, first + count) of a buffer. A ray and its hit have the same
+  /// index in `rays` and `hits`.
   void trace(const gl::Texture& rays, const gl::Buffer& hits, int first, int count);
-  /// Finds the fraction of light that shadow rays let through. `lists`: two lists of ray indices, each with
-  /// room for `most`, one after the other. `counters`: their lengths.
+  /// Computes the fraction of light that each shadow ray lets through. `lists`: two consecutive lists of
+  /// ray indices, each with room for `most` indices. `counters`: the lengths of the lists.
   void traceLight(const gl::Texture& rays, const gl::Buffer& hits, const gl::Texture& lists,
                   const gl::Buffer& counters, int most);
-  /// Finds the first hit of listed rays. The list has `count` ray indices, relative to `first`.
+  /// Finds the first hit of the rays in a list. The list holds `count` ray indices relative to `first`.
   void traceListed(const gl::Texture& rays, const gl::Buffer& hits, int first, const gl::Texture& list,
                    int count);
-  // Shader inputs of kernels that shade hits.
+  // Return the shader inputs of kernels that shade hits.
   [[nodiscard]] RayFeatures features() const;
   [[nodiscard]] RayLookFields lookFields() const;
   [[nodiscard]] SortedSolids sorted() const;

@@ -42,7 +42,7 @@ using namespace simreel::shader;  // NOLINT: the file is written in GLSL's names
 
 }  // namespace levels
 
-/// Returns the number of cells of all levels, including the gaps between them.
+/// Returns the number of texels of all levels, including the gaps between levels.
 std::size_t cellsOf(glm::ivec2 size) {
   const glm::ivec2 room = levels::levelRoom(size);
   const std::size_t cells = static_cast<std::size_t>(room.x) * static_cast<std::size_t>(room.y) / 2 * 3;

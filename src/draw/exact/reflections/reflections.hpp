@@ -12,25 +12,26 @@ namespace simreel::draw {
 struct LevelKernel;
 
 /// Input of screen-space reflections (glsl/draw/exact/reflections/mirrored_way.glsl): mip pyramids of the
-/// picture's light without reflections, and of its nearness. Level 0 has half the picture's size. Takes 8
-/// bytes per pixel.
+/// picture's light without reflections, and of the picture's nearness. Level 0 has half the picture's size.
+/// The pyramids take 8 bytes per pixel of the picture.
 class Reflections {
  public:
-  /// `ground`: the pictures have a ground, which is excluded from nearness. `parallel`: orthographic view.
-  /// Throws UserError(device) if the device cannot hold the buffers.
+  /// `ground`: true if the pictures have a ground, which is excluded from nearness. `parallel`: true for
+  /// orthographic views. Throws UserError(device) if the buffers exceed a device limit.
   explicit Reflections(glm::ivec2 size, bool ground = false, bool parallel = false);
 
   /// Builds the pyramids from the light of a whole picture and from Occlusion::nearness().
   void see(const gl::Texture& light, const gl::Texture& nearness) const;
-  /// Pyramids of light and nearness, for kernels that include draw/exact/reflections/reflections_read.glsl.
+  /// Return the pyramids of light and nearness, for kernels that include
+  /// draw/exact/reflections/reflections_read.glsl.
   [[nodiscard]] const gl::Texture& light() const { return light_.view; }
   [[nodiscard]] const gl::Texture& nearest() const { return nearest_.view; }
-  /// Returns the uniform mirrorReach: max distance of reflected objects and their assumed thickness (m).
-  /// `away`: distance (m) from the camera to its target.
+  /// Returns the uniform mirrorReach: the max distance of reflected objects and their assumed thickness
+  /// (m). `away`: distance (m) from the camera to its target.
   [[nodiscard]] static glm::vec2 reachOf(float away) { return {away, away / 24.0F}; }
 
  private:
-  /// A pyramid; level 0 has one cell per half pixel (2x2 pixels).
+  /// A mip pyramid. Level 0 has one texel per 2x2 pixels.
   struct Levels {
     Levels(const char* label, GLenum format, std::size_t bytes, glm::ivec2 half);
     gl::Buffer buffer;

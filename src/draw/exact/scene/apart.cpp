@@ -8,7 +8,7 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr float visibleOpacity = 1.0F / 512;  ///< an opacity below this changes no 8-bit pixel
+constexpr float visibleOpacity = 1.0F / 512;  ///< max opacity that cannot change an 8-bit pixel
 constexpr float shadingOpacity = 0.5F;        ///< min opacity at which blended surfaces cast shadows
 
 std::vector<const sim::Surface*> pointersTo(const std::vector<sim::Surface>& surfaces) {

@@ -17,19 +17,19 @@
 
 namespace simreel::draw {
 
-/// Draws the surfaces that are not opaque everywhere. Cut-out surfaces (with holes) are rasterized together
-/// with the opaque ones. Blended surfaces are depth-peeled (Everitt, "Interactive order-independent
+/// Draws the surfaces that are not fully opaque. Cut-out surfaces (with holes) are rasterized together with
+/// the opaque ones. Blended surfaces are depth-peeled (Everitt, "Interactive order-independent
 /// transparency", 2001): the layers of each sample are found one by one from the nearest to the opaque
-/// surface, and each layer is multiplied by the light that the layers in front let through. Layers are
-/// ordered by depth, and by primitive id at equal depth, so the order is the same on every device. Layers
-/// beyond the first `most` of a sample are not drawn.
+/// surface. The light of each layer is multiplied by the fraction that the layers in front let through.
+/// Layers are ordered by depth, and by primitive id at equal depth, so the order is the same on every
+/// device. Only the first `most` layers of a sample are drawn.
 class ApartSurfaces {
  public:
   static constexpr int most = 16;
   /// `band`: size (pixels) of the bands of visibility. `parallel`: as in SampleKind.
   ApartSurfaces(glm::ivec2 band, int samples, SurfaceShading& shading, bool parallel = false);
 
-  /// Removes from `surfaces` those that this class draws, and stores them.
+  /// Moves the surfaces that this class draws from `surfaces` into this object.
   void extractFrom(std::vector<sim::Surface>& surfaces);
   [[nodiscard]] bool any() const { return !cutSurfaces_.empty() || !blended_.empty(); }
   [[nodiscard]] bool anyBlended() const { return !blended_.empty(); }
@@ -38,11 +38,11 @@ class ApartSurfaces {
   /// that hide at least half of what lies behind.
   [[nodiscard]] const std::vector<sim::Surface>& casting() const { return casting_; }
   void castSun(const Visibility& map, const MapPart& part);
-  /// Returns the description of the holes in these shadow casters. `only`: the one surface to be drawn into
-  /// lamp maps.
+  /// Returns the description of the holes of the surfaces in casting(). `only`: the surface to be drawn
+  /// into lamp maps.
   [[nodiscard]] TriangleRaster::Fragments holesOf(const sim::Surface* only = nullptr);
 
-  /// Assigns primitive ids to the cut-out surfaces, as ExactInstances::number() does. Returns the next free
+  /// Assigns primitive ids to the cut-out surfaces, like ExactInstances::number(). Returns the next free
   /// id.
   unsigned number(unsigned firstId, std::vector<unsigned>& firstIds);
   void drawNearest(const Visibility& picture) { cut_.drawNearest(picture); }
@@ -52,15 +52,15 @@ class ApartSurfaces {
   [[nodiscard]] int things() const { return static_cast<int>(cutSurfaces_.size()); }
   void shade(const SkinTextures& skins, const ShadedTiles& tiles, int firstThing, const SceneLight& light);
 
-  /// The stored surfaces: cut-out, and blended.
+  /// Return the stored surfaces that are cut-out, and those that are blended.
   [[nodiscard]] const std::vector<sim::Surface>& cut() const { return cutSurfaces_; }
   [[nodiscard]] const std::vector<sim::Surface>& blended() const { return blended_; }
 
-  /// Adds the light of the layers in front of `picture` to `sums`. `firstId` must be beyond all other
-  /// primitive ids. `trace` (optional) lights the spots that were stored for a layer.
+  /// Adds the light of the layers in front of `picture` to `sums`. `firstId` must be greater than all other
+  /// primitive ids. `trace` (optional) lights the spots that a layer has stored.
   void addLayers(const Visibility& picture, unsigned firstId, const SkinTextures& skins, SceneLight light,
                  const gl::Texture& sums, const std::function<void(const Visibility&)>& trace);
-  /// Returns the fraction of light that the layers let through, per sample.
+  /// Returns the fraction of light that all layers let through, per sample.
   [[nodiscard]] const gl::Texture& leave() const { return throughView_; }
 
  private:
@@ -77,7 +77,7 @@ class ApartSurfaces {
   std::array<std::optional<Visibility>, 2> layers_;  ///< visibility of the current and the previous blended
                                                      ///< layer
   std::optional<ShadedTiles> tiles_;                 ///< tile lists of the current layer
-  gl::Buffer through_;                               ///< fraction of light that the layers so far let
+  gl::Buffer through_;                               ///< fraction of light that the layers drawn so far let
                                                      ///< through, per sample
   gl::Texture throughView_;
 };

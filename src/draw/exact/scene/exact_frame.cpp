@@ -11,7 +11,7 @@ namespace simreel::draw {
 
 namespace {
 
-/// Returns the sun, without a shadow map if the scene is path traced.
+/// Returns the scene's sun. If the scene is path traced, the returned sun has no shadow map.
 scene::Sun mappedSun(const scene::Scene& scene) {
   scene::Sun sun = scene.sun;
   sun.shadow = sun.shadow && scene.render.quality != scene::Quality::high;
@@ -118,7 +118,7 @@ gl::Defines ExactFrame::aroundDefines() const {
 }
 
 float ExactFrame::away() const {
-  // A view of 40 degrees is 0.73 times as high as its distance.
+  // A view of 40 degrees at distance 1 is 0.73 high.
   const float distance = seen.parallel ? 2 * seen.reach.y / 0.73F : glm::distance(seen.eye, seen.target);
   return std::max(distance, 1e-5F);
 }

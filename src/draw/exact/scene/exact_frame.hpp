@@ -22,7 +22,7 @@
 
 namespace simreel::draw {
 
-/// Arguments of ExactScene::draw() during the call.
+/// Arguments of ExactScene::draw(), valid during the call.
 struct AskedPicture {
   const ExactScene::Exposure* exposure = nullptr;
   ExactScene::Moment frame;
@@ -37,16 +37,16 @@ struct ExactFrame {
 
   /// Returns the defines with which kernels shade.
   [[nodiscard]] ThingVariant lit() const;
-  /// Returns the defines of lights and shadows.
+  /// Returns the defines that describe lights and shadows.
   [[nodiscard]] gl::Defines lights() const;
   [[nodiscard]] gl::Defines aroundDefines() const;
   [[nodiscard]] bool traces() const { return scene.render.quality == scene::Quality::high; }
   [[nodiscard]] bool occludes() const { return scene.render.quality == scene::Quality::standard; }
-  /// Passes and most layers keep the first view of a picture. Light and object coverage are means over all
-  /// views.
+  /// The pass outputs and most layers show the first view of a picture. Light and object coverage are means
+  /// over all views.
   [[nodiscard]] PassPicture* kept() const { return number == 0 ? passes : nullptr; }
   [[nodiscard]] bool keepsLayers() const { return wanted && number == 0; }
-  /// Distance (m) from the camera to its target.
+  /// Returns the distance (m) from the camera to its target.
   [[nodiscard]] float away() const;
   [[nodiscard]] GroundPlace groundPlace() const;
   /// Returns the objects with primitive ids in the band.
@@ -56,14 +56,14 @@ struct ExactFrame {
   void tellView() { view.write(0, std::as_bytes(std::span(&values, 1))); }
   /// Adds the light of all opaque objects except the ground.
   void shadeThings(const gl::Texture& into);
-  /// Adds the light of the ground: `which` 0: tiles that no shadow reaches; 1: the other tiles.
+  /// Adds the light of the ground. `which`: 0 for the tiles without shadow, 1 for the other tiles.
   void shadeGround(int which, const ShadeGround::Variant& variant, const gl::Texture& into);
-  /// Selects a layer to shade instead of light (SurfaceShading::show).
+  /// Selects a layer that is shaded instead of light (SurfaceShading::selectLayer).
   void selectLayer(int layer) {
     surfaces.selectLayer(layer);
     instances.selectLayer(layer);
   }
-  /// Adds the light of paths that start at the visible spots of a band, or of a blended layer of it.
+  /// Adds the light of paths that start at the visible spots of a band or of one of its blended layers.
   void addRays(const Visibility& visible) {
     rays->add(visible, light, values.rows.y - values.rows.x, white);
   }
@@ -77,15 +77,15 @@ struct ExactFrame {
 
   // The following members are the state of one picture.
   AskedPicture asked;
-  PassPicture* passes = nullptr;           ///< receives the pass outputs for `simreel bisect`; null: not
-                                           ///< needed
+  PassPicture* passes = nullptr;           ///< receives the pass outputs (bisect, test); null if they
+                                           ///< are not needed
   std::optional<LightRequest> wanted;      ///< light and layers that the caller has requested
-  PictureLayers layers;                    ///< the requested light and layers are stored here
-  bool layered = false;                    ///< true if the scene has had blended surfaces at any moment
-  bool shines = false;                     ///< true if any view so far had glows
-  const gl::Texture* scattered = nullptr;  ///< light of the bloom; null: no bloom
+  PictureLayers layers;                    ///< receives the requested light and layers
+  bool layered = false;                    ///< true if the scene has had blended surfaces at any time
+  bool shines = false;                     ///< true if any view of the picture so far had glows
+  const gl::Texture* scattered = nullptr;  ///< light of the bloom; null if there is none
 
-  // State of one moment. A shutter has several.
+  // The following members are the state of one moment. A shutter has several moments.
   ExactScene::Moment moment;
   sim::Drawables drawables;  ///< the moment's objects, plus the glows of lamps, without cut-out and blended
                              ///< surfaces
@@ -94,15 +94,15 @@ struct ExactFrame {
   bool mirrors = false;  ///< true if any object reflects the scene
   float white = 1;       ///< light that the picture shows as white
 
-  // State of one view. A lens has one per lens point.
+  // The following members are the state of one view. A lens has one view per lens point.
   int views = 1;   ///< number of views of the picture
   int number = 0;  ///< zero-based index of this view
   LensPoint point;
 
-  // State of one band of the view.
+  // The following members are the state of one band of the view.
   shader::ExactView values;
-  std::vector<std::span<const TriangleRaster::Drawn>> gathered;  ///< groups of surfaces that are shaded
-                                                                 ///< together
+  std::vector<std::span<const TriangleRaster::Drawn>> gathered;  ///< groups of surfaces that one dispatch
+                                                                 ///< shades together
   std::vector<unsigned> firstIds;                                ///< first primitive id of each shaded
                                                                  ///< object
 

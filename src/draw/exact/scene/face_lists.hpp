@@ -9,19 +9,20 @@ namespace simreel::draw {
 
 struct FaceListKernel;
 
-/// Lists the triangles of a mesh that each shadow map of the lamps may show. Few triangles are visible in
-/// more than two of a lamp's six faces.
+/// For each shadow map of the lamps, lists the triangles that the map may show. Few triangles are visible
+/// in more than two of a lamp's six faces.
 class FaceLists {
  public:
-  /// `lampDefines`: Lamps::shadowDefines(); if empty, only all() may be used.
+  /// `lampDefines`: result of Lamps::shadowDefines(). If it is empty, only all() may be called.
   explicit FaceLists(const gl::Defines& lampDefines);
 
-  /// Returns the number of maps that may have lists at once, with `triangles` entries each.
+  /// Returns the number of maps that can have lists at the same time, with `triangles` entries per list.
   static int facesAtOnce(int triangles);
-  /// Lists the triangles of the maps [first, first + faces), six per lamp. The lamps must be bound.
+  /// Lists the triangles of the maps [first, first + faces). Each lamp has six maps. The lamps must be
+  /// bound.
   const TriangleLists& find(const MergedMesh& mesh, int first, int faces);
-  /// Returns lists with the first `triangles` triangles of the mesh for each map. This is the conservative
-  /// alternative to find().
+  /// Returns lists that contain the first `triangles` triangles of the mesh for each map. This conservative
+  /// result can replace find().
   const TriangleLists& all(const MergedMesh& mesh, int triangles, int faces);
 
  private:

@@ -15,7 +15,8 @@ namespace simreel::draw {
 namespace {
 
 /// Returns the camera of one face of a lamp's maps (glsl/draw/lights/faces.glsl). With x along the face's
-/// axis and y, z across it, a map of `side` texels covers scale |y|, scale |z| <= x.
+/// axis and y and z across it, a map of `side` texels shows the points where scale |y| <= x and scale |z|
+/// <= x.
 shader::ExactView faceView(const shader::Lamp& lamp, int face, int side, float scale) {
   const auto axis = [&](int k) {
     glm::vec3 unit(0);

@@ -15,7 +15,7 @@ struct MergeKernel;
 class MergedMesh {
  public:
   MergedMesh();
-  /// Merges the surfaces; the order of their triangles is arbitrary. The deformations' uniform blocks need
+  /// Merges the surfaces. The order of the triangles is arbitrary. The uniform blocks of deformations need
   /// not be bound. Throws UserError(device) if the indices exceed the supported range.
   void merge(const std::vector<const sim::Surface*>& surfaces);
   /// Returns the vertex positions in world space (m), RGBA32F.

@@ -14,8 +14,8 @@ void PassRun::asked() {
   for (const auto& pass : passes_) pass->asked();
 }
 
-/// Draws max(moments, lens points) views, so that each moment and each lens point has at least one. The
-/// lens points of each moment are spread evenly over the lens.
+/// Draws max(moments, lens points) views, so that each moment and each lens point has at least one view.
+/// The lens points of each moment are spread evenly over the lens.
 void PassRun::draw(const ExactScene::Watch& watch) {
   ExactFrame& f = frame_;
   watch_ = &watch;
@@ -52,7 +52,7 @@ void PassRun::runOnce(Range group) {
   endStage();
 }
 
-/// Runs consecutive band passes together, band by band, up to a pass that needs the whole view.
+/// Runs consecutive band passes together, band by band, up to the next pass that needs the whole view.
 void PassRun::runView(Range group) {
   for (std::size_t i = group.first; i < group.second;) {
     if (exactPasses[i].each == Each::view || !passes_[i]->on()) {

@@ -8,10 +8,10 @@
 
 namespace simreel::draw {
 
-/// Runs the passes of `exactPasses` with the frequency of each entry.
+/// Runs the passes in `exactPasses`, each with the frequency of its entry.
 class PassRun {
  public:
-  /// The frame must outlive this object.
+  /// `frame` must outlive this object.
   explicit PassRun(ExactFrame& frame);
   /// Draws the picture of ExactFrame::asked.
   void draw(const ExactScene::Watch& watch);

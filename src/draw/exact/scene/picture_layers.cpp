@@ -49,8 +49,8 @@ bool LayerKeeper::wants(Layer layer) const {
   return std::find(wanted_.begin(), wanted_.end(), layer) != wanted_.end();
 }
 
-/// Stores the index of the primitive within its object, independent of other objects drawn in between. It
-/// is unique within the object.
+/// Stores the index of the primitive within its object. The index is unique within the object and does not
+/// depend on other objects.
 void LayerKeeper::keepPrimitive(std::size_t pixel, unsigned number, std::span<const DrawnThing> things) {
   if (layers_.primitive.empty()) return;
   layers_.primitive[pixel] = 0;
@@ -65,7 +65,7 @@ void LayerKeeper::keepPrimitive(std::size_t pixel, unsigned number, std::span<co
   layers_.primitive[pixel] = number - first->firstId;
 }
 
-/// Stores the vector from the present to the previous picture position. Picture rows count downwards.
+/// Stores the vector from the current to the previous picture position. Picture rows count downwards.
 void LayerKeeper::keepVector(std::size_t pixel, const std::optional<glm::dvec2>& now,
                              const std::optional<glm::dvec2>& before) {
   if (!now || !before) return;
@@ -73,7 +73,7 @@ void LayerKeeper::keepVector(std::size_t pixel, const std::optional<glm::dvec2>&
   layers_.vector[2 * pixel + 1] = static_cast<float>(now->y - before->y) + 0.0F;
 }
 
-// Keys are smaller for nearer samples: farthestKey minus the float bits of the nearness.
+// A key is farthestKey minus the float bits of the nearness, so nearer samples have smaller keys.
 void LayerKeeper::add(const Visibility& visibility, const shader::ExactView& view,
                       std::span<const DrawnThing> things, const Velocities* velocities,
                       const CameraWay* way, float farther) {

@@ -7,7 +7,7 @@ namespace simreel::draw {
 namespace {
 
 constexpr unsigned groundObject = 0xfffffffeU, noObject = 0xffffffffU;  // special ids for the ground and
-                                                                        // for no object, as in
+                                                                        // for empty samples, as in
                                                                         // tile_lists.glsl
 
 }  // namespace

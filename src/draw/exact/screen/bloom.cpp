@@ -73,7 +73,7 @@ const gl::Texture& Bloom::draw(const gl::Texture& light) const {
     down_.dispatch(sizeOf(levels_[i].down),
                    {.size = sizeOf(fine), .fine = fine, .coarse = levels_[i].down});
   }
-  // All levels have equal weight, except the last one, which has the fractional rest of `reach_`.
+  // All levels have equal weight, except the last one, whose weight is the fractional part of `reach_`.
   const float whole = std::min(reach_, static_cast<float>(levels_.size()));
   const gl::Texture* coarse = &levels_.back().down;
   float coarseFraction = whole - static_cast<float>(levels_.size() - 1);

@@ -13,17 +13,18 @@ struct BloomFirst;
 struct BloomDown;
 struct BloomUp;
 
-/// Computes bloom, light scattered around bright areas, in exact arithmetic. BloomPass does the same with
-/// the driver's filters.
+/// Computes bloom, light scattered around bright areas, in exact arithmetic. BloomPass computes it with the
+/// driver's texture filters.
 class Bloom {
  public:
   Bloom(const scene::Bloom& bloom, glm::ivec2 size);
-  /// True if the scene has bloom at any time.
+  /// True if the bloom is ever above 0 during the scene.
   [[nodiscard]] static bool on(const scene::Bloom& bloom) {
     return bloom.strength.moves() || bloom.strength.at(0) > 0;
   }
   [[nodiscard]] bool on() const { return !levels_.empty(); }
-  /// Returns an RGBA32F texture with the bloom of the RGBA32F `light`, at half the size, rounded up.
+  /// Returns an RGBA32F texture with the bloom of the RGBA32F texture `light`, at half its size, rounded
+  /// up.
   [[nodiscard]] const gl::Texture& draw(const gl::Texture& light) const;
 
  private:

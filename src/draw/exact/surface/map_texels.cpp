@@ -14,7 +14,7 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr std::uint32_t perByte = 257;  // converts a byte to units of 1/65535: 65535 / 255
+constexpr std::uint32_t perByte = 257;  // factor 65535 / 255, which converts a byte to units of 1/65535
 
 /// Returns the next smaller level. On an axis with W texels above and w below, texel j covers the interval
 /// [j / w, (j + 1) / w]. Its overlap with texel i of the level above is counted in units of 1 / (w W).

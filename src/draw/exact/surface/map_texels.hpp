@@ -15,22 +15,22 @@
 namespace simreel::draw {
 
 /// Stores all maps of a scene's materials in one list of texels (glsl/draw/exact/surface/map_read.glsl).
-/// Each picture is read once. Row 0 of the picture is v = 0.
+/// Each picture file is read once. Row 0 of the file is at v = 0.
 class MapTexels {
  public:
   /// Content of a map. color: sRGB, converted to linear light; numbers: values from 0 to 1, unchanged.
   enum class Holds { color, numbers };
-  /// Adds a map to the list, if it is new. Returns its width, height, number of levels (negative: clamped
-  /// at the border instead of repeated) and start index: one word per level with the level's start, then
-  /// texels with 16 bits per channel. Returns 0 if the map is empty. Throws UserError as loadPicture()
-  /// does, except that transparent pixels are allowed; UserError(device) if all maps together exceed the
-  /// device's limit.
+  /// Adds a map to the list unless it is already there. Returns the map's width, height, number of mip
+  /// levels (negative: the map is clamped at the border instead of repeated) and start index in the list.
+  /// From there, the list holds one word per level with the level's start, then texels with 16 bits per
+  /// channel. Returns 0 if the map is empty. Throws UserError as loadPicture() does, except that
+  /// transparent pixels are allowed, and UserError(device) if all maps together exceed the device's limit.
   glm::ivec4 place(const scene::Map& map, Holds holds);
   /// Returns the texels of all added maps, RG32UI.
   [[nodiscard]] const gl::Texture& texels();
 
  private:
-  using Texel = std::array<std::uint32_t, 2>;  ///< r + 2^16 g, b + 2^16 a
+  using Texel = std::array<std::uint32_t, 2>;  ///< two words: r + 2^16 g, b + 2^16 a
   glm::ivec4 add(glm::ivec2 size, const std::vector<std::uint8_t>& rgba, Holds holds);
 
   std::map<std::pair<std::string, Holds>, glm::ivec4> places_;
@@ -40,8 +40,8 @@ class MapTexels {
   gl::Texture view_;
 };
 
-/// One mip level as numbers in units of 1/65535, four channels. Each texel is the exact mean of the area of
-/// the picture that it covers. numberLevels() returns all levels from the picture itself down to one texel.
+/// One mip level: numbers in units of 1/65535, four channels. Each texel is the exact mean of the picture's
+/// area that it covers. numberLevels() returns all levels from the full picture down to one texel.
 struct NumberLevel {
   glm::ivec2 size{0, 0};
   std::vector<std::uint16_t> rgba;

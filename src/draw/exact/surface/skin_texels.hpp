@@ -14,7 +14,7 @@ struct SkinTexelKernel;
 /// several times as fast as texels of a 2-D texture.
 class SkinTexels {
  public:
-  /// Updates the list of an entry from its textures. The entry must keep its address.
+  /// Updates the list of a skin from its textures. The entry must keep its address.
   void update(const SkinTextures::Entry& entry);
   /// Returns the view of an updated entry's list: RGBA32UI, level by level, each texel eight half floats
   /// (glsl/draw/exact/surface/skin_texels.comp).

@@ -187,8 +187,8 @@ SurfaceShading::SurfaceShading(const scene::Scene& scene, Lighting lighting)
 
 const gl::Kernel<ShadeSurface>& SurfaceShading::kernel(const SurfaceVariant& surface, bool smooth) {
   ThingVariant thing = showing(lighting_.variant, shown_, smooth);
-  if (surface.blended.on) {  // blended layers ignore ambient occlusion, and no layer dims them through
-                             // BEHIND
+  if (surface.blended.on) {  // shading of blended layers ignores ambient occlusion and the layers in front
+                             // (BEHIND)
     thing.shade.occlusion = false;
     thing.shade.behind = false;
   }
@@ -316,7 +316,7 @@ void SurfaceShading::laySkin(const sim::Surface& surface, const SkinTextures::En
   const scene::Skin& skin = *surface.material->skin;
   const bool byUv = (surface.normals == nullptr || surface.uvs != nullptr) &&
                     skin.projection == scene::Skin::Projection::uv;
-  // Triplanar projection uses square cells, whatever the shape of the field.
+  // Triplanar projection uses square cells for fields of any aspect ratio.
   const float shape = static_cast<float>(entry.cells.x) / static_cast<float>(entry.cells.y);
   given.seen = seenOf(surface, {skin.repeats, byUv ? skin.repeats : skin.repeats * shape});
   given.skin = SkinTextures::values(entry, skin);

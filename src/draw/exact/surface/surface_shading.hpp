@@ -26,34 +26,34 @@ class SurfaceShading {
   SurfaceShading(const scene::Scene& scene, Lighting lighting);
   /// Updates the texel lists of skins. The skin textures must be up to date.
   void prepare(const SkinTextures& skins);
-  /// Adds the light of the surface `drawn`, which is object `thing` of the tile lists. A skin whose field
-  /// is missing has no effect.
+  /// Adds the light of the surface `drawn`, which has index `thing` in the tile lists. A skin without a
+  /// field has no effect.
   void shade(const TriangleRaster& raster, const TriangleRaster::Drawn& drawn, const SkinTextures& skins,
              const ShadedTiles& tiles, int thing, const SceneLight& light);
   /// True if the surface has no texture, skin or other finish, so it can be shaded together with others.
   [[nodiscard]] static bool isPlain(const sim::Surface& surface, const SkinTextures& skins);
-  /// Adds the light of plain surfaces that are neighbours among the joined surfaces.
+  /// Adds the light of plain surfaces that are consecutive among the joined surfaces.
   void shadeJoined(const JoinedSurfaces& joined, const TriangleRaster& raster,
                    std::span<const TriangleRaster::Drawn> drawn, const ShadedTiles& tiles, int thing,
                    const SceneLight& light);
 
-  /// hasHoles(): true if the opacity of the surface varies. holes(): the inputs of kernels that then skip
-  /// samples with an opacity below `least`.
+  /// hasHoles() returns true if the opacity of the surface varies. holes() returns the inputs of kernels
+  /// that then skip samples with an opacity below `least`.
   [[nodiscard]] static bool hasHoles(const sim::Surface& surface);
   [[nodiscard]] Cutout holes(const sim::Surface& surface, float least);
-  /// Sets the lighting variant of later shading. The lights stay the same.
+  /// Sets the lighting variant of the following shade calls. The lights stay the same.
   void light(const ThingVariant& variant) { lighting_.variant = variant; }
   /// Returns the colour map of a material: the map of its finish, or its texture.
   [[nodiscard]] static scene::Map colorMapOf(const scene::Material& material);
-  /// True if the surface's texture repeats beyond its border. On a sheet that shows a picture exactly once
-  /// it does not, so opposite borders do not blend.
+  /// True if the surface's texture repeats beyond its border. False for a sheet that shows a picture
+  /// exactly once, so that opposite borders do not blend.
   [[nodiscard]] static bool textureRepeats(const sim::Surface& surface);
-  /// Sets the function that gives a material's index in the ray tracer's material table (owner), for spots
-  /// that are stored instead of being lit.
+  /// Sets the function that returns a material's index (owner) in the path tracer's material table. It is
+  /// used for spots that are stored instead of being lit.
   void ownBy(std::function<unsigned(const scene::Material&)> owner) { owner_ = std::move(owner); }
   [[nodiscard]] MapTexels& maps() { return maps_; }
   [[nodiscard]] const SkinTexels& skinTexels() const { return skinTexels_; }
-  /// Selects what is shaded from now on: 0: light; i: layer i of `shownLayers`, counted from 1;
+  /// Selects the output of shading from now on. 0: light; i: layer i of `shownLayers`, counted from 1;
   /// shownReflections: the change of light by reflections, only on surfaces that reflect the scene.
   void selectLayer(int layer) { shown_ = layer; }
   /// True if the surface is smooth enough somewhere to reflect the scene.
@@ -61,7 +61,7 @@ class SurfaceShading {
 
  private:
   const gl::Kernel<ShadeSurface>& kernel(const SurfaceVariant& surface, bool smooth);
-  // Set the kernel inputs of textures, finishes and skins.
+  // These functions set the kernel inputs of textures, finishes and skins.
   static void layTexture(const sim::Surface& surface, const TexelLists::List& albedo, ShadeSurface& given);
   void layFinish(const sim::Surface& surface, ShadeSurface& given);
   void laySkin(const sim::Surface& surface, const SkinTextures::Entry& entry, ShadeSurface& given) const;

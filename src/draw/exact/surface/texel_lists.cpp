@@ -41,7 +41,8 @@ TexelLists::List listOf(const std::filesystem::path& file) {
   list.size = picture.size;
   list.levels = static_cast<int>(levels.size()) + 1;
   std::vector<Words> words(levels.size() + 1);
-  words.reserve(words.size() + picture.rgba.size() / 3);  // all mip levels have 4/3 of the picture's texels
+  words.reserve(words.size() + picture.rgba.size() / 3);  // all mip levels together have 4/3 of the
+                                                          // picture's texels
   words[0][0] = static_cast<std::uint32_t>(words.size());
   append(words, picture.size, picture.rgba);
   for (std::size_t i = 0; i < levels.size(); ++i) {

@@ -9,21 +9,22 @@
 
 namespace simreel::draw {
 
-/// Loads material pictures as lists of texels. Each file is read once. Row 0 of the file is v = 0.
+/// Loads the picture files of materials as lists of texels. Each file is read once. Row 0 of the file is at
+/// v = 0.
 class TexelLists {
  public:
   struct List {
     gl::Buffer texels;
-    /// RGBA32UI. First the start index of each level, then the texels in linear light, in units of 1/65535.
-    /// Each entry packs a texel and its right neighbour (at the end of a row: the first texel of the row)
-    /// as r + 2^16 g, b for each of the two.
+    /// RGBA32UI. The list holds the start index of each level, then the texels in linear light, in units of
+    /// 1/65535. An entry packs a texel and its right neighbour (for the last texel of a row, the first
+    /// one), each as two words: r + 2^16 g, b.
     gl::Texture view;
     glm::ivec2 size{0, 0};
-    int levels = 0;  ///< mip levels of mip_levels.hpp, down to 1x1
+    int levels = 0;  ///< number of mip levels (mip_levels.hpp), down to 1x1
   };
-  /// Returns null for an empty path. Throws UserError(usage) if the file is not a picture,
-  /// UserError(inputOutput) (or what readFile() throws) if it cannot be read, UserError(device) if it is
-  /// larger than the device allows.
+  /// Returns the list of a file, or null for an empty path. Throws UserError(usage) if the file is not a
+  /// picture, UserError(inputOutput) (or what readFile() throws) if it cannot be read, UserError(device) if
+  /// it is larger than the device allows.
   const List* load(const std::filesystem::path& file);
 
  private:

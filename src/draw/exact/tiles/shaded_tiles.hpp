@@ -23,26 +23,26 @@ struct GroundPlace {
   glm::vec3 rays{0};   ///< bounds of the ray directions: raysAside()
 };
 
-/// Lists the tiles of the picture that show each object, so that shading kernels run only where the object
-/// is visible. The last two list entries are the ground where no shadow reaches it, and the ground
-/// elsewhere.
+/// For each object, lists the tiles of the picture that show it, so that shading kernels run only on these
+/// tiles. Two more lists follow: tiles of the ground without shadow, and the other tiles of the ground.
 class ShadedTiles {
  public:
   static constexpr int side = 8;  ///< pixels per tile side: tileSide of glsl/draw/exact/fixed.glsl
-  /// Prepares for pictures with the size and layout of `visibility`. `empties`: list() may clear the light
-  /// of its pixels.
+  /// Prepares for pictures with the size and layout of `visibility`. `empties`: true if list() may clear
+  /// the light of the listed pixels.
   ShadedTiles(const Visibility& visibility, bool ground, bool shadow, bool empties = true);
   /// True if list() has found anything to shade. Waits for the GPU.
   [[nodiscard]] bool any() const;
 
-  /// True if list() clears the light of its pixels on this device. Compute GPUs clear textures ten times as
-  /// slowly.
+  /// True if list() clears the light of the listed pixels on this device. Compute GPUs clear textures ten
+  /// times as slowly.
   [[nodiscard]] static bool emptiesLight();
-  /// Adds the ground below the visible objects and writes the lists. `firstIds`: first primitive id of each
-  /// object, ascending. `sums`: the light. `groundKeys`: also writes the ground into the depth keys.
+  /// Adds the ground behind the visible objects and writes the lists. `firstIds`: first primitive id of
+  /// each object, ascending. `sums`: the light. `groundKeys`: true to write the ground into the depth keys
+  /// too.
   void list(const std::vector<unsigned>& firstIds, const Visibility& visibility, const gl::Texture& sums,
             const GroundPlace& place, bool groundKeys = false);
-  /// Runs a shading kernel over the tiles of an object. Sets the kernel's `tile` fields.
+  /// Runs a shading kernel on the listed tiles of an object. Sets the kernel's `tile` fields.
   template <class Interface>
   void shade(int thing, const gl::Kernel<Interface>& kernel, Interface given) const {
     given.tile = tile(thing);

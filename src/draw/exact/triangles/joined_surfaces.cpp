@@ -58,7 +58,7 @@ bool JoinedSurfaces::suits(const std::vector<sim::Surface>& surfaces) {
   std::int64_t moving = 0;
   std::int64_t triangles = 0;
   for (const sim::Surface& surface : surfaces) {
-    // Unused vertices would enlarge the bounds of the sun's map.
+    // Unused vertices would enlarge the bounds of the sun's shadow map.
     if (surface.arguments != nullptr || surface.vertexRoom > surface.vertexCount) return false;
     if (castsShadow(surface) != castsShadow(surfaces.front())) return false;
     vertices += surface.vertexCount;

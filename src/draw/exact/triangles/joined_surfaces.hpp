@@ -18,16 +18,17 @@ namespace simreel::draw {
 struct JoinKernel;
 
 /// Joins all surfaces of a picture into one mesh in world space, with triangles in the order of their ids.
-/// GPUs need some microseconds per dispatch, and separate surfaces take five dispatches each. The picture
+/// A dispatch takes some microseconds on GPUs, and each separate surface needs five dispatches. The picture
 /// is the same.
 class JoinedSurfaces {
  public:
-  /// Joins the surfaces. Returns false without joining if there are few surfaces or if the GPU determines a
-  /// triangle count.
+  /// Joins the surfaces and returns true. Returns false if there are few surfaces or if the GPU determines
+  /// a triangle count.
   bool join(const std::vector<sim::Surface>& surfaces);
-  /// Returns the result of join(). It casts shadows if the surfaces do; either all do or none.
+  /// Returns the joined surface. It casts shadows if its parts do; join() requires that all parts or none
+  /// cast shadows.
   [[nodiscard]] const sim::Surface& surface() const { return surface_; }
-  /// Returns the owning surface of each triangle and the sides that it shows.
+  /// Returns, for each triangle, its surface and the sides that are visible.
   [[nodiscard]] const gl::Texture& owners() const { return ownerView_; }
   /// Returns the materials of the surfaces.
   [[nodiscard]] const gl::Texture& looks() const { return lookView_; }

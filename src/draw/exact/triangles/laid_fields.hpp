@@ -5,7 +5,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
-// Shader inputs of kernels that map textures onto surfaces, one group per GLSL include file.
+// Shader inputs of kernels that map textures onto surfaces. Each struct declares the inputs of one GLSL
+// include file.
 namespace simreel::draw {
 
 /// Uniforms, buffers and textures that draw/exact/surface/vertex_uv.glsl declares.

@@ -33,16 +33,16 @@ struct BinnedTriangles {
 namespace {
 
 constexpr int tileSide = 8;     // pixels per tile side, as in glsl/draw/exact/fixed.glsl
-constexpr int binCounts = 512;  // this and the next three constants are from bins.glsl
+constexpr int binCounts = 512;  // bins.glsl has the same values for this constant and the next three
 constexpr int firstTileCount = 2;
 constexpr int firstFaceCount = 256;
 constexpr int ownNodes = 4;
 constexpr std::size_t cornerBytes = 48;
-constexpr int roundTriangles = 57344;  // triangles per round; keeps every loop below the iteration limit of
-                                       // drivers
+constexpr int roundTriangles = 57344;  // triangles per round; the limit keeps every loop below the
+                                       // iteration limit of drivers
 constexpr int maxTriangles = 1 << 20;  // max number of binned triangles of a picture
 constexpr int maxOfFaces = 1 << 18;    // max number of binned triangles of all shadow map faces together;
-                                       // others are drawn like large triangles
+                                       // the others are drawn like large triangles
 
 int roundsOf(int triangles) {
   return std::max((triangles + roundTriangles - 1) / roundTriangles, 1);

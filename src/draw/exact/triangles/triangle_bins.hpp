@@ -8,11 +8,11 @@
 
 namespace simreel::draw {
 
-/// Returns the max number of triangles that are binned by tile instead of drawn with atomics. 0 on GPUs;
-/// atomics are slow only on software drivers.
+/// Returns the max number of triangles that are binned by tile instead of drawn with atomics. Returns 0 on
+/// GPUs, because atomics are slow only on software drivers.
 [[nodiscard]] int binnedTriangles();
 
-/// Shader inputs of glsl/draw/exact/triangles/bins.glsl for kernels that write the lists.
+/// Shader inputs of kernels that write the lists (glsl/draw/exact/triangles/bins.glsl).
 struct BinFields {
   gl::Shared<"BinBlock"> bins;
   gl::Shared<"NodeBlock"> nodes;
@@ -29,20 +29,20 @@ struct BinFields {
 struct BinnedTriangles;
 
 /// Lists triangles by the 8x8 pixel tiles that they touch. One workgroup per tile then finds the nearest
-/// one without atomics (glsl/draw/exact/triangles/bins.glsl). The result is the same as drawing the
-/// triangles one by one. Takes 80 bytes per triangle.
+/// triangle of each sample without atomics (glsl/draw/exact/triangles/bins.glsl). The result is the same as
+/// drawing the triangles one by one. The bins take 80 bytes per triangle.
 class TriangleBins {
  public:
-  /// True if the bins can hold that many triangles, of a picture (faces = 0) or of each of `faces` shadow
-  /// map faces.
+  /// True if the bins can hold `triangles` triangles for a picture (faces = 0) or for each of `faces`
+  /// shadow map faces.
   [[nodiscard]] static bool holds(int triangles, int faces = 0);
-  /// Clears the lists, for a picture or shadow map faces of `size`. Makes room for `room` triangles. Each
-  /// triangle has four list nodes of its own; the triangles share another four times `room` nodes.
+  /// Clears the lists for a picture or for shadow map faces of `size`. Allocates room for `room` triangles.
+  /// Each triangle has four list nodes; all triangles share another four times `room` nodes.
   void begin(glm::ivec2 size, int triangles, int room, int faces = 0);
-  /// Returns the shader inputs of kernels with BINS, for one face.
+  /// Returns the shader inputs of kernels with the define BINS, for one face.
   [[nodiscard]] BinFields fields(int face) const;
-  /// Rasterizes the listed triangles into a buffer that may already contain keys of larger triangles, but
-  /// none of their ids. The view block must be bound, or `faceOf` returns each lamp map face with its view.
+  /// Rasterizes the listed triangles. The buffer may already contain the keys of larger triangles, but not
+  /// their ids. Either the view block must be bound, or `faceOf` returns each lamp map face with its view.
   void draw(Target target, const Visibility& into,
             const std::function<const MapFace&(int face)>& faceOf = {});
 

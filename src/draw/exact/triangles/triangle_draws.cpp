@@ -1,4 +1,4 @@
-// Dispatches of TriangleRaster, pass by pass.
+// Dispatches the kernels of TriangleRaster, pass by pass.
 #include "draw/exact/parts.hpp"
 #include "draw/exact/reserve.hpp"
 #include "draw/exact/triangles/joined_surfaces.hpp"
@@ -99,7 +99,7 @@ void TriangleRaster::run(Step step, int pass, const Visibility& into, bool clips
     if (clips && drawn.fans == drawn.maxTriangles) continue;
     const sim::Surface* const own = into_ == Into::lampMap ? fragments_.only : drawn.surface;
     const bool cuts = step == Step::large && own != nullptr && fragments_.cut && fragments_.cut(*own);
-    // Skipped during rehearsal: these kernels take long to compile, and few plain triangles are large or
+    // These kernels are not rehearsed: they take long to compile, and few plain triangles are large or
     // cross the near plane.
     if (gl::Rehearsal::now() && step != Step::small && !cuts && !fragments_.layers) continue;
     RasterVariant kind = variant(into, pass);
@@ -134,8 +134,8 @@ void TriangleRaster::run(Step step, int pass, const Visibility& into, bool clips
 }
 
 void TriangleRaster::runFaces(Step step, int pass, const Visibility& into, bool clips) {
-  // A GPU runs some thousands of workgroups at once. This number is higher, because faces show very
-  // different numbers of triangles and many workgroups have no work.
+  // A GPU runs some thousands of workgroups at the same time. This number is higher, because the number of
+  // triangles varies much between faces and many workgroups have no work.
   constexpr unsigned groups = 24576;
   constexpr unsigned fewParts = 16;  // workgroups per large triangle; most of these triangles are small
   const Drawn& first = asked_.front();
@@ -167,7 +167,7 @@ void TriangleRaster::prepareLarge(glm::ivec2 size) {
                            .parts = parts,
                            .fewerParts = gl::softwareDriver() ? leastParts(size, samples_) : parts};
   if (into_ != Into::sunMap && fanRoom_ > 0) {
-    // Splits each list: entries that have a fan, and the others.
+    // Splits each list into the entries with a fan and those without.
     const auto room = static_cast<unsigned>(fanRoom_ / static_cast<int>(asked_.size()));
     order.most = room;
     GroupCounts::Order others = order;

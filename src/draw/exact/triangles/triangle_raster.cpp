@@ -12,7 +12,8 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr std::int64_t maxIds = 0xfffffff0;  // larger ids stand for the ground and for empty samples
+constexpr std::int64_t maxIds = 0xfffffff0;  // max number of ids; larger values mean the ground and empty
+                                             // samples
 
 }  // namespace
 
@@ -92,7 +93,7 @@ void TriangleRaster::reserveLists(std::size_t draws, std::int64_t triangles, int
           sizeof(GLuint));
   reserve(largeGroups_, "groups for large triangles", draws * GroupCounts::bytes);
   reserve(surfaceGroups_, "groups for triangles", draws * GroupCounts::bytes);
-  if (into_ == Into::sunMap) return;  // sun map triangles are never clipped
+  if (into_ == Into::sunMap) return;  // triangles are never clipped in the sun's map
   reserve(clipGroups_, "groups for clipping", draws * GroupCounts::bytes);
   reserve(roomlessGroups_, "groups for triangles not clipped", draws * GroupCounts::bytes);
   reserve(fans_, fanView_, "clipped triangles", static_cast<std::size_t>(fans) * 128, GL_RGBA32UI, 16);

@@ -16,7 +16,8 @@ namespace simreel::draw {
 
 class JoinedSurfaces;
 
-/// Return the max number of vertices and of triangles of a surface, as given by the sizes of its buffers.
+/// These functions return the max number of vertices and triangles of a surface, derived from its buffer
+/// sizes.
 [[nodiscard]] inline int verticesOf(const sim::Surface& surface) {
   return std::max(surface.vertexCount, surface.vertexRoom);
 }
@@ -26,13 +27,13 @@ class JoinedSurfaces;
   return static_cast<int>(indices / 3);
 }
 
-/// Consecutive lists of triangles of one mesh on the GPU.
+/// Lists of triangles of one mesh, stored one after another on the GPU.
 struct TriangleLists {
   const gl::Texture* places = nullptr;   ///< vertex positions of the mesh in world space (m), RGBA32F
   const gl::Texture* indices = nullptr;  ///< vertex indices, R32UI, three per triangle
   const gl::Texture* numbers = nullptr;  ///< triangle indices of all lists, R32UI
   const gl::Buffer* counts = nullptr;    ///< length of each list
-  int room = 0;                          ///< max number of triangles of each list
+  int room = 0;                          ///< capacity of each list (triangles)
 };
 
 /// Uniforms, buffers and textures that glsl/draw/exact/triangles/surface_triangle.glsl declares.
@@ -59,72 +60,72 @@ struct LargeTriangles;
 struct ClipTriangles;
 
 /// Rasterizes the triangles of surfaces into a visibility buffer with kernels. Coverage is computed in
-/// integers; at equal depth the lower id wins. The result does not depend on execution order.
+/// integers. At equal depth the lower id wins. The result does not depend on the execution order.
 class TriangleRaster {
  public:
   using Into = Target;
-  /// Triangles with a bounding box of at most `smallPixels` (0 to 64) per side are rasterized by one
-  /// invocation each, medium ones of at most `mediumPixels` (up to 64) by sixteen invocations, larger ones
-  /// by workgroups, tile by tile. The limits do not change the result. Up to `fanRoom` large triangles (128
-  /// bytes each) are clipped once for all invocations that rasterize them. `binRoom`: max number of small
-  /// triangles that are binned by tile; only for the sample layout `apart`.
+  /// One invocation rasterizes a triangle whose bounding box has at most `smallPixels` (0 to 64) per side.
+  /// Sixteen invocations rasterize a medium triangle, of at most `mediumPixels` (up to 64) per side.
+  /// Workgroups rasterize larger triangles, tile by tile. The limits do not change the result. Up to
+  /// `fanRoom` large triangles (128 bytes each) are clipped once for all invocations that rasterize them.
+  /// `binRoom`: max number of small triangles that are binned by tile; only for the sample layout `apart`.
   TriangleRaster(Into into, int samples, int smallPixels = smallTriangle(), int fanRoom = fansOfTriangles(),
                  int mediumPixels = mediumTriangle(), int binRoom = binnedTriangles());
 
-  /// Parameters of a surface, or of a lamp map's triangle list, in the last drawing.
+  /// Parameters of one drawn surface, or of one triangle list of a lamp map.
   struct Drawn {
     const sim::Surface* surface = nullptr;
     int firstVertex = 0;
-    int firstIndex = 0;  ///< start of its part in the list of large triangles, times 3
+    int firstIndex = 0;  ///< index of the surface's first entry in the list of large triangles, times 3
     int maxTriangles = 0;
-    unsigned firstId = 0;  ///< id of its first triangle
-    int firstFan = 0;      ///< index of its first clipped triangle (fan)
-    int fans = 0;          ///< max number of its clipped triangles
+    unsigned firstId = 0;  ///< id of the first triangle
+    int firstFan = 0;      ///< index of the first clipped triangle (fan)
+    int fans = 0;          ///< max number of clipped triangles
     gl::Texture indices;   ///< vertex indices, R32UI texel view
-    int list = 0;          ///< lamp maps: index of the triangle list
-    MapFace face;          ///< lamp maps: the face that shows the list
+    int list = 0;          ///< for lamp maps: index of the triangle list
+    MapFace face;          ///< for lamp maps: the face that shows the list
   };
 
-  /// Describes the holes of cut-out surfaces and the current layer of blended ones. All pointers must stay
-  /// valid while drawing.
+  /// Description of cut-out surfaces and of the current layer of blended surfaces. All pointers must stay
+  /// valid during drawing.
   struct Fragments {
     /// True if a surface has holes; `holes` then returns the kernel inputs that describe them.
     std::function<bool(const sim::Surface&)> cut = {};
     std::function<Cutout(const sim::Surface&)> holes = {};
-    const sim::Surface* only = nullptr;  ///< lamp maps: the surface that the triangle lists belong to
+    const sim::Surface* only = nullptr;  ///< for lamp maps: the surface that the triangle lists belong to
     bool layers = false;                 ///< true: draws the next layer behind `before` (null: the first
                                          ///< layer)
     const Visibility* before = nullptr;
     const Visibility* behind = nullptr;  ///< opaque surfaces; layers behind them are not drawn
   };
-  /// Returns a rasterizer that tests each sample separately and rasterizes all triangles by workgroups, for
-  /// surfaces with Fragments.
+  /// Returns a rasterizer for surfaces with Fragments. It tests each sample separately, and workgroups
+  /// rasterize all triangles.
   static TriangleRaster ofFragments(Into into, int samples) { return {into, samples, 0, 0, 0, 0}; }
   void tellFragments(Fragments fragments) { fragments_ = std::move(fragments); }
 
   /// Assigns consecutive ids to the triangles, starting at `firstId`; see drawn(). Throws UserError(device)
   /// if there are not enough ids.
   void number(const std::vector<const sim::Surface*>& surfaces, unsigned firstId = 0);
-  /// Prepares lamp maps instead: face i shows the triangles of list i. The arguments must stay valid until
-  /// the maps are drawn.
+  /// Prepares lamp maps instead of a picture. Face i shows the triangles of list i. The arguments must stay
+  /// valid until the maps are drawn.
   void number(const TriangleLists& lists, const std::vector<MapFace>& faces);
   /// Prepares lamp maps that are drawn in one dispatch, which is best on GPUs. `views`: the views of all
-  /// maps, one after another; the view of face 0 has the index `first`.
+  /// maps in sequence; `first`: index of the view of face 0.
   void number(const TriangleLists& lists, const std::vector<MapFace>& faces, const gl::Buffer& views,
               int first);
   /// Rasterizes the prepared triangles into a cleared buffer. The uniform blocks and, for the sun's map,
   /// its transform must be bound. For lamp maps this function binds the views of the faces.
   void draw(const Visibility& into, const MapPart& part = {});
-  /// The two passes of draw() for pictures. drawNearest() writes the depth keys (before any object writes
-  /// ids), drawNumbers() the ids (after all objects have written their keys).
+  /// These functions are the two steps of draw() for pictures. drawNearest() writes the depth keys, before
+  /// any object writes ids. drawNumbers() writes the ids, after all objects have written their keys.
   void drawNearest(const Visibility& into);
   void drawNumbers(const Visibility& into);
-  /// Rasterizes the same surfaces, joined into one mesh, in one pass.
+  /// Rasterizes the prepared surfaces in one pass, as the joined mesh.
   void drawJoined(const Visibility& into, const JoinedSurfaces& joined);
   [[nodiscard]] const std::vector<Drawn>& drawn() const { return drawn_; }
   /// Returns the shader inputs of kernels that read the triangles of an entry of drawn().
   [[nodiscard]] TriangleSource source(const Drawn& drawn) const;
-  /// Same for the joined surfaces that were drawn last.
+  /// Returns the shader inputs for the joined surfaces that were drawn last.
   [[nodiscard]] TriangleSource wholeSource() const { return source(whole_); }
 
  private:
@@ -138,7 +139,7 @@ class TriangleRaster {
   void reserveLists(std::size_t draws, std::int64_t triangles, int fans);
   [[nodiscard]] RasterTriangles raster(const Drawn& drawn, const Visibility& into) const;
   [[nodiscard]] RasterVariant variant(const Visibility& into, int pass) const;
-  /// Calls `dispatch` with the kernel of a step and its inputs.
+  /// Calls `dispatch` with the kernel of a step and the kernel's inputs.
   template <class Dispatch>
   void runKernel(Step step, bool clips, const RasterVariant& variant, const RasterTriangles& raster,
                  const Drawn& drawn, const Dispatch& dispatch);
@@ -167,12 +168,13 @@ class TriangleRaster {
   const gl::Buffer* faceViews_ = nullptr;  ///< views of all lamp maps, if they are drawn in one dispatch
   int firstView_ = 0;
   std::vector<Drawn> drawn_;
-  std::span<Drawn> asked_;                  ///< entries to draw: all of drawn_, or whole_
+  std::span<Drawn> asked_;                  ///< entries to draw: all of drawn_, or only whole_
   Drawn whole_;                             ///< the joined surfaces as one entry
-  const JoinedSurfaces* joined_ = nullptr;  ///< the joined surfaces, if they are being drawn
+  const JoinedSurfaces* joined_ = nullptr;  ///< the joined surfaces while they are being drawn; otherwise
+                                            ///< null
   gl::Buffer vertices_, large_, counters_, largeGroups_, surfaceGroups_, fans_, clipGroups_,
       roomlessGroups_;
-  gl::Buffer left_;  ///< list of the triangles too large for the bins
+  gl::Buffer left_;  ///< list of the triangles that are too large for the bins
   gl::Texture leftView_;
   gl::Texture vertexView_, largeView_, counterView_, fanView_;
 };

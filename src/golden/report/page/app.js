@@ -45,7 +45,7 @@ function changeLink(link, push) {
   }
 }
 
-/// Selects what the link names. Returns true if the link is valid for this report.
+/// Selects the scene, frame and view of the link. Returns true if the link is valid for this report.
 function followLink() {
   if (location.hash === "#overview" || (location.hash === "" && beginsWithOverview)) {
     showOverview(true);

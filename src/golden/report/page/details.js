@@ -117,7 +117,7 @@ function divergenceCard(scene) {
               message ? element("p", {class: "dim"}, message) : null);
 }
 
-/// Returns a card with one line for each failed attempt, then one for the last attempt.
+/// Returns a card with one line per failed attempt, then one for the last attempt.
 function attemptsCard(scene) {
   if (scene.attempts.length === 0) return null;
   const tries = scene.attempts.map(({status, messages}) =>
@@ -126,7 +126,7 @@ function attemptsCard(scene) {
   return lines("Attempts", "attempts", tries.map((text, i) => "attempt " + (i + 1) + ": " + text));
 }
 
-/// Returns a card with pictures of other attempts and of differing runs, each with its number.
+/// Returns a card with the pictures of other attempts and of differing runs, each with its number.
 function othersCard(scene) {
   const figures = scene.frames.flatMap((frame) => frame.others.map((other) =>
       element("figure", {class: "other"},
@@ -229,7 +229,7 @@ function metricsOf(scene, frame) {
   const beyond = scene.tolerance.maxChannelDiff ? scene.tolerance.maxChannelDiff.value : 0;
   const side = windowSize();
   const exact = noneMayDiffer(frame.asked);
-  const near = frame.asked === "near";  // near: limits as in brokenNearness() in compare.cpp
+  const near = frame.asked === "near";  // limits as in brokenNearness() in compare.cpp
   const limit = (field) => exact || !scene.tolerance[field] ? null : scene.tolerance[field].value;
   const over = (field, value) => limit(field) !== null && value > limit(field);
   const bound = (field, text) => limit(field) === null ? "" : "≤ " + text(limit(field));

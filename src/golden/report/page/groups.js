@@ -27,8 +27,9 @@ function plainMessage(scene) {
       .replace(/[0-9]+(\.[0-9]+)?/g, "#");
 }
 
-/// Returns the words that all failures of a group share. The first is the kind of failure. Differing pictures: first
-/// differing pass, class of the worst pixel, class of the differing area. State: the array. Others: the message.
+/// Returns the words that all failures of a group have in common. The first word is the kind of failure. For differing
+/// pictures, the next words are the first differing pass, the class of the worst pixel and the class of the differing
+/// area. For differing states, the array; for others, the message.
 function signature(scene) {
   const frame = tellingFrame(scene), metrics = frame && frame.metrics;
   if (scene.divergence && scene.divergence.buffer)
@@ -57,8 +58,8 @@ function groupsOf(scenes) {
   return [...groups.values()].sort((a, b) => rank(a) - rank(b) || b.scenes.length - a.scenes.length);
 }
 
-/// Returns the command that accepts all these scenes, or "" if nothing was kept. Omits the names if the scenes are all
-/// that can be accepted.
+/// Returns the command that accepts all these scenes, or "" if no results were stored. Omits the names if the scenes
+/// are all that can be accepted.
 function acceptAll(scenes) {
   const kept = scenes.filter(acceptCommand);
   if (kept.length === 0) return "";

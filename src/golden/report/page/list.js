@@ -4,7 +4,7 @@ const list = {
   rowHeight: 46,  // height of a row in px; must match style.css
   hidden: new Set(),  // statuses whose scenes are hidden
   shown: [],  // filtered and sorted scenes that the list shows
-  rows: new Map(),    // index -> element
+  rows: new Map(),    // row elements by index
 };
 
 function listOrders() {
@@ -26,7 +26,7 @@ function summary(scene) {
   return scene.messages[0] || scene.notes[0] || (ofPictures ? statusWords[scene.status] : plural(scene.frames.length, "frame"));
 }
 
-/// Returns one small mark per frame. If there are many frames, several share a mark with their worst status.
+/// Returns one small mark per frame. If there are many frames, a mark represents several and shows their worst status.
 function frameMarks(scene) {
   const most = 12;
   const marks = element("span", {class: "ticks", "aria-hidden": "true"});
@@ -155,7 +155,7 @@ function startList() {
   filterList();
 }
 
-/// Selects the scene `step` rows further down in the list.
+/// Selects the scene `step` rows below the current one in the list.
 function stepScene(step) {
   if (list.shown.length === 0) return;
   const at = list.shown.indexOf(state.scene);
@@ -175,7 +175,7 @@ function stepFailure(step) {
     const rest = indices(state.scene).filter((i) => step > 0 ? i > state.frame : i < state.frame);
     if (rest.length > 0) return go({frame: step > 0 ? rest[0] : rest[rest.length - 1]});
   }
-  // A scene that is not in the list counts as before the first (step 1) or after the last (step -1).
+  // A scene that is not in the list counts as before the first scene (step 1) or after the last one (step -1).
   const scene = scenes[(Math.max(at, step > 0 ? -1 : 0) + step + scenes.length) % scenes.length];
   const found = indices(scene);
   go({scene, frame: found.length === 0 ? firstFrame(scene) : step > 0 ? found[0] : found[found.length - 1]});

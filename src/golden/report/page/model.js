@@ -67,7 +67,7 @@ const frameOf = (scene) => (scene && scene.frames[state.frame]) || null;
 const hasPictures = (frame) => Boolean(frame.expectedImage || frame.actualImage || frame.differenceImage);
 const equalPixels = (frame) => !frame.metrics && frame.pixels !== "" && frame.pixels === frame.expectedPixels;
 
-/// Returns a frame's message without the frame number, for places that already show the number.
+/// Returns a frame's message without the frame number, for use where the number is already shown.
 function ownMessage(frame) {
   const prefix = "frame " + frame.frame + ": ";
   return frame.message.startsWith(prefix) ? frame.message.slice(prefix.length) : frame.message;
@@ -78,13 +78,13 @@ function largest(scene, of) {
   return scene.frames.reduce((most, frame) => frame.metrics ? Math.max(most, of(frame.metrics)) : most, 0);
 }
 
-/// Returns the index of the frame to show first: the first failing one.
+/// Returns the index of the frame to show first, the first failing one.
 function firstFrame(scene) {
   const telling = (frame) => (frame.status !== "pass" && frame.status !== "updated") || frame.others.length > 0;
   return Math.max(0, scene.frames.findIndex(telling));
 }
 
-/// Returns a curve's value at a frame: 0 if the pixels are equal, null if nothing can be compared.
+/// Returns a curve's value at a frame: 0 if the pixels are equal, null if the pictures cannot be compared.
 function curveValue(curve, frame) {
   if (frame.metrics) return curve.of(frame.metrics);
   return equalPixels(frame) || frame.alternate > 0 ? 0 : null;
@@ -114,7 +114,7 @@ function shellWord(text) {
   return "'" + text.replaceAll("'", "'\\''") + "'";
 }
 
-/// Returns the command that accepts this scene, or "" if nothing was kept.
+/// Returns the command that accepts this scene, or "" if no results were stored.
 function acceptCommand(scene) {
   if (!suite.acceptCommand || !scene.candidate) return "";
   return suite.acceptCommand + " --only " + shellWord(scene.name);
@@ -157,7 +157,7 @@ function badge(status) {
   return element("span", {class: "badge " + status}, statusGlyphs[status] + " " + statusWords[status]);
 }
 
-/// localStorage may be denied (page from disk, private window). Settings then last only as long as the page.
+/// Browsers may deny localStorage (page from disk, private window). Settings are then lost when the page is closed.
 function remembered(key) {
   try {
     return window.localStorage.getItem("simreel." + key);
@@ -169,7 +169,7 @@ function remember(key, value) {
   try {
     window.localStorage.setItem("simreel." + key, value);
   } catch {
-    // The setting is lost when the page is closed.
+    // the setting is lost when the page is closed
   }
 }
 

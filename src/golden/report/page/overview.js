@@ -8,7 +8,7 @@ const overview = {
   most: 12,  // number of thumbnails of a group shown at first
 };
 
-// ---- small pictures ----
+// ---- thumbnails ----
 
 /// Returns a ring that marks the worst pixel if only few pixels differ, because a single pixel is hard to see in a
 /// thumbnail.
@@ -135,7 +135,7 @@ function groupCard(group) {
       thumbs, scenes.length > overview.most ? more : null);
 }
 
-// ---- every failure in a line ----
+// ---- table with one line per failure ----
 
 /// Returns the bounds in force, such as "maxChannelDiff 12 · maxDiffRatio 0.005", and their origins.
 function toleranceText(scene) {

@@ -17,7 +17,7 @@ function pictureLabel(frame, key) {
   return key;
 }
 
-/// Returns a path as relative URL, because a name may contain "#", "?" or "%".
+/// Returns a path as a relative URL. Encodes it, because a name may contain "#", "?" or "%".
 function link(path) {
   return path.split("/").map(encodeURIComponent).join("/");
 }
@@ -146,7 +146,7 @@ function sizePanes() {
 const amplified = {chosen: "auto", factors: [1, 4, 16, 64, 255]};
 
 /// Returns the amplification factor. The automatic factor keeps a difference of 1 visible: white if it is the largest
-/// one, otherwise dark grey.
+/// difference, otherwise dark grey.
 function factorOf(frame) {
   if (amplified.chosen !== "auto") return Number(amplified.chosen);
   return frame.metrics && frame.metrics.worst > 1 ? 64 : 255;
@@ -192,7 +192,7 @@ function startBlink() {
   if (blink.playing) blink.timer = setInterval(swapBlink, Number(byId("interval").value));
 }
 
-/// Swaps the pictures by hand. Stops the timer, because its next swap could follow immediately.
+/// Swaps the pictures on request. Stops the timer, whose next swap could otherwise follow immediately.
 function blinkByHand() {
   if (state.view !== "blink") return go({view: "blink"});
   blink.playing = false;

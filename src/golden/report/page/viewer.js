@@ -1,14 +1,14 @@
-// Picture viewer: zoom, pan and marks, the same in all panes. Positions are in picture pixels, x to the right and y
-// downwards. Each pane shows picture point (x, y) at its centre, with `scale` CSS pixels per picture pixel.
+// Picture viewer: zoom, pan and marks, which are the same in all panes. Positions are in picture pixels, x to the right
+// and y downwards. Each pane shows picture point (x, y) at its centre, with `scale` CSS pixels per picture pixel.
 
 const viewer = {
   scale: null,  // zoom in CSS pixels per picture pixel; null: fit to the pane
   x: 0, y: 0,  // picture point at the centre of each pane, if scale is not null
   size: {width: 16, height: 9},  // size of the pictures, once known
-  panes: [],                   // {box, layers: [{box, image, key}], window, worst}
+  panes: [],                   // panes of the form {box, layers: [{box, image, key}], window, worst}
   split: 0.5,  // swipe position: fraction of the pane that shows the expected picture
   marks: true,
-  pointers: new Map(),         // id -> {x, y}
+  pointers: new Map(),         // positions {x, y} by pointer id
   drag: null,                  // "pan", "split" or "pinch"
 };
 
@@ -19,7 +19,7 @@ const fitScale = (pane) =>
 /// Returns the size of a device pixel in CSS pixels.
 const devicePixel = () => 1 / (window.devicePixelRatio || 1);
 
-/// Returns how a pane shows the picture: screen = offset + scale * picture.
+/// Returns the transform of the picture in a pane: screen = offset + scale * picture.
 function placement(pane) {
   const fitted = viewer.scale === null;
   const scale = fitted ? fitScale(pane) : viewer.scale;
@@ -30,8 +30,8 @@ function placement(pane) {
   return {scale, left: snap(pane.box.clientWidth / 2 - x * scale), top: snap(pane.box.clientHeight / 2 - y * scale)};
 }
 
-/// Positions an image. A scaled image has smoothed edges, which would be visible when two images are subtracted;
-/// `wholePixels` then gives it a size in whole device pixels.
+/// Positions an image. A scaled image has smoothed edges, which would be visible when two images are subtracted. With
+/// `wholePixels`, the image therefore gets a size in whole device pixels.
 function placeImage(image, place, wholePixels) {
   const move = `translate(${place.left}px, ${place.top}px)`;
   const side = (size) => wholePixels ? Math.round(size * place.scale / devicePixel()) * devicePixel() + "px" : "";
@@ -109,7 +109,7 @@ function setScale(scale) {
   }
 }
 
-/// Zooms to the next step of the ladder, up (1) or down (-1).
+/// Zooms to the next predefined scale, up (1) or down (-1).
 function stepZoom(direction) {
   if (!viewer.panes[0]) return;
   const now = placement(viewer.panes[0]).scale / devicePixel();

@@ -17,7 +17,7 @@ namespace {
 
 using Kind = sim::Instances::Shape;
 
-/// Scene with all features: a sheet that extends beyond the picture, balls, mesh copies and glows,
+/// Scene with all features: a sheet that extends beyond the picture, balls, mesh copies and glows, a
 /// reflective ground, a sun and a lamp with shadows, and bloom.
 struct BandStage {
   explicit BandStage(scene::Quality quality)
@@ -77,7 +77,7 @@ TEST_CASE("exact: pictures drawn in bands have the bytes of those drawn at once"
     CAPTURE(samples);
     CAPTURE(quality == scene::Quality::standard);
     const BandStage stage(quality);
-    // Occluders in another band must count too.
+    // Occluders in other bands must count too.
     const auto banded = [&](int rows) {
       return drawn(
           stage.scene, stage.drawables, size, samples,
@@ -105,7 +105,7 @@ TEST_CASE("exact: passes of pictures drawn in bands are those of pictures drawn 
     renderer.keepPasses(&kept);
     renderer.draw(0, stage.drawables);
     const auto first = golden::hashesOf(kept);
-    renderer.draw(0, stage.drawables);  // the second picture replaces the passes kept from the first
+    renderer.draw(0, stage.drawables);  // the pass outputs of the second picture replace those of the first
     CHECK(golden::hashesOf(kept) == first);
     for (const draw::PassArray& array : kept.arrays) {
       if (array.pass == "shadow" || array.pass == "bloom") continue;
@@ -124,7 +124,7 @@ TEST_CASE("exact: passes of pictures drawn in bands are those of pictures drawn 
 TEST_CASE("exact: a picture's stages are those of the list of passes, in its order, whole or in bands") {
   testContext();
   BandStage stage(scene::Quality::standard);
-  stage.scene.ground->roughness = 0.05F;  // smooth ground, which reflects the scene
+  stage.scene.ground->roughness = 0.05F;  // the smooth ground reflects the scene
   const glm::ivec2 size(75, 61);
   const auto stages = [&](int rows) {
     draw::Renderer renderer(stage.scene, size, 1,
@@ -136,7 +136,8 @@ TEST_CASE("exact: a picture's stages are those of the list of passes, in its ord
   };
   CHECK(stages(size.y) ==
         "shadow; visibility; occlusion; surfaces; reflections; instances; bloom; tone map; ");
-  // Two bands. Passes that need the whole view are followed by a repetition of the visibility of each band.
+  // There are two bands. After each pass that needs the whole view, the visibility of each band is computed
+  // again.
   CHECK(stages(40) ==
         "shadow; visibility; occlusion; visibility; occlusion; "
         "visibility; surfaces; visibility; surfaces; reflections; "

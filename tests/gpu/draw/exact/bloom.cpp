@@ -1,5 +1,5 @@
-// Compares bloom with its definition in double precision: light above the threshold, repeatedly halved in
-// size by the five overlapping 4x4 boxes of Jimenez, with each level enlarged by tent filters.
+// Tests bloom against its definition in double precision. Light above the threshold is repeatedly halved in
+// size by the five overlapping 4x4 boxes of Jimenez, and tent filters enlarge each level.
 #include "draw/exact/screen/bloom.hpp"
 
 #include "gpu/draw/instance_stage.hpp"
@@ -15,7 +15,7 @@ using namespace simreel;
 
 namespace {
 
-/// Light by pixel. Positions beyond the edges are clamped.
+/// Light of each pixel. Positions outside the picture are clamped to its border.
 struct LightImage {
   glm::ivec2 size{0};
   std::vector<glm::dvec3> texels;
@@ -29,7 +29,7 @@ struct LightImage {
     y = std::clamp(y, 0, size.y - 1);
     return texels[static_cast<std::size_t>(y * size.x + x)];
   }
-  /// Bilinear interpolation; texel centres are at integers plus one half.
+  /// Interpolates bilinearly; texel centres are at integers plus one half.
   [[nodiscard]] glm::dvec3 between(double x, double y) const {
     const int left = static_cast<int>(std::floor(x - 0.5));
     const int top = static_cast<int>(std::floor(y - 0.5));
@@ -117,8 +117,8 @@ TEST_CASE(
                         texels.data());
       testContext().check();
 
-      // All levels have equal weight, except the last one, which has the fractional part of the logarithm
-      // of the reach.
+      // All levels have equal weight, except the last one, whose weight is the fractional part of the
+      // logarithm of the reach.
       const double reach = std::clamp(std::log2(static_cast<double>(radius) * size.y), 1.0, 9.0);
       std::vector<LightImage> levels = {aboveThreshold(given, static_cast<double>(0.7F))};
       while (static_cast<double>(levels.size()) < reach &&

@@ -1,5 +1,5 @@
-// Tests primitives exactly on a border: of pixels, of near and far plane, of glows, and of the clipping
-// region.
+// Tests primitives that lie exactly on a limit: pixel borders, near and far plane, borders of glows, and
+// the clipping region.
 #include "draw/exact/instances/ball_raster.hpp"
 #include "draw/exact/instances/glow_raster.hpp"
 #include "gpu/draw/exact/instance_stage.hpp"
@@ -56,7 +56,7 @@ TEST_CASE("exact borders: edges within a few 1/256 of pixels' borders, where six
   testContext();
   const glm::ivec2 size(101, 67);
   const auto view = exactViewFrom({0, 0, 5}, {0, 0, 0}, size);
-  // Pixels per metre at z = 0.
+  // Number of pixels per metre at z = 0.
   const double metre = size.y / (2 * 5 * std::tan(20 * 3.14159265358979 / 180));
   const auto at = [&](double x, double y) {
     return glm::vec3((x - 0.5 * size.x) / metre, (0.5 * size.y - y) / metre, 0);
@@ -68,7 +68,7 @@ TEST_CASE("exact borders: edges within a few 1/256 of pixels' borders, where six
     for (int x = 3; x < 95; x += 5, ++k) {
       const double aside = (k % 9 - 4) / 256.0;
       const double lean = k / 9 % 3 == 0 ? 0 : (k % 2 == 0 ? 1 : -1) / 256.0;
-      // The nearly vertical edge is the right border of the triangle if k % 4 < 2, else its left border.
+      // The nearly vertical edge is the right edge of the triangle if k % 4 < 2, otherwise its left edge.
       places.push_back(at(x + aside, y + 0.01));
       places.push_back(at(x + aside + lean, y + 4.7));
       places.push_back(at(k % 4 < 2 ? x - 2.3 : x + 2.3, y + 2.1));
@@ -99,8 +99,8 @@ TEST_CASE("exact borders: what was clipped before leaves nothing where all is cl
   for (int i = 0; i < 10; ++i) {
     const float z = -0.1F * static_cast<float>(i);
     around.insert(around.end(), {{-900, -900, z}, {900, -900, z}, {0, 1300, z}});
-    // Beyond a corner of the guard band around the picture, but not completely beyond any single side of
-    // the picture.
+    // The points are beyond a corner of the guard band around the picture, but the triangle is not
+    // completely beyond any side of the picture.
     beyond.insert(beyond.end(), {{0, 3000, z}, {3000, 0, z}, {3000, 3000, z}});
   }
   TriangleStage before(around, corners);
@@ -134,13 +134,13 @@ TEST_CASE("exact borders: a ball's place at the nearest plane or the farthest it
   const glm::vec3 ray = border::rayAt(rays, middle);
   for (const bool far : {false, true}) {
     CAPTURE(far);
-    // Steps through the radii around the one at which the ball touches the depth. Tests a few whose depth
-    // equals the border exactly, and every hundredth of the others.
+    // Steps through radii around the one at which the ball touches the depth limit. Tests a few for which
+    // the ball's depth equals the limit exactly, and every hundredth of the others.
     const float depth = far ? 9 : 0.3F;
     int equal = 0;
     int wrong = 0;
     std::array<int, 2> sides{};
-    // Several distances, because rounding may skip the exact depth at one of them.
+    // Uses several distances, because at one of them rounding may skip the exact depth.
     for (const float beyond : {0.8F, 0.7F, 0.9F}) {
       const float distance = depth + beyond;
       const glm::vec3 place = glm::vec3(v.eye) + distance * ray;

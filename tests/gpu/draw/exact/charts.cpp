@@ -1,5 +1,5 @@
-// Compares charts and axes drawn by kernels with the bits of their CPU version, with the driver's picture
-// within its rounding, and with curves in double precision.
+// Tests charts and axes drawn by kernels: against the bits of their CPU version, against the driver's
+// picture within its rounding, and against curves in double precision.
 #include "draw/overlay/axes_pass.hpp"
 #include "draw/overlay/chart_pass.hpp"
 #include "gpu/draw/overlay_stage.hpp"
@@ -81,7 +81,7 @@ TEST_CASE(
       CAPTURE(steps);
       CAPTURE(all);
       CountStage stage(steps, all, 65536, waves);
-      stage.chart.names = {"", "", ""};  // without letters; they have their own test below
+      stage.chart.names = {"", "", ""};  // no letters; another test below covers them
       if (steps == 300) stage.chart.zero = 0.37F;
       const auto below = someBytes(size);
       const auto exact = charted(stage.chart, below, draw::Rasterizer::exact);
@@ -113,7 +113,7 @@ TEST_CASE("exact charts: with letters, the driver's picture within its rounding"
       const auto below = someBytes(size, true);
       const Distance apart = distance(charted(stage.chart, below, draw::Rasterizer::exact),
                                       charted(stage.chart, below, draw::Rasterizer::driver));
-      // The software driver blends in 8 bits.
+      // The tolerance is needed because the software driver blends in 8 bits.
       CHECK(apart.max <= 1);
       CHECK(apart.mean < 0.02);
     }
@@ -148,8 +148,8 @@ TEST_CASE("exact charts: columns are what lies between the steps, in double prec
           low = std::min(low, height(i));
           high = std::max(high, height(i));
         }
-        // With thousands of steps, positions have only 11 fractional bits, and a curve may rise over its
-        // full height in one step.
+        // The tolerance is larger for thousands of steps, because positions then have only 11 fractional
+        // bits and a curve may rise over its full height in one step.
         const double allowed = steps > 1000 ? 4e-3 : 2e-4;
         worst = std::max({worst, std::abs(columns[c][0][k] - at(first)) / allowed,
                           std::abs(columns[c][1][k] - at(end)) / allowed,
@@ -195,7 +195,7 @@ TEST_CASE("exact scales: the same pixels as the driver's, since all are whole") 
   other.display = stage.display;
   stage.display.extent = {0.5F, 1, 0};
   other.display.extent = {0.6F, 0.9F, 0};
-  other.display.corner = {0.31F, 0.07F, 0};  // overlaps the axes of the first field
+  other.display.corner = {0.31F, 0.07F, 0};  // the field overlaps the axes of the first field
   for (const glm::ivec2 size : {glm::ivec2(1279, 719), glm::ivec2(801, 603)}) {
     const sim::Drawables drawables{.fields = {stage.field, other.field}};
     const auto below = someBytes(size);

@@ -1,4 +1,4 @@
-// Compares path-traced glass with closed forms of Fresnel's equations, Snell's and Beer's law.
+// Tests path-traced glass against closed forms of Fresnel's equations, Snell's and Beer's law.
 #include "gpu/draw/exact/ray_stage.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ using namespace simreel;  // NOLINT
 
 namespace {
 
-/// Mesh of a box. Each face has its own corners with the normal of the face.
+/// Mesh of a box. Each face has separate corners with the normal of the face.
 struct BoxMesh {
   std::vector<glm::vec3> places, normals;
   std::vector<unsigned> corners;
@@ -66,7 +66,7 @@ scene::Scene night(int raySamples) {
   return scene;
 }
 
-/// Returns the reflected fraction by Fresnel's equations.
+/// Returns the fraction of light that is reflected, by Fresnel's equations.
 double mirrored(double cosine, double index) {
   const double beyond = std::sqrt(1 - (1 - cosine * cosine) / (index * index));
   const double across = (cosine - index * beyond) / (cosine + index * beyond);
@@ -75,7 +75,7 @@ double mirrored(double cosine, double index) {
 }
 
 /// Returns the fraction of light that passes both sides, including all internal reflections. `mirror`:
-/// reflected fraction of one side; `left`: fraction that is not absorbed between the sides.
+/// fraction that one side reflects; `left`: fraction that is not absorbed between the sides.
 double through(double mirror, double left) {
   return (1 - mirror) * (1 - mirror) * left / (1 - mirror * mirror * left * left);
 }
@@ -84,7 +84,8 @@ double through(double mirror, double left) {
 
 TEST_CASE("clear: in a furnace glass is not to be seen") {
   testContext();
-  // Light that is reflected inside a cube more than 24 times is lost; for diamond that is some thousandths.
+  // Light that is reflected inside a cube more than 24 times is lost. For diamond, this is a few
+  // thousandths.
   for (const auto& [ior, most] : {std::pair(1.5F, 2e-3), {2.4F, 0.02}}) {
     CAPTURE(ior);
     const GlassBox box({-1, -0.7F, -1}, {1, 0.7F, 1}, ior);
@@ -167,13 +168,14 @@ TEST_CASE("clear: a slab shifts what lies behind it as Snell's law has it") {
       for (int x = 0; x < size.x; ++x) dark += picture.mean({x, 0}, {x + 1, 4}).x < 0.5 * most ? 1 : 0;
       return dark;
     };
-    // Without the slab the edge at z = -6 is seen along a straight line. The slab shifts that line
+    // Without the slab, the edge at z = -6 is seen along a straight line. The slab shifts this line
     // sideways.
     const double sine = std::sin(angle), cosine = std::cos(angle);
     const double index = static_cast<double>(ior);
     const double shift =
         static_cast<double>(thickness) * sine * (1 - cosine / std::sqrt(index * index - sine * sine));
-    // The camera is moved back by the shift, so that the edge through the slab is at the picture's centre.
+    // The camera is moved back by the shift, so that the edge seen through the slab is at the picture's
+    // centre.
     const glm::dvec3 towards(-sine, 0, -cosine), across(cosine, 0, -sine);
     const glm::dvec3 edge(0, 0, -6);
     const auto lookAt = [&](double aside) {
@@ -186,7 +188,7 @@ TEST_CASE("clear: a slab shifts what lies behind it as Snell's law has it") {
     CHECK(middle == doctest::Approx(200).epsilon(0.01));
     lookAt(-shift);
     const double found = edgeOf({.surfaces = {box.surface, light.surface}});
-    // A column of pixels is 12 m 2 tan(0.05 degrees) / 4 wide at the edge.
+    // At the edge, a column of pixels is 12 m * 2 tan(0.05 degrees) / 4 wide.
     const double column = 12 * 2 * std::tan(glm::radians(0.05)) / 4;
     CAPTURE(shift);
     CHECK(std::abs(found - middle) * column < 0.02 * shift);
@@ -199,7 +201,7 @@ TEST_CASE("clear: the light of the sun comes straight through glass, less what i
   scene.sun.intensity = 3.0F;
   scene.sun.color = glm::vec3(1);
   scene.sun.direction = glm::vec3(0, 1, 0);
-  setGround(scene, 0.05F);  // dark, so that the glass reflects little of its light
+  setGround(scene, 0.05F);  // the ground is dark, so that the glass reflects little of its light
   lookDown(scene, 0.8F, 20);
   GlassBox box({-5, 1, -5}, {5, 1.5F, 5}, 1.5F);
   box.material.finish.attenuation = glm::vec3(0.5F, 1, 0.2F);
@@ -258,7 +260,7 @@ TEST_CASE(
   scene.camera.fieldOfView = 1;
   const RayPicture picture = rayPicture(scene, {.surfaces = {mirror.surface, pane.surface}}, {8, 8});
   CHECK(std::abs(picture.mean({0, 0}, {8, 8}).x - 1) < 0.012);
-  // The coat reflects a part of the sun's light (Schlick), which the layer below does not receive.
+  // The coat reflects part of the sun's light (Schlick), which the layer below does not receive.
   scene = night(64);
   scene.sun.intensity = 3.0F;
   scene.sun.direction = glm::vec3(0, x, z);

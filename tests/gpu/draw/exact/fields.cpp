@@ -1,5 +1,5 @@
-// Compares fields drawn by kernels with the bits of their CPU version, with the driver's picture within its
-// rounding, and with their equation in double precision.
+// Tests fields drawn by kernels: against the bits of their CPU version, against the driver's picture within
+// its rounding, and against their equation in double precision.
 #include "draw/overlay/field_kernel.hpp"
 #include "gpu/draw/overlay_stage.hpp"
 
@@ -24,7 +24,7 @@ double bump(int x, int y) {
   return 0.5 + 0.3 * std::sin(0.37 * x) * std::cos(0.21 * y) + 0.02 * ((x * 7 + y * 13) % 10);
 }
 
-/// Returns fields with every kind of cell, together with all display options.
+/// Returns fields with all types of cells and all display options.
 std::vector<std::unique_ptr<FieldStage>> allKinds() {
   std::vector<std::unique_ptr<FieldStage>> stages;
   int n = 0;
@@ -102,8 +102,8 @@ TEST_CASE(
     CHECK(differing(exactOpaque, wantedOpaque) == 0);
     const Distance apart = distance(exactOpaque, over({stage->field}, opaque, draw::Rasterizer::driver));
     CHECK(apart.max <= 1);
-    // The software driver blends in 8 bits, with errors of half a step at some pixels. A GPU rounds one
-    // byte in forty differently.
+    // The tolerance is needed because the software driver blends in 8 bits, with errors of half a step at
+    // some pixels. A GPU rounds one byte in forty differently.
     CHECK(apart.mean < (there.inputs.opacity < 1 ? 0.3 : 0.03));
   }
 }
@@ -189,7 +189,7 @@ TEST_CASE(
       }
       CHECK(differing(found, wanted) == 0);
     }
-    // The driver first draws the fields behind the scene, in their order, and the rest over them.
+    // The driver first draws the fields behind the scene, in order, and then the other fields over them.
     draw::FieldPass pass(odd);
     const gl::Texture image = imageOf(OverlayPicture<glm::vec4>{
         odd, std::vector<glm::vec4>(static_cast<std::size_t>(odd.x * odd.y), glm::vec4(0))});
@@ -338,7 +338,8 @@ TEST_CASE("exact fields: what is beyond 1e18 is 1e18, and no number is the least
     };
     FieldStage stage(Cells::floats, {6, 1}, value, {3, 5, 2}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
     stage.display.fit = Fit::stretch;
-    const auto last = sign < 0 ? 6U : 5U;  // end of the cells that look like the limit, 1e18 or -1e18
+    const auto last = sign < 0 ? 6U : 5U;  // index after the last cell whose displayed value is the limit,
+                                           // 1e18 or -1e18
     stage.field.range = sign < 0 ? glm::vec2(-1.02e18F, -0.98e18F) : glm::vec2(0.98e18F, 1.02e18F);
     const auto picture = over({stage.field}, someBytes({60, 7}), draw::Rasterizer::exact);
     const auto at = [&](std::size_t x) { return picture.pixels[180 + 10 * x + 5]; };

@@ -26,7 +26,7 @@ scene::Map picture(glm::ivec2 size, const std::vector<std::uint8_t>& rgba) {
           scene::Wrap::clamp};
 }
 
-/// A square that faces +z, with half side `half` at height z. Its uv origin is at the upper left.
+/// A square at height z that faces +z and has sides of 2 * `half`. Its uv origin is at the upper left.
 struct Square : GridStage {
   Square(float z, float half) : GridStage({2, 2}, {-half, half, z}, {2 * half, 0, 0}, {0, -2 * half, 0}) {
     material.color = glm::vec3(0);
@@ -106,8 +106,8 @@ TEST_CASE("blended surfaces: at each sample by itself, and hidden by what is opa
   const auto shown =
       drawn(unlit(), {.surfaces = {behind.surface, glass.surface, before.surface}}, size, 4, exactly);
   checkLight(shown, 80, 80, front);
-  // A pixel on the edge of the front square shows a mix of that square and of the pane over the back
-  // square, nothing else.
+  // A pixel on the edge of the front square shows only a mix of two colours: that of the front square, and
+  // that of the pane over the back square.
   const glm::dvec3 beside = 0.5 * pane + 0.5 * back;
   checkLight(shown, 80 + 45, 80, beside);
   int edges = 0;
@@ -146,9 +146,10 @@ TEST_CASE("cut surfaces: holes where the map's opacity is low, in what they hide
   scene.sun.shadowSoftness = 0.0F;
   scene.sun.direction = glm::vec3(1, 0, 1);
   const auto shown = drawn(scene, {.surfaces = {leaf.surface, wall.surface}}, size, 4, exactly);
-  CHECK(shown.brightness(80 - 20, 80) < 90);   // the leaf itself, black except for its specular reflection
-  CHECK(shown.brightness(80 + 20, 80) > 300);  // the wall through the leaf's hole
-  // The leaf is 1 m in front of the wall, so its shadow is 1 m to the left.
+  CHECK(shown.brightness(80 - 20, 80) < 90);   // the leaf, which is black except for its specular
+                                               // reflection
+  CHECK(shown.brightness(80 + 20, 80) > 300);  // the wall behind the leaf's hole
+  // The leaf is 1 m in front of the wall, so its shadow is shifted 1 m to the left.
   CHECK(shown.brightness(columnOf(-1.25), 80) < 30);
   CHECK(shown.brightness(columnOf(-0.75), 80) > 300);
   CHECK(shown.brightness(columnOf(-1.7), 80) > 300);
@@ -156,7 +157,7 @@ TEST_CASE("cut surfaces: holes where the map's opacity is low, in what they hide
     const LayoutAsked asked(layout);
     CHECK(drawn(scene, {.surfaces = {wall.surface, leaf.surface}}, size, 4, exactly).bytes == shown.bytes);
   }
-  // With cutoff 0 the leaf has no holes; with an opacity below the cutoff it is not drawn at all.
+  // With cutoff 0 the leaf has no holes. If its opacity is below the cutoff, it is not drawn.
   leaf.material.finish.cutoff = 0.0F;
   CHECK(drawn(scene, {.surfaces = {leaf.surface, wall.surface}}, size, 4, exactly).brightness(80 + 20, 80) <
         90);
@@ -181,7 +182,8 @@ TEST_CASE("cut surfaces: holes in the shadows of lamps") {
   lamp.glow = 0;
   scene.lights = {lamp};
   const auto shown = drawn(scene, {.surfaces = {leaf.surface, wall.surface}}, size, 4, exactly);
-  CHECK(shown.brightness(columnOf(-1.5), 80) > 60);  // through the hole, which extends from x = 0 to 0.5
+  CHECK(shown.brightness(columnOf(-1.5), 80) > 60);  // light through the hole, which extends from x = 0 to
+                                                     // 0.5
   leaf.material.finish.color = picture({2, 1}, {255, 255, 255, 0, 255, 255, 255, 255});
   CHECK(drawn(scene, {.surfaces = {leaf.surface, wall.surface}}, size, 4, exactly)
             .brightness(columnOf(-1.5), 80) == 0);
@@ -199,8 +201,8 @@ TEST_CASE("maps: normals lean as their colours say, and other maps are factors")
   scene::Material material;
   material.color = glm::vec3(0.8F);
   material.roughness = 1;
-  const std::uint8_t up = 204, half = 128, down = 51, out = 230;  // encode the normal components 0.6, 0,
-                                                                  // -0.6, 0.8
+  const std::uint8_t up = 204, half = 128, down = 51, out = 230;  // texel values that encode the normal
+                                                                  // components 0.6, 0, -0.6, 0.8
   material.finish.normals = picture({1, 1}, {up, half, out, 255});
   CHECK(lightFrom(material, {1, 0, 0}) == doctest::Approx(0.6 * 0.8).epsilon(0.08));
   CHECK(lightFrom(material, {-1, 0, 0}) < 0.01);
@@ -227,8 +229,8 @@ TEST_CASE("maps: beyond their border they repeat, extend their last texels, or a
   Square square(0, 1, glm::vec3(1), 1);
   square.material.textureScale = glm::vec3(2, 1, 1);
   square.material.finish.emissionMap = picture({2, 1}, {255, 0, 0, 255, 0, 255, 0, 255});
-  // Four quarters of the square along u: the map's left and right texel, then what follows at u = 1.25
-  // and 1.75.
+  // The four quarters of the square along u show the map's left texel, its right texel, and the texels at u
+  // = 1.25 and 1.75.
   const auto quarters = [&](scene::Wrap wrap) {
     square.material.finish.emissionMap.wrapU = wrap;
     const auto shown = drawn(unlit(), {.surfaces = {square.surface}}, size, 1, exactly);

@@ -1,4 +1,4 @@
-// Compares the kernels of glows with float64 versions, and checks the bits that every device must produce.
+// Tests the kernels of glows against float64 versions, and the bits that every device must produce.
 #include "gpu/draw/exact/kernel_stage.hpp"
 
 #include <doctest/doctest.h>
@@ -78,7 +78,7 @@ TEST_CASE("exact kernels: glows' places, sizes and light, and their sums") {
     const double unit = std::exp2(static_cast<double>(w.w >> 27U) - 24);
     const glm::dvec3 light = unit * glm::dvec3(w.w & 511U, w.w >> 9U & 511U, w.w >> 18U & 511U);
     CHECK(glm::length(light - wanted.light) < 0.51 * 1.75 * unit);
-    CHECK((w.z >> 16U) == 0x7f7fU);  // the packed slope is zero
+    CHECK((w.z >> 16U) == 0x7f7fU);  // the packed slope means zero
   }
   CHECK(hashOf(packed) == "15dffbfadd0c9547947f4c22a944c6ce");
 

@@ -1,4 +1,4 @@
-// Compares glows drawn by the exact rasterizer with their formula in double precision.
+// Tests glows drawn by the exact rasterizer against their formula in double precision.
 #include "draw/exact/instances/ball_raster.hpp"
 #include "draw/exact/instances/glow_raster.hpp"
 #include "gpu/draw/ball_stage.hpp"
@@ -15,8 +15,8 @@ using namespace simreel;
 
 namespace {
 
-/// Light of a glow at a pixel's centre in double precision: (1 - (distance / radius)^2)^2 on a disc that
-/// faces the eye or, if `round`, on a circle in the picture.
+/// Computes the light of a glow at a pixel's centre in double precision: (1 - (distance / radius)^2)^2 on a
+/// disc that faces the eye or, if `round`, on a circle in the picture plane.
 class GlowFormula {
  public:
   explicit GlowFormula(const shader::ExactView& v)
@@ -98,8 +98,8 @@ TEST_CASE("glows: the sum of their formula in double precision, in any order and
     group.instances.material = &material;
     draw::GlowRaster raster(4, smallPixels, mediumPixels);
     const auto first = lightOf(stage, raster, group.instances);
-    CHECK(lightOf(stage, raster, group.instances) == first);  // equal results, because addTo() has cleared
-                                                              // the sums
+    CHECK(lightOf(stage, raster, group.instances) == first);  // the results are equal, because addTo() has
+                                                              // cleared the sums
     return first;
   };
   const auto found = run(12);
@@ -144,8 +144,8 @@ TEST_CASE("a glow whose middle lies beyond an edge of the picture shows what of 
     const glm::vec3 ray =
         glm::vec3(v.ray) + glm::vec3(v.rayAcross) * place.x + glm::vec3(v.rayDown) * place.y;
     const glm::vec3 middle = glm::vec3(v.eye) + 1.7F * ray;
-    // Discs in space, as for the glows of lamps. They appear larger off centre: with 8.7 pixels a round
-    // glow would not reach into the picture, but the disc does.
+    // Discs in space, as for the glows of lamps. They appear larger away from the picture's centre: with
+    // 8.7 pixels, a circle in the picture plane would not extend into the picture, but the disc does.
     for (const float pixels : {8.7F, 11.0F, 40.0F}) {
       CAPTURE(pixels);
       const auto radius = static_cast<float>(pixels * 1.7 / formula.perMetre());
@@ -175,7 +175,7 @@ TEST_CASE("glows show before what is nearer to the eye only, sample by sample") 
   testContext();
   ExactStage stage(darkScene(), {41, 37}, 4);
   InstanceStage wall(std::vector<glm::vec3>(1, glm::vec3(0, 0, -20)));
-  wall.instances.size = 40;  // the front is at z = 0 and curves away slowly
+  wall.instances.size = 40;  // the front of the ball is at z = 0 and is nearly flat
   draw::BallRaster balls(draw::BallRaster::Into::picture, 4);
   scene::Material material;
   for (const float z : {0.5F, -0.5F}) {

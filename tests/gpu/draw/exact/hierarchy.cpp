@@ -1,5 +1,4 @@
-// Compares the hits that rays find in a hierarchy with the hits that a loop over all items finds, bit by
-// bit.
+// Tests that rays find the same hits in a hierarchy as a loop over all items does, bit by bit.
 #include "draw/exact/rays/hierarchy.hpp"
 
 #include "draw/exact/rays/ray_kernels.hpp"
@@ -29,7 +28,7 @@ struct TracedRay {
 
 #include "glsl/draw/exact/rays/look_table.glsl"
 
-/// Triangles, or balls given by centre and radius in their first corner, on the GPU with their hierarchy.
+/// Triangles, or balls whose first corner holds centre and radius, on the GPU, with their hierarchy.
 class HierarchyStage {
  public:
   HierarchyStage(const std::vector<glm::vec4>& places, bool balls)
@@ -129,7 +128,7 @@ glm::vec3 placed(Random& random, float size) {
   return {between(random, -size, size), between(random, -size, size), between(random, -size, size)};
 }
 
-/// Returns triangles of all sizes. Of every eight, one is degenerate, one lies in a plane shared by many,
+/// Returns triangles of all sizes. Of every eight, one is degenerate, one is in a plane with many others,
 /// one duplicates another, and one is marked as invalid.
 std::vector<glm::vec4> someTriangles(int count, Random& random) {
   std::vector<glm::vec4> places;
@@ -158,8 +157,10 @@ std::vector<TracedRay> someRays(const std::vector<glm::vec4>& places, std::size_
   for (std::size_t i = 0; i < count; ++i) {
     const glm::vec3 origin = placed(random, i % 3 == 0 ? 6.0F : 2.0F);
     glm::vec3 along = placed(random, 1);
-    if (i % 4 == 1) along = glm::vec3(places[random() % places.size()]) - origin;  // a ray through a corner
-    if (i % 8 == 2) along[static_cast<int>(i / 8 % 3)] = 0;  // a ray perpendicular to an axis
+    if (i % 4 == 1)
+      along = glm::vec3(places[random() % places.size()]) - origin;  // the ray goes through a
+                                                                     // corner
+    if (i % 8 == 2) along[static_cast<int>(i / 8 % 3)] = 0;          // the ray is perpendicular to an axis
     if (i % 16 == 6) along = glm::vec3(0, 0, i % 32 < 16 ? 1 : -1);
     if (!(glm::length(along) > 1e-6F)) along = glm::vec3(0, 1, 0);
     rays.push_back({origin, glm::normalize(along), i % 5 == 4 ? between(random, 0, 3) : 1e9F});
@@ -222,7 +223,7 @@ TEST_CASE("hierarchy: what rays meet of triangles and balls, in float64") {
   const auto hits = stage.traced(rays);
   int compared = 0, wrong = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    if (i % 4 == 1) continue;  // rays through corners may hit or miss
+    if (i % 4 == 1) continue;  // a ray through a corner may hit or miss
     const glm::dvec3 origin(rays[i].origin), along(rays[i].along);
     double nearest = static_cast<double>(rays[i].far), margin = 1;
     for (std::size_t k = 0; k < places.size(); k += 3) {

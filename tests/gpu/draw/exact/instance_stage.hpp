@@ -9,7 +9,7 @@
 
 #include <vector>
 
-/// Returns a scene seen from a nearby eye at the side.
+/// Returns a scene that is seen from the side by a nearby camera.
 inline simreel::scene::Scene sideScene() {
   simreel::scene::Scene scene;
   scene.camera.position = glm::vec3(0.7F, 1.1F, 4.3F);
@@ -19,7 +19,7 @@ inline simreel::scene::Scene sideScene() {
   return scene;
 }
 
-/// A visibility buffer for kernels of the exact rasterizer, with access to the results.
+/// A visibility buffer for kernels of the exact rasterizer. Gives access to the results.
 struct ExactStage {
   ExactStage(const simreel::scene::Scene& scene, glm::ivec2 pixels, int count)
       : size(pixels), samples(count), target("a test", pixels, count, true) {
@@ -44,9 +44,9 @@ struct ExactStage {
   [[nodiscard]] std::vector<unsigned> keys() const { return target.readKeys(); }
   [[nodiscard]] std::vector<unsigned> ids() const { return target.readNumbers(); }
 
-  /// Returns the picture position (pixels) of sample `i`, counted over all pixels.
+  /// Returns the picture position (pixels) of sample `i`, where i counts the samples of all pixels.
   [[nodiscard]] glm::vec2 place(std::size_t i) const {
-    // In 1/16 pixel; the sample patterns of glsl/draw/exact/fixed.glsl.
+    // sample patterns of glsl/draw/exact/fixed.glsl, in 1/16 pixel
     static constexpr int four[4][2] = {{6, 2}, {14, 6}, {2, 10}, {10, 14}};
     const int pixel = static_cast<int>(i) / samples;
     const std::size_t s = i % static_cast<std::size_t>(samples);
@@ -70,7 +70,7 @@ struct DartStage {
       positions, std::vector<glm::vec3>(positions.size(), glm::vec3(0, 1, 0)), corners);
 };
 
-/// The triangles of all live copies as one surface, with the same ids.
+/// A surface with the triangles of all live copies and the same ids.
 struct DartSurface {
   DartSurface(const DartStage& mesh, const std::vector<glm::vec3>& places, float size) {
     std::vector<glm::vec4> points;

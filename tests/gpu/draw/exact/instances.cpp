@@ -1,5 +1,5 @@
 // Tests instances drawn by the exact rasterizer: balls against the CPU version and double precision, mesh
-// copies against the same triangles as a surface.
+// copies against a surface with the same triangles.
 #include "base/file.hpp"
 #include "draw/exact/instances/ball_raster.hpp"
 #include "draw/exact/instances/copy_raster.hpp"
@@ -37,7 +37,7 @@ using namespace simreel::shader;
 
 constexpr unsigned noId = 0xffffffffU;
 
-/// Groups of balls of several sizes, also around and behind the eye. Many intersect.
+/// Groups of balls of several sizes, some of them around and behind the eye. Many intersect.
 struct Balls {
   explicit Balls(std::uint32_t seed) {
     Dice dice(seed);
@@ -46,7 +46,8 @@ struct Balls {
       const int count = size > 1 ? 3 : 60;
       for (int i = 0; i < count; ++i) places.push_back(3.0F * dice.cube() + glm::vec3(0, 0, 1));
       if (size > 5) places = {{9, 2, -3}, {-5, -5, 1}, {0.5F, 0.2F, 9.5F}};
-      places.push_back(places.front());  // a ball at the same position as the first one, for ties in depth
+      places.push_back(places.front());  // a ball at the same position as the first one, so that depths are
+                                         // equal
       groups.emplace_back(places);
       groups.back().instances.size = size;
       groups.back().instances.shape = Shape::sphere;
@@ -142,7 +143,7 @@ TEST_CASE("balls by ray: coverage, depth and order as in double precision") {
     unsigned id = noId;
     bool doubtful = false;
     for (const Balls::One& one : balls.all) {
-      // Solves |eye + t ray - middle| = radius.
+      // Solves |eye + t ray - middle| = radius for t.
       const glm::dvec3 from = glm::dvec3(glm::vec3(v.eye)) - glm::dvec3(one.middle);
       const double rr = glm::dot(ray, ray);
       const double b = glm::dot(from, ray);
@@ -306,8 +307,8 @@ TEST_CASE("instances of every kind look alike in both rasterizers") {
       scene.render.rasterizer = scene::Rasterizer::exact;
       const Picture found = drawn(scene, {{}, {group.instances}}, {161, 121});
       CHECK(compare(wanted, empty).far > 500);
-      // The driver's sprites have the depth of a flat square, so pictures differ where balls intersect. Its
-      // spheres have facets.
+      // The driver's sprites have the depth of a flat square, so pictures differ where balls intersect. The
+      // driver's spheres have facets.
       CHECK(compare(found, wanted).mean < (shape == Shape::mesh     ? 0.7
                                            : shape == Shape::sphere ? 2.2
                                                                     : 1.2));

@@ -24,8 +24,9 @@ using namespace simreel;  // NOLINT
 
 namespace {
 
-/// Intersecting sheets and triangle meshes, so that many surfaces share pixels: rough, reflective,
-/// translucent, single- and double-sided, textured; lit by a sun and a lamp with shadows.
+/// Intersecting sheets and triangle meshes, so that pixels show many surfaces. The surfaces are rough,
+/// reflective, translucent, single- and double-sided, and textured. A sun and a lamp with shadows light
+/// them.
 struct HeapStage {
   HeapStage() : sheet({9, 7}, {-1, 0.9F, 0.4F}, {2, 0.1F, -0.3F}, {0.1F, -1.6F, 0.2F}) {
     scene.camera.position = glm::vec3(0.4F, 0.7F, 3);
@@ -81,7 +82,7 @@ struct Made {
   bool operator==(const Made&) const = default;
 };
 
-/// Returns the results of several pictures, between which surfaces move, disappear and appear.
+/// Returns the results of several pictures. Between the pictures, surfaces move, disappear and appear.
 std::vector<Made> madeOf(HeapStage& stage, const char* joins) {
   const JoiningAsked asked(joins);
   draw::Renderer renderer(stage.scene, {93, 71}, 4,

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-/// Returns frame values as constants, so that results depend on no other code: an eye 7 m in front of the
+/// Returns constant frame values, so that results depend on no other code. The eye is 7 m in front of the
 /// origin.
 inline simreel::shader::Frame writtenFrame() {
   simreel::shader::Frame frame{};
@@ -37,7 +37,7 @@ inline simreel::shader::Frame writtenFrame() {
   return frame;
 }
 
-/// The frame and 701 balls, some of them dead or invalid, bound for kernels.
+/// Frame values and 701 balls, some of them dead or invalid, bound for kernels.
 struct KernelStage {
   static constexpr int count = 701;
   static constexpr float massExponent = 0.4F;
@@ -78,8 +78,8 @@ struct KernelStage {
     program.set("perMassReference", perMassReference);
     program.set("minPixels", 0.8F);
   }
-  /// Computes the bounds of the balls and then the shadow map's transform: five rows, bound to
-  /// simreel::draw::lightUnit.
+  /// Computes the bounds of the balls, then the shadow map's transform from the bounds. Returns the five
+  /// rows of the transform, which is bound to simreel::draw::lightUnit.
   std::vector<glm::vec4> fitted() {
     std::array<GLuint, 10> empty{};
     std::fill_n(empty.begin(), 5, 0xffffffffU);

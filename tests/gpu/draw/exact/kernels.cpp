@@ -1,5 +1,4 @@
-// Compares culling and bounds kernels with float64 versions, and checks the bits that every device must
-// produce.
+// Tests culling and bounds kernels against float64 versions, and the bits that every device must produce.
 #include "gpu/draw/exact/kernel_stage.hpp"
 
 #include <bit>
@@ -59,7 +58,7 @@ TEST_CASE("exact kernels: the sun's map is fitted to the balls") {
 
 TEST_CASE("exact kernels: balls in sight of camera and sun, in levels of detail") {
   KernelStage stage;
-  // A map 10 m wide and 6.25 m deep, which contains some of the balls.
+  // A map 10 m wide and 6.25 m deep that contains some of the balls.
   const std::vector<glm::vec4> rows = {0.1F * stage.frame.lightRight + glm::vec4(0, 0, 0, 0.45F),
                                        0.1F * stage.frame.lightUp + glm::vec4(0, 0, 0, 0.52F),
                                        -0.16F * stage.frame.sunDirection + glm::vec4(0, 0, 0, 0.5F),
@@ -151,7 +150,7 @@ TEST_CASE("exact kernels: the box around a surface in the world") {
   kernel.set("heightGrid", glm::vec4(0));
   kernel.set("heightRim", 0.0F);
   kernel.set("surface", 0);
-  kernel.set("vertexCount", 13);  // vertices after the first 13 are invalid
+  kernel.set("vertexCount", 13);  // vertices with an index of 13 or more are invalid
   kernel.set("invocations", 5);
   kernel.dispatch(5);
   gl::barrier();

@@ -1,4 +1,4 @@
-// Tests depth of field: the coverage of pixels by a sheet in front of the sky, seen through a lens.
+// Tests depth of field by the coverage of pixels by a sheet in front of the sky, seen through a lens.
 #include "draw/lens.hpp"
 
 #include "gpu/draw/draw_stage.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 struct Covered {
   double area = 0;                  ///< covered area in pixels
-  glm::dvec2 middle{0}, spread{0};  ///< mean and variance of the positions (pixels)
+  glm::dvec2 middle{0}, spread{0};  ///< mean and variance of the covered positions (pixels)
   std::vector<float> light;
 };
 
@@ -59,7 +59,7 @@ TEST_CASE("exact: a lens spreads what is out of focus as its opening, and keeps 
   drawables.surfaces = {sheet.surface};
   scene::Scene scene;
   scene.sun.shadow = false;
-  scene.camera.position = glm::vec3(0, 0, 3);  // 4 m from the sheet
+  scene.camera.position = glm::vec3(0, 0, 3);  // the camera is 4 m from the sheet
   scene.camera.target = glm::vec3(0, 0, -1);
   const glm::ivec2 size(191, 143);
   scene.camera.lens.emplace();
@@ -73,12 +73,13 @@ TEST_CASE("exact: a lens spreads what is out of focus as its opening, and keeps 
       scene.camera.lens->focus = focus;
       const Covered seen = coveredBy(scene, drawables, size, size.y, "lens");
       const draw::View view = draw::viewAt(scene.camera, 0, size, {});
-      // The variance of a box of the sheet's size in the picture; a pixel is another box.
+      // Variance of a box of the sheet's size in the picture, plus the variance of a pixel, which is
+      // another box.
       const glm::dvec2 sides =
           glm::dvec2(0.4, 0.3) * (0.5 * size.y / (4 * static_cast<double>(view.reach.y)));
       CHECK(seen.area == doctest::Approx(sides.x * sides.y).epsilon(focus == 4 ? 0.04 : 0.01));
-      // Displacement (pixels) of the picture per metre on the lens: half the height divided by the tangent
-      // of half the angle of view, times the difference of inverse distances.
+      // Displacement of the picture (pixels) per metre on the lens. It is half the picture's height,
+      // divided by the tangent of half the angle of view, times the difference of the inverse distances.
       const double by = std::abs(1 / static_cast<double>(focus) - 0.25) * 0.5 * size.y /
                         static_cast<double>(view.reach.y);
       glm::dvec2 mean(0), squares(0);

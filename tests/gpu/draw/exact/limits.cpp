@@ -1,4 +1,4 @@
-// Tests numbers of objects and invocations that are allowed, but larger than in any practical scene.
+// Tests numbers of objects and invocations that are permitted, but larger than in any practical scene.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "gpu/draw/exact/stage.hpp"
@@ -17,12 +17,12 @@ using Shape = sim::Instances::Shape;
 namespace {
 
 /// Number of invocations in the first row of workgroups (dispatchRows), and in almost two rows. The visible
-/// objects are placed around these indices.
+/// objects have indices near these numbers.
 constexpr std::size_t row = std::size_t{32768} * 64;
 constexpr std::size_t rows = 2 * row - 40;
 
-/// Writes the first `part` elements of `few` into `all`, which contains only invisible elements, at the
-/// start of the second row, and appends the others at the end.
+/// `all` contains only invisible elements. Writes the first `part` elements of `few` into it at the start
+/// of the second row, and appends the other elements of `few`.
 template <class T>
 void putInto(std::vector<T>& all, const std::vector<T>& few, std::size_t part) {
   const auto from = few.begin() + static_cast<std::ptrdiff_t>(part);
@@ -119,11 +119,11 @@ TEST_CASE("exact limits: as many things as are drawn at once, each where it is; 
   testContext();
   constexpr int most = 2046;
   constexpr int across = 62;
-  constexpr int side = 8;  // side (pixels) of the cell of each object, which is one tile
+  constexpr int side = 8;  // side (pixels) of the cell of each object, equal to a tile
   scene::Scene scene = darkScene();
   scene.sun.shadow = false;
   const glm::ivec2 size(across * side, (most + across - 1) / across * side);
-  // At a distance of 5 m the picture is 2 tan(20 degrees) 5 m high.
+  // At a distance of 5 m, the picture is 2 * tan(20 degrees) * 5 m high.
   const float pixel = 3.6397023F / static_cast<float>(size.y);
   const float half = 0.4F * pixel * static_cast<float>(side);
   TriangleStage square({{-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0}},
@@ -148,7 +148,7 @@ TEST_CASE("exact limits: as many things as are drawn at once, each where it is; 
     if (seen[own] < std::max(seen[(own + 1) % 3], seen[(own + 2) % 3]) + 60) ++wrong;
   }
   CHECK(wrong == 0);
-  const JoiningAsked apart("no");  // joined surfaces would count as one object
+  const JoiningAsked apart("no");  // if surfaces were joined, they would count as one object
   surfaces.push_back(square.surface);
   surfaces.back().material = materials.data();
   try {
@@ -203,11 +203,12 @@ TEST_CASE("exact limits: one primitive over the whole picture is the same at any
   InstanceStage instance(std::vector<glm::vec3>(1, glm::vec3(0)));
   instance.instances.mesh = file;
   instance.instances.size = 1;
-  InstanceStage ball(std::vector<glm::vec3>(1, glm::vec3(0, 0, -57)));  // the eye is close to its front
+  InstanceStage ball(std::vector<glm::vec3>(1, glm::vec3(0, 0, -57)));  // the eye is close to the front of
+                                                                        // the ball
   ball.instances.size = 120;
   instance.instances.shape = Shape::mesh;
   ball.instances.shape = Shape::sphere;
-  // Extends beyond the picture, but not beyond the guard band, so it is never clipped.
+  // The triangle extends beyond the picture, but not beyond the guard band, so it is never clipped.
   const auto whole = temporaryFile("whole_triangle.obj");
   writeFileAtomically(whole, "v -8 -8 0\nv 8 -8 0\nv 0 13 0\nf 1 2 3\n");
   InstanceStage inside(std::vector<glm::vec3>(1, glm::vec3(0)));
@@ -230,7 +231,8 @@ TEST_CASE("exact limits: one primitive over the whole picture is the same at any
       CAPTURE(samples);
       CHECK(with(samples).bytes == one.bytes);
     }
-    // More pixels than one invocation may loop over, and more than small triangles may have.
+    // The picture has more pixels than one invocation may loop over, and more than small triangles may
+    // cover.
     for (const glm::ivec2 size : {glm::ivec2(401, 301), glm::ivec2(13, 5400)}) {
       const Picture large = drawn(scene, drawables, size, 1, {.rasterizer = scene::Rasterizer::exact});
       int dark = 0;

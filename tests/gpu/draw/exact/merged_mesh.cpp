@@ -1,4 +1,4 @@
-// Compares surfaces merged into one world-space mesh with the separate surfaces: a lamp's shadow map must
+// Tests surfaces merged into one world-space mesh against the separate surfaces: a lamp's shadow map must
 // be the same.
 #include "draw/exact/scene/merged_mesh.hpp"
 
@@ -41,7 +41,7 @@ TriangleStage scattered(unsigned seed, int triangles) {
 
 constexpr int side = 83;
 
-/// Returns a lamp's shadow map of all triangles of `meshes`. The surfaces of each mesh are merged.
+/// Returns a lamp's shadow map with all triangles of `meshes`. The surfaces of each element are merged.
 std::vector<GLuint> mapOf(const std::vector<std::vector<const sim::Surface*>>& meshes,
                           int binRoom = draw::binnedTriangles()) {
   const shader::ExactView view = exactViewFrom({0.1F, 0.2F, 3}, {0.2F, -0.1F, 0}, {side, side});

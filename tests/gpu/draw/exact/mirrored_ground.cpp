@@ -1,4 +1,4 @@
-// Compares reflections of the ground, visible or not, with the ground in the same picture.
+// Tests reflections of the ground, inside and outside the picture, against the directly visible ground.
 #include "draw/camera.hpp"
 #include "draw/exact/exact_view.hpp"
 #include "draw/screen/renderer.hpp"
@@ -22,7 +22,7 @@ constexpr double ballRadius = 0.4;
 const glm::dvec3 ballMiddle(0.1, 1.5, -0.2);
 constexpr GLuint groundNumber = 0xfffffffeU;
 
-/// A ball of white metal above the ground, with the sun vertically above.
+/// A ball of white metal above the ground, with the sun directly overhead.
 struct OverGround {
   OverGround(scene::Quality quality, scene::Projection projection) : ball({glm::vec3(ballMiddle)}) {
     scene.render.rasterizer = scene::Rasterizer::exact;
@@ -47,7 +47,7 @@ struct OverGround {
     drawables.instances = {ball.instances};
   }
 
-  /// Light of a pixel and the id that all its samples show; empty if the samples differ.
+  /// Light of a pixel and the id that all its samples show. Empty if the samples show different ids.
   struct Seen {
     glm::dvec3 light{0};
     std::optional<GLuint> number;
@@ -90,13 +90,13 @@ struct OverGround {
   sim::Drawables drawables;
 };
 
-/// Returns the point where the ray hits the ground.
+/// Returns the point where the ray hits the ground, or nothing.
 std::optional<glm::dvec3> groundOn(const glm::dvec3& from, const glm::dvec3& along) {
   if (along.y > -0.02) return std::nullopt;
   return from - along * (from.y / along.y);
 }
 
-/// Returns the ray reflected by the ball.
+/// Returns the ray after its reflection by the ball, or nothing if it misses the ball.
 std::optional<OverGround::Ray> mirroredBy(const OverGround::Ray& ray) {
   const glm::dvec3 aside = ray.from - ballMiddle;
   const double b = glm::dot(ray.along, aside);
@@ -106,7 +106,7 @@ std::optional<OverGround::Ray> mirroredBy(const OverGround::Ray& ray) {
   return OverGround::Ray{p, glm::reflect(ray.along, (p - ballMiddle) / ballRadius)};
 }
 
-/// Returns the point where the reflected ray hits the ground.
+/// Returns the point where the reflected ray hits the ground, or nothing.
 std::optional<glm::dvec3> groundMirroredOn(const OverGround::Ray& ray) {
   const auto mirrored = mirroredBy(ray);
   return mirrored ? groundOn(mirrored->from, mirrored->along) : std::nullopt;
@@ -208,8 +208,8 @@ TEST_CASE("exact: mirrors show the ground fade out where it does, and none that 
   CHECK(most < 1e-3);
 }
 
-// Ambient occlusion around the mirror darkens the ground at its foot, but must not darken reflections of
-// the distant ground.
+// Ambient occlusion darkens the ground at the foot of the mirror, but it must not darken reflections of the
+// distant ground.
 TEST_CASE("exact: mirrors near the ground show it as bright as it is, farther away") {
   testContext();
   OverGround stage(scene::Quality::standard, scene::Projection::perspective);

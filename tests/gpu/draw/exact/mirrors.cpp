@@ -1,5 +1,5 @@
-// Tests pictures with mirrors: different ways to draw them must agree, and reflections are compared with
-// path tracing.
+// Tests pictures with mirrors: different methods of drawing must give the same picture, and reflections
+// must agree with path tracing.
 #include "draw/screen/renderer.hpp"
 #include "gpu/draw/draw_stage.hpp"
 #include "gpu/draw/exact/stage.hpp"
@@ -18,7 +18,7 @@ using namespace simreel;  // NOLINT
 
 namespace {
 
-/// Reflective ground, reflective and matt balls and mesh copies, and a pane in front of them.
+/// Reflective ground, reflective and matt balls and mesh copies, and a pane in front of all of them.
 struct MirrorStage {
   explicit MirrorStage(scene::Quality quality)
       : wall({{-2, -0.1F, -1}, {2, -0.1F, -1.2F}, {-2, 1.6F, -1}, {2, 1.5F, -1.2F}}, {0, 1, 2, 2, 1, 3},
@@ -55,7 +55,7 @@ struct MirrorStage {
   sim::Drawables drawables;
 };
 
-/// Returns the array of a pass.
+/// Returns the words of an array of a pass.
 const std::vector<GLuint>& wordsOf(const draw::PassPicture& kept, const char* pass, const char* name) {
   for (const draw::PassArray& array : kept.arrays)
     if (array.pass == pass && array.part == name) return array.words;
@@ -63,8 +63,8 @@ const std::vector<GLuint>& wordsOf(const draw::PassPicture& kept, const char* pa
   return kept.arrays.front().words;
 }
 
-/// Sums of the light differences between path tracing and the qualities "draft" and "standard", over the
-/// first sample of the pixels that show certain ids.
+/// Sums of the differences in light between path tracing and the qualities "draft" and "standard". They
+/// cover the first sample of each pixel that shows one of certain ids.
 struct FromRays {
   int places = 0;
   double draft = 0, standard = 0;
@@ -115,7 +115,7 @@ TEST_CASE("exact: mirrors show the same however a picture is found, and nothing 
   }
 }
 
-// Path tracing is the reference. The ground has no colour, so all its light is reflected.
+// Path tracing is the reference. The ground is black, so all its light is reflected light.
 TEST_CASE("exact: mirrors show nearly what rays do") {
   testContext();
   const glm::ivec2 size(160, 100);
@@ -165,7 +165,7 @@ TEST_CASE("exact: what mirrors nothing has the light that it has beside matt thi
   const auto& plain = wordsOf(matt, "light", "");
   int places = 0;
   for (std::size_t at = 0; at < numbers.size(); at += 4) {
-    // Ids 0 and 1 are the triangles of the wall, 2 and 3 the matt balls.
+    // Ids 0 and 1 are the triangles of the wall, 2 and 3 are the matt balls.
     if (!std::all_of(&numbers[at], &numbers[at] + 4, [](GLuint number) { return number < 4; })) continue;
     ++places;
     for (std::size_t i = 0; i < 3; ++i) CHECK(light[at + i] == plain[at + i]);
@@ -173,7 +173,7 @@ TEST_CASE("exact: what mirrors nothing has the light that it has beside matt thi
   CHECK(places > 1000);
 }
 
-// An upright mirror at an oblique angle, a ball beside it, and the ground in front of both.
+// An upright mirror at an oblique angle with a ball next to it, and the ground in front of both.
 TEST_CASE("exact: a mirror that stands on the ground shows nearly what rays do") {
   testContext();
   const glm::ivec2 size(160, 100);

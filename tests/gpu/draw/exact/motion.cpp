@@ -21,7 +21,7 @@ namespace {
 
 struct Smear {
   double area = 0;                  ///< covered area in pixels
-  glm::dvec2 middle{0}, spread{0};  ///< mean and variance of the positions (pixels)
+  glm::dvec2 middle{0}, spread{0};  ///< mean and variance of the covered positions (pixels)
 };
 
 Smear smearOf(const draw::PassPicture& kept, glm::ivec2 size) {
@@ -67,7 +67,7 @@ constexpr glm::ivec2 shotSize(191, 143);
 scene::Scene sceneOfSheet(float angle, int samples) {
   scene::Scene scene;
   scene.sun.shadow = false;
-  scene.camera.position = glm::vec3(0, 0, 3);  // 4 m from the sheet
+  scene.camera.position = glm::vec3(0, 0, 3);  // the camera is 4 m from the sheet
   scene.camera.target = glm::vec3(0, 0, -1);
   scene.camera.shutter.emplace();
   scene.camera.shutter->angle = angle;
@@ -75,7 +75,7 @@ scene::Scene sceneOfSheet(float angle, int samples) {
   return scene;
 }
 
-/// Returns the coverage of the static sheet: a box, convolved with the box of a pixel.
+/// Returns the coverage by the static sheet: a box, convolved with the box of a pixel.
 Smear boxOf(double metre) {
   const glm::dvec2 sides = metre * glm::dvec2(0.4, 0.3);
   return {sides.x * sides.y, 0.5 * (glm::dvec2(shotSize) - 1.0), sides * sides / 12.0 + 1.0 / 12};
@@ -106,7 +106,7 @@ TEST_CASE("exact: a shutter spreads what moves over its way while it is open, an
     const Smear seen = smearOf(kept, shotSize);
     CHECK(seen.area == doctest::Approx(rest.area).epsilon(0.01));
     // The moments are at the centres of equal parts of the exposure time, which ends at the frame. They are
-    // symmetrical around the middle of that time.
+    // symmetric about the middle of that time.
     const glm::dvec2 end(0.5, 0.2);
     for (int i = 0; i < 2; ++i) {
       CHECK(seen.middle[i] - rest.middle[i] ==
@@ -130,7 +130,7 @@ TEST_CASE("exact: a shutter sees what jumps at one place and then at the other, 
   renderer.keepPasses(&kept);
   const Smear rest = boxOf(metre);
   sim::Surface jumped = now->surface;
-  jumped.jumped = 1 - 0.7 / scene.time.fps;  // 9 of the 13 moments are after the jump
+  jumped.jumped = 1 - 0.7 / scene.time.fps;  // the jump is before 9 of the 13 moments
   renderer.keepBefore({.surfaces = {before->surface}});
   renderer.draw(1, {.surfaces = {jumped}});
   const Smear seen = smearOf(kept, shotSize);
@@ -142,7 +142,7 @@ TEST_CASE("exact: a shutter sees what jumps at one place and then at the other, 
     CHECK(seen.spread[i] ==
           doctest::Approx(rest.spread[i] + 36.0 / 169 * metre * metre * way[i] * way[i]).epsilon(0.01));
   }
-  // In the next frame the jump is in the past.
+  // In the next frame, the jump is in the past.
   renderer.keepBefore({.surfaces = {jumped}});
   renderer.draw(1 + 1 / scene.time.fps, {.surfaces = {jumped}});
   CHECK(smearOf(kept, shotSize).spread.x == doctest::Approx(rest.spread.x).epsilon(0.01));
@@ -171,7 +171,7 @@ TEST_CASE("exact: what jumps by keyframes has no speed there, and a camera that 
     return glm::vec4(layers.velocity[3 * pixel], layers.light[4 * pixel], layers.vector[2 * pixel],
                      layers.light[4 * (pixel + 20)]);
   };
-  // Moves 1 m per second, except for a jump of 2 m during frame 5.
+  // The object moves 1 m per second, and jumps by 2 m during frame 5.
   const char* const jumping =
       "[[0, [0, 0, 0]], [0.45, [0.45, 0, 0]], [0.45, [2.45, 0, 0]], [1, [3, 0, 0]]]";
   const char* const steady = "[[0, [0, 0, 0]], [1, [1, 0, 0]]]";
@@ -182,8 +182,8 @@ TEST_CASE("exact: what jumps by keyframes has no speed there, and a camera that 
   const draw::PictureLayers there = layersAt(jumping, 5), plain = layersAt(steady, 5);
   CHECK(middle(there).x == 0.0F);
   CHECK(middle(plain).x == doctest::Approx(1).epsilon(1e-3).scale(0));
-  // The tracking camera keeps the ball at the centre at all moments: it has full brightness, and no part of
-  // it appears beside.
+  // The tracking camera keeps the ball at the centre at all moments. The ball therefore has its full
+  // brightness, and nothing appears next to it.
   CHECK(middle(there).y == doctest::Approx(static_cast<double>(middle(plain).y)).epsilon(0.02).scale(0));
   CHECK(middle(there).w == doctest::Approx(static_cast<double>(middle(plain).w)).epsilon(0.02).scale(0));
 }
@@ -205,9 +205,10 @@ TEST_CASE("exact: a shutter sees the camera move, and a frame before which nothi
   const Smear rest = boxOf(metre);
   renderer.draw(0.5, {.surfaces = {sheet->surface}});
   const Smear seen = smearOf(kept, shotSize);
-  CHECK(seen.area == doctest::Approx(rest.area).epsilon(0.03));  // few distinct sample heights per pixel
+  CHECK(seen.area == doctest::Approx(rest.area).epsilon(0.03));  // the tolerance is large, because a pixel
+                                                                 // has few distinct sample heights
   // The camera moves 0.08 m to the right during the tenth of a second before the frame, so the sheet starts
-  // that far to the right of the centre.
+  // at this distance to the right of the centre.
   CHECK(seen.middle.x - rest.middle.x == doctest::Approx(metre * 0.04).epsilon(0.03));
   const double spread = metre * 0.08;
   CHECK(seen.spread.x ==
@@ -244,7 +245,7 @@ TEST_CASE("exact: with a lens each moment is seen through other points of it, al
 
 TEST_CASE("motion: instances go straight, and newborn ones along their velocities") {
   testContext();
-  // Slot 1 has a new particle, 2 was empty, 3 dies, and 4 jumps farther than its velocity allows.
+  // Particle 1 is new, 2 did not exist before, 3 dies, and 4 jumps farther than its velocity permits.
   const std::vector<glm::vec4> placesBefore = {
       {0, 0, 0, 2}, {1, 0, 0, 2}, {5, 5, 5, 2}, {0, 1, 0, 2}, {0, 0, 1, 2}};
   const std::vector<glm::vec4> placesNow = {
@@ -301,7 +302,7 @@ TEST_CASE("motion: grids, turned meshes and still ones between two frames") {
   motion.begin(present, 0.1);
   const sim::Drawables& seen = motion.between(0.25F);
   for (const glm::vec4& place : read(*seen.surfaces[0].positions, 15)) CHECK(place.z == 0.5F);
-  CHECK(seen.surfaces[0].normals == nullptr);  // null, because shaders compute grid normals from
+  CHECK(seen.surfaces[0].normals == nullptr);  // grids have no normals, because shaders compute them from
                                                // neighbouring vertices
   CHECK(seen.surfaces[0].grid == glm::ivec2(5, 3));
   const auto places = read(*seen.surfaces[1].positions, 4);

@@ -27,7 +27,7 @@ const draw::PassArray& part(const draw::PassPicture& kept, const std::string& pa
   return *found;
 }
 
-/// Values of all half pixels from the kernels.
+/// Values of all half pixels, computed by the kernels.
 struct Seen {
   draw::PassPicture kept;
   std::vector<float> openness, nearness;
@@ -79,8 +79,8 @@ struct FoldStage {
   sim::Drawables drawables;
 };
 
-/// Returns inputs with the nearness of a scene, computed by rays in float64. `depth` returns the depth (m)
-/// along a ray.
+/// Returns inputs of the CPU version with the nearness of a scene, computed by rays in float64. `depth`
+/// returns the depth (m) along a ray.
 OcclusionTwin castTwin(const shader::ExactView& view,
                        const std::function<double(glm::dvec3 eye, glm::dvec3 ray)>& depth) {
   OcclusionTwin twin;
@@ -91,12 +91,12 @@ OcclusionTwin castTwin(const shader::ExactView& view,
                              (2.0 * y + 1) * glm::dvec3(view.rayDown);
       twin.nearness.push_back(static_cast<float>(1 / depth(glm::dvec3(view.eye), ray)));
     }
-  // Unlimited distance, and a search over 100 half pixels.
+  // The distance is unlimited, and the search covers 100 half pixels.
   twin.reach = glm::vec3(1e9F, 100, 1e-4F);
   return twin;
 }
 
-/// The half pixel that shows the point `p`, and the world position at its centre.
+/// The half pixel that shows the point `p`, and the world position at the half pixel's centre.
 struct Shown {
   std::size_t index = 0;
   glm::dvec3 place{0};
@@ -177,7 +177,8 @@ TEST_CASE("exact: flat ground, a lone ball and a lone box are open") {
   scene::Scene scene = standardScene();
   scene.ground.emplace();
   scene.ground->height = 0;
-  // Occlusion on a plane is only rounding error: about 3e-4 for directions that are half a pixel long.
+  // The occlusion of a plane consists only of rounding errors, about 3e-4 for directions that are half a
+  // pixel long.
   for (const float height : {0.2F, 1.7F, 30.0F}) {
     CAPTURE(height);
     scene.camera.position = glm::vec3(0.4F, height, 4.1F);
@@ -185,8 +186,8 @@ TEST_CASE("exact: flat ground, a lone ball and a lone box are open") {
     CHECK(*std::max_element(seen.nearness.begin(), seen.nearness.end()) > 0);
     CHECK(*std::min_element(seen.openness.begin(), seen.openness.end()) > 0.998F);
   }
-  // A convex object does not occlude itself. Errors come from slopes over whole half pixels, by the
-  // curvature of the object there, and are largest at its outline.
+  // A convex object does not occlude itself. Slopes are computed over whole half pixels, so the object's
+  // curvature causes errors, which are largest at its outline.
   scene.ground.reset();
   InstanceStage ball(std::vector<glm::vec3>{{0.1F, 0.2F, 0}});
   ball.instances.shape = sim::Instances::Shape::sphere;
@@ -229,11 +230,12 @@ TEST_CASE("occlusion: before a long wall") {
     }
     return most;
   };
-  // A half pixel is 0.06 m wide, and the mean over seven of them differs from the curved exact values.
+  // A half pixel is 0.06 m wide, and the mean over seven of them differs from the exact values, which are
+  // curved.
   twin.slices = 32;
   twin.steps = 100;
   CHECK(worst() < 0.02);
-  // The few steps of real pictures can miss the top of the wall between two steps, so the wall appears
+  // With the few steps of real pictures, the top of the wall may be between two steps, so the wall appears
   // lower.
   twin.slices = draw::Occlusion::slices;
   twin.steps = draw::Occlusion::steps;
@@ -241,8 +243,8 @@ TEST_CASE("occlusion: before a long wall") {
   CHECK(worst() < 0.08);
 }
 
-// In a ditch between two planes, each plane hides (1 - cos e) / 2 of the other's sky, where e is the
-// elevation angle of its upper edge above the other plane.
+// In a ditch between two planes, each plane hides the fraction (1 - cos e) / 2 of the sky from the opposite
+// plane, where e is the elevation angle of its upper edge above the opposite plane.
 TEST_CASE("occlusion: in a ditch") {
   const shader::ExactView view = wideView({0.2F, 8, 0.3F}, {0, 0, 0}, {240, 200});
   const double deep = 1.5;
@@ -288,7 +290,7 @@ TEST_CASE("occlusion: in a pit, in the picture's middle and towards its side") {
       const double floor = -eye.y / ray.y;
       const glm::dvec3 under = eye + floor * ray;
       if (std::hypot(under.x, under.z) <= radius) return floor;
-      // The inner side of the wall.
+      // Intersection with the inner side of the wall.
       const double a = ray.x * ray.x + ray.z * ray.z;
       const double b = eye.x * ray.x + eye.z * ray.z;
       const double c = eye.x * eye.x + eye.z * eye.z - radius * radius;
@@ -302,7 +304,7 @@ TEST_CASE("occlusion: in a pit, in the picture's middle and towards its side") {
   }
 }
 
-// If only the sky gives light, the light equals the light of a draft picture times the openness.
+// If only the sky gives light, the light equals that of a draft picture times the openness.
 TEST_CASE("exact: all that is shaded gets as much of the sky's light as it is open") {
   testContext();
   const auto mesh = temporaryFile("occlusion_dart.obj");
@@ -336,7 +338,7 @@ TEST_CASE("exact: all that is shaded gets as much of the sky's light as it is op
   OcclusionTwin twin;
   twin.view = draw::exactView(draw::viewAt(scene.camera, 0, size, stage.drawables), scene.camera, size);
   twin.nearness = seen.nearness;
-  int checked[3] = {0, 0, 0};  // numbers of checked pixels of ground, sheet and instances
+  int checked[3] = {0, 0, 0};  // numbers of checked pixels of the ground, the sheet and the instances
   float least[3] = {1, 1, 1};
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x) {
@@ -363,7 +365,7 @@ TEST_CASE("exact: all that is shaded gets as much of the sky's light as it is op
       CAPTURE(kind);
       CAPTURE(x);
       CAPTURE(y);
-      // The mean of the samples' depths differs slightly from the shaded point.
+      // The mean of the samples' depths differs slightly from the depth of the shaded point.
       CHECK(std::abs(after / before - open) < (ground ? 1e-4F : 0.05F));
       ++checked[kind];
       least[kind] = std::min(least[kind], after / before);
@@ -376,8 +378,8 @@ TEST_CASE("exact: all that is shaded gets as much of the sky's light as it is op
 }
 
 TEST_CASE("occlusion: shading takes what is as far away") {
-  // Two near and two far half pixels: a point at either depth has the openness of that depth, a point
-  // between them the mean.
+  // There are two near and two far half pixels. A point at either depth has the openness of that depth; a
+  // point between them has the mean.
   OcclusionTwin twin;
   scene::Camera camera;
   twin.view = draw::exactView(draw::viewAt(camera, 0, {4, 4}, {}), camera, {4, 4});

@@ -30,7 +30,7 @@ struct Axes {
   glm::dvec3 up = glm::cross(right, forward);
 };
 
-/// Returns a picture position (pixels from the top left corner).
+/// Returns the picture position of a point (pixels from the top left corner).
 glm::dvec2 seenAt(const glm::dvec3& p) {
   const Axes axes;
   const double perMetre = frameSize.y / height;
@@ -43,7 +43,8 @@ constexpr const char* things =
        "ring": {"mesh": {"shape": "torus", "radius": 0.45, "tube": 0.14, "position": [0.6, 0.5, -0.2], "rotation": [70, 20, 0]}},
        "dust": {"particles": {"groups": [{"shape": "ball", "count": 60, "radius": 1.1}], "method": "none", "look": {"size": 0.09}}})";
 
-/// `camera`: members of the camera object; `render`: additional members of the render object.
+/// Returns a scene. `camera`: members of the camera object; `render`: additional members of the render
+/// object.
 scene::Scene sceneOf(const std::string& camera, const std::string& render, const std::string& objects) {
   return scene::parseScene(
       fmt::format(
@@ -60,8 +61,8 @@ std::string flatCamera(const std::string& more = "") {
                      eye.x, eye.y, eye.z, target.x, target.y, target.z, height, more);
 }
 
-/// Returns a perspective camera with an angle of one degree, so far away that it shows the same area around
-/// the target.
+/// Returns a perspective camera with an angle of view of one degree, so far away that it shows the same
+/// area around the target.
 std::string farCamera() {
   const double away = 0.5 * height / std::tan(0.5 * 0.017453292519943295);
   const glm::dvec3 there = target - away * Axes().forward;
@@ -87,7 +88,7 @@ glm::dvec3 at(const std::vector<float>& three, std::size_t pixel) {
           static_cast<double>(three[3 * pixel + 2])};
 }
 
-/// Mean difference of light, and mean light.
+/// Mean difference of light between two pictures, and mean light.
 struct Apart {
   double off = 0, mean = 0;
 };
@@ -130,7 +131,7 @@ TEST_CASE("orthographic: a place's pixel is linear in it, and depth is the way a
   CHECK(seen > 2500);
   CHECK(onBall > 150);
   CHECK(onGround > 700);
-  CHECK(round > -0.03);  // facets, and samples at pixel edges, may be nearer
+  CHECK(round > -0.03);  // the position may be nearer because of facets and of samples at pixel edges
 }
 
 TEST_CASE("orthographic: the picture is that of a camera far away") {
@@ -149,7 +150,8 @@ TEST_CASE("orthographic: the picture is that of a camera far away") {
 }
 
 TEST_CASE("orthographic: the ground is there where it lies behind the plane of the camera, too") {
-  // 1.5 m above the ground with a picture height of 6 m, so the lowest rays start below the ground.
+  // With `back` 0, the camera is 1.5 m above the ground. The picture is 6 m high, so the lowest rays start
+  // below the ground.
   const auto sceneAt = [](double back) {
     const glm::dvec3 low(0, 1.5, 6);
     const glm::dvec3 there = low + back * glm::normalize(low);

@@ -15,8 +15,8 @@ using namespace simreel;  // NOLINT
 
 namespace {
 
-/// Returns a wavy sheet above the ground, in front of and below the camera, with some triangles seen from
-/// behind.
+/// Returns a wavy sheet above the ground, in front of and below the camera. The back sides of some
+/// triangles are visible.
 PictureTwinScene wavySheet(int side) {
   PictureTwinScene scene;
   for (int y = 0; y < side; ++y)
@@ -49,7 +49,7 @@ scene::Scene exactScene(int samples) {
   scene.sun.shadow = false;
   scene.ground.emplace();
   scene.ground->height = -0.2F;
-  scene.ground->roughness = 0.4F;  // reflective, as the CPU version assumes
+  scene.ground->roughness = 0.4F;  // reflective, because the CPU version assumes that
   return scene;
 }
 
@@ -60,7 +60,7 @@ void see(PictureTwinScene& twin, const scene::Scene& scene, glm::ivec2 size, int
   twin.view = draw::exactView(draw::viewAt(scene.camera, 0, size, {}), scene.camera, size);
 }
 
-/// Returns the number of bytes in which the kernels differ from the CPU version.
+/// Returns the number of bytes in which the kernels' picture differs from that of the CPU version.
 int othersThanTwin(const scene::Scene& scene, const PictureTwinScene& twin, TriangleStage& stage,
                    glm::ivec2 size) {
   stage.surface.doubleSided = twin.doubleSided;
@@ -119,7 +119,7 @@ TEST_CASE("exact: whole pictures are the twin's in every byte") {
 }
 
 TEST_CASE("exact: triangles around the least area whose weights are their own are the twin's") {
-  // At depths of 1e-14 m the triangle areas, products of squared depths and pixels, are about 1e-25.
+  // At depths of 1e-14 m, the triangle areas (products of squared depths and pixels) are about 1e-25.
   const glm::ivec2 size(91, 59);
   scene::Scene scene = exactScene(4);
   scene.camera.position = glm::vec3(0);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr unsigned noKey = 0xffffffffU;
 
-/// Uniform random numbers in (low, high), the same with every standard library.
+/// Uniform random numbers in (low, high) that are the same with every standard library.
 class MeshDice {
  public:
   explicit MeshDice(unsigned seed) : engine_(seed) {}
@@ -45,12 +45,12 @@ struct TriangleSoup {
 };
 
 /// Returns small triangles, slivers, triangles as large as the picture, triangles around and behind the eye
-/// (at z = 5, looking along -z), and degenerate ones.
+/// (at z = 5, facing -z), and degenerate ones.
 TriangleSoup soup(unsigned seed) {
   MeshDice dice(seed);
   TriangleSoup all;
-  // Triangle 0, whose id uninitialized memory may also contain, is invisible. The first visible one is in
-  // the lists.
+  // Triangle 0 is invisible, because uninitialized memory may contain its id. The first visible triangle is
+  // in the lists.
   all.add({0, 0, 0}, {0, 0, 0}, {1, 0, 0});
   all.add({-0.05F, -0.05F, 4.2F}, {0.05F, -0.05F, 4.2F}, {0, 0.05F, 4.2F});
   for (int i = 0; i < 300; ++i) {
@@ -68,8 +68,8 @@ TriangleSoup soup(unsigned seed) {
   return all;
 }
 
-/// Returns the position of a sample within its pixel, in pixels, taken from the specified pattern instead
-/// of the shader's packed constants.
+/// Returns the position of a sample within its pixel (pixels), from the documented pattern instead of the
+/// shader's packed constants.
 glm::dvec2 fourSamples(int s) {
   constexpr std::array<glm::dvec2, 4> places = {
       glm::dvec2{0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}};
@@ -141,8 +141,9 @@ TEST_CASE("exact: on a large picture, too, whose triangles reach far beyond it")
 
 TEST_CASE(
     "exact: a picture full of triangles that share edges shows no hole, and each sample one of them") {
-  // An irregular mesh of triangles over the whole picture at one depth. At ties the lower id wins, so a
-  // second mesh with the same triangles in reverse order reveals every sample that two triangles claim.
+  // An irregular mesh of triangles at one depth that covers the whole picture. At equal depth, the lower id
+  // wins. A second mesh with the same triangles in reverse order therefore reveals every sample that two
+  // triangles cover.
   constexpr int side = 23;
   MeshDice dice(11);
   std::vector<glm::vec3> places;
@@ -225,6 +226,6 @@ TEST_CASE(
         }
       }
   CHECK(hits > 10000);
-  // Corners are rounded to 1/256 pixel, so a sample very close to an edge may be on its other side.
+  // Corners are rounded to 1/256 pixel, so a sample very close to an edge may be on the wrong side.
   CHECK(others < hits / 100);
 }

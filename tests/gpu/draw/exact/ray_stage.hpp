@@ -58,7 +58,7 @@ inline simreel::scene::Scene furnace(int raySamples) {
   return scene;
 }
 
-/// Sets a camera at a height that looks straight down at the origin.
+/// Places a camera at a height. The camera looks straight down at the origin.
 inline void lookDown(simreel::scene::Scene& scene, float height, float angle) {
   scene.camera.position = glm::vec3(0, height, 1e-3F);
   scene.camera.target = glm::vec3(0);

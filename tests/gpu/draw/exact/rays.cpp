@@ -1,4 +1,4 @@
-// Compares path-traced light with closed forms.
+// Tests path-traced light against closed forms.
 #include "base/hash.hpp"
 #include "draw/exact/rays/ray_light.hpp"
 #include "gpu/draw/exact/ray_stage.hpp"
@@ -71,7 +71,7 @@ TEST_CASE("rays: a ball above the ground keeps the sky's light out by its form f
   testContext();
   scene::Scene scene = furnace(256);
   setGround(scene, 0.5F);
-  // A view from the side, past the ball.
+  // The camera looks from the side, past the ball.
   scene.camera.position = glm::vec3(0, 0.9F, 9);
   scene.camera.fieldOfView = 2.0F;
   InstanceStage ball({glm::vec3(0, 2, 0)});
@@ -84,8 +84,8 @@ TEST_CASE("rays: a ball above the ground keeps the sky's light out by its form f
   };
   const double open = light({});
   const double shaded = light({.instances = {ball.instances}});
-  // The form factor is (R/h)^2 directly below the ball (Howell, B-38). The ball itself reflects some
-  // hundredths.
+  // The form factor is (R/h)^2 directly below the ball (Howell, B-38). The ball reflects a few hundredths
+  // of the light.
   CHECK(open > 0.4);
   CHECK(std::abs(shaded / open - 0.75) < 0.02);
 }
@@ -99,7 +99,7 @@ TEST_CASE("rays: a straight edge has a penumbra as wide as the sun is") {
   scene.sun.direction = glm::vec3(0, 1, 0);
   scene.sun.diameter = 20.0F;
   setGround(scene, 0.5F);
-  // A wide sheet at x < 0, one metre above the ground, with the camera between them.
+  // A wide sheet at x < 0, one metre above the ground. The camera is between sheet and ground.
   TriangleStage sheet({{-50, 1, -50}, {0, 1, -50}, {-50, 1, 50}, {0, 1, 50}}, {0, 2, 1, 1, 2, 3});
   sheet.surface.doubleSided = true;
   sheet.material.color = glm::vec3(0);

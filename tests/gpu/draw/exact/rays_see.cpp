@@ -1,4 +1,4 @@
-// Compares materials at ray hits with closed forms and with the directly visible materials.
+// Tests materials at ray hits against closed forms and against directly visible materials.
 #include "draw/surface/skin_look.hpp"
 #include "gpu/draw/exact/ray_stage.hpp"
 #include "gpu/draw/image_file.hpp"
@@ -38,8 +38,8 @@ scene::Scene lightless(int raySamples) {
   return scene;
 }
 
-/// Returns the form factor from a small parallel patch to a rectangle a by b, whose corner is at `height`
-/// above the patch (Howell, B-3).
+/// Returns the form factor from a small patch to a parallel rectangle a by b, one corner of which is at
+/// `height` above the patch (Howell, B-3).
 double cornerFactor(double a, double b, double height) {
   const double x = a / height, y = b / height;
   const double rx = std::sqrt(1 + x * x), ry = std::sqrt(1 + y * y);
@@ -108,7 +108,7 @@ TEST_CASE(
       sheet.material.color = glm::vec3(0.9F);
       if (of == Of::map) sheet.material.finish.color = texels;
       if (of == Of::relief) {
-        scene.sun.direction = glm::vec3(1, 0.3F, 1);  // gives half as much light again on the flat sheet
+        scene.sun.direction = glm::vec3(1, 0.3F, 1);  // from the side, so that the relief changes the light
         sheet.material.texture = ramp.path();
         sheet.material.bump = 0.3F;
       }
@@ -123,7 +123,7 @@ TEST_CASE(
     scene.camera.fieldOfView = 20;
     const sim::Drawables drawables{.surfaces = {sheet.surface, mirror.surface}};
     const RayPicture mirrored = rayPicture(scene, drawables, {48, 48});
-    // The view of the mirrored camera.
+    // The camera is the mirror image of the first camera.
     scene.camera.position = glm::vec3(0, -1.5F, 6);
     scene.camera.target = glm::vec3(0, 1.5F, 0);
     const RayPicture seen = rayPicture(scene, {.surfaces = {sheet.surface}}, {48, 48});
@@ -136,8 +136,10 @@ TEST_CASE(
           most = std::max(most, b[i]);
         }
       }
-    CHECK(most > 0.5);                                // the brightest pixel shows that the sheet is visible
-    CHECK(worst < (of == Of::relief ? 0.03 : 0.05));  // relief: 0.11 if the reflected sheet were flat
+    CHECK(most > 0.5);                                // the brightest pixel proves that the sheet is
+                                                      // visible
+    CHECK(worst < (of == Of::relief ? 0.03 : 0.05));  // for the relief, the difference would be 0.11 if the
+                                                      // reflected sheet were flat
   }
 }
 
@@ -183,7 +185,7 @@ TEST_CASE("rays see: blended layers before what is opaque, and in a mirror") {
   };
   wanted(rayPicture(scene, {.surfaces = {before.surface, behind.surface}}, {16, 16}).mean({4, 4}, {12, 12}),
          0.01);
-  // A mirror behind the eye.
+  // The mirror is behind the eye.
   Sheet mirror({-9, 9, 8}, {18, 0, 0}, {0, -18, 0});
   mirror.material.color = glm::vec3(1);
   mirror.material.metallic = 1;
@@ -192,7 +194,7 @@ TEST_CASE("rays see: blended layers before what is opaque, and in a mirror") {
   wanted(rayPicture(scene, {.surfaces = {before.surface, behind.surface, mirror.surface}}, {16, 16})
              .mean({4, 4}, {12, 12}),
          0.02);
-  // A white blended layer under a uniform sky is lit by rays, and the sheet behind it too.
+  // Rays light a white blended layer under a uniform sky, and the sheet behind the layer.
   scene = furnace(256);
   before.material.finish.emission = behind.material.finish.emission = glm::vec3(0);
   before.material.color = glm::vec3(1);
@@ -205,8 +207,8 @@ TEST_CASE("rays see: blended layers before what is opaque, and in a mirror") {
   behind.material.color = glm::vec3(1);
   const double all =
       rayPicture(scene, {.surfaces = {before.surface}}, {16, 16}, 4).mean({4, 4}, {12, 12}).x;
-  // Without the sheet behind it, half of the light comes from the white layer; the other half is the sky,
-  // which is not in this sum.
+  // Without the sheet behind, half of the light comes from the white layer. The other half comes from the
+  // sky, which is not included in this sum.
   CHECK(all == doctest::Approx(0.5).epsilon(0.03));
   CHECK(half > 0.5);
   CHECK(half < 0.62);
@@ -224,8 +226,8 @@ TEST_CASE("rays see: a coat in a furnace takes from what is below what it mirror
     return rayPicture(furnace(256), {.surfaces = {sheet.surface}}, {24, 24}).mean({8, 8}, {16, 16}).x;
   };
   CHECK(std::abs(light(1) - 1) < 0.012);
-  // A black sheet under a sky of 1 still mirrors: the base's specular lobe about 0.02 (at roughness 1),
-  // plus the coat 0.04.
+  // A black sheet under a sky of 1 still reflects light: about 0.02 by the base's specular lobe (at
+  // roughness 1), plus 0.04 by the coat.
   const double black = light(0);
   CHECK(black > 0.045);
   CHECK(black < 0.075);
@@ -272,7 +274,8 @@ TEST_CASE("rays see: sheen in a furnace has its lobe's albedo") {
 
 TEST_CASE("rays see: light goes through sheets that are round by their normals, and not back onto them") {
   testContext();
-  // A flat cap of six triangles with nothing below, so the light that its lobe reflects is not halved.
+  // A flat cap of six triangles. There is nothing below it, so the light that its lobe reflects is not
+  // halved.
   std::vector<glm::vec3> places(1, glm::vec3(0, 0.25F, 0)), normals(1, glm::vec3(0, 1, 0));
   std::vector<unsigned> corners;
   for (unsigned i = 0; i < 6; ++i) {

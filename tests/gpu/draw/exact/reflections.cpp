@@ -19,7 +19,8 @@ namespace {
 constexpr glm::ivec2 mirrorPicture(240, 160);
 
 struct MirrorMet {
-  double depth = 0;  ///< depth (m) of the hit point; the ray has depth 1 per unit
+  double depth = 0;  ///< depth of the hit point (m); equals the ray parameter, because the ray has a depth
+                     ///< of 1 per unit
   bool mirror = false;
 };
 using MirrorSeen = std::function<MirrorMet(glm::dvec3 eye, glm::dvec3 ray)>;
@@ -29,7 +30,7 @@ glm::dvec3 mirrorRayThrough(const shader::ExactView& view, glm::dvec2 pixel) {
 }
 
 /// Returns inputs whose light encodes the world position of each pixel, computed by rays in float64. The
-/// reflected light therefore tells the position of its hit point.
+/// reflected light therefore reveals the position of the hit point.
 ReflectionsTwin mirrorTwinOf(const shader::ExactView& view, const MirrorSeen& seen, float away) {
   ReflectionsTwin twin;
   twin.view = view;
@@ -79,7 +80,7 @@ std::optional<double> rayOnBall(glm::dvec3 from, glm::dvec3 ray, glm::dvec3 midd
 }
 
 /// Statistics of the distances between the hit points of reflections in the mirror y = 0 and the exact hit
-/// points from `truth`. Only rays that hit within the reach and the picture count.
+/// points from `truth`. Only rays that hit something within the reach and inside the picture count.
 struct MirrorJudged {
   int met = 0, near = 0, missed = 0, invented = 0;  ///< near: within 0.03 m of the exact point
   double worst = 0, mean = 0;
@@ -120,7 +121,7 @@ MirrorJudged judgeMirror(const ReflectionsTwin& twin, const MirrorSeen& seen,
 
 }  // namespace
 
-// A wall z = -1 behind a mirror y = 0. Rays from the mirror must hit the wall at the right point.
+// A wall z = -1 behind a mirror y = 0. Rays from the mirror must hit the wall at the correct point.
 TEST_CASE("reflections: in a plane mirror a wall is where its mirror image is") {
   const shader::ExactView view = exactViewFrom({0.3F, 1.3F, 3}, {0, 0.2F, -0.6F}, mirrorPicture);
   const MirrorSeen seen = [](glm::dvec3 eye, glm::dvec3 ray) {
@@ -142,7 +143,7 @@ TEST_CASE("reflections: in a plane mirror a wall is where its mirror image is") 
       });
   CAPTURE(judged.worst);
   CAPTURE(judged.mean);
-  // A pixel is 0.02 m wide there.
+  // A pixel is 0.02 m wide at the wall.
   CHECK(judged.met > 5000);
   CHECK(judged.missed == 0);
   CHECK(judged.mean < 0.01);
@@ -158,7 +159,7 @@ TEST_CASE("reflections: a ball over a plane mirror is where its mirror image is"
     return MirrorMet{ray.y < 0 ? -eye.y / ray.y : 0, true};
   };
   const ReflectionsTwin twin = mirrorTwinOf(view, seen, 4);
-  int hidden = 0;  // number of rays that hit a part of the ball that the eye does not see
+  int hidden = 0;  // number of rays that hit a part of the ball that is invisible to the eye
   const MirrorJudged judged =
       judgeMirror(twin, seen, [&](glm::dvec3 p, glm::dvec3 ray) -> std::optional<double> {
         const auto t = rayOnBall(p, ray, middle, radius);
@@ -176,9 +177,9 @@ TEST_CASE("reflections: a ball over a plane mirror is where its mirror image is"
   CHECK(judged.met > 800);
   CAPTURE(judged.near);
   CHECK(judged.missed < 0.03 * judged.met);
-  CHECK(judged.invented < hidden + 60);  // wrong reflections may occur for hidden hits and at the outline
-                                         // of the ball
-  // At the edge of the ball the light of a half pixel comes partly from the background.
+  CHECK(judged.invented < hidden + 60);  // wrong reflections may occur for hits on hidden parts and at the
+                                         // outline of the ball
+  // At the outline of the ball, some of a half pixel's light comes from the background.
   CHECK(judged.near > 0.8 * judged.met);
 }
 
@@ -206,7 +207,7 @@ TEST_CASE("reflections: a flat mirror, a lone ball and what is far away or matt 
       ++places;
     }
   CHECK(places > 3000);
-  // A wall: its reflection decreases with roughness and is 0 beyond the reach.
+  // The reflection of a wall decreases with roughness and is 0 beyond the reach.
   const MirrorSeen wall = [](glm::dvec3 eye, glm::dvec3 ray) {
     const double behind = (-1 - eye.z) / ray.z, below = -eye.y / ray.y;
     return ray.y < 0 && below < behind ? MirrorMet{below, true} : MirrorMet{behind, false};

@@ -1,4 +1,4 @@
-// Tests shadow maps: balls against double precision, mesh copies against the same triangles as a surface.
+// Tests shadow maps: balls against double precision, mesh copies against a surface with the same triangles.
 #include "draw/exact/instances/ball_raster.hpp"
 #include "draw/exact/instances/copy_raster.hpp"
 #include "draw/exact/triangles/triangle_raster.hpp"
@@ -54,7 +54,7 @@ struct SunMapStage {
   gl::Texture view;
 };
 
-/// Returns positions within and beyond the map, in front of it and behind it, with masses over five
+/// Returns positions inside and outside the map, in front of it and behind it, with masses over five
 /// decades.
 std::vector<glm::vec4> spread(int count, std::uint32_t seed) {
   Dice dice(seed);
@@ -71,7 +71,9 @@ TEST_CASE("sun's map: of balls the one nearest to the sun, in double precision, 
   SunMapStage stage;
   const std::vector<glm::vec4> places = spread(190, 51);
   std::vector<glm::vec4> speeds(places.size(), glm::vec4(0));
-  for (std::size_t i = 0; i < speeds.size(); i += 9) speeds[i].w = -1;  // age below 0: the particle is dead
+  for (std::size_t i = 0; i < speeds.size(); i += 9)
+    speeds[i].w = -1;  // a negative age means that the
+                       // particle is dead
   InstanceStage first(places, speeds);
   InstanceStage second({{0.1F, 0.4F, 0.2F, 1}, {-4.5F, 1, 0, 300}}, {glm::vec4(0), glm::vec4(0)});
   for (InstanceStage* group : {&first, &second}) {
@@ -144,8 +146,8 @@ TEST_CASE("sun's map: a ball over more texels than an invocation may go through"
   const std::vector<unsigned> keys = stage.keys();
   CHECK(std::count(keys.begin(), keys.end(), keys.front()) == static_cast<std::ptrdiff_t>(keys.size()));
   CHECK(keys.front() != 0xffffffffU);
-  // A larger map. The ball covers about fifteen columns at its left side, in rows around the fiftieth from
-  // the end.
+  // In a larger map, the ball covers about fifteen columns at the left side, in rows around the fiftieth
+  // from the end.
   SunMapStage wide(4500);
   const glm::vec3 right(0.8F, 0, -0.6F);
   const glm::vec3 up(-0.36F, 0.8F, -0.48F);
@@ -247,8 +249,8 @@ TEST_CASE(
       for (const glm::vec4& place : places) {
         const glm::dvec3 middle = glm::dvec3(glm::vec3(place)) - glm::dvec3(glm::vec3(v.eye));
         const double radius = 0.1 * static_cast<double>(place.w);
-        // Distance of the ray from the centre, and its intersection with the plane through the centre
-        // perpendicular to the line from the eye.
+        // Distance of the ray from the centre, and its intersection with a plane through the centre. The
+        // plane is perpendicular to the line from the eye to the centre.
         const double along = glm::dot(ray, middle);
         const double past = glm::length(glm::cross(ray, middle)) / glm::length(ray);
         doubtful = doubtful || std::abs(past - radius) < 1e-4 * glm::length(middle);

@@ -17,7 +17,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-/// A mesh in the form in which simulations publish it.
+/// A mesh, stored like one that a simulation publishes.
 struct TriangleStage {
   /// Creates the mesh. Normals default to +y.
   TriangleStage(const std::vector<glm::vec3>& places, const std::vector<unsigned>& corners,
@@ -65,7 +65,7 @@ inline simreel::shader::ExactView exactViewFrom(glm::vec3 eye, glm::vec3 target,
   return simreel::draw::exactView(simreel::draw::viewAt(camera, 0, size, {}), camera, size);
 }
 
-/// Sets SIMREEL_JOIN_SURFACES while the object exists.
+/// Sets the environment variable SIMREEL_JOIN_SURFACES during its lifetime.
 struct JoiningAsked {
   explicit JoiningAsked(const char* word) { setenv("SIMREEL_JOIN_SURFACES", word, 1); }
   ~JoiningAsked() { unsetenv("SIMREEL_JOIN_SURFACES"); }
@@ -75,7 +75,7 @@ struct JoiningAsked {
   JoiningAsked& operator=(JoiningAsked&&) = delete;
 };
 
-/// Sets SIMREEL_SAMPLE_LAYOUT (draw::sampleLayout) while the object exists.
+/// Sets the environment variable SIMREEL_SAMPLE_LAYOUT (draw::sampleLayout) during its lifetime.
 struct LayoutAsked {
   explicit LayoutAsked(const char* word) { setenv("SIMREEL_SAMPLE_LAYOUT", word, 1); }
   ~LayoutAsked() {
@@ -99,7 +99,7 @@ struct LayoutAsked {
       std::getenv("SIMREEL_SAMPLE_LAYOUT") != nullptr ? std::getenv("SIMREEL_SAMPLE_LAYOUT") : "";
 };
 
-/// Keys and ids found by the kernels.
+/// Keys and ids that the kernels have found.
 struct SeenSamples {
   std::vector<GLuint> keys, ids;
 };

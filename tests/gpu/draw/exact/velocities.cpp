@@ -74,7 +74,7 @@ TEST_CASE("velocities: a turning rod's are omega x r, by how far it has come in 
   const std::string rod =
       R"("rod": {"capsule": {"rotation": {"keys": [[0, [0, 0, 0]], [1, [0, 0, 300]]]}, "radius": 0.1, "length": 0.8}})";
   const auto expected = [&](const glm::dvec3& p) {
-    // Position in the previous frame: rotated back.
+    // Computes the position in the previous frame by rotating backwards.
     const double c = std::cos(omega / fps), s = std::sin(omega / fps);
     return (p - glm::dvec3(c * p.x + s * p.y, -s * p.x + c * p.y, p.z)) * fps;
   };
@@ -82,7 +82,7 @@ TEST_CASE("velocities: a turning rod's are omega x r, by how far it has come in 
   int seen = 0;
   CHECK(worst(layers, seen, expected) < 2e-3);
   CHECK(seen > 100);
-  // omega x r itself differs by the second order of the rotation angle per frame.
+  // The velocity differs from omega x r by a second-order term in the rotation angle per frame.
   int again = 0;
   const double off =
       worst(layers, again, [&](const glm::dvec3& p) { return omega * glm::dvec3(-p.y, p.x, 0); });
@@ -101,7 +101,7 @@ TEST_CASE("velocities: balls have their own, what stands none, whatever the came
   CHECK(worst(layersAt(movingScene(moved), 9), seen, [](const auto&) { return glm::dvec3(1, 0.5, -0.5); }) <
         2e-4);
   CHECK(seen > 100);
-  // The same velocities at the middle of a shutter's exposure time, and with a moving camera.
+  // The velocities are the same at the middle of a shutter's exposure time, and with a moving camera.
   int blurred = 0;
   CHECK(worst(layersAt(
                   movingScene(moved, R"(, "shutter": {"samples": 3}, "roll": {"keys": [[0, 0], [1, 90]]})"),
@@ -121,7 +121,7 @@ TEST_CASE("velocities: a falling sheet's are those of its particles") {
           R"("sheet": {"cloth": {"size": [9, 9], "pins": [], "damping": 0, "wind": [0, 0, 0], "substeps": 32}})"),
       6);
   int seen = 0;
-  // Mean velocity between frames 5 and 6: g times the middle of that interval.
+  // The mean velocity between frames 5 and 6 is g times the middle of that interval.
   const double off =
       worst(layers, seen, [](const glm::dvec3& /*p*/) { return glm::dvec3(0, -9.8 * 5.5 / fps, 0); });
   CHECK(off < 0.03);
@@ -152,7 +152,8 @@ TEST_CASE("layers: triangles and balls count from the first of their object") {
     if (object == "dust") ofDust.insert(number);
     if (object != "sheet") continue;
     ofSheet.insert(number);
-    // Local z coordinate, downwards along the sheet. Ignores pixels near the diagonals |x| = |z|.
+    // z coordinate in the sheet's local space, downwards along the sheet. Pixels near the diagonals |x| =
+    // |z| are ignored.
     const glm::dvec3 p = threeAt(layers.position, i);
     const double down = p.y / -std::sin(3.14159265358979 / 3);
     if (std::abs(p.x - down) > 0.02 && std::abs(p.x + down) > 0.02) {
@@ -167,7 +168,7 @@ TEST_CASE("layers: triangles and balls count from the first of their object") {
   CHECK(*ofDust.rbegin() < 5);
   CHECK(ofDust.size() >= 3);
   CHECK(mixed > 100);
-  // One of the two diagonals separates the triangles at all pixels.
+  // At all pixels, one of the two diagonals separates the triangles.
   CHECK(std::max(std::abs(sides[0]), std::abs(sides[1])) == mixed);
 }
 

@@ -1,4 +1,4 @@
-// Tests vertex colours and materials of files: the result must be the same on static, deformed, skinned and
+// Tests vertex colours and materials of files. The result must be the same on static, deformed, skinned and
 // floating meshes and on cloth.
 #include "draw/screen/renderer.hpp"
 #include "frame/draw_world.hpp"
@@ -25,15 +25,16 @@ using namespace simreel;  // NOLINT
 
 namespace {
 
-/// Returns the colour at a position. Affine, so it does not depend on the triangulation.
+/// Returns the colour at a position. The function is affine, so the colour does not depend on the
+/// triangulation.
 glm::dvec3 colorAt(double x, double y) {
   return {0.5 + 0.4 * x, 0.5 + 0.2 * x - 0.3 * y, 0.4 + 0.4 * y};
 }
 const glm::dvec3 left(0.5, 1, 0.75),
     right(1, 0.25, 0.5);  // base colours of the materials of the two halves
 
-/// Returns a glTF square from -1 to 1 in the xy plane that faces +z and has two materials. `bones`: with a
-/// skeleton of one static bone.
+/// Returns a glTF square from -1 to 1 in the xy plane that faces +z and has two materials. `bones`: true
+/// for a skeleton of one static bone.
 std::string squareText(bool bones) {
   test::GltfText gltf;
   constexpr int side = 5;
@@ -83,7 +84,7 @@ std::string squareText(bool bones) {
   return gltf.text();
 }
 
-/// Returns the max difference between the albedo of the object's pixels and the closed form; `seen`: number
+/// Returns the max difference between the albedo of the object's pixels and the closed form. `seen`: number
 /// of pixels that show the object.
 double farthest(const std::string& object, const std::string& fileText, bool materials, int& seen) {
   testContext();
