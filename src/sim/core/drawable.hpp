@@ -142,13 +142,13 @@ struct Field {
   Cells cells = Cells::floats;  ///< Cell format. Cells of `bits` and `bytes` (0 to 255) are packed from the
                                 ///< lowest bits of each word. A cell of `colors` has four floats: linear
                                 ///< RGB, and the value that textured surfaces use.
-  glm::ivec2 size{0, 0};    ///< Size of the grid in cells.
-  int rowWords = 0;         ///< Stride between rows, in 32-bit words.
-  int firstWord = 0;        ///< Word offset of cell (0, 0).
-  int cellWords = 1;        ///< Stride between cells in words, for float cells.
+  glm::ivec2 size{0, 0};        ///< Size of the grid in cells.
+  int rowWords = 0;             ///< Stride between rows, in 32-bit words.
+  int firstWord = 0;            ///< Word offset of cell (0, 0).
+  int cellWords = 1;            ///< Stride between cells in words, for float cells.
   bool categories = false;  ///< True if cell values are palette indices; false if they are mapped through
                             ///< `range` to the colour map.
-  glm::vec2 range{0, 1};  ///< Cell values mapped to the first and the last colour.
+  glm::vec2 range{0, 1};    ///< Cell values mapped to the first and the last colour.
   const std::vector<glm::vec3>* colors =
       nullptr;  ///< Linear RGB colours: evenly spaced stops, or one colour per category.
   const FieldDisplay* display =
