@@ -18,7 +18,7 @@ struct ContactNearList {
   gl::InOut<"TallyBlock"> tallies;
   gl::In<"told"> told;  // Texel view of the tallies.
 };
-/// Range of a part's vertices among all vertices.
+/// Index range of a part's vertices among all vertices.
 struct ContactRange {
   gl::Uniform<"first", int> first;
   gl::Uniform<"count", int> count;
