@@ -1,5 +1,6 @@
 // Contact of triangles: faces and edges keep a distance and never pass through each other. Compiles as GLSL and as C++
 // (the CPU twin of the tests). Needs common/exact.glsl, types.glsl and `contactStep`.
+//
 // x is a position at the substep's start, x' the predicted position. No two faces intersect at x. Between two convex
 // features that do not intersect at x there is a slab, normal to the segment between their closest points. As long as a
 // plane parallel to the slab, standing still or moving uniformly, separates the two features, they do not pass through

@@ -1,6 +1,7 @@
 // Update of a fluid's cells in a step, without the pressure solver. Compiles as GLSL (grid.glsl) and as C++, where it
 // is inside a struct that provides the inputs: flowAt, carriedAt, dyeAt, faceAt, solidWord, sumAt, size, stepData,
 // solidSet and the kinds of the sides.
+//
 // The grid is staggered: cell (x, y) stores u at the centre of its left face, v at the centre of its top face, and
 // temperature and pressure at its centre. A ring of cells surrounds the grid, so x runs from -1 to size.x. Beyond a
 // wall or an inflow, the velocity component along the side is mirrored, so that the mean of the values on both sides

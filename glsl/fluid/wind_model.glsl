@@ -1,5 +1,6 @@
 // Wind of a fluid at a point of the world. Compiles as GLSL and as C++. The including file provides windGrid (WindGrid)
 // and loadWindCell(x, y), which returns a cell of the flow, with x from -1 to size.x because the ring is also read.
+//
 // Each component is interpolated bilinearly from its staggered positions: u from the centres of left faces, v from the
 // centres of top faces. The wind does not depend on the distance from the fluid's plane. Outside the fluid's rectangle
 // there is no wind.
