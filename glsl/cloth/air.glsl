@@ -1,8 +1,8 @@
 // Air force on one corner of a cloth face. Compiles as GLSL and as C++. Needs `stepData` (ClothStep), and `blown` and
 // windAt() of fluid/wind_array.glsl.
 
-// Gusts are value noise with three components in [-1, 1). latticeVector() returns the random vector of a lattice point;
-// noise() interpolates the vectors with weights 3u^2 - 2u^3.
+// Gusts are value noise with three components in [-1, 1). latticeVector() returns the random vector of a lattice point.
+// noise() interpolates the vectors with the weights 3u^2 - 2u^3, where u is the position between two lattice points.
 FUNCTION vec3 latticeVector(int x, int y, int z) {
   return signedUnits(hash3(uvec3(uint(x), uint(y), uint(z) ^ (uint(stepData.seed) * 0x9e3779b9u))));
 }
@@ -28,9 +28,9 @@ FUNCTION vec3 noise(vec3 p) {
   return exactMix(low, high, smoothCurve(u.z));
 }
 
-// Returns the air force on a corner of a face. c = a x b is twice the area vector of the triangle (here, a, b). Half of
-// the triangle belongs to this particle, so its area vector is A n = c / 4. With v the air velocity relative to the
-// cloth:
+// Returns the air force on a corner of a face. c = a x b is twice the area vector of the triangle (here, a, b). A
+// quarter of c belongs to this corner, so its area vector is A n = c / 4. With the velocity v of the air relative to
+// the cloth:
 //   drag = 1/2 rho Cd A |v.n| v,   lift = 1/2 rho Cl A (v.n) (|v|^2 n - (v.n) v) / |v|.
 // The lift is perpendicular to v. It is zero if the face is edge-on or face-on to v.
 FUNCTION vec3 airForceOnFace(vec3 a, vec3 b, vec3 v, float speedSquared, float inverseSpeed) {

@@ -1,14 +1,14 @@
-// Bending of a fabric: the plate energy of second differences. The energy is quadratic in the positions, so the force
-// is linear in the positions and independent of the cloth's orientation.
-//   E = 1/2 (D / L^2) sum (|Dxx|^2 + |Dyy|^2) over nodes + sum |Dxy|^2 D / L^2 over cells.
-// Borders are free: a difference that reaches beyond the grid has no energy, and differences along a border have weight
-// 1/2. A clamped border has a ghost node outside, x[-1] = x[1] - 2 t, with t the vector from the border node to its
-// inner neighbour.
+// Bending of a fabric by the plate energy of second differences. The energy is quadratic in the positions, so the force
+// is linear in the positions and independent of the cloth's orientation. E = 1/2 (D / L^2) sum of (|Dxx|^2 + |Dyy|^2)
+// over nodes + D / L^2 sum of |Dxy|^2 over cells, with the bending stiffness D and the spacing L. Borders are free: a
+// difference that extends beyond the grid has no energy, and differences along a border have the weight 1/2. A clamped
+// border has a ghost node outside, x[-1] = x[1] - 2 t, where t is the rest vector from the border node to its inner
+// neighbour.
 FUNCTION vec3 loadPoint(ivec2 at, int dx, int dy) {
   return vec3(loadPosition(neighbour(at, dx, dy)));
 }
-// Returns dE/dx of the second differences along one axis (row or column), centred on the previous node, this node and
-// the next node.
+// Returns the energy gradient dE/dx of the second differences along a row or a column that are centred on the previous
+// node, this node and the next node.
 FUNCTION vec3 bendAlong(ivec2 at, vec3 here, bool row) {
   int dx = row ? 1 : 0, dy = row ? 0 : 1;
   int k = row ? at.x : at.y, count = row ? size.x : size.y;
@@ -29,8 +29,8 @@ FUNCTION vec3 bendAlong(ivec2 at, vec3 here, bool row) {
   precise vec3 gradient = (first - 2.0f * middle + last) * area;
   return gradient;
 }
-// Returns here - a - b + c of the cell in direction (dx, dy), or zero if the cell is outside the grid. The gradient of
-// the cell's energy is twice this value.
+// Returns here - a - b + c for the cell in direction (dx, dy), where a, b and c are the cell's other corners, or zero
+// if the cell is outside the grid. The gradient of the cell's energy is twice this value.
 FUNCTION vec3 twist(ivec2 at, vec3 here, int dx, int dy) {
   bool there = at.x + dx >= 0 && at.y + dy >= 0 && at.x + dx < size.x && at.y + dy < size.y;
   precise vec3 cell = here - loadPoint(at, dx, 0) - loadPoint(at, 0, dy) + loadPoint(at, dx, dy);

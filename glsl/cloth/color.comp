@@ -1,6 +1,7 @@
-// Colours the vertices of a cloth by a quantity: colour in rgb, value in a. SPEED: the speed in m/s; else the strain,
-// the mean of length / rest length - 1 over the links to the neighbours. MESH: the drawn vertices of a cloth of
-// triangles, whose links are listed; else the particles of a grid.
+// Colours the vertices of a cloth by a quantity: colour in rgb, value in a. One invocation per vertex. If SPEED is 1,
+// the quantity is the speed in m/s; otherwise it is the strain, the mean of length / rest length - 1 over the links to
+// the neighbours. If MESH is 1, the vertices are the drawn vertices of a cloth made of triangles, whose links are
+// listed; otherwise they are the particles of a grid.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
 #include "common/memory.glsl"
@@ -15,7 +16,8 @@ INPUT_ARRAY(velocitiesBinding, VelocityBlock, velocities)
 INPUT_ARRAY(beforeBinding, BeforeBlock, before)
 INPUT_ARRAY(trendsBinding, TrendBlock, trends)
 uniform float perDt;       // 1 / duration of a substep, 1/s
-uniform float trendShare;  // Fraction of the trend (cloth/motion.glsl) that the velocity exceeds the actual one by
+uniform float trendShare;  // Factor of the trend (cloth/motion.glsl) by which the stored velocity differs from the
+                           // actual velocity
 #endif
 #if MESH
 INPUT_WORDS(verticesBinding, VertexBlock, vertices)
@@ -30,7 +32,7 @@ uniform int count;
 #include "common/color_map.glsl"
 
 #if SPEED
-// A pinned vertex has no velocity in the state, so its speed follows from its way.
+// A pinned vertex has no velocity in the state, so its speed is computed from its displacement.
 float valueAt(int i) {
   vec4 here = LOAD_INPUT(positions, i);
   precise vec3 way = (here.xyz - LOAD_INPUT(before, i).xyz) * perDt;

@@ -1,8 +1,8 @@
 // Solves one family of XPBD constraints, both colours, for devices with slow stores (software drivers). The pairs of a
-// family link the particles into lines; one invocation processes one line. It walks along the line and solves each pair
-// of the second colour as soon as both adjacent pairs of the first colour are solved. So each particle is loaded and
-// stored once. FIRST: this is the first family; it starts from the prediction of step.comp, computed here with the same
-// bits.
+// family link the particles into lines; one invocation processes one line. It moves along the line and solves each pair
+// of the second colour as soon as both adjacent pairs of the first colour are solved, so each particle is loaded and
+// stored only once. FIRST is defined for the first family; it starts from the prediction of step.comp, computed here
+// with the same bits.
 #include "cloth/kernel.glsl"
 layout(local_size_x = 8) in;
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)
@@ -13,7 +13,7 @@ INPUT_ARRAY(trendsBinding, TrendBlock, trends)
 STATE_ARRAY(aimsBinding, AimBlock, aims)
 #endif
 uniform ivec2 reach;  // Offset from one end of a pair to the other, in particles
-uniform int kind;     // Link type: 0 structural, 1 shear, 2 bending
+uniform int kind;     // Kind of link: 0 structural, 1 shear, 2 bending
 uniform int lines;
 
 vec4 loadPosition(int i) {
@@ -50,7 +50,7 @@ void relax(inout vec4 a, inout vec4 b, int i, int j, float restLength, float com
   b.xyz = newB;
 }
 
-// Returns the first particle of a line: no particle of the grid lies one `reach` before it.
+// Returns the first particle of a line: the particle that has no neighbour at the offset -reach.
 ivec2 beginning(int line) {
   if (reach.y == 0) return ivec2(line % reach.x, line / reach.x);
   if (reach.x == 0) return ivec2(line % size.x, line / size.x);
@@ -72,8 +72,8 @@ void main() {
   int pace = reach.y * size.x + reach.x;
   float restLength = springLength(kind);
   float compliance = scaledCompliance(kind);
-  // If the first pair is of the second colour, its left particle must wait until its right particle has been solved in
-  // a pair of the first colour.
+  // If the first pair has the second colour, its left particle must wait until its right particle has been solved in a
+  // pair of the first colour.
   bool second = ((reach.x > 0 ? at.x / reach.x : at.y / reach.y) & 1) == 1;
   vec4 waiting = vec4(0);
   int k = 0;

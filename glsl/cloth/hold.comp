@@ -1,6 +1,6 @@
 // Writes the target positions of this substep into the velocities of pinned particles that follow a skinned body. The
-// velocities are free for this use, because a pinned particle's velocity is zero after each substep. The predicting
-// kernels read the positions there (cloth/motion.glsl).
+// velocities are available for that purpose, because a pinned particle's velocity is zero after each substep. The
+// kernels that predict motion read the targets from there (cloth/motion.glsl). One invocation per such particle.
 #include "common/bindings.glsl"
 #include "common/memory.glsl"
 #include "cloth/bindings.glsl"
@@ -8,7 +8,7 @@ layout(local_size_x = 64) in;
 STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)
 INPUT_ARRAY(waysBinding, WayBlock, ways)
 uniform int count;
-uniform float before;  // Weight of the position at the frame's begin
+uniform float before;  // Weight of the position at the start of the frame
 uniform float now;
 #include "cloth/held.glsl"
 

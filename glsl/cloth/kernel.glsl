@@ -1,4 +1,4 @@
-// Common includes and uniforms of all cloth kernels.
+// Includes and uniforms common to all cloth kernels.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
 #include "common/hash.glsl"

@@ -1,20 +1,21 @@
-// Solves the constraints along a line of particles together. Compiles as GLSL and as C++. The including file provides
+// Solves all constraints along a line of particles together. Compiles as GLSL and as C++. The including file provides
 // common/exact.glsl and these variables: lineLinks (number of links between particles), lineRest (rest length in
 // metres), lineCompliance (compliance / h^2), lineGive (minimum compliance, see giveOf), lineKept (fraction of a link's
 // stretch that damping preserves over the substep, see keptStretch in cloth/model.glsl).
 //
-// The XPBD constraint k links particles k and k + 1. It has the direction n_k, the stretch C_k and the multiplier l_k.
-// Particle k moves by w_k (n_k-1 l_k-1 - n_k l_k). To first order, all C_k vanish at once if
+// The XPBD constraint k links the particles k and k + 1. It has the direction n_k, the stretch C_k and the multiplier
+// l_k. Particle k has the inverse mass w_k and moves by w_k (n_k-1 l_k-1 - n_k l_k). To first order, all C_k vanish
+// simultaneously if
 //   -w_k (n_k-1.n_k) l_k-1 + (w_k + w_k+1 + compliance / h^2) l_k - w_k+1 (n_k.n_k+1) l_k+1 = -C_k.
-// So a pull at one end reaches the other end in the same step, however long the line is. Constraints solved one after
-// another would move it by one link per step. A line is cut into segments of segmentLinks links. The last link of a
-// segment is its separator. A small system of separators is solved first; then all segments are solved in parallel
-// between their separators.
+// A pull at one end therefore reaches the other end in the same step, however long the line is; constraints solved one
+// after another would move it by one link per step. A line is divided into segments of segmentLinks links, and the last
+// link of a segment is its separator. A small system of the separators is solved first; then all segments are solved in
+// parallel between their separators.
 #include "cloth/segment_links.glsl"
 
 struct Link {
   vec3 along;     // Unit vector, or zero if the link does not exist
-  float stretch;  // in metres
+  float stretch;  // Length minus rest length, in metres
 };
 
 // Row of the tridiagonal system: lower l_k-1 + diagonal l_k + upper l_k+1 = right.
@@ -22,7 +23,8 @@ struct LineRow {
   float lower, diagonal, upper, right;
 };
 
-// A multiplier expressed by two multipliers further away: l = fixed_ - left l_left - right l_right.
+// Expression for a multiplier in terms of the multipliers l_left and l_right of links further away: l = fixed_ - left
+// l_left - right l_right.
 struct Reach {
   float fixed_, left, right;
 };
@@ -39,14 +41,14 @@ FUNCTION Link linkBetween(vec4 a, vec4 b, bool there) {
   return link;
 }
 
-// Returns the minimum compliance of every link of a line, as a ratio to the link's inverse masses. `stretch` is the
-// summed stretch of the line in metres.
-// A line that is taut between two pins has one undetermined multiplier; the minimum ratio 2^-15 regularizes the system.
-// A line between two pins that are further apart than the line's length, by a fraction s of the length, has no
-// solution. The ratio 1.7 s makes it pull evenly by 0.29 m L / h^2, which keeps sideways swinging stable (w dt = 1.63,
-// cloth/motion.glsl). Lines without two pins use 0.6 s and pull by at most 5/6 m L / h^2. They contract faster, and the
-// pull does not last. A link whose own compliance is larger keeps its own compliance. Lines that conserve energy use
-// keptGive (cloth/segment.glsl) instead.
+// Returns the minimum compliance of every link of a line, as a ratio to the link's inverse masses. `stretch` is the sum
+// of the link's stretches in metres; `pinned` is true if the line has two pins. A line that is taut between two pins
+// has one undetermined multiplier; the minimum ratio 2^-15 regularizes the system. If the pins are further apart than
+// the line's length by a fraction s of the length, the system has no solution. The ratio 1.7 s then makes the line pull
+// evenly by 0.29 m L / h^2 (particle mass m, rest length L), which keeps sideways swings stable (w dt = 1.63,
+// cloth/motion.glsl). Lines without two pins use 0.6 s and pull by at most 5/6 m L / h^2; they contract faster, and the
+// pull does not last. A link with a larger compliance keeps it. Lines that conserve energy use keptGive
+// (cloth/segment.glsl) instead.
 FUNCTION float giveOf(float stretch, bool pinned) {
   float part = pinned ? 1.7f : 0.6f;
   precise float rest = float(lineLinks) * lineRest;
@@ -54,8 +56,8 @@ FUNCTION float giveOf(float stretch, bool pinned) {
   return max(give, 3.0517578125e-5f);
 }
 
-// Builds the row of a link from its off-diagonal entries `lower` and `upper`, its right side, and the inverse masses of
-// its two ends.
+// Builds the row of a link from its off-diagonal entries `lower` and `upper`, its right-hand side, and the inverse
+// masses of its two ends.
 FUNCTION LineRow lineRow(float lower, float right, float upper, float massA, float massB) {
   precise float weight = massA + massB;
   precise float give = weight * lineGive;
@@ -68,12 +70,12 @@ FUNCTION LineRow lineRow(float lower, float right, float upper, float massA, flo
   return row;
 }
 
-// Returns 1 / pivot of the link with this row. `before` is the elimination result of the previous link.
+// Returns the reciprocal pivot of the link with this row. `before` is the elimination result of the previous link.
 FUNCTION float pivotInverse(LineRow row, Reach before) {
   precise float pivot = row.diagonal - row.lower * before.right;
   return exactReciprocal(pivot);
 }
-// Expresses the link's multiplier by the last multiplier left of the segment and by the next link's multiplier.
+// Expresses the link's multiplier in terms of the last multiplier before the segment and the next link's multiplier.
 FUNCTION Reach reachAhead(LineRow row, Reach before, float inverse) {
   precise float fixed_ = (row.right - row.lower * before.fixed_) * inverse;
   precise float left = row.lower * before.left * -inverse;
@@ -84,8 +86,8 @@ FUNCTION Reach reachAhead(LineRow row, Reach before, float inverse) {
   reach.right = right;
   return reach;
 }
-// Expresses the link's multiplier by the previous link's multiplier and by the segment's last multiplier. `after` is
-// the result of the next link.
+// Expresses the link's multiplier in terms of the previous link's multiplier and the segment's last multiplier. `after`
+// is the result for the next link.
 FUNCTION Reach reachBack(LineRow row, Reach after) {
   precise float pivot = row.diagonal - row.upper * after.left;
   float inverse = exactReciprocal(pivot);
@@ -98,7 +100,7 @@ FUNCTION Reach reachBack(LineRow row, Reach after) {
   reach.right = right;
   return reach;
 }
-// Boundary values of the elimination: before the segment's first link, and after its last link.
+// Boundary values of the elimination: reachAtStart() before the segment's first link, reachAtEnd() after its last link.
 FUNCTION Reach reachAtStart() {
   Reach reach;
   reach.fixed_ = 0.0f;
@@ -114,8 +116,8 @@ FUNCTION Reach reachAtEnd() {
   return reach;
 }
 
-// Builds the row of a separator in the system of separators. `mine` is the last link of its segment; `next` is the
-// first link of the next segment.
+// Builds the row of a separator in the system of separators. `mine` belongs to the last link of the segment, `next` to
+// the first link of the next segment.
 FUNCTION LineRow separatorRow(Reach mine, Reach next) {
   precise float diagonal = 1.0f - mine.right * next.left;
   precise float upper = mine.right * -next.right;
@@ -128,7 +130,7 @@ FUNCTION LineRow separatorRow(Reach mine, Reach next) {
   return row;
 }
 
-// Result of forward elimination: l_k = onto - from l_k+1.
+// Result of the forward elimination: l_k = onto - from l_k+1.
 struct Eliminated {
   float onto, from;
 };

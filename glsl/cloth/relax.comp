@@ -1,14 +1,14 @@
-// Solves XPBD constraints pair by pair, one family after another, each in two colours without shared particles. Without
-// BENDS: both diagonal families, from the predicted positions. With BENDS: the bending families along both axes, from
-// the result of the diagonal families. A workgroup loads a tile of the sheet into shared memory and writes only the
-// tile's interior (relax_tile.glsl). So no dispatch boundary is needed between colours. Bending pairs are loaded by the
-// invocations that solve their first colour, and stored by the invocations that solve the last colour. Diagonal pairs
-// are loaded and stored as adjacent particles instead, because the particles of such pairs lie in every second column
-// and would give slower memory access.
+// Solves XPBD constraints pair by pair, one family after another, each in two colours whose pairs have no particle in
+// common. Without BENDS, solves both diagonal families, starting from the predicted positions. With BENDS, solves the
+// bending families along both axes, starting from the result of the diagonal families. A workgroup loads a tile of the
+// sheet into shared memory and writes only the tile's interior (relax_tile.glsl), so the colours need no separate
+// dispatches. Bending pairs are loaded by the invocations that solve their first colour and stored by the invocations
+// that solve the last colour. Diagonal pairs are loaded and stored as adjacent particles instead, because the particles
+// of such pairs are in every second column, which would make memory access slower.
 #include "cloth/kernel.glsl"
 #include "cloth/relax_tile.glsl"
 layout(local_size_x = relaxTileX / 2, local_size_y = relaxTileY) in;
-INPUT_ARRAY(positionsBinding, PositionBlock, positions)  // BENDS: the result of the diagonal families
+INPUT_ARRAY(positionsBinding, PositionBlock, positions)  // With BENDS, this is the result of the diagonal families
 STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)
 #ifndef BENDS
 INPUT_ARRAY(velocitiesBinding, VelocityBlock, velocities)
@@ -22,8 +22,8 @@ vec4 loadPosition(int i) {
 #include "cloth/model.glsl"
 
 shared vec4 tile[relaxTileX * relaxTileY];
-// Position of the tile's corner in the sheet. Both coordinates are even, and multiples of four for families with reach
-// 2.
+// Position of the tile's corner in the sheet. Both coordinates are even, and multiples of four for families with a
+// reach of 2.
 ivec2 corner = ivec2(0);
 const int half_ = relaxTileX / 2;
 #ifdef BENDS
@@ -45,14 +45,14 @@ int indexOf(ivec2 within) {
   return (corner.y + within.y) * size.x + corner.x + within.x;
 }
 
-// True if the position lies in both the tile and the sheet.
+// Returns true if the position is both in the tile and in the sheet.
 bool isInside(ivec2 within) {
   ivec2 at = corner + within;
   bool inTile = within.x >= 0 && within.y >= 0 && within.x < relaxTileX && within.y < relaxTileY;
   return inTile && at.x >= 0 && at.y >= 0 && at.x < size.x && at.y < size.y;
 }
 
-// True if the workgroup writes this position: it lies in the tile without its halo, and in the sheet.
+// Returns true if the workgroup writes this position: it is in the sheet, and in the tile without its halo.
 bool isOwn(ivec2 within) {
   ivec2 end = ivec2(relaxTileX, relaxTileY) - halo;
   return within.x >= halo && within.y >= halo && within.x < end.x && within.y < end.y && isInside(within);
@@ -62,11 +62,12 @@ ivec2 nearestInside(ivec2 within) {
   return clamp(corner + within, ivec2(0), size - 1) - corner;
 }
 
-// Solves one pair. Both ends must be inside (isInside).
+// Solves one pair. isInside() must be true for both ends.
 void relax(inout vec4 a, inout vec4 b, ivec2 from, ivec2 to) {
   float kept = 0.0f;
 #if DAMPED
-  // Stretch at the start of the substep. Only fabrics are damped, and fabrics have no bending constraints.
+  // `kept` is computed from the stretch at the start of the substep. Only fabrics are damped, and fabrics have no
+  // bending constraints.
   kept = keptStretch(loadPosition(indexOf(from)), loadPosition(indexOf(to)), springLength(kind));
 #endif
   vec3 shift = constraintShift(a, b, springLength(kind), scaledCompliance(kind), kept);
@@ -86,12 +87,12 @@ void relaxInTile(ivec2 from, ivec2 reach) {
   tile[j] = b;
 }
 
-// Returns the i-th number n with n / pace even (color 0) or odd (color 1).
+// Returns the i-th of the numbers n for which n / pace is even (color 0) or odd (color 1).
 int numbered(int i, int color) {
   return (i / pace * 2 + color) * pace + i % pace;
 }
 
-// Returns the first particle of this invocation's pair of a colour: firstPair in the first family, secondPair in the
+// firstPair() and secondPair() return the first particle of this invocation's pair of a colour, in the first and in the
 // second family.
 ivec2 firstPair(int color) {
   ivec2 me = ivec2(gl_LocalInvocationID.xy);
@@ -125,7 +126,7 @@ void leave() {
   if (isOwn(to)) STORE_STATE(nextPositions, indexOf(to), b);
 }
 #else
-// Issues all loads first, so that they overlap.
+// All loads are issued first, so that they overlap.
 void fill() {
   ivec2 within = ivec2(gl_LocalInvocationID.xy), other = within + ivec2(half_, 0);
   ivec2 a = nearestInside(within), b = nearestInside(other);

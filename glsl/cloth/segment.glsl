@@ -1,12 +1,13 @@
-// Solution of one segment of a line, links `first` to `last`. Compiles as GLSL and as C++, after line_model.glsl. The
-// including file provides:
+// Solution of one segment of a line, with the links `first` to `last`. Compiles as GLSL and as C++, after
+// line_model.glsl. The including file provides:
 // - lineParticle(k): position (xyz) and inverse mass (w) of the line's k-th particle; lineBefore(k): the same at the
-// start of the substep;
-// - lineSoftening: factor on the inverse masses of lines that conserve energy (cloth/keeping.glsl), otherwise 1;
-// - lineLower[segmentLinks + 1], lineMass[segmentLinks + 1], lineStretch[segmentLinks]: private arrays of the
-// invocation.
+//   start of the substep;
+// - lineSoftening: the factor on the inverse masses for lines that conserve energy (cloth/keeping.glsl), otherwise 1;
+// - lineLower[segmentLinks + 1], lineMass[segmentLinks + 1], lineStretch[segmentLinks]: arrays that are private to the
+//   invocation.
 
-// Returns the part of link k's stretch that the constraint removes: all of it, less the part that damping preserves.
+// Returns the part of link k's stretch that the constraint removes: the whole stretch minus the part that damping
+// preserves.
 FUNCTION float undone(int k, float stretch) {
   float all = stretch;
   if (lineKept > 0.0f) {
@@ -17,9 +18,9 @@ FUNCTION float undone(int k, float stretch) {
   return all;
 }
 
-// Builds the rows of the segment's links. lineLower receives the off-diagonal entries (the matrix is symmetric: a row's
-// upper entry is the next row's lower entry), lineStretch the right sides, lineMass the inverse masses. Returns the
-// summed stretch of the links in metres.
+// Builds the rows of the segment's links. lineLower receives the off-diagonal entries; the matrix is symmetric, so a
+// row's upper entry is the next row's lower entry. lineStretch receives the right-hand sides and lineMass the inverse
+// masses. Returns the sum of the links' stretches in metres.
 FUNCTION float readSegment(int first, int last) {
   precise float sum = 0.0f;
   vec4 a = lineParticle(first);
@@ -49,18 +50,19 @@ FUNCTION float readSegment(int first, int last) {
   return sum;
 }
 
-// Returns the number of pinned particles of a segment after readSegment. The segment's first particle counts for the
-// previous segment.
+// Returns the number of pinned particles of a segment. Call it after readSegment(). The segment's first particle counts
+// for the previous segment, if there is one.
 FUNCTION float pinsOf(int first, int links) {
   int pins = first == 0 && lineMass[0] == 0.0f ? 1 : 0;
   for (int i = 1; i <= links; ++i) pins = lineMass[i] == 0.0f ? pins + 1 : pins;
   return float(pins);
 }
 
-// Replaces giveOf for lines that conserve energy. It depends only on quantities that a substep does not change, so that
-// the forces keep a potential. A straight line between pins has one undetermined multiplier, and a swing through the
-// straight position would hit a hard wall. So each link gives at least dt^2 / 4m metres per newton. A line held a
-// fraction s of its length too far apart pulls by m L / (6 softening dt^2) (w dt = 0.82 / sqrt(softening)).
+// Replaces giveOf() for lines that conserve energy. It depends only on quantities that a substep does not change, so
+// that the forces have a potential. A straight line between pins has one undetermined multiplier, and a swing through
+// the straight position would be stopped abruptly. Therefore, each link yields at least dt^2 / (4 m) metres per newton,
+// where m is the particle mass. If the pins of a line are further apart than its length by a fraction s, it pulls by m
+// L / (6 softening dt^2), with w dt = 0.82 / sqrt(softening).
 FUNCTION float keptGive(float pins) {
   vec4 a = lineParticle(0), b = lineParticle(lineLinks);
   Link ends = linkBetween(a, b, true);
@@ -72,20 +74,21 @@ FUNCTION float keptGive(float pins) {
   return pins < 2.0f ? 3.0517578125e-5f : ended ? max(held, least) : least;
 }
 
-// Returns the row of the segment's i-th link.
+// Returns the row of link i of the segment.
 FUNCTION LineRow segmentRow(int i) {
   return lineRow(lineLower[i], lineStretch[i], lineLower[i + 1], lineMass[i], lineMass[i + 1]);
 }
 
-// Expresses the segment's first multiplier by the multiplier left of the segment and by the segment's last multiplier.
+// Expresses the segment's first multiplier in terms of the last multiplier before the segment and the segment's last
+// multiplier.
 FUNCTION Reach firstOfSegment(int links) {
   Reach reach = reachAtEnd();
   for (int i = links - 2; i >= 0; --i) reach = reachBack(segmentRow(i), reach);
   return reach;
 }
 
-// Expresses the segment's last multiplier by the multiplier left of the segment and by the multiplier right of it.
-// Overwrites lineMass with the reciprocal pivots, because solveSegment needs the same pivots and not the masses.
+// Expresses the segment's last multiplier in terms of the last multiplier before the segment and the first multiplier
+// after it. Overwrites lineMass with the reciprocal pivots, because solveSegment() needs the same pivots and no masses.
 FUNCTION Reach lastOfSegment(int links) {
   Reach reach = reachAtStart();
   for (int i = 0; i < links; ++i) {
@@ -97,8 +100,8 @@ FUNCTION Reach lastOfSegment(int links) {
   return reach;
 }
 
-// Computes the multipliers of a segment between its separators, after lastOfSegment. Overwrites the right sides in
-// lineStretch with the multipliers.
+// Computes the multipliers of a segment between its separators; call it after lastOfSegment(). Overwrites the
+// right-hand sides in lineStretch with the multipliers.
 FUNCTION void solveSegment(int links, float leftOne, float lastOne) {
   float before = leftOne;
   for (int i = 0; i < links - 1; ++i) {
@@ -115,9 +118,9 @@ FUNCTION void solveSegment(int links, float leftOne, float lastOne) {
   }
 }
 
-// Returns the pull of the link from a to b: subtract it, times the inverse mass, from a's position, and add it to b's
-// position. The magnitude is limited to the stable value (see giveOf), in case part of a line is held too far apart or
-// the substeps are too long.
+// Returns the pull of the link from a to b. The caller subtracts it, times the inverse mass, from the position of a,
+// and adds it to that of b. The magnitude is limited to the stable value (see giveOf()), in case the ends of a part of
+// a line are pinned too far apart or the substeps are too long.
 FUNCTION vec3 pullBetween(vec4 a, vec4 b, bool there, float multiplier) {
   Link link = linkBetween(a, b, there);
   precise float weight = a.w + b.w;
@@ -127,8 +130,8 @@ FUNCTION vec3 pullBetween(vec4 a, vec4 b, bool there, float multiplier) {
   return pull;
 }
 
-// Returns the pull of link k of a line that conserves energy. The matrix B turns with the links, so the gradient of 1/2
-// C^T B^-1 C has the additional term -1/2 l^T dB l.
+// Returns the pull of link k of a line that conserves energy. The matrix B changes when the links turn, so the gradient
+// of 1/2 C^T B^-1 C has the additional term -1/2 l^T dB l, where l are the multipliers.
 FUNCTION vec3 keptPull(int k, float multiplierBefore, float multiplier, float multiplierAfter) {
   vec4 a = lineParticle(k), b = lineParticle(k + 1);
   Link before = linkBetween(lineParticle(max(k - 1, 0)), a, k > 0);

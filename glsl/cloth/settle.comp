@@ -1,4 +1,5 @@
-// Corrects velocities after cloth contact pushed particles, then applies colliders.
+// Corrects the velocities after contact between cloths has pushed particles, then applies contact with colliders. One
+// invocation per particle.
 #include "cloth/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)

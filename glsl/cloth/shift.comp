@@ -1,4 +1,4 @@
-// Adds the position and velocity changes by thin colliders to the vertices of any cloth.
+// Adds the position and velocity changes by thin colliders to the vertices of any cloth. One invocation per vertex.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
 #include "common/memory.glsl"

@@ -1,6 +1,7 @@
-// Solves the structural constraints of all rows (ROWS) or columns at once (line_model.glsl). A workgroup has LINES
-// lines of SEGMENTS segments; one invocation solves one segment. LAST: also computes the final positions and velocities
-// of the substep. KEEPS: uses the positions at the start of the substep, so that rows and columns are independent.
+// Solves the structural constraints of all rows (if ROWS is set) or all columns together (line_model.glsl). A workgroup
+// has LINES lines of SEGMENTS segments; one invocation solves one segment. LAST: also computes the final positions and
+// velocities of the substep. KEEPS: uses the positions at the start of the substep, so that rows and columns are
+// independent of each other.
 #include "cloth/kernel.glsl"
 layout(local_size_x = LINES, local_size_y = SEGMENTS) in;
 #if defined(LAST) || DAMPED || KEEPS
@@ -44,8 +45,9 @@ vec4 lineBefore(int k) {
 float lineLower[segmentLinks + 1], lineMass[segmentLinks + 1], lineStretch[segmentLinks];
 #include "cloth/segment.glsl"
 
-// Per segment, `separators` first holds the summed length, then the separator's row, then its multiplier in x. The
-// arrays first* hold the segment's first link (Reach).
+// For each segment, `separators` first holds the sum of the stretches (with KEEPS, the number of pinned particles),
+// then the separator's row, then the separator's multiplier in x. The arrays first* hold the Reach of the segment's
+// first link.
 shared vec4 separators[SEGMENTS * LINES];
 shared float firstFixed[SEGMENTS * LINES], firstLeft[SEGMENTS * LINES], firstRight[SEGMENTS * LINES];
 
@@ -64,9 +66,9 @@ void leaveKept(int k, vec3 pullBefore, vec3 pull) {
   STORE_STATE(velocities, i, vec4(v, velocity.w));
 }
 
-// Applies the pulls of the segment's links, and of the link before, to the segment's particles. The adjacent segments
-// have left their multipliers in shared memory: firstFixed holds a segment's first multiplier, firstLeft its last but
-// one.
+// Applies the pulls of the segment's links, and of the link before the segment, to the segment's particles. The
+// adjacent segments have stored their multipliers in shared memory: firstFixed holds a segment's first multiplier,
+// firstLeft its last but one.
 void leaveSegment(int segment, int segments, int first, int last, int me, float leftOne) {
   float beyond = segment + 1 < segments ? firstFixed[me + LINES] : 0.0f;
   float before = leftOne;
@@ -99,8 +101,8 @@ void leave(int k, vec4 here) {
 }
 #endif
 
-// Solves the system of separators of one line of the workgroup. Writes the multipliers to separators[].x. The values of
-// the next iteration are loaded early, to hide the load latency.
+// Solves the system of separators of one line of the workgroup and writes the multipliers to separators[].x. The values
+// for the next iteration are loaded early, to hide the load latency.
 void solveSeparators(int slot, int segments) {
   Eliminated eliminated = Eliminated(0.0f, 0.0f);
   vec4 row = separators[slot];
@@ -190,7 +192,7 @@ void main() {
   if (mine) {
     if (segment > 0) leftOne = separators[me - LINES].x;
     solveSegment(links, leftOne, separators[me].x);
-    // Particles of adjacent segments, loaded before the barrier, because the neighbours move them after it.
+    // The particles of adjacent segments are loaded before the barrier, because the neighbours move them after it.
     before = LOAD_STATE(nextPositions, lineStart + max(first - 1, 0) * linePace);
     beyond = LOAD_STATE(nextPositions, lineStart + (last + 1) * linePace);
   }
@@ -200,7 +202,7 @@ void main() {
     firstLeft[me] = links > 1 ? lineStretch[links - 2] : leftOne;
   }
 #endif
-  barrier();  // After this barrier the adjacent segments move their particles.
+  barrier();  // After this barrier, the adjacent segments move their particles.
   if (!mine) return;
 #if KEEPS
   leaveSegment(segment, segments, first, last, me, leftOne);

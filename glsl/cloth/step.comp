@@ -1,4 +1,4 @@
-// Applies forces with semi-implicit Euler, one particle per invocation. Reads the positions of the last substep and
+// Applies forces with semi-implicit Euler. One invocation per particle. Reads the positions of the last substep and
 // writes the next positions to another array, so the order of workgroups does not matter.
 #include "cloth/kernel.glsl"
 #ifdef TEXEL_PATH
@@ -16,7 +16,8 @@ vec4 loadPosition(int i) {
 #include "cloth/model.glsl"
 
 void main() {
-  // Every second substep processes the rows in reverse order, to begin with rows that are still in the GPU's cache.
+  // Every second substep processes the rows in reverse order, so that it starts with rows that are still in the GPU's
+  // cache.
   uvec2 group = gl_WorkGroupID.xy;
   if ((stepData.substep & 1) == 1) group.y = gl_NumWorkGroups.y - 1u - group.y;
   ivec2 at = ivec2(group * gl_WorkGroupSize.xy + gl_LocalInvocationID.xy);

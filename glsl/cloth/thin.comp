@@ -1,10 +1,10 @@
-// Computes position and velocity changes of a grid's vertices by thin colliders. Tests the six edges and six faces
-// around each vertex, with the triangulation that is drawn.
+// Computes the position and velocity changes of a grid's vertices by thin colliders. Tests the six edges and six faces
+// around each vertex, with the same triangulation as for drawing. One invocation per vertex.
 #include "cloth/kernel.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "cloth/thin_kernel.glsl"
 
-// Returns the k-th of six neighbours. A face lies between neighbour k and neighbour k + 1.
+// Returns the neighbour k of six. A face lies between neighbour k and neighbour k + 1.
 ivec2 around(ivec2 at, int k) {
   int x = k == 0 || k == 5 ? 1 : k == 2 || k == 3 ? -1 : 0;
   int y = k == 1 || k == 2 ? 1 : k == 4 || k == 5 ? -1 : 0;

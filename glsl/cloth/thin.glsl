@@ -1,13 +1,14 @@
-// Contact of cloth edges and faces with thin spheres and capsules: those thinner than the cloth's spacing, which would
-// pass between vertices. Compiles as GLSL and as C++. Needs `stepData` (ClothStep), cloth/motion.glsl and
+// Contact of cloth edges and faces with thin spheres and capsules, which would pass between vertices because they are
+// thinner than the cloth's spacing. Compiles as GLSL and as C++. Needs `stepData` (ClothStep), cloth/motion.glsl and
 // collide/closest.glsl.
 //
-// For each edge and face around a vertex, the closest points to the collider at the start of the substep define a
-// normal. The collider cannot have passed through yet, so the normal has the right sign. At the end of the substep the
-// two points must be apart by radius + margin along the normal, however far they moved. If not, the cloth point is
-// pushed out like a vertex. A cloth point with barycentric weights w is moved by displacing corner j by w_j W_j / sum
-// w^2 W, with W the corner's inverse mass. For each collider, a vertex takes its largest displacement. All vertices
-// move at once, so order does not matter. The test runs thinRounds times, to resolve the remaining overlap.
+// For each edge and face around a vertex, the closest points of cloth and collider at the start of the substep define a
+// normal. The collider cannot have passed through yet, so the normal has the right sign. At the end of the substep, the
+// two points must be apart by radius + margin along the normal, however far they moved. If they are not, the cloth
+// point is pushed out like a vertex. To move a cloth point with the barycentric weights w, corner j is displaced by w_j
+// W_j / sum w^2 W, where W is the corner's inverse mass. For each collider, a vertex uses its largest displacement. All
+// vertices move simultaneously, so the order does not matter. The test runs thinRounds times, to resolve the remaining
+// overlap.
 #include "cloth/thin_rounds.glsl"
 
 struct Corner {
@@ -18,8 +19,8 @@ struct Corner {
 };
 
 struct Fended {
-  vec3 shift;    // in metres
-  vec3 change;   // in m/s
+  vec3 shift;    // Displacement in metres
+  vec3 change;   // Change of the velocity in m/s
   float squared; // Squared length of `shift`
 };
 
@@ -37,8 +38,8 @@ FUNCTION vec3 sharedBy(vec3 shares, vec3 a, vec3 b, vec3 c) {
   return sum;
 }
 
-// Tests collider i, at parameter t along its axis, against the cloth point with weights `shares` of the corners a, b,
-// c. Returns the larger of `most` and the displacement of corner a.
+// Tests collider i, at the parameter t along its axis, against the cloth point with the weights `shares` of the corners
+// a, b and c. Returns the larger of `most` and the resulting displacement of corner a.
 FUNCTION Fended fendedAt(Fended most, int i, float t, vec3 shares, Corner a, Corner b, Corner c) {
   vec3 velocityA = vec3(stepData.colliders[i].velocityA);
   vec3 velocityB = vec3(stepData.colliders[i].velocityB);
@@ -99,8 +100,8 @@ FUNCTION Fended fendedByFace(Fended most, int i, Corner a, Corner b, Corner c) {
   return most;
 }
 
-// True if collider i may touch the faces around the vertex. The test distance is the collider's reach plus the motion
-// of both in the substep plus the side length of the faces.
+// Returns true if collider i may touch the faces around the vertex. They are tested up to the distance of the
+// collider's radius, plus the motion of both in the substep, plus the side length of the faces.
 FUNCTION bool mayMeet(int i, Corner a) {
   vec3 from = vec3(stepData.colliders[i].a);
   precise vec3 axis = vec3(stepData.colliders[i].b) - from;

@@ -1,4 +1,4 @@
-// Common part of the thin-collider kernels for grids and meshes: loads a vertex's previous position, present position
+// Part common to the thin-collider kernels for grids and meshes: loads a vertex's previous position, current position
 // and velocity, and stores its displacement.
 #include "cloth/motion.glsl"
 #include "collide/closest.glsl"

@@ -13,21 +13,21 @@ struct STD140 ClothConstants {
   float stiffness DEFAULT(500.0f);       // Spring constant in N/m
   float shear DEFAULT(1.0f);             // Shear and bending stiffness as a ratio to `stiffness`
   float bend DEFAULT(0.3f);              // Shear and bending stiffness as a ratio to `stiffness`
-  float compliance DEFAULT(0.0f);        // in m/N
-  float shearCompliance DEFAULT(0.0f);   // in m/N
-  float bendCompliance DEFAULT(0.01f);   // in m/N
+  float compliance DEFAULT(0.0f);        // Compliance of structural links in m/N
+  float shearCompliance DEFAULT(0.0f);   // Compliance of shear links in m/N
+  float bendCompliance DEFAULT(0.01f);   // Compliance of bending links in m/N
   float margin DEFAULT(0.01f);           // Distance kept from colliders, in metres
 };
 
-// Woven fabric, described per length and area, independent of the grid spacing.
+// Woven fabric, described by properties per length and area that do not depend on the grid spacing.
 struct STD140 FabricConstants {
-  float density DEFAULT(0.115f);    // in kg/m^2
+  float density DEFAULT(0.115f);    // Mass per area in kg/m^2
   float weft DEFAULT(10000.0f);     // Stretch stiffness along rows, N/m
   float warp DEFAULT(15000.0f);     // Stretch stiffness along columns, N/m
   // Shear stiffness, N/m: force along a side of unit length for a shear angle of 1 rad
   float shear DEFAULT(50.0f);
   float bending DEFAULT(6e-6f);     // Bending stiffness, N m: moment on a side of unit length for a curvature of 1/m
-  float thickness DEFAULT(2.5e-4f); // in metres
+  float thickness DEFAULT(2.5e-4f); // Thickness in metres
 };
 
 struct STD140 AirConstants {
@@ -36,7 +36,7 @@ struct STD140 AirConstants {
   float lift DEFAULT(0.6f);     // Lift coefficient
 };
 
-// Affine map applied to a pinned particle's rest position. Row i gives component i.
+// Affine map applied to the rest positions of pinned particles. Row i gives component i.
 struct STD140 PinFrame {
   vec4 row0;
   vec4 row1;
@@ -51,23 +51,25 @@ struct STD140 ClothStep {
   vec4 origin;         // xyz: rest position of particle (0, 0), m
   vec4 alongX;         // xyz: rest offset to the next particle of a row, m
   vec4 alongY;         // xyz: rest offset to the next row, m
-  // Per border (left, right, top, bottom): xyz rest offset to the inner neighbour (m); w is 1 if clamped
+  // For each border (left, right, top, bottom): xyz rest offset to the inner neighbour (m); w is 1 if the border is
+  // clamped
   vec4 clamped[4];
   float dt;            // Duration of a substep, s
-  float perDt;         // in 1/s
-  float perReach;      // 1 / h in 1/s, h = 2/3 dt, the time step of constraints (cloth/motion.glsl)
-  float trendDt;       // dt / 18, s: factor of the trend (cloth/motion.glsl)
-  float complianceScale; // Factor of compliances in 1/s^2: 1 / h^2, or (1 - dampedPart) / h^2 with damping
-  float kept;          // Fraction of velocity left after damping, per substep
+  float perDt;         // 1 / dt, in 1/s
+  float perReach;      // 1 / h in 1/s, where h = 2/3 dt is the time step of constraints (cloth/motion.glsl)
+  float trendDt;       // dt / 18 in s, the factor of the trend (cloth/motion.glsl)
+  float complianceScale; // Factor on compliances in 1/s^2: 1 / h^2, or with damping (1 - dampedPart) / h^2
+  float kept;          // Fraction of the velocity that remains after damping, per substep
   float gustSpeed;     // Amplitude of the gusts, m/s
   float perGustSize;   // 1 / gust size, 1/m
   int colliderCount;
-  // Number of thin colliders: they follow the colliderCount others and are tested against edges and faces, not vertices
+  // Number of thin colliders; they follow the first colliderCount colliders and are tested against edges and faces, not
+  // vertices
   int thinCount;
   float thinRoom;      // Distance from a vertex within which its faces lie, m
   int substep;         // Number of substeps since the start
   int seed;
-  float perBend;       // bending / spacing^2 of a fabric, N/m
+  float perBend;       // bending / spacing^2 of a fabric in N/m
   // T / (T + dt), the fraction of stretch that damping preserves per substep; T is the fabric's stretchDamping
   float dampedPart;
   // Softening of lines that conserve energy, as a ratio to the substep's minimum (cloth/keeping.glsl); otherwise 1

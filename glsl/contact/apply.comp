@@ -1,4 +1,4 @@
-// Moves each vertex by the sum of its contact impulses of one round, and clears the sum. One vertex per invocation.
+// Moves each vertex by the sum of its contact impulses of one round, and clears the sum. One invocation per vertex.
 #include "contact/kernel.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = talliesBinding) restrict buffer TallyBlock { ivec4 tallies[]; };

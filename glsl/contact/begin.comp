@@ -1,5 +1,5 @@
-// Decides whether this substep searches for pairs again, and sets the sizes of the search dispatches. Runs as a single
-// invocation.
+// Decides whether this substep searches for pairs again, and sets the sizes of the search dispatches. One invocation in
+// total.
 #include "contact/kernel.glsl"
 layout(local_size_x = 1) in;
 

@@ -1,7 +1,7 @@
 // Accumulates the displacements by which solids carry vertices. Needs the `tallies` array.
 
-// Records a displacement of vertex v. Each axis and sign keeps its own maximum, so the order of invocations does not
-// matter.
+// Records the displacement `by` of vertex v. The maximum is taken separately for each axis and sign, so the order of
+// invocations does not matter.
 void carry(int v, vec3 by) {
   int up = upSection * contactStep.vertices + v, down = downSection * contactStep.vertices + v;
   for (int axis = 0; axis < 3; ++axis) {

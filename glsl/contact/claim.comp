@@ -1,4 +1,5 @@
-// Computes the correction of each near pair, and adds the pair's claims to its corners. One near pair per invocation.
+// Computes the correction of each near pair and adds the pair's claims to the tallies of its corners. One invocation
+// per near pair.
 #include "contact/kernel.glsl"
 #include "contact/near_list.glsl"
 

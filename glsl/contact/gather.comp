@@ -1,5 +1,5 @@
-// Copies a simulation's vertices into the contact arrays and resets their tallies. If a vertex has left its box, marks
-// the pairs as stale. One vertex per invocation.
+// Copies a simulation's vertices into the contact arrays and resets their tallies. Marks the pairs as stale if a vertex
+// has left its box. One invocation per vertex.
 #include "contact/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_ARRAY(partNowBinding, PartNowBlock, partNow)
@@ -31,6 +31,6 @@ void main() {
   if (gone || !(solid || ball)) return;
   float way = lengthOf(now.xyz, next.xyz);
   if (ball) way = ballStir(way, skin.z);
-  // Float bits of non-negative numbers have the order of the floats.
+  // The bits of non-negative floats compare like the floats.
   if (way > 0.0f) atomicMax(control.fastest, floatBitsToUint(way));
 }

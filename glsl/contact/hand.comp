@@ -1,4 +1,5 @@
-// Copies the positions after the impulses back to a simulation; also updates the velocities of balls.
+// Copies the positions after the impulses back to a simulation and updates the velocities of balls. One invocation per
+// vertex.
 #include "contact/kernel.glsl"
 layout(local_size_x = 64) in;
 STATE_ARRAY(partNextBinding, PartNextBlock, partNext)
@@ -12,7 +13,8 @@ void main() {
   int v = first + i;
   vec4 wanted = pointAt(wantedSection, v);
   STORE_STATE(partNext, i, wanted);
-  // Only living balls: a cloth derives its velocity from its new positions (settledAgain of cloth/motion.glsl).
+  // Only live balls get a new velocity. A cloth derives its velocity from its new positions (settledAgain of
+  // cloth/motion.glsl).
   if (!isBall(v) || pointAt(nowSection, v).w == 0.0f) return;
   vec4 velocity = LOAD_ONCE(partVelocities, i);
   vec3 speed = speedBy(velocity.xyz, pointAt(nextSection, v).xyz, wanted.xyz);

@@ -9,16 +9,17 @@
 layout(std140, binding = stepBinding) uniform StepBlock { ContactStep contactStep; };
 STATE_ARRAY(pointsBinding, PointBlock, points)
 layout(std430, binding = controlBinding) restrict buffer ControlBlock {
-  uint pairCounts[2];  // Vertex-face pairs, edge-edge pairs
+  uint pairCounts[2];  // Number of vertex-face pairs, number of edge-edge pairs
   uint nearCount;
   uint stale;          // 1 if a vertex has left its box, so that pairs must be found again
   uint stopped;        // 1 if all vertices must use the limits for planes at rest
-  uint mostPairs;      // Largest number of pairs of one kind since the start
+  uint mostPairs;      // Maximum number of pairs of one kind since the start
   uint candidateCounts[2];
-  // Longest path of a ball or solid vertex in this substep, in metres as float bits, while gather.comp accumulates it
+  // Maximum path length of all ball and solid vertices in this substep, in metres as float bits; gather.comp
+  // accumulates it
   uint fastest;
   uint stir;           // Final value of `fastest` for this substep
-  uint searched;       // The `stir` that the pair search allowed for
+  uint searched;       // Value of `stir` that the latest pair search allowed for
   uint spare;
   uvec4 dispatches[levelDispatch + maxLevels];
 } control;
@@ -31,7 +32,7 @@ vec4 pointAt(int section, int i) {
 void keepPoint(int section, int i, vec4 value) {
   STORE_STATE(points, section * contactStep.vertices + i, value);
 }
-// Returns the box of a vertex's possible positions, enlarged by half the thickness.
+// Returns the box of all positions that a vertex may occupy, enlarged by half the thickness.
 Hull hullOf(uint vertex) {
   int v = int(vertex);
   precise vec3 low = pointAt(lowSection, v).xyz - pointAt(nextSection, v).w;
@@ -47,7 +48,8 @@ float thicknessOf(ivec4 corners) {
 int nearestTally(int ball) {
   return upSection * contactStep.vertices + ball;
 }
-// True if no vertex is carried by a solid, so that every vertex starts at its own position.
+// Returns true if solids carry no vertex, so that the path of every vertex starts at its position at the substep's
+// start.
 bool nothingCarried() {
   return !hasSolids() || control.stir == 0u;
 }

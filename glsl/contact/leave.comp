@@ -1,4 +1,5 @@
-// Writes the final positions and velocities back to a simulation, with the limits of hold.comp applied.
+// Applies the limits of hold.comp and writes the final positions and velocities back to a simulation. One invocation
+// per vertex.
 #include "contact/kernel.glsl"
 layout(local_size_x = 64) in;
 STATE_ARRAY(partNextBinding, PartNextBlock, partNext)

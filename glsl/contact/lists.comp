@@ -1,4 +1,5 @@
-// Computes dispatch sizes from counters. CANDIDATES: candidates of a search. NEAR: near pairs. Otherwise: pairs.
+// Computes dispatch sizes from counters, in one invocation. Uses the candidates of a search if CANDIDATES is defined,
+// the near pairs if NEAR is defined, otherwise the pairs.
 #include "contact/kernel.glsl"
 layout(local_size_x = 1) in;
 

@@ -1,12 +1,14 @@
-// Contact of triangles. Faces and edges keep a distance and never pass through each other. Compiles as GLSL and as C++
+// Contact of triangles: faces and edges keep a distance and never pass through each other. Compiles as GLSL and as C++
 // (the CPU twin of the tests). Needs common/exact.glsl, types.glsl and `contactStep`.
 //
-// x is a position at the substep's start, x' the predicted position. No face crosses another at x. Two convex features
-// that are apart at x have a slab between them, normal to the segment between their closest points. While a plane
-// parallel to the slab, at rest or in uniform motion, separates them, neither passes through the other.
+// x is a position at the substep's start, x' the predicted position. No two faces intersect at x. Between two convex
+// features that do not intersect at x there is a slab, normal to the segment between their closest points. As long as a
+// plane parallel to the slab, standing still or moving uniformly, separates the two features, they do not pass through
+// each other.
 
-// True if the vertex belongs to a solid. Solids follow their prescribed motion and are never held back; cloth yields.
-// Their vertices have the highest indices. NO_SOLIDS and NO_BALLS mark kernels for scenes without solids or balls.
+// Returns true if the vertex belongs to a solid. Solids follow their prescribed motion and are never held back, and
+// cloth yields. Vertices of solids have the highest indices. NO_SOLIDS and NO_BALLS are defined for scenes without
+// solids or balls.
 FUNCTION bool isSolid(int vertex) {
 #ifdef NO_SOLIDS
   return false;
@@ -14,8 +16,8 @@ FUNCTION bool isSolid(int vertex) {
   return vertex >= contactStep.movable;
 #endif
 }
-// True if the vertex is a ball, a particle that touches cloth. Balls have no faces. Their indices follow the cloths'
-// vertices.
+// Returns true if the vertex is a ball: a particle that touches cloth. Balls have no faces. The indices of balls follow
+// those of the cloths' vertices.
 FUNCTION bool isBall(int vertex) {
 #ifdef NO_BALLS
   return false;
@@ -23,7 +25,7 @@ FUNCTION bool isBall(int vertex) {
   return vertex >= contactStep.balls && vertex < contactStep.movable;
 #endif
 }
-// True if the scene has balls or solids, which can move cloth by more than a thickness per substep.
+// Returns true if the scene has balls or solids, which can move cloth by more than a thickness per substep.
 FUNCTION bool hasStir() {
 #if defined NO_SOLIDS && defined NO_BALLS
   return false;
@@ -31,33 +33,33 @@ FUNCTION bool hasStir() {
   return contactStep.balls < contactStep.vertices;
 #endif
 }
-// Returns a ball's inverse mass, or 0 unless the ball is alive at both ends of the substep. So a new ball takes part
-// from its second substep on.
+// Returns a ball's inverse mass if the ball is alive at both ends of the substep, otherwise 0. A new ball therefore
+// takes part from its second substep on.
 FUNCTION float ballWeight(float mass, float nextMass) {
   return mass > 0.0f && nextMass > 0.0f ? exactReciprocal(mass) : 0.0f;
 }
-// Returns a ball's contribution to `stir`: its path, plus the path that a bounce gives to cloth. The factor 1.5 covers
-// a face corner, which can move up to 1.4 times as far as a point in the face.
+// Returns a ball's contribution to `stir`: the length of its path, plus the length of the path that a bounce gives to
+// cloth. The factor 1.5 covers a face corner, which can move up to 1.4 times as far as a point in the face.
 FUNCTION float ballStir(float way, float bounce) {
   precise float stir = way * 1.5f * (1.0f + bounce);
   return stir;
 }
-// Returns the distance kept between the features of the first and the last corner: the sum of half their thicknesses.
-// Against a solid, a cloth keeps its own full thickness.
+// Returns the distance to keep between the feature of the first corner and the feature of the last corner: the sum of
+// half their thicknesses. Between a cloth and a solid it is the cloth's full thickness.
 FUNCTION float thicknessBetween(ivec4 corners, float half_, float lastHalf) {
   precise float thick = (isSolid(corners.x) ? lastHalf : half_) + (isSolid(corners.w) ? half_ : lastHalf);
   return thick;
 }
-// Returns the Coulomb friction coefficient of two features: their mean. A negative value (a solid without its own
-// coefficient) selects the other feature's value.
+// Returns the Coulomb friction coefficient of two features: their mean. If one value is negative (a solid without a
+// coefficient), returns the other value.
 FUNCTION float frictionBetween(float a, float b) {
   precise float mean = 0.5f * (a + b);
   return a < 0.0f ? b : b < 0.0f ? a : mean;
 }
 
-// Returns the box that a vertex may occupy while the pairs found now remain in use. It covers the path of `horizon`
-// substeps, but at most two thicknesses, and a border of 1/8 thickness plus 1/5 of the path. Pairs of fast vertices are
-// searched more often instead of over longer distances.
+// Returns the box that a vertex may occupy while the current pairs remain in use. The box covers the path of `horizon`
+// substeps, but at most two thicknesses, and a border of 1/8 thickness plus 1/5 of the path. The limit means that pairs
+// of fast vertices are searched more often, and not over longer distances.
 FUNCTION Hull reachOf(vec3 now, vec3 next, float half_) {
   precise vec3 one = next - now;
   float fastest = max(max(abs(one.x), abs(one.y)), abs(one.z));
@@ -85,14 +87,15 @@ FUNCTION bool hasSolids() {
   return contactStep.movable < contactStep.vertices;
 #endif
 }
-// Returns the distance (metres) that contact may move a vertex from its predicted position beyond the thickness limits,
-// in scenes with solids or balls: the fastest solid's path, plus the vertex's own path, because a taut cloth's
-// prediction can lie deep in a solid. `beside` is 1 if a pair with a solid or ball exists; otherwise the result is 0.
+// Returns the distance (metres) by which contact may move a vertex from its predicted position beyond the limits given
+// by the thickness. If the vertex has a pair with a solid or ball (`beside` is 1), the distance is the path of the
+// fastest solid or ball plus the vertex's path, because the predicted position of a taut cloth can lie deep in a solid.
+// Otherwise, it is 0.
 FUNCTION float roamOf(vec3 now, vec3 next, float stir, float beside) {
   precise float roam = stir + lengthOf(now, next);
   return beside == 1.0f ? roam : 0.0f;
 }
-// Returns the `stir` (metres) that a pair search allows for, with a reserve of 1/8.
+// Returns the value of `stir` (metres) that a pair search allows for: the present value plus 1/8.
 FUNCTION float foreseen(float stir) {
   precise float more = 1.125f * stir;
   return more;
@@ -108,8 +111,9 @@ FUNCTION Hull widened(Hull a, float by) {
 FUNCTION bool isWithin(vec3 p, vec3 low, vec3 high) {
   return p.x >= low.x && p.y >= low.y && p.z >= low.z && p.x <= high.x && p.y <= high.y && p.z <= high.z;
 }
-// True if the found pairs are still complete for a vertex. Near a ball, the box must also leave room for `stir` of the
-// previous substep; otherwise the box would limit the vertex's push and the ball would feel too little resistance.
+// Returns true if the found pairs are still complete for a vertex. If the vertex has a pair with a ball, its box must
+// also leave a margin of `stir` of the previous substep. Otherwise, the box would limit the push on the vertex, and the
+// ball would meet too little resistance.
 FUNCTION bool isGood(vec3 next, vec3 low, vec3 high, float stir, float beside) {
 #ifdef NO_BALLS
   return isWithin(next, low, high);
@@ -120,7 +124,7 @@ FUNCTION bool isGood(vec3 next, vec3 low, vec3 high, float stir, float beside) {
   return isWithin(least, low, high) && isWithin(most, low, high);
 #endif
 }
-// Returns the greatest distance that a vertex can move from its present position within its box.
+// Returns the maximum distance that a vertex can move from its current position within its box.
 FUNCTION float radiusOf(vec3 now, vec3 low, vec3 high) {
   precise vec3 down = now - low;
   precise vec3 up = high - now;
@@ -136,19 +140,21 @@ FUNCTION bool overlap(vec3 low, vec3 high, vec3 otherLow, vec3 otherHigh) {
 
 #include "contact/near.glsl"
 
-// True if the two features can come within a thickness of each other while each corner stays within its radius.
+// Returns true if the two features can come within a thickness of each other while each corner moves by at most its
+// radius.
 FUNCTION bool mayMeet(Near near, vec4 radii, float thick) {
   float two = max(radii.z, radii.w);
   precise float most = isOfEdges(near) ? max(radii.x, radii.y) + two + thick : radii.x + max(radii.y, two) + thick;
   return near.normal.w <= most;
 }
 
-// Returns the heights of the four corners along the normal.
+// Returns the heights of the four corners: their coordinates along the normal.
 FUNCTION vec4 heightsOf(Near near, vec3 a, vec3 b, vec3 c, vec3 d) {
   vec3 normal = vec3(near.normal);
   return vec4(exactDot(normal, a), exactDot(normal, b), exactDot(normal, c), exactDot(normal, d));
 }
-// Returns the lowest height of the first side. highestOf returns the highest height of the other side.
+// lowestOf() returns the minimum height of the first side's corners, highestOf() the maximum height of the other side's
+// corners.
 FUNCTION float lowestOf(Near near, vec4 heights) {
   return isOfEdges(near) ? min(heights.x, heights.y) : heights.x;
 }
@@ -160,14 +166,14 @@ FUNCTION float gapOf(Near near, vec4 heights) {
   precise float gap = lowestOf(near, heights) - highestOf(near, heights);
   return gap;
 }
-// Returns the displacement of one side at its closest point. The arguments a to d are the displacements of the corners.
+// Returns the displacement of one side at its closest point. a to d are the displacements of the corners.
 FUNCTION vec3 wayOfSide(Near near, bool first, vec3 a, vec3 b, vec3 c, vec3 d) {
   bool edges = isOfEdges(near);
   vec4 shares = first ? vec4(near.shares.x, edges ? near.shares.y : 0.0f, 0.0f, 0.0f)
                       : vec4(0.0f, edges ? 0.0f : -near.shares.y, -near.shares.z, -near.shares.w);
   return weighted(shares, a, b, c, d);
 }
-// Returns a lower bound of the gap if each corner moves by at most its rise.
+// Returns a lower bound of the gap during a substep in which each corner's height changes by its rise.
 FUNCTION float worstGap(Near near, vec4 heights, vec4 rises) {
   precise vec4 after = heights + rises;
   vec4 low = min(heights, after), high = max(heights, after);
@@ -175,8 +181,9 @@ FUNCTION float worstGap(Near near, vec4 heights, vec4 rises) {
   return gap;
 }
 
-// True if the pair must be processed in this substep. Impulses move each side by at most 1/4 of the thickness, and
-// colliders that push it back afterwards leave it within 5/8. `roams` holds roamOf() of the corners.
+// Returns true if the pair must be processed in this substep. Impulses move each side by at most 1/4 of the thickness,
+// and colliders that push a side back afterwards leave it within 5/8 of the thickness. `roams` holds roamOf() of the
+// corners.
 FUNCTION bool isNear(Near near, vec4 heights, vec4 rises, float thick, vec4 roams) {
   float roam = max(max(roams.x, roams.y), max(roams.z, roams.w));
   precise float most = 1.5f * thick + 2.0f * roam;
@@ -184,13 +191,13 @@ FUNCTION bool isNear(Near near, vec4 heights, vec4 rises, float thick, vec4 roam
 }
 
 // Returns the minimum gap that must remain after a substep: gap / 5, but at least thickness / 20. A gap below thickness
-// / 20 must not shrink at all, because normals between closer points would consist of rounding errors.
+// / 20 must not shrink at all, because at smaller distances the normal would consist of rounding errors.
 FUNCTION float leftOf(float gap, float thick) {
   precise float fifth = 0.2f * gap;
   precise float least = 0.05f * thick;
   return gap > least ? max(fifth, least) : gap;
 }
-// True if one side of the pair belongs to a solid.
+// Returns true if one side of the pair belongs to a solid.
 FUNCTION bool meetsSolid(Near near) {
   ivec4 corners = cornersOf(near);
   return isSolid(corners.x) || isSolid(corners.w);
@@ -198,9 +205,9 @@ FUNCTION bool meetsSolid(Near near) {
 FUNCTION bool isOfFirst(Near near, int corner) {
   return corner == 0 || (corner == 1 && isOfEdges(near));
 }
-// Returns the heights along the normal that keep the minimum gap (leftOf()) at the end of the substep: x is the lowest
-// height that corners of the first side may have above the other side's highest corner, y the highest that corners of
-// the other side may have below the first side's lowest corner. `after`: final heights of the corners.
+// Returns limits of the heights at the end of the substep that keep the minimum gap (leftOf()): x is the minimum height
+// of the first side's corners, given the other side's highest corner; y is the maximum height of the other side's
+// corners, given the first side's lowest corner. `after` holds the final heights of the corners.
 FUNCTION vec2 limitsOf(Near near, vec4 heights, vec4 after, float thick) {
   float left = leftOf(gapOf(near, heights), thick);
   precise float floor_ = highestOf(near, after) + left;
@@ -208,10 +215,10 @@ FUNCTION vec2 limitsOf(Near near, vec4 heights, vec4 after, float thick) {
   return vec2(floor_, ceiling);
 }
 // Returns for each corner the fraction of `way` that it must follow to keep the minimum gap. `way` is the displacement,
-// at the closest point, of the leading side: a solid, or cloth carried by a solid. Only corners of the opposite side
-// get a fraction. A corner that follows the entire `way` of a solid without rotation keeps its relative position, so
-// the demands of several features of one solid do not conflict. `after` holds the final heights of the leading side's
-// corners.
+// at the closest point, of the leading side: a solid, or cloth carried by a solid. The fractions of the leading side's
+// corners are 0. A corner that follows the entire `way` of a solid without rotation keeps its position relative to the
+// solid, so several features of one solid do not contradict each other. `after` holds the final heights of the leading
+// side's corners.
 FUNCTION vec4 carriesOf(Near near, bool firstLeads, vec4 heights, vec4 after, vec3 way, float thick) {
   vec2 limits = limitsOf(near, heights, after, thick);
   float rise = exactDot(vec3(near.normal), way);
@@ -226,24 +233,25 @@ FUNCTION vec4 carriesOf(Near near, bool firstLeads, vec4 heights, vec4 after, ve
   }
   return carries;
 }
-// For two cloth layers that come too near because solids carry them: true if the first layer is the leading one, which
-// is carried further towards the other.
+// For two cloth layers that come too near because solids carry them: returns true if the first layer leads, that is, if
+// it is carried further towards the other layer.
 FUNCTION bool firstGoesFurther(Near near, vec3 way, vec3 otherWay) {
   vec3 normal = vec3(near.normal);
   precise float both = exactDot(normal, way) + exactDot(normal, otherWay);
   return both < 0.0f;
 }
-// True if the corners, moving by the fractions `let` of their paths, are not separated by a moving plane at the end.
-// `starts` holds the heights at which the paths begin: the corners' own positions, or the positions to which solids
-// carry them.
+// Returns true if no moving plane separates the two sides at the end when each corner moves by its fraction `let` of
+// its path. `starts` holds the heights at which the paths begin: at the corners' positions, or at the positions to
+// which solids carry the corners.
 FUNCTION bool passes(Near near, vec4 heights, vec4 starts, vec4 rises, vec4 let, float thick) {
   precise vec4 after = starts + rises * let;
   float left = leftOf(gapOf(near, heights), thick);
   precise float rounded = 0.875f * left;
   return gapOf(near, after) < (meetsSolid(near) ? rounded : left);
 }
-// Returns for each corner the fraction of its path that keeps the sides separated by a plane at rest. Each side may use
-// half of the spare gap. A solid takes its whole path and the plane moves with it.
+// Returns for each corner the fraction of its path that keeps the sides separated by a plane that stands still. Each
+// side may use half of the spare gap. If one side is a solid, it moves along its whole path and the plane moves with
+// it.
 FUNCTION vec4 letOf(Near near, vec4 heights, vec4 starts, vec4 rises, float thick) {
   ivec4 corners = cornersOf(near);
   bool firstSolid = isSolid(corners.x), otherSolid = isSolid(corners.w);
@@ -267,20 +275,20 @@ FUNCTION vec4 letOf(Near near, vec4 heights, vec4 starts, vec4 rises, float thic
   return let;
 }
 
-// True if both closest points are inside their features. A closest point on a border also belongs to a neighbouring
-// feature, and the neighbour determines the push. Otherwise a cloth that slides over another would catch on the
-// interior edges.
+// Returns true if both closest points are in the interior of their features. A closest point on a border also belongs
+// to a neighbouring feature, which then determines the push. Otherwise, a cloth that slides over another would catch on
+// the interior edges.
 FUNCTION bool isInside(Near near) {
   return near.shares.x != 0.0f && near.shares.y != 0.0f && near.shares.z != 0.0f && near.shares.w != 0.0f;
 }
 
-// True if the pair pushes a ball. A ball has no edges that could touch a cloth's border, so a border also pushes it, if
-// no other feature is nearer. `nearest` is the distance of the nearest feature in metres.
+// Returns true if the pair pushes a ball. A ball has no edges that could touch a cloth's border, so a closest point on
+// a border also pushes it if no other feature is nearer. `nearest` is the distance of the nearest feature in metres.
 FUNCTION bool pushesBall(Near near, float nearest) {
   return isInside(near) || near.normal.w <= nearest;
 }
-// Returns the distance in metres that a ball bounces back: the fraction `bounce` of its relative path along the normal.
-// Returns -1e30 if the impact is slow or does not reach the thickness.
+// Returns the distance in metres that a ball bounces back: the fraction `bounce` of its path relative to the other
+// side, along the normal. Returns -1e30 if the impact is slow or if the ball does not come within the thickness.
 FUNCTION float givenBack(Near near, vec3 slide, float thick, float bounce) {
   float through = exactDot(slide, vec3(near.normal));
   precise float after = near.normal.w + through;
@@ -289,10 +297,10 @@ FUNCTION float givenBack(Near near, vec3 slide, float thick, float bounce) {
   return through < least && after < thick ? back : -1e30f;
 }
 
-// Returns the displacement (metres) of the first side's closest point relative to the other's. It restores the distance
-// `thick` at the substep's end. If the points are already nearer at the start, it restores the distance slowly. For a
-// ball it is at least `back`. Friction removes at most the coefficient times the normal displacement from the
-// tangential displacement.
+// Returns the displacement (metres) of the first side's closest point relative to the other side's. It restores the
+// distance `thick` at the end of the substep; if the points are already nearer than `thick` at the start, it restores
+// the distance slowly. For a ball, the displacement along the normal is at least `back`. Friction reduces the
+// tangential displacement by at most the friction coefficient times the normal displacement.
 FUNCTION vec3 correctionOf(Near near, vec3 slide, float thick, float friction, float back, bool pushes) {
   vec3 normal = vec3(near.normal);
   float through = exactDot(slide, normal);
@@ -309,16 +317,17 @@ FUNCTION vec3 correctionOf(Near near, vec3 slide, float thick, float friction, f
   return there ? way : vec3(0.0f);
 }
 
-// Returns a contact's claim on a corner's mass, which impulseOf() splits in proportion to the claims: the magnitude of
-// the corner's barycentric weight, in units of 1/4096.
+// Returns a contact's claim on a corner: the magnitude of the corner's barycentric weight, in units of 1/4096.
+// impulseOf() splits a corner's mass among its contacts in proportion to their claims.
 FUNCTION int claimOf(float share) {
   precise float scaled = abs(share) * 4096.0f + 0.5f;
   return int(floor(scaled));
 }
-// Returns the impulse (kg m) that produces the displacement `way`. All contacts are solved at once, so each corner's
-// mass is split among its contacts in proportion to their claims (Tonge et al. 2012, Mass Splitting for Jitter-Free
-// Parallel Rigid Body Simulation). With inverse mass w and the sum s of claims, a contact sees the inverse mass w s /
-// |share|. `weights` holds w s of the corners.
+// Returns the impulse (kg m) that produces the displacement `way`. All contacts are solved at the same time, so each
+// corner's mass is split among its contacts in proportion to their claims (Tonge et al. 2012, Mass Splitting for
+// Jitter-Free Parallel Rigid Body Simulation). For a corner with the inverse mass w and the sum s of claims, a contact
+// uses the inverse mass w s / |share|, where share is the corner's barycentric weight. `weights` holds w s of the
+// corners.
 FUNCTION vec3 impulseOf(vec4 shares, vec4 weights, vec3 way) {
   vec4 sizes = abs(shares);
   float weight = exactDot(sizes, weights);
@@ -330,15 +339,15 @@ FUNCTION float weightOf(float inverseMass, int claims) {
   return weight;
 }
 
-// Converts an impulse to integers, so that the sum is independent of the order. The caller gives the last corner the
-// negated sum of the others, so that the total is zero.
+// Converts an impulse to integers, whose sum does not depend on the order. The caller gives the last corner the negated
+// sum of the other corners, so that the total is zero.
 FUNCTION ivec3 quantaOf(vec3 impulse, float share) {
   precise vec3 scaled = impulse * (share * contactStep.quanta) + 0.5f;
   vec3 held = clamp(floor(scaled), vec3(-1e8f), vec3(1e8f));
   return ivec3(int(held.x), int(held.y), int(held.z));
 }
 
-// Returns `place`, limited to the distance `most` from `next` and to the box.
+// Returns `place`, limited to the distance `most` from `next` and to the box from `low` to `high`.
 FUNCTION vec3 keptWithin(vec3 next, vec3 place, float most, vec3 low, vec3 high) {
   precise vec3 way = place - next;
   precise float part = most * exactInverseSqrt(max(exactDot(way, way), 1e-24f));
@@ -347,24 +356,26 @@ FUNCTION vec3 keptWithin(vec3 next, vec3 place, float most, vec3 low, vec3 high)
   return clamp(kept, low, high);
 }
 
-// Returns a vertex's position after its impulses, limited to the distance `most` from its prediction and to its box.
+// Returns a vertex's position after its impulses, limited to the distance `most` from its predicted position and to its
+// box.
 FUNCTION vec3 pushedTo(vec3 next, vec3 wanted, float weight, ivec3 sum, float most, vec3 low, vec3 high) {
   precise vec3 way = wanted + vec3(float(sum.x), float(sum.y), float(sum.z)) * (contactStep.perQuanta * weight);
   return keptWithin(next, way, most, low, high);
 }
 
-// Returns the position to which a vertex can be held back: its start, plus the displacement by solids. A pinned vertex
-// stays at its start.
+// Returns the position to which a vertex can be held back: its position at the substep's start, displaced by solids
+// unless it is pinned.
 FUNCTION vec3 carriedTo(vec4 now, vec3 up, vec3 down) {
   precise vec3 carried = vec3(now) + up - down;
   return now.w == 0.0f ? vec3(now) : carried;
 }
-// Returns the velocity after contact moved a vertex from `next` to `end`.
+// Returns the velocity of a vertex after contact has moved it from `next` to `end`.
 FUNCTION vec3 speedBy(vec3 velocity, vec3 next, vec3 end) {
   precise vec3 speed = velocity + (end - next) * contactStep.perDt;
   return speed;
 }
-// Returns the held-back position: the fraction `let` of the path from `start` to `wanted`.
+// Returns the position of a vertex that is held back: the point at the fraction `let` of the path from `start` to
+// `wanted`.
 FUNCTION vec3 heldAt(vec3 start, vec3 wanted, float let) {
   precise vec3 part = start + (wanted - start) * let;
   return let == 1.0f ? wanted : part;

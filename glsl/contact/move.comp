@@ -1,5 +1,5 @@
-// Computes the vertices of a solid at a moment of the frame, one per invocation. The mesh may be moved, deformed or
-// both.
+// Computes the vertices of a solid at a time within the frame. The mesh may be moved, deformed or both. One invocation
+// per vertex.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "contact/bindings.glsl"
@@ -9,7 +9,7 @@ INPUT_ARRAY(beginBinding, BeginBlock, begins)
 INPUT_ARRAY(endBinding, EndBlock, ends)
 STATE_ARRAY(placesBinding, PlaceBlock, places)
 uniform int count;
-uniform float now;  // Position in the frame, 0 to 1
+uniform float now;  // Time within the frame, as a fraction from 0 to 1
 uniform Placement begin;
 uniform Placement end;
 

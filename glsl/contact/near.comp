@@ -1,4 +1,5 @@
-// Collects the pairs (edge-edge with EDGES) that may touch in this substep. One pair per invocation.
+// Collects the pairs that may touch in this substep: edge-edge if EDGES is defined, otherwise vertex-face. One
+// invocation per pair.
 #include "contact/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_WORDS(pairsBinding, PairBlock, pairs)
@@ -43,7 +44,7 @@ void main() {
     precise vec4 after = heights + rises;
     carryAll(c, carriesOf(near, first, heights, after, way, thick), way);
   }
-  // A distance is non-negative, so its bits have the order of the floats.
+  // A distance is non-negative, so its bits compare like the float.
   if (ball) atomicMin(tallies[nearestTally(c.x)].w, floatBitsToInt(near.normal.w));
   int place = int(atomicAdd(control.nearCount, 1u));
   if (place >= contactStep.maxPairs) return;

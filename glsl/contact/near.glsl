@@ -1,8 +1,9 @@
-// Distance of a vertex to a face, and of an edge to an edge: barycentric weights, normal, distance. Compiles as GLSL
-// and as C++ as part of model.glsl.
+// Closest points of a vertex and a face, and of two edges: barycentric weights, normal, distance. Compiles as GLSL and
+// as C++ as part of model.glsl.
 
-// Returns the barycentric weights of the triangle's closest point to p (Ericson, Real-Time Collision Detection, 5.1.5).
-// Ericson's first matching region wins; here the tests run in reverse order, so that the last assignment wins.
+// Returns the barycentric weights of the point of a triangle that is closest to p (Ericson, Real-Time Collision
+// Detection, 5.1.5). Ericson uses the first matching region; here, the tests run in reverse order, so that the last
+// assignment is used.
 FUNCTION vec3 closestOnTriangle(vec3 p, vec3 a, vec3 b, vec3 c) {
   precise vec3 ab = b - a;
   precise vec3 ac = c - a;
@@ -36,7 +37,7 @@ FUNCTION vec3 closestOnTriangle(vec3 p, vec3 a, vec3 b, vec3 c) {
   return shares;
 }
 
-// Returns the parameters (0 to 1) of the closest points of the segments a-b and c-d (Ericson, 5.1.9).
+// Returns the parameters (0 to 1) of the closest points on the segments a-b and c-d (Ericson, 5.1.9).
 FUNCTION vec2 closestOfEdges(vec3 a, vec3 b, vec3 c, vec3 d) {
   precise vec3 along = b - a;
   precise vec3 other = d - c;
@@ -59,8 +60,9 @@ FUNCTION vec3 weighted(vec4 shares, vec3 a, vec3 b, vec3 c, vec3 d) {
   return sum;
 }
 
-// Builds a Near. `across` is the normal of the face, or of both edges; zero if a closest point is on a border. `across`
-// is accurate at any distance, whereas the vector between very close points would consist of rounding errors.
+// Builds a Near. `across` is the normal of the face or the common normal of both edges, or zero if a closest point is
+// on a border. It is accurate at any distance, whereas the vector between very close points would consist of rounding
+// errors.
 FUNCTION Near nearOf(ivec4 corners, vec4 shares, vec3 apart, vec3 across) {
   float squared = exactDot(apart, apart), size = exactDot(across, across);
   float inverse = exactInverseSqrt(max(squared, 1e-24f));

@@ -1,9 +1,9 @@
-// Access to the list of near pairs, one pair per invocation.
+// Access to the list of near pairs. Each invocation processes one pair.
 layout(local_size_x = 64) in;
 INPUT_WORDS(cornersBinding, CornerBlock, corners)
 STATE_ARRAY(nearsBinding, NearBlock, nears)
 layout(std430, binding = talliesBinding) restrict buffer TallyBlock { ivec4 tallies[]; };
-// Loads a tally word that an earlier dispatch wrote and this one does not change.
+// Loads a word of the tallies that an earlier dispatch wrote and this dispatch does not change.
 #ifdef TEXEL_PATH
 layout(binding = toldBinding) uniform usamplerBuffer told;
 #define LOAD_TALLY(i) ivec4(texelFetch(told, i))
@@ -28,12 +28,13 @@ vec3 wayOf(int vertex) {
   precise vec3 way = pointAt(wantedSection, vertex).xyz - pointAt(nowSection, vertex).xyz;
   return way;
 }
-// Returns the displacement that the vertex would make without contact.
+// Returns the displacement of a vertex from its position at the substep's start to its prediction without contact.
 vec3 ledOf(int vertex) {
   precise vec3 way = pointAt(nextSection, vertex).xyz - pointAt(nowSection, vertex).xyz;
   return way;
 }
-// startOf returns the position to which a vertex can be held back; wayFromStart returns its displacement from there.
+// startOf() returns the position to which a vertex can be held back. wayFromStart() returns the displacement of the
+// vertex from that position.
 vec3 startOf(int vertex) {
   return pointAt(isSolid(vertex) || nothingCarried() ? nowSection : startSection, vertex).xyz;
 }

@@ -1,4 +1,4 @@
-// Adds the impulses of each near pair to the tallies of its corners. One near pair per invocation.
+// Adds the impulses of each near pair to the tallies of its corners. One invocation per near pair.
 #include "contact/kernel.glsl"
 #include "contact/near_list.glsl"
 

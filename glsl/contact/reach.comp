@@ -1,5 +1,5 @@
 // Computes the box of each vertex for the next pair search. The pairs remain complete while the vertices stay in their
-// boxes.
+// boxes. One invocation per vertex.
 #include "contact/kernel.glsl"
 layout(local_size_x = 64) in;
 

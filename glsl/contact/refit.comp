@@ -1,4 +1,5 @@
-// Computes the boxes of AT_ONCE levels of a tree from the level below; `level` is the topmost of them.
+// Computes the boxes of AT_ONCE consecutive levels of a tree from the level below them; `level` is the topmost of these
+// levels.
 #include "contact/kernel.glsl"
 #include "contact/search.glsl"
 layout(local_size_x = 64) in;

@@ -1,6 +1,6 @@
-// Finds pairs of features with overlapping boxes by traversing a tree. Without EDGES: each vertex against the face
-// tree. With EDGES: each edge against the edges after it. If the scene has solids, they occupy the second half of each
-// tree, and solid-solid pairs are skipped.
+// Finds pairs of features whose boxes overlap by traversing a tree. Without EDGES, one invocation per vertex searches
+// the tree of faces. With EDGES, one invocation per edge searches the edges after it. If the scene has solids, they are
+// in the second half of each tree, and pairs of two solids are skipped.
 #include "contact/kernel.glsl"
 #include "contact/search.glsl"
 layout(local_size_x = 64) in;
@@ -9,7 +9,8 @@ INPUT_ARRAY(boxesBinding, BoxBlock, boxes)
 layout(std430, binding = candidatesBinding) restrict writeonly buffer CandidateBlock { ivec4 candidates[]; };
 uniform int levels;
 
-const int maxVisited = 60000;  // Software drivers end loops without error after 65,535 iterations per invocation
+const int maxVisited = 60000;  // Limits the loop, because software drivers silently end a loop after 65,535 iterations
+                               // per invocation
 
 void main() {
   int i = int(gl_GlobalInvocationID.x), count = 1 << levels;
@@ -28,7 +29,7 @@ void main() {
 #ifdef EDGES
   int node = 1, end = 0;
 #else
-  bool half_ = isSolid(i) || (isBall(i) && hasSolids());  // Searches only the cloths' half of the tree
+  bool half_ = isSolid(i) || (isBall(i) && hasSolids());  // True to search only the half of the tree with the cloths
   int node = half_ ? 2 : 1, end = half_ ? 3 : 0;
 #endif
   int visited = 0;
@@ -45,5 +46,5 @@ void main() {
     }
     node = meets && node < count ? 2 * node : floatBitsToInt(otherLow.w);
   }
-  if (node != end) control.mostPairs = 0xffffffffu;  // Reports a search that was cut off, so that it is not silent
+  if (node != end) control.mostPairs = 0xffffffffu;  // Reports a search that was cut off
 }

@@ -1,5 +1,5 @@
-// Trees of boxes: complete binary trees; node i has the children 2 i and 2 i + 1; the root is 1. Compiles as GLSL and
-// as C++, after model.glsl.
+// Trees of boxes. They are complete binary trees: the root is node 1, and node i has the children 2 i and 2 i + 1.
+// Compiles as GLSL and as C++, after model.glsl.
 
 FUNCTION Hull together(Hull a, Hull b) {
   Hull hull;
@@ -7,14 +7,15 @@ FUNCTION Hull together(Hull a, Hull b) {
   hull.high = max(a.high, b.high);
   return hull;
 }
-// True if the vertex is a corner of the leaf. An edge repeats its second vertex as the third.
+// Returns true if the vertex is a corner of the leaf. The leaf of an edge holds the second vertex also as the third.
 FUNCTION bool isCornerOf(uvec4 leaf, uint vertex) {
   return leaf.x == vertex || leaf.y == vertex || leaf.z == vertex;
 }
 // Returns the node that follows the subtree of `node` in preorder, or 0 if none follows.
 FUNCTION int nodeAfter(int node) {
   int next = node + 1;
-  for (int k = 0; k < 5; ++k) {  // Goes up from right children, by powers of two
+  for (int k = 0; k < 5; ++k) {  // Goes up from `node` while it is a right child: removes the trailing zero bits of
+                                 // node + 1
     int steps = 16 >> k;
     next = (next & ((1 << steps) - 1)) == 0 ? next >> steps : next;
   }

@@ -1,5 +1,5 @@
-// Keeps the candidate pairs (edge-edge with EDGES) that can come within a thickness of each other while their corners
-// stay in their boxes. One candidate per invocation.
+// Keeps the candidate pairs that can come within a thickness of each other while their corners stay in their boxes:
+// edge-edge pairs if EDGES is defined, otherwise vertex-face pairs. One invocation per candidate.
 #include "contact/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_WORDS(candidatesBinding, CandidateBlock, candidates)

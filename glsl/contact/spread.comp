@@ -1,5 +1,5 @@
-// Propagates displacements by solids: cloth carried by a solid carries the cloth in its way. One near pair per
-// invocation.
+// Propagates displacements by solids: cloth that a solid carries also carries the cloth ahead of it. One invocation per
+// near pair.
 #include "contact/kernel.glsl"
 #include "contact/near_list.glsl"
 #include "contact/carry.glsl"

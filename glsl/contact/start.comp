@@ -1,4 +1,5 @@
-// Computes the position to which each vertex can be held back: its start, plus its displacement by solids.
+// Computes the position to which each vertex can be held back: its position at the substep's start, displaced by
+// solids. One invocation per vertex.
 #include "contact/kernel.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = talliesBinding) restrict readonly buffer TallyBlock { ivec4 tallies[]; };

@@ -1,5 +1,5 @@
-// Reads a simulation's positions back after its own colliders moved them. Limits the change so that contact stays
-// valid.
+// Reads a simulation's positions back after its colliders moved them. Limits the change so that contact stays valid.
+// One invocation per vertex.
 #include "contact/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_ARRAY(partNextBinding, PartNextBlock, partNext)

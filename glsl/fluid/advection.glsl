@@ -1,13 +1,14 @@
 // Advection of the flow by itself. Compiles as GLSL and as C++ as part of transport.glsl.
 
-// Returns the position at the end of the step of the fluid that is at p now. `own` is the velocity at p. The flow has
-// already received half of the step's forces, so it is the mean velocity along the path.
+// Returns where the fluid that is now at p will be at the end of the step. `own` is the velocity at p. The flow has
+// already received half of the step's forces, so this velocity is the mean along the path.
 FUNCTION vec2 wentTo(vec2 p, vec2 own) {
   precise vec2 end = p + own * stepData.dt;
   return heldPoint(end);
 }
 
-// Returns the position at the start of the step of the fluid that arrives at p: p - dt u(p - dt own).
+// Returns where the fluid that arrives at p was at the start of the step: p - dt u(p - dt own), where u is the flow and
+// `own` the velocity at p.
 FUNCTION vec2 cameFrom(vec2 p, vec2 own) {
   precise vec2 about = p - own * stepData.dt;
   vec2 velocity = velocityAt(heldPoint(about));
@@ -15,13 +16,13 @@ FUNCTION vec2 cameFrom(vec2 p, vec2 own) {
   return heldPoint(start);
 }
 
-// Returns the first of the four interpolation nodes around a position between `node` and the next node. Valid nodes run
-// from `first` to `count`; with `wraps` the axis is periodic.
+// Returns the index of the first of the four interpolation nodes for a position between `node` and the next node. The
+// node indices start at `first` and end before `count`; if `wraps` is true, the axis is periodic.
 FUNCTION int firstOfFour(int node, int first, int count, bool wraps) {
   return wraps ? node - 1 : clamp(node - 1, first, count - 3);
 }
 
-// Returns the flow in a cell of a periodic grid, also for cells up to one grid size outside the ring.
+// Returns the flow in a cell of a periodic grid. The cell may be up to one grid size outside the ring.
 FUNCTION vec4 flowBeyond(int x, int y) {
   int i = x < -1 ? x + size.x : x > size.x ? x - size.x : x;
   int j = y < -1 ? y + size.y : y > size.y ? y - size.y : y;
@@ -34,7 +35,8 @@ FUNCTION float cubicRow(int which, int x, int y, vec4 w) {
   return value;
 }
 
-// Interpolates with cubic polynomials along x and y, clamped to the range of the four nearest values.
+// Interpolates component `which` of the flow with cubic polynomials along x and y, clamped to the range of the four
+// nearest values.
 FUNCTION float cubicAt(int which, vec2 p) {
   vec2 node = nodeOf(which, p);
   int x = firstOfFour(int(floor(node.x)), which == 0 ? 0 : -1, size.x, leftKind == periodicSide);
@@ -48,14 +50,14 @@ FUNCTION float cubicAt(int which, vec2 p) {
   return clamp(value, min(min(near.a, near.b), min(near.c, near.d)), max(max(near.a, near.b), max(near.c, near.d)));
 }
 
-// Semi-Lagrangian advection: returns the value at the position that this cell's fluid comes from.
+// Semi-Lagrangian advection: returns the value at the position from which the fluid of this cell comes.
 FUNCTION float carriedPart(int which, int x, int y) {
   vec2 from = cameFrom(placeOf(which, x, y), ownVelocity(which, x, y));
   return exactFlush(cubic ? cubicAt(which, from) : valueIn(around(false, which, from)));
 }
 
-// MacCormack advection: subtracts half of the error of advecting forwards and back again. The result is clamped to the
-// range of the four values around the origin.
+// MacCormack advection: subtracts half of the error that remains after advecting forwards and back again. The result is
+// clamped to the range of the four values around the position from which the fluid comes.
 FUNCTION float correctedPart(int which, int x, int y) {
   vec2 place = placeOf(which, x, y);
   vec2 own = ownVelocity(which, x, y);

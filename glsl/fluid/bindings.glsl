@@ -9,13 +9,14 @@ const int keptBinding = 8;      // Buffer declared in kept.glsl
 const int nextDyeBinding = 4;
 const int weightsBinding = 5;
 const int controlBinding = 6;   // Buffer declared in solve_control.glsl
-const int poolBinding = 0;      // In solver kernels: sums, residuals, corrections on the way down
-const int raisedBinding = 1;    // In solver kernels: corrections on the way up
-const int poolOutBinding = 3;   // The array of poolBinding as output (raisedOutBinding: of raisedBinding)
+const int poolBinding = 0;      // In solver kernels: sums, residuals, corrections on the way to coarser levels
+const int raisedBinding = 1;    // In solver kernels: corrections on the way to finer levels
+const int poolOutBinding = 3;   // The array of poolBinding as an output; raisedOutBinding is the array of raisedBinding
+                                // as an output
 const int raisedOutBinding = 4;
-const int brushesBinding = 1;   // Binding point of a uniform block (the next two also)
+const int brushesBinding = 1;   // Binding points of uniform blocks: this one and the next two
 const int solidsBinding = 2;
 const int levelBinding = 3;
-const int stampsBinding = 1;    // Bit images of brushes
+const int stampsBinding = 1;    // Bit masks of brush images
 
 #endif

@@ -1,6 +1,6 @@
 // Effect of brushes on a cell. Compiles as GLSL (paint.comp) and as C++, after transport.glsl. Needs brushPaints(i,
-// cell), true if brush i paints a cell; brushes[i], the brush's parameters; firstBrush and endBrush, the index range of
-// brushes to apply.
+// cell), which returns true if brush i paints a cell; brushes[i], the parameters of brush i; and firstBrush and
+// endBrush, the index range of the brushes to apply.
 
 FUNCTION float towards(float value, float aim, float part) {
   precise float next = value + (aim - value) * part;
@@ -12,7 +12,7 @@ FUNCTION float pushed(float value, float force) {
   return next;
 }
 
-// True if brush i paints the cell (x, y). Cells outside the grid are not painted.
+// Returns true if brush i paints the cell (x, y). Cells outside the grid are not painted.
 FUNCTION bool paintsCell(int i, int x, int y) {
   ivec2 cell = ivec2(insideX(x), insideY(y));
   bool there = leftKind == periodicSide || (x >= 0 && x < size.x);
@@ -40,8 +40,8 @@ FUNCTION float scaled(float value, float part) {
   return product;
 }
 
-// Paints the left face of a cell (paintedV: the top face) if the cells on both sides include a painted one. A closed
-// face is not changed.
+// paintedU() paints the left face of a cell, paintedV() the top face, if at least one of the cells on both sides is
+// painted. A closed face is not changed.
 FUNCTION float paintedU(int x, int y) {
   float u = flowAt(x, y).x;
   if (faceAt(x, y).x == 0.0f) return u;

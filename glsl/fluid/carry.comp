@@ -1,4 +1,4 @@
-// Advects the flow by itself once.
+// Advects the flow by itself: the first of two passes.
 #define NEXT_FLOW
 #include "fluid/grid.glsl"
 layout(local_size_x = 32, local_size_y = 2) in;

@@ -1,11 +1,12 @@
-// Work distribution of kernels that process cells independently, in tiles or on the ring around the grid. On the texel
-// path an invocation processes four cells; in a tile these are a 2x2 block. On the storage path an invocation processes
-// one cell and a workgroup one tile, because these long programs run for few cells. Include after grid.glsl.
+// Work distribution of kernels that process each cell independently, in tiles or on the ring around the grid. On the
+// texel path, an invocation processes four cells; in a tile, these are a block of 2x2. On the storage path, an
+// invocation processes one cell and a workgroup one tile, because these kernels are long but process few cells. Include
+// after grid.glsl.
 #include "fluid/tiles.glsl"
-uniform int tilesStart;  // Element index of the tile list; negative: process the ring
+uniform int tilesStart;  // Index of the tile list's first element, or a negative number to process the ring
 
-// Returns cell i of the ring, in the order top, bottom, left, right. For an index beyond the last, returns a cell
-// outside the ring.
+// Returns cell i of the ring, in the order top, bottom, left, right. If i is too large, returns a cell outside the
+// ring.
 ivec2 ringCell(int i) {
   int row = size.x + 2, sides = i - 2 * row;
   ivec2 c = i < row ? ivec2(i - 1, -1) : ivec2(i - row - 1, size.y);
@@ -15,7 +16,8 @@ ivec2 ringCell(int i) {
 
 #ifdef TEXEL_PATH
 const int cellsEach = 4;
-// Returns cell k (less than cellsEach) of this invocation, or a cell outside the ring if the list has no more cells.
+// Returns cell k (less than cellsEach) of this invocation, or a cell outside the ring if this invocation has fewer
+// cells.
 ivec2 cellHere(int k) {
   ivec2 inTile = 2 * blockHere(tilesStart) + ivec2(k & 1, k >> 1);
   if (inTile.x >= size.x || inTile.y >= size.y) inTile = size + 2;

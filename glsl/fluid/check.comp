@@ -1,6 +1,7 @@
-// Measures the flow that project_open.comp, project.comp and settle.comp have produced: remaining divergence, highest
-// speed, lost values. With WAYS, also computes for dye/strips.comp how far dye moves through the left and the top face
-// of each cell in a pass; 0 if the face does not exist.
+// Measures the flow that project_open.comp, project.comp and settle.comp have produced: remaining divergence, maximum
+// speed, and whether values are lost. If WAYS is defined, also computes for dye/strips.comp how far dye moves in a pass
+// through the left face and the top face of each cell, 0 if the face does not exist. One invocation per rowsEach rows
+// of a column.
 #include "fluid/grid.glsl"
 #include "common/status.glsl"
 #include "fluid/solver/solve_control.glsl"
@@ -8,11 +9,11 @@ layout(local_size_x = 32, local_size_y = 2) in;
 #ifdef WAYS
 layout(std430, binding = nextFlowBinding) writeonly restrict buffer WayBlock { vec2 ways[]; };
 #endif
-const int rowsEach = 4;   // Rows of a column per invocation
-uniform uint number;      // Step number, for the status
-uniform float lostSpeed;  // Speed above which the flow counts as lost, cells/s
+const int rowsEach = 4;   // Number of rows of a column that an invocation processes
+uniform uint number;      // Step number for the status buffer
+uniform float lostSpeed;  // Speed in cells/s above which the flow counts as lost
 
-// Returns stillMissing() of the flow that is already projected.
+// Returns stillMissing() for a flow that is already projected.
 float missingNow(int x, int y) {
   precise float out_ = (throughU(faceX(x + 1), y) - throughU(x, y)) + (throughV(x, faceY(y + 1)) - throughV(x, y));
   precise float missing = growthAt(x, y) - out_;

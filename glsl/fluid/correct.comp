@@ -1,4 +1,4 @@
-// Computes the flow after a step except the pressure correction: advection (second pass) and forces.
+// Computes the flow after a step, except for the pressure correction: second pass of the advection, and forces.
 #define NEXT_FLOW
 #define PRESSURE_APART
 #define READS_KEPT

@@ -1,4 +1,4 @@
-// Computes the highest speed of the flow, for the first step of a resumed run, which has no previous step.
+// Computes the maximum speed of the flow, for the first step of a resumed run, which has no previous step.
 #include "fluid/grid.glsl"
 #include "fluid/solver/solve_control.glsl"
 layout(local_size_x = 32, local_size_y = 2) in;

@@ -1,9 +1,10 @@
-// Packs the planes of a state (grid.glsl) into elements of four floats for files. SCATTER: the reverse.
+// Packs the planes of a state (grid.glsl) into elements of four floats for files. If SCATTER is defined, does the
+// reverse. One invocation per element.
 #include "fluid/bindings.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = flowBinding) restrict buffer PlaneBlock { uint apart[]; };
 layout(std430, binding = carriedBinding) restrict buffer ElementBlock { uint together[]; };
-uniform int planes;    // Number of planes; the rest of an element is 0
+uniform int planes;    // Number of planes; the other floats of an element are 0
 uniform int elements;
 
 void main() {

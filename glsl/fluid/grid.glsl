@@ -1,6 +1,6 @@
 // Common inputs of the fluid kernels, and the memory layout of cells: rows of size.x + 2 elements, starting with the
-// ring's first row. READS_CARRIED, READS_DYE and NEXT_DYE declare that a kernel binds these arrays. LEFT, RIGHT, TOP
-// and BOTTOM are the kinds of the sides.
+// ring's first row. A kernel that binds the carried flow, the dye or the next dye defines READS_CARRIED, READS_DYE or
+// NEXT_DYE. LEFT, RIGHT, TOP and BOTTOM are the kinds of the sides.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
 #include "common/memory.glsl"
@@ -15,18 +15,19 @@ const bool heats = HEATS == 1, viscous = VISCOUS == 1, confines = CONFINES == 1,
 const bool secondOrder = ADVECTION == 0, cubic = ADVECTION == 2, obstacles = OBSTACLES == 1, obstaclesSlip = OBSTACLES_SLIP == 1;
 const bool obstaclesMove = OBSTACLES_MOVE == 1, pocketsGrow = POCKETS_GROW == 1;
 layout(std140, binding = solidsBinding) uniform SolidBlock { FluidSolidSet solidSet; };
-// Element index in `weights` at which the words of solidWord() start, stored in blocks like the faces
+// Index of the element in `weights` at which the words of solidWord() start; they are in blocks of 2x2 cells, like the
+// face openings
 uniform int solidsStart;
 
 int elementOf(int x, int y) {
   return (y + 1) * (size.x + 2) + x + 1;
 }
 
-// Memory layout. On the texel path, a cell is one element of four floats. On the storage path, each quantity is a plane
-// of its own (all u, then all v, and so on), so that neighbouring invocations load neighbouring words. Planes that hold
-// nothing are omitted (src/sim/fluid/arrays.hpp): the flow has u, v, temperature and pressure; the unprojected flow of
-// a step has the first three; dye has three colours. The pressure plane stays in place during a step, and kept.glsl
-// stores the fraction of it that remains.
+// Memory layout. On the texel path, a cell is one element of four floats. On the storage path, each quantity has its
+// own plane (all u, then all v, and so on), so that neighbouring invocations load neighbouring words. Planes that would
+// hold nothing are omitted (src/sim/fluid/arrays.hpp): the flow has u, v, temperature and pressure; the unprojected
+// flow of a step has u, v and temperature; dye has three colours. The pressure plane is not moved during a step;
+// kept.glsl stores the fraction of the pressure that remains.
 int planeSize() {
   return (size.x + 2) * (size.y + 2);
 }
@@ -39,8 +40,8 @@ int planeSize() {
 #define LOAD_CELL(name, element) vec4(name[element], name[planeSize() + (element)], name[2 * planeSize() + (element)], 0.0)
 #endif
 
-// NEXT_FLOW: the kernel writes the next flow. PRESSURE_APART: the flow that is read has no pressure plane; the pressure
-// is in the buffer of the next flow. FLOW_IN_PLACE: the kernel modifies the flow it reads.
+// NEXT_FLOW: the kernel writes the next flow. PRESSURE_APART: the flow that the kernel reads has no pressure plane, and
+// the pressure is in the buffer of the next flow. FLOW_IN_PLACE: the kernel modifies the flow that it reads.
 #if defined TEXEL_PATH || !defined FLOW_IN_PLACE
 CELL_INPUT(flowBinding, FlowBlock, flow)
 #else
@@ -101,7 +102,7 @@ vec4 carriedAt(int x, int y) {
 }
 #endif
 
-// dyeAt() accepts cells up to two beyond the border. On a periodic axis it returns the cell on the opposite side,
+// dyeAt() accepts cells up to two cells outside the grid. On a periodic axis it returns the cell on the opposite side,
 // otherwise the nearest cell of the ring (the one row or column of cells stored around the grid).
 #ifdef READS_DYE
 CELL_INPUT(dyeBinding, DyeBlock, dye)
@@ -131,8 +132,8 @@ void storeDye(int element, vec4 value) {
 #endif
 #endif
 
-// Face openings (model.glsl: faceWeights), in blocks of 2x2 cells per element. The finest level has blocks for size.x +
-// 1 columns, because the far border also has faces.
+// Face openings (faceWeights in model.glsl), one block of 2x2 cells per element. The finest level has blocks for size.x
+// + 1 columns, because the far border also has faces.
 INPUT_WORDS(weightsBinding, WeightBlock, weights)
 uint wordOf(uvec4 four, int x, int y) {
   return (y & 1) == 0 ? ((x & 1) == 0 ? four.x : four.y) : ((x & 1) == 0 ? four.z : four.w);
@@ -150,8 +151,8 @@ vec2 faceAt(int x, int y) {
   return faceWeights(wordOf(LOAD_INPUT_WORDS(weights, (y >> 1) * (size.x / 2 + 1) + (x >> 1)), x, y));
 }
 
-// Sum of pressure corrections, in the same blocks of 2x2 cells in `pool`, followed by the rounding error of the sum.
-// sumAt returns both.
+// Sum of the pressure corrections in `pool`, in the same blocks of 2x2 cells, followed by the rounding error of the
+// sum. sumAt() returns both.
 #ifdef READS_SUM
 INPUT_ARRAY(carriedBinding, PoolBlock, pool)
 vec2 sumAt(int x, int y) {
@@ -169,5 +170,5 @@ vec2 sumAt(int x, int y) {
 }
 #endif
 #include "fluid/transport.glsl"
-// Needs transport.glsl.
+// projected.glsl needs transport.glsl.
 #include "fluid/projected.glsl"

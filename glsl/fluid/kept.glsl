@@ -1,5 +1,5 @@
-// Fraction of the pressure that remains (keptPressure of transport.glsl) between the push of a step, which writes it,
-// and the projection. Only on the storage path, where the pressure stays in place during a step. It is 1 before the
+// Fraction of the pressure that remains in a step (keptPressure of transport.glsl). push.comp writes it and the
+// projection reads it. Used only on the storage path, where the pressure is not moved during a step. It is 1 before the
 // first step.
 layout(std430, binding = keptBinding) restrict buffer KeptBlock { float kept; };
 

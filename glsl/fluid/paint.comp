@@ -1,5 +1,5 @@
-// Applies all active brushes to the cells of a box. firstBrush and endBrush are uniform, so all invocations loop over
-// the same brushes.
+// Applies all active brushes to the cells of a box, one invocation per cell. firstBrush and endBrush are uniform, so
+// all invocations loop over the same brushes.
 #define NEXT_FLOW
 #define NEXT_DYE
 #define READS_DYE
@@ -9,8 +9,8 @@
 layout(local_size_x = 32, local_size_y = 2) in;
 INPUT_WORDS(stampsBinding, StampBlock, stamps)
 layout(std140, binding = brushesBinding) uniform BrushBlock { FluidBrush brushes[maxBrushes]; };
-uniform int firstBrush, endBrush;  // Index range of the brushes that reach cells of the box
-// Cells that may change: first column, first row, number of columns, number of rows; the ring counts as cells
+uniform int firstBrush, endBrush;  // Index range of the brushes that affect cells of the box
+// Cells that may change: first column, first row, number of columns, number of rows; may include cells of the ring
 uniform ivec4 box;
 
 bool brushPaints(int i, ivec2 cell) {

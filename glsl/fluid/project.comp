@@ -1,6 +1,6 @@
 // Subtracts the gradient of the pressure correction from the flow, extends the flow into obstacles and the ring, and
-// measures the result. On the storage path it processes only the tiles that are not open, and the ring, and writes to
-// the solver's buffer; project_open.comp, settle.comp and check.comp do the rest.
+// measures the result. On the storage path, it processes only the ring and the tiles that are not open, and writes to
+// the solver's buffer; project_open.comp, settle.comp and check.comp do the remaining work.
 #define READS_SUM
 #define READS_KEPT
 #include "fluid/grid.glsl"
@@ -10,8 +10,8 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 #ifdef TEXEL_PATH
 STATE_ARRAY(nextFlowBinding, NextBlock, nextFlow)
-uniform uint number;      // Step number, for the status
-uniform float lostSpeed;  // Speed above which the flow counts as lost, cells/s
+uniform uint number;      // Step number for the status buffer
+uniform float lostSpeed;  // Speed in cells/s above which the flow counts as lost
 
 float speedOf(vec4 cell) {
   return max(abs(cell.x), abs(cell.y));
@@ -40,7 +40,7 @@ vec4 finishedOf(vec4 cell, float u, float v, vec2 sum) {
   return vec4(u, v, exactFlush(cell.z), exactFlush(pressure));
 }
 
-// Projects a block of 2x2 cells. Returns the remaining divergence and the highest speed.
+// Projects a block of 2x2 cells. Returns the remaining divergence and the maximum speed.
 vec2 projected(ivec2 block) {
   int x = 2 * block.x, y = 2 * block.y, row = size.x + 2, e = elementOf(x, y), f = e + row;
   int blockRow = size.x / 2 + 1, at = block.y * blockRow + block.x, lostAt = blockRow * (size.y / 2 + 1) + at;

@@ -1,12 +1,12 @@
-// Variant of project.comp for open tiles, in place: no other invocation reads these cells. The temperature does not
-// change.
+// Variant of project.comp for open tiles. It works in place, because an invocation reads no flow of other cells. The
+// temperature does not change.
 #define FLOW_IN_PLACE
 #define READS_SUM
 #define READS_KEPT
 #include "fluid/grid.glsl"
 #include "fluid/tiles.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-uniform int tilesStart;  // Element index of the tile list
+uniform int tilesStart;  // Index of the tile list's first element
 
 void slow(int i, vec2 from, vec2 to) {
   precise float value = flow[i] - rise(from, to, false);

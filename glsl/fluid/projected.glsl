@@ -1,8 +1,8 @@
-// Effect of the pressure corrections on the flow, u' = u - grad phi. Compiles as GLSL and as C++, after transport.glsl.
-// sumAt() returns the sum of all corrections phi and the rounding error of the sum.
+// Effect of the pressure correction phi on the flow u: u' = u - grad phi. Compiles as GLSL and as C++, after
+// transport.glsl. sumAt() returns the sum phi of all corrections and the rounding error of the sum.
 
-// Returns the difference of phi between two cells. At a border the distance is half a cell, so the slope is twice the
-// difference.
+// Returns the slope of phi between two cells that are one cell apart. At a border the distance is half a cell, so the
+// slope is twice the difference.
 FUNCTION float rise(vec2 from, vec2 to, bool border) {
   precise float difference = (to.x - from.x) + (to.y - from.y);
   precise float twice = difference + difference;
@@ -41,7 +41,8 @@ FUNCTION float pressureThen(int x, int y) {
   return pressure;
 }
 
-// Returns component `which` of the projected flow at a node, including the ring: 0 u, 1 v, 2 pressure.
+// Returns component `which` of the projected flow at a node, which may be in the ring: 0 is u, 1 is v, 2 is the
+// pressure.
 FUNCTION float partThen(int which, int x, int y) {
   if (which == 0) return beyondTopBottom(projectedU(faceX(x), insideY(y)), y);
   if (which == 1) return beyondLeftRight(projectedV(insideX(x), faceY(y)), x);
@@ -59,8 +60,8 @@ FUNCTION float seenThen(int which, vec2 p) {
   return between(upper, lower, fy);
 }
 
-// Closed faces inside obstacles get the value that makes the fluid beside them stick to the wall (no slip) or slide
-// along it (slip).
+// Return the velocity of a face after the projection. Closed faces inside obstacles get the velocity that makes the
+// adjacent fluid stick to the wall (no slip) or slide along it (slip).
 FUNCTION float finishedU(int x, int y) {
   if (!obstacles || faceAt(x, y).x > 0.0f || borderU(x)) return projectedU(x, y);
   if (offWallU(x, y) < deepWall) return solidU(x, y);
@@ -76,7 +77,7 @@ FUNCTION float finishedV(int x, int y) {
 }
 
 // Returns the final values of a cell. Inside obstacles, temperature and pressure are copied from the fluid outside the
-// wall: so nothing crosses the wall, and a cell that becomes free has fitting values.
+// wall. The wall therefore conducts nothing, and a cell that becomes free has suitable values.
 FUNCTION vec4 finishedCell(int x, int y) {
   int ix = insideX(x), iy = insideY(y);
   float u = finishedU(faceX(x), iy);
@@ -112,7 +113,7 @@ FUNCTION float growthAt(int x, int y) {
   return growth;
 }
 
-// Returns the excess inflow of a cell, which the pressure corrections must remove (the negative divergence).
+// Returns the excess inflow of a cell (the negative divergence), which the pressure correction must remove.
 FUNCTION float missingFlow(int x, int y) {
   precise float out_ = (throughU(x + 1, y) - throughU(x, y)) + (throughV(x, y + 1) - throughV(x, y));
   precise float missing = growthAt(x, y) - out_;

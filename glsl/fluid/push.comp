@@ -1,5 +1,5 @@
-// First half of the step's forces: pressure gradient, viscosity and buoyancy by half, and the full vorticity
-// confinement.
+// Applies the first half of the step's forces: half of the pressure gradient, viscosity and buoyancy, and the full
+// vorticity confinement.
 #define NEXT_FLOW
 #include "fluid/grid.glsl"
 #include "fluid/solver/solve_control.glsl"

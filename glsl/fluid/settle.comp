@@ -1,4 +1,4 @@
-// Copies the results of project.comp (tiles that are not open, and the ring) into the flow.
+// Copies the results of project.comp (for the ring and the tiles that are not open) into the flow.
 #define FLOW_IN_PLACE
 #include "fluid/grid.glsl"
 #include "fluid/cells.glsl"

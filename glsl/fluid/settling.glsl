@@ -1,8 +1,9 @@
 // Buffer for cells that project.comp has finished while other invocations still read the old values. u, v and pressure
-// use the memory of the solver's corrections, temperature the memory beside the solver's sums. Include after grid.glsl.
+// are in the memory of the solver's corrections, and the temperature is in the memory next to the solver's sums.
+// Include after grid.glsl.
 layout(std430, binding = nextFlowBinding) restrict buffer SettlingBlock { float settling[]; };
 layout(std430, binding = nextDyeBinding) restrict buffer HeatBlock { float settlingHeat[]; };
-uniform int heatStart;  // Offset in settlingHeat
+uniform int heatStart;  // Offset in settlingHeat at which the temperatures start
 // True if the projection changes temperatures.
 const bool settlesHeat = heats && obstacles;
 

@@ -1,6 +1,6 @@
-// Measures a fluid once per frame (src/sim/fluid/quantities.cpp). Sums: u^2 / 2, half the squared curl, dye,
-// temperature. Maxima: max(|u|, |v|) (for the speed and for the distance per substep), divergence, cycles per
-// projection.
+// Measures a fluid once per frame (src/sim/fluid/quantities.cpp). Sums u^2 / 2, half the squared curl, the dye and the
+// temperature. Determines the maximum of max(|u|, |v|) (for the speed and for the distance per substep), of the
+// divergence, and of the cycles per projection.
 #define READS_DYE
 #include "fluid/grid.glsl"
 layout(local_size_x = 64) in;

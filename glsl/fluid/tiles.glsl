@@ -1,14 +1,15 @@
-// Tiles of 4x4 blocks of 2x2 cells. A workgroup of 8x8 processes four tiles from a list in `weights`
-// (FluidLevels::tileLists): either open tiles (IN_THE_OPEN) or the others. In an open tile, all faces up to four cells
-// away are fully open and all cell distances are 1, so that kernels need no weights.
+// Tiles of 4x4 blocks, where a block is 2x2 cells. A workgroup of 8x8 invocations processes four tiles from a list in
+// `weights` (FluidLevels::tileLists), which holds either the open tiles (if IN_THE_OPEN is defined) or the other tiles.
+// In an open tile, all faces up to four cells away are fully open and all cell distances are 1, so that kernels need no
+// weights.
 const int groupRow = 64;  // Workgroups in a full row of the dispatch
 
 int groupNumber() {
   return int(gl_WorkGroupID.y) * groupRow + int(gl_WorkGroupID.x);
 }
 
-// Returns the block of this invocation in the workgroup's four tiles of the list at `tilesStart`. If there is no tile,
-// returns a block beyond the grid.
+// Returns the block of this invocation in the workgroup's four tiles of the list that starts at `tilesStart`. If there
+// is no tile, returns a block beyond the grid.
 ivec2 blockHere(int tilesStart) {
   ivec2 lane = ivec2(gl_LocalInvocationID.xy);
   uvec4 four = LOAD_INPUT_WORDS(weights, tilesStart + groupNumber());

@@ -1,11 +1,11 @@
-// Update of a fluid's cells in a step, without the pressure solver. Compiles as GLSL (grid.glsl) and as C++, there
-// inside a struct that provides the inputs: flowAt, carriedAt, dyeAt, faceAt, solidWord, sumAt, size, stepData,
+// Update of a fluid's cells in a step, without the pressure solver. Compiles as GLSL (grid.glsl) and as C++, where it
+// is inside a struct that provides the inputs: flowAt, carriedAt, dyeAt, faceAt, solidWord, sumAt, size, stepData,
 // solidSet and the kinds of the sides.
 //
-// Staggered grid: cell (x, y) stores u at the centre of its left face, v at the centre of its top face, temperature and
-// pressure at its own centre. A ring of cells surrounds the grid, so x runs from -1 to size.x. Beyond a wall or an
-// inflow, the velocity component along the side is mirrored, so that its mean on both sides equals the side's velocity.
-// u at size.x and v at size.y are faces of the border.
+// The grid is staggered: cell (x, y) stores u at the centre of its left face, v at the centre of its top face, and
+// temperature and pressure at its centre. A ring of cells surrounds the grid, so x runs from -1 to size.x. Beyond a
+// wall or an inflow, the velocity component along the side is mirrored, so that the mean of the values on both sides
+// equals the side's velocity. u at size.x and v at size.y are faces of the border.
 
 FUNCTION int insideX(int x) {
   if (leftKind == periodicSide) return x < 0 ? x + size.x : x >= size.x ? x - size.x : x;
@@ -17,7 +17,7 @@ FUNCTION int insideY(int y) {
   return clamp(y, 0, size.y - 1);
 }
 
-// Clamps or wraps a face index across x. There is one more face than cells.
+// Clamps or wraps a face index along x. There is one face more than cells.
 FUNCTION int faceX(int x) {
   return leftKind == periodicSide ? insideX(x) : clamp(x, 0, size.x);
 }
@@ -35,7 +35,7 @@ FUNCTION float mirrored(float inside, float wall) {
   return value;
 }
 
-// Returns u in a row beyond the top or bottom side, given the u of the adjacent row inside.
+// Returns u in a row beyond the top or bottom side. The argument is u of the adjacent row inside the grid.
 FUNCTION float beyondTopBottom(float u, int y) {
   float value = u;
   if (y < 0 && mirrors(topKind)) value = mirrored(u, stepData.topBottom.x);
@@ -50,14 +50,14 @@ FUNCTION float beyondLeftRight(float v, int x) {
   return value;
 }
 
-// True if a cell of the ring lies beyond an open side, where pressure and dye are 0.
+// Returns true if a cell of the ring is beyond an open side, where pressure and dye are 0.
 FUNCTION bool beyondOpen(int x, int y) {
   return (x < 0 && leftKind == openSide) || (x >= size.x && rightKind == openSide) || (y < 0 && topKind == openSide) ||
          (y >= size.y && bottomKind == openSide);
 }
 
-// True for faces of the border. The centre of the ring cell beyond such a face counts as half a cell away if the face
-// is open.
+// Return true for faces of the border. If such a face is open, the centre of the ring cell beyond it counts as half a
+// cell away.
 FUNCTION bool borderU(int x) {
   return leftKind != periodicSide && (x == 0 || x == size.x);
 }
@@ -66,7 +66,7 @@ FUNCTION bool borderV(int y) {
   return topKind != periodicSide && (y == 0 || y == size.y);
 }
 
-// Prescribed normal speed of the sides: u for left and right, v for top and bottom.
+// Return the prescribed normal speed of the sides: u for left and right, v for top and bottom.
 FUNCTION float sideU(int x, int y) {
   float speed = x == 0 ? stepData.leftRight.x : stepData.leftRight.z;
   return sideSpeed(y, size.y, speed, x == 0 ? stepData.parabolas.x : stepData.parabolas.y);
@@ -88,7 +88,7 @@ FUNCTION vec2 heldPoint(vec2 p) {
   return vec2(heldAlong(p.x, float(size.x), leftKind == periodicSide), heldAlong(p.y, float(size.y), topKind == periodicSide));
 }
 
-// Four values around a point, and the point's fractional position between them.
+// Four values around a point, and the fractional position of the point between them.
 struct Around {
   float a, b, c, d;
   float x, y;
@@ -98,7 +98,7 @@ FUNCTION float valueIn(Around s) {
   return between(between(s.a, s.b, s.x), between(s.c, s.d, s.x), s.y);
 }
 
-// Returns component `which` of a cell: 0 u, 1 v, 2 temperature.
+// Returns component `which` of a cell: 0 is u, 1 is v, 2 is the temperature.
 FUNCTION float partOf(vec4 cell, int which) {
   return which == 0 ? cell.x : which == 1 ? cell.y : cell.z;
 }
@@ -129,7 +129,7 @@ FUNCTION vec2 velocityAt(vec2 p) {
   return vec2(valueIn(around(false, 0, p)), valueIn(around(false, 1, p)));
 }
 
-// Returns the velocity at the position where component `which` of the cell is stored.
+// Returns the velocity at the point of the cell at which component `which` is stored.
 FUNCTION vec2 ownVelocity(int which, int x, int y) {
   vec4 here = flowAt(x, y);
   if (which == 0) {
@@ -162,7 +162,7 @@ FUNCTION vec2 placeOf(int which, int x, int y) {
 
 #include "fluid/advection.glsl"
 
-// Returns dv/dx - du/dy at the upper left corner of a cell.
+// Returns the curl dv/dx - du/dy at the upper left corner of a cell.
 FUNCTION float curlAt(int x, int y) {
   int i = leftKind == periodicSide ? insideX(x) : clamp(x, 0, size.x);
   int j = topKind == periodicSide ? insideY(y) : clamp(y, 0, size.y);
@@ -176,8 +176,8 @@ FUNCTION float meanCurl(float a, float b) {
   return mean;
 }
 
-// Returns the fraction of the confinement force that is applied: 1 up to half of the expected speed, falling to 0 at
-// the expected speed. The force grows with the flow that it drives, so it needs this limit.
+// Returns the fraction of the confinement force that is applied: 1 up to half of the expected speed, decreasing to 0 at
+// the expected speed. The force must be limited, because it grows with the flow that it drives.
 FUNCTION float confinedShare(int x, int y) {
   vec4 here = flowAt(x, y);
   float speed = max(abs(here.x), abs(here.y));
@@ -185,8 +185,9 @@ FUNCTION float confinedShare(int x, int y) {
   return clamp(share, 0.0f, 1.0f);
 }
 
-// Vorticity confinement, dt epsilon N x omega, with N the normalized gradient of |omega|: the x component at the centre
-// of a left face, the y component at the centre of a top face.
+// Vorticity confinement, dt epsilon N x omega, where omega is the vorticity, N the normalized gradient of |omega|, and
+// epsilon the strength. confinementX() returns the x component at the centre of a left face, confinementY() the y
+// component at the centre of a top face.
 FUNCTION float confinementX(int x, int y) {
   float share = confinedShare(x, y);
   float top = curlAt(x, y);
@@ -220,9 +221,9 @@ FUNCTION float partThere(bool ofCarried, int which, int x, int y) {
   return partOf(ofCarried ? carriedAt(x, y) : flowAt(x, y), which);
 }
 
-// Returns a correction of the second difference beside a wall. The mirrored value `beyond` stands for a point a whole
-// cell away, but the wall is half a cell away: the correct difference is 8/3 wall - 4 here + 4/3 after, instead of 2
-// wall - 3 here + after.
+// Returns a correction of the second difference next to a wall. The mirrored value `beyond` belongs to a point one cell
+// away, but the wall is only half a cell away. The correct difference is 8/3 wall - 4 here + 4/3 after, instead of 2
+// wall - 3 here + after, where `wall` is the value on the wall.
 FUNCTION float besideWall(float beyond, float here, float after) {
   precise float more = 0.333333333f * ((beyond + here) + after) - here;
   return more;
@@ -244,24 +245,24 @@ FUNCTION float pullOn(bool ofCarried, int which, int x, int y) {
   return pull;
 }
 
-// Returns half of the viscosity's effect in a step.
+// Returns half of the change by viscosity in a step.
 FUNCTION float frictionOn(bool ofCarried, int which, int x, int y) {
   if (!viscous) return 0.0f;
   precise float pull = 0.5f * stepData.viscosity * pullOn(ofCarried, which, x, y);
   return pull;
 }
 
-// Returns the fraction of the last step's pressure that predicts the pressure of this step. It is 1 if the fastest
-// fluid (`fastest`, cells/s) moves up to two cells per step, and 0 from three cells on: there vortices have moved on,
-// so the old pressure gradient is in the wrong place and would add energy to the flow. With 0 the method is Chorin's
-// projection: first order, stable at any speed.
+// Returns the fraction of the last step's pressure that is used to predict the pressure of this step. It is 1 if the
+// maximum speed (`fastest`, cells/s) is up to two cells per step, and 0 from three cells per step on. At that speed,
+// vortices have moved on, so the old pressure gradient is in the wrong place and would add energy to the flow. With 0,
+// the method is Chorin's projection, which is of first order and stable at any speed.
 FUNCTION float keptPressure(float fastest) {
   precise float kept = 3.0f - fastest * stepData.dt;
   return clamp(kept, 0.0f, 1.0f);
 }
 
-// Half of the forces act before the advection and half after it: the trapezoidal rule along the fluid's paths, second
-// order in time. The confinement force, which has no order, acts before.
+// Half of the forces act before the advection and half after it. This is the trapezoidal rule along the fluid's paths,
+// which is of second order in time. The confinement force has no order of accuracy and acts entirely before.
 FUNCTION float pushOnU(float kept, int x, int y) {
   precise float slope = kept * flowAt(x, y).w - kept * flowAt(x - 1, y).w;
   precise float push = (borderU(x) ? stepData.dt : 0.5f * stepData.dt) * slope;
@@ -330,7 +331,8 @@ FUNCTION float steppedHeat(int x, int y) {
   return exactFlush(value);
 }
 
-// Returns the values that a kernel writes for a cell of the grid or of the ring: carriedCell after the first advection.
+// The next functions return the values that a kernel writes for a cell of the grid or of the ring. carriedCell()
+// returns them after the first advection.
 FUNCTION vec4 carriedCell(int x, int y) {
   int fx = faceX(x), fy = faceY(y), ix = insideX(x), iy = insideY(y);
   float u = faceAt(fx, iy).x == 0.0f || heldU(fx, iy) ? flowAt(fx, iy).x : carriedPart(0, fx, iy);
@@ -339,7 +341,7 @@ FUNCTION vec4 carriedCell(int x, int y) {
   return vec4(beyondTopBottom(u, y), beyondLeftRight(v, x), heat, 0.0f);
 }
 
-// pushedCell: after the first half of the forces, with the kept fraction of the pressure.
+// pushedCell() returns them after the first half of the forces, with the remaining fraction `kept` of the pressure.
 FUNCTION vec4 pushedCell(float kept, int x, int y) {
   int ix = insideX(x), iy = insideY(y);
   float u = pushedU(kept, faceX(x), iy);

@@ -1,7 +1,7 @@
-// Obstacles in a fluid: distances of faces and flow through partly closed faces. Compiles as GLSL and as C++ as part of
-// transport.glsl.
+// Obstacles in a fluid: distances of faces from obstacles, and the flow through partly closed faces. Compiles as GLSL
+// and as C++ as part of transport.glsl.
 
-// Returns the distance of a cell's centre from the nearest obstacle (solidWord, see model.glsl).
+// Returns the distance of a cell's centre from the nearest obstacle (from solidWord, see model.glsl).
 FUNCTION float offWall(int x, int y) {
   return wallDistance(solidWord(insideX(x), insideY(y)));
 }
@@ -16,8 +16,8 @@ FUNCTION float offWallV(int x, int y) {
   return mean;
 }
 
-// True for a partly open face whose centre lies inside a no-slip wall. Before the projection its velocity follows from
-// the wall and the fluid beside it, not from the momentum equation.
+// Returns true for a partly open face whose centre is inside a no-slip wall. Before the projection, the velocity of
+// such a face follows from the wall and the adjacent fluid, not from the momentum equation.
 FUNCTION bool heldU(int x, int y) {
   if (!obstacles || obstaclesSlip || borderU(x)) return false;
   float open = faceAt(x, y).x;
@@ -30,7 +30,7 @@ FUNCTION bool heldV(int x, int y) {
   return open > 0.0f && open < 1.0f && offWallV(x, y) <= 0.0f;
 }
 
-// Returns an obstacle's velocity component at p: 0 along x, 1 along y.
+// Returns a component of an obstacle's velocity at p: along x if `which` is 0, along y if it is 1.
 FUNCTION float solidSpeed(int which, uint word, vec2 p) {
   FluidSolid solid = solidSet.solids[int((word >> 16u) & 255u)];
   precise float u = solid.velocity.x - solid.place.z * (p.y - solid.place.y);
@@ -61,8 +61,8 @@ FUNCTION float solidV(int x, int y) {
   return solidVAt(x, y, placeOf(1, x, y));
 }
 
-// Returns a position at the distance wallReach from the wall, reached from p along the distance gradient. `off` is the
-// distance of p.
+// Returns the point at the distance wallReach from the wall that is reached from p along the gradient of the distance.
+// `off` is the distance of p from the wall.
 FUNCTION vec2 seenFrom(vec2 p, float off, float slopeX, float slopeY) {
   precise float length2 = slopeX * slopeX + slopeY * slopeY;
   precise float way = (wallReach - off) * exactInverseSqrt(max(length2, 0.01f));
@@ -89,9 +89,10 @@ FUNCTION vec2 seenFromCell(int x, int y) {
   return seenFrom(placeOf(2, x, y), offWall(x, y), across, along);
 }
 
-// Extrapolates the fluid's velocity into a wall. With no slip, the difference to the obstacle's velocity is linear in
+// Extrapolates the fluid's velocity into a wall. With no slip, the difference from the obstacle's velocity is linear in
 // the distance and 0 on the wall. With slip, the fluid's velocity continues unchanged. `seen` and `solidThere` are the
-// fluid's and the obstacle's velocity at the sampled position; `solid` is the obstacle's velocity here.
+// fluid's and the obstacle's velocity at the sampled point; `solid` is the obstacle's velocity at the point in the
+// wall.
 FUNCTION float beyondWall(float seen, float solidThere, float solid, float off) {
   float held = max(off, -wallReach);
   precise float value = solid + (seen - solidThere) * (held * perWallReach);
@@ -106,8 +107,8 @@ FUNCTION float wallV(int x, int y, vec2 from, float seen) {
   return beyondWall(seen, solidVAt(x, y, from), solidV(x, y), offWallV(x, y));
 }
 
-// Returns the flow through a face: the fluid through the open part, a moving obstacle through the rest. A closed face
-// of a side has the side's prescribed speed.
+// Returns the flow through a face: the fluid flows through the open part, and a moving obstacle through the remaining
+// part. A closed face at a side has the side's prescribed speed.
 FUNCTION float through(float weight, bool border, float speed, float solid) {
   precise float open = border ? 0.5f * weight : weight;
   precise float flow = open * speed + (border ? 0.0f : 1.0f - open) * solid;

@@ -1,5 +1,5 @@
-// Access to a fluid that acts as wind on other simulations. Without WIND, nothing is bound or read, and `blown` is
-// false.
+// Access to a fluid that acts as wind on other simulations. If WIND is not defined, nothing is bound or read, and
+// `blown` is false.
 #ifdef WIND
 #include "fluid/wind_types.glsl"
 const bool blown = true;

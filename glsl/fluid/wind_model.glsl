@@ -1,15 +1,15 @@
 // Wind of a fluid at a point of the world. Compiles as GLSL and as C++. The including file provides windGrid (WindGrid)
-// and loadWindCell(x, y), a cell of the flow with x from -1 to size.x, because the ring is also read.
+// and loadWindCell(x, y), which returns a cell of the flow, with x from -1 to size.x because the ring is also read.
 //
-// Each component is interpolated bilinearly from its staggered positions: u at the centres of left faces, v at the
-// centres of top faces. The wind does not vary with the distance from the fluid's plane. Outside the fluid's rectangle
-// the air is at rest.
+// Each component is interpolated bilinearly from its staggered positions: u from the centres of left faces, v from the
+// centres of top faces. The wind does not depend on the distance from the fluid's plane. Outside the fluid's rectangle
+// there is no wind.
 FUNCTION float windBetween(float a, float b, float f) {
   precise float value = a + (b - a) * f;
   return value;
 }
 
-// Returns component 0 (u) or 1 (v) at a point of the rectangle, in cells/s.
+// Returns the component u (`which` is 0) or v (`which` is 1) at a point of the rectangle, in cells/s.
 FUNCTION float windPart(int which, float px, float py) {
   precise float nodeX = which == 0 ? px : px - 0.5f;
   precise float nodeY = which == 0 ? py - 0.5f : py;

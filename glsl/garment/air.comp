@@ -1,4 +1,4 @@
-// Computes the air force on each corner of a face, one face per invocation. predict.comp sums the forces around each
+// Computes the air force on each corner of a face. One invocation per face. predict.comp sums the forces around each
 // vertex.
 #include "garment/kernel.glsl"
 layout(local_size_x = 64) in;

@@ -1,4 +1,5 @@
-// Long-range attachments: pulls back vertices that are farther from a pin than the cloth between them is long.
+// Applies long-range attachments: pulls back vertices whose distance from a pin exceeds the length of the cloth between
+// them. One invocation per attachment.
 #include "garment/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_WORDS(attachmentsBinding, AttachmentBlock, attachments)
@@ -7,7 +8,7 @@ STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)
 #else
 STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)
-STATE_ARRAY(trendsBinding, TrendBlock, trends)  // w is 1 if the vertex was held in the previous substep
+STATE_ARRAY(trendsBinding, TrendBlock, trends)  // w is 1 if an attachment held the vertex in the previous substep
 #endif
 #include "garment/membrane.glsl"
 

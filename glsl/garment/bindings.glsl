@@ -1,5 +1,5 @@
-// Binding points of the arrays of garment (triangle-mesh cloth) kernels. Bindings 3 and 4 hold heights and walls in the
-// kernel with contact. Some kernels reuse a binding point for different arrays.
+// Binding points of the arrays of the garment kernels (cloth made of triangles). Bindings 3 and 4 hold heights and
+// walls in the kernel that tests contact. Some kernels reuse a binding point for other arrays.
 #ifndef CLOTH_MESH_BINDINGS
 #define CLOTH_MESH_BINDINGS
 
@@ -12,7 +12,7 @@ const int faceForcesBinding = 4;
 const int elementsBinding = 4;       // Used by stretch.comp
 const int cornersBinding = 5;
 const int settledTrendsBinding = 5;
-const int leftBinding = 5;           // Used by settle.comp with AGAIN
+const int leftBinding = 5;           // Used by settle.comp if AGAIN is defined
 const int stitchesBinding = 5;
 const int attachmentsBinding = 5;
 const int entriesBinding = 5;        // Used by kernels that gather by vertex

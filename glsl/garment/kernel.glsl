@@ -1,4 +1,4 @@
-// Common includes and uniforms of the garment kernels (cloth made of triangles). HEIGHTS and WALLS are 1 in the kernel
+// Includes and uniforms common to the garment kernels (cloth made of triangles). HEIGHTS and WALLS are 1 in the kernel
 // that tests contact with meshes and solids.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"

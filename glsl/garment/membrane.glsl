@@ -1,14 +1,14 @@
 // Stretch and shear of a face, and seams. Compiles as GLSL and as C++. Needs `stepData` (ClothStep) and
 // common/exact.glsl.
 //
-// A face has the corners a, b, c. `shape` = (p, q, r, s) stores the inverse ((p, r), (q, s)) of its rest-shape edge
-// matrix along weft and warp. The deformation gradient has the columns fu = (b - a) p + (c - a) q and fv = (b - a) r +
-// (c - a) s. XPBD enforces
-//   |fu| = 1,  |fv| = 1,  fu.fv / (|fu| |fv|) = 0
-// with compliances 1 / (k A). So the energy is A / 2 (weft eu^2 + warp ev^2 + shear g^2), independent of the mesh if
-// the strain is even. The three constraints of a face are solved together:
-//   (J W J^T + compliance / h^2) l = -C.
-// Damping preserves the part `kept` of C (keptStrain; compare keptStretch in cloth/model.glsl).
+// A face has the corners a, b and c, and the area A. `shape` = (p, q, r, s) is the inverse ((p, r), (q, s)) of the
+// matrix of its edges in the rest shape, along weft and warp. The deformation gradient has the columns fu = (b - a) p +
+// (c - a) q and fv = (b - a) r + (c - a) s. XPBD enforces the constraints |fu| = 1, |fv| = 1 and fu.fv / (|fu| |fv|) =
+// 0 with the compliances 1 / (k A). The energy is therefore A / 2 (weft eu^2 + warp ev^2 + shear g^2), where eu, ev and
+// g are the three constraint errors; it does not depend on the mesh if the strain is even. The three constraints of a
+// face are solved together: (J W J^T + compliance / h^2) l = -C, with the Jacobian J, the inverse masses W, the
+// multipliers l and the errors C. Damping preserves the part `kept` of C (keptStrain; compare keptStretch in
+// cloth/model.glsl).
 struct FaceShift {
   vec3 a, b, c;  // Displacement of each corner in metres, per unit of its inverse mass
 };
@@ -63,7 +63,7 @@ FUNCTION FaceShift faceShift(vec4 a, vec4 b, vec4 c, vec4 shape, vec3 compliance
   precise float m22 = vv + compliance.y;
   precise float m23 = uv * vOnU;
   precise float m33 = uu * guu + 2.0f * uv * guv + vv * gvv + compliance.z;
-  // Solves by L D L^T. The pivots have a lower bound, because cancellation could round them to zero.
+  // Solves by an L D L^T factorization. The pivots have a lower bound, because cancellation could round them to zero.
   float inverse1 = exactReciprocal(max(m11, 1e-20f));
   precise float l21 = m12 * inverse1;
   precise float l31 = m13 * inverse1;
@@ -93,9 +93,9 @@ FUNCTION FaceShift faceShift(vec4 a, vec4 b, vec4 c, vec4 shape, vec3 compliance
 }
 
 // Returns the force on one corner for cloth that conserves energy (cloth/keeping.glsl): the negative gradient of 1/2
-// (k_u eu^2 + k_v ev^2 + k_g g^2). `stiffness` k (N m) is the inverse of the compliances 1 / (k A) + softening dt^2 S,
-// with S the sum of inverse masses times squared rest gradients. `left` and `right` are the edges to the other two
-// corners; `shape` holds the gradients for both corners.
+// (k_u eu^2 + k_v ev^2 + k_g g^2). `stiffness` holds the stiffnesses k (N m), the reciprocals of 1 / (k A) + softening
+// dt^2 S, where S is the sum of the inverse masses times the squared rest gradients. `left` and `right` are the edges
+// to the other two corners; `shape` holds the gradients for these corners.
 FUNCTION vec3 membraneForce(vec3 left, vec3 right, vec4 shape, vec3 stiffness) {
   precise vec3 fu = left * shape.x + right * shape.y;
   precise vec3 fv = left * shape.z + right * shape.w;
@@ -125,9 +125,9 @@ FUNCTION vec4 shapeFrom(vec4 shape, uint k) {
   return k == 0u ? shape : k == 1u ? second : third;
 }
 
-// Returns the displacement of a stitch's first end per unit of inverse mass; the second end moves by the opposite. The
-// stitch may be `longest` metres long at the start, and this limit shrinks linearly to zero. `perSecond` is 1 / closing
-// time.
+// Returns the displacement of a stitch's first end per unit of inverse mass; the second end moves in the opposite
+// direction. A stitch may be `longest` metres long at the start, and this limit decreases linearly to zero. `perSecond`
+// is 1 / closing time.
 FUNCTION vec3 stitchShift(vec4 a, vec4 b, float longest, float perSecond) {
   precise float left = 1.0f - float(stepData.substep + 1) * stepData.dt * perSecond;
   precise float rest = longest * max(left, 0.0f);
@@ -141,9 +141,9 @@ FUNCTION vec3 stitchShift(vec4 a, vec4 b, float longest, float perSecond) {
   return beyond > 0.0f && weight > 0.0f ? shift : vec3(0.0f);
 }
 
-// Returns the displacement of a vertex towards a pin if the vertex is farther from it than `longest` metres. The
-// stiffness is 1 / compliance (N/m). `held`: the vertex was also held in the previous substep, so its trend contains
-// the pull. Otherwise the vertex is stopped without a trend, so that it does not bounce.
+// Returns the displacement of a vertex towards a pin if its distance from the pin exceeds `longest` metres. The
+// stiffness is 1 / compliance (N/m). If `held` is true, the attachment also held the vertex in the previous substep, so
+// its trend contains the pull. Otherwise, the vertex is stopped without a trend, so that it does not bounce.
 FUNCTION vec3 attachedShift(vec4 here, vec3 pin, float longest, float compliance, bool held) {
   precise vec3 d = pin - vec3(here);
   float squared = max(exactDot(d, d), 1e-20f);
@@ -160,8 +160,8 @@ FUNCTION vec4 attached(vec4 here, vec3 pin, float longest, float compliance, boo
   return vec4(moved, here.w);
 }
 
-// Adds the displacement by an attachment or a seam to the velocity before constraints. One-sided pulls must not enter
-// the trend (cloth/motion.glsl).
+// Adds the displacement by an attachment or a seam to the velocity before constraints, because one-sided pulls must not
+// enter the trend (cloth/motion.glsl).
 FUNCTION vec4 pushed(vec4 aim, vec4 from, vec4 to) {
   precise vec3 velocity = vec3(aim) + (vec3(to) - vec3(from)) * stepData.perDt;
   return vec4(velocity, aim.w);

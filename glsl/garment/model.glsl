@@ -1,9 +1,9 @@
-// One vertex or face of cloth made of triangles over one substep. Compiles as GLSL and as C++ (the CPU twin of the
+// One vertex or face of cloth made of triangles, over one substep. Compiles as GLSL and as C++ (the CPU twin of the
 // tests). The including file provides `stepData` (ClothStep), `keeps` (bool), loadPoint(int) -> vec3, loadEntry(int) ->
-// uvec4, loadRing(int) -> uvec4, loadElement(int) -> vec4, loadFaceForce(int) -> vec3, and includes before this file:
-// types.glsl, common/exact.glsl, common/hash.glsl, mesh/height_model.glsl, contour/wall_model.glsl.
-// A fan (uvec4) describes a vertex: x is the index of its first ring, y the number of rings (one per adjacent face), z
-// the index of its first element of bending entries, w the number of such elements.
+// uvec4, loadRing(int) -> uvec4, loadElement(int) -> vec4 and loadFaceForce(int) -> vec3, and first includes
+// types.glsl, common/exact.glsl, common/hash.glsl, mesh/height_model.glsl and contour/wall_model.glsl. A fan (uvec4)
+// describes a vertex: x is the index of its first ring, y the number of rings (one per adjacent face), z the index of
+// its first element of bending entries, w the number of such elements.
 #include "cloth/air.glsl"
 #include "cloth/motion.glsl"
 #include "garment/membrane.glsl"
@@ -21,9 +21,9 @@ FUNCTION vec3 bendingForce(uvec4 fan, vec3 here) {
   return force;
 }
 
-// Returns the air force on each corner of a face, a third of the face's force. airForceOnFace computes a grid's corner,
-// with area vector c / 4; here the area vector is c / 6, so the result is scaled by 2/3. `velocity` is the mean of the
-// corners' velocities.
+// Returns the air force on each corner of a face, which is a third of the force on the face. airForceOnFace() is for a
+// grid, where a corner has the area vector c / 4. Here the area vector is c / 6, so the result is multiplied by 2/3.
+// `velocity` is the mean of the corners' velocities.
 FUNCTION vec3 airOnCorner(vec3 a, vec3 b, vec3 c, vec3 velocity) {
   precise vec3 middle = (a + b + c) * 0.33333333f;
   precise vec3 place = (middle - vec3(stepData.gustDrift)) * stepData.perGustSize;
@@ -43,7 +43,8 @@ FUNCTION vec3 airForces(uvec4 fan) {
   return force;
 }
 
-// Sums the membrane forces of the faces around a vertex. The ring's w is the vertex's corner index in the face.
+// Returns the sum of the membrane forces of the faces around a vertex. w of a ring is the index of the vertex among the
+// face's corners.
 FUNCTION vec3 membraneForces(uvec4 fan, vec3 here) {
   precise vec3 force = vec3(0.0f);
   for (uint k = 0u; k < fan.y; ++k) {
@@ -56,8 +57,9 @@ FUNCTION vec3 membraneForces(uvec4 fan, vec3 here) {
   return force;
 }
 
-// Returns the velocity u = (v + (F w + g) dt) kept and the predicted position. A pinned vertex moves to its rest
-// position, transformed by its pin frame. For pinned vertices `trend` stores the rest position.
+// Returns the velocity u = (v + (F w + g) dt) kept and the predicted position, for the velocity v, the force F, the
+// inverse mass w and gravity g. A pinned vertex moves to its rest position, transformed by its pin group; its rest
+// position is in `trend`.
 FUNCTION Motion predicted(uvec4 fan, vec4 here, vec4 velocity, vec3 trend, bool air) {
   Motion m;
   if (here.w == 0.0f) {
@@ -78,8 +80,8 @@ FUNCTION Motion predicted(uvec4 fan, vec4 here, vec4 velocity, vec3 trend, bool 
   return m;
 }
 
-// Returns the vertex normal, n = sum (b - a) x (c - a) over the faces around a, weighted by area. Returns +y if all
-// faces are degenerate.
+// Returns the vertex normal: the sum of (b - a) x (c - a) over the faces a, b, c around the vertex a, normalized.
+// Returns +y if all faces are degenerate.
 FUNCTION vec3 normalAt(uvec4 fan, vec3 here) {
   precise vec3 sum = vec3(0.0f);
   for (uint k = 0u; k < fan.y; ++k) {

@@ -1,4 +1,5 @@
-// Predicts the velocities and positions of the vertices from forces, before length constraints.
+// Predicts the velocities and positions of the vertices from forces, before constraints are applied. One invocation per
+// vertex.
 #include "garment/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)

@@ -1,5 +1,5 @@
-// Computes velocities after the constraints, then applies contact. AGAIN: only for vertices that cloth contact has
-// pushed afterwards.
+// Computes velocities after the constraints, then applies contact. If AGAIN is defined, processes only the vertices
+// that contact between cloths has pushed since. One invocation per vertex.
 #include "garment/kernel.glsl"
 #include "common/status.glsl"
 layout(local_size_x = 64) in;

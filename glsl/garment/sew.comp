@@ -1,4 +1,4 @@
-// Solves the stitches of one colour of the seams. Stitches of a colour share no vertex.
+// Solves the stitches of one colour. Stitches of one colour have no vertex in common. One invocation per stitch.
 #include "garment/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_WORDS(stitchesBinding, StitchBlock, stitches)

@@ -1,4 +1,5 @@
-// Writes the positions and normals of the drawn mesh. Several vertices of the mesh file may map to one cloth vertex.
+// Writes the positions and normals of the drawn mesh. Several drawn vertices may belong to one cloth vertex. One
+// invocation per drawn vertex.
 #include "garment/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)

@@ -1,5 +1,5 @@
-// Solves stretch and shear of the faces of one colour. These faces share no vertex, so all of them can move their
-// corners at once.
+// Solves stretch and shear of the faces of one colour. These faces have no vertex in common, so all of them can move
+// their corners simultaneously. One invocation per face.
 #include "garment/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_ARRAY(elementsBinding, ElementBlock, elements)

@@ -1,5 +1,5 @@
-// Computes position and velocity changes of a mesh's vertices by thin colliders, from the edges and faces around each
-// vertex.
+// Computes the position and velocity changes of a mesh's vertices by thin colliders, from the edges and faces around
+// each vertex. One invocation per vertex.
 #include "garment/kernel.glsl"
 layout(local_size_x = 64) in;
 #include "cloth/thin_kernel.glsl"

@@ -13,9 +13,10 @@
 // slowly, or that closes the gap in one step.
 
 struct FloatMeet {
-  // xyz contact position relative to the first body's centre times weight (m^2); w weight: depth plus margin (m)
+  // xyz contact position relative to the first body's centre, multiplied by the weight (m^2); w weight: depth plus
+  // margin (m)
   vec4 place;
-  vec4 way;    // xyz normal towards the first body times weight (m); w maximum depth (m)
+  vec4 way;    // xyz normal towards the first body, multiplied by the weight (m); w maximum depth (m)
 };
 
 FUNCTION FloatMeet floatApart() {
@@ -34,7 +35,7 @@ FUNCTION FloatMeet floatMet(FloatMeet a, FloatMeet b) {
   return meet;
 }
 
-// Returns the second body at its periodic image nearest to the first body.
+// Returns the second body, moved to its periodic image that is nearest to the first body.
 FUNCTION FloatBody floatBeside(FloatBody first, FloatBody second) {
   precise vec3 apart = second.at - first.at;
   precise float wholeX = 2.0f * floats.halfX;
@@ -51,14 +52,14 @@ FUNCTION FloatBody floatBeside(FloatBody first, FloatBody second) {
   return beside;
 }
 
-// Returns the greatest distance by which the bodies can approach in a step, in metres.
+// Returns the maximum distance in metres by which the bodies can approach each other in a step.
 FUNCTION float floatMargin(FloatBody first, FloatBody second) {
   precise vec3 speed = first.velocity - second.velocity;
   precise float margin = floats.dt * exactSqrt(exactDot(speed, speed));
   return margin;
 }
 
-// True if the bounding spheres of the bodies can touch in this step.
+// Returns true if the bounding spheres of the bodies can touch in this step.
 FUNCTION bool floatNear(FloatBody first, FloatTold a, FloatBody second, FloatTold b) {
   precise vec3 apart = second.at - first.at;
   precise float reach = a.mass.z + b.mass.z + floatMargin(first, second);
@@ -77,7 +78,7 @@ FUNCTION vec4 floatNodes(int i, int row, float partX, float partY) {
   return floatBetween(upper, lower, partY);
 }
 
-// Returns the normal (xyz) and the signed distance (w) of a body's shape at a point in object space.
+// Returns the normal (xyz) and the signed distance (w) of a body's shape at a point in the body's local space.
 FUNCTION vec4 floatDistance(FloatTold t, vec3 q) {
   if (t.meet.w > 0.0f) {
     float square = exactDot(q, q);
@@ -98,7 +99,7 @@ FUNCTION vec4 floatDistance(FloatTold t, vec3 q) {
   vec4 found = floatBetween(floatNodes(i, across, part.x, part.y), floatNodes(i + layer, across, part.x, part.y), part.z);
   vec3 slope = vec3(found);
   precise vec3 normal = slope * exactInverseSqrt(max(exactDot(slope, slope), 1e-12f));
-  // Outside the lattice: distance from q to the surface point found from the nearest lattice point.
+  // Outside the lattice, the vector to q starts at the surface point that belongs to the nearest lattice point.
   precise vec3 beyond = (u - held) * t.nodes.w;
   precise vec3 from = beyond + found.w * normal;
   float square = exactDot(from, from);
@@ -108,7 +109,7 @@ FUNCTION vec4 floatDistance(FloatTold t, vec3 q) {
   return exactDot(beyond, beyond) > 0.0f ? vec4(farNormal, farOff) : vec4(normal, found.w);
 }
 
-// Tests a probe of `owner` against the other body. `sign` is 1 if the owner is the first body, otherwise -1.
+// Tests a probe of the body `owner` against the other body. `sign` is 1 if `owner` is the first body, otherwise -1.
 FUNCTION FloatMeet floatProbe(vec4 probe, FloatBody owner, FloatBody other, FloatTold o, vec3 origin, float sign, float margin) {
   precise vec3 place = owner.at + floatTurned(owner.turn, vec3(probe));
   precise vec3 across = place - other.at;
@@ -127,7 +128,7 @@ FUNCTION FloatMeet floatProbe(vec4 probe, FloatBody owner, FloatBody other, Floa
   return meet;
 }
 
-// Sums the probes of one lane in a fixed order: first the first body's probes, then the second body's.
+// Sums the contributions of one lane's probes in a fixed order: the first body's probes, then the second body's probes.
 FUNCTION FloatMeet floatMeetLane(int lane, FloatBody first, FloatTold a, FloatBody second, FloatTold b) {
   FloatMeet meet = floatApart();
   float margin = floatMargin(first, second);
@@ -138,8 +139,8 @@ FUNCTION FloatMeet floatMeetLane(int lane, FloatBody first, FloatTold a, FloatBo
   return meet;
 }
 
-// Returns the velocity (m/s) along n at the point `arm` from the centre that an impulse of 1 kg m/s along n at this
-// point causes.
+// Returns the velocity along n (m/s), at the point `arm` relative to the centre, that is caused by an impulse of 1 kg
+// m/s along n at this point.
 FUNCTION float floatGive(FloatBody body, FloatTold t, vec3 arm, vec3 n) {
   vec3 turned = floatTurning(t, body.turn, exactCross(arm, n));
   vec3 moved = exactCross(turned, arm);
@@ -153,7 +154,7 @@ FUNCTION vec3 floatSpeedAt(FloatBody body, FloatTold t, vec3 arm) {
   return speed;
 }
 
-// Returns the force (N) on the first body.
+// Returns the contact force (N) on the first body.
 FUNCTION vec3 floatPushed(FloatMeet meet, FloatBody first, FloatTold a, FloatBody second, FloatTold b) {
   float perDepth = exactReciprocal(max(meet.place.w, 1e-12f));
   precise vec3 arm = vec3(meet.place) * perDepth;
@@ -183,7 +184,7 @@ FUNCTION vec3 floatPushed(FloatMeet meet, FloatBody first, FloatTold a, FloatBod
   return meet.place.w > 0.0f ? force : vec3(0.0f);
 }
 
-// Adds the force and moment of a contact to a body's sums.
+// Adds the force of a contact, and its moment, to a body's sums.
 FUNCTION FloatSum floatWithPush(FloatSum sum, FloatMeet meet, vec3 force, bool isFirst, FloatBody first, FloatBody second) {
   float perDepth = exactReciprocal(max(meet.place.w, 1e-12f));
   precise vec3 arm = vec3(meet.place) * perDepth;

@@ -24,7 +24,7 @@ struct FloatBody {
   vec3 at;        // Centre of mass, m
   float level;    // Reference level, m
   vec4 turn;      // Rotation, a quaternion
-  vec3 velocity;  // in m/s
+  vec3 velocity;  // Velocity in m/s
   float under;    // Volume below the reference level, m^3
   vec3 spin;      // Angular momentum, kg m^2/s
   vec2 stages;    // First two stages of the reference level, m
@@ -66,7 +66,7 @@ FUNCTION FloatTold floatTold(int i) {
   return t;
 }
 
-// Rotates v by the quaternion q: v + 2 q x (q x v + w v).
+// Rotates v by the quaternion q = (q.xyz, w): v + 2 q x (q x v + w v).
 FUNCTION vec3 floatTurned(vec4 q, vec3 v) {
   vec3 axis = vec3(q);
   precise vec3 inner = exactCross(axis, v) + q.w * v;
@@ -77,7 +77,8 @@ FUNCTION vec3 floatTurnedBack(vec4 q, vec3 v) {
   return floatTurned(vec4(-q.x, -q.y, -q.z, q.w), v);
 }
 
-// Returns the angular velocity for an angular momentum: R I^-1 R^T L.
+// Returns the angular velocity R I^-1 R^T L for an angular momentum L, where R is the body's rotation and I the inertia
+// tensor.
 FUNCTION vec3 floatTurning(FloatTold t, vec4 q, vec3 spin) {
   vec3 own = floatTurnedBack(q, spin);
   precise float x = t.turnA.x * own.x + t.turnB.x * own.y + t.turnB.y * own.z;
@@ -86,7 +87,7 @@ FUNCTION vec3 floatTurning(FloatTold t, vec4 q, vec3 spin) {
   return floatTurned(q, vec3(x, y, z));
 }
 
-// Returns the extent along x, y and z of a rotated cuboid with these side lengths.
+// Returns the extents along x, y and z of a rotated cuboid with the side lengths `sides`.
 FUNCTION vec3 floatExtent(vec4 q, vec3 sides) {
   vec3 a = floatTurned(q, vec3(sides.x, 0.0f, 0.0f));
   vec3 b = floatTurned(q, vec3(0.0f, sides.y, 0.0f));
@@ -95,7 +96,7 @@ FUNCTION vec3 floatExtent(vec4 q, vec3 sides) {
   return extent;
 }
 
-// Return the column and the row to use for an index beyond the grid: the nearest one, or the wrapped one on a torus.
+// Return the column or the row to use for an index beyond the grid: the nearest one, or on a torus the wrapped one.
 FUNCTION int floatColumn(int x) {
   int count = size.x;
   if (floats.west == periodicEdge) return x < 0 ? x + count : x >= count ? x - count : x;
@@ -107,17 +108,17 @@ FUNCTION int floatRow(int y) {
   return clamp(y, 0, count - 1);
 }
 
-// Water at a point, interpolated between four cells. Dry cells are excluded.
+// Water at a point, interpolated between four cells without the dry ones.
 struct FloatWater {
   float share;   // Sum of the interpolation weights of wet cells
   float level;   // Water level, m
-  float slopeX;  // Slope of the level
+  float slopeX;  // Slope of the level along x
   float slopeZ;
-  float depth;   // in metres
-  float u;       // in m/s
+  float depth;   // Depth in metres
+  float u;       // Velocity along x in m/s
   float v;
   float bed;     // Ground height, m
-  float bedX;    // Slope of the ground
+  float bedX;    // Slope of the ground along x
   float bedZ;
 };
 
@@ -157,7 +158,7 @@ FUNCTION FloatWater floatWater(float column, float row) {
   wd = dd > floats.dry ? wd : 0.0f;
   precise float share = (wa + wb) + (wc + wd);
   float inverse = exactReciprocal(max(share, 1e-3f));
-  // Interpolates differences to the first cell, so that a constant level is reproduced exactly.
+  // Interpolates differences from the first cell, so that a constant level is reproduced exactly.
   precise float risen = (wb * (b.x - a.x) + wc * (c.x - a.x)) + wd * (d.x - a.x);
   precise float level = a.x + risen * inverse;
   precise float depth = ((wa * da + wb * db) + (wc * dc + wd * dd)) * inverse;
@@ -186,8 +187,8 @@ struct FloatSum {
   vec4 rest;
 };
 
-// Returns the contact acceleration on a point with unit normal n at the depth `deep` (metres), with Coulomb friction
-// along the surface.
+// Returns the contact acceleration of a point at the depth `deep` (metres) below a surface with the unit normal n,
+// including Coulomb friction along the surface.
 FUNCTION vec3 floatTouch(vec3 n, float deep, vec3 velocity, float friction) {
   precise float into = exactDot(n, velocity);
   float held = min(deep, floats.deepest);
@@ -201,8 +202,8 @@ FUNCTION vec3 floatTouch(vec3 n, float deep, vec3 velocity, float friction) {
   return acceleration;
 }
 
-// Adds a point's displaced volume and its horizontal force to the cells below its cuboid, in proportion to the overlap
-// area.
+// Distributes a point's displaced volume and its horizontal force over the cells below its cuboid, in proportion to the
+// overlap areas.
 FUNCTION void floatSpread(FloatBody body, float column, float row, vec2 wide, vec2 per, float volume, vec2 force) {
   precise float x0 = column - wide.x;
   precise float x1 = column + wide.x;
@@ -232,9 +233,9 @@ FUNCTION void floatSpread(FloatBody body, float column, float row, vec2 wide, ve
     }
 }
 
-// Returns the forces on point i of a body. `drive` is the body's own thrust per volume under water (N/m^3). `steering`
-// is the body's own moment, as a force density per metre from its axis. `turning` is the angular velocity; `extent` is
-// floatExtent of a point's cuboid.
+// Returns the forces on point i of a body. `drive` is the body's thrust per volume under water (N/m^3). `steering` is
+// the body's steering moment as a force density per metre of distance from the body's axis. `turning` is the angular
+// velocity; `extent` is floatExtent() of a point's cuboid.
 FUNCTION FloatSum floatPoint(int i, FloatBody body, FloatTold t, vec3 turning, vec3 drive, vec3 steering, vec3 extent, vec2 wide,
                              vec2 per) {
   vec4 point = loadFloatPoint(i);
@@ -248,8 +249,8 @@ FUNCTION FloatSum floatPoint(int i, FloatBody body, FloatTold t, vec3 turning, v
   precise float under = (water.level - at.y) * perHeight + 0.5f;
   under = water.share > 0.0f ? clamp(under, 0.0f, 1.0f) : 0.0f;
   precise float lift = floats.density * floats.gravity * point.w * under;
-  // Drag on the point as if it moved independently, integrated implicitly so that it never reverses the relative
-  // motion.
+  // The drag acts on the point as if it moved independently. It is integrated implicitly, so that it never reverses the
+  // relative motion.
   precise vec3 against = velocity - vec3(water.u, 0.0f, water.v);
   vec3 side = floatTurned(body.turn, vec3(1.0f, 0.0f, 0.0f));
   precise float sideways = exactDot(against, side) * t.drag.z;
@@ -272,7 +273,7 @@ FUNCTION FloatSum floatPoint(int i, FloatBody body, FloatTold t, vec3 turning, v
   precise float pullX = pushX + (own.x + aside.x);
   precise float pullZ = pushZ + (own.z + aside.z);
   floatSpread(body, column, row, wide, per, volume, vec2(pullX, pullZ));
-  // Contact with the ground, and with walls at the grid's sides.
+  // Next comes the contact with the ground and with walls at the grid's sides.
   precise float steep = 1.0f + water.bedX * water.bedX + water.bedZ * water.bedZ;
   float upright = exactInverseSqrt(steep);
   precise vec3 normal = vec3(-water.bedX * upright, upright, -water.bedZ * upright);
@@ -314,7 +315,7 @@ FUNCTION FloatSum floatAdded(FloatSum a, FloatSum b) {
   return sum;
 }
 
-// Sums the points of one lane of a body in a fixed order.
+// Sums the forces on the points of one lane of a body in a fixed order.
 FUNCTION FloatSum floatLane(int lane, FloatBody body, FloatTold t) {
   vec3 turning = floatTurning(t, body.turn, body.spin);
   vec3 extent = floatExtent(body.turn, vec3(t.grain));
@@ -324,8 +325,8 @@ FUNCTION FloatSum floatLane(int lane, FloatBody body, FloatTold t) {
   precise float wideY = 0.5f * max(cellsY, 1.0f);
   precise float perX = 0.5f * exactReciprocal(wideX);
   precise float perY = 0.5f * exactReciprocal(wideY);
-  // Distributes the body's own thrust over the volume that was under water in the previous step. Thrust acts only
-  // there, and the water receives the opposite force.
+  // Distributes the body's thrust over the volume that was under water in the previous step, because thrust acts only
+  // there. The water receives the opposite force.
   precise float least = 0.02f * t.grain.w;
   precise float thrust = t.reach.w * exactReciprocal(max(body.wet, least));
   precise vec3 drive = thrust * floatTurned(body.turn, vec3(0.0f, 0.0f, 1.0f));

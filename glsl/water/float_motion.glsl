@@ -1,14 +1,14 @@
-// Motion of bodies and their effect on the water. Compiles as GLSL and as C++, after water/float_model.glsl, with the
+// Motion of bodies, and their effect on the water. Compiles as GLSL and as C++, after water/float_model.glsl, with the
 // same requirements.
 
-// Returns the body one step later.
+// Returns the state of a body one step later.
 FUNCTION FloatBody floatMoved(int stepNumber, FloatBody body, FloatTold t, FloatSum sum) {
   FloatBody next = body;
   precise vec3 force = vec3(sum.push);
   precise vec3 moment = vec3(sum.turn);
   vec3 ahead = floatTurned(body.turn, vec3(0.0f, 0.0f, 1.0f));
   vec3 turning = floatTurning(t, body.turn, body.spin);
-  // Tow: a damped spring to the target position at this moment.
+  // The tow line is a damped spring to its target position at the time of this step.
   precise float passed = float(stepNumber) * floats.dt;
   precise float towX = t.mass.x * (t.pull.x * (t.tow.x + passed * t.tow.z - body.at.x) + t.pull.y * (t.tow.z - body.velocity.x));
   precise float towZ = t.mass.x * (t.pull.x * (t.tow.y + passed * t.tow.w - body.at.z) + t.pull.y * (t.tow.w - body.velocity.z));
@@ -21,7 +21,7 @@ FUNCTION FloatBody floatMoved(int stepNumber, FloatBody body, FloatTold t, Float
   precise vec3 velocity = body.velocity + floats.dt * t.mass.y * force;
   precise float falling = velocity.y - floats.dt * floats.gravity;
   velocity = vec3(clamp(velocity.x, -floats.most, floats.most), falling, clamp(velocity.z, -floats.most, floats.most));
-  // Air drag on the part above the water, integrated implicitly.
+  // Air drag acts on the part above the water; it is integrated implicitly.
   precise float over = t.grain.w - sum.rest.y;
   precise float dry = max(over, 0.0f) * exactReciprocal(t.grain.w);
   precise float slower = 1.0f + floats.dt * t.head.w * dry;
@@ -62,7 +62,7 @@ FUNCTION FloatBody floatMoved(int stepNumber, FloatBody body, FloatTold t, Float
   return next;
 }
 
-// Returns the window of cells that a body may touch: first column, first row, number of columns, number of rows.
+// Returns the window of cells that a body may affect: first column, first row, number of columns, number of rows.
 FUNCTION ivec4 floatWindow(vec4 place, float half_) {
   precise float column = place.x * floats.perCell + floats.columns;
   precise float row = place.z * floats.perCell + floats.rows;
@@ -72,7 +72,7 @@ FUNCTION ivec4 floatWindow(vec4 place, float half_) {
   return ivec4(x, y, min(2 * reach + 1, size.x), min(2 * reach + 1, size.y));
 }
 
-// Returns the index of a cell if it lies in the window of `body` and in no window of an earlier body; otherwise -1.
+// Returns the index of a cell if the cell is in the window of `body` but in no window of an earlier body, otherwise -1.
 // `within` is the position in the window.
 FUNCTION int floatOwned(int body, ivec2 within) {
   ivec4 window = floatWindow(loadFloat(body * floatTexels), loadTold(body * floatToldTexels + 5).x);
@@ -92,9 +92,9 @@ FUNCTION int floatOwned(int body, ivec2 within) {
   return y * size.x + x;
 }
 
-// Returns a cell's texel when its bodies displace sums.x units of depth instead of sums.w, and have added sums.y and
-// sums.z units of discharge. At a shore, a body that leaves little water behind would create a jet; so the speed is
-// limited to half of the Courant number that steps allow.
+// Returns the texel of a cell after a step: its bodies now displace sums.x units of depth instead of sums.w, and have
+// added sums.y and sums.z units of discharge. At a shore, a body that leaves little water behind would create a jet, so
+// the speed is limited to half of the Courant number that steps allow.
 FUNCTION vec4 floatPressed(vec4 texel, ivec4 sums) {
   precise float change = float(sums.x - sums.w) * floats.depthUnit;
   precise float level = texel.x + change;
@@ -107,8 +107,8 @@ FUNCTION vec4 floatPressed(vec4 texel, ivec4 sums) {
   return vec4(sums.x == sums.w ? texel.x : max(waterFlush(level), texel.w), waterFlush(qx), waterFlush(qy), texel.w);
 }
 
-// Returns the displaced units of depth after floatPressed. If a cell cannot give back all displaced water because it
-// holds less, the rest remains as a debt.
+// Returns the displaced units of depth after floatPressed(). If a cell holds less water than it would have to give
+// back, the remainder is kept as a debt.
 FUNCTION int floatDisplaced(vec4 texel, ivec4 sums) {
   precise float depth = texel.x - texel.w;
   precise float units = depth * exactReciprocal(floats.depthUnit);

@@ -1,5 +1,5 @@
 // Applies the displacement and the discharge of floating bodies to the water, in a window of cells around each body. A
-// cell in several windows is processed by the first of them.
+// cell in several windows is processed only in the first of them. One invocation per cell of a window.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
 #include "common/memory.glsl"
@@ -14,8 +14,8 @@ INPUT_ARRAY(floatToldBinding, FloatToldBlock, told)
 layout(std430, binding = floatSumsBinding) restrict buffer FloatSumBlock { ivec4 sums[]; };
 layout(std140, binding = stepBinding) uniform FloatBlock { FloatStep floats; };
 uniform ivec2 size;
-uniform int side;   // Side of the largest window, in cells
-uniform int first;  // Not 0 for the first state, which already includes the bodies
+uniform int side;   // Width of the largest window in cells
+uniform int first;  // Nonzero for the initial state, which already includes the bodies
 
 vec4 loadWater(int i) { return LOAD_STATE(cells, i); }
 vec4 loadFloat(int i) { return LOAD_INPUT(bodies, i); }

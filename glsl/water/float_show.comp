@@ -1,4 +1,4 @@
-// Transforms the vertices of a floating body into the world. One vertex per invocation.
+// Transforms the vertices of a floating body to world space. One invocation per vertex.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "water/float_bindings.glsl"
@@ -11,7 +11,7 @@ STATE_ARRAY(placedPositionsBinding, PlacedPositionBlock, placedPositions)
 STATE_ARRAY(placedNormalsBinding, PlacedNormalBlock, placedNormals)
 uniform int count;
 uniform int body;
-uniform vec3 origin;  // Position of the water's origin
+uniform vec3 origin;  // Position of the water's origin in world space
 
 vec3 turned(vec4 q, vec3 v) {
   precise vec3 inner = exactCross(q.xyz, v) + q.w * v;

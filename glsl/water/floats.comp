@@ -1,5 +1,6 @@
-// One step of all floating bodies. A workgroup processes one body; its invocations share the body's points. Sums have a
-// fixed order. The effects on the water are summed as integers, so their order does not matter.
+// Computes one step of all floating bodies. A workgroup processes one body; each of its invocations processes a part of
+// the body's points. Sums have a fixed order. The effects on the water are summed as integers, so their order does not
+// matter.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
 #include "common/memory.glsl"
@@ -17,7 +18,8 @@ INPUT_ARRAY(floatPointsBinding, FloatPointBlock, points)
 layout(std430, binding = floatSumsBinding) restrict buffer FloatSumBlock { int sums[]; };
 layout(std140, binding = stepBinding) uniform FloatBlock { FloatStep floats; };
 uniform ivec2 size;
-uniform int stepNumber;  // Step of the frame, from 0; negative: first state, computes only the sums
+uniform int stepNumber;  // Zero-based step of the frame, or a negative number for the initial state, for which only the
+                         // sums are computed
 uniform int cellCount;
 shared vec4 parts[192];
 
@@ -31,7 +33,7 @@ void addToSum(int cell, int which, int value) { atomicAdd(sums[cell * 4 + which]
 #include "water/float_contact.glsl"
 #include "water/float_motion.glsl"
 
-// Reduces the lanes' contact to the first lane, in a fixed order.
+// Reduces the contacts of all lanes to the first lane, in a fixed order.
 FloatMeet meetOfAll(int lane, FloatMeet meet) {
   barrier();
   parts[lane * 3] = meet.place;

@@ -1,4 +1,4 @@
-// Computes the values of a state for drawing and for files. One cell per invocation.
+// Computes the values of a state for drawing and for files. One invocation per cell.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
 #include "common/memory.glsl"

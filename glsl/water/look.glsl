@@ -25,9 +25,9 @@ FUNCTION vec4 waterValues(int x, int y) {
   return vec4(c.depth, here.x, exactSqrt(squared), least > look.shallow && c.depth > look.shallow ? foam : 0.0f);
 }
 
-// Returns the height of the drawn surface above the bed for a depth. Thin water is drawn below the bed, with a smooth
-// transition, so that thin films are hidden and the shoreline, the intersection of the two surfaces, crosses cells
-// smoothly.
+// Returns the height above the bed at which the surface is drawn for a depth of water. Thin water is drawn below the
+// bed, with a smooth transition, so that thin films are hidden. The shoreline, where the two surfaces intersect, then
+// crosses cells smoothly.
 FUNCTION float drawnAbove(float depth) {
   precise float ratio = max(depth, 0.0f) * exactReciprocal(look.shallow);
   precise float lacking = 1.0f - min(ratio, 1.0f);
@@ -35,8 +35,8 @@ FUNCTION float drawnAbove(float depth) {
   return above;
 }
 
-// Returns the depth used for drawing thin water and dry ground: the level of adjacent deeper water minus the bed, at
-// most 0 for a dry cell. Without adjacent water, a dry cell gets a constant below the bed.
+// Returns the depth that is used for drawing thin water and dry ground: the level of adjacent deeper water minus the
+// bed, at most 0 for a dry cell. A dry cell without adjacent water gets a constant depth below the bed.
 FUNCTION float seenDepth(int x, int y, vec4 here, float depth) {
   precise float sum = 0.0f;
   precise float weights = 0.0f;
@@ -57,8 +57,8 @@ FUNCTION float seenDepth(int x, int y, vec4 here, float depth) {
   return depth > look.shallow ? depth : seen;
 }
 
-// Returns the apparent depth of the ground. Crests focus light on it, which makes it look nearer; troughs do the
-// reverse.
+// Returns the apparent depth of the ground. Wave crests focus light on the ground, which makes it look nearer; troughs
+// do the opposite.
 FUNCTION float lookedThrough(int x, int y, vec4 here, float depth) {
   vec4 e = loadWaterAt(min(x + 1, size.x - 1), y);
   vec4 w = loadWaterAt(max(x - 1, 0), y);
@@ -72,7 +72,7 @@ FUNCTION float lookedThrough(int x, int y, vec4 here, float depth) {
   return seen;
 }
 
-// Returns depth, vertex height, speed and palette index: all displayed values of a cell except its level.
+// Returns depth, vertex height, speed and palette index of a cell: all its displayed values except the level.
 FUNCTION vec4 waterShown(int x, int y) {
   vec4 values = waterValues(x, y);
   vec4 here = loadWaterAt(x, y);

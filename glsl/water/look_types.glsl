@@ -6,9 +6,9 @@ struct STD140 WaterLook {
   float back;
   float base;        // Height of level 0, m
   float shallow;     // Depth below which water is not drawn, m
-  float thin;        // in metres
-  float perClarity;  // 1 / the depth that spans a quarter of the palette, 1/m
-  float foam;        // Foam per unit of slope beyond the slope `calm`
+  float thin;        // Depth in metres below which water is thin
+  float perClarity;  // Reciprocal of the depth that spans a quarter of the palette, 1/m
+  float foam;        // Foam per unit of slope, for slopes above `calm`
   float calm;
 };
 const int depthColors = 64;

@@ -18,8 +18,8 @@ struct WaterCell {
 
 // State on one side of a face.
 struct WaterSide {
-  float level;   // in metres
-  float bed;     // in metres
+  float level;   // Level in metres
+  float bed;     // Height of the bed in metres
   float along;   // Velocity normal to the face, m/s
   float across;  // Velocity tangential to the face, m/s
 };
@@ -32,8 +32,8 @@ struct WaterFlux {
   float across;  // Tangential momentum, m^3/s^2
 };
 
-// Returns a cell's state, with velocity u = 2 h hu / (h^2 + max(h^2, thin^2)), which is hu / h unless the water is thin
-// (Kurganov and Petrova 2007).
+// Returns a cell's state. Its velocity is u = 2 h hu / (h^2 + max(h^2, thin^2)), where h is the depth and hu the
+// discharge; it equals hu / h unless the water is thin (Kurganov and Petrova 2007).
 FUNCTION WaterCell waterCell(vec4 texel, float thin) {
   WaterCell c;
   c.level = texel.x;
@@ -51,15 +51,15 @@ FUNCTION WaterCell waterCell(vec4 texel, float thin) {
   return c;
 }
 
-// Returns the mirror image of a cell: `alongX` reverses u, `alongY` reverses v.
+// Returns the mirror image of a cell: u is reversed if `alongX` is true, v if `alongY` is true.
 FUNCTION WaterCell waterMirrored(WaterCell c, bool alongX, bool alongY) {
   c.u = alongX ? -c.u : c.u;
   c.v = alongY ? -c.v : c.v;
   return c;
 }
 
-// Returns the cell index that represents index i of `count`, -2 <= i <= count + 1. waterIsMirrored tells if it is a
-// mirror image.
+// Returns the index of the cell that stands for the index i of `count`, where -2 <= i <= count + 1. waterIsMirrored()
+// returns true if its mirror image must be used.
 FUNCTION int waterFolded(int i, int count, int low, int high) {
   if (i < 0) return low == periodicEdge ? i + count : low == wallEdge ? -1 - i : 0;
   if (i >= count) return high == periodicEdge ? i - count : high == wallEdge ? 2 * count - 1 - i : count - 1;
@@ -69,8 +69,9 @@ FUNCTION bool waterIsMirrored(int i, int count, int low, int high) {
   return (i < 0 && low == wallEdge) || (i >= count && high == wallEdge);
 }
 
-// Returns the state beyond a sea side: a wave that enters over still water with the border cell's depth, u = 2 (c - c0)
-// (simple wave). Outgoing waves are not reflected. The level is never below the bed.
+// Returns the state beyond a side that is a sea: a wave that enters over still water of the border cell's depth, with u
+// = 2 (c - c0), where c and c0 are the wave speeds with and without the wave (simple wave). Outgoing waves are not
+// reflected. The level is never below the bed.
 FUNCTION WaterCell waterSea(vec4 border, float swell, WaterStep told) {
   precise float top = told.sea + swell;
   precise float level = max(top, border.w);
@@ -87,8 +88,8 @@ FUNCTION WaterCell waterSea(vec4 border, float swell, WaterStep told) {
   return c;
 }
 
-// Returns the limited difference: of twice each one-sided difference and their mean, the one with the smallest
-// magnitude; 0 at an extremum (van Leer 1977).
+// Returns the limited difference across a cell: the one with the minimum magnitude among twice each one-sided
+// difference and the mean of both; 0 at an extremum (van Leer 1977).
 FUNCTION float waterLimited(float before, float here, float behind) {
   precise float a = here - before;
   precise float b = behind - here;
@@ -115,7 +116,8 @@ FUNCTION WaterCell waterSlope(WaterCell before, WaterCell here, WaterCell behind
   return s;
 }
 
-// Advances a cell by half a step of w_t = -(hu)_x - (hv)_y, u_t = -u u_x - v u_y - g w_x, and the same for v.
+// Advances a cell by half a step of w_t = -(hu)_x - (hv)_y and u_t = -u u_x - v u_y - g w_x, and likewise for v, where
+// w is the level.
 FUNCTION WaterCell waterHalf(WaterCell c, WaterCell sx, WaterCell sy, float halfRatio, float gravity) {
   precise float rise = (c.u * sx.depth + c.depth * sx.u) + (c.v * sy.depth + c.depth * sy.v);
   precise float slowU = (c.u * sx.u + gravity * sx.level) + c.v * sy.u;
@@ -132,8 +134,8 @@ FUNCTION WaterCell waterHalf(WaterCell c, WaterCell sx, WaterCell sy, float half
   return half_;
 }
 
-// Returns the cell's state at its side, offset by half the slope times `sign`. half_ is the cell half a step later. The
-// bed does not change.
+// Returns the cell's state at one of its sides, offset from the centre by half the slope times `sign`. half_ is the
+// cell half a step later. The bed does not change.
 FUNCTION WaterSide waterSideX(WaterCell c, WaterCell half_, WaterCell slope, float sign) {
   WaterSide s;
   precise float bed = (c.level + sign * slope.level) - (c.depth + sign * slope.depth);
@@ -154,9 +156,9 @@ FUNCTION WaterSide waterSideY(WaterCell c, WaterCell half_, WaterCell slope, flo
   return s;
 }
 
-// Returns the HLL flux with wave speeds of the two-rarefaction approximation, between depths above the higher of the
-// two beds. It is exactly zero for equal levels at rest. A cell gives away at most `mostA` or `mostB`, a quarter of its
-// water, so no cell becomes negative.
+// Returns the HLL flux with the wave speeds of the two-rarefaction approximation, for the depths above the higher of
+// the two beds. It is exactly zero if the levels are equal and the water is at rest. The two cells give away at most
+// `mostA` and `mostB`, a quarter of their water, so that no depth becomes negative.
 FUNCTION WaterFlux waterFlux(WaterSide a, WaterSide b, float gravity, float mostA, float mostB) {
   float bed = max(a.bed, b.bed);
   precise float depthA = a.level - bed;
@@ -201,20 +203,20 @@ FUNCTION WaterFlux waterFlux(WaterSide a, WaterSide b, float gravity, float most
   return f;
 }
 
-// Sets values below 1e-12 to 0, so that no product becomes a subnormal number.
+// Returns x, or 0 if its magnitude is below 1e-12, so that no product becomes a subnormal number.
 FUNCTION float waterFlush(float x) {
   return abs(x) < 1e-12f ? 0.0f : x;
 }
 
-// Finishes a state: applies friction, integrated implicitly so that it never reverses the flow, and stops dry cells.
-// `moved` holds level and discharges before friction.
+// Completes a state: applies friction, integrated implicitly so that it never reverses the flow, and stops dry cells.
+// `moved` holds the level and the discharges before friction.
 FUNCTION vec4 waterSettled(vec3 moved, float bed, WaterStep s) {
   precise float depth = moved.x - bed;
   float level = depth <= 1e-12f ? bed : waterFlush(moved.x);  // A NaN level is kept, so that later checks find it
   precise float qx = moved.y * s.kept;
   precise float qy = moved.z * s.kept;
   if (s.manning > 0.0f) {
-    // dq/dt = -g n^2 |q| q / h^(7/3)
+    // Friction is dq/dt = -g n^2 |q| q / h^(7/3), with the discharge q and Manning's n.
     float held = max(depth, s.thin);
     precise float weight = held * held * exactPow(held, 0.33333333f);
     precise float flow2 = qx * qx + qy * qy;
@@ -229,10 +231,10 @@ FUNCTION vec4 waterSettled(vec3 moved, float bed, WaterStep s) {
 }
 
 // Returns a cell's new texel from the fluxes through its sides. half_ is the cell half a step later; slopeX and slopeY
-// are its slopes.
+// are the cell's slopes.
 FUNCTION vec4 waterGathered(vec4 texel, WaterCell half_, WaterCell slopeX, WaterCell slopeY, WaterFlux east, WaterFlux west,
                             WaterFlux south, WaterFlux north, WaterStep told) {
-  // Inside the cell the pressure changes by g h dw.
+  // Inside the cell, the pressure changes by g h dw, where dw is the change of the level.
   precise float pressX = told.gravity * half_.depth * slopeX.level;
   precise float pressY = told.gravity * half_.depth * slopeY.level;
   precise float out_ = (east.mass - west.mass) + (south.mass - north.mass);
@@ -245,7 +247,7 @@ FUNCTION vec4 waterGathered(vec4 texel, WaterCell half_, WaterCell slopeX, Water
   return waterSettled(vec3(level, qx, qy), texel.w, told);
 }
 
-// Returns the Courant number (|u| + sqrt(g h)) dt / cell size along the faster axis; 0 for thin water.
+// Returns the Courant number (|u| + sqrt(g h)) dt / cell size along the axis where it is larger; 0 for thin water.
 FUNCTION float waterCourant(WaterCell c, WaterStep s) {
   precise float weight = s.gravity * c.depth;
   precise float fastest = max(abs(c.u), abs(c.v)) + exactSqrt(weight);
@@ -264,7 +266,8 @@ FUNCTION float waterDropAt(WaterDrop d, ivec2 cell, vec4 texel) {
   return depth > d.shallow ? rise : 0.0f;
 }
 
-// Returns a cell's texel with `rise` metres more water, never below the bed. Removed water takes its discharge with it.
+// Returns a cell's texel with `rise` metres more water, where the level is at least the bed. Removed water takes its
+// discharge with it.
 FUNCTION vec4 waterRaised(vec4 texel, float rise) {
   precise float level = texel.x + rise;
   precise float depth = texel.x - texel.w;

@@ -1,4 +1,5 @@
-// Adds water: a brush stroke's value in metres within its reach, or a drop (DROP). One cell per invocation.
+// Adds water: the value of a brush stroke in metres within its radius, or a drop if DROP is defined. One invocation per
+// cell.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "common/words.glsl"

@@ -1,6 +1,6 @@
-// One step of the water. An invocation processes a column of ROWS cells from top to bottom. Half steps and fluxes of
-// the previous row stay in registers, so a cell needs three fluxes instead of the four of waterStepped. The arithmetic
-// has the same order.
+// Computes one step of the water. An invocation processes a column of ROWS cells from top to bottom. The half steps and
+// fluxes of the previous row stay in registers, so a cell needs three fluxes instead of the four of waterStepped(). The
+// arithmetic operations have the same order.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
 #include "common/memory.glsl"
@@ -12,7 +12,7 @@ INPUT_ARRAY(cellsBinding, CellBlock, cells)
 STATE_ARRAY(nextCellsBinding, NextBlock, nextCells)
 layout(std140, binding = stepBinding) uniform WaterBlock { WaterStep water; };
 uniform ivec2 size;
-uniform int stepNumber;  // Step of the frame, from 1
+uniform int stepNumber;  // Step of the frame, counted from 1
 
 vec4 loadWater(int i) {
   return LOAD_INPUT(cells, i);
@@ -39,7 +39,7 @@ void main() {
   WaterStep told = water;
   float g = told.gravity, dry = told.dry, k = told.halfRatio;
   WaterRow above = rowAt(x, top - 1, told, grid), here = rowAt(x, top, told, grid), below = rowAt(x, top + 1, told, grid);
-  // Cell above half a step later, and the flux from it.
+  // The cell above half a step later, and the flux from that cell to this one.
   WaterCell before = waterAt(x, top - 2, told, grid);
   WaterCell ax = waterSlope(above.w, above.c, above.e, dry);
   WaterCell ay = waterSlope(before, above.c, here.c, dry);

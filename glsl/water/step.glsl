@@ -2,8 +2,8 @@
 // `water` (WaterStep), `size` (ivec2, cells) and loadWater(int i), a texel of the state. Define SEA as 1 if a side is a
 // sea, otherwise 0.
 
-// Returns the cell (x, y), also beyond the grid's sides. `told` and `grid` are local copies of `water` and `size`, so
-// that uniforms are read once.
+// Returns the cell (x, y), which may be beyond the grid's sides. `told` and `grid` are local copies of `water` and
+// `size`, so that the uniforms are read only once.
 FUNCTION WaterCell waterAt(int x, int y, WaterStep told, ivec2 grid) {
   int column = waterFolded(x, grid.x, told.west, told.east);
   int row = waterFolded(y, grid.y, told.north, told.south);

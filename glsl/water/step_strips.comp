@@ -1,7 +1,8 @@
-// Variant of step.comp for storage buffers, used on GPUs: the same arithmetic, computed once per cell except at the
-// borders of a strip. A workgroup of 32 columns walks down `rows` rows. For each row, an invocation computes its cell's
-// slopes, half step, the flux to the east and the flux from above; neighbours exchange values through shared memory.
-// The outermost two columns on each side serve only as neighbours, so strips are 28 columns apart.
+// Variant of step.comp for storage buffers, used on GPUs. The arithmetic is the same, but it is done only once per
+// cell, except at the borders of a strip. A workgroup of 32 columns moves down `rows` rows. For each row, an invocation
+// computes its cell's slopes and half step, the flux to the east and the flux from above. Neighbours exchange values
+// through shared memory. The outermost two columns on each side serve only as neighbours, so strips start 28 columns
+// apart.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
 #include "common/memory.glsl"
@@ -14,7 +15,7 @@ INPUT_ARRAY(cellsBinding, CellBlock, cells)
 STATE_ARRAY(nextCellsBinding, NextBlock, nextCells)
 layout(std140, binding = stepBinding) uniform WaterBlock { WaterStep water; };
 uniform ivec2 size;
-uniform int stepNumber;  // Step of the frame, from 1
+uniform int stepNumber;  // Step of the frame, counted from 1
 uniform int rows;        // Number of rows of a strip
 
 vec4 loadWater(int i) {
@@ -23,7 +24,7 @@ vec4 loadWater(int i) {
 #include "water/model.glsl"
 #include "water/step.glsl"
 
-shared vec4 sharedCells[columns];  // Row in work: level, depth, u, v
+shared vec4 sharedCells[columns];  // Current row: level, depth, u, v
 shared vec4 westSides[columns];    // West sides of the row's cells: level, bed, along, across
 shared vec4 eastFluxes[columns];   // East fluxes: mass, behind, across
 
@@ -43,7 +44,7 @@ void main() {
   int west = max(column - 1, 0), east = min(column + 1, columns - 1);
   WaterStep told = water;
   float g = told.gravity, dry = told.dry, k = told.halfRatio;
-  // Rows y - 1, y and y + 1. For row y - 1 also its half step, slopes and fluxes.
+  // The rows y - 1, y and y + 1; for row y - 1 also its half step, slopes and fluxes.
   WaterCell above = waterAt(x, top - 2, told, grid), here = waterAt(x, top - 1, told, grid);
   WaterCell a2 = here, ax = here, ay = here;
   WaterFlux nothing = WaterFlux(0.0f, 0.0f, 0.0f, 0.0f);

@@ -1,5 +1,5 @@
-// Measures the water once per frame (src/sim/water/quantities.cpp). Sums: depth, h |u|^2 / 2, h (w + b) / 2, number of
-// wet cells. Maxima: Courant number, speed, depth.
+// Measures the water once per frame (src/sim/water/quantities.cpp). Sums the depth, h |u|^2 / 2, h (w + b) / 2 (depth
+// h, velocity u, level w, bed b) and the number of wet cells. Determines the maxima of Courant number, speed and depth.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
 #include "common/memory.glsl"

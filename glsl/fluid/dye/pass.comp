@@ -1,4 +1,4 @@
-// One pass of dye transport in flux form: dye that leaves a cell through a face enters the neighbour.
+// Computes one pass of dye transport in flux form: dye that leaves a cell through a face enters the neighbour.
 #define READS_DYE
 #define NEXT_DYE
 #include "fluid/grid.glsl"
@@ -15,7 +15,7 @@ vec4 dyedBetween(vec4 here, vec4 left, vec4 right, vec4 top, vec4 bottom) {
   return next;
 }
 
-// Processes a block of 2x2 cells with open faces. Each flux is computed once.
+// Processes a block of 2x2 cells whose faces are all open, computing each flux only once.
 void main() {
   ivec2 block = blockHere(tilesStart);
   if (2 * block.x >= size.x) return;

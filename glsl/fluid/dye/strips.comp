@@ -1,10 +1,10 @@
-// Variant of pass.comp for storage buffers, used on GPUs: each flux is computed once, and PASSES passes run at once. A
-// workgroup of 32 invocations walks down `rows` rows; an invocation has two columns. Values of neighbouring columns
-// come from the neighbours' registers (SUBGROUPS) or through shared memory; values of rows above and below stay in
-// registers. Each pass follows two rows behind the previous one. The outermost columns, two per pass, serve only as
-// neighbours. Dye is counted in quanta (model.glsl), so a flux is an integer. The distance through each face is the
-// same in all passes of a step and comes from check.comp. Rows are skipped while the strip has been without dye for
-// several rows.
+// Variant of pass.comp for storage buffers, used on GPUs: each flux is computed only once, and PASSES passes run in one
+// dispatch. A workgroup of 32 invocations moves down a strip of `rows` rows; each invocation has two columns. Values of
+// neighbouring columns come from the neighbouring invocations' registers (if SUBGROUPS is defined) or through shared
+// memory. Values of the rows above and below stay in registers. Each pass runs two rows behind the previous pass. The
+// outermost columns, two per pass, serve only as neighbours. Dye is counted in quanta (model.glsl), so a flux is an
+// integer. The distance that dye moves through each face is the same in all passes of a step and comes from check.comp.
+// Rows are skipped when the strip has had no dye for several rows.
 #ifdef SUBGROUPS
 #extension GL_KHR_shader_subgroup_shuffle_relative : require
 #extension GL_KHR_shader_subgroup_vote : require
@@ -21,7 +21,8 @@ uniform int rows;  // Number of rows of a strip
 shared vec3 firsts[lanes], seconds[lanes];  // Values of both columns of a row
 #endif
 
-// Return the value of the invocation to the left, or to the right. At the ends of the strip the result is undefined.
+// Return the value of the invocation to the left (ofLeft) or to the right (ofRight). At the ends of the strip, the
+// result is undefined.
 #ifdef SUBGROUPS
 vec3 ofLeft(int lane, vec3 value) {
   return subgroupShuffleUp(value, 1u);
@@ -46,7 +47,7 @@ vec3 ofRight(int lane, vec3 value) {
 }
 #endif
 
-// True if a row of the strip has no dye.
+// Returns true if a row of the strip has no dye.
 #ifndef SUBGROUPS
 shared uint dyed;
 #endif
@@ -65,15 +66,15 @@ bool isClear(int lane, vec3 first, vec3 second) {
 #endif
 }
 
-// State of a pass in one column: the row in work (`here`), the row above, half the slope of the row above along y, the
+// State of a pass in one column: the current row (`here`), the row above, half the slope along y of the row above, the
 // flux through the upper face of the row above, the loss of the row above to both sides, and the difference `up`
 // between the two rows.
 struct Pass {
   vec3 here, above, slopeAbove, fromAbove, sidesAbove, up;
 };
 
-// Same as limitedHalfSlope, for integers. On GPUs min has half the throughput of a product: the clamped product of the
-// differences is 1 if both have the same sign, otherwise 0.
+// Returns limitedHalfSlope() for integers. On GPUs, min has half the throughput of a product, so a clamped product of
+// the differences is used: it is 1 if both have the same sign, otherwise 0.
 vec3 halfSlopes(vec3 before, vec3 after) {
   precise vec3 product = before * after;
   vec3 same = clamp(product, vec3(0.0), vec3(1.0));
@@ -98,7 +99,7 @@ int turned(int i, int count) {
   return (i + 8 * count) % count;
 }
 
-// Maps any column to the column that stores its dye, velocities and faces.
+// Returns the column that stores the dye, velocities and faces of column x, which may be outside the grid.
 int columnOf(int x) {
   return leftKind == periodicSide ? turned(x, size.x) : clamp(x, -1, size.x);
 }
@@ -112,13 +113,13 @@ vec3 loadUnits(int x, int y) {
   return units;
 }
 
-// Returns the distances through the left and the top face of a cell. Beyond the ring the result is arbitrary and is not
-// used.
+// Returns the distances that dye moves through the left face and the top face of a cell. Beyond the ring, the result is
+// arbitrary and is not used.
 vec2 waysAt(int x, int y) {
   return ways[elementOf(clamp(x, -1, size.x), clamp(y, -1, size.y))];
 }
 
-// Stores a cell, and the copies of it in the ring if the cell is at the border.
+// Stores a cell. If the cell is at the border, also stores its copies in the ring.
 void storeUnits(int x, int y, vec3 units) {
   precise vec3 amounts = units * dyeUnit;
   vec4 value = vec4(amounts, 0.0);
@@ -133,8 +134,8 @@ void storeUnits(int x, int y, vec3 units) {
     }
 }
 
-// Advances a pass by one row. On input, `first` and `second` hold the next row below; on output, the row above after
-// the pass. `through_` holds the distances through the faces of both columns in the row in work.
+// Advances a pass by one row. On input, `first` and `second` hold the next row below; on output, they hold the row
+// above after the pass. `through_` holds the distances through the faces of both columns in the current row.
 void advance(int lane, inout Pass a, inout Pass b, vec4 through_, inout vec3 first, inout vec3 second) {
   vec3 left = ofLeft(lane, b.here), right = ofRight(lane, a.here);
   precise vec3 before_ = a.here - left;
@@ -162,8 +163,8 @@ void advance(int lane, inout Pass a, inout Pass b, vec4 through_, inout vec3 fir
 }
 
 #if PASSES > 1
-// After the first pass, fills columns beyond a side that is not periodic: copies of the nearest column inside, or 0
-// beyond an open side.
+// After the first pass, sets the columns beyond a side that is not periodic: they become copies of the nearest column
+// inside, or 0 beyond an open side.
 void spread(int lane, ivec2 x, inout vec3 first, inout vec3 second) {
   int from = x.x - 2 * lane;  // First column of the strip
   barrier();
@@ -190,13 +191,13 @@ void main() {
   ivec2 x = ivec2(from + 2 * lane, from + 2 * lane + 1);
   int top = int(gl_WorkGroupID.y) * rows;
   int end = min(top + rows, size.y);
-  ivec2 at = ivec2(columnOf(x.x), columnOf(x.y));  // Columns that store the dye
+  ivec2 at = ivec2(columnOf(x.x), columnOf(x.y));  // Columns that store the dye of this invocation's columns
   bool closes = leftKind == periodicSide;
   ivec2 faces = closes ? at : x;
   bvec2 writes = bvec2(2 * lane >= margin && 2 * lane < columns - margin && x.x < size.x,
                        2 * lane >= margin && 2 * lane < columns - margin && x.y < size.x);
   Pass a[PASSES], b[PASSES];
-  vec4 through_[2 * PASSES - 1];  // Distances through faces, for the row in work and the rows above it
+  vec4 through_[2 * PASSES - 1];  // Distances through faces, for the current row and the rows above it
   Pass none = Pass(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
   for (int i = 0; i < PASSES; ++i) a[i] = b[i] = none;
   for (int i = 0; i < 2 * PASSES - 1; ++i) through_[i] = vec4(0.0);
@@ -209,7 +210,7 @@ void main() {
   precise vec3 stepB = b[0].here - b[0].above;
   a[0].up = stepA;
   b[0].up = stepB;
-  // A pass depends on four rows and the incoming row: after five rows without dye it has nothing to move.
+  // A pass depends on four rows and on the incoming row, so after five rows without dye it has nothing to move.
   const int pastRows = 5;
   int clear = 0;  // Number of consecutive rows without dye, up to the incoming row
   bool atSide = !closes && (from < 0 || from + columns > size.x);
@@ -228,7 +229,7 @@ void main() {
     }
 #if PASSES > 1
     if (clear < 2 * pastRows - 1) {
-      // Second pass, for row y - 1. Rows beyond the sides are filled like columns (spread).
+      // The second pass, for row y - 1. Rows beyond the sides are set like columns (see spread()).
       if (atSide) spread(lane, x, first, second);
       if (topKind != periodicSide && y - 1 <= 0) {
         bool empty = topKind == openSide;

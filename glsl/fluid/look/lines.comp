@@ -1,10 +1,10 @@
-// Draws the lines of flow of a fluid: colour in rgb, brightness of the line in a. The output has `size` * lineDetail
-// pixels and no ring.
+// Draws the streamlines of a fluid: colour in rgb, brightness of the line in a. The output has `size` * lineDetail
+// pixels and no ring. One invocation per pixel.
 #include "common/hash.glsl"
 #include "fluid/grid.glsl"
 layout(local_size_x = 32, local_size_y = 2) in;
 STATE_ARRAY(nextFlowBinding, NextBlock, shown)
-INPUT_ARRAY(carriedBinding, StopBlock, stops)  // Stops of the colour map
+INPUT_ARRAY(carriedBinding, StopBlock, stops)  // Colour stops of the colour map
 uniform int lineDetail;
 uniform float linePerDetail, linePhase;
 uniform vec3 obstacleColor;

@@ -1,10 +1,10 @@
 // Line integral convolution (Cabral and Leedom, SIGGRAPH 1993): averages noise along the streamline through each pixel.
-// Compiles as GLSL and as C++, after transport.glsl and look.glsl. `lineDetail` is the number of pixels per cell and
-// axis; `linePerDetail` is its reciprocal. `linePhase` is the phase, in turns, of ripples that move along the lines
-// with the flow.
-const int lineSteps = 26;  // Steps in each direction
+// Compiles as GLSL and as C++, after transport.glsl and look.glsl. `lineDetail` is the number of pixels per cell along
+// each axis, and `linePerDetail` is its reciprocal. `linePhase` is the phase, in turns, of the ripples that move along
+// the lines with the flow.
+const int lineSteps = 26;  // Number of steps in each direction
 
-// Returns white noise, one value in [0, 1) per pixel.
+// Returns white noise with one value in [0, 1) per pixel.
 FUNCTION float grainAt(vec2 p) {
   precise float x = p.x * float(lineDetail);
   precise float y = p.y * float(lineDetail);
@@ -13,7 +13,7 @@ FUNCTION float grainAt(vec2 p) {
   return grain;
 }
 
-// Returns the weight of the sample at `along` (-1 to 1) on the line: a bell curve, modulated by ripples.
+// Returns the weight of the sample at the position `along` (-1 to 1) on the line: a bell curve, modulated by ripples.
 FUNCTION float lineWeight(float along) {
   precise float opening = 3.1415927f * along;
   precise float bell = 1.0f + exactCos(opening);
@@ -23,7 +23,8 @@ FUNCTION float lineWeight(float along) {
   return weight;
 }
 
-// Moves one Euler step of 3/4 pixel along the flow, or against it if `way` is negative. Does not move in fluid at rest.
+// Moves p by one Euler step of 3/4 pixel along the flow, or against it if `way` is negative. Does not move p where the
+// fluid is at rest.
 FUNCTION vec2 alongLine(vec2 p, float way) {
   vec2 velocity = velocityAt(p);
   precise float square = velocity.x * velocity.x + velocity.y * velocity.y;
@@ -33,7 +34,7 @@ FUNCTION vec2 alongLine(vec2 p, float way) {
   return square > 1e-10f ? heldPoint(next) : p;
 }
 
-// Returns the weighted mean of the noise along the line through p, with increased contrast: 0 to 1.
+// Returns the weighted mean of the noise along the line through p, with increased contrast, between 0 and 1.
 FUNCTION float lineAt(vec2 p) {
   float middle = lineWeight(0.0f);
   precise float sum = middle * grainAt(p);

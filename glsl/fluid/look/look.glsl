@@ -31,7 +31,7 @@ const int lightLook = 0;
 const int inkLook = 1;
 const int fireLook = 2;
 
-// Returns the glow at a temperature: red, then yellow, then white.
+// Returns the colour of the glow at a temperature: red, then yellow, then white.
 FUNCTION vec4 glowOf(float heat) {
   float held = clamp(heat, 0.0f, 3.0f);
   precise float square = held * held;
@@ -39,10 +39,10 @@ FUNCTION vec4 glowOf(float heat) {
   return glow;
 }
 
-// Returns a linear RGB colour. The looks "light" and "fire" blend dye light over dark paper with transmittance
-// e^(-brightness dye); fire adds a glow by temperature. The look "ink" is paper attenuated by e^(-brightness a), where
-// the absorption a of each channel is what the ink's colour lacks, plus a small part for all channels (Beer-Lambert
-// law).
+// Returns a linear RGB colour. The looks "light" and "fire" blend light from the dye over dark paper with the
+// transmittance e^(-brightness dye); "fire" adds a glow that depends on the temperature. The look "ink" attenuates the
+// paper by e^(-brightness a) (Beer-Lambert law), where the absorption a of each channel is the part of that channel
+// missing in the ink's colour, plus a small part of all channels.
 FUNCTION vec4 shownColor(int look, float brightness, vec4 dye, float heat, vec3 paper) {
   precise vec4 light = brightness * dye;
   if (look == inkLook) {

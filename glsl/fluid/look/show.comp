@@ -1,12 +1,12 @@
-// Computes the displayed field of a fluid: colour in rgb, value in a. One cell per invocation.
+// Computes the displayed field of a fluid: colour in rgb, value in a. One invocation per cell.
 #define READS_DYE
 #include "fluid/grid.glsl"
 #include "fluid/look/look.glsl"
 layout(local_size_x = 32, local_size_y = 2) in;
 STATE_ARRAY(nextFlowBinding, NextBlock, shown)
-INPUT_ARRAY(carriedBinding, StopBlock, stops)  // Stops of the colour map
-uniform float brightness;     // Factor of dye
-uniform vec3 paper;           // Colour of the background without dye
+INPUT_ARRAY(carriedBinding, StopBlock, stops)  // Colour stops of the colour map
+uniform float brightness;     // Factor on the dye
+uniform vec3 paper;           // Background colour where there is no dye
 uniform vec3 obstacleColor;
 #include "common/color_map.glsl"
 

@@ -1,11 +1,11 @@
-// Multigrid, way up: adds the coarser level's correction, then applies a red-black sweep. Works in blocks of 2x2 cells
-// like descend.comp.
+// Multigrid step to a finer level: adds the coarser level's correction, then applies a red-black sweep. One invocation
+// per block of 2x2 cells, as in descend.comp.
 #include "fluid/solver/levels.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = raisedOutBinding) writeonly buffer RaisedOutBlock { vec4 raisedOut[]; };
 
 #if IN_THE_OPEN != 0
-// Five coarse cells in a row, from two before the block's own cell to two after it.
+// Five consecutive coarse cells, from two cells before the coarse cell of this block to two cells after it.
 struct Five {
   float a, b, c, d, e;
 };
@@ -79,7 +79,7 @@ const int windowStride = 14;
 shared float values[14 * 14];
 #include "fluid/solver/window.glsl"
 
-// Returns a coarse cell's correction, as the function of the same name below.
+// Returns a coarse cell's correction, like the function of the same name below.
 float coarseAt(ivec2 c) {
   ivec2 count = level.cells / 2 + (level.cells & 1);
 #if LEFT == 4
@@ -128,8 +128,8 @@ void sweepTile(ivec2 tile) {
   raisedOut[level.up + element] = here;
 }
 #elif IN_THE_OPEN != 1
-// Returns a coarse cell's correction: noCell beyond walls; beyond open sides the negated border cell, so that the
-// correction is 0 on the side.
+// Returns a coarse cell's correction. Beyond walls it is noCell; beyond open sides it is the negated correction of the
+// border cell, so that the correction on the side is 0.
 float coarseAt(ivec2 c) {
   ivec2 count = (level.cells + 1) / 2;
 #if LEFT == 4
@@ -154,7 +154,7 @@ float raisedAt(ivec2 place) {
   return raised(inRaised(level.way, c), more);
 }
 
-// Relaxes a cell of either colour, given its neighbours.
+// Returns the relaxed value of a cell of either colour.
 float sweptAt(ivec2 place, float left, float right, float top, float bottom) {
   ivec2 c = within(place);
   if (!isInside(c)) return 0.0;
@@ -162,8 +162,8 @@ float sweptAt(ivec2 place, float left, float right, float top, float bottom) {
   return relaxed(inPool(level.rhs, c), neighbours(w, left, right, top, bottom), diagonal(w));
 }
 
-// Returns a red cell after its half of the sweep. On a torus with an odd number of cells, the cell at the seam can be
-// black; it is then returned without the sweep.
+// Returns the value of a red cell after the red half of the sweep. On a torus with an odd number of cells, the cell at
+// the seam can be black; its value is then returned unchanged.
 float redAt(ivec2 place, float left, float right, float top, float bottom) {
   return isRed(within(place)) ? sweptAt(place, left, right, top, bottom) : raisedAt(place);
 }

@@ -1,8 +1,8 @@
-// A block of 2x2 cells with the openings around it, held in an invocation's registers so that it is loaded once. On a
-// torus the number of cells per axis must be even. Include after model.glsl and `weights`.
+// Block of 2x2 cells with the face openings around it. An invocation keeps it in registers, so that it is loaded only
+// once. On a torus, the number of cells per axis must be even. Include after model.glsl and `weights`.
 struct Block {
   uvec4 faces;        // Openings of the left and top faces of the block's cells
-  uvec2 right, below; // Openings of the cells to the right and below
+  uvec2 right, below; // Openings of the cells to the right of the block and of the cells below it
   vec4 rhs;
   int inside;         // Bit mask of the block's cells that lie in the grid
 };
@@ -35,8 +35,8 @@ Block blockAt(ivec2 block, ivec2 cells, int start) {
   return b;
 }
 
-// Return the face weights (left, right, top, bottom) of the block's cells: weights00 the first cell, weights10 the cell
-// to its right, and so on.
+// Return the face weights (left, right, top, bottom) of one cell of the block: weights00() of the first cell,
+// weights10() of the cell to its right, and so on.
 vec4 weights00(Block b) {
   vec2 own = faceWeights(b.faces.x);
   return vec4(own.x, faceWeights(b.faces.y).x, own.y, faceWeights(b.faces.z).y);
@@ -54,7 +54,8 @@ vec4 weights11(Block b) {
   return vec4(own.x, faceWeights(b.right.y).x, own.y, faceWeights(b.below.y).y);
 }
 
-// Relaxes x and w, the red cells. `beside` holds the outer neighbours: left of x, above x, right of w, below w.
+// Relaxes the red cells x and w. `beside` holds their neighbours outside the block: left of x, above x, right of w,
+// below w.
 void sweepReds(Block b, inout vec4 here, vec4 beside) {
   vec4 w = weights00(b);
   here.x = (b.inside & 1) != 0 ? relaxed(b.rhs.x, neighbours(w, beside.x, here.y, beside.y, here.z), diagonal(w)) : 0.0;
@@ -62,13 +63,14 @@ void sweepReds(Block b, inout vec4 here, vec4 beside) {
   here.w = (b.inside & 8) != 0 ? relaxed(b.rhs.w, neighbours(w, here.z, beside.z, here.y, beside.w), diagonal(w)) : 0.0;
 }
 
-// First relaxation of the red cells on the way down, starting from zero.
+// Relaxes the red cells for the first time on the way to coarser levels, starting from zero.
 void sweepFirstReds(Block b, inout vec4 here) {
   here.x = (b.inside & 1) != 0 ? begun(b.rhs.x, diagonal(weights00(b))) : 0.0;
   here.w = (b.inside & 8) != 0 ? begun(b.rhs.w, diagonal(weights11(b))) : 0.0;
 }
 
-// Relaxes y and z, the black cells. `beside` holds the outer neighbours: right of y, above y, left of z, below z.
+// Relaxes the black cells y and z. `beside` holds their neighbours outside the block: right of y, above y, left of z,
+// below z.
 void sweepBlacks(Block b, inout vec4 here, vec4 beside) {
   vec4 w = weights10(b);
   here.y = (b.inside & 2) != 0 ? relaxed(b.rhs.y, neighbours(w, here.x, beside.x, beside.y, here.w), diagonal(w)) : 0.0;
@@ -76,7 +78,8 @@ void sweepBlacks(Block b, inout vec4 here, vec4 beside) {
   here.z = (b.inside & 4) != 0 ? relaxed(b.rhs.z, neighbours(w, beside.z, here.w, here.x, beside.w), diagonal(w)) : 0.0;
 }
 
-// Returns the coarse right-hand side from the residuals of the red cells; `beside` as in sweepReds.
+// Returns the coarse right-hand side from the residuals of the red cells. `beside` has the same meaning as in
+// sweepReds().
 float leftInReds(Block b, vec4 here, vec4 beside) {
   float first = 0.0, last = 0.0;
   if ((b.inside & 1) != 0) first = residual(b.rhs.x, weights00(b), here.x, beside.x, here.y, beside.y, here.z);
@@ -84,7 +87,7 @@ float leftInReds(Block b, vec4 here, vec4 beside) {
   return restricted(first, last);
 }
 
-// True if a coarse cell lies beyond a wall.
+// Returns true if a coarse cell is outside the grid, beyond a side that is not open.
 bool walledOff(ivec2 c, ivec2 count) {
   bool walled = false;
 #if LEFT != 4
@@ -96,8 +99,8 @@ bool walledOff(ivec2 c, ivec2 count) {
   return walled;
 }
 
-// Adds the interpolated coarse correction to the block's cells. The coarse cell of this block is middle.y; `above`,
-// `middle` and `under` are the three coarse rows around it.
+// Adds the interpolated coarse correction to the block's cells. `above`, `middle` and `under` are three rows of three
+// coarse cells; the coarse cell of this block is middle.y.
 void raiseBlock(Block b, inout vec4 here, vec3 above, vec3 middle, vec3 under) {
   here.x = (b.inside & 1) != 0 ? raised(here.x, prolonged(middle.y, middle.x, above.y, above.x)) : 0.0;
   here.y = (b.inside & 2) != 0 ? raised(here.y, prolonged(middle.y, middle.z, above.y, above.z)) : 0.0;

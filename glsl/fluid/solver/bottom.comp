@@ -1,4 +1,5 @@
-// Solves the coarsest level, at most 64 cells, by overrelaxed red-black sweeps (SOR). A single workgroup.
+// Solves the coarsest level, which has at most 64 cells, by overrelaxed red-black sweeps (SOR). One workgroup, one
+// invocation per cell.
 #include "fluid/solver/levels.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = raisedOutBinding) writeonly buffer RaisedOutBlock { float raisedOut[]; };

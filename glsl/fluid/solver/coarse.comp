@@ -1,7 +1,7 @@
-// Solves the coarsest levels, at most 64x64 cells, in a single workgroup: down, overrelaxed sweeps (SOR) on the
-// coarsest level, and up again, with the same results as descend.comp, bottom.comp and ascend.comp. Corrections stay in
-// shared memory and are updated in place. So no level may be periodic with an odd number of cells, because two cells of
-// the same colour would meet at the seam.
+// Solves the coarsest levels, which have at most 64x64 cells, in a single workgroup: from fine to coarse, overrelaxed
+// sweeps (SOR) on the coarsest level, and back from coarse to fine. The results equal those of descend.comp,
+// bottom.comp and ascend.comp. Corrections stay in shared memory and are updated in place. Therefore, no level may be
+// periodic with an odd number of cells, because two cells of the same colour would then be neighbours at the seam.
 #ifdef SUBGROUPS
 #extension GL_KHR_shader_subgroup_basic : require
 #endif
@@ -16,14 +16,15 @@ layout(local_size_x = lanes) in;
 layout(std430, binding = poolBinding) readonly restrict buffer PoolBlock { vec4 pool[]; };
 layout(std430, binding = raisedOutBinding) writeonly restrict buffer RaisedOutBlock { vec4 raisedOut[]; };
 INPUT_WORDS(weightsBinding, WeightBlock, weights)
-// Per level, the finest first: xy cells; z element index of the openings; w index of the first cell in `values`
+// For each level, finest first: xy size in cells; z element index of the openings; w index of the first cell in
+// `values`
 uniform ivec4 levels[4];
 uniform int levelCount;
-uniform int rhsStart, upStart;  // Element indices in `pool` and `raisedOut`, for the finest level
+uniform int rhsStart, upStart;  // Indices of the finest level's first elements in `pool` and `raisedOut`
 
-shared float values[5440];  // 64x64 cells, and a quarter as many on each coarser level
+shared float values[5440];  // 64x64 cells, plus a quarter as many cells on each coarser level
 shared float missing[1344];  // Right-hand sides of all levels except the finest
-shared float others[bottomCells + 1];  // Coarsest level, followed by a 0 for cells outside
+shared float others[bottomCells + 1];  // Values of the coarsest level, followed by a 0 for cells outside the grid
 #include "fluid/solver/block.glsl"
 
 ivec2 within(ivec2 c, ivec2 cells) {
@@ -49,8 +50,8 @@ float missingAt(ivec4 grid, ivec2 c) {
   return isInside(c, grid.xy) ? missing[grid.w - levels[0].x * levels[0].y + c.y * grid.x + c.x] : 0.0;
 }
 
-// Returns the block of this invocation on a level: up to 32 blocks per row on the finest level, half as many on each
-// coarser level.
+// Returns the block of this invocation on a level. The finest level has up to 32 blocks per row, each coarser level
+// half as many.
 ivec2 blockHere(int number) {
   int i = int(gl_LocalInvocationIndex), bits = 5 - number;
   return ivec2(i & ((1 << bits) - 1), i >> bits);
@@ -64,13 +65,13 @@ void put(ivec4 grid, ivec2 block, int inside, vec4 here) {
   if ((inside & 8) != 0) values[at + grid.x + 1] = here.w;
 }
 
-// Returns the outer neighbours for sweepReds and leftInReds.
+// Returns the neighbours outside the block for sweepReds() and leftInReds().
 vec4 besideReds(ivec4 grid, ivec2 c) {
   return vec4(valueAt(grid, c - ivec2(1, 0)), valueAt(grid, c - ivec2(0, 1)), valueAt(grid, c + ivec2(2, 1)),
               valueAt(grid, c + ivec2(1, 2)));
 }
 
-// Returns the outer neighbours for sweepBlacks.
+// Returns the neighbours outside the block for sweepBlacks().
 vec4 besideBlacks(ivec4 grid, ivec2 c) {
   return vec4(valueAt(grid, c + ivec2(2, 0)), valueAt(grid, c + ivec2(1, -1)), valueAt(grid, c + ivec2(-1, 1)),
               valueAt(grid, c + ivec2(0, 2)));
@@ -100,7 +101,7 @@ vec2 facesOf(ivec4 grid, ivec2 c) {
   return faceWeights((c.y & 1) == 0 ? ((c.x & 1) == 0 ? four.x : four.y) : ((c.x & 1) == 0 ? four.z : four.w));
 }
 
-// Returns a coarse cell's correction, as in ascend.comp.
+// Returns a coarse cell's correction, like coarseAt() of ascend.comp.
 float coarseAt(ivec4 coarse, ivec2 place) {
   ivec2 c = within(place, coarse.xy);
   if (walledOff(c, coarse.xy)) return noCell;
@@ -136,7 +137,7 @@ void ascend(int number, Block b, inout vec4 here) {
 // A cell of the coarsest level, with the indices of its neighbours in `others`. A missing neighbour has the last index,
 // which holds 0.
 struct Bottom {
-  int parity;  // Colour of the cell, or -1 if there is no cell
+  int parity;  // Colour of the cell (0 or 1), or -1 if there is no cell
   ivec4 beside;
   vec4 weights;
   float each, diag, rhs, here;
@@ -168,15 +169,15 @@ void sweepBottom(inout Bottom b, int i, int color) {
   others[i] = b.here;
 }
 
-// Returns the right-hand side of a cell of the coarsest level. If the coarsest level is the only one (`alone`), it is
-// in `values`.
+// Returns the right-hand side of a cell of the coarsest level. If this is the only level (`alone` is true), the
+// right-hand side is in `values`.
 float missingAtBottom(ivec4 grid, int i, bool alone) {
   ivec2 c = ivec2(i % grid.x, i / grid.x);
   return alone ? valueAt(grid, c) : missingAt(grid, c);
 }
 
-// Solves the coarsest level, one cell per invocation. With SUBGROUPS, one subgroup of 32 has two cells per invocation,
-// so that no workgroup barriers are needed.
+// Solves the coarsest level with one cell per invocation. If SUBGROUPS is defined, one subgroup of 32 invocations
+// processes two cells per invocation, so that no workgroup barriers are needed.
 void solveCoarsest(ivec4 grid, Bottom a, Bottom b, bool alone) {
   int lane = int(gl_LocalInvocationIndex);
   a.rhs = missingAtBottom(grid, lane, alone);
@@ -213,7 +214,7 @@ Block loaded(int number, int last) {
 
 void main() {
   int last = levelCount - 1, lane = int(gl_LocalInvocationIndex);
-  // Issues all loads from memory at once.
+  // All loads from memory are issued together.
   Block first = loaded(0, last), second = loaded(1, last), third = loaded(2, last);
   Bottom cell = bottomAt(levels[last], lane), other = cell;
 #ifdef SUBGROUPS

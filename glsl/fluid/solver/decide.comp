@@ -1,5 +1,5 @@
-// Decides whether another cycle is needed. If not, it sets the sizes of all following dispatches to 0. Runs before the
-// first cycle and after each cycle. JUDGE: evaluates the projected flow once at the end.
+// Decides whether another cycle is needed. If not, sets the sizes of all following dispatches to 0. Runs before the
+// first cycle and after each cycle. If JUDGE is defined, it instead evaluates the projected flow once at the end.
 #include "common/exact.glsl"
 #include "common/status.glsl"
 #include "fluid/bindings.glsl"
@@ -8,8 +8,8 @@ const int lanes = 64;
 layout(local_size_x = lanes) in;
 uniform int dispatches;    // Number of indirect dispatches in control.groups
 uniform int first;         // 1 for the dispatch before the first cycle
-uniform float tolerance;   // Largest allowed ratio of flow to speed
-uniform float mostSpeed;   // Highest expected speed, from the scene
+uniform float tolerance;   // Maximum allowed ratio of `flow` to `speed`
+uniform float mostSpeed;   // Maximum expected speed, given by the scene
 
 void main() {
   float flow = uintBitsToFloat(control.flow), speed = uintBitsToFloat(control.speed);
@@ -27,7 +27,7 @@ void main() {
   control.speed = 0u;
 #else
   precise float most = tolerance * speed;
-  // The last dispatch is never empty in a cycle
+  // In a cycle, the last dispatch is never empty
   bool met = flow <= most, over = first == 0 && control.groups[3 * dispatches - 1] == 0u;
   barrier();
   if (over) return;

@@ -1,7 +1,8 @@
-// Multigrid, way down. Starts from zero: a red-black sweep whose red half is overrelaxed. The residuals of the red
-// cells become the right-hand side of the coarser level; black cells have no residual. An invocation processes a block
-// of 2x2 cells and recomputes the neighbouring cells it needs. Tiles that are not open take a workgroup each and share
-// cells (TILE_A_GROUP), because their programs are long and their number is small.
+// Multigrid step to a coarser level. Starting from zero, applies a red-black sweep whose red half is overrelaxed. The
+// residuals of the red cells become the right-hand side of the coarser level; black cells have a residual of 0. An
+// invocation processes a block of 2x2 cells and also computes the neighbouring cells that it needs. If TILE_A_GROUP is
+// defined, a workgroup processes one tile that is not open and its invocations exchange cells through shared memory,
+// because the code for such tiles is long but they are few.
 #include "fluid/solver/levels.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = poolOutBinding) writeonly buffer PoolOutBlock { float poolOut[]; };
@@ -71,7 +72,8 @@ float redAt(ivec2 place) {
   return begun(inPool(level.rhs, c), diagonal(weightsOf(c)));
 }
 
-// Returns a black cell, given its neighbours. On a torus with an odd number of cells, the cell at the seam can be red.
+// Returns the value of a black cell after the sweep. On a torus with an odd number of cells, the cell at the seam can
+// be red.
 float blackAt(ivec2 place, float left, float right, float top, float bottom) {
   ivec2 c = within(place);
   if (!isInside(c)) return 0.0;
@@ -87,7 +89,7 @@ float leftOver(ivec2 c, float value, float left, float right, float top, float b
 
 void sweepOther(ivec2 block, int element, int row) {
   ivec2 o = 2 * block;
-  // Names give the offset from the block's first cell: m is -1, n is -2.
+  // The names r and the like give the offset from the block's first cell: m stands for -1, n for -2.
   float r00 = redAt(o), r11 = redAt(o + ivec2(1, 1));
   float rn0 = redAt(o + ivec2(-2, 0)), r20 = redAt(o + ivec2(2, 0)), r31 = redAt(o + ivec2(3, 1));
   float r0n = redAt(o + ivec2(0, -2)), r02 = redAt(o + ivec2(0, 2)), r13 = redAt(o + ivec2(1, 3));

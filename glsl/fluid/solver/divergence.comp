@@ -1,4 +1,4 @@
-// Computes the negative net outflow of each cell as the right-hand side, in blocks of 2x2 cells, and clears the
+// Computes the right-hand side, which is the negative net outflow of each cell, in blocks of 2x2 cells, and clears the
 // correction.
 #include "fluid/grid.glsl"
 #include "fluid/solver/solve_control.glsl"

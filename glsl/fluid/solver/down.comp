@@ -1,13 +1,14 @@
 // Variant of descend.comp that processes LEVELS middle levels in one dispatch. A workgroup takes `tile` x `tile` cells
-// of the finest level and everything below them, and recomputes its neighbours' cells instead of waiting for them. Only
-// on the storage path. On a torus all these levels must have an even number of cells per axis.
+// of the finest level and all coarser cells below them, and also computes the neighbours' cells that it needs instead
+// of waiting for other workgroups. Used only on the storage path. On a torus, all these levels must have an even number
+// of cells per axis.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "common/words.glsl"
 #include "fluid/bindings.glsl"
 #include "fluid/model.glsl"
 const int tile = 32;
-// Returns the width of a level's margin in cells: twice the margin of the coarser level, plus two for the sweep.
+// Returns the width of a level's margin in cells: twice the margin of the coarser level, plus two cells for the sweep.
 int marginOf(int number) {
   return (2 << (LEVELS - number)) - 2;
 }
@@ -17,11 +18,11 @@ layout(std430, binding = poolBinding) readonly buffer PoolBlock { vec4 pool[]; }
 layout(std430, binding = poolOutBinding) writeonly buffer PoolOutBlock { float poolOut[]; };
 layout(std430, binding = raisedOutBinding) writeonly restrict buffer RaisedOutBlock { vec4 raisedOut[]; };
 INPUT_WORDS(weightsBinding, WeightBlock, weights)
-// One entry for each of the LEVELS levels, the finest first, and one for the next coarser level, which gets the
-// residual: xy size in cells; z element index of the openings
+// One entry for each of the LEVELS levels, finest first, and one for the next coarser level, which gets the residual:
+// xy size in cells; z element index of the openings
 uniform ivec4 levels[4];
-// Element indices of the right-hand sides in `pool` and of the corrections on the way down; each level's offset equals
-// the offset of its openings
+// Element indices of the right-hand sides in `pool` and of the corrections on the way to coarser levels. Each level's
+// offset from them equals the offset of its openings.
 uniform int rhsStart, wayStart;
 
 const int windowStride = most + 2;

@@ -1,5 +1,5 @@
-// One level of the pressure solver's multigrid. Values in `pool` and openings in `weights` are stored in blocks of 2x2
-// cells per element. The blocks extend at least one cell beyond the last cell. Levels and weights:
+// One level of the pressure solver's multigrid. Values in `pool` and face openings in `weights` are stored in blocks of
+// 2x2 cells per element. The blocks extend at least one cell beyond the last cell. For levels and weights, see
 // src/sim/fluid/levels.hpp.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
@@ -25,7 +25,7 @@ ivec2 blocksOf(ivec2 count) {
 ivec2 within(ivec2 c) {
 #if LEFT == 4
   c.x = c.x < 0 ? c.x + level.cells.x : c.x >= level.cells.x ? c.x - level.cells.x : c.x;
-  // Levels of one or two cells can need two wraps.
+  // Levels with one or two cells per axis can need two wraps.
   c.x = c.x < 0 ? c.x + level.cells.x : c.x >= level.cells.x ? c.x - level.cells.x : c.x;
 #endif
 #if TOP == 4
@@ -35,7 +35,7 @@ ivec2 within(ivec2 c) {
   return c;
 }
 
-// True if the cell lies in a block, so that it has weights.
+// Returns true if the cell is in a block, so that it has weights.
 bool isThere(ivec2 c) {
   return c.x >= 0 && c.y >= 0 && (c.x >> 1) <= level.cells.x / 2 && (c.y >> 1) <= level.cells.y / 2;
 }
@@ -72,7 +72,7 @@ float inPool(int start, ivec2 c) {
   return cellOf(LOAD_INPUT(pool, start + blockOf(c)), c);
 }
 
-// Returns a cell's correction; 0 outside the grid, because the correction is 0 beyond open sides.
+// Returns a cell's correction. Outside the grid it is 0, because beyond open sides the correction is 0.
 float inRaised(int start, ivec2 c) {
   if (!isInside(c)) return 0.0;
   return cellOf(LOAD_INPUT(raisedPool, start + blockOf(c)), c);
@@ -80,7 +80,8 @@ float inRaised(int start, ivec2 c) {
 
 #include "fluid/tiles.glsl"
 #if IN_THE_OPEN == 2
-// One dispatch processes both tile lists. The workgroups of the other tiles come first, because they take longer.
+// Returns true if this workgroup processes open tiles. One dispatch processes both tile lists. The workgroups of the
+// other tiles come first, because they take longer.
 bool inTheOpen() {
   return int(gl_WorkGroupID.y) >= level.otherRows;
 }
@@ -96,7 +97,7 @@ ivec2 blockHere() {
 }
 #endif
 
-// Returns the tile of a workgroup that processes one tile by itself, or a tile beyond the grid if the list has no more
+// Returns the tile of a workgroup that processes only one tile, or a tile beyond the grid if the list has no more
 // tiles.
 #ifdef TILE_A_GROUP
 ivec2 tileHere() {
@@ -107,7 +108,7 @@ ivec2 tileHere() {
 #endif
 
 #if IN_THE_OPEN != 0
-// Versions of neighbours(), relaxed(), begun() and residual() for a cell whose weights are all 1.
+// Variants of neighbours(), relaxed(), begun() and residual() for a cell whose weights are all 1.
 float aroundOpen(float left, float right, float top, float bottom) {
   precise float sum = (left + right) + (top + bottom);
   return sum;

@@ -1,4 +1,4 @@
-// Adds the finest level's correction to the sum and computes the remaining right-hand side.
+// Adds the finest level's correction to the sum of corrections and computes the remaining right-hand side.
 #include "fluid/solver/levels.glsl"
 #include "fluid/solver/solve_control.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -28,7 +28,7 @@ float leftOver(ivec2 c, float rhs) {
 #endif
 
 #ifdef TILE_A_GROUP
-// Processes one cell per invocation.
+// Processes one cell and returns its remaining right-hand side.
 float takenInCell(ivec2 c, ivec2 blocks) {
   int element = blockOf(c), k = 2 * (c.y & 1) + (c.x & 1), ofLost = blocks.x * blocks.y + element;
   float left = leftOver(c, pool[level.rhs + element][k]);
@@ -71,7 +71,7 @@ vec4 takenIn(ivec2 block, ivec2 blocks) {
 #endif
   more = vec4(more.x >= noCell ? 0.0 : more.x, more.y >= noCell ? 0.0 : more.y, more.z >= noCell ? 0.0 : more.z,
               more.w >= noCell ? 0.0 : more.w);
-  // In the first cycle the sum is the correction itself, without rounding error.
+  // In the first cycle, the sum equals the correction and has no rounding error.
   vec4 sum = vec4(0.0);
   if (control.begun > 1u) {
     sum = LOAD_INPUT(pool, element);

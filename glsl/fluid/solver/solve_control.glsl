@@ -1,21 +1,22 @@
-// Buffer shared by the pressure solver's kernels. Speeds and flows are float bits; non-negative floats compare like
-// integers.
+// Buffer used by all kernels of the pressure solver. Speeds and divergences are stored as float bits, because the bits
+// of non-negative floats compare like integers.
 layout(std430, binding = controlBinding) restrict buffer ControlBlock {
-  uint flow;        // Largest remaining divergence of a cell
-  uint speed;       // Largest |u| or |v|, including the flow before its projection
+  uint flow;        // Maximum remaining divergence of a cell
+  uint speed;       // Maximum |u| or |v|, also of the flow before the projection
   uint cycles;      // Total number of cycles
   uint solved;      // Total number of projections
-  uint worstShare;  // Largest flow / speed after a projection so far
-  uint worstSpeed;  // Largest lastSpeed so far
-  uint lastShare;   // flow / speed after the latest projection
-  uint lastSpeed;   // Largest |u| or |v| of the latest projected flow
+  uint worstShare;  // Maximum of lastShare so far
+  uint worstSpeed;  // Maximum of lastSpeed so far
+  uint lastShare;   // Ratio of `flow` to `speed` after the latest projection
+  uint lastSpeed;   // Maximum |u| or |v| of the latest projected flow
   uint begun;       // Cycles of the current projection
-  uint groups[];    // Three words per indirect dispatch: first the current sizes, then the sizes for a cycle
+  uint groups[];    // Three words per indirect dispatch: first the current sizes of all dispatches, then their sizes
+                    // for a cycle
 } control;
 
-// Records maxima: remaining divergence, |u| or |v|, and |u| or |v| of the final state. Every invocation of a workgroup
-// of 64 calls it once, with zeros if it has nothing to report. On GPUs a workgroup reduces in shared memory first,
-// because a word that all invocations change atomically is a bottleneck.
+// Records three maxima: remaining divergence, |u| or |v|, and |u| or |v| of the final state. Every invocation of a
+// workgroup of 64 must call it exactly once, with zeros if it has nothing to record. On GPUs, a workgroup first reduces
+// in shared memory, because atomic access of all invocations to one word is a bottleneck.
 #ifndef TEXEL_PATH
 shared uint flowsOfGroup[64], speedsOfGroup[64], fastestOfGroup[64];
 #endif
@@ -44,7 +45,7 @@ void noteMost(float flow, float speed, float fastest) {
   if (fastestBits > control.lastSpeed) atomicMax(control.lastSpeed, fastestBits);
 }
 
-// Records the maximum of the remaining divergence alone.
+// Records only the maximum of the remaining divergence.
 void noteMissing(float flow) {
   uint flowBits = floatBitsToUint(flow);
 #ifndef TEXEL_PATH

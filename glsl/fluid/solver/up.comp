@@ -1,5 +1,5 @@
-// Variant of ascend.comp that processes LEVELS middle levels in one dispatch, similar to down.comp. Only the
-// corrections of the finest level are stored.
+// Variant of ascend.comp that processes LEVELS middle levels in one dispatch, similar to down.comp. Stores only the
+// corrections of the finest level.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "common/words.glsl"
@@ -12,9 +12,10 @@ layout(std430, binding = poolBinding) readonly restrict buffer PoolBlock { vec4 
 layout(std430, binding = raisedBinding) readonly buffer RaisedBlock { vec4 raisedPool[]; };
 layout(std430, binding = raisedOutBinding) writeonly buffer RaisedOutBlock { vec4 raisedOut[]; };
 INPUT_WORDS(weightsBinding, WeightBlock, weights)
-// Per level, the finest first, followed by the next coarser one: xy cells; z element index of the openings
+// For each level, finest first, followed by the next coarser level: xy size in cells; z element index of the openings
 uniform ivec4 levels[5];
-uniform int rhsStart, wayStart;  // Element indices, as in down.comp; corrections on the way up start at 0
+uniform int rhsStart, wayStart;  // Element indices as in down.comp; the corrections on the way to finer levels start at
+                                 // 0
 
 const int windowStride = most + 2;
 shared float values[windowStride * windowStride];
@@ -22,8 +23,8 @@ shared float coarseValues[(tile / 2 + 8) * (tile / 2 + 8)];  // Values of the co
 #include "fluid/solver/block.glsl"
 #include "fluid/solver/window.glsl"
 
-// Returns the width of a level's margin in cells: two for the sweep, plus the coarse cells around the finer level's
-// blocks.
+// Returns the width of a level's margin in cells: two cells for the sweep, plus the coarse cells around the finer
+// level's blocks.
 int marginOf(int number) {
   return number == 0 ? 2 : number == 1 ? 4 : 6;
 }

@@ -1,4 +1,5 @@
-// Moves tracers by one substep and draws their paths. FIRST: initializes the tracers. One tracer per invocation.
+// Moves tracers by one substep and draws their paths. If FIRST is defined, initializes the tracers instead. One
+// invocation per tracer.
 #include "fluid/tracers/tracers.glsl"
 layout(std430, binding = trailBinding) restrict buffer TrailBlock { uint trail[]; };
 

@@ -1,7 +1,7 @@
 // Tracers: massless particles that move with a fluid and draw streaks. Compiles as GLSL and as C++, after
 // common/exact.glsl, common/hash.glsl and fluid/wind_model.glsl. The including file provides tracerData (TracerStep)
-// and tracerInSolid(x, y), true for a cell inside an obstacle. A tracer is a vec4: xy position in cells, z age in
-// seconds, w number of restarts.
+// and tracerInSolid(x, y), which returns true for a cell inside an obstacle. A tracer is a vec4: xy is the position in
+// cells, z the age in seconds, w the number of restarts.
 
 struct TracerMove {
   vec4 next;
@@ -21,7 +21,8 @@ FUNCTION float tracerLife(int i) {
   return life;
 }
 
-// Returns a tracer at a random position outside obstacles. Gives up after four tries.
+// Returns a tracer at a random position outside obstacles. After four unsuccessful tries, the tracer may be inside an
+// obstacle.
 FUNCTION vec4 tracerBorn(int i, int generation, float age) {
   vec4 born = vec4(0.0f, 0.0f, age, float(generation));
   bool placed = false;
@@ -35,7 +36,7 @@ FUNCTION vec4 tracerBorn(int i, int generation, float age) {
   return born;
 }
 
-// Returns a tracer of the first frame. Ages are random, so that the tracers do not all restart at the same time.
+// Returns tracer i for the first frame. Ages are random, so that the tracers do not all restart at the same time.
 FUNCTION vec4 tracerFirst(int i) {
   uvec3 h = hash3(uvec3(uint(i), 0xa9e5u, uint(tracerData.seed)));
   precise float age = tracerUnit(h.y) * tracerLife(i);
@@ -54,7 +55,7 @@ FUNCTION vec2 tracerHeldIn(vec2 p) {
   return vec2(tracerHeld(p.x, windGrid.size.x, tracerData.wrapsX == 1), tracerHeld(p.y, windGrid.size.y, tracerData.wrapsY == 1));
 }
 
-// Moves a tracer by the midpoint rule, x' = x + dt u(x + dt/2 u(x)).
+// Moves a tracer by the midpoint rule, x' = x + dt u(x + dt/2 u(x)), where u is the flow.
 FUNCTION TracerMove tracerMoved(int i, vec4 tracer) {
   vec2 p = vec2(tracer.x, tracer.y);
   vec2 first = vec2(windPart(0, p.x, p.y), windPart(1, p.x, p.y));
@@ -77,8 +78,8 @@ FUNCTION TracerMove tracerMoved(int i, vec4 tracer) {
   return m;
 }
 
-// Number of points of a streak: two per cell of length, at most 32. A streak adds 4096 units per cell of its length;
-// each point distributes its share bilinearly among the four cells around it.
+// Returns the number of points of a streak: two per cell of length, at most 32. A streak adds 4096 units per cell of
+// its length. Each point distributes its part of them bilinearly among the four cells around it.
 FUNCTION int tracerPoints(float length_) {
   precise float wanted = length_ * 2.0f + 1.0f;
   return clamp(int(wanted), 1, 32);
@@ -91,7 +92,8 @@ FUNCTION float tracerLength(vec2 from, vec2 to) {
   return exactSqrt(squared);
 }
 
-// Returns the cell (xy) and the units (z) of one of the four corners of point k.
+// Returns the cell (xy) to which point k contributes at one of the four corners around it, and the contributed units
+// (z).
 FUNCTION ivec3 tracerMark(vec2 from, vec2 to, float length_, int points, int k, int corner) {
   float per = exactReciprocal(float(points));
   precise float along = (float(k) + 0.5f) * per;

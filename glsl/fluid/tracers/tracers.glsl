@@ -1,4 +1,4 @@
-// Common includes and buffers of the tracer kernels.
+// Includes and buffers common to the tracer kernels.
 #define WIND 1
 #include "common/exact.glsl"
 #include "common/hash.glsl"

@@ -1,4 +1,4 @@
-// Fades the streaks once per frame. One cell per invocation.
+// Fades the streaks once per frame. One invocation per cell.
 #include "common/exact.glsl"
 #include "common/hash.glsl"
 #include "common/memory.glsl"

@@ -1,4 +1,4 @@
-// Draws the streaks over the displayed field. One cell per invocation.
+// Draws the streaks over the displayed field. One invocation per cell.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "common/words.glsl"
@@ -8,7 +8,7 @@ STATE_ARRAY(shownBinding, ShownBlock, shown)
 INPUT_WORDS(trailBinding, TrailBlock, trail)
 uniform ivec2 size;
 uniform vec3 color;
-uniform float perUnit;  // Light or ink per unit of a trail
+uniform float perUnit;  // Amount of light or ink per unit of a trail
 
 void main() {
   int x = int(gl_GlobalInvocationID.x), y = int(gl_GlobalInvocationID.y);

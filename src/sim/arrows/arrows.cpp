@@ -27,7 +27,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Inputs of both kernels (glsl/arrows/arrow.glsl).
+/// Part of a kernel interface: inputs common to both kernels (glsl/arrows/arrow.glsl).
 struct ArrowPart {
   gl::Uniform<"count", int> count;
   gl::Uniform<"scale", float> scale;
@@ -59,13 +59,13 @@ struct PointArrows {
   gl::In<"velocities"> velocities;
 };
 
-/// Regular grid of places in the world.
+/// Regular grid of positions in the world at which arrows are drawn.
 struct ArrowGrid {
   glm::ivec2 size{0, 0};
-  glm::vec3 first{0};   ///< top left place in metres
-  glm::vec3 across{0};  ///< from a place to the next on the right
-  glm::vec3 down{0};    ///< from a place to the next below
-  glm::vec3 above{0};   ///< from the source's plane to the arrows
+  glm::vec3 first{0};   ///< position of the top left grid point in metres
+  glm::vec3 across{0};  ///< vector in metres from a grid point to its right neighbour
+  glm::vec3 down{0};    ///< vector in metres from a grid point to the neighbour below
+  glm::vec3 above{0};   ///< vector in metres from the source's plane to the arrows
 };
 
 ArrowGrid gridOf(const FluidWind& wind, float spacing, float height) {
@@ -83,7 +83,7 @@ ArrowGrid gridOf(const FluidWind& wind, float spacing, float height) {
   return grid;
 }
 
-/// Arrows of the velocities of another object. The object has no state.
+/// Arrows that show the velocities of another object. This object has no state.
 class Arrows : public Simulation {
  public:
   Arrows(const scene::Object& object, const Setting& setting)
@@ -159,7 +159,8 @@ class Arrows : public Simulation {
   [[nodiscard]] float heightOf(float longest) const {
     return parameters_.height ? static_cast<float>(*parameters_.height) : 0.15F * longest;
   }
-  /// `fastest`: greatest speed of the source in m/s. `anchor`: default of the source.
+  /// Determines the range of speeds and the anchor. `fastest` is the maximum speed of the source in m/s,
+  /// `anchor` the default for this source.
   void planRange(float fastest, ArrowParameters::Anchor anchor) {
     const auto low = static_cast<float>(parameters_.low);
     const float high = parameters_.high ? static_cast<float>(*parameters_.high)
@@ -202,9 +203,10 @@ class Arrows : public Simulation {
     instances.turning = Instances::Turning::direction;
     instances.turns = &turns_.view();
     instances.size = 1;
-    instances.massExponent = 1;  // the mass is the arrow's length
+    instances.massExponent = 1;  // the mass of an instance is the arrow's length
     if (!parameters_.colors.empty()) {
-      instances.colorBy = Instances::ColorBy::age;  // the age is the fraction of the range of speeds
+      instances.colorBy = Instances::ColorBy::age;  // the age of an instance is the position of the speed
+                                                    // within its range, 0 to 1
       instances.colors = &parameters_.colors;
     }
     instances.material = &material_;
@@ -215,17 +217,17 @@ class Arrows : public Simulation {
   ArrowParameters parameters_;
   scene::Material material_;
   const Links* links_;
-  const FluidWind* wind_;       ///< the source, if it is a field
-  const MovingPoints* points_;  ///< the source, if it is points
+  const FluidWind* wind_;       ///< source of the velocities, if it is a field
+  const MovingPoints* points_;  ///< source of the velocities, if it consists of points
   std::int64_t count_ = 0;
   ArrowGrid grid_;
   ArrowPart part_;
   gl::Kernel<GridArrows> ofGrid_;
   gl::Kernel<PointArrows> ofPoints_;
-  gl::Vec4Array places_;  ///< x, y, z: middle of the arrow in metres; w: its length
-  gl::Vec4Array
-      speeds_;  ///< x, y, z: velocity of the arrow itself; w: fraction of the range, or -1: no arrow
-  gl::Vec4Array turns_;  ///< x, y, z: unit vector along the arrow
+  gl::Vec4Array places_;  ///< xyz: centre of the arrow in metres; w: length of the arrow in metres
+  gl::Vec4Array speeds_;  ///< xyz: velocity of the arrow itself; w: position of the speed within its range,
+                          ///< 0 to 1, or -1 if there is no arrow
+  gl::Vec4Array turns_;   ///< xyz: unit vector along the arrow
   std::optional<FieldSheet> sheet_;
   mutable bool looked_ = false;
 };

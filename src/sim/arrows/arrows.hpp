@@ -3,7 +3,7 @@
 
 namespace simreel::sim {
 
-/// Returns the simulation kind "arrows": velocities of another object as solid arrows.
+/// Returns the simulation kind "arrows", which shows the velocities of another object as solid arrows.
 [[nodiscard]] SimulationKind arrowsKind();
 
 }  // namespace simreel::sim

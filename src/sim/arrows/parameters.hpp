@@ -11,7 +11,7 @@
 
 namespace simreel::sim {
 
-/// Port without an outlet: objects that provide FluidWind or MovingPoints.
+/// Port of objects that provide FluidWind or MovingPoints. It has no outlet.
 struct ArrowSource {
   static const PortInfo port;
 };
@@ -20,16 +20,20 @@ struct ArrowSource {
 struct ArrowParameters : ObjectParameters, scene::Papered {
   enum class Anchor { middle, tail };
   std::string of;                 ///< name of the object whose velocities are drawn
-  std::optional<double> spacing;  ///< distance of arrows in metres; nullopt: a 28th of the longer side
-  int every = 1;                  ///< draws the arrow of every n-th point
-  std::optional<double> length;   ///< longest arrow in metres; nullopt: spacing, or 8 diameters of a point
-  std::optional<double> scale;    ///< length in metres of 1 m/s; nullopt: length / high
+  std::optional<double> spacing;  ///< distance between arrows in metres; if empty, 1/28 of the longer side
+  int every = 1;                  ///< n: only every n-th point gets an arrow
+  std::optional<double> length;   ///< maximum length of an arrow in metres; if empty, the spacing, or for
+                                  ///< points 8 diameters
+  std::optional<double> scale;    ///< length of an arrow in metres per m/s; if empty, length / high
   double low = 0;                 ///< speed of the first colour in m/s
-  std::optional<double> high;     ///< speed of the last colour in m/s; nullopt: the source's greatest
-  std::vector<glm::vec3> colors;  ///< linear RGB stops of the colour map; empty: the object's material
-  std::optional<Anchor> anchor;   ///< nullopt: middle on a grid, tail at points
-  std::optional<double> height;   ///< distance from the source's plane in metres; nullopt: 0.15 length
-  bool sheet = false;             ///< true: draws the source's field below the arrows
+  std::optional<double> high;     ///< speed of the last colour in m/s; if empty, the maximum speed of the
+                                  ///< source
+  std::vector<glm::vec3> colors;  ///< linear RGB stops of the colour map; if empty, the arrows have the
+                                  ///< object's material
+  std::optional<Anchor> anchor;   ///< part of the arrow at its point; if empty, the middle on a grid and
+                                  ///< the tail at points
+  std::optional<double> height;   ///< distance from the source's plane in metres; if empty, 0.15 length
+  bool sheet = false;             ///< true to draw the source's field below the arrows
 
   void describe(scene::Fields& fields) override;
   void ports(Ports& ports) const override;
@@ -38,7 +42,7 @@ struct ArrowParameters : ObjectParameters, scene::Papered {
   }
 };
 
-/// Largest number of arrows of one object.
+/// Maximum number of arrows of one object.
 inline constexpr int mostArrows = 1 << 16;
 
 }  // namespace simreel::sim

@@ -18,7 +18,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Skinned mesh whose vertex positions depend on time only.
+/// Skinned mesh whose vertex positions depend only on the time.
 class Body : public Simulation, public ContactSolid {
  public:
   Body(const scene::Object& object, const Setting& setting)

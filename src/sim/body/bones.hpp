@@ -12,22 +12,22 @@
 
 namespace simreel::sim {
 
-/// CPU view of a scene's bodies for other objects: transforms of their bones, and capsules around them.
-/// Reads each body's file on first use.
+/// CPU access to a scene's bodies for other objects: the transforms of their bones, and capsules around the
+/// bones. Reads each body's file on first use.
 class Bones {
  public:
   static const PortInfo port;
 
   explicit Bones(const scene::Scene& scene);
 
-  /// Returns a function that gives a bone's transform from its own space to world space at a time; it may
-  /// outlive this object. Throws UserError(usage) for an unknown body or bone, and the errors of the body's
-  /// file reader.
+  /// Returns a function that gives a bone's transform from bone space to world space at a time. The
+  /// function may outlive this object. Throws UserError(usage) for an unknown body or bone, and the errors
+  /// of the body's file reader.
   [[nodiscard]] Carrier named(const std::string& body, const std::string& bone) const;
   /// Attaches points to a body's skin; see HeldBySkin.
   [[nodiscard]] SkinHolder heldBySkin(const std::string& body, std::span<const glm::dvec3> points,
                                       double time) const;
-  /// Appends the capsules of the bodies that collide. Throws the errors of BodyMotion.
+  /// Appends the capsules of all bodies that collide. Throws the errors of BodyMotion.
   void addCapsules(std::vector<ColliderShape>& shapes) const;
 
  private:
@@ -37,10 +37,10 @@ class Bones {
   mutable std::map<std::string, std::shared_ptr<const BodyMotion>> motions_;
 };
 
-/// Returns Bones::named() of the setting's scene as a function for plans.
+/// Returns Bones::named() of the setting's scene as a function, for plans that take one.
 [[nodiscard]] std::function<Carrier(const std::string& body, const std::string& bone)> boneNamedIn(
     const Setting& setting);
-/// Returns Bones::heldBySkin() of the setting's scene as a function for plans.
+/// Returns Bones::heldBySkin() of the setting's scene as a function, for plans that take one.
 [[nodiscard]] HeldBySkin heldBySkinIn(const Setting& setting);
 
 }  // namespace simreel::sim

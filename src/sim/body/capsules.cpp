@@ -12,9 +12,10 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr double leastShare = 1.0 / 300;  ///< minimum fraction of the whole skin
+constexpr double leastShare = 1.0 / 300;  ///< minimum dominated area for a capsule, as a fraction of the
+                                          ///< skin's area
 
-/// Returns the minimum area for which a bone gets a capsule.
+/// Returns the minimum area that a bone must dominate to get a capsule.
 double leastArea(std::vector<double> areas) {
   double total = 0;
   for (const double area : areas) total += area;
@@ -23,10 +24,10 @@ double leastArea(std::vector<double> areas) {
   return std::max(last, leastShare * total);
 }
 
-/// Vertex that a bone dominates, in the bone's space.
+/// Vertex that a bone dominates, in bone space.
 struct Spot {
   glm::dvec3 place;
-  double area;  ///< area in m^2: a third of the triangles around the vertex
+  double area;  ///< area in m^2: a third of the area of the triangles around the vertex
 };
 
 struct Weighed {
@@ -68,7 +69,7 @@ double toSegment(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) 
   return std::sqrt(glm::dot(offset, offset));
 }
 
-/// Returns the area of each vertex: a third of each triangle around it.
+/// Returns the area of each vertex: a third of the area of the triangles around it.
 std::vector<double> vertexAreas(const Mesh& mesh) {
   std::vector<double> areas(mesh.positions.size());
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -103,8 +104,8 @@ BoneCapsule fitted(int node, const std::vector<Spot>& spots, const glm::dvec3& c
     middle += spot.place * (spot.area / area);
     reach = std::max(reach, glm::length(spot.place));
   }
-  // The axis points to the child unless that is too close to the bone; then it points to the centre of the
-  // skin.
+  // The axis points to the child. If the child is too close to the bone, the axis points to the centre of
+  // the skin.
   const bool leads = glm::length(child) > 0.25 * reach;
   const glm::dvec3 along = leads ? child : middle;
   const double length = glm::length(along);
@@ -124,8 +125,8 @@ BoneCapsule fitted(int node, const std::vector<Spot>& spots, const glm::dvec3& c
   };
   double radius = measure();
   if (!leads) {
-    // The skin has a round end itself, so the axis ends one radius before it. The radius depends on the
-    // axis in turn, hence the iteration.
+    // The skin has a round end, so the axis ends one radius before it. The radius in turn depends on the
+    // axis, which requires an iteration.
     double reached = high;
     for (int round = 0; round < 8; ++round) {
       high = std::max(reached - radius, low);

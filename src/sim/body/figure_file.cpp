@@ -48,11 +48,11 @@ class FigureReader {
   }
 
  private:
-  /// Mesh instance, and the first joint of its skin.
+  /// Mesh instance, with the index of the first joint of its skin.
   struct Placed {
     std::size_t mesh;
     std::size_t firstJoint;
-    std::size_t joints;  ///< number of joints of its skin
+    std::size_t joints;  ///< number of joints of the skin
     bool skinned;
     std::vector<float> morphs;
   };
@@ -61,8 +61,8 @@ class FigureReader {
 
   /// Collects the nodes of the default scene, parents first, and their meshes.
   void walk() {
-    std::vector<std::pair<std::uint64_t, int>> meshes;  // node indices of meshes: in the file, and in
-                                                        // figure_
+    std::vector<std::pair<std::uint64_t, int>> meshes;  // pairs of the node index of a mesh in the file and
+                                                        // its node index in figure_
     nodes_.walk([&](const JsonValue& node, std::uint64_t number, int here) {
       if (node.has("mesh")) meshes.emplace_back(number, here);
     });
@@ -117,7 +117,7 @@ class FigureReader {
     return skins_[skin] = {first, nodes.size()};
   }
 
-  /// True if an animation moves the node of a mesh, or one of its ancestors.
+  /// Returns true if an animation moves the node of a mesh or an ancestor of that node.
   [[nodiscard]] bool movesMesh() const {
     std::set<int> moved;
     for (const FigureAnimation& animation : figure_.animations)
@@ -156,7 +156,8 @@ class FigureReader {
   GltfNodes nodes_;
   MeshBuilder builder_;
   Figure figure_;
-  std::map<std::size_t, std::pair<std::size_t, std::size_t>> skins_;  ///< results of jointsOf() by skin
+  std::map<std::size_t, std::pair<std::size_t, std::size_t>> skins_;  ///< cache of the results of
+                                                                      ///< jointsOf(); the key is the skin
   std::vector<Placed> placed_;
   int skinned_ = 0;
   bool fades_ = false;

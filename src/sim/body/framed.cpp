@@ -12,7 +12,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Returns the times to sample: along the animation, and at the keys that move the whole body.
+/// Returns the times to sample: times along the animation, and the keys that move the whole body.
 std::vector<double> poseMoments(const BodyParameters& body) {
   std::vector<double> moments = {0};
   constexpr int looks = 12;
@@ -44,7 +44,7 @@ std::vector<glm::vec3> BodyParameters::placesOnTheWay() const {
       }
     }
   } catch (const UserError&) {
-    return {};  // the simulation's constructor reports the error
+    return {};  // the constructor of the simulation reports the error
   }
   return places;
 }

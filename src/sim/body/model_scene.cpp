@@ -32,7 +32,8 @@ Json listOf(const glm::dvec3& v) {
   return {v.x, v.y, v.z};
 }
 
-/// Returns a name that a scene may use: letters, digits, '-' and '_'. A suffix still fits after it.
+/// Returns a name made of the characters that a scene allows: letters, digits, '-' and '_'. The name is
+/// short enough to append a suffix.
 std::string plainName(const std::string& name) {
   std::string plain = name.substr(0, 56);
   for (char& c : plain)
@@ -40,16 +41,16 @@ std::string plainName(const std::string& name) {
   return plain.empty() ? "light" : plain;
 }
 
-/// Light of a file at its node.
+/// Light of a file, with the position and direction given by its node.
 struct FileLight {
   std::string name, type;
   glm::dvec3 position, direction;  ///< direction in which the light shines
   glm::dvec3 color{1};
-  double intensity = 1;  ///< cd, or lx for a directional light
-  double range = 0;      ///< 0: unlimited
+  double intensity = 1;  ///< intensity in cd, or in lx for a directional light
+  double range = 0;      ///< range in metres; 0 if unlimited
   double inner = 0, outer = std::numbers::pi / 4;
 
-  /// Returns the illuminance (lx) of a surface at a place that faces the light.
+  /// Returns the illuminance (lx) at a point of a surface that faces the light.
   [[nodiscard]] double at(const glm::dvec3& place) const {
     if (type == "directional") return intensity;
     const glm::dvec3 way = place - position;
@@ -66,7 +67,7 @@ class ModelReader {
     nodes_.walk([&](const JsonValue& node, std::uint64_t /*number*/, int here) { place(node, here); });
     const std::string name = file_.filename().string();
     const FigureAnimation* animation = motion();
-    // A scene without a motion has one frame.
+    // A scene without an animation has one frame.
     const double seconds = animation == nullptr ? 0.03 : animation->seconds;
     Json object = {{"mesh", {{"file", name}}}};
     if (animation != nullptr) object = {{"body", {{"file", name}, {"animation", animation->name}}}};
@@ -87,7 +88,7 @@ class ModelReader {
       if (const auto light = extensions->find(lightsName)) readLight(*light, made.name);
   }
 
-  /// Adds the bounds that a mesh's accessors state.
+  /// Extends the bounds by those given in a mesh's accessors.
   void addBounds(std::size_t mesh, const glm::dmat4& world) {
     document_.item("meshes", mesh).at("primitives").eachItem([&](const JsonValue& primitive) {
       const auto attributes = primitive.find("attributes");
@@ -140,7 +141,7 @@ class ModelReader {
     lights_.push_back(light);
   }
 
-  /// Returns the first animation that moves nodes; null if the file has none, or none that a body can show.
+  /// Returns the first animation that moves nodes; null if there is none that a body can show.
   const FigureAnimation* motion() {
     animations_ = nodes_.animations();
     const auto found = std::find_if(animations_.begin(), animations_.end(), [](const FigureAnimation& one) {
@@ -151,7 +152,8 @@ class ModelReader {
       static_cast<void>(readFigure(file_, text_));
       return &*found;
     } catch (const UserError&) {
-      return nullptr;  // a mesh shows the pose of the nodes, and says that the animation is ignored
+      return nullptr;  // in this case, a mesh shows the pose of the nodes and reports that the animation is
+                       // ignored
     }
   }
 
@@ -176,7 +178,7 @@ class ModelReader {
                           {"intensity", intensity}};
         continue;
       }
-      if (scene["lights"].size() + 1 >= scene::maxLights) {  // the stage adds one
+      if (scene["lights"].size() + 1 >= scene::maxLights) {  // the stage adds one light
         ++dropped_;
         continue;
       }
@@ -215,7 +217,7 @@ class ModelReader {
   std::vector<FigureAnimation> animations_;
   std::vector<glm::dmat4> worlds_;  ///< world transform of each node
   std::vector<FileLight> lights_;
-  int dropped_ = 0;              ///< number of lights that no scene can have
+  int dropped_ = 0;              ///< number of lights left out because a scene does not support them
   glm::dvec3 low_{0}, high_{0};  ///< bounds of the meshes
   bool bounded_ = false;
 };

@@ -12,8 +12,8 @@
 
 namespace simreel::sim {
 
-/// Computes a body's bones for any time, on the CPU. Times are rounded to multiples of 2^-24 s, so that
-/// callers whose sums round differently get the same bits. Not thread-safe.
+/// Computes the transforms of a body's bones at any time, on the CPU. Times are rounded to multiples of
+/// 2^-24 s, so that callers whose sums are rounded differently get the same bits. Not thread-safe.
 class BodyMotion {
  public:
   /// `name` appears in messages. Throws the errors of loadFigure(), and UserError(usage) for an unknown
@@ -21,14 +21,14 @@ class BodyMotion {
   BodyMotion(const std::string& name, const BodyParameters& parameters);
 
   [[nodiscard]] const Figure& figure() const { return *figure_; }
-  /// Returns the transform from a node's space to world space at `time` (seconds).
+  /// Returns the transform from node space to world space at `time` (seconds).
   [[nodiscard]] const glm::dmat4& nodeAt(int node, double time) const {
     return poseAt(time)[static_cast<std::size_t>(node)];
   }
   /// Returns the node index of the bone with this name; throws UserError(usage) for an unknown name.
   [[nodiscard]] int boneNamed(const std::string& bone) const;
-  /// Returns the transform of each joint's vertices from the bind pose to world space at `time`, as three
-  /// matrix rows per joint.
+  /// Returns for each joint the transform of the vertices that follow it, from the bind pose to world space
+  /// at `time`, as three matrix rows.
   [[nodiscard]] std::vector<glm::vec4> rowsAt(double time) const;
 
  private:
@@ -45,7 +45,8 @@ class BodyMotion {
   std::shared_ptr<const Figure> figure_;
   const FigureAnimation* animation_ = nullptr;
   std::vector<int> keyed_;             ///< node index of each bone in the parameters
-  mutable std::array<Pose, 2> poses_;  ///< cache of the last two poses: a frame's beginning and end
+  mutable std::array<Pose, 2> poses_;  ///< cache of the last two poses: those at the beginning and the end
+                                       ///< of a frame
   mutable std::size_t newest_ = 0;
 };
 

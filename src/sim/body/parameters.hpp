@@ -16,31 +16,33 @@ namespace simreel::sim {
 /// Motion that a scene adds to a bone.
 struct KeyedBone {
   std::string bone;
-  scene::Animated<glm::vec3> rotate = glm::vec3(0);  ///< rotation in degrees about the bone's own axes
-  scene::Animated<glm::vec3> move = glm::vec3(0);    ///< translation in metres along the axes of its parent
+  scene::Animated<glm::vec3> rotate = glm::vec3(0);  ///< rotation in degrees about the bone's local axes
+  scene::Animated<glm::vec3> move = glm::vec3(0);    ///< translation in metres along the axes of the bone's
+                                                     ///< parent
 };
 
 /// Parameters of the object kind "body".
 struct BodyParameters : ObjectParameters, scene::Outlined {
   std::filesystem::path file;
-  std::string animation;                               ///< name of the animation; empty: none
+  std::string animation;                               ///< name of the animation; empty if there is none
   double speed = 1;                                    ///< factor on the animation's speed
-  double start = 0;                                    ///< seconds into the animation at time 0
-  bool loop = true;                                    ///< true: the animation repeats
+  double start = 0;                                    ///< time in seconds within the animation at scene
+                                                       ///< time 0
+  bool loop = true;                                    ///< true if the animation repeats
   std::vector<KeyedBone> bones;                        ///< motion of bones, applied after the animation
   scene::Animated<glm::vec3> position = glm::vec3(0);  ///< position in metres
   scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< rotation in degrees
   scene::Animated<float> scale = 1.0F;
   bool doubleSided = false;
   bool visible = true;
-  bool collides = false;  ///< true: collides by capsules
-  bool byFaces = false;   ///< true: its faces collide with cloths in contact
+  bool collides = false;  ///< true if the body collides, by its capsules
+  bool byFaces = false;   ///< true if the body's faces collide with cloths in contact
   float grip = 25.3F;     ///< rate in 1/s at which sliding objects lose speed
   std::optional<double> friction;
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   void ports(Ports& ports) const override;
-  /// Returns the bounds of the skin along the animation and at every position key.
+  /// Returns the bounds of the skin over the whole animation and at all position keys.
   [[nodiscard]] std::optional<scene::Box> framed() const override;
   [[nodiscard]] std::vector<glm::vec3> outline() const override;
 

@@ -16,7 +16,8 @@ namespace {
 
 using Corners = std::array<glm::dvec3, 3>;
 
-/// Returns the skinned position p' = sum w_i M_i p of a vertex.
+/// Returns the skinned position p' = sum w_i M_i p of a vertex p with the joint matrices M_i and weights
+/// w_i.
 glm::dvec3 skinned(const Figure& figure, const std::vector<glm::vec4>& rows, unsigned vertex) {
   const glm::dvec3 rest(figure.mesh.positions[vertex]);
   glm::dvec3 sum(0);
@@ -31,8 +32,8 @@ glm::dvec3 skinned(const Figure& figure, const std::vector<glm::vec4>& rows, uns
   return sum;
 }
 
-/// Returns the barycentric coordinates of the point of a triangle closest to p (Ericson 2005, Real-Time
-/// Collision Detection, 5.1.5).
+/// Returns the barycentric coordinates of the point of a triangle that is closest to p (Ericson 2005,
+/// Real-Time Collision Detection, 5.1.5).
 glm::dvec3 nearestOf(const Corners& t, const glm::dvec3& p) {
   const glm::dvec3 ab = t[1] - t[0];
   const glm::dvec3 ac = t[2] - t[0];
@@ -68,8 +69,8 @@ glm::dvec3 nearestOf(const Corners& t, const glm::dvec3& p) {
   return {1 - v - w, v, w};
 }
 
-/// Returns unit axes of a face: along its first edge, perpendicular to it in the face, and along the
-/// normal.
+/// Returns the unit axes of a face: along its first edge, perpendicular to this edge in the face's plane,
+/// and along the normal.
 std::array<glm::dvec3, 3> axesOf(const Corners& t) {
   const auto unit = [](const glm::dvec3& v) { return v / std::sqrt(std::max(glm::dot(v, v), 1e-300)); };
   const glm::dvec3 along = unit(t[1] - t[0]);

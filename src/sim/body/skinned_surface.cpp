@@ -44,7 +44,7 @@ std::vector<glm::uvec4> facesOf(const Mesh& mesh) {
 }
 
 /// Returns the vertex count. Throws UserError(device) if the buffers would exceed the limit; called before
-/// any is filled.
+/// any buffer is filled.
 int checkedCount(const std::string& name, const Mesh& mesh) {
   const auto bytes =
       static_cast<std::int64_t>(std::max(mesh.positions.size(), mesh.indices.size() / 3)) * 16;

@@ -16,8 +16,8 @@ namespace simreel::sim {
 
 namespace {
 
-/// Returns the palette in the order of glsl/contour/vertices.glsl: floor beside a wall is darkened by the
-/// wall's shadow, and the rock's upper edge is brightened.
+/// Returns the palette in the order of glsl/contour/vertices.glsl. Floor beside a wall is darkened because
+/// of the wall's shadow, and the upper edge of the rock is brightened.
 std::vector<glm::vec4> cavePalette(const CaveParameters& p) {
   const glm::vec3 shade(0.55F);
   const glm::vec3 of[] = {p.floor, p.floor * shade, p.floor,       p.wall * shade, p.wall,
@@ -25,7 +25,8 @@ std::vector<glm::vec4> cavePalette(const CaveParameters& p) {
   std::vector<glm::vec4> colors;
   for (const glm::vec3& color : of) colors.emplace_back(color, 1);
   if (p.ceiling) {
-    colors[5] = glm::vec4(p.rock, 1);  // Shades of the ceiling, and of the ceiling beside a wall.
+    colors[5] = glm::vec4(p.rock, 1);  // The last colours are those of the ceiling, and of the ceiling
+                                       // beside a wall.
     colors[6] = glm::vec4(p.rock * shade, 1);
   }
   return colors;
@@ -110,7 +111,7 @@ class Cave final : public Simulation {
     for (const glm::dvec2& at : growth_.way().walk) walk_.push_back(placeOf(at));
   }
 
-  /// Returns the world position on the floor of a point in cells.
+  /// Returns the world position on the floor of a point given in cells.
   [[nodiscard]] glm::vec3 placeOf(glm::dvec2 at) const {
     const glm::dvec2 middle = 0.5 * glm::dvec2(parameters_.size - 1);
     const glm::vec2 place(static_cast<double>(parameters_.cell) * (at - middle));

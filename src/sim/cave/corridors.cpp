@@ -8,7 +8,7 @@
 
 namespace simreel::sim {
 
-/// Interface part for the members of glsl/cave/ways.glsl.
+/// Part of a kernel interface: members of glsl/cave/ways.glsl.
 struct CaveTreesPart {
   CavePart cave;
   gl::In<"LabelBlock"> labels;
@@ -68,8 +68,8 @@ struct CaveMerge {
 
 namespace {
 
-// Number of cells dug by one dispatch; limited because a software driver ends a shader's loops after 65,535
-// iterations.
+// Maximum number of cells that one dispatch digs. It is limited because a software driver ends a shader's
+// loops after 65,535 iterations.
 constexpr int cellsDug = 32768;
 
 gl::Buffer words(const std::string& label, std::int64_t count) {

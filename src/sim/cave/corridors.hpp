@@ -14,21 +14,21 @@ struct CaveLink;
 struct CaveFollow;
 struct CaveMerge;
 
-/// Connects the rooms of a cave by corridors along a minimum spanning tree. The distance between two rooms
-/// is the L1 distance of their nearest cells; ties are broken by the lowest index (Boruvka 1926). Runs on
-/// the GPU and is exact.
+/// Connects the rooms of a cave by corridors along a minimum spanning tree (Boruvka 1926). The distance
+/// between two rooms is the L1 distance of their nearest cells; among equal distances, the lowest index is
+/// chosen. Runs on the GPU and is exact.
 class CaveCorridors {
  public:
   CaveCorridors(const std::string& name, const CaveGrid& grid);
 
-  /// Digs corridors of `width` cells. `regions` must have just labelled the open cells, at least one of
-  /// which must exist; its counts are overwritten. Waits for the GPU.
+  /// Digs corridors of `width` cells. Call it directly after `regions` has labelled the open cells; there
+  /// must be at least one. Overwrites the counts of `regions`. Waits for the GPU.
   void dig(gl::Buffer& cells, const CaveRegions& regions, int width);
 
  private:
   void findNearest(const gl::Buffer& cells);
   void digChosen(const CaveTreesPart& part, int width) const;
-  /// Merges the trees of rooms along the chosen edges; returns false if only one tree remains.
+  /// Merges trees of rooms along the chosen edges. Returns false if only one tree remains.
   bool joinTrees(const CaveTreesPart& part);
 
   std::string name_;

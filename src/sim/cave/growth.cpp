@@ -75,7 +75,7 @@ void CaveGrowth::clean() {
   regions_.remove(cells, static_cast<unsigned>(parameters_.smallestRoom), room.first);
   regions_.label(cells, CaveKind::rock);
   regions_.remove(cells, static_cast<unsigned>(parameters_.smallestRock),
-                  0);  // The border's rock region starts at cell 0 and is kept.
+                  0);  // The rock region at the border contains cell 0 and is not removed.
 }
 
 void CaveGrowth::connect() {
@@ -89,8 +89,8 @@ void CaveGrowth::connect() {
   corridors_->dig(cells_[0].buffer(), regions_, parameters_.corridor);
 }
 
-/// Finds the two ends of the longest path by two sweeps: the cell farthest from an arbitrary cell, then the
-/// cell farthest from it.
+/// Finds the two ends of the longest path by two sweeps: first the cell farthest from an arbitrary cell,
+/// then the cell farthest from that first cell.
 void CaveGrowth::findWay() {
   way_ = {};
   if (!done()) return;

@@ -16,34 +16,35 @@ namespace simreel::sim {
 /// Path through a finished cave, in cells.
 struct CaveWay {
   unsigned entrance = noCell,
-           exit = noCell;        ///< Cell indices of the path's ends; noCell if no cell is open.
+           exit = noCell;        ///< Cell indices of the path's ends; noCell if there is no open cell.
   std::vector<glm::ivec2> path;  ///< Cells of the path from the entrance to the exit.
-  std::vector<glm::dvec2> walk;  ///< The path from entrance to exit, smoothed.
+  std::vector<glm::dvec2> walk;  ///< Smoothed path from the entrance to the exit, in cells.
 };
 
 struct CaveSmooth;
 
-/// Runs the cellular automaton on the GPU: the cells of the current stage, and the path in the finished
-/// cave.
+/// Runs the cellular automaton on the GPU. Provides the cells of the current stage and the path in the
+/// finished cave.
 class CaveGrowth {
  public:
   CaveGrowth(const std::string& name, const CaveParameters& parameters, int seed);
 
   /// Advances to a stage, which must not precede the current one.
   void advance(int stage);
-  /// Call after cells and stage were restored from a checkpoint.
+  /// Call it after cells and stage were restored from a checkpoint. Finds the path again.
   void restored() { findWay(); }
 
   [[nodiscard]] int stage() const { return stage_; }
   [[nodiscard]] bool done() const { return stage_ == parameters_.lastStage(); }
   [[nodiscard]] const CaveGrid& grid() const { return grid_; }
-  /// Returns the cells, one bit each, 1 for rock (glsl/cave/cells.glsl).
+  /// Returns the cells, one bit per cell, 1 for rock (glsl/cave/cells.glsl).
   [[nodiscard]] const gl::WordsArray& cells() const { return cells_[0]; }
-  /// Returns 32-bit floats, one per cell index: number of steps from the entrance, -1 if unreachable.
+  /// Returns one 32-bit float per cell index: the number of steps from the entrance, or -1 for unreachable
+  /// cells.
   [[nodiscard]] const gl::WordsArray& distances() const { return distances_; }
   [[nodiscard]] const CaveWay& way() const { return way_; }
-  /// Returns the rooms that corridors connect, or in an unfinished cave the current rooms. Reads back;
-  /// waits for the GPU.
+  /// Returns the rooms that corridors connect. In an unfinished cave, these are the current rooms. Reads
+  /// back data and waits for the GPU.
   [[nodiscard]] std::vector<Room> rooms() const;
   void carryOver(CarryOver& carry);
 

@@ -13,7 +13,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Tolerance, because times are multiples of a frame only up to rounding.
+/// Tolerance for times, which are multiples of a frame only except for rounding.
 constexpr double hair = 1e-6;
 constexpr double maxCells = 1 << 28;
 

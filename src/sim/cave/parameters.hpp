@@ -16,11 +16,12 @@ struct CaveParameters final : ObjectParameters, HasColorRange {
   glm::ivec2 size{96, 60};  ///< Size of the cave in cells.
   double fill = 0.45;       ///< Probability that a cell is rock initially.
   int smoothing = 5;        ///< Number of smoothing steps.
-  int smallestRoom = 24;    ///< Minimum number of cells of a room; smaller rooms become rock.
-  int smallestRock = 12;    ///< Minimum number of cells of a rock; smaller rocks become open.
+  int smallestRoom = 24;    ///< Minimum number of cells in a room; smaller rooms become rock.
+  int smallestRock = 12;    ///< Minimum number of cells in a rock region; smaller regions become open.
   bool connect = true;
   int corridor = 3;        ///< Width of a corridor in cells.
-  double stepSeconds = 0;  ///< Seconds per automaton step; 0: the cave is finished before the first frame.
+  double stepSeconds = 0;  ///< Seconds per automaton step. If 0, the cave is finished before the first
+                           ///< frame.
   glm::vec3 position{0, -1.3F, 0};       ///< Centre of the floor in metres.
   float cell = 0.05F;                    ///< Cell width in metres.
   scene::Animated<float> height = 0.2F;  ///< Height of the walls in metres.
@@ -43,14 +44,15 @@ struct CaveParameters final : ObjectParameters, HasColorRange {
   [[nodiscard]] std::optional<scene::Box> framed() const override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 
-  /// Returns the last stage of the automaton. Stage 0 is noise; each smoothing step is a stage; in the next
-  /// stage small regions are removed; in the last stage the cave is finished.
+  /// Returns the number of the automaton's last stage. Stage 0 is noise, and each smoothing step gives a
+  /// stage. Then one stage follows in which small regions are removed, and the last stage is the finished
+  /// cave.
   [[nodiscard]] int lastStage() const { return smoothing + 2; }
   /// Returns the automaton's stage at `time` (seconds).
   [[nodiscard]] int stageAt(double time) const;
   /// Returns 2^32 times the probability of rock, at most 2^32 - 1.
   [[nodiscard]] std::uint32_t threshold() const;
-  /// Returns the shape of the solid, with the heights at `time`.
+  /// Returns the shape of the solid with the heights at `time` (seconds).
   [[nodiscard]] SolidShape shape(double time) const;
   [[nodiscard]] std::vector<float> heightsAt(double time) const { return {0.0F, height.at(time)}; }
 };

@@ -24,7 +24,7 @@ struct CaveRemove {
 
 namespace {
 
-// Number of rounds between two checks for completion. Each round at least halves the remaining paths to the
+// Number of rounds between two tests for completion. Each round at least halves the remaining paths to the
 // lowest cell and lowers the label of every unfinished region.
 constexpr int roundsTogether = 4;
 constexpr int maxRounds = 100'000;

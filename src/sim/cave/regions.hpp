@@ -15,7 +15,7 @@ struct CaveGrid {
   /// Returns the number of 32-bit words per row, a multiple of four.
   [[nodiscard]] int rowWords() const { return (size.x + 127) / 128 * 4; }
   [[nodiscard]] int words() const { return rowWords() * size.y; }
-  /// Returns the number of cell indices, including unused bits at the end of rows.
+  /// Returns the number of cell indices, including those of the unused bits at the end of rows.
   [[nodiscard]] std::int64_t numbers() const { return std::int64_t{32} * words(); }
   [[nodiscard]] glm::ivec2 placeOf(unsigned cell) const {
     const auto pitch = 32U * static_cast<unsigned>(rowWords());
@@ -23,7 +23,7 @@ struct CaveGrid {
   }
 };
 
-/// Kernel interface part for the members of glsl/cave/cells.glsl.
+/// Part of a kernel interface: members of glsl/cave/cells.glsl.
 struct CavePart {
   gl::Uniform<"size", glm::ivec2> size;
   gl::Uniform<"rowWords", int> rowWords;
@@ -33,7 +33,7 @@ struct CavePart {
   return {.size = grid.size, .rowWords = grid.rowWords(), .cells = cells};
 }
 
-/// Kernel interface part for the members of glsl/cave/runs.glsl.
+/// Part of a kernel interface: members of glsl/cave/runs.glsl.
 struct CaveRunsPart {
   CavePart cave;
   gl::InOut<"LabelBlock"> labels;
@@ -51,27 +51,29 @@ struct CaveRunsKernel {
 struct CaveLargest;
 struct CaveRemove;
 
-/// Kind of region: rock, connected over edges and corners, or open cells, connected over edges only.
+/// Kind of region: rock cells connected over edges and corners, or open cells connected over edges only.
 enum class CaveKind { open, rock };
 inline constexpr unsigned noCell = 0xffffffffU;
 
-/// Connected components of a cave's cells, computed on the GPU: exact, and the same on every device.
+/// Computes the connected components of a cave's cells on the GPU. The result is exact and the same on
+/// every device.
 class CaveRegions {
  public:
   struct Largest {
-    unsigned cells = 0;       ///< Number of cells; 0: there is no region of this kind.
+    unsigned cells = 0;       ///< Number of cells; 0 if there is no region of this kind.
     unsigned first = noCell;  ///< Lowest cell index in the region.
   };
 
   CaveRegions(const std::string& name, const CaveGrid& grid);
 
-  /// Labels every region of this kind with its lowest cell index, and counts its cells. Waits for the GPU.
+  /// Labels every region of this kind with the region's lowest cell index, and counts the region's cells.
+  /// Waits for the GPU.
   void label(const gl::Buffer& cells, CaveKind kind);
-  /// Returns the region with the most cells among the regions labelled last; in a tie, the region with the
-  /// lowest cell.
+  /// Returns the region with the most cells among the regions labelled last. Among equal regions, it is the
+  /// one with the lowest cell.
   [[nodiscard]] Largest largest(const gl::Buffer& cells);
-  /// Converts the regions labelled last that have fewer than `fewest` cells to the other kind, except the
-  /// region whose lowest cell is `kept`. Afterwards the labels are out of date.
+  /// Converts those of the regions labelled last that have fewer than `fewest` cells to the other kind,
+  /// except for the region whose lowest cell is `kept`. Afterwards the labels are out of date.
   void remove(const gl::Buffer& cells, unsigned fewest, unsigned kept);
 
   /// Returns the labels of runs: one 32-bit word per cell index (glsl/cave/runs.glsl).

@@ -7,7 +7,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Union-find; each set is represented by its lowest number.
+/// Union-find structure, in which each set is represented by its lowest number.
 class Sets {
  public:
   void add() { lower_.push_back(lower_.size()); }
@@ -62,7 +62,7 @@ std::vector<Room> caveRooms(const CaveGrid& grid, const std::vector<unsigned>& c
     for (std::size_t k = above; k < i && runs[k].y < runs[i].y && runs[k].begin < runs[i].end; ++k)
       sets.join(k, i);
   }
-  std::map<std::size_t, Room> rooms;  // Keyed by the room's lowest run, which contains its lowest cell.
+  std::map<std::size_t, Room> rooms;  // Rooms by their lowest run, which contains the room's lowest cell.
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const auto [y, begin, end] = runs[i];
     Room& room = rooms[sets.lowestOf(i)];

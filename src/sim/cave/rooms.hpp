@@ -6,9 +6,9 @@
 
 namespace simreel::sim {
 
-/// Returns the connected regions of open cells (connected over edges), ordered by their lowest cell.
-/// `cells`: one bit each, 1 for rock, in the GPU's layout (glsl/cave/cells.glsl); `side`: cell width in
-/// metres. Runs on the CPU in one sweep, for exported files.
+/// Returns the regions of open cells connected over edges, ordered by their lowest cell. `cells` has one
+/// bit per cell, 1 for rock, in the layout of the GPU (glsl/cave/cells.glsl); `side` is the cell width in
+/// metres. Runs on the CPU in one sweep; used for exported files.
 [[nodiscard]] std::vector<Room> caveRooms(const CaveGrid& grid, const std::vector<unsigned>& cells,
                                           float side);
 

@@ -15,7 +15,7 @@ unsigned distanceAt(const CaveGrid& grid, const std::vector<unsigned>& distances
                    static_cast<std::size_t>(at.x)];
 }
 
-/// Returns true if all cells are open whose centres are less than one cell away along each axis.
+/// Returns true if all cells are open whose centres are less than one cell away from `at` along each axis.
 bool isClear(const CaveGrid& grid, const std::vector<unsigned>& distances, glm::dvec2 at) {
   const glm::ivec2 low(static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y)));
   const glm::ivec2 high(static_cast<int>(std::ceil(at.x)), static_cast<int>(std::ceil(at.y)));
@@ -25,8 +25,8 @@ bool isClear(const CaveGrid& grid, const std::vector<unsigned>& distances, glm::
   return true;
 }
 
-/// Returns the mean position of the open cells within a small window around a point. Moving towards it
-/// keeps a path away from walls.
+/// Returns the mean position of the open cells within a small window around a point. A path that is moved
+/// towards this position stays away from walls.
 glm::dvec2 openMiddle(const CaveGrid& grid, const std::vector<unsigned>& distances, glm::dvec2 at) {
   constexpr int reach = 3;
   const glm::ivec2 cell(static_cast<int>(std::floor(at.x + 0.5)), static_cast<int>(std::floor(at.y + 0.5)));

@@ -6,7 +6,7 @@
 
 namespace simreel::sim {
 
-/// Kernel interface part for the members of glsl/cave/wave.glsl.
+/// Part of a kernel interface: members of glsl/cave/wave.glsl.
 struct CaveWavePart {
   CavePart cave;
   gl::InOut<"DistanceBlock"> distances;
@@ -34,7 +34,7 @@ struct CaveShow {
 namespace {
 
 constexpr int wavesTogether = 128;
-/// Layout of WaveBlock in glsl/cave/wave.glsl.
+/// Contents of WaveBlock in glsl/cave/wave.glsl.
 struct WaveState {
   unsigned begin, end, steps, farthest, tail, over;
 };

@@ -21,13 +21,13 @@ class CaveWaves {
 
   CaveWaves(const std::string& name, const CaveGrid& grid);
 
-  /// Computes the distances of all cells reachable from the open cell `start`; returns the farthest one.
-  /// Waits for the GPU.
+  /// Computes the distances of all cells that can be reached from the open cell `start`, and returns the
+  /// farthest cell. Waits for the GPU.
   Farthest run(const gl::Buffer& cells, unsigned start);
-  /// Writes the distances of the last run to `field` as 32-bit floats, one per cell index, -1 for
-  /// unreachable cells.
+  /// Writes the distances of the last run to `field` as 32-bit floats, one per cell index. The value is -1
+  /// for unreachable cells.
   void writeDistances(const gl::Buffer& cells, const gl::Buffer& field) const;
-  /// Returns the distances of the last run, one per cell index, noCell for unreachable cells.
+  /// Returns the distances of the last run, one per cell index. The value is noCell for unreachable cells.
   [[nodiscard]] std::vector<unsigned> distances() const { return distances_.readAll<unsigned>(); }
 
  private:

@@ -23,13 +23,14 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr unsigned fullHeight = 1U << 24U;  ///< integer that represents the chart's full height
+constexpr unsigned fullHeight = 1U << 24U;  ///< count that represents the full height of the chart
 constexpr int firstRows = 256;
 constexpr std::array<glm::vec3, ChartParameters::mostCurves> curveColors = {
     glm::vec3(1, 0.42F, 0.08F), glm::vec3(0.08F, 0.45F, 1), glm::vec3(0.2F, 0.8F, 0.25F),
     glm::vec3(0.8F, 0.3F, 0.9F)};
 
-/// Curves on the screen. Its state is the recorded values: one double per curve and frame, from time 0 on.
+/// Curves drawn over the picture. The state consists of the recorded values: one double per curve and
+/// frame, from time 0 on.
 class ChartObject : public Simulation, public FrameObserver {
  public:
   using Row = std::array<double, ChartParameters::mostCurves>;
@@ -57,7 +58,7 @@ class ChartObject : public Simulation, public FrameObserver {
       kept_ = gl::Buffer(name_, bytesOf(room_));
       kept_.write(0, std::as_bytes(std::span(rows_)));
       counts_ = gl::WordsArray(name_ + " counts", static_cast<int>(room_));
-      shown_ = {0, 0};  // no scale, because the new buffer is still empty
+      shown_ = {0, 0};  // the scale is unknown, because the new buffer is still empty
       return;
     }
     kept_.write(bytesOf(rows_.size() - 1), std::as_bytes(std::span(&rows_.back(), 1)));
@@ -103,7 +104,8 @@ class ChartObject : public Simulation, public FrameObserver {
  private:
   static constexpr std::size_t bytesOf(std::size_t rows) { return rows * sizeof(Row); }
 
-  /// Returns the scale of the value axis: the scene's limits, or rounded limits of the recorded values.
+  /// Returns the range of the value axis: the limits given by the scene, otherwise rounded limits of the
+  /// recorded values.
   [[nodiscard]] ChartRange rangeNow() const {
     double least = std::numeric_limits<double>::max(), most = std::numeric_limits<double>::lowest();
     for (const Row& row : rows_)
@@ -131,7 +133,7 @@ class ChartObject : public Simulation, public FrameObserver {
       glm::uvec4& made = counts.emplace_back(0U);
       for (std::size_t i = 0; i < parameters_.curves.size(); ++i) {
         const double high = (rows_[row][i] - range.low) / (range.high - range.low);
-        // The comparison is false for NaN, so that it counts as 0.
+        // For NaN, the comparison is false, so the count stays 0.
         if (high > 0)
           made[static_cast<int>(i)] =
               static_cast<unsigned>(std::floor(std::min(high, 1.0) * fullHeight + 0.5));
@@ -149,7 +151,7 @@ class ChartObject : public Simulation, public FrameObserver {
   QuantityReader measured_;
   std::size_t room_ = firstRows;
   std::vector<Row> rows_;
-  gl::Buffer kept_;  ///< GPU copy of rows_ for carryOver()
+  gl::Buffer kept_;  ///< copy of rows_ on the GPU for carryOver()
   mutable gl::WordsArray counts_;
   mutable std::size_t counted_ = 0;    ///< number of valid rows in counts_
   mutable ChartRange shown_ = {0, 0};  ///< scale of the rows in counts_

@@ -67,8 +67,8 @@ ChartRange roundRange(double least, double most) {
     least -= around;
     most += around;
   }
-  // Searches the smallest step at which the limits are at most four steps apart. Powers of ten are computed
-  // by multiplication.
+  // Finds the minimum step for which the limits are at most four steps apart. Powers of ten are computed by
+  // multiplication.
   double decade = 1;
   while (decade * 10 <= most - least) decade *= 10;
   while (decade > most - least) decade /= 10;

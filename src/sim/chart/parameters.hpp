@@ -9,12 +9,12 @@
 
 namespace simreel::sim {
 
-/// Parameters of the object kind "chart": curves on the screen that show quantities of other objects over
-/// time.
+/// Parameters of the object kind "chart": curves over the picture that show quantities of other objects
+/// over time.
 struct ChartParameters : ObjectParameters {
   struct Curve {
-    std::string of;                  ///< quantity as OBJECT.QUANTITY
-    std::string label;               ///< name on the chart; empty: the quantity's name
+    std::string of;                  ///< name of the quantity, OBJECT.QUANTITY
+    std::string label;               ///< name on the chart; if empty, the quantity's name
     double per = 1;                  ///< value of the quantity that the chart shows as 1
     std::optional<glm::vec3> color;  ///< colour in linear RGB
 
@@ -24,10 +24,10 @@ struct ChartParameters : ObjectParameters {
   static constexpr std::size_t mostCurves = 4;  ///< maximum number of curves that a drawable chart supports
 
   std::vector<Curve> curves;
-  std::optional<double> low, high;  ///< values at the bottom and top of the chart; empty: rounded limits of
-                                    ///< the recorded values
+  std::optional<double> low, high;  ///< values at the bottom and top of the chart; if empty, rounded limits
+                                    ///< of the recorded values
   double seconds = 0;               ///< initial length of the time axis in seconds; it grows when needed
-  float x = 0.025F, y = 0.67F;      ///< position of the top left corner as fractions of the image
+  float x = 0.025F, y = 0.67F;      ///< position of the top left corner, as fractions of the picture
   float width = 0.42F, height = 0.3F;
 
   void describe(scene::Fields& fields) override;
@@ -35,13 +35,13 @@ struct ChartParameters : ObjectParameters {
   void ports(Ports& ports) const override;
 };
 
-/// Limits of a scale.
+/// Limits of the value axis.
 struct ChartRange {
   double low = 0, high = 1;
 };
-/// Returns a scale around values from `least` to `most`. Its limits are multiples of a step of 1, 2 or 5
-/// times a power of ten, at most four steps apart. If the values are all equal, the scale extends by half
-/// their magnitude on both sides.
+/// Returns a range that contains the values from `least` to `most`. Its limits are multiples of a step that
+/// is 1, 2 or 5 times a power of ten, and are at most four steps apart. If all values are equal, the range
+/// extends by half their magnitude on both sides.
 [[nodiscard]] ChartRange roundRange(double least, double most);
 
 }  // namespace simreel::sim

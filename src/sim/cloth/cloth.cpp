@@ -25,8 +25,8 @@ namespace simreel::sim {
 
 namespace {
 
-/// Throws UserError(device) if the index buffer exceeds the device's limit. Called before any array is
-/// filled, because a cloth far beyond the limit would allocate gigabytes first.
+/// Throws UserError(device) if the index buffer would exceed the device's limit. Called before any array is
+/// filled, because a cloth far beyond the limit would first allocate gigabytes.
 glm::ivec2 checked(const std::string& name, glm::ivec2 size) {
   const auto bytes = std::int64_t{24} * (size.x - 1) * (size.y - 1);
   const std::int64_t max = gl::limits().storageBlockBytes;
@@ -207,7 +207,7 @@ class Cloth : public Simulation, public LockStep {
   gl::Buffer indices_;
   gl::Buffer status_;
   StepBlocks<shader::ClothStep> steps_;
-  std::optional<ClothColors> colors_;  ///< nullopt: the material's colour
+  std::optional<ClothColors> colors_;  ///< empty if the cloth has the material's colour
 };
 
 }  // namespace

@@ -6,9 +6,10 @@
 
 namespace simreel::sim {
 
-/// Creates a mass-spring cloth on the GPU: a grid of particles, 48 bytes each plus the index buffer.
+/// Creates a mass-spring cloth on the GPU: a grid of particles with 48 bytes per particle, plus the index
+/// buffer.
 [[nodiscard]] std::unique_ptr<Simulation> makeSheet(const scene::Object& object, const Setting& setting);
-/// Throws the errors of makeSheet() that do not depend on the device.
+/// Throws those errors of makeSheet() that do not depend on the device.
 void checkSheet(const scene::Object& object, const Setting& setting);
 
 /// Returns the scene objects that a cloth collides with in addition to its analytic colliders, and the wind

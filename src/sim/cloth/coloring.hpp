@@ -15,12 +15,12 @@
 
 namespace simreel::sim {
 
-/// Colours of a cloth by a quantity of its vertices.
+/// Colouring of a cloth by a quantity of its vertices.
 struct ClothColoring {
   enum class By { material, strain, speed };
   By by = By::material;
-  glm::vec2 range{0, 1};          ///< strain or speed (m/s) of the first and the last colour
-  AutoEnds autoEnds;              ///< ends of `range` that a first run measures
+  glm::vec2 range{0, 1};          ///< strain, or speed in m/s, of the first and the last colour
+  AutoEnds autoEnds;              ///< states which ends of `range` a first run measures
   std::vector<glm::vec3> colors;  ///< linear RGB stops of the colour map
 
   void describe(scene::Fields& fields);
@@ -31,11 +31,12 @@ struct ClothColoring {
   [[nodiscard]] static scene::Material materialOf(const scene::Object& object);
 };
 
-/// Edges of a cloth of triangles, in the layout of glsl/cloth/color.comp.
+/// Edges of a cloth made of triangles, in the layout of glsl/cloth/color.comp.
 struct ClothEdges {
-  std::vector<glm::uvec4> vertices;  ///< per drawn vertex: its vertex in the cloth, its first edge, the
-                                     ///< number of its edges
-  std::vector<glm::uvec4> edges;     ///< other end; rest length in m (bits of a float)
+  std::vector<glm::uvec4> vertices;  ///< for each drawn vertex: the index of its cloth vertex, the index of
+                                     ///< its first edge, the number of its edges
+  std::vector<glm::uvec4> edges;     ///< vertex at the other end; rest length in metres, as the bits of a
+                                     ///< float
 };
 
 struct ClothColorKernel;
@@ -43,7 +44,8 @@ struct ClothColorKernel;
 /// Computes the colours of a cloth's vertices.
 class ClothColors {
  public:
-  /// State of the cloth. `trends`: null if the constraints have none. `before`: positions one substep ago.
+  /// State of the cloth. `trends` is null if the constraints have none. `before` holds the positions one
+  /// substep ago.
   struct State {
     const gl::Vec4Array* positions;
     const gl::Vec4Array* before;
@@ -51,14 +53,14 @@ class ClothColors {
     const gl::Vec4Array* trends;
   };
 
-  /// Makes the colours of a grid of `size` vertices with the rest distance `spacing` (metres).
+  /// Prepares the colouring of a grid of `size` vertices with the rest distance `spacing` (metres).
   ClothColors(const std::string& name, const ClothColoring& coloring, glm::ivec2 size, float spacing,
               double substepSeconds, bool fast);
-  /// Makes the colours of the drawn vertices of a mesh.
+  /// Prepares the colouring of the drawn vertices of a mesh.
   ClothColors(const std::string& name, const ClothColoring& coloring, const ClothEdges& edges,
               double substepSeconds, bool fast);
   void update(const State& state) const;
-  /// Sets the colours and their scale.
+  /// Sets the vertex colours and the colour scale of a surface.
   void applyTo(Surface& surface) const;
 
  private:
@@ -69,7 +71,7 @@ class ClothColors {
   glm::ivec2 size_{1, 1};
   float perSpacing_ = 1;
   float perDt_;
-  gl::WordsArray vertices_, edges_;  ///< empty for a grid
+  gl::WordsArray vertices_, edges_;  ///< empty for a cloth that is a grid
   gl::Vec4Array stops_, colors_;
   gl::Kernel<ClothColorKernel> kernel_;
 };

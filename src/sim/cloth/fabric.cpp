@@ -57,9 +57,10 @@ shader::FabricConstants Fabric::constants() const {
   return c;
 }
 
-// Diagonals of stiffness d in every cell store the energy d ((ex + ey)^2 + g^2) / 2 per area. Links of
-// stiffness x and y therefore resist a pull along x alone, with ey free, by x + d - d^2 / (y + d) = x + d y
-// / (y + d).
+// If the diagonals in every cell have the stiffness d, they store the energy d ((ex + ey)^2 + g^2) / 2 per
+// area, where ex and ey are the strains along x and y and g is the shear. With links of stiffness x and y,
+// the sheet therefore resists a pull along x alone, where ey is free, by x + d - d^2 / (y + d) = x + d y /
+// (y + d).
 shader::FabricConstants Fabric::ofLinks(double diagonal) const {
   shader::FabricConstants c = constants();
   const double along = c.weft;

@@ -10,38 +10,39 @@ namespace simreel::shader {
 
 namespace simreel::sim {
 
-/// Fraction of a substep's duration that serves as the time step of constraints (h = 2/3 dt in
-/// glsl/cloth/motion.glsl).
+/// Time step of constraints as a fraction of the substep's duration (h = 2/3 dt in glsl/cloth/motion.glsl).
 inline constexpr double constraintPart = 2.0 / 3;
-/// Softness of constraints that keep energy (glsl/cloth/keeping.glsl), in seconds: their compliance grows
-/// by softSeconds^2 times the inverse masses, so vibrations along the cloth faster than 1 / softSeconds
-/// rad/s are slowed to that frequency. The measured energy differs from the conserved one by 1/12 (dt /
-/// softSeconds)^2 of the energy in these vibrations. A line under a heavy load is softened less, but never
-/// below leastSoftening, the smallest ratio (softSeconds / dt)^2 at which rows, columns and pairs that all
-/// pull in one direction are stable.
+/// softSeconds is the softness, in seconds, of constraints that keep energy (glsl/cloth/keeping.glsl).
+/// Their compliance grows by softSeconds^2 times the inverse masses, so that vibrations along the cloth
+/// faster than 1 / softSeconds rad/s are slowed to that frequency. The measured energy differs from the
+/// conserved energy by 1/12 (dt / softSeconds)^2 of the energy in these vibrations. A line under a heavy
+/// load is softened less, but at least by leastSoftening, the minimum ratio (softSeconds / dt)^2 at which
+/// rows, columns and pairs that all pull in one direction are stable.
 inline constexpr double softSeconds = 1.8e-3;
-inline constexpr double keepingSubstep = 1.0 / 1920;  ///< longest substep in seconds that "auto" takes
+inline constexpr double keepingSubstep = 1.0 / 1920;  ///< maximum substep in seconds for "auto"
 inline constexpr double leastSoftening = 1.5;
-inline constexpr double pairSoftening = 4;  ///< minimum for pairs; the same number is in
-                                            ///< glsl/cloth/keeping.glsl
-/// Softening of the faces of a mesh, as a ratio; six faces meet at a vertex. With half this value, a
-/// crumpled mesh of uneven faces whose whole energy is in vibrations gains a tenth of it in 20 s. Unlike
-/// lines, faces do not stiffen under an even load, so "auto" takes shorter substeps for them.
+inline constexpr double pairSoftening = 4;  ///< minimum softening of pairs; glsl/cloth/keeping.glsl has the
+                                            ///< same number
+/// Softening of the faces of a mesh, as a ratio, where six faces meet at a vertex. With half this value, a
+/// crumpled mesh of uneven faces, all of whose energy is in vibrations, gains a tenth of this energy in 20
+/// s. Unlike lines, faces do not become stiffer under an even load, so "auto" uses shorter substeps for
+/// meshes.
 inline constexpr double faceSoftening = 12;
 inline constexpr double keepingFaceSubstep = 1.0 / 2700;
 /// Softening of attachments, as a ratio. An attachment that becomes taut within one substep gains or loses
-/// energy; a softer one gains or loses less.
+/// energy; the softer it is, the smaller is the change.
 inline constexpr double attachmentSoftening = 256;
 
 enum class FabricMaterial { cotton, silk, denim, nylon, canvas, rubber };
 
-/// Returns the properties of a material. Fabrics: typical low-stress measurements by the Kawabata system
-/// (KES-F) of the named cloth, rounded; the stretch stiffness is the chord to 490 N/m, an average over
-/// curves that are softer at first. Rubber: a latex sheet of t = 0.5 mm, E = 1.5 MPa, 940 kg/m^3, nu = 1/2,
-/// so the values are E t, E t / 3 and E t^3 / (12 (1 - nu^2)).
+/// Returns the properties of a material. For fabrics, they are typical low-stress measurements of the named
+/// cloth by the Kawabata system (KES-F), rounded; the stretch stiffness is the slope of the chord up to 490
+/// N/m, because the curves are softer at first. Rubber is a latex sheet with the thickness t = 0.5 mm,
+/// Young's modulus E = 1.5 MPa, density 940 kg/m^3 and Poisson's ratio nu = 1/2, so its stiffnesses are E t
+/// (stretch), E t / 3 (shear) and E t^3 / (12 (1 - nu^2)) (bending).
 shader::FabricConstants fabricOf(FabricMaterial material);
 
-/// Fabric parameters of a scene: a material, any of whose properties can be overridden.
+/// Fabric parameters of a scene: a material and values that override its properties.
 struct Fabric {
   FabricMaterial material = FabricMaterial::cotton;
   std::optional<double> density;    ///< mass per area in kg/m^2
@@ -50,12 +51,14 @@ struct Fabric {
   std::optional<double> shear;      ///< shear stiffness in N/m
   std::optional<double> bending;    ///< bending stiffness in N m
   std::optional<double> thickness;  ///< thickness in metres
-  double stretchDamping = 0;        ///< time T in seconds: stress = k (strain + T d strain / dt)
+  double stretchDamping = 0;        ///< time constant T in seconds: tension = k (strain + T d strain / dt),
+                                    ///< where k is the stiffness
   void describe(scene::Fields& fields);
   [[nodiscard]] shader::FabricConstants constants() const;
-  /// Returns constants with the stiffnesses for the links along rows and columns of a grid whose diagonals
-  /// have the stiffness `diagonal` (N/m). Diagonals also resist stretching along rows and columns, so a
-  /// link gets the remainder of "weft" or "warp", at least a twentieth of it.
+  /// Returns constants whose stretch stiffnesses apply to the links along rows and columns of a grid whose
+  /// diagonals have the stiffness `diagonal` (N/m). Diagonals also resist stretching along rows and
+  /// columns, so a link gets "weft" or "warp" minus the part of the diagonals, but at least a twentieth of
+  /// "weft" or "warp".
   [[nodiscard]] shader::FabricConstants ofLinks(double diagonal) const;
 };
 

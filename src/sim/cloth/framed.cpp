@@ -18,12 +18,12 @@ std::optional<scene::Box> ClothParameters::framedMesh() const {
     for (const glm::vec3& at : mesh->make().positions)
       scene::include(box, position + glm::vec3(turn * glm::vec4(at, 0)));
   } catch (const UserError&) {
-    return std::nullopt;  // the simulation's constructor reports the error
+    return std::nullopt;  // the constructor of the simulation reports the error
   }
   if (!box) return box;
   const glm::vec3 extent = box->max - box->min;
   const float width = std::max(extent.x, extent.z);
-  // A cloth without pins falls to the ground; a pinned one sags at most as far as it is wide.
+  // A cloth without pins falls to the ground. A pinned cloth sags at most by its width.
   const float falls = box->min.y > 0 ? 0.0F : box->min.y - width;
   box->min.y = std::min(box->min.y, pins.empty() ? falls : box->max.y - width);
   return box;
@@ -49,7 +49,7 @@ std::optional<scene::Box> ClothParameters::framed() const {
     for (const int i : pinnedBy(group)) pinned.insert(i);
   const float width = spacing * static_cast<float>(std::max(last.x, last.y));
   if (pinned.empty()) include({position.x, position.y > 0 ? 0.0F : box.min.y - width, position.z});
-  float hanging = 0;  // metres by which the corner farthest from all pins can sag
+  float hanging = 0;  // distance in metres by which the corner farthest from all pins can sag
   for (const glm::ivec2 corner : corners) {
     float nearest = std::numeric_limits<float>::infinity();
     for (const int i : pinned)

@@ -42,7 +42,7 @@ struct ClothSettleKernel {
   gl::In<"left"> left;
 };
 
-/// Arrays of the kernels that integrate particles and relax pairs.
+/// Part of a kernel interface: arrays of the kernels that integrate particles and relax pairs.
 struct ClothRelaxedArrays {
   gl::In<"positions"> positions;
   gl::InOut<"nextPositions"> next;
@@ -78,10 +78,10 @@ struct ClothLinesKernel {
   gl::Uniform<"lines", int> lines;
 };
 
-/// Solves every link of a row or column at once.
+/// Kernel that solves all links of a row or column together.
 struct ClothSolveKernel {
   static constexpr auto file = "cloth/solve_lines.comp";
-  static constexpr int groupSize = 1024;  // every device supports this size
+  static constexpr int groupSize = 1024;  // Every device supports this workgroup size.
   static constexpr int vector = 8;        // SIMD width of a software OpenGL driver
   struct Variant {
     TouchVariant touch;
@@ -182,8 +182,8 @@ void ClothKernels::makeKernels(const TouchVariant& touch, bool fast) {
         {.touch = touch, .keeps = keeps_, .forces = forces, .springs = !keeps_, .contact = !keeps_});
     return;
   }
-  // The kernels that integrate particles and relax pairs handle no collisions, so only the wind switch
-  // applies.
+  // The kernels that integrate particles and relax pairs do not handle collisions, so of the variant's
+  // switches only the wind applies to them.
   const gl::Flag<"WIND"> wind = touch.wind;
   for (std::size_t later = 0; later < (inLines_ || bends() ? 2 : 1); ++later)
     if (inLines_)
@@ -194,8 +194,8 @@ void ClothKernels::makeKernels(const TouchVariant& touch, bool fast) {
           defines, {.forces = forces, .wind = wind, .damped = p.damped(), .bends = later == 1});
 }
 
-// Returns the kernel for rows or columns. A workgroup solves as many lines as fit into it, at most a
-// software driver's SIMD width.
+// Returns the kernel that solves rows or columns. A workgroup solves as many lines as fit into it, at most
+// the SIMD width of a software driver.
 gl::Kernel<ClothSolveKernel> ClothKernels::lineSolver(const gl::Defines& defines, const TouchVariant& touch,
                                                       bool rows) const {
   const int segments = segmentsOf(rows ? size_.x : size_.y);
@@ -222,7 +222,7 @@ void ClothKernels::dispatchStep(const ClothPart& part) const {
       {.cloth = part, .positions = positions_[0], .next = positions_[1], .velocities = velocities_[0]});
 }
 
-// Integrates the particles and applies the constraints to them.
+// Integrates the particles and applies their constraints.
 void ClothKernels::constrain(const ClothPart& part) const {
   if (keeps_)
     dispatchStep(part);
@@ -272,8 +272,8 @@ void ClothKernels::relaxInTiles(const ClothPart& part) const {
   if (bends()) dispatchTiles(relax_[1], relaxBendHalo, {part, relaxed(between_, positions_[1])});
 }
 
-// Dispatches tiles that cover the sheet. A tile stores all its particles but a border of `halo` particles,
-// because those depend on pairs outside the tile.
+// Dispatches tiles that cover the sheet. A tile stores all its particles except a border of `halo`
+// particles, because these depend on pairs outside the tile.
 void ClothKernels::dispatchTiles(const gl::Kernel<ClothRelaxKernel>& kernel, int halo,
                                  const ClothRelaxKernel& given) const {
   using namespace shader::cloth;
@@ -282,8 +282,8 @@ void ClothKernels::dispatchTiles(const gl::Kernel<ClothRelaxKernel>& kernel, int
   kernel.dispatch({tiles.x * (tile.x / 2), tiles.y * tile.y}, given);
 }
 
-// Returns the number of chains of particles that a spring family links. A chain starts at each particle
-// that has no neighbour at -reach.
+// Returns the number of chains of particles that a spring family forms. A chain starts at each particle
+// that has no neighbour at the offset -reach.
 int ClothKernels::lineCount(glm::ivec2 reach) const {
   if (reach.y == 0) return std::min(reach.x, size_.x) * size_.y;
   if (reach.x == 0) return std::min(reach.y, size_.y) * size_.x;

@@ -10,7 +10,7 @@
 
 namespace simreel::sim {
 
-/// Inputs of glsl/cloth/kernel.glsl in one substep: the part that the kernels' interfaces have in common.
+/// Part of a kernel interface: inputs of glsl/cloth/kernel.glsl in one substep.
 struct ClothPart {
   gl::Uniform<"size", glm::ivec2> size;
   gl::Block<"StepBlock", shader::ClothStep> step;
@@ -34,9 +34,9 @@ class ClothKernels {
 
   /// Prepares the frame from time `begin` to `end` (seconds).
   void beginFrame(double begin, double end) { hold_.beginFrame(plan_->skinPins(), begin, end); }
-  /// Computes the result of a substep; finish() makes it the current state.
+  /// Computes the state after a substep; finish() makes it the current state.
   void predict(int substep, const ClothPart& part);
-  /// Corrects the result for the particles that contact has pushed since predict().
+  /// Corrects the predicted state of the particles that contact has pushed since predict().
   void settle(const ClothPart& part) const;
   void finish();
 
@@ -49,11 +49,12 @@ class ClothKernels {
   [[nodiscard]] const gl::Vec4Array& velocities() const {
     return velocities_[hasTrends() && predicted_ ? 1 : 0];
   }
-  /// Returns the trend of each particle: its velocity change by constraints in the previous substep, which
-  /// ledTo() of glsl/cloth/motion.glsl extrapolates.
+  /// Returns the trend of each particle: its velocity change by constraints in the previous substep.
+  /// ledTo() of glsl/cloth/motion.glsl extrapolates it.
   [[nodiscard]] gl::Vec4Array& trends() { return trends_; }
   [[nodiscard]] const gl::Vec4Array& trends() const { return trends_; }
-  /// True if constraints have a trend. Constraints that keep energy act as forces and have none.
+  /// Returns true if the constraints have a trend. Constraints that keep energy act as forces and have
+  /// none.
   [[nodiscard]] bool hasTrends() const { return constrained_ && !keeps_; }
 
  private:
@@ -74,24 +75,26 @@ class ClothKernels {
 
   const ClothPlan* plan_;
   glm::ivec2 size_;
-  bool constrained_;  ///< true: XPBD constraints; false: springs
-  bool keeps_;        ///< true: constraints that keep energy (glsl/cloth/keeping.glsl)
-  /// True if one invocation relaxes a line of pairs (constrain_lines.comp) rather than one pair. The first
+  bool constrained_;  ///< true for XPBD constraints, false for springs
+  bool keeps_;        ///< true if the constraints keep energy (glsl/cloth/keeping.glsl)
+  /// True if an invocation relaxes a line of pairs (constrain_lines.comp) and not a single pair. The first
   /// such dispatch also integrates the particles.
   bool inLines_ = gl::memoryPath() == gl::MemoryPath::texel;
   bool predicted_ = false;       ///< true between predict() and finish()
   gl::Vec4Array positions_[2];   ///< current positions, and the output of the next substep
-  gl::Vec4Array between_;        ///< positions after the diagonal constraints, before the bending ones
-  gl::Vec4Array velocities_[2];  ///< current velocities, and the output of the next substep for constraints
-                                 ///< that have trends
+  gl::Vec4Array between_;        ///< positions after the diagonal constraints and before the bending
+                                 ///< constraints
+  gl::Vec4Array velocities_[2];  ///< current velocities, and for constraints with trends also the output of
+                                 ///< the next substep
   gl::Vec4Array trends_;
-  gl::Vec4Array left_;  ///< for a cloth with contact: predicted positions before contact pushed the
+  gl::Vec4Array left_;  ///< for a cloth in contact: the predicted positions before contact pushed the
                         ///< particles
   SkinHold hold_;
   ThinColliders thin_;
   gl::Kernel<ClothStepKernel> step_;
-  gl::Kernel<ClothRelaxKernel> relax_[2];  ///< [0] for diagonal pairs, [1] for bending pairs
-  gl::Kernel<ClothLinesKernel> lines_[2];  ///< [0] for the first spring family, [1] for the others
+  gl::Kernel<ClothRelaxKernel> relax_[2];  ///< [0] relaxes the diagonal pairs, [1] the bending pairs
+  gl::Kernel<ClothLinesKernel> lines_[2];  ///< [0] processes the first spring family, [1] the other
+                                           ///< families
   gl::Kernel<ClothSolveKernel> rows_, columns_;
   gl::Kernel<ClothSettleKernel> settle_;
   gl::Kernel<ClothThinKernel> findThin_;

@@ -15,18 +15,18 @@ namespace {
 
 enum class Weave { none, plain, twill };
 
-/// Look of a fabric: its finish, and the threads that its weave shows at close range.
+/// Appearance of a fabric: its finish, and the threads of its weave that are visible at close range.
 struct FabricLook {
   float roughness, translucency;
-  float sheen;  ///< grey level of the fibres that stand up
+  float sheen;  ///< grey level of the fibres that stick out of the surface
   float coat, coatRoughness;
   Weave weave;
   float threads;  ///< number of threads per metre
 };
 
 FabricLook lookOf(FabricMaterial material) {
-  // Threads are two to three times as wide as in the fabrics of fabricOf(), so that a weave is visible from
-  // half a metre away.
+  // The threads are two to three times as wide as those of the fabrics of fabricOf(), so that the weave is
+  // visible from half a metre away.
   constexpr FabricLook table[] = {
       {0.8F, 0.22F, 0.06F, 0, 0.5F, Weave::plain, 1800},      // cotton
       {0.34F, 0.3F, 0.1F, 0.55F, 0.28F, Weave::plain, 2200},  // silk
@@ -40,21 +40,22 @@ FabricLook lookOf(FabricMaterial material) {
 
 constexpr int threadTexels = 16;  ///< texels across a thread
 
-/// Number of threads after which a weave repeats.
+/// Returns the number of threads after which a weave repeats.
 int repeatOf(Weave weave) {
   return weave == Weave::twill ? 4 : 2;
 }
 
-/// Returns the height of a woven sheet in thread widths at a point in threads. Warp threads run along y.
-/// Each thread is rounded and lies on top or below.
+/// Returns the height of a woven sheet, in units of the thread width, at a point given in the same units.
+/// Warp threads run along y. Each thread is rounded and is either on top or below.
 double heightAt(Weave weave, double x, double y) {
   const int column = static_cast<int>(std::floor(x)), row = static_cast<int>(std::floor(y));
   const int repeat = repeatOf(weave);
   const int step = (((column - row) % repeat) + repeat) % repeat;
-  const bool warp = weave == Weave::twill ? step != 0 : step == 0;  // denim shows three warps in four
+  const bool warp = weave == Weave::twill ? step != 0 : step == 0;  // in denim, three of four crossings
+                                                                    // show the warp
   const double across = 2 * ((warp ? x - column : y - row) - 0.5);
   const double along = 2 * ((warp ? y - row : x - column) - 0.5);
-  // A thread dips below its neighbours at the ends of its visible part.
+  // A thread dips below its neighbours at both ends of its visible part.
   const double dip = weave == Weave::plain || !warp ? 0.25 * along * along : 0.0;
   return 0.5 * (1 - across * across) - dip;
 }
@@ -92,7 +93,7 @@ std::optional<scene::Material> ClothParameters::look() const {
   material.finish.sheenRoughness = 0.4F;
   material.finish.coat = look.coat;
   material.finish.coatRoughness = look.coatRoughness;
-  // Only a grid's size in uv is known.
+  // The size in uv is known only for a grid.
   if (look.weave == Weave::none || mesh) return material;
   static const std::array<std::shared_ptr<const scene::Image>, 2> normals = {normalsOf(Weave::plain),
                                                                              normalsOf(Weave::twill)};

@@ -15,7 +15,8 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr std::int64_t mostClothVertices = 250'000;  // limits memory: ClothPlan takes 6 kB per vertex
+constexpr std::int64_t mostClothVertices = 250'000;  // limits memory, because ClothPlan needs 6 kB per
+                                                     // vertex
 
 /// Returns the point of the unit circle at the fraction `part` of a turn, starting from +z.
 glm::dvec2 onCircle(double part) {
@@ -139,7 +140,7 @@ Mesh tubeMesh(float radius, float length, glm::ivec2 vertices) {
 
 Mesh cubedSphereMesh(float radius, int vertices) {
   Mesh mesh;
-  // A cube side: its centre and the directions of u and v; v points down as seen from outside.
+  // Side of a cube: its centre and the directions of u and v, where v points down as seen from outside.
   using Side = std::array<glm::dvec3, 3>;
   const Side sides[] = {
       {glm::dvec3(0, 0, 1), {1, 0, 0}, {0, -1, 0}},   {glm::dvec3(1, 0, 0), {0, 0, -1}, {0, -1, 0}},
@@ -149,15 +150,15 @@ Mesh cubedSphereMesh(float radius, int vertices) {
     const auto first = static_cast<unsigned>(mesh.positions.size());
     for (int y = 0; y < vertices; ++y)
       for (int x = 0; x < vertices; ++x) {
-        const auto across =
-            [&](int i) {  // tan of equal angles: cells of similar size; odd, so that sides meet
-              const int even = 2 * i - (vertices - 1);
-              const double angle = 0.25 * std::numbers::pi * std::abs(even) / (vertices - 1);
-              const double most = std::abs(even) == vertices - 1 ? 1.0 : ieee::tan(angle);
-              return even < 0 ? -most : most;
-            };
+        const auto across = [&](int i) {  // the tangents of equally spaced angles give cells of similar
+                                          // size; the function is odd, so the sides meet
+          const int even = 2 * i - (vertices - 1);
+          const double angle = 0.25 * std::numbers::pi * std::abs(even) / (vertices - 1);
+          const double most = std::abs(even) == vertices - 1 ? 1.0 : ieee::tan(angle);
+          return even < 0 ? -most : most;
+        };
         const glm::dvec3 place = side[0] + side[1] * across(x) + side[2] * across(y);
-        // Sums the squares in sorted order, so that vertices that two sides share are bit-identical.
+        // The squares are summed in sorted order, so that vertices on two sides have identical bits.
         double squares[3] = {place.x * place.x, place.y * place.y, place.z * place.z};
         if (squares[0] > squares[1]) std::swap(squares[0], squares[1]);
         if (squares[1] > squares[2]) std::swap(squares[1], squares[2]);
@@ -172,7 +173,7 @@ Mesh cubedSphereMesh(float radius, int vertices) {
       for (int x = 0; x + 1 < vertices; ++x) {
         const unsigned a = first + static_cast<unsigned>(y * vertices + x);
         const unsigned below = a + static_cast<unsigned>(vertices);
-        // Splits the cell along its shorter diagonal, the one that points away from the centre of the side.
+        // Splits the cell along its shorter diagonal, which points away from the centre of the side.
         if ((2 * x < vertices - 1) == (2 * y < vertices - 1))
           mesh.indices.insert(mesh.indices.end(), {a, below, below + 1, a, below + 1, a + 1});
         else

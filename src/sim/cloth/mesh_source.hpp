@@ -18,29 +18,29 @@ struct ClothMesh {
   std::filesystem::path file;
   glm::vec3 size{2, 0, 2};        ///< width and depth of a plane in metres
   float radius = 1.0F;            ///< radius in metres
-  float tube = 0.35F;             ///< radius of a torus' tube in metres
+  float tube = 0.35F;             ///< radius of the tube of a torus in metres
   float length = 2.0F;            ///< length of a cylinder in metres
   glm::ivec2 resolution{33, 33};  ///< number of vertices along u and v
   float scale = 1.0F;
   float weld = 0.0F;  ///< distance in metres within which vertices are merged
   void describe(scene::Fields& fields);
-  /// Generates or reads the mesh. Throws the errors of loadMesh().
+  /// Generates the mesh or reads it from the file. Throws the errors of loadMesh().
   [[nodiscard]] Mesh make() const;
-  /// Returns a short name for messages: the shape's or the file's.
+  /// Returns a short name for messages: that of the shape or of the file.
   [[nodiscard]] std::string text() const;
 };
 
-/// Returns a round sheet in the xz plane that faces +y: `rings` rings of equal width around the centre, the
-/// k-th with 6 k vertices. uv is the position in the bounding square.
+/// Returns a round sheet in the xz plane that faces +y: a centre and `rings` rings of equal width, the k-th
+/// with 6 k vertices. uv is the position in the bounding square.
 [[nodiscard]] Mesh discMesh(float radius, int rings);
 
-/// Returns an open tube around the y axis with faces outwards: `vertices.x` vertices around it (the seam
-/// counts twice) and `vertices.y` along it. Every other row is shifted by half a cell, which makes faces
-/// nearly equilateral if the counts suit the proportions.
+/// Returns an open tube around the y axis whose faces point outwards. It has `vertices.x` vertices around
+/// the axis, counting the seam twice, and `vertices.y` along it. Every second row is shifted by half a
+/// cell, which makes the faces nearly equilateral if the vertex counts suit the tube's proportions.
 [[nodiscard]] Mesh tubeMesh(float radius, float length, glm::ivec2 vertices);
 
-/// Returns a sphere made of six grids with `vertices` vertices per side, each with uv over the whole unit
-/// square. Unlike a latitude-longitude sphere it has no poles with sliver faces.
+/// Returns a sphere made of six grids with `vertices` vertices per side. The uv of each grid cover the
+/// whole unit square. Unlike a latitude-longitude sphere, it has no poles with sliver faces.
 [[nodiscard]] Mesh cubedSphereMesh(float radius, int vertices);
 
 }  // namespace simreel::sim

@@ -24,11 +24,13 @@ namespace simreel::sim {
 namespace {
 
 constexpr int maxSubsteps = 1024;
-/// Fraction of the stable substep that "auto" takes; its square is 1/2. A stretched sheet pulls sideways at
-/// most as strongly as along its springs, which doubles the square of its highest frequency.
+/// Fraction of the maximum stable substep that "auto" uses. Its square is 1/2, because a stretched sheet
+/// pulls sideways at most as strongly as along its springs, which doubles the square of its maximum
+/// frequency.
 constexpr double safety = 0.7;
 
-/// Returns the number of substeps per frame at which none is longer than `longest` (seconds); at most 1e15.
+/// Returns the minimum number of substeps per frame such that a substep takes at most `longest` (seconds),
+/// limited to 1e15.
 std::int64_t substepsFor(double frameSeconds, double longest) {
   return static_cast<std::int64_t>(std::ceil(std::min(frameSeconds / longest, 1e15)));
 }
@@ -41,7 +43,7 @@ ClothParameters::ClothParameters() {
   pins.push_back(lastRow);
 }
 
-/// Describes "mesh" and "seams". A cloth with a mesh is a fabric and has no pins by default.
+/// Declares "mesh" and "seams". A cloth with a mesh is a fabric and by default has no pins.
 void ClothParameters::describeMesh(scene::Fields& f) {
   f.optionalGroup("mesh", mesh, "Triangles that the cloth is made of, instead of a grid; a fabric.");
   f.list("seams", seams, "Vertices that are sewn together in pairs; for a cloth with a \"mesh\".",
@@ -229,8 +231,8 @@ int ClothParameters::fewestSubsteps(double frameSeconds, int otherwise) const {
 
 double ClothParameters::fastestAir() const {
   if (!air) return 0;
-  // Between two keys the velocity is linear, so its maximum is at a key. Each component of a gust is at
-  // most `gusts` times the speed, hence sqrt(3).
+  // Between two keys the velocity is linear, so its maximum is at a key. Each of the three components of a
+  // gust is at most `gusts` times the speed, hence the factor sqrt(3).
   double fastest = 0;
   for (const auto& key : air->velocity.keys()) {
     const glm::dvec3 v(key.value);
@@ -251,7 +253,7 @@ double ClothParameters::greatestLoad(double each) const {
   return greatest(gravity) + greatest(wind) / each;
 }
 
-// Breadth-first search from all pinned particles at once.
+// The search is breadth-first, starting from all pinned particles at the same time.
 int ClothParameters::mostOnOnePin() const {
   if (mesh) return 0;
   constexpr int nobody = -1;
@@ -286,36 +288,38 @@ double ClothParameters::hangingSquared() const {
   return 4.0 * std::max(size.x, size.y) * greatestLoad(massAt(size / 2)) / spacing;
 }
 
-// w^2 = 4 T / (m L) with the tension T = N m a. Although the tension decreases along the line, cotton
-// sheets that hang by two corners become unstable at (w dt)^2 = 2.7 instead of 4; the factor 1.5 accounts
-// for that.
+// The frequency is w^2 = 4 T / (m L) with the tension T = N m a, for N particles of mass m, the
+// acceleration a and the spacing L. Although the tension decreases along the line, cotton sheets that hang
+// by two corners become unstable at (w dt)^2 = 2.7 instead of 4; the factor 1.5 accounts for that.
 double ClothParameters::pinnedSquared() const {
   return 1.5 * 4.0 * mostOnOnePin() * greatestLoad(massAt(size / 2)) / spacing;
 }
 
 double ClothParameters::stableSeconds(double lines) const {
-  // Semi-implicit Euler of x'' = -w^2 x - c x' stays bounded while (w dt)^2 + 2 c dt < 4. At rest the
-  // fastest mode of the lattice has w^2 <= 4 (k + ks + kb) / m. Drag alone decelerates at the rate c = rho
-  // (Cd + Cl) A |v| / m, the derivative of the quadratic force.
-  // Constraints alone do not limit the substep. But the weight of N particles that hang on a line
-  // straightens it with the tension T = N m a, and a straight line of masses swings sideways with w^2 <= 4
-  // T / (m L) = 4 N a / L. Air pulls, too: a sheet that streams from a pole feels about a tenth of its
-  // face-on drag.
+  // Semi-implicit Euler of x'' = -w^2 x - c x' stays bounded while (w dt)^2 + 2 c dt < 4. Near the rest
+  // shape, the fastest mode of the lattice has w^2 <= 4 (k + ks + kb) / m, with the stiffnesses of the
+  // structural, shear and bending springs and the particle mass m. Drag alone decelerates at the rate c =
+  // rho (Cd + Cl) A |v| / m, the derivative of the quadratic force. Constraints alone do not limit the
+  // substep. But the weight of N particles that hang from a line straightens it with the tension T = N m a,
+  // and a straight line of masses swings sideways with w^2 <= 4 T / (m L) = 4 N a / L, where a is the
+  // acceleration and L the spacing. Air pulls, too: a sheet that streams from a pole feels about a tenth of
+  // its face-on drag.
   const double each = massAt({1, 1});
   const double area = static_cast<double>(spacing) * spacing;
   const double fastest = fastestAir();
   const double streaming = air ? 0.1 * 0.5 * air->density * static_cast<double>(air->drag + air->lift) *
                                      fastest * fastest * area / each * lines
                                : 0.0;
-  // If the constraints keep energy, the softening times w^2 dt^2 must be below 1, and the tension in a
-  // swing exceeds that at rest. Evaluated only for constraints, because mostOnOnePin() visits every
-  // particle.
+  // If the constraints keep energy, the softening times w^2 dt^2 must be below 1, and the tension during a
+  // swing exceeds the tension at rest. This is evaluated only for constraints, because mostOnOnePin()
+  // visits every particle.
   const auto hanging = [&] {
     return (keepsEnergy() ? hangingSquared() * 6 * leastSoftening
                           : std::max(hangingSquared(), pinnedSquared())) +
            4.0 * std::max(size.x, size.y) * streaming / spacing;
   };
-  // The bending of a fabric has w^2 <= 64 D / (L^2 m): 16 along each axis and 32 for twisting.
+  // The bending of a fabric with the stiffness D has w^2 <= 64 D / (L^2 m): 16 along each axis and 32 for
+  // twisting.
   const double bending = fabric ? 64.0 * fabric->constants().bending / (area * each) : 0.0;
   const double w2 = constrained() ? hanging() + bending
                                   : 4.0 * static_cast<double>(stiffness) * (1.0 + shear + bend) / each;
@@ -341,7 +345,7 @@ std::string ClothParameters::steadierWay(double frameSeconds) const {
 }
 
 std::string ClothParameters::instability(double frameSeconds) const {
-  if (mesh) return "";  // GarmentPlan checks cloth of a mesh, because the limit depends on its faces
+  if (mesh) return "";  // GarmentPlan checks the cloth of a mesh, because its limit depends on its faces
   const double stable = stableSeconds();
   if (!substeps || frameSeconds / *substeps <= stable) return "";
   return fmt::format(
@@ -356,9 +360,10 @@ std::string ClothParameters::instability(double frameSeconds) const {
 
 int ClothParameters::substepsPerFrame(double frameSeconds) const {
   if (substeps) return *substeps;
-  // Gusts concentrate the pull of a streaming sheet at a corner: a line there carries its own pull and a
-  // fraction of all others'. The fraction is measured with the scene flag.json; half of it would leave that
-  // cloth stretched by a tenth. The number of substeps therefore grows as 1 / L^1.5.
+  // Gusts concentrate the pull of a streaming sheet at a corner: the line there carries its pull and a
+  // fraction of the pull of all other lines. The fraction was measured with the scene flag.json; half of it
+  // would leave that cloth stretched by a tenth. The number of substeps therefore grows as 1 / L^1.5, where
+  // L is the spacing.
   constexpr double drawnPart = 1.0 / 72;
   const double drawn = constrained() ? 1.0 + drawnPart * std::min(size.x, size.y) : 1.0;
   const std::int64_t needed = substepsFor(frameSeconds, safety * stableSeconds(drawn));

@@ -19,28 +19,28 @@ namespace simreel::sim {
 /// Part of a body that pins are attached to.
 enum class PinPlace { bone, skin };
 
-/// Opposite corners of a box in metres, world space.
+/// Opposite corners of a box in world space, in metres.
 struct PinBox {
   glm::vec3 min{-1}, max{1};
 };
 
-/// Group of held particles, with the animated frame that moves them.
+/// Group of pinned particles, with the animated transform that moves them.
 struct PinGroup {
-  std::vector<int> rows;  ///< indices of rows; negative ones count from the end
+  std::vector<int> rows;  ///< indices of rows; negative indices count from the end
   std::vector<int> columns;
   std::vector<int> corners;        ///< corners: 0 top-left, 1 top-right, 2 bottom-left, 3 bottom-right
-  std::vector<glm::ivec2> points;  ///< particles as (x, y)
+  std::vector<glm::ivec2> points;  ///< grid coordinates (x, y) of particles
   std::vector<int> vertices;       ///< for a mesh: vertex indices in the mesh's order
-  std::optional<PinBox> box;       ///< holds the vertices of a mesh that lie inside it at rest
-  std::filesystem::path map;       ///< image over a mesh's uv that marks pinned vertices; empty: none
-  bool clamp = false;  ///< for a fabric: the pinned border also keeps the direction in which the sheet
-                       ///< leaves it
-  int every = 1;       ///< pins only every n-th particle of a row or column, and its last one
+  std::optional<PinBox> box;       ///< pins the vertices of a mesh that are inside this box initially
+  std::filesystem::path map;       ///< image over a mesh's uv that marks pinned vertices; empty if none
+  bool clamp = false;  ///< for a fabric: true if the pinned border also keeps the direction in which the
+                       ///< sheet leaves it
+  int every = 1;       ///< pins only every n-th particle of a row or column, and also the last one
   scene::Animated<glm::vec3> move = glm::vec3(0);    ///< translation in metres
   scene::Animated<glm::vec3> rotate = glm::vec3(0);  ///< rotation in degrees
   scene::Animated<glm::vec3> scale = glm::vec3(1);
-  glm::vec3 pivot{0, 0, 0};  ///< centre of rotation and scale: metres, world space
-  std::string to;            ///< name of the body that carries the pins; empty: none
+  glm::vec3 pivot{0, 0, 0};  ///< centre of rotation and scale in world space, in metres
+  std::string to;            ///< name of the body that carries the pins; empty if none
   std::string bone;
   PinPlace at = PinPlace::bone;
   [[nodiscard]] bool onSkin() const { return at == PinPlace::skin; }
@@ -53,10 +53,11 @@ struct PinGroup {
 
 /// Air around the cloth.
 struct Air : shader::AirConstants {
-  std::string fluid;      ///< name of a fluid whose wind is added; empty: none
+  std::string fluid;      ///< name of a fluid whose wind is added; empty if none
   float fluidSpeed = 10;  ///< expected maximum speed of the fluid in m/s
   scene::Animated<glm::vec3> velocity = glm::vec3(5, 0, 0);  ///< velocity in m/s
-  float gusts = 0.3F;     ///< amplitude of the velocity's variation, as a fraction of its magnitude
+  float gusts = 0.3F;     ///< amplitude of the velocity's variation, as a fraction of the velocity's
+                          ///< magnitude
   float gustSize = 0.8F;  ///< size of the gusts in metres
 };
 
@@ -68,10 +69,10 @@ struct ClothContact {
 
 enum class ClothSolver { springs, constraints };
 
-/// Seam of a mesh: the i-th vertex of `from` is sewn to the i-th of `to`.
+/// Seam of a mesh: vertex i of `from` is sewn to vertex i of `to`.
 struct Seam {
   std::vector<int> from, to;  ///< vertex indices in the mesh's order
-  double seconds = 1;         ///< seconds until the seam is closed
+  double seconds = 1;         ///< time in seconds after which the seam is closed
 };
 
 struct ClothParameters : ObjectParameters,
@@ -79,15 +80,16 @@ struct ClothParameters : ObjectParameters,
                          scene::Dressed,
                          TouchesMeshes,
                          shader::ClothConstants {
-  std::optional<ClothMesh> mesh;  ///< triangle mesh; nullopt: a grid
+  std::optional<ClothMesh> mesh;  ///< triangle mesh; empty if the cloth is a grid
   std::vector<Seam> seams;
   glm::ivec2 size{32, 32};      ///< number of particles along x and y
-  glm::vec3 position{0, 0, 0};  ///< centre of the sheet at rest in metres
-  glm::vec3 rotation{0, 0, 0};  ///< degrees; without rotation the sheet lies in the xz plane, rows along x
-  float jitter = 0.0F;          ///< maximum random displacement at the start in metres
+  glm::vec3 position{0, 0, 0};  ///< initial centre of the sheet in metres
+  glm::vec3 rotation{0, 0, 0};  ///< rotation in degrees; without rotation the sheet lies in the xz plane
+                                ///< with its rows along x
+  float jitter = 0.0F;          ///< maximum random initial displacement in metres
   float mass = 1.0F;            ///< mass of a particle in kg
   ClothSolver solver = ClothSolver::springs;
-  /// Fabric whose properties replace masses, springs and compliances; a mesh always has one.
+  /// Fabric whose properties replace masses, springs and compliances. A mesh always has a fabric.
   std::optional<Fabric> fabric;
   float damping = 4.85F;  ///< rate in 1/s at which velocity decays
   scene::Animated<glm::vec3> gravity = glm::vec3(0, -9.8F, 0);
@@ -98,7 +100,7 @@ struct ClothParameters : ObjectParameters,
   std::vector<PinGroup> pins;
   bool pinsByDefault = false;  ///< true if the scene gives no "pins"
   std::optional<ClothContact> contact;
-  std::string walls;  ///< name of the solid whose walls the cloth collides with; empty: none
+  std::string walls;  ///< name of the solid whose walls the cloth collides with; empty if none
   ClothColoring coloring;
 
   ClothParameters();
@@ -109,8 +111,8 @@ struct ClothParameters : ObjectParameters,
   [[nodiscard]] double touchMargin() const override {
     return margin + (fabric ? 0.5F * fabric->constants().thickness : 0);
   }
-  /// Returns the bounds for the camera: the cloth at rest and where it ends up hanging from the particles
-  /// pinned at the start. A cloth without pins counts as falling by its own size.
+  /// Returns the bounds for the camera: the cloth in its initial position and where it will hang from the
+  /// particles that are pinned initially. A cloth without pins is assumed to fall by its size.
   [[nodiscard]] std::optional<scene::Box> framed() const override;
 
   [[nodiscard]] std::int64_t leastBlockBytes() const override {
@@ -119,64 +121,66 @@ struct ClothParameters : ObjectParameters,
   [[nodiscard]] Looks looks() const override { return Looks::cloth; }
   [[nodiscard]] std::optional<scene::Material> look() const override;
   [[nodiscard]] bool wanders() const override { return true; }
-  /// Returns a copy with `contactSubsteps` substeps per frame, which all cloths in contact share; 0 keeps
-  /// the cloth's own number.
+  /// Returns a copy whose number of substeps per frame is `contactSubsteps`, which is the same for all
+  /// cloths in contact. 0 keeps the cloth's number.
   [[nodiscard]] ClothParameters inStep(int contactSubsteps) const;
-  /// Returns the minimum of substeps per frame that "auto" takes: `otherwise`, but at least 960 per second
-  /// for a cloth in contact. Contact is solved by only a round or two per substep, and 960 per second keep
-  /// layers apart.
+  /// Returns the minimum number of substeps per frame for "auto": `otherwise`, but for a cloth in contact
+  /// at least 960 per second. Contact is solved with only one or two rounds per substep, and 960 substeps
+  /// per second keep layers apart.
   [[nodiscard]] int fewestSubsteps(double frameSeconds, int otherwise) const;
-  /// Returns the distance in metres to keep between two layers of the cloth; `between` is the distance of
-  /// neighbouring particles.
+  /// Returns the distance in metres to keep between two layers of the cloth, given the distance `between`
+  /// of neighbouring particles.
   [[nodiscard]] float contactThickness(float between) const;
 
-  /// True if XPBD constraints keep the lengths; otherwise springs apply forces.
+  /// Returns true if XPBD constraints keep the lengths. Otherwise, springs apply forces.
   [[nodiscard]] bool constrained() const { return fabric || solver == ClothSolver::constraints; }
-  /// True if changes of length are damped.
+  /// Returns true if changes of length are damped.
   [[nodiscard]] bool damped() const { return fabric && fabric->stretchDamping > 0; }
-  /// True if the constraints keep energy (glsl/cloth/keeping.glsl): no damping, no air, no contact and no
-  /// seams.
+  /// Returns true if the constraints keep energy (glsl/cloth/keeping.glsl), that is, without damping, air,
+  /// contact and seams.
   [[nodiscard]] bool keepsEnergy() const {
     return constrained() && damping == 0 && !air && !damped() && !contact && seams.empty();
   }
-  /// Returns the number of particles that hang on the most loaded pinned particle. Each particle hangs on
-  /// the nearest pinned one along rows and columns. 0 if nothing is pinned or the cloth is a mesh.
+  /// Returns the number of particles that hang from the most loaded pinned particle. Each particle hangs
+  /// from the pinned particle that is nearest along rows and columns. Returns 0 if nothing is pinned or if
+  /// the cloth is a mesh.
   [[nodiscard]] int mostOnOnePin() const;
-  /// Returns the maximum squared angular frequency w^2 (1/s^2) at which the longest hanging line swings
-  /// sideways.
+  /// Returns the maximum squared angular frequency w^2 (1/s^2) of the sideways swings of the longest
+  /// hanging line.
   [[nodiscard]] double hangingSquared() const;
-  /// Returns the maximum squared angular frequency w^2 (1/s^2) at which a line at the most loaded pinned
-  /// particle swings sideways.
+  /// Returns the maximum squared angular frequency w^2 (1/s^2) of the sideways swings of a line at the most
+  /// loaded pinned particle.
   [[nodiscard]] double pinnedSquared() const;
-  /// Returns the mass of a particle in kg; for a fabric, the density times the particle's share of the
-  /// area.
+  /// Returns the mass of a particle in kg; for a fabric, this is the density times the part of the area
+  /// that belongs to the particle.
   [[nodiscard]] float massAt(glm::ivec2 at) const;
-  /// Returns the index of the pin group that clamps border 0 left, 1 right, 2 top or 3 bottom; -1: none.
+  /// Returns the index of the pin group that clamps a border (0 left, 1 right, 2 top, 3 bottom), or -1 if
+  /// none does.
   [[nodiscard]] int clampOf(int border) const;
-  /// Returns the longest stable substep in seconds for a sheet near rest in the fastest air and gusts of
-  /// the whole run. With constraints, for a sheet that hangs from its pins.
+  /// Returns the maximum stable substep in seconds for a sheet near its rest shape in the fastest air and
+  /// gusts of the whole run; with constraints, for a sheet that hangs from its pins.
   [[nodiscard]] double stableSeconds() const { return stableSeconds(1.0); }
-  /// Returns the longest stable substep in seconds if a line carries `lines` times the air drag of its own
-  /// particles.
+  /// Returns the maximum stable substep in seconds if the air drag on a line is `lines` times the drag on
+  /// the line's particles.
   [[nodiscard]] double stableSeconds(double lines) const;
-  /// Returns why the given number of substeps is too small and what to do about it; empty if it suffices or
-  /// is "auto".
+  /// Returns the reason why the given number of substeps is too small and a remedy; empty if the number
+  /// suffices or is "auto".
   [[nodiscard]] std::string instability(double frameSeconds) const;
-  /// Returns the number of substeps per frame: the given one, or the one that "auto" computes. Throws
-  /// UserError(usage) if that exceeds the maximum.
+  /// Returns the number of substeps per frame: the given number, or the number that "auto" computes. Throws
+  /// UserError(usage) if it exceeds the maximum.
   [[nodiscard]] int substepsPerFrame(double frameSeconds) const;
-  /// Returns the particle indices of a group in ascending order, without duplicates.
+  /// Returns the indices of the particles that a group pins, in ascending order, without duplicates.
   [[nodiscard]] std::vector<int> pinnedBy(const PinGroup& group) const;
-  /// Returns the maximum acceleration in m/s^2 by gravity and wind in the whole run, for a particle of mass
-  /// `each` (kg).
+  /// Returns the maximum acceleration in m/s^2 by gravity and wind in the whole run, for a particle with
+  /// the mass `each` (kg).
   [[nodiscard]] double greatestLoad(double each) const;
-  /// Returns the maximum speed of the air in the whole run in m/s; 0 without air.
+  /// Returns the maximum air speed in the whole run in m/s; 0 if there is no air.
   [[nodiscard]] double fastestAir() const;
 
  private:
   void describeMesh(scene::Fields& fields);
   [[nodiscard]] std::optional<scene::Box> framedMesh() const;
-  /// True if the group pins border 0 left, 1 right, 2 top or 3 bottom.
+  /// Returns true if the group pins a border (0 left, 1 right, 2 top, 3 bottom).
   [[nodiscard]] bool pinsBorder(const PinGroup& group, int border) const;
   [[nodiscard]] std::string steadierWay(double frameSeconds) const;
 };

@@ -16,7 +16,7 @@ namespace simreel::sim {
 namespace {
 
 shader::PinFrame pinFrame(const PinGroup& group, double time) {
-  // Builds the affine transform x' = pivot + move + R S (x - pivot).
+  // The affine transform is x' = pivot + move + R S (x - pivot), with the rotation R and the scale S.
   glm::mat4 m = rotationMatrix(group.rotate.at(time));
   const glm::vec3 scale = group.scale.at(time);
   const glm::vec3 move = group.move.at(time);
@@ -30,7 +30,7 @@ shader::PinFrame pinFrame(const PinGroup& group, double time) {
   return frame;
 }
 
-/// Interpolates linearly between the values at a frame's beginning and end; `now` is in 0..1.
+/// Interpolates linearly between the values at a frame's beginning and end; `now` is between 0 and 1.
 template <class T>
 T betweenEnds(const std::array<T, 2>& ends, double now) {
   return ends[0] * (1 - now) + ends[1] * now;
@@ -49,7 +49,7 @@ shader::PinFrame carriedFrame(const shader::PinFrame& frame, const glm::dmat4& c
   return result;
 }
 
-/// Rotates and scales a direction by a frame; w = 1.
+/// Rotates and scales a direction by a frame; the result has w = 1.
 glm::vec4 turned(const shader::PinFrame& frame, glm::vec3 way) {
   const auto row = [&](const glm::vec4& r) { return r.x * way.x + r.y * way.y + r.z * way.z; };
   return {row(frame.row0), row(frame.row1), row(frame.row2), 1.0F};
@@ -148,16 +148,17 @@ std::vector<std::array<glm::dmat4, 2>> ClothPlan::pinsAround(double time) const 
 
 Softness ClothPlan::softness() const {
   if (!parameters_.keepsEnergy() || parameters_.mesh) return {};
-  // A straight line with the frequency w of its tension is stable up to a softening of 1 / (w dt)^2. In a
-  // swing the tension is three times the hanging weight.
+  // A straight line whose tension gives it the frequency w is stable up to a softening of 1 / (w dt)^2. In
+  // a swing, the tension is three times the hanging weight.
   const double squared = substepSeconds_ * substepSeconds_;
   const double most = 1.0 / (3.0 * parameters_.hangingSquared() * squared);
   return {std::max(std::min(softSeconds * softSeconds / squared, most), leastSoftening), substepSeconds_};
 }
 
-// A substep relaxes each diagonal once, so its effective stiffness is 1 / (compliance + w h^2), w the sum
-// of the inverse masses of both ends. The factor 2/3 on w is measured: rubber sheets that hang, with 4 to
-// 64 substeps. Constraints that keep energy have their own softening instead.
+// A substep relaxes each diagonal once, so its effective stiffness is 1 / (compliance + w h^2), where w is
+// the sum of the inverse masses of both ends and h the time step of constraints. The factor 2/3 on w was
+// measured with rubber sheets that hang, with 4 to 64 substeps. Constraints that keep energy are softened
+// in a different way.
 double ClothPlan::diagonalStiffness() const {
   const double shear = parameters_.fabric.value_or(Fabric{}).constants().shear;
   if (parameters_.keepsEnergy()) return shear;
@@ -166,7 +167,7 @@ double ClothPlan::diagonalStiffness() const {
   return 1 / (1 / shear + 2.0 / 3 * inverseMasses * reach * reach);
 }
 
-// Sets the values of the moving air at the start of a substep, and moves the gusts.
+// Sets the values for moving air at the start of a substep, and moves the gusts.
 void ClothPlan::setAir(shader::ClothStep& s, double start) {
   const Air moved = parameters_.air.value_or(Air{});
   const glm::vec3 air = parameters_.air ? moved.velocity.at(start) : glm::vec3(0);
@@ -181,7 +182,7 @@ void ClothPlan::setAir(shader::ClothStep& s, double start) {
   s.air = moved;
 }
 
-// Sets the frames of the pins at the end of a substep, and the directions of clamped borders.
+// Sets the transforms of the pins at the end of a substep, and the directions of clamped borders.
 void ClothPlan::setPins(shader::ClothStep& s, double end,
                         const std::vector<std::array<glm::dmat4, 2>>& pins, double part) const {
   const ClothParameters& p = parameters_;

@@ -18,10 +18,10 @@
 
 namespace simreel::sim {
 
-/// Family of springs of a sheet: each particle has one, to the neighbour at `reach`. Structural constraints
-/// are solved a whole line at a time (glsl/cloth/line_model.glsl), after the other families.
+/// Family of springs of a sheet: each particle is linked to the neighbour at the offset `reach`. Structural
+/// constraints are solved for a whole line together (glsl/cloth/line_model.glsl), after the other families.
 struct SpringFamily {
-  glm::ivec2 reach;  ///< cells along x and y
+  glm::ivec2 reach;  ///< offset in cells along x and y
   int kind;          ///< kind of spring: 0 structural, 1 shear, 2 bend (glsl/cloth/model.glsl)
 };
 inline constexpr SpringFamily springFamilies[] = {{{1, 0}, 0},  {{0, 1}, 0}, {{1, 1}, 1},
@@ -32,27 +32,27 @@ inline std::span<const SpringFamily> relaxedFamilies(const ClothParameters& para
   return std::span(springFamilies).subspan(2, parameters.fabric ? 2 : 4);
 }
 
-/// Everything about a cloth that the CPU decides: the initial state and the uniform data of each substep.
-/// The GPU simulation and its CPU reference share it, so both compute from identical numbers.
+/// The part of a cloth that the CPU computes: the initial state and the uniform data of each substep. The
+/// GPU simulation and its CPU reference both use it, so they compute from identical numbers.
 class ClothPlan {
  public:
-  /// Throws UserError(usage) if there are more colliders than the kernels support or "auto" needs too many
-  /// substeps. Warns once if the given substeps are too few. `boneNamed`, `startTime`, `heldBySkin`: the
-  /// members of Setting, required for pins that a body carries. `edge`: length of the longest edge in
-  /// metres; 0 means the grid's spacing.
+  /// Throws UserError(usage) if there are more colliders than the kernels support or if "auto" needs too
+  /// many substeps. Warns once if the given number of substeps is too small. `boneNamed`, `startTime` and
+  /// `heldBySkin` are the members of Setting; pins that a body carries require them. `edge` is the length
+  /// of the longest edge in metres; 0 means the grid's spacing.
   ClothPlan(const ClothParameters& parameters, int seed, double frameSeconds,
             const std::vector<ColliderShape>& colliders,
             const std::function<Carrier(const std::string& body, const std::string& bone)>& boneNamed = {},
             double startTime = 0, const HeldBySkin& heldBySkin = {}, double edge = 0);
 
-  /// Returns the number of colliders that are tested against vertices; the same in every substep. Thin
-  /// colliders are counted by thinCount(), because they are tested against edges and faces.
+  /// Returns the number of colliders that are tested against vertices; it is the same in every substep.
+  /// Thin colliders are not included, because they are tested against edges and faces (see thinCount()).
   [[nodiscard]] int colliderCount() const { return colliders_.count() - thinCount_; }
   [[nodiscard]] int thinCount() const { return thinCount_; }
-  /// Returns size.x * size.y elements, x fastest: xyz the position in m, w the inverse mass in 1/kg (0:
-  /// pinned).
+  /// Returns size.x * size.y elements, x fastest: xyz is the position in metres, w the inverse mass in 1/kg
+  /// (0 if pinned).
   [[nodiscard]] std::vector<glm::vec4> firstPositions() const;
-  /// Returns one element per particle: xyz the velocity in m/s (zero), w the pin group of a pinned
+  /// Returns one element per particle: xyz is the velocity in m/s (zero), w the pin group of a pinned
   /// particle.
   [[nodiscard]] std::vector<glm::vec4> firstVelocities() const;
   /// Returns the data of the substeps of the frame that starts at `time` (seconds). Frames must be
@@ -66,20 +66,20 @@ class ClothPlan {
   [[nodiscard]] const ClothParameters& parameters() const { return parameters_; }
   [[nodiscard]] const SkinPins& skinPins() const { return skinPins_; }  ///< only for a grid
   [[nodiscard]] int substeps() const { return substeps_; }
-  /// Returns the total number of substeps of the frames requested so far.
+  /// Returns the total number of substeps of all frames requested so far.
   [[nodiscard]] int stepsBegun() const { return static_cast<int>(done_); }
   [[nodiscard]] double substepSeconds() const { return substepSeconds_; }
-  /// Returns the softness of constraints that keep energy; zero for others.
+  /// Returns the softness of the constraints; zero if they do not keep energy.
   [[nodiscard]] Softness softness() const;
   /// Returns the effective stiffness (N/m) that the diagonals of a fabric have in one substep.
   [[nodiscard]] double diagonalStiffness() const;
 
  private:
-  /// Returns the pin group of each particle of a grid; -1: not pinned.
+  /// Returns the pin group of each particle of a grid, or -1 if it is not pinned.
   [[nodiscard]] std::vector<int> owners() const;
   [[nodiscard]] glm::vec3 restAt(int x, int y) const;
-  /// Returns each pin group's carrier transform at the beginning and at the end of the frame that starts at
-  /// `time`, relative to the start of the run.
+  /// Returns the transform of each pin group's carrier, relative to the start of the run, at the beginning
+  /// and at the end of the frame that starts at `time`.
   [[nodiscard]] std::vector<std::array<glm::dmat4, 2>> pinsAround(double time) const;
   void setAir(shader::ClothStep& s, double start);
   void setPins(shader::ClothStep& s, double end, const std::vector<std::array<glm::dmat4, 2>>& pins,
@@ -90,9 +90,10 @@ class ClothPlan {
   int substeps_;
   double substepSeconds_;
   ColliderPlan colliders_;
-  double edge_;  ///< longest edge in metres
+  double edge_;  ///< length of the longest edge in metres
   int thinCount_ = 0;
-  /// Moving frame that carries a pin group (null: none), and its inverse at the start of the run.
+  /// Moving frame that carries a pin group (null if none), and the inverse of that frame at the start of
+  /// the run.
   struct PinCarrier {
     Carrier at;
     glm::dmat4 fromStart{1};

@@ -16,17 +16,18 @@ namespace {
 
 struct Springs {
   double energy = 0;   ///< elastic energy in J
-  double stretch = 0;  ///< maximum |d| / L0 of a structural spring
+  double stretch = 0;  ///< maximum strain |length - L0| / L0 of a structural spring with the rest length L0
 };
 
-/// Returns the maximum, or NaN if either is NaN; std::max and std::fmax would lose the NaN.
+/// Returns the maximum, or NaN if either argument is NaN; std::max and std::fmax would lose the NaN.
 double larger(double a, double b) {
   return std::isnan(a) || a >= b ? a : b;
 }
 
 /// Returns the stiffness (N/m) for each kind of spring. Springs that act as forces have the stiffnesses of
-/// the parameters. A constraint of compliance c stores C^2 / (2 c) (Macklin et al. 2016), so its stiffness
-/// is 1/c. A constraint of compliance 0 is rigid and stores nothing, so its entry is 0.
+/// the parameters. A constraint with the stretch C and the compliance c stores the energy C^2 / (2 c)
+/// (Macklin et al. 2016), so its stiffness is 1/c. A constraint with compliance 0 is rigid and stores no
+/// energy, so its entry is 0.
 std::array<double, 3> stiffnesses(const ClothParameters& p) {
   const double k = p.stiffness;
   if (!p.constrained()) return {k, k * p.shear, k * p.bend};
@@ -34,7 +35,7 @@ std::array<double, 3> stiffnesses(const ClothParameters& p) {
   return {inverse(p.compliance), inverse(p.shearCompliance), inverse(p.bendCompliance)};
 }
 
-/// Returns the area share of a row or column: 1/2 at a border, 1 inside.
+/// Returns the weight of a row or column in sums over the area: 1/2 at a border, 1 inside.
 double share(int line, int count) {
   return line == 0 || line == count - 1 ? 0.5 : 1.0;
 }
@@ -48,8 +49,9 @@ double linkStiffness(const ClothParameters& p, const SpringFamily& family, glm::
                              : fabric.warp * share(from.x, p.size.x);
 }
 
-/// Returns the bending energy of a plate in J: (D / 2 L^2) (sum |Dxx|^2 + |Dyy|^2 over inner nodes + 2 sum
-/// |Dxy|^2 over cells). The contribution of clamped borders is not included.
+/// Returns the bending energy of a plate in J: D / (2 L^2) (sum of |Dxx|^2 + |Dyy|^2 over inner nodes + 2
+/// sum of |Dxy|^2 over cells), with the stiffness D, the spacing L and the second differences Dxx, Dyy and
+/// Dxy of positions. Clamped borders contribute nothing here.
 double bendingEnergy(const ClothParameters& p, std::span<const glm::vec4> positions) {
   const auto at = [&](int x, int y) {
     return glm::dvec3(positions[static_cast<std::size_t>(y) * static_cast<std::size_t>(p.size.x) +
@@ -69,8 +71,8 @@ double bendingEnergy(const ClothParameters& p, std::span<const glm::vec4> positi
   return 0.5 * p.fabric->constants().bending / (static_cast<double>(p.spacing) * p.spacing) * sum;
 }
 
-/// Adds a family's energy E = sum 1/2 k (|d| - L0)^2 and, for structural springs, its maximum stretch to
-/// `sum`.
+/// Adds a family's energy E = sum 1/2 k (|d| - L0)^2 to `sum`, for springs with the vector d, the rest
+/// length L0 and the stiffness k. For structural springs also records the maximum stretch.
 void addFamily(const ClothParameters& p, const SpringFamily& family, double stiffness,
                std::span<const glm::vec4> positions, Springs& sum) {
   const glm::ivec2 size = p.size;
@@ -91,14 +93,14 @@ void addFamily(const ClothParameters& p, const SpringFamily& family, double stif
     }
 }
 
-/// Returns the compliance of a constraint in m/N: 1 / stiffness, or 0 if rigid.
+/// Returns the compliance of a constraint in m/N: 1 / stiffness, or 0 if the constraint is rigid.
 double complianceOf(const ClothParameters& p, const SpringFamily& family, double stiffness,
                     glm::ivec2 from) {
   if (p.fabric) return 1 / linkStiffness(p, family, from);
   return stiffness > 0 ? 1 / stiffness : 0;
 }
 
-/// Returns the minimum compliance of a line's links, as a ratio to their weights (see keptGive in
+/// Returns the minimum compliance of a line's links, as a ratio to the inverse masses (see keptGive in
 /// glsl/cloth/segment.glsl).
 double keptGive(std::span<const glm::vec4> line, double rest, double softening) {
   if (std::count_if(line.begin(), line.end(), [](const glm::vec4& p) { return p.w == 0; }) < 2) return 0;
@@ -109,8 +111,9 @@ double keptGive(std::span<const glm::vec4> line, double rest, double softening) 
                   least);
 }
 
-/// Returns the energy of softened constraints: 1/2 C^T B^-1 C for lines, with B = compliance + softening
-/// seconds^2 G W G^T, and 1/2 C^2 / b for pairs.
+/// Returns the energy of softened constraints with the stretches C: 1/2 C^T B^-1 C for lines, where B =
+/// compliance + softening seconds^2 G W G^T with the gradients G and the inverse masses W, and 1/2 C^2 / b
+/// for pairs, where b is the diagonal element of B.
 double keptEnergy(const ClothParameters& p, const SpringFamily& family, double stiffness,
                   std::span<const glm::vec4> positions, const Softness& softness) {
   const double restLength = p.spacing * std::hypot(family.reach.x, family.reach.y);
@@ -125,8 +128,8 @@ double keptEnergy(const ClothParameters& p, const SpringFamily& family, double s
   double energy = 0;
   for (int y = 0; y < p.size.y; ++y)
     for (int x = 0; x < p.size.x; ++x) {
-      // Solves all links of a line at once, starting at its first particle: Gaussian elimination without
-      // pivoting.
+      // All links of a line are solved together when the loop reaches its first particle, by Gaussian
+      // elimination without pivoting.
       if (line && (family.reach.x > 0 ? x : y) > 0) continue;
       double pivot = 1;
       double right = 0;
@@ -189,8 +192,9 @@ std::vector<glm::vec4> beforeHalf(std::span<const glm::vec4> positions,
   return before;
 }
 
-// A substep moves a particle by dt u + dt p / 18 + s with v' = u + p' and p' = p / 3 + s / h. Divided by
-// dt, the actual velocity is v' - p' / 3 - p / 6, which equals v' - p' / 2 if the trend is steady.
+// A substep moves a particle by dt u + dt p / 18 + s, where v' = u + p' and p' = p / 3 + s / h (symbols as
+// in glsl/cloth/motion.glsl). Divided by dt, the actual velocity is v' - p' / 3 - p / 6, which equals v' -
+// p' / 2 if the trend is steady.
 std::vector<glm::vec4> actualVelocities(std::span<const glm::vec4> positions,
                                         std::span<const glm::vec4> velocities,
                                         std::span<const glm::vec4> trends) {
@@ -220,7 +224,8 @@ std::vector<double> measureCloth(const ClothParameters& parameters, std::span<co
     const glm::dvec3 v(velocities[i]);
     const double squared = glm::dot(v, v);
     kinetic += 0.5 * mass * squared;                                  // kinetic energy T = 1/2 m v^2
-    potential -= mass * glm::dot(gravity, glm::dvec3(positions[i]));  // potential energy U = -m g.x
+    potential -= mass * glm::dot(gravity, glm::dvec3(positions[i]));  // potential energy U = -m g.x, where
+                                                                      // g is the gravity vector
     fastestSquared = larger(fastestSquared, squared);
   }
   Springs springs;

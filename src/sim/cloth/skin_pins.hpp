@@ -14,23 +14,23 @@ namespace simreel::sim {
 /// store their pin group there.
 inline constexpr float heldBySkinMark = -1.0F;
 
-/// Particles that follow points of a body's skin, in a straight line from the beginning to the end of a
-/// frame, as the skin itself does (glsl/cloth/hold.comp).
+/// Particles that follow points of a body's skin. Within a frame they move in a straight line, like the
+/// skin (glsl/cloth/hold.comp).
 class SkinPins {
  public:
-  /// Attaches the particles of skin pin groups to the skin. `owners`: pin group of each particle, or -1;
-  /// `rest`: positions at `startTime` in metres, world space.
+  /// Attaches to the skin those particles whose pin groups are held by a skin. `owners` holds the pin group
+  /// of each particle, or -1; `rest` holds the positions at `startTime` in world space, in metres.
   void attach(const std::vector<PinGroup>& groups, const std::vector<int>& owners,
               const std::vector<glm::vec3>& rest, const HeldBySkin& heldBySkin, double startTime);
   [[nodiscard]] int count() const { return static_cast<int>(particles_.size()); }
   [[nodiscard]] const std::vector<unsigned>& particles() const { return particles_; }
-  /// Returns two elements per particle for the frame from `begin` to `end` (seconds): the position at the
-  /// beginning (m) with the particle's index in w, then the position at the end.
+  /// Returns two elements per attached particle for the frame from `begin` to `end` (seconds): the position
+  /// at the beginning (metres) with the particle's index in w, then the position at the end.
   [[nodiscard]] std::vector<glm::vec4> frame(double begin, double end) const;
 
  private:
   std::vector<SkinHolder> holders_;
-  std::vector<unsigned> particles_;  ///< particle indices, grouped by holder
+  std::vector<unsigned> particles_;  ///< particle indices, grouped by SkinHolder
 };
 
 }  // namespace simreel::sim

@@ -6,7 +6,8 @@
 
 namespace simreel::sim {
 
-/// Inputs of glsl/cloth/thin_kernel.glsl: a part of the interface of every kernel that computes shifts.
+/// Part of a kernel interface: inputs of glsl/cloth/thin_kernel.glsl, used by every kernel that computes
+/// displacements by thin colliders.
 struct ThinPart {
   gl::Block<"StepBlock", shader::ClothStep> step;
   gl::In<"positions"> before;
@@ -17,17 +18,18 @@ struct ThinPart {
 
 struct ThinShift;
 
-/// Collisions with colliders thinner than the spacing of a cloth's mesh (glsl/cloth/thin.glsl). Edges and
-/// faces are tested, at the end of a substep, and the vertices are shifted.
+/// Collisions with colliders that are thinner than the spacing of a cloth's mesh (glsl/cloth/thin.glsl).
+/// Edges and faces are tested at the end of a substep, and their vertices are displaced.
 class ThinColliders {
  public:
   ThinColliders() = default;
-  /// Creates buffers for a cloth of `vertices` vertices; creates nothing if `count` (thin colliders) is 0.
+  /// Creates the buffers for a cloth of `vertices` vertices and `count` thin colliders; creates nothing if
+  /// `count` is 0.
   ThinColliders(const std::string& name, int count, int vertices, bool fast);
 
   [[nodiscard]] bool any() const { return any_; }
-  /// Resolves the collisions in several rounds: `find` dispatches the kernel that computes the shifts of
-  /// `next` and `velocities`, and move() applies them.
+  /// Resolves the collisions in several rounds. In each round, `find` dispatches the kernel that computes
+  /// the changes of `next` and `velocities`, and move() applies them.
   template <class Find>
   void resolveThin(const gl::Resource& step, const gl::Vec4Array& before, const gl::Vec4Array& next,
                    const gl::Vec4Array& velocities, const Find& find) const {

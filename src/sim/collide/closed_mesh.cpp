@@ -33,7 +33,7 @@ glm::dvec3 unitOf(const glm::dvec3& a) {
   return length > 0 ? a / length : glm::dvec3(0);
 }
 
-/// Returns atan(t) for t >= 0 without libm, so that every machine gives the same bits: halves the angle
+/// Returns atan(t) for t >= 0 without libm, so that every machine gives the same bits. Halves the angle
 /// twice, then evaluates the Taylor series.
 double arcTangent(double t) {
   if (t > 1) return 0.5 * std::numbers::pi - arcTangent(1 / t);
@@ -51,7 +51,7 @@ double angleBetween(const glm::dvec3& a, const glm::dvec3& b) {
   return whole > 0 ? 2 * arcTangent(across / whole) : across > 0 || along < 0 ? std::numbers::pi : 0;
 }
 
-/// Returns for each vertex the first one at the same position.
+/// Returns for each vertex the index of the first vertex at the same position.
 std::vector<unsigned> welded(const std::vector<glm::vec3>& points) {
   std::vector<unsigned> order(points.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -64,12 +64,12 @@ std::vector<unsigned> welded(const std::vector<glm::vec3>& points) {
   return first;
 }
 
-/// Directed side of a face from one vertex to another.
+/// Directed side of a face, from one vertex to another vertex.
 struct Side {
-  unsigned low, high;  ///< its vertices in ascending order
-  bool up;             ///< true: the side runs from low to high
+  unsigned low, high;  ///< the two vertices of the side in ascending order
+  bool up;             ///< true if the side runs from `low` to `high`
   unsigned face;
-  unsigned corner;  ///< index of the corner at which it begins
+  unsigned corner;  ///< index of the corner at which the side begins
 };
 
 std::vector<Side> sidesOf(const std::vector<Corners>& faces) {
@@ -134,7 +134,7 @@ ClosedMesh::ClosedMesh(const std::string& name, const Mesh& mesh, float scale) {
   const std::vector<Side> sides = sidesOf(corners);
   checkSides(name, sides, points);
   low = high = glm::dvec3(points[corners.front()[0]]);
-  std::vector<glm::dvec3> ofFaces;  // normals of faces, twice as long as the face's area
+  std::vector<glm::dvec3> ofFaces;  // face normals whose length is twice the area of the face
   for (const Corners& face : corners) {
     const glm::dvec3 a(points[face[0]]);
     const glm::dvec3 b(points[face[1]]);
@@ -166,7 +166,7 @@ ClosedMesh::ClosedMesh(const std::string& name, const Mesh& mesh, float scale) {
     ofEdges[sides[i + 1].face][sides[i + 1].corner] = both;
   }
   for (std::size_t f = 0; f < corners.size(); ++f) {
-    if (ofFaces[f] == glm::dvec3(0)) continue;  // degenerate; neighbours cover its edges
+    if (ofFaces[f] == glm::dvec3(0)) continue;  // the face is degenerate; its neighbours cover its edges
     Face& face = faces.emplace_back();
     face.normals[0] = glm::vec3(ofFaces[f]);
     for (std::size_t k = 0; k < 3; ++k) {

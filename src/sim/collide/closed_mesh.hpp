@@ -13,14 +13,14 @@ namespace simreel::sim {
 /// Mesh that encloses a volume, so that inside and outside are defined everywhere.
 class ClosedMesh {
  public:
-  /// Multiplies positions by `scale` and merges equal ones. Flips a mesh that is inside out. Throws
-  /// UserError(usage), naming `name`, unless each edge has exactly two consistently oriented faces and the
-  /// mesh encloses a volume.
+  /// Multiplies positions by `scale` and merges equal positions. Flips a mesh whose faces point inwards.
+  /// Throws UserError(usage), naming `name`, unless each edge has exactly two consistently oriented faces
+  /// and the mesh encloses a volume.
   ClosedMesh(const std::string& name, const Mesh& mesh, float scale);
 
-  /// Face with a nonzero area: its corners (m) and seven unit normals: of the face, of the edges ab, bc and
-  /// ca (sum of both faces' normals), and of the corners (sum over the surrounding faces, weighted by
-  /// angle).
+  /// Face with a nonzero area: its corners (metres) and seven unit normals. They are the normals of the
+  /// face, of the edges ab, bc and ca (sums of both faces' normals), and of the corners (sums over the
+  /// surrounding faces, weighted by angle).
   struct Face {
     std::array<glm::vec3, 3> corners;
     std::array<glm::vec3, 7> normals;

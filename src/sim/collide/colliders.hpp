@@ -12,21 +12,23 @@ namespace simreel::shader {
 
 namespace simreel::sim {
 
-/// Returns the fraction of a quantity that remains after `seconds` of exponential decay at `rate` (1/s).
+/// Returns the fraction of a quantity that remains after an exponential decay at `rate` (1/s) over
+/// `seconds`.
 [[nodiscard]] float keptOf(float rate, double seconds);
 
-/// Computes the colliders' data for each substep; the CPU references share it.
+/// Computes the colliders' data for each substep. The CPU references use it, too.
 class ColliderPlan {
  public:
-  /// Throws UserError(usage) if there are more shapes than the kernels support; `who` ("a cloth") appears
-  /// in the message.
+  /// Throws UserError(usage) if there are more shapes than the kernels support. `who` (such as "a cloth")
+  /// appears in the message.
   ColliderPlan(const char* who, std::vector<ColliderShape> shapes, int substeps, double substepSeconds);
 
   [[nodiscard]] int count() const { return static_cast<int>(shapes_.size()); }
-  /// True if the shape, including a margin of `margin` (m) around it, could pass between vertices `edge`
-  /// (m) apart: a rod thinner than that, or a sphere that fits between four vertices.
+  /// Returns true if the shape, enlarged by `margin` (metres), could pass between vertices that are `edge`
+  /// (metres) apart. That is so for a rod thinner than `edge` and for a sphere that fits between four
+  /// vertices.
   static bool isThin(const ColliderShape& shape, double edge, double margin);
-  /// Moves the thin shapes (see isThin()) to the end. Returns their number.
+  /// Moves the thin shapes (see isThin()) to the end of the list. Returns the number of thin shapes.
   int putThinLast(double edge, double margin);
   /// Returns the colliders at the end of each substep of the frame that starts at `time` (seconds), count()
   /// per substep.

@@ -13,7 +13,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Inputs that the kernels share (glsl/collide/distance/kernel.glsl).
+/// Part of a kernel interface: inputs common to the kernels (glsl/collide/distance/kernel.glsl).
 struct DistancePart {
   gl::Uniform<"nodes", glm::ivec4> nodes;
   gl::Uniform<"corner", glm::vec4> corner;
@@ -45,7 +45,7 @@ struct DistancePack {
 };
 
 constexpr int roundsOfSearch = 4096;  // number of search iterations per dispatch, each with up to leafFaces
-                                      // inner iterations
+                                      // iterations of an inner loop
 
 void checkSize(const char* what, std::size_t elements, const char* advice) {
   const std::int64_t most = std::min(gl::limits().storageBlockBytes / 16, gl::limits().texelBufferTexels);

@@ -14,7 +14,7 @@ class DistanceFields {
   explicit DistanceFields(MeshColliderPlan plan);
 
   [[nodiscard]] const MeshColliderPlan& plan() const { return plan_; }
-  /// Returns the cells of all fields, one per element, as glsl/collide/field_model.glsl reads them.
+  /// Returns the cells of all fields, one cell per element, as glsl/collide/field_model.glsl reads them.
   [[nodiscard]] const gl::WordsArray& cells() const { return cells_; }
 
  private:

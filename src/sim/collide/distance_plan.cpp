@@ -24,10 +24,11 @@ namespace {
 constexpr int usualCells = 64;
 constexpr int mostUsualCells = 256;
 constexpr std::int64_t mostUsual = 2'000'000;
-constexpr std::int64_t mostNodes = 4'000'000;  // limit within the range of a dispatch of workgroups of 64
+constexpr std::int64_t mostNodes = 4'000'000;  // limited because a dispatch has a maximum number of
+                                               // workgroups of 64
 
 /// Returns the number of cells along each axis for a mesh with `along` cells along its longest side,
-/// including the surrounding space.
+/// including the cells in the space around it.
 glm::ivec3 cellsFor(const glm::dvec3& size, int along, double reach) {
   const double cell = std::max({size.x, size.y, size.z}) / along;
   const auto count = [&](double side) {
@@ -80,11 +81,12 @@ namespace {
 
 using FaceRange = std::pair<std::size_t, std::size_t>;
 
-/// Orders the faces by a tree of boxes. Each box's faces are split at the median along the longest side of
-/// their centroids' bounds. Returns the range of faces of each box, in breadth-first order from 1.
+/// Orders the faces by a tree of boxes. The faces of each box are split at the median along the longest
+/// side of their centroids' bounding box. Returns the range of faces of each box; the boxes are numbered in
+/// breadth-first order from 1.
 std::vector<FaceRange> splitFaces(const std::vector<ClosedMesh::Face>& from, std::size_t leaves,
                                   std::vector<unsigned>& order) {
-  std::vector<glm::vec3> middles;  // sums of the corners: three times the centroids
+  std::vector<glm::vec3> middles;  // sum of each face's corners, which is three times its centroid
   middles.reserve(from.size());
   for (const ClosedMesh::Face& f : from) middles.push_back(f.corners[0] + f.corners[1] + f.corners[2]);
   std::vector<FaceRange> ranges(2 * leaves);

@@ -13,9 +13,9 @@ namespace simreel::sim {
 
 namespace {
 
-/// Position and orientation of a part; the field already includes the scale.
+/// Position and orientation of a part. The scale is already included in the distance field.
 struct Placed {
-  glm::dvec3 axes[3];  ///< unit axes of its own space
+  glm::dvec3 axes[3];  ///< unit axes of the part's local space
   glm::dvec3 origin;
 };
 

@@ -13,19 +13,19 @@ namespace simreel::shader {
 
 namespace simreel::sim {
 
-/// Distance fields and motion of a scene's rigid meshes that collide; the CPU references share them.
+/// Distance fields and motion of a scene's rigid meshes that collide. The CPU references use it, too.
 class MeshColliderPlan {
  public:
   struct Part {
     std::string name;
     MeshParameters parameters;
     DistancePlan plan;
-    int firstCell = 0;  ///< index of its first cell among the cells of all parts
+    int firstCell = 0;  ///< index of the part's first cell among the cells of all parts
   };
 
   MeshColliderPlan() = default;
-  /// Reads the meshes' files. The fields extend `reach` (m) around the meshes. Throws the errors of
-  /// DistancePlan and loadMesh(), and UserError(usage) for more meshes than the kernels support.
+  /// Reads the files of the meshes. The fields extend beyond the meshes by `reach` (metres). Throws the
+  /// errors of DistancePlan and loadMesh(), and UserError(usage) for more meshes than the kernels support.
   MeshColliderPlan(const scene::Scene& scene, double reach);
 
   [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
@@ -43,7 +43,8 @@ class MeshColliderPlan {
 /// Parameters of objects that collide with rigid meshes.
 struct TouchesMeshes {
   virtual ~TouchesMeshes() = default;
-  /// Returns the distance (m) to keep from meshes; negative: the object does not collide with them.
+  /// Returns the distance (metres) that the object keeps from meshes; negative if it does not collide with
+  /// them.
   [[nodiscard]] virtual double touchMargin() const = 0;
 
  protected:
@@ -54,7 +55,7 @@ struct TouchesMeshes {
   TouchesMeshes& operator=(TouchesMeshes&&) = default;
 };
 
-/// Returns the maximum touchMargin() in metres of the scene's objects; negative if no object collides with
+/// Returns the maximum touchMargin() of the scene's objects in metres; negative if no object collides with
 /// meshes.
 [[nodiscard]] double meshReach(const scene::Scene& scene);
 

@@ -24,7 +24,7 @@ namespace simreel::sim {
 namespace {
 
 constexpr int rampCells = 256;
-constexpr int mostUnnamed = 16;  // max number of categories shown without labels
+constexpr int mostUnnamed = 16;  // maximum number of categories that are shown without labels
 
 std::string headingOf(const ColorBarParameters& parameters) {
   return parameters.unit.empty() ? parameters.title
@@ -43,10 +43,10 @@ void checkBar(const scene::Object& object, const Setting& /*setting*/) {
   }
 }
 
-/// Polygons in units of a capital's height; x to the right and y up, from the bar's top left corner.
+/// Polygons relative to the bar's top left corner, in units of the cap height; x points right and y up.
 using Outlines = std::vector<std::vector<glm::vec2>>;
 
-/// Bar of colours with ticks and numbers, drawn over the picture. It has no state.
+/// Colour bar with ticks and numbers, drawn over the picture. It has no state.
 class ColorBar : public Simulation {
  public:
   ColorBar(const scene::Object& object, const Setting& setting)
@@ -92,7 +92,7 @@ class ColorBar : public Simulation {
     return made;
   }
 
-  /// Makes ramp, ticks and panel for the current scale.
+  /// Creates ramp, ticks and panel for the current scale.
   void make() const {
     made_ = {scale_.range, scale_.colors.size()};
     const std::vector<float> colors = shown();
@@ -125,7 +125,8 @@ class ColorBar : public Simulation {
     if (!scale_.categories) return {};
     std::vector<BarLabel> all = parameters_.labels;
     const auto& classes = scale_.classes;
-    // Words without values name the classes of the field, if there are as many.
+    // If the words have no values, they name the classes of the field, provided that there are equally
+    // many.
     if (all.empty())
       for (const auto& [value, name] : classes) all.push_back({name, static_cast<double>(value)});
     else if (all.size() == classes.size())
@@ -177,10 +178,10 @@ class ColorBar : public Simulation {
     }
   }
 
-  /// Writes title, ticks and numbers, and lays the panel around them and the bar.
+  /// Adds title, ticks and numbers, and puts the panel around them and the bar.
   void write() const {
     constexpr float tick = 0.45F, gap = 0.35F, thin = 0.06F;
-    // Size of the bar in heights of a capital.
+    // Size of the bar in units of the cap height.
     const glm::vec2 bar(parameters_.extent.x * aspect_ / parameters_.height,
                         parameters_.extent.y / parameters_.height);
     const bool across = parameters_.horizontal;
@@ -208,7 +209,8 @@ class ColorBar : public Simulation {
     const glm::vec2 unit(parameters_.height / aspect_, parameters_.height);
     low -= margin;
     high += margin;
-    constexpr float border = 0.985F;  // of the picture, for a bar without a corner
+    constexpr float border = 0.985F;  // maximum position of the panel's right and bottom ends, as a
+                                      // fraction of the picture, for a bar without a given corner
     corner_ = parameters_.corner;
     if (!parameters_.placed) {
       corner_.x = std::min(corner_.x, border - high.x * unit.x);

@@ -11,13 +11,13 @@
 
 namespace simreel::sim {
 
-/// Mark beside a colour bar.
+/// Tick of a colour bar.
 struct BarTick {
   double at;         ///< position along the bar, 0 to 1
   std::string text;  ///< label
 };
 
-/// Word for a category.
+/// Word that labels a category.
 struct BarLabel {
   std::string text;
   double value = 0;     ///< value, or index of the category
@@ -29,15 +29,17 @@ struct ColorBarParameters : ObjectParameters {
   std::string of;                ///< name of a field or of particles, OBJECT or OBJECT.PART
   std::string title;             ///< text above the bar
   std::string unit;              ///< appended to the title in parentheses
-  std::vector<BarLabel> labels;  ///< words in place of numbers; empty: numbers, or all categories
+  std::vector<BarLabel> labels;  ///< words shown in place of numbers; if empty, numbers or all categories
+                                 ///< are shown
   int ticks = 5;                 ///< approximate number of ticks
   bool horizontal = false;
-  bool placed = false;  ///< true if the scene gives the corner; else the bar moves to stay in the picture
+  bool placed = false;  ///< true if the scene gives the corner; otherwise the bar is moved so that it stays
+                        ///< in the picture
   glm::vec3 corner{0.88F, 0.22F, 0};  ///< top left corner of the bar, as fractions of the picture
   glm::vec3 extent{0.02F, 0.56F, 0};  ///< width and height of the bar, as fractions of the picture
   float height = 0.02F;               ///< height of capitals, as a fraction of the picture's height
   glm::vec3 color{1};                 ///< colour of text and ticks, linear RGB
-  std::filesystem::path font;         ///< font file; empty: the bundled font
+  std::filesystem::path font;         ///< font file; if empty, the bundled font
   float backdrop = 0.45F;             ///< opacity of the dark panel behind the bar
 
   void describe(scene::Fields& fields) override;
@@ -46,8 +48,8 @@ struct ColorBarParameters : ObjectParameters {
   [[nodiscard]] const char* drawnWith() const override { return "its \"color\""; }
 };
 
-/// Returns ticks at round numbers (1, 2 or 5 times a power of ten apart) within a range, about `count` of
-/// them. The ends of the range may be in any order.
+/// Returns about `count` ticks at round numbers within a range. Their distance is 1, 2 or 5 times a power
+/// of ten. The ends of the range may be in any order.
 [[nodiscard]] std::vector<BarTick> barTicks(double first, double last, int count);
 
 }  // namespace simreel::sim

@@ -53,8 +53,8 @@ Contact::Contact(ContactPlan plan, int substeps, bool fast) : plan_(std::move(pl
   control_ = gl::Buffer("contact control",
                         4 * at::countWords + std::size_t{16} * (at::levelDispatch + at::maxLevels));
   steps_ = StepBlocks<shader::ContactStep>("contact steps", substeps);
-  allocate(
-      std::max(2 * plan_.vertices(), 1 << 15));  // Initial capacity; it grows with the number of pairs.
+  allocate(std::max(2 * plan_.vertices(), 1 << 15));  // Initial capacity of the pair list, which grows with
+                                                      // the number of pairs.
   makeKernels(fast);
 }
 
@@ -140,8 +140,8 @@ bool Contact::endFrame() {
         "cloths in contact: a search for what is near took too long, so much is crumpled in one place; use "
         "more substeps or slower motion");
   const bool enough = most <= static_cast<unsigned>(maxPairs_);
-  // Enlarges the list to twice the needed size before it is full, because a frame seldom needs twice as
-  // many pairs as the previous one.
+  // Keeps the capacity at twice the number of pairs or more, because a frame seldom needs twice as many
+  // pairs as the previous one.
   int wanted = maxPairs_;
   while (most > static_cast<unsigned>(wanted / 2)) wanted *= 2;
   if (wanted > maxPairs_) {
@@ -172,7 +172,7 @@ void Contact::fit(const ContactShared& shared) const {
   struct Fitting {
     const Tree* tree;
     int dispatch;
-    int levels;  ///< Number of tree levels that remain to be refitted.
+    int levels;  ///< Number of tree levels whose boxes are still to be recomputed.
   };
   Fitting fittings[] = {{&faces_, at::faceDispatch, faces_.levels},
                         {&edges_, at::edgeDispatch, edges_.levels}};
@@ -231,8 +231,8 @@ void Contact::forParts(std::span<const Part> parts, const Run& run) const {
   }
 }
 
-/// Computes the positions to which vertices can be held back: their start, displaced by moving solids and,
-/// over carryRounds rounds, by the cloth that solids push.
+/// Computes the positions to which vertices can be held back: their positions at the start, displaced by
+/// moving solids and, in carryRounds rounds, by cloth that solids push.
 void Contact::carry(const ContactShared& shared) const {
   if (plan_.movable() == plan_.vertices()) return;
   for (int round = 0; round <= ContactPlan::carryRounds; ++round) {

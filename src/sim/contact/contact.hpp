@@ -10,39 +10,39 @@
 
 namespace simreel::sim {
 
-/// Contact of cloths with themselves, each other, and solids on the GPU (glsl/contact), between the cloths'
-/// own substeps. Impulses keep faces and edges apart by the cloths' thickness; where forces are too strong
-/// for that, motion is shortened, so that features that are apart at the start never pass through each
-/// other. Pinned vertices and solids follow their own motion, and cloths give way. Impulses are integer
-/// sums and motions are shortened by minima, so the order in which pairs are found does not affect the
-/// result and its bits are the same on every machine.
+/// Contact of cloths with themselves, with each other and with solids on the GPU (glsl/contact), computed
+/// between the substeps of the cloths. Impulses keep faces and edges apart by the thickness of the cloths.
+/// Where other forces are stronger, the path of a vertex is shortened, so that two features that do not
+/// intersect at the start never pass through each other. Pinned vertices and solids follow their prescribed
+/// motion, and the cloths yield. Impulses are summed as integers and the allowed fractions of paths are
+/// combined by minima. The order in which pairs are found therefore does not affect the result, and its
+/// bits are the same on every machine.
 class Contact {
  public:
-  /// Arrays of one simulation, in the order of the plan's parts. For a solid only the positions are read
-  /// and nothing is written; its other pointers may be null.
+  /// Arrays of one simulation, in the order of the plan's parts. For a solid, only the positions are read
+  /// and nothing is written; the pointers to other arrays may be null.
   struct Part {
     const gl::Vec4Array* now;  ///< Positions at the substep's start: xyz in metres, w inverse mass in 1/kg.
     const gl::Vec4Array*
         next;  ///< Predicted positions at the substep's end; contact corrects them in place.
-    const gl::Vec4Array* velocities;  ///< Velocities in m/s, updated to match `next`.
-    const gl::Vec4Array* trends =
-        nullptr;  ///< Additional state that restore() resets as well; may be null.
+    const gl::Vec4Array* velocities;        ///< Velocities in m/s, updated to match `next`.
+    const gl::Vec4Array* trends = nullptr;  ///< Additional state that restore() also resets; may be null.
   };
 
   Contact(ContactPlan plan, int substeps, bool fast);
 
   void beginFrame(std::span<const Part> parts);
-  /// Waits for the device. Returns false if there were more near pairs than memory for them; the memory is
-  /// then enlarged, and the frame's substeps must be repeated after restore(). Throws UserError(device) if
-  /// the device cannot provide that memory.
+  /// Waits for the GPU. Returns false if there was not enough memory for all near pairs; the memory is then
+  /// enlarged, and the frame's substeps must be repeated after restore(). Throws UserError(device) if the
+  /// GPU cannot provide that memory.
   bool endFrame();
   /// Resets `now`, `velocities` and `trends` to their contents at beginFrame().
   void restore(std::span<const Part> parts) const { copySaved(parts, false); }
-  /// Applies contact impulses to `next`; call after the dispatches that predicted `next`. `index`:
+  /// Applies contact impulses to `next`. Call it after the dispatches that predict `next`. `index` is the
   /// zero-based substep of the frame.
   void push(int index, std::span<const Part> parts);
-  /// Shortens motions that would pass through other features; call after push() and after colliders moved
-  /// `next` again.
+  /// Shortens the paths of vertices that would pass through other features. Call it after push() and after
+  /// the colliders have changed `next`.
   void hold(int index, std::span<const Part> parts);
 
  private:
@@ -56,12 +56,12 @@ class Contact {
     gl::Vec4Array boxes;
   };
   void search(const ContactShared& shared) const;
-  /// Refits the bounding boxes of both trees.
+  /// Recomputes the bounding boxes of both trees.
   void fit(const ContactShared& shared) const;
   void carry(const ContactShared& shared) const;
   [[nodiscard]] ContactShared shared(int index) const;
   [[nodiscard]] ContactNearList nearList() const;
-  /// Calls `run` with each part, its range, and its number of vertices.
+  /// Calls `run` for each part with the part, its ContactRange, and its number of vertices.
   template <class Run>
   void forParts(std::span<const Part> parts, const Run& run) const;
   [[nodiscard]] std::span<const Part> cloths(std::span<const Part> parts) const;
@@ -75,9 +75,10 @@ class Contact {
   gl::Vec4Array points_, nears_;
   gl::WordsArray candidates_, pairs_, corners_, tallies_;
   gl::Buffer control_;
-  std::vector<gl::Buffer> saved_;  ///< For each part: `now`, `velocities` and `trends`.
+  std::vector<gl::Buffer> saved_;  ///< Copies of `now`, `velocities` and `trends` of each part.
   StepBlocks<shader::ContactStep> steps_;
-  gl::Kernel<ContactRefit> refit_[3];  ///< Kernels that refit one, two and three levels at once.
+  gl::Kernel<ContactRefit> refit_[3];  ///< Kernels that recompute one, two and three levels of boxes at
+                                       ///< once.
   gl::Kernel<ContactGather> gather_;
   gl::Kernel<ContactPlain<"contact/begin.comp">> begin_;
   gl::Kernel<ContactPlain<"contact/reach.comp">> reach_;

@@ -7,9 +7,9 @@
 
 namespace simreel::sim {
 
-/// Returns the number of intersections of an edge with a face that does not contain a corner of the edge,
-/// computed in float64; intersections between solids are not counted. `positions`: all parts of the plan,
-/// one after the other.
+/// Returns the number of intersections between an edge and a face that have no corner in common, computed
+/// in float64. Intersections between solids are not counted. `positions` holds all parts of the plan, one
+/// after another.
 [[nodiscard]] long crossingsOf(const ContactPlan& plan, std::span<const glm::vec4> positions);
 
 }  // namespace simreel::sim

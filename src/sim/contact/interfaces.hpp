@@ -5,37 +5,37 @@
 /// Interfaces of the contact kernels (glsl/contact).
 namespace simreel::sim {
 
-/// Interface part for the members of glsl/contact/kernel.glsl.
+/// Part of a kernel interface: members of glsl/contact/kernel.glsl.
 struct ContactShared {
   gl::Block<"StepBlock", shader::ContactStep> step;
   gl::InOut<"points"> points;
   gl::InOut<"ControlBlock"> control;
 };
-/// Interface part for the members of glsl/contact/near_list.glsl.
+/// Part of a kernel interface: members of glsl/contact/near_list.glsl.
 struct ContactNearList {
   gl::In<"corners"> corners;
   gl::InOut<"nears"> nears;
   gl::InOut<"TallyBlock"> tallies;
   gl::In<"told"> told;  // Texel view of the tallies.
 };
-/// Range of a part's vertices among all vertices.
+/// Index range of a part's vertices among all vertices.
 struct ContactRange {
   gl::Uniform<"first", int> first;
   gl::Uniform<"count", int> count;
 };
-/// Kind of pairs: edges with edges, or vertices with faces.
+/// Selects the kind of pairs: edge-edge or vertex-face.
 struct ContactPairs {
   gl::Flag<"EDGES"> edges;
 };
 
-/// Kernel that accesses only the shared memory of ContactShared.
+/// Interface of a kernel that accesses only the memory in ContactShared.
 template <gl::Name path>
 struct ContactPlain {
   static constexpr auto file = path.text;
   ContactShared shared;
 };
 
-/// Kernel with one invocation per near pair.
+/// Interface of a kernel with one invocation per near pair.
 template <gl::Name path>
 struct ContactNears {
   static constexpr auto file = path.text;

@@ -89,8 +89,8 @@ void ContactGroup::step(double time, const Watch& watch) {
   for (LockStep* member : members_) member->beginFrame(time);
   substeps({});
   bool enough = contact_.endFrame();
-  while (!enough || watch) {  // Repeats the frame until memory suffices; the watch is called only in a
-                              // repetition that has enough memory.
+  while (!enough || watch) {  // Repeats the frame until the memory suffices. `watch` is called only in a
+                              // last repetition for which the memory suffices.
     contact_.restore(parts());
     for (LockStep* member : members_) member->restored();
     substeps(enough ? watch : Watch());

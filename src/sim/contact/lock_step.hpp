@@ -10,7 +10,7 @@
 
 namespace simreel::sim {
 
-/// Simulation whose substeps run in lock step with the simulations that it touches,
+/// Simulation that takes each substep together with the simulations that it touches,
 /// Simulation::stepsPerFrame() substeps per frame.
 class LockStep {
  public:
@@ -20,9 +20,9 @@ class LockStep {
   /// Returns the contact surface in the initial state.
   [[nodiscard]] virtual ContactPart contactPart() const = 0;
   virtual void beginFrame(double time) = 0;
-  /// Computes the positions that the particles would reach without contact.
+  /// Computes the positions that the vertices would reach in the substep without contact.
   virtual void predict(int substep) = 0;
-  /// Called after predict() and contact; moves particles that contact has pushed out of colliders again.
+  /// Called after predict() and contact. Moves vertices that contact has pushed into colliders out again.
   virtual void settle(int substep) = 0;
   /// Returns the arrays for contact; valid between predict() and finish().
   [[nodiscard]] virtual Contact::Part arrays() const = 0;
@@ -32,21 +32,21 @@ class LockStep {
   virtual void restored() {}
 };
 
-/// Port of cloths that particles can collide with by name. It has no outlet; the cloth and the particles
-/// both join LockStep.
+/// Port of cloths that particles can collide with by name. It has no outlet, because the cloth and the
+/// particles both join LockStep.
 struct ContactCloth {
   static const PortInfo port;
 };
 
-/// Group of simulations in lock step, with their contact with each other and with solids.
+/// Group of simulations in lock step, with the contact between them and with solids.
 class ContactGroup final : public StepGroup {
  public:
-  /// `members` and `solids` must outlive the group. `members` (particles last) take `substeps` per frame; a
-  /// frame lasts `frameSeconds`.
+  /// `members` and `solids` must outlive the group. `members` take `substeps` substeps per frame of
+  /// `frameSeconds` seconds; particles must be the last members.
   ContactGroup(std::vector<LockStep*> members, std::vector<ContactSolid*> solids, int substeps,
                double frameSeconds, bool fast);
-  /// Advances all members by the frame that starts at `time`. The solids must have stepped this frame
-  /// already.
+  /// Advances all members by the frame that starts at `time`. The solids must already have stepped this
+  /// frame.
   void step(double time, const Watch& watch) override;
 
  private:

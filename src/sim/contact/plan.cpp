@@ -16,7 +16,7 @@ namespace {
 
 constexpr int maxLevels = 24;
 
-/// Spreads the ten lowest bits of `x` to every third bit of the result.
+/// Moves bit i of the ten lowest bits of `x` to bit 3 i of the result.
 std::uint32_t spread(std::uint32_t x) {
   x = (x | (x << 16U)) & 0x030000ffU;
   x = (x | (x << 8U)) & 0x0300f00fU;
@@ -117,7 +117,7 @@ Leaves bothHalves(std::span<const ContactPart> parts, const std::vector<int>& fi
 
 ContactPlan::ContactPlan(std::span<const ContactPart> parts, double substepSeconds)
     : substepSeconds_(substepSeconds) {
-  float lightest = 0;  // Minimum inverse mass of all cloth vertices that are not held.
+  float lightest = 0;  // Minimum inverse mass of all cloth vertices that are not pinned.
   float thickest = 0, heaviestBall = 0;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const ContactPart& part = parts[k];
@@ -148,9 +148,9 @@ ContactPlan::ContactPlan(std::span<const ContactPart> parts, double substepSecon
     }
     movable_ = balls_ = vertices();
   }
-  // The fixed-point unit of impulses moves the heaviest vertex by 2^-30 m: three decimal digits below the
-  // float resolution near 1 m, with a range of 2 m. A particle counts with an eighth of its mass, because
-  // it seldom moves far in a substep.
+  // One fixed-point unit of impulse moves the heaviest vertex by 2^-30 m, which is three decimal digits
+  // below the float resolution near 1 m; the sums then have a range of 2 m. A particle counts with an
+  // eighth of its mass, because it seldom moves far in a substep.
   const float heaviest = std::max(lightest > 0 ? 1.0F / lightest : 0, 0.125F * heaviestBall);
   quanta_ = 1.0F;
   while (heaviest > 0 && quanta_ * heaviest < 0x1p30F) quanta_ *= 2;
@@ -171,12 +171,12 @@ shader::ContactStep ContactPlan::step(bool first, int maxPairs) const {
   step.perDt = static_cast<float>(1.0 / substepSeconds_);
   step.recovery = 0.2F;
   step.mostRecovery = static_cast<float>(
-      0.3 * substepSeconds_);  // Limits the speed at which overlaps are resolved to 0.3 m/s.
+      0.3 * substepSeconds_);  // Limits the speed at which overlaps are removed to 0.3 m/s.
   step.horizon = 8.0F;
   step.quanta = quanta_;
   step.perQuanta = 1.0F / quanta_;
   step.bounceFrom =
-      static_cast<float>(0.1 * substepSeconds_);  // Impacts bounce from a speed of 0.1 m/s on.
+      static_cast<float>(0.1 * substepSeconds_);  // Impacts bounce if their speed is at least 0.1 m/s.
   step.vertices = vertices();
   step.movable = movable_;
   step.balls = balls_;

@@ -8,14 +8,14 @@ namespace simreel::sim {
 
 namespace {
 
-// Colour indices of a class, as in glsl/contour/vertices.glsl.
+// Number of colours per class, and index of a class's face colour, as in glsl/contour/vertices.glsl.
 constexpr int classColors = 5;
 constexpr int faceColor = 0;
 constexpr int wallFootColor = 3;
 constexpr int wallTopColor = 4;
 
-/// Returns the border samples in counterclockwise order seen from above, starting at (0, 0) and first going
-/// down the left side.
+/// Returns the samples at the border, counterclockwise as seen from above, starting at (0, 0) and first
+/// along the left side.
 std::vector<glm::ivec2> ringOf(glm::ivec2 samples) {
   const glm::ivec2 end = samples - 1;
   std::vector<glm::ivec2> ring;

@@ -9,18 +9,19 @@ namespace simreel::sim {
 
 struct SolidShape;
 
-/// Constant part of a solid, independent of its field: sides and bottom, and the roof if there is a
-/// ceiling. Its vertices follow the samples' vertices.
+/// Part of a solid that does not depend on its field: sides and bottom, and the roof if there is a ceiling.
+/// In the vertex buffer, its vertices follow those of the samples.
 struct SolidBorder {
   std::vector<glm::vec4> positions;  ///< Vertex positions in xyz, colour index in w.
   std::vector<glm::vec4> normals;
   std::vector<unsigned> indices;  ///< Triangle indices; their number is even.
 };
-/// Builds the border. `heights`: height of each class; `firstVertex`: index of the border's first vertex.
+/// Builds the border. `heights` are the heights of the classes; `firstVertex` is the index of the border's
+/// first vertex.
 [[nodiscard]] SolidBorder solidBorder(const SolidShape& shape, const std::vector<float>& heights,
                                       unsigned firstVertex);
 
-/// Returns x and z (metres) of sample (0, 0), one sample before the field's first cell.
+/// Returns x and z (metres) of sample (0, 0), which is one sample before the field's first cell.
 [[nodiscard]] glm::vec2 solidCorner(const SolidShape& shape);
 
 }  // namespace simreel::sim

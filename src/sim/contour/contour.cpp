@@ -18,8 +18,8 @@ namespace {
 
 constexpr int maxImageSide = 16384;
 
-/// Returns the palette: five shades per class. A face beside a rising wall is darkened, because it lies in
-/// the wall's shadow.
+/// Returns the palette with five shades per class. A face beside a wall that rises from it is darkened,
+/// because it is in the wall's shadow.
 std::vector<glm::vec4> contourPalette(const std::vector<glm::vec3>& classes) {
   std::vector<glm::vec4> colors;
   for (const glm::vec3& color : classes)
@@ -27,7 +27,7 @@ std::vector<glm::vec4> contourPalette(const std::vector<glm::vec3>& classes) {
   return colors;
 }
 
-/// Picture presented as a field of floats, 0 to 1.
+/// Image that is used as a field of floats between 0 and 1.
 class ImageField {
  public:
   ImageField(const std::string& name, const std::filesystem::path& file) {

@@ -3,7 +3,8 @@
 
 namespace simreel::sim {
 
-/// Returns the kind "contour": a field or a picture as a terraced solid, rebuilt every frame.
+/// Returns the kind "contour", which shows a field or an image as a terraced solid that is rebuilt in every
+/// frame.
 [[nodiscard]] SimulationKind contourKind();
 
 }  // namespace simreel::sim

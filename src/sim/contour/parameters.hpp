@@ -15,7 +15,8 @@ namespace simreel::sim {
 /// Scene parameters of a contour: a field shown as a terraced solid.
 struct ContourParameters final : ObjectParameters {
   std::string field;            ///< Name of the object whose field is shown.
-  std::filesystem::path image;  ///< Picture used instead of a field; levels 0 to 255 map to 0 to 1.
+  std::filesystem::path image;  ///< Image used instead of a field; its levels 0 to 255 become values 0 to
+                                ///< 1.
   int levels = 8;
   std::optional<double> low, high;       ///< Field values of the first and the last contour level.
   glm::vec3 position{0, -1.3F, 0};       ///< Centre of the lowest face in metres.
@@ -28,16 +29,16 @@ struct ContourParameters final : ObjectParameters {
 
   void describe(scene::Fields& fields) override;
   void ports(Ports& ports) const override;
-  /// Returns the box for the default camera. The depth depends on the field and is assumed to equal the
-  /// width.
+  /// Returns the bounding box for the default camera. The depth depends on the field and is assumed to
+  /// equal the width.
   [[nodiscard]] std::optional<scene::Box> framed() const override;
 
   /// Returns the solid's shape for a field, with the heights at `time` (seconds). Levels that are not given
-  /// are derived from the field's range of values. Throws UserError(usage) if the resulting levels are not
-  /// ascending.
+  /// are derived from the range of the field's values. Throws UserError(usage) if the resulting levels are
+  /// not ascending.
   [[nodiscard]] SolidShape shape(const Field& field, double time) const;
   [[nodiscard]] std::vector<float> heightsAt(double time) const;
-  /// Returns the linear RGB colour of each class, lowest first.
+  /// Returns the linear RGB colour of each class, starting with the lowest class.
   [[nodiscard]] std::vector<glm::vec3> colors() const;
 };
 

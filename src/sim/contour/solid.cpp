@@ -12,7 +12,7 @@
 
 namespace simreel::sim {
 
-/// Interface part for the members of glsl/contour/vertices.glsl.
+/// Part of a kernel interface: members of glsl/contour/vertices.glsl.
 struct SolidVertices {
   gl::Uniform<"corner", glm::vec2> corner;
   gl::Uniform<"spacing", float> spacing;
@@ -115,7 +115,8 @@ Solid::State::State(const std::string& label, const SolidShape& given)
   cornerVertices = shape.ceiling ? 2 * corners : corners;
   heights = shape.heights;
   border = solidBorder(shape, heights, static_cast<unsigned>(cornerVertices));
-  // A cave has at most one contour point per four cells; a field with more points enlarges the buffers.
+  // A cave has at most one contour point per four cells. If a field has more points, the buffers are
+  // enlarged later.
   const std::int64_t points = std::max<std::int64_t>(64, corners / 8);
   getRoom(points,
           static_cast<std::int64_t>(border.indices.size()) + sheetIndices() * corners + 12 * points);
@@ -175,7 +176,7 @@ SolidVertices Solid::State::vertices() const {
           .positions = positions};
 }
 
-/// Computes the samples' classes, their tallies, and the prefix sums of the tallies.
+/// Computes the classes of the samples, the tallies, and the prefix sums of the tallies.
 void Solid::State::count(const FieldKernels& made) {
   const auto all = static_cast<int>(elements);
   gl::barrier();
@@ -268,7 +269,7 @@ Surface Solid::surface() const {
   surface.positions = &s.positionView;
   surface.normals = &s.normalView;
   surface.vertexCount =
-      static_cast<int>(s.firstPoint());  // The bounding box of these vertices encloses all others.
+      static_cast<int>(s.firstPoint());  // The bounding box of these vertices contains all other vertices.
   surface.vertexRoom = static_cast<int>(s.positions.bytes() / sizeof(glm::vec4));
   surface.indices = &s.indices;
   surface.indexCount = static_cast<int>(s.indexRoom);

@@ -15,7 +15,7 @@ struct SolidVariant {
   gl::Range<"LEVELS", 1, maxSolidLevels> levels;
   SolidCeiling ceiling;
 };
-/// Interface part for the members of glsl/contour/samples.glsl.
+/// Part of a kernel interface: members of glsl/contour/samples.glsl.
 struct SolidSamples {
   gl::Uniform<"samples", glm::ivec2> samples;
   gl::Uniform<"rowElements", int> rowElements;
@@ -51,7 +51,7 @@ struct Solid::State {
   SolidBorder border;
   std::int64_t pointRoom = 0, indexRoom = 0;
   gl::WordsArray classes, tallies;
-  gl::WordsArray squares;  ///< For each contour point, the square in which its contour continues.
+  gl::WordsArray squares;  ///< For each contour point, index of the square in which the contour continues.
   Totals totals;
   gl::Buffer positions, normals, indices, next;
   gl::Texture positionView, normalView;
@@ -59,10 +59,10 @@ struct Solid::State {
   gl::Kernel<SolidList> list;
   gl::Kernel<SolidSheet> freshSheet,
       sheet;  ///< Kernels that build the horizontal faces: `freshSheet` for the first build, `sheet`
-              ///< (created on first use) for later builds.
+              ///< (created on first use) for all later builds.
   std::map<Field::Cells, FieldKernels> kernels;
   Field field;
-  bool fresh = true;  ///< True if the normals of the samples have not been written yet.
+  bool fresh = true;  ///< True while the normals of the samples have not been written.
 
   [[nodiscard]] std::int64_t sheetIndices() const { return shape.ceiling ? 12 : 6; }
   [[nodiscard]] std::int64_t firstPoint() const {

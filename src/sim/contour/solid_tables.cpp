@@ -1,4 +1,4 @@
-// Reads solids back: meshes and contours as tables.
+// Reads solids back as tables: meshes and contour lines.
 #include "sim/contour/solid_state.hpp"
 #include "sim/contour/unwrap.hpp"
 

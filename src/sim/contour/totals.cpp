@@ -38,8 +38,8 @@ struct TallySpread {
 
 namespace {
 
-// Number of tallies summed by one invocation; limited because a software driver ends a shader's loops after
-// 65,535 iterations.
+// Number of tallies that an invocation sums. It is limited because a software driver ends a shader's loops
+// after 65,535 iterations.
 constexpr int tallyTile = 64;
 
 }  // namespace

@@ -17,12 +17,13 @@ struct TallySums;
 struct TallyTotal;
 struct TallySpread;
 
-/// Counts the geometry of a field on the GPU: three kernels of glsl/contour turn tallies into prefix sums,
-/// and the totals into the arguments of an indirect draw. Used for solids of squares and surfaces of cubes.
+/// Counts the geometry of a field on the GPU. Three kernels of glsl/contour turn tallies into prefix sums,
+/// and the totals into the arguments of an indirect draw. Used for solids of squares and for surfaces of
+/// cubes.
 class Totals {
  public:
   Totals() = default;
-  /// `count`: number of tallies; x: points, y: sheets, z: triangles, w: unused.
+  /// `count` is the number of tallies. x of a tally counts points, y sheets, z triangles; w is unused.
   Totals(const std::string& name, int count);
   Totals(const Totals&) = delete;
   Totals& operator=(const Totals&) = delete;
@@ -33,7 +34,7 @@ class Totals {
   struct Room {
     std::int64_t fixed = 0;  ///< Number of constant indices.
     unsigned perSheet = 0,
-             perPoint = 0;  ///< Number of indices per sheet and per point; a triangle always has three.
+             perPoint = 0;  ///< Number of indices per sheet and per point. A triangle always has three.
     std::int64_t points = 0, indices = 0;  ///< Capacity of the buffers in points and in indices.
   };
   /// Dispatches the kernels without waiting for them.
@@ -57,12 +58,13 @@ class Totals {
   GLsync fence_ = nullptr;
 };
 
-/// Returns the new capacity for `now` elements: `room` if it suffices, else a quarter more than `now`,
-/// limited to `limit`, because a growing field would need more in each of the next frames.
+/// Returns the new capacity for `now` elements. If the capacity `room` suffices, it is kept. Otherwise the
+/// new capacity is 1.25 times `now`, limited to `limit`, because a growing field would need more in each of
+/// the next frames.
 [[nodiscard]] std::int64_t grownRoom(std::int64_t now, std::int64_t room, std::int64_t limit);
 
 /// Throws UserError(device) if a buffer of `count` elements of `bytes` bytes exceeds a device limit.
-/// `whose`: beginning of the message, such as "the solid of"; `smaller`: advice for the user.
+/// `whose` is the beginning of the message, such as "the solid of"; `smaller` is advice for the user.
 void checkBufferRoom(const char* whose, const std::string& name, const char* what, std::int64_t count,
                      int bytes, const char* smaller);
 

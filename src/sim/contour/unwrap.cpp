@@ -9,17 +9,18 @@ namespace simreel::sim {
 namespace {
 
 constexpr unsigned perPoint = 4, wallBottom = 1,
-                   wallTop = 2;  // Vertex order of a contour point, as in glsl/contour/vertices.glsl.
+                   wallTop = 2;  // Order of the vertices of a contour point, as in
+                                 // glsl/contour/vertices.glsl.
 constexpr std::size_t wallIndices = 6;
 
-/// Sets UVs by axis-aligned projection, which is correct for all vertices except wall vertices.
+/// Sets UVs by axis-aligned projection. The result is correct for all vertices except those of walls.
 void unwrapFlat(MeshTable& mesh, double metre) {
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const glm::dvec3 p(mesh.positions[i]);
     const glm::dvec3 n(mesh.normals[i]);
     const bool level = std::abs(n.y) > 0.5;
-    // Seen from outside with y up, cross(y, n) points to the right. Downward faces mirror the mapping of
-    // upward faces.
+    // Seen from outside with y up, cross(y, n) points to the right. Faces that point down use the mirrored
+    // mapping of faces that point up.
     const glm::dvec2 at = level ? glm::dvec2(n.y * p.x, p.z) : glm::dvec2(n.z * p.x - n.x * p.z, -p.y);
     mesh.uvs.emplace_back(at / metre);
   }
@@ -51,7 +52,7 @@ class WallSheets {
     return glm::distance(glm::dvec3(mesh_.positions[vertexOf(point) + wallBottom]),
                          glm::dvec3(mesh_.positions[vertexOf(next_[point]) + wallBottom]));
   }
-  /// Seen from outside the wall, the contour runs to the left.
+  /// Seen from outside the wall, the contour runs from right to left.
   void place(unsigned vertex, double along) {
     mesh_.uvs[vertex] = glm::dvec2(-along, -static_cast<double>(mesh_.positions[vertex].y)) / metre_;
   }
@@ -72,7 +73,8 @@ class WallSheets {
     return vertex >= firstPoint_ && vertex < vertexOf(static_cast<unsigned>(next_.size())) &&
            (part == wallBottom || part == wallTop);
   }
-  /// Moves the wall triangle between a contour's last and first point to the seam's duplicated vertices.
+  /// Makes the wall triangle between a contour's last and first point use the duplicated vertices at the
+  /// seam.
   void moveToSeam(unsigned* triangle) const {
     for (int i = 0; i < 3; ++i)
       if (!isWall(triangle[i])) return;
@@ -90,8 +92,8 @@ class WallSheets {
   const std::vector<unsigned>& next_;
   unsigned firstPoint_;
   double metre_;
-  std::vector<unsigned>
-      seams_;  ///< For a contour's first point, the duplicated vertex at the seam; 0 for other points.
+  std::vector<unsigned> seams_;  ///< For the first point of a contour, index of the duplicated vertex at
+                                 ///< the seam; 0 for other points.
 };
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 namespace simreel::sim {
 
-/// Kernel interface part for the members of glsl/contour/wall_array.glsl, used if WALLS is 1.
+/// Part of a kernel interface: members of glsl/contour/wall_array.glsl, used if WALLS is 1.
 struct WallPart {
   gl::Uniform<"wallGrid.corner", glm::vec2> corner;
   gl::Uniform<"wallGrid.spacing", float> spacing;
@@ -36,12 +36,13 @@ struct WallVariant {
   FieldCells cells;
 };
 
-/// Collision view of a solid, in the state of its latest make().
+/// Collision data of a solid in the state of its latest make().
 class Walls {
  public:
   static const PortInfo port;
 
-  /// Collision view of a solid at a fixed position; `position` and `grip` as for wallGrid().
+  /// Creates the collision data for a solid at a fixed position. `position` and `grip` have the same
+  /// meaning as for wallGrid().
   Walls(std::string name, const Solid& solid, const glm::vec3& position, float grip);
 
   /// Throws UserError(usage) if the margin (metres) covers more squares than the kernels support.

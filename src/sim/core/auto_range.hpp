@@ -10,18 +10,20 @@
 
 namespace simreel::sim {
 
-/// Ends of a range of colours that a scene gives as "auto": a first run measures them.
+/// States for each end of a colour range whether the scene gives it as "auto". A first run of the scene
+/// measures such ends.
 struct AutoEnds {
   bool low = false, high = false;
   [[nodiscard]] bool any() const { return low || high; }
 };
 
-/// Declares an end of a range: a number, or "auto". While it is "auto", `value` keeps its default.
+/// Declares one end of a colour range in the scene format: a number, or "auto". While the end is "auto",
+/// `value` keeps its default.
 template <class Number>
 void describeEnd(scene::Fields& fields, const char* name, Number& value, bool& isAuto, const char* unit,
                  const char* doc) {
   std::optional<double> end;
-  // The shortest decimal form of a float; its exact value as a double would have more digits.
+  // Uses the shortest decimal form of the float; the exact value as a double would have more digits.
   if (!isAuto) end = std::stod(fmt::format("{}", value));
   scene::Spec spec{doc, unit, scene::anyNumber};
   spec.none = "auto";
@@ -30,18 +32,18 @@ void describeEnd(scene::Fields& fields, const char* name, Number& value, bool& i
   if (end) value = static_cast<Number>(*end);
 }
 
-/// Range of colours with ends that are measured.
+/// Colour range with at least one end to be measured.
 struct MeasuredRange {
-  std::string path;  ///< group below the object's parameters, such as "display"; empty: none
+  std::string path;  ///< group below the object's parameters, such as "display"; empty if there is none
   const char* lowKey;
   const char* highKey;
   AutoEnds ends;
-  double low, high;  ///< present values; of a measured end, its default
+  double low, high;  ///< current ends; an end that is still to be measured has its default value
   /// Sets both ends, which are then no longer "auto".
   std::function<void(double low, double high)> set;
 };
 
-/// Returns a range whose ends are members of an object's parameters, or nothing if none of them is "auto".
+/// Returns a range whose ends are members of an object's parameters, or nothing if neither end is "auto".
 template <class Number>
 [[nodiscard]] std::vector<MeasuredRange> measuredRange(std::string path, const char* lowKey,
                                                        const char* highKey, AutoEnds& ends, Number& low,
@@ -55,10 +57,10 @@ template <class Number>
            }}};
 }
 
-/// Parameters of objects that are drawn in colours of a range.
+/// Parameters of objects that are coloured by a value through a colour range.
 struct HasColorRange {
   virtual ~HasColorRange() = default;
-  /// Returns the ranges that must be measured.
+  /// Returns the colour ranges with an "auto" end.
   [[nodiscard]] virtual std::vector<MeasuredRange> measuredRanges() = 0;
 
  protected:

@@ -16,11 +16,11 @@ namespace simreel::sim {
 using Carrier = std::function<glm::dmat4(double time)>;
 
 /// Returns the world positions (metres) at `time` (seconds) of points attached to a skin, in the order in
-/// which they were attached. Same bits on every machine.
+/// which they were attached. The result has the same bits on every machine.
 using SkinHolder = std::function<std::vector<glm::dvec3>(double time)>;
-/// Attaches points (world space, metres) to the nearest places on a body's skin; each point keeps the
-/// offset from the skin that it has at `time` (seconds). Throws UserError(usage) if the body does not exist
-/// or has no faces, and rethrows errors of the mesh file reader.
+/// Attaches points (world space, metres) to the nearest surface points of a body's skin. Each point keeps
+/// the offset from the skin that it has at `time` (seconds). Throws UserError(usage) if the body does not
+/// exist or has no faces, and rethrows errors of the mesh file reader.
 using HeldBySkin =
     std::function<SkinHolder(const std::string& body, std::span<const glm::dvec3> points, double time)>;
 

@@ -16,7 +16,7 @@ glm::mat4 rotationMatrix(const glm::vec3& degrees) {
   const float sy = aboutY.y;
   const float cz = aboutZ.x;
   const float sz = aboutZ.y;
-  // Columns of the matrix Rz Ry Rx.
+  // These are the columns of the matrix Rz Ry Rx.
   return {glm::vec4(cz * cy, sz * cy, -sy, 0),
           glm::vec4(cz * sy * sx - sz * cx, sz * sy * sx + cz * cx, cy * sx, 0),
           glm::vec4(cz * sy * cx + sz * sx, sz * sy * cx - cz * sx, cy * cx, 0), glm::vec4(0, 0, 0, 1)};

@@ -43,25 +43,27 @@ struct Surface {
   /// Set if `positions` holds grid texels with a height component instead of vertex positions.
   const GridHeights* heights = nullptr;
   const gl::Buffer* indices = nullptr;  ///< Triangle indices of 32 bits each.
-  /// Number of indices in one row of cells, if a grid stores indices for its first row only; 0: all rows
+  /// Number of indices in one row of cells if a grid stores indices for its first row only; 0 if all rows
   /// are stored.
   int rowIndices = 0;
   int indexCount = 0;
-  /// Indirect draw arguments written by the GPU (five words); null: draw `indexCount` indices.
+  /// Indirect draw arguments (five words) written by the GPU. If null, `indexCount` indices are drawn.
   const gl::Buffer* arguments = nullptr;
   /// RGBA32F texel view of linear RGB colours, indexed by w of `positions`. Replaces the material's colour.
   const gl::Texture* palette = nullptr;
-  /// RGBA32F texel view, one texel per vertex: linear RGB factor on the material's colour.
+  /// RGBA32F texel view with one texel per vertex: a linear RGB factor that multiplies the material's
+  /// colour.
   const gl::Texture* colors = nullptr;
-  /// Evenly spaced linear RGB stops of the colour map of `colors`, whose w is then the value; null: no map.
+  /// Evenly spaced linear RGB stops of a colour map that is applied to w of `colors`; null if `colors`
+  /// holds RGB factors.
   const std::vector<glm::vec3>* stops = nullptr;
-  glm::vec2 colorRange{0, 1};  ///< Values of the first and the last stop.
-  /// Uniform buffer with DeformStep of glsl/mesh/types.glsl. If set, the vertex shader displaces the
-  /// vertices using `trail`; positions and normals are those at rest, and w of `positions` is the distance
-  /// between vertices.
+  glm::vec2 colorRange{0, 1};  ///< Values of w that map to the first and to the last stop.
+  /// Uniform buffer with a DeformStep (glsl/mesh/types.glsl). If set, the vertex shader displaces the
+  /// vertices using `trail`; `positions` and `normals` then describe the undeformed mesh, and w of
+  /// `positions` is the distance between vertices.
   const gl::Buffer* deform = nullptr;
   const gl::Texture* trail =
-      nullptr;  ///< Trail pressed into the surface, which the displacement reads: RGBA32F texel view.
+      nullptr;  ///< RGBA32F texel view of the trail pressed into the surface; the displacement reads it.
   glm::mat4 model{1.0F};  ///< Model matrix: rigid, or with uniform scale.
   bool doubleSided = false;
   /// Unique identifier of a mesh whose positions, normals and indices never change; 0 for a mesh that may
@@ -78,8 +80,8 @@ struct Surface {
 struct Instances {
   enum class Shape { sprite, sphere, mesh };
   enum class ColorBy { material, speed, mass, age };
-  /// Rotation of a mesh: none; its z axis along the velocity or along a direction, with its x axis
-  /// horizontal; or a quaternion.
+  /// Orientation of a mesh instance: unrotated; z axis along the velocity or along a given direction, with
+  /// a horizontal x axis; or given by a quaternion.
   enum class Turning { none, velocity, direction, quaternion };
   const std::string* object = nullptr;  ///< Name of the object in the scene, or null if none was published.
   const gl::Texture* positions = nullptr;  ///< RGBA32F texel view: xyz position in metres, w mass in kg.
@@ -101,9 +103,10 @@ struct Instances {
   bool additive = false;    ///< True: blended additively (HDR), without shadow. False: opaque, with shadow.
   float brightness = 1.0F;  ///< Factor on the colours of additive instances.
   float fade = 0.0F;        ///< Fraction of the life over which additive instances fade in and out.
-  /// True if additive sprites of every size are discs facing the eye, and so ellipses towards the borders
-  /// of a wide picture. False: small sprites are round in screen space, like driver point sprites. (The
-  /// driver path draws discs for sprites that are large or have their centre outside the picture.)
+  /// True if additive sprites of every size are drawn as discs that face the eye; near the borders of a
+  /// wide picture they appear as ellipses. If false, small sprites are round in screen space, like point
+  /// sprites of the driver. (The driver path always draws discs for sprites that are large or have their
+  /// centre outside the picture.)
   bool discs = false;
   glm::vec3 boundsMin{0},
       boundsMax{0};  ///< Bounding box in metres for fitting the shadow map; if empty, the GPU measures it.
@@ -136,36 +139,39 @@ struct Field {
   const std::string* name =
       nullptr;  ///< Name of the object, which surfaces use to look up a field as their texture.
   const gl::Texture* words = nullptr;  ///< RGBA32UI texel view of the state, also for float cells.
-  Cells cells =
-      Cells::floats;      ///< Cell format. bits and bytes (0 to 255) start at the lowest bits of a word;
-                          ///< colors: four floats, linear RGB and the value that textured surfaces use.
-  glm::ivec2 size{0, 0};  ///< Size of the grid in cells.
-  int rowWords = 0;       ///< Stride between rows, in 32-bit words.
-  int firstWord = 0;      ///< Word offset of cell (0, 0).
-  int cellWords = 1;      ///< Stride between cells in words, for float cells.
-  bool categories =
-      false;  ///< True if a value is a palette index; false if it is mapped from `range` to the colour map.
-  glm::vec2 range{0, 1};  ///< Values mapped to the first and the last colour.
+  Cells cells = Cells::floats;  ///< Cell format. Cells of `bits` and `bytes` (0 to 255) are packed from the
+                                ///< lowest bits of each word. A cell of `colors` has four floats: linear
+                                ///< RGB, and the value that textured surfaces use.
+  glm::ivec2 size{0, 0};        ///< Size of the grid in cells.
+  int rowWords = 0;             ///< Stride between rows, in 32-bit words.
+  int firstWord = 0;            ///< Word offset of cell (0, 0).
+  int cellWords = 1;            ///< Stride between cells in words, for float cells.
+  bool categories = false;  ///< True if cell values are palette indices; false if they are mapped through
+                            ///< `range` to the colour map.
+  glm::vec2 range{0, 1};    ///< Cell values mapped to the first and the last colour.
   const std::vector<glm::vec3>* colors =
-      nullptr;  ///< Linear RGB: evenly spaced stops, or one colour per category.
+      nullptr;  ///< Linear RGB colours: evenly spaced stops, or one colour per category.
   const FieldDisplay* display =
       nullptr;  ///< Overlay settings; null: the field is not drawn over the picture.
-  /// Names of values, for a field of categories of which a colour bar shows only these; null: none.
+  /// Values and names of the categories that a colour bar shows; null if it shows none.
   const std::vector<std::pair<int, std::string>>* classes = nullptr;
-  bool ownColors = false;   ///< True for cells of the format `colors` that do not come from the colour map.
-  bool decoration = false;  ///< True for a part of the layout, whose values are not written to files.
+  bool ownColors = false;   ///< True if the cells have the format `colors` and their colours do not come
+                            ///< from the colour map.
+  bool decoration = false;  ///< True if the field is only part of the layout; its values are then not
+                            ///< written to files.
 };
 
-/// Line chart drawn over the picture: counts of a simulation for each step so far.
+/// Line chart, drawn over the picture, of a simulation's counts for each step so far.
 struct Chart {
   const gl::Texture* counts = nullptr;  ///< RGBA32UI texel view, one texel per step with up to four counts.
   int steps = 0;                        ///< Number of steps counted so far.
   int width = 1;                        ///< Number of steps that the full x axis spans, at least `steps`.
   unsigned max = 1;                     ///< Count at the top of the y axis.
-  float zero =
-      0;  ///< Height of the baseline that curves are filled down or up to, as a fraction of the y axis.
-  std::string range = {};          ///< Label of the y axis; empty: "max" and the maximum count.
-  std::string length = {};         ///< Label of the x axis; empty: the number of steps.
+  float zero = 0;  ///< Height of the baseline as a fraction of the y axis. The area between each curve and
+                   ///< the baseline is filled.
+  std::string range = {};          ///< Label of the y axis; if empty, "max" and the maximum count are
+                                   ///< shown.
+  std::string length = {};         ///< Label of the x axis; if empty, the number of steps is shown.
   std::vector<std::string> names;  ///< Names of the curves, at most four.
   std::vector<glm::vec3> colors;   ///< Linear RGB colour of each curve.
   glm::vec2 corner{0.025F, 0.6F};  ///< Top left corner of the panel, as fractions of the picture.
@@ -191,7 +197,7 @@ struct Path {
       nullptr;  ///< Points on the ground from start to end, in metres in scene space; at least one.
 };
 
-/// Centre of an object, published for a camera that looks at the object.
+/// Centre of an object, published for a camera that aims at the object.
 struct Place {
   const std::string* object = nullptr;  ///< Name of the object in the scene.
   glm::vec3 middle{0};                  ///< Position of the centre in metres.
@@ -208,8 +214,8 @@ struct Drawables {
   std::vector<Chart> charts = {};
   std::vector<Path> paths = {};
   std::vector<Writing> writings = {};
-  std::vector<Place> places = {};  ///< Centre of the object that the scene's camera looks at, if any.
-  /// Damped camera state in metres: the target, if it lags behind the scene's target
+  std::vector<Place> places = {};  ///< Centre of the object that the scene's camera aims at, if any.
+  /// Damped camera state, positions in metres: first the target, if it lags behind the scene's target
   /// (scene::Camera::damping, scene::Follow::damping), then the eye, if the eye lags too.
   std::vector<glm::vec3> lagging = {};
 };

@@ -19,8 +19,8 @@ double single(float (*function)(float), double x) {
   return static_cast<double>(function(static_cast<float>(x)));
 }
 
-/// Returns base^exponent. Integer exponents up to 64 in magnitude are computed by multiplication; other
-/// exponents treat a negative base as 0.
+/// Returns base^exponent. Integer exponents between -64 and 64 are computed by multiplication. For other
+/// exponents, a negative base counts as 0.
 double power(double base, double exponent) {
   const double whole = std::floor(exponent);
   if (whole == exponent && std::abs(whole) <= 64) {

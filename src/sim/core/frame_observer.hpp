@@ -2,16 +2,16 @@
 
 namespace simreel::sim {
 
-/// Object that observes other objects after every frame, drawn or not. It declares them with
-/// When::afterFrame.
+/// Object that observes other objects after every frame, whether the frame is drawn or not. It declares the
+/// observed objects with When::afterFrame.
 class FrameObserver {
  public:
   virtual ~FrameObserver() = default;
-  /// Called when the observed objects have reached their state of the frame at `time` (seconds).
+  /// Called after each frame, when the observed objects have the state of the frame at `time` (seconds).
   virtual void observe(double time) = 0;
 };
 
-/// Object that reads the state of other objects at the start of a frame. It declares them with
+/// Object that reads the state of other objects at the start of a frame. It declares these objects with
 /// When::frameStart; two such objects may read each other.
 class FrameStarter {
  public:

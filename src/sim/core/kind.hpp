@@ -11,16 +11,16 @@ namespace simreel::sim {
 struct ObjectParameters : scene::Parameters {
   /// Declares what the object provides to other objects of the scene and what it takes from them.
   virtual void ports(Ports& /*ports*/) const {}
-  /// Returns true if only a run can tell where the object moves.
+  /// Returns true if the object's motion is known only after simulating it.
   [[nodiscard]] virtual bool wanders() const { return false; }
-  /// Returns the minimum size in bytes of the largest single buffer, as far as the parameters alone
-  /// determine it. commonBlockBytes is the limit of software drivers (llvmpipe of Mesa 22) and small
+  /// Returns a lower bound, from the parameters alone, of the size in bytes of the largest single buffer.
+  /// commonBlockBytes is the maximum buffer size of software drivers (llvmpipe of Mesa 22) and small
   /// graphics cards.
   [[nodiscard]] virtual std::int64_t leastBlockBytes() const { return 0; }
   static constexpr std::int64_t commonBlockBytes = std::int64_t{128} << 20;
 };
 
-/// Returns the ports an object declares; empty if its parameters could not be read.
+/// Returns the ports that an object declares; empty if its parameters could not be read.
 [[nodiscard]] Ports portsOf(const scene::Object& object);
 /// Returns true if an object provides the port.
 [[nodiscard]] bool provides(const scene::Object& object, const PortInfo& port);
@@ -32,7 +32,7 @@ template <class Parameters>
   return dynamic_cast<const Parameters&>(*object.parameters);
 }
 
-/// Creates a simulation of type `Model` from a scene object and its setting.
+/// Creates a simulation of class `Model` from a scene object and its Setting.
 template <class Model>
 [[nodiscard]] std::unique_ptr<Simulation> makeSimulation(const scene::Object& object,
                                                          const Setting& setting) {

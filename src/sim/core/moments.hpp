@@ -31,8 +31,8 @@ class Moments {
     for (std::size_t i = 1; i < keys.size(); ++i) {
       const glm::vec3 turn = keys[i].value - keys[i - 1].value;
       const float most = std::max({std::abs(turn.x), std::abs(turn.y), std::abs(turn.z)});
-      // The maximum number of samples is prime, so that several full turns are not sampled at the same few
-      // angles only.
+      // The maximum number of samples is prime, so that samples of several full turns do not all fall on
+      // the same few angles.
       constexpr float degrees = 16, looks = 23;
       const int parts = static_cast<int>(std::clamp(std::ceil(most / degrees), 1.0F, looks));
       for (int k = 1; k < parts; ++k)
@@ -61,7 +61,7 @@ inline std::vector<double> momentsOf(const scene::Animated<glm::vec3>& position,
   return moments.all();
 }
 
-/// Returns the time (seconds) of the last jump of any of `values`, at or before `seconds`.
+/// Returns the time (seconds) of the latest jump among all `values`, at or before `seconds`.
 template <class... T>
 double lastJump(double seconds, const scene::Animated<T>&... values) {
   return std::max({values.jumpedBy(seconds)...});

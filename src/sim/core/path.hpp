@@ -19,8 +19,9 @@ struct Standing {
   glm::vec3 position{0};
   glm::vec3 ahead{0, 0, -1};  ///< Direction of the path: a horizontal unit vector.
 };
-/// Returns the position of an object beside a path at `seconds`. The direction is taken from half a metre
-/// before to half a metre behind, so that it turns smoothly; cross(ahead, y) points to its right.
+/// Returns the pose of an object beside a path at `seconds`. The direction is taken between the path points
+/// half a metre before and half a metre behind, so that it changes smoothly; cross(ahead, y) points to the
+/// object's right.
 [[nodiscard]] Standing standingBy(const std::vector<glm::vec3>& path, const scene::PathPlace& place,
                                   double seconds);
 
@@ -28,8 +29,8 @@ struct Standing {
 struct Stand {
   glm::vec3 eye{0}, target{0};
 };
-/// Returns the undamped camera position at `seconds`. The target is the mean of the path ahead, so the
-/// camera turns before a corner; beyond the end, the path continues straight.
+/// Returns the undamped camera pose at `seconds`. The target is the mean of the path ahead, so the camera
+/// turns before it reaches a corner. Beyond its end, the path continues straight.
 [[nodiscard]] Stand standOn(const std::vector<glm::vec3>& path, const scene::Follow& follow,
                             double seconds);
 

@@ -21,37 +21,40 @@ struct Setting;
 
 /// Moment at which an object uses the state of a provider.
 enum class When {
-  beforeStep,  ///< State at the end of the frame; the provider steps first.
-  frameStart,  ///< State at the start of the frame; the step order is free.
-  afterFrame,  ///< State of the finished frame.
+  beforeStep,  ///< The object reads the provider's state at the end of the frame, so the provider steps
+               ///< first.
+  frameStart,  ///< The object reads the provider's state at the start of the frame; the step order is free.
+  afterFrame,  ///< The object reads the provider's state of the finished frame.
 };
 
-/// Kind of relation between scene objects: its rules and the texts of its messages. Each class T that
-/// objects provide to others has a `static const PortInfo port` in its own header.
+/// Kind of relation between scene objects, with its rules and the texts of its messages. Each class T that
+/// objects provide to others has a `static const PortInfo port` in the header of T.
 struct PortInfo {
   const char* name;  ///< Name of the port, such as "wind".
   const char*
       lacks;  ///< Continuation of the message `object "a" is a sphere`, such as ", which does not blow".
   const char* none;              ///< Message after an unknown name, such as "the scene has no fluid".
-  When when = When::beforeStep;  ///< Moment of use if Ports::want() does not give one.
-  /// Word for the parts that a provider names with a dot, as in "smoke.u". Null: providers have no parts.
+  When when = When::beforeStep;  ///< Default for the moment of use, unless Ports::want() gives one.
+  /// Noun for the parts that are named as in "smoke.u"; null if providers have no parts.
   const char* part = nullptr;
   bool partNeeded = false;  ///< True if a name must include a part; an object's name alone is invalid.
-  /// Message for a second provider; {} is the name of the first. Null: a scene may have several providers.
+  /// Message if a second object provides the port, where {} is the name of the first; null if a scene may
+  /// have several providers.
   const char* single = nullptr;
-  /// Message for a provider that no object of the scene uses. Null: a provider may be unused.
+  /// Message for a provider that no object of the scene uses; null if a provider may be unused.
   const char* unused = nullptr;
-  /// Message for an object that takes all providers and requires at least one. {} twice: its name and kind.
+  /// Message for an object that takes from all providers and requires at least one, when there is none. The
+  /// two {} are the object's name and kind.
   const char* missing = nullptr;
-  /// Remark for an object that takes all providers, about another object that could provide the port but
-  /// does not. {} twice: the names.
+  /// Warning for an object that takes from all providers, about another object that could provide the port
+  /// but does not. The two {} are the names of both objects.
   const char* passedBy = nullptr;
-  /// Appends the parts that `provider` provides without declaring them; returns true if it provides the
-  /// port this way.
+  /// Appends to `parts` those parts that `provider` provides without declaring them; returns true if it
+  /// provides the port in this way.
   bool (*implied)(const scene::Object& provider, std::vector<std::string>& parts) = nullptr;
-  /// Exception for an offer that is not given: returns true if `wanter` can use the provider anyway.
+  /// Exception for a provider that does not provide the port: returns true if `wanter` can use it anyway.
   bool (*fits)(const ObjectParameters& provider, const ObjectParameters& wanter) = nullptr;
-  /// Creates the step group in which all members step together. Null: objects cannot join this port.
+  /// Creates the group whose members step together. Null if objects cannot join this port.
   std::unique_ptr<StepGroup> (*group)(const Setting& setting, std::span<void* const> members,
                                       int steps) = nullptr;
 };
@@ -65,47 +68,48 @@ class Ports {
     std::string
         unless;  ///< Continuation of the message `object "a" is a cloth`, such as " without \"contact\"".
     std::vector<std::string> parts = {};
-    std::vector<std::string> path = {};  ///< JSON path for messages, relative to the object's parameters.
+    std::vector<std::string> path = {};  ///< JSON path used in messages, relative to the object's
+                                         ///< parameters.
   };
   struct Want {
     const PortInfo* port;
     std::string name;               ///< Name of the provider, OBJECT or OBJECT.PART; empty if `all`.
     std::vector<std::string> path;  ///< JSON path of the name, relative to the object's parameters.
     When when;
-    bool all = false;     ///< True to take from every object that provides the port.
-    bool needed = false;  ///< With `all`: true if at least one provider is required.
+    bool all = false;     ///< True if the object takes from every object that provides the port.
+    bool needed = false;  ///< If `all` is true: true if at least one provider is required.
     std::string words =
-        {};  ///< Alternatives allowed instead of a name, appended to the message "no object is named".
-    bool whole = false;  ///< True if a part of an object is not accepted.
+        {};  ///< Alternatives to naming a provider, appended to the message "no object is named".
+    bool whole = false;  ///< True if only a whole object may be named, and not a part of it.
   };
   struct Join {
     const PortInfo* port;
-    bool leads;  ///< False: the object joins only a group that another object leads.
+    bool leads;  ///< False if the object only joins a group that another object leads.
   };
 
-  /// Offers T to objects that name this object or take from all providers.
+  /// Provides T to objects that name this object or that take from all providers.
   template <class T>
   Offer& provide(bool given = true, std::string unless = {}) {
     return offers.emplace_back(Offer{&T::port, given, std::move(unless)});
   }
-  /// Takes T from the named object; does nothing if the name is empty.
+  /// Takes T from the named object. Does nothing if the name is empty.
   template <class T>
   void want(const std::string& name, std::vector<std::string> path, std::string words = {}) {
     if (name.empty()) return;
     wants.push_back({&T::port, name, std::move(path), T::port.when, false, false, std::move(words)});
   }
-  /// Takes T from the named object; an empty name is an error.
+  /// Takes T from the named object. An empty name is an error.
   template <class T>
   void mustWant(const std::string& name, std::vector<std::string> path, When when = T::port.when) {
     wants.push_back({&T::port, name, std::move(path), when});
   }
-  /// Takes T from every object that provides it. `needed`: at least one provider is required.
+  /// Takes T from every object that provides it. If `needed` is true, at least one provider is required.
   template <class T>
   void wantAll(bool needed = false) {
     wants.push_back({&T::port, {}, {}, T::port.when, true, needed});
   }
-  /// Makes the object step together with all others that join T. `leads`: this object causes the group to
-  /// exist.
+  /// Makes the object step together with all other objects that join T. The group exists only if at least
+  /// one member has `leads` set.
   template <class T>
   void join(bool leads) {
     joins.push_back({&T::port, leads});
@@ -126,13 +130,14 @@ class StepGroup {
   virtual void step(double time, const Watch& watch) = 0;
 };
 
-/// Leadership and step count of a step group (Ports::join).
+/// State of a step group (Ports::join): whether it exists, and its number of steps.
 struct Together {
   bool led = false;  ///< True if an object of the scene leads the group.
-  int steps = 0;     ///< Steps per frame: the maximum of all members; 0: each member takes its own number.
+  int steps = 0;     ///< Steps per frame: the maximum of all members' step counts; 0 if each member uses
+                     ///< its own step count.
 };
 
-/// Finds the outlets of a scene's objects.
+/// Looks up the outlets of a scene's objects.
 class Links {
  public:
   virtual ~Links() = default;
@@ -142,7 +147,7 @@ class Links {
   /// Returns the outlets of all objects for a port, in step order.
   [[nodiscard]] virtual std::vector<void*> all(const PortInfo& port) const = 0;
   [[nodiscard]] virtual Together together(const PortInfo& port) const = 0;
-  /// Returns an object's simulation (null until it is created), or its declaration.
+  /// Returns the simulation of an object; null until it is created.
   [[nodiscard]] virtual const Simulation* simulation(std::string_view object) const = 0;
   [[nodiscard]] virtual const scene::Object* declared(std::string_view object) const = 0;
   /// Returns the time of the current frame in seconds.
@@ -172,7 +177,7 @@ class Outlets {
   void provide(T* outlet) {
     add(T::port, [outlet] { return outlet; });
   }
-  /// Provides T by a function; `find` is called on each use by another object.
+  /// Provides T through a function, which is called each time another object uses T.
   template <class T>
   void provideBy(std::function<T*()> find) {
     add(T::port, [find = std::move(find)]() -> void* { return find(); });

@@ -41,8 +41,8 @@ class PositionReadback {
   std::vector<glm::vec4> newest_;
 };
 
-/// If the fence is signalled, deletes it, sets it to null and returns true. `waiting`: blocks until it is
-/// signalled; otherwise only polls.
+/// If the fence is signalled, deletes it, sets it to null and returns true. If `waiting` is true, blocks
+/// until the fence is signalled; otherwise only polls.
 bool takeFence(GLsync& fence, bool waiting);
 
 }  // namespace simreel::sim

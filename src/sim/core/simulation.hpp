@@ -20,18 +20,18 @@
 
 namespace simreel::sim {
 
-/// Information about the scene that a simulation is given.
+/// Information about the scene that a simulation gets when it is created.
 struct Setting {
   bool fast = false;  ///< Fast numerics: GLSL built-ins and contraction (fused multiply-add) are allowed.
   int seed = 1;
   double frameSeconds = 1.0 / 60.0;
   const std::vector<ColliderShape>* colliders = nullptr;
   bool timing = false;  ///< True if simulations measure the times of their stages.
-  /// Access to the outlets of the objects created before this one, and later of all objects. Null for a
-  /// simulation without a scene.
+  /// Access to the outlets of the objects created before this one, and later of all objects. Null if the
+  /// simulation is not part of a scene.
   const Links* links = nullptr;
-  double startTime =
-      0;  ///< Scene time of the initial state in seconds: minus the duration simulated before frame 0.
+  double startTime = 0;  ///< Scene time of the initial state in seconds: 0, or minus the duration simulated
+                         ///< before frame 0.
   /// Progress callback for the steps before the first frame; may throw to stop them. May be empty.
   std::function<void(long done, long total)> presteps = {};
   float aspect = 16.0F / 9;  ///< Width of the picture divided by its height.
@@ -52,12 +52,12 @@ struct Setting {
   }
 };
 
-/// Counts per step of a simulation, for the table written beside the frames.
+/// Counts of a simulation per step, for the table written next to the frame images.
 struct CountTable {
   std::vector<const char*> columns;   ///< Column names, at most four per element.
-  const gl::Buffer* steps = nullptr;  ///< `elements` uvec4 values per row, one row per step or per frame;
-                                      ///< the capacity is all rows of a frame.
-  int rows = 0;  ///< Number of rows in use; before the first step one row, the initial counts.
+  const gl::Buffer* steps = nullptr;  ///< Rows of `elements` uvec4 values, one row per step or per frame.
+                                      ///< The buffer holds all rows of one frame.
+  int rows = 0;  ///< Number of rows in use; before the first step there is one row with the initial counts.
   int elements = 1;
   bool measured = false;  ///< True if the values are floats instead of counts.
 };
@@ -68,9 +68,8 @@ struct PointTable {
   std::vector<float> values;         ///< Table values in row-major order.
 };
 
-/// Surface mesh exported for other programs, read back from the GPU if it is there. Positions are in metres
-/// with the object's position, rotation and scale applied; `uvs` is empty if the mesh has none, and v = 0
-/// is the top row of a picture.
+/// Surface mesh exported for other programs, read back from the GPU if it is stored there. Positions are in
+/// metres in world space. `uvs` is empty if the mesh has none; v = 0 is the top row of an image.
 struct MeshTable {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;
@@ -87,9 +86,9 @@ struct Room {
   double area = 0;  ///< Floor area of the room in m^2.
 };
 
-/// Closed contour lines that separate cells below a level of a field from the rest. In cell coordinates,
-/// cell (x, y) is at (x, y) and y points down. Point i is followed by point `next[i]`; as the picture shows
-/// it, high ground lies to the left of the line's direction.
+/// Closed contour lines around the regions of a field that are below a level. In cell coordinates, the
+/// centre of cell (x, y) is at (x, y), and y points down. Point i is followed by point `next[i]`. In the
+/// picture, the side above the level is to the left of the line's direction.
 struct ContourLines {
   std::vector<glm::vec2> points;
   std::vector<unsigned> next;
@@ -119,16 +118,17 @@ class Simulation {
   virtual void connect(Outlets& /*outlets*/) {}
   /// Advances by one frame: from `time` to `time + frameSeconds` (seconds of scene time).
   virtual void step(double time, const StepWatch& watch) = 0;
-  /// Advances by one frame that is not shown. Afterwards only the data that later frames depend on
-  /// (carryOver) is valid; resumed() or the next step makes the rest valid.
+  /// Advances by one frame that is not drawn. Afterwards only the data that later frames depend on
+  /// (carryOver) is valid; resumed() or the next step makes the remaining data valid.
   virtual void pass(double time) { step(time, {}); }
-  /// Visits the data that the next frame depends on beyond scene and time, for saving or restoring.
+  /// Visits the data that the next frame depends on and that scene and time do not determine, to save or
+  /// restore it.
   virtual void carryOver(CarryOver& /*carry*/) {}
   /// Rebuilds the derived state at `time` after carryOver() restored data or after pass().
   virtual void resumed(double /*time*/) {}
-  /// Returns the number of steps per frame, and so of StepWatch calls.
+  /// Returns the number of steps per frame, which is also the number of StepWatch calls per frame.
   [[nodiscard]] virtual int stepsPerFrame() const { return 1; }
-  /// Returns the name of an element of a state array in messages to the user.
+  /// Returns the name for messages of one element of a state array.
   [[nodiscard]] virtual std::string elementName(long element) const {
     return "element " + std::to_string(element);
   }
@@ -140,7 +140,7 @@ class Simulation {
   [[nodiscard]] virtual double jumpedBy(double /*time*/) const {
     return -std::numeric_limits<double>::infinity();
   }
-  /// Appends the drawables of the state at `time`.
+  /// Appends the drawables that show the state at `time`.
   virtual void publish(double time, Drawables& drawables) const = 0;
   /// Called after the published drawables are drawn, before the next step. Returns true if they ran out of
   /// memory; the memory is then enlarged, and the drawables must be published and drawn again. May wait for
@@ -150,31 +150,32 @@ class Simulation {
   [[nodiscard]] virtual std::vector<StateArray> state() const { return {}; }
   /// Returns the points that `simreel bake` writes; empty for objects without points.
   [[nodiscard]] virtual PointTable points() const { return {}; }
-  /// Returns the file that `simreel bake` writes for objects with a format of their own.
+  /// Returns the file that `simreel bake` writes for a kind of object with its own file format.
   [[nodiscard]] virtual StateFile stateFile() const { return {}; }
   /// Returns the counts per step; no columns if the object counts nothing.
   [[nodiscard]] virtual CountTable counts() const { return {}; }
-  /// Returns the mesh that `simreel bake` writes, or nothing if the object is no surface. If the object
-  /// also has as many points() as the mesh has vertices, they are these vertices in the same order; else
-  /// they are something else that it draws.
+  /// Returns the mesh that `simreel bake` writes, or nothing if the object is not a surface. If points()
+  /// has as many points as the mesh has vertices, they are the vertices in the same order; otherwise the
+  /// points are a separate part of the object.
   [[nodiscard]] virtual std::optional<MeshTable> mesh() const { return std::nullopt; }
   /// Returns the contours that `simreel bake` writes; empty for objects without contours. Call after
   /// grow().
   [[nodiscard]] virtual std::optional<ContourLines> lines() const { return std::nullopt; }
   /// Returns the buffer with the four status words written by glsl/common/status.glsl, or null.
   [[nodiscard]] virtual const gl::Buffer* status() const { return nullptr; }
-  /// Returns the values of the parameters' quantities() for the current state, in that order. Reads back
-  /// the state and sums on the CPU in double in a fixed order, so equal states give equal numbers. Waits
-  /// for the GPU.
+  /// Returns the values of the parameters' quantities() for the current state, in the order of
+  /// quantities(). Reads back the state and sums on the CPU in double in a fixed order, so equal states
+  /// give equal numbers. Waits for the GPU.
   [[nodiscard]] virtual std::vector<double> measure() const { return {}; }
-  /// Returns the stage times of `step` for `simreel bench`: names (the same in every frame) and
-  /// milliseconds of the latest measured frame. Empty unless Setting::timing is on. Measures CPU stages by
-  /// the clock and GPU stages by timer queries. Never waits for the device.
+  /// Returns the stage times of `step` for `simreel bench`: the stage names (the same in every frame) and
+  /// the milliseconds in the latest measured frame. Empty unless Setting::timing is true. CPU stages are
+  /// measured by the clock, GPU stages by timer queries. Never waits for the device.
   [[nodiscard]] virtual std::vector<std::pair<const char*, double>> stageTimes() const { return {}; }
-  /// Returns a one-line remark to print once if the third word of status() is not 0. `frame`: index of the
-  /// frame in which the word was first seen.
+  /// Returns a one-line remark that is printed once if the third word of status() is not 0. `frame` is the
+  /// index of the frame in which a nonzero word was first read.
   [[nodiscard]] virtual std::string remark(int /*frame*/) const { return {}; }
-  /// Returns one line for the user: where and why the state was lost, and what to change.
+  /// Returns one line for the user that says where and why the state was lost, and which parameters to
+  /// change.
   [[nodiscard]] virtual std::string explainLoss(unsigned step, unsigned element) const {
     return "step " + std::to_string(step) + ", element " + std::to_string(element);
   }
@@ -184,7 +185,7 @@ class Simulation {
 struct SimulationKind {
   scene::Kind kind;
   /// Reads the object's files and throws the UserError that `make` would throw on any device; may be empty.
-  /// Needs no OpenGL context. The setting's links provide only the outlets of the scene itself.
+  /// Needs no OpenGL context. The setting's links give access only to the outlets of the scene itself.
   std::function<void(const scene::Object&, const Setting&)> check;
   std::function<std::unique_ptr<Simulation>(const scene::Object&, const Setting&)> make;
 };

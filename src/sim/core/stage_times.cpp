@@ -21,9 +21,8 @@ void StageClock::begin() {
   collect();
   current_ = (current_ + 1) % frames_.size();
   Frame& frame = frames_[current_];
-  measuring_ =
-      !frame
-           .pending;  // Skips measuring this frame if the results of its slot are still pending on the GPU.
+  measuring_ = !frame.pending;  // Does not measure this frame if the GPU has not finished the earlier frame
+                                // that uses the same slot.
   frame.laps = measuring_ ? 0 : frame.laps;
   if (measuring_) glQueryCounter(frame.stamps[0].get(), GL_TIMESTAMP);
 }
@@ -51,7 +50,7 @@ void StageClock::end() {
 }
 
 void StageClock::collect() {
-  for (std::size_t i = 1; i <= frames_.size(); ++i) {  // Iterates from the oldest frame to the newest.
+  for (std::size_t i = 1; i <= frames_.size(); ++i) {  // Visits the frames from the oldest to the newest.
     Frame& frame = frames_[(current_ + i) % frames_.size()];
     if (!frame.pending) continue;
     GLint done = GL_FALSE;

@@ -17,8 +17,8 @@ struct Planes {
   long elements = 0;  ///< Number of elements in each plane.
 };
 
-/// State array that is hashed, compared and read back: elements of four words, floats unless `integers`.
-/// Its contents are the same on every device; its memory layout may differ.
+/// State array that is hashed, compared and read back. Its elements have four words, which are floats
+/// unless `integers` is set. The contents are the same on every device, but the memory layout may differ.
 struct StateArray {
   const char* name;
   const gl::Buffer* buffer;  ///< Elements stored consecutively, unless `planes` is used.

@@ -24,8 +24,9 @@ struct StateHashKernel {
 
 namespace {
 
-constexpr int texelsPerInvocation = 64;  // Number of texels that one invocation hashes on the texel path.
-constexpr int groupSize = 256;           // Workgroup size on the storage path.
+constexpr int texelsPerInvocation = 64;  // Number of texels that one invocation hashes if the state is read
+                                         // through texel views.
+constexpr int groupSize = 256;           // Workgroup size if the state is read through storage buffers.
 constexpr int maxGroups = 1024;
 
 bool grouped() {

@@ -11,7 +11,7 @@
 
 namespace simreel::sim {
 
-/// Kernel interface part for the members of glsl/common/state_words.glsl.
+/// Part of a kernel interface: the uniforms declared in glsl/common/state_words.glsl.
 struct StateWordsPart {
   gl::Uniform<"texels", int> texels;
   gl::Uniform<"planes", int> planes;
@@ -21,8 +21,8 @@ struct StateWordsPart {
 
 struct StateHashKernel;
 
-/// Binds a state array for kernels that use glsl/common/state_words.glsl, and keeps the binding's texture
-/// view alive. Such kernels define PLANES for arrays stored in planes.
+/// Binds a state array for kernels that use glsl/common/state_words.glsl, and owns the texture view of that
+/// binding. Such kernels define PLANES for arrays stored in planes.
 class StateWords {
  public:
   explicit StateWords(const StateArray& array);

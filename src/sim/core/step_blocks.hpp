@@ -12,7 +12,7 @@
 
 namespace simreel::sim {
 
-/// Uniform blocks for all steps of a frame, one per step, in one buffer that is written once per frame.
+/// Buffer with one uniform block for each step of a frame, written once per frame.
 template <class Block>
 class StepBlocks {
  public:
@@ -23,8 +23,8 @@ class StepBlocks {
     stride_ = (sizeof(Block) + alignment - 1) / alignment * alignment;
     buffer_ = gl::Buffer(label, stride_ * static_cast<std::size_t>(count));
   }
-  /// Uploads the blocks of all steps. `blockOf` maps a step to its block, for step types that hold more
-  /// than the uniform block.
+  /// Uploads the blocks of all steps. `blockOf` returns the uniform block of a step, for step types that
+  /// hold more than the block.
   template <class Step, class BlockOf = std::identity>
   void upload(const std::vector<Step>& steps, BlockOf blockOf = {}) {
     if (steps.empty()) return;

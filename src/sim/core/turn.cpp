@@ -7,7 +7,8 @@
 namespace simreel::sim {
 
 glm::vec2 cosineAndSine(float degrees) {
-  const float within = std::fmod(degrees, 360.0F);  // This reduction is exact, because fmod does not round.
+  const float within = std::fmod(degrees, 360.0F);  // The reduction to one turn is exact, because fmod does
+                                                    // not round.
   if (within == 0) return {1, 0};
   if (within == 90 || within == -270) return {0, 1};
   if (within == 180 || within == -180) return {-1, 0};

@@ -27,12 +27,12 @@ void checkSize(const std::string& name, glm::ivec2 size) {
                              size.y, mostSide));
 }
 
-/// Places of the lines of a grid along one axis.
+/// Positions of the grid lines along one axis.
 struct Lines {
   double first = 0, apart = 1;
   int count = 0;
 
-  /// Returns the index of the line at `place`, or -1.
+  /// Returns the index of the grid line at the coordinate `place`, or -1 if there is none.
   [[nodiscard]] int at(double place) const {
     const double index = std::round((place - first) / apart);
     constexpr double slack = 0.02;
@@ -40,11 +40,12 @@ struct Lines {
   }
 };
 
-/// Returns evenly spaced lines through `places`. Throws UserError if they are not evenly spaced.
+/// Returns evenly spaced grid lines through the coordinates `places`. Throws UserError if they are not
+/// evenly spaced.
 Lines linesOf(std::vector<double> places, const char* axis, const std::string& name) {
   std::sort(places.begin(), places.end());
   const double span = places.back() - places.front();
-  constexpr double same = 1e-6;  // of the span
+  constexpr double same = 1e-6;  // tolerance as a fraction of the span
   places.erase(
       std::unique(places.begin(), places.end(), [&](double a, double b) { return b - a <= same * span; }),
       places.end());

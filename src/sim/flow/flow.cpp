@@ -22,7 +22,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Returns the grid of an object; names the object in errors.
+/// Returns the grid of velocities of an object. Error messages name the object.
 FlowGrid gridOf(const scene::Object& object) {
   try {
     return parametersOf<FlowParameters>(object).grid();
@@ -37,9 +37,9 @@ FluidPlane planeOf(const scene::Object& object, const FlowGrid& grid) {
   return plane;
 }
 
-/// Returns the flow at the left and top face of each cell in cells/s, with a ring of one cell (FluidWind):
-/// the mean of the cells on both sides. Velocities continue linearly beyond the grid, so the flow between
-/// the faces equals a linear field exactly, up to the borders.
+/// Returns the flow at the left face and the top face of each cell in cells/s, including a ring of one cell
+/// (FluidWind). It is the mean of the cells on both sides of the face. Beyond the grid, velocities are
+/// extrapolated linearly, so the flow between the faces equals a linear field exactly, up to the borders.
 std::vector<glm::vec4> faces(const FlowGrid& grid) {
   const auto inside = [&](int x, int y) {
     return grid.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.size.x) +
@@ -64,7 +64,7 @@ std::vector<glm::vec4> faces(const FlowGrid& grid) {
   return cells;
 }
 
-/// Velocities that do not change. The object has no state.
+/// Velocities that do not change. This object has no state.
 class Flow : public Simulation {
  public:
   Flow(const scene::Object& object, const Setting& /*setting*/) : Flow(object, gridOf(object)) {}

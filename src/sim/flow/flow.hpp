@@ -3,7 +3,7 @@
 
 namespace simreel::sim {
 
-/// Returns the simulation kind "flow": velocities from a file or from expressions, which do not change.
+/// Returns the simulation kind "flow": constant velocities from a file or from expressions.
 [[nodiscard]] SimulationKind flowKind();
 
 }  // namespace simreel::sim

@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* maps[] = {"grey", "viridis", "magma", "inferno", "plasma", "turbo"};
 
-/// Returns the compiled expression of x and y. Throws scene::ExpressionMistake.
+/// Returns a compiled expression in x and y. Throws scene::ExpressionMistake.
 Expression compiled(const std::string& text) {
   static const std::vector<std::string> names = {"x", "y", "pi"};
   return Expression(
@@ -125,8 +125,8 @@ std::optional<scene::Box> FlowParameters::framedAlone() const {
     FluidPlane placed = plane;
     placed.cell = made.cell;
     return boxOfPlane(placed, made.size);
-  } catch (const UserError&) {                 // the simulation's constructor reports the error
-  } catch (const scene::ExpressionMistake&) {  // reported by describe()
+  } catch (const UserError&) {                 // the constructor of the simulation reports the error
+  } catch (const scene::ExpressionMistake&) {  // describe() has reported the error
   }
   return std::nullopt;
 }

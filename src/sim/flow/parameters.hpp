@@ -13,18 +13,20 @@
 
 namespace simreel::sim {
 
-/// Parameters of the object kind "flow": velocities that do not change.
+/// Parameters of the object kind "flow": velocities that are constant in time.
 struct FlowParameters : ObjectParameters, scene::Papered {
   enum class Rows { down, up };
   enum class Show { speed, none };
-  std::filesystem::path file;  ///< npy or CSV file of velocities; empty: `u` and `v`
-  std::string u = "-y";        ///< expressions in x and y (metres from the centre, y up), m/s
+  std::filesystem::path file;  ///< npy or CSV file of velocities; if empty, `u` and `v` are used
+  std::string u = "-y";        ///< expressions for the velocity in m/s, in x and y (metres from the centre,
+                               ///< y up)
   std::string v = "x";
-  glm::ivec2 size{64, 36};  ///< grid of the expressions in cells
-  Rows rows = Rows::down;   ///< direction of the rows of an npy file, and of positive v in it
-  float scale = 1;          ///< m/s of a velocity of 1 in the file
+  glm::ivec2 size{64, 36};  ///< size of the grid for the expressions, in cells
+  Rows rows = Rows::down;   ///< order of the rows of an npy file, which is also the direction of positive v
+                            ///< in the file
+  float scale = 1;          ///< velocity in m/s that a velocity of 1 in the file stands for
   FluidPlane plane;
-  bool ownCell = false;  ///< true if the scene gives the width of a cell
+  bool ownCell = false;  ///< true if the scene gives the cell width
   Show show = Show::speed;
   std::string map = "grey";  ///< name of a colour map
   double low = 0, high = 0;  ///< speeds of the first and the last colour in m/s

@@ -10,14 +10,14 @@
 
 namespace simreel::sim {
 
-/// Rectangle of a flow in the world, drawn in the colours of a field of the same grid.
+/// Rectangle of a flow in the world, coloured by a field on the same grid.
 class FieldSheet {
  public:
-  /// `material`: its skin names the field (scene::Papered).
+  /// The skin of `material` names the field (scene::Papered).
   FieldSheet(const std::string& name, const FluidPlane& plane, glm::ivec2 size,
              const scene::Material& material);
 
-  /// Returns the rectangle; its pointers are valid as long as this object.
+  /// Returns the rectangle as a surface. Its pointers are valid while this object exists.
   [[nodiscard]] Surface surface() const;
   [[nodiscard]] MeshTable table() const { return buffers_.table(glm::mat4(1)); }
 
@@ -27,7 +27,7 @@ class FieldSheet {
 };
 
 /// Warns if the field `of` is drawn over the whole picture, which hides everything in the world. `kind` and
-/// `name`: the object that is hidden.
+/// `name` denote the object that is hidden.
 void warnIfCovered(const Links& links, const char* kind, const std::string& name, const std::string& of);
 
 }  // namespace simreel::sim

@@ -6,9 +6,9 @@ namespace simreel::sim {
 
 namespace {
 
-/// Returns the cells that a brush may change (first column and row, number of columns and rows), ring cells
-/// included. Includes the faces just beyond the brush's box and, if the grid is periodic, the cells on the
-/// opposite side.
+/// Returns the rectangle of cells that a brush may change (first column and row, number of columns and
+/// rows), which may include ring cells. The rectangle includes the faces just beyond the brush's box and,
+/// if the grid is periodic, the cells on the opposite side.
 glm::ivec4 changedBy(const shader::FluidBrush& brush, const FluidParameters& p) {
   glm::ivec4 changed;
   for (int i = 0; i < 2; ++i) {

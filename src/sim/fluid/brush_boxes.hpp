@@ -10,14 +10,14 @@
 
 namespace simreel::sim {
 
-/// Rectangle of cells, possibly in the ring around the grid, that brushes may change.
+/// Rectangle of cells that brushes may change. It may include cells of the ring around the grid.
 struct BrushBox {
   glm::ivec4 cells;        ///< First column and row, number of columns and rows.
-  std::size_t first, end;  ///< Range of brushes; brushes outside the range do not reach these cells.
+  std::size_t first, end;  ///< Index range of brushes. Brushes outside the range do not affect these cells.
 };
 
-/// Returns one box per brush (boxes may overlap), or a single box of all cells if `all` is set or if the
-/// boxes cover more than half the cells; `all` is then set.
+/// Returns one box per brush; boxes may overlap. Returns a single box of all cells, and sets `all`, if the
+/// boxes cover more than half of the cells or if `all` is already true.
 [[nodiscard]] std::vector<BrushBox> brushBoxes(std::span<const shader::FluidBrush> brushes,
                                                const FluidParameters& p, bool& all);
 

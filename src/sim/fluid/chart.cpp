@@ -12,7 +12,7 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr unsigned whole = 1U << 24U;  ///< Largest count up to which floats represent every integer.
+constexpr unsigned whole = 1U << 24U;  ///< Maximum count such that floats represent every smaller integer.
 constexpr int firstRoom = 1024;
 const std::vector<const char*> names = {"lift",      "drag",        "kineticEnergy",
                                         "enstrophy", "temperature", "speed"};

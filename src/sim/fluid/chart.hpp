@@ -13,12 +13,12 @@
 
 namespace simreel::sim {
 
-/// Scene parameters of a chart of a fluid's quantities, drawn over the picture.
+/// Scene parameters of a chart that shows a fluid's quantities over the picture.
 struct FluidChartParameters {
   enum class Quantity { lift, drag, kineticEnergy, enstrophy, temperature, speed };
   struct Curve {
     Quantity of = Quantity::lift;
-    double per = 1;                  ///< Amount of the quantity that is 1 in the chart.
+    double per = 1;                  ///< Amount of the quantity that corresponds to 1 in the chart.
     std::optional<glm::vec3> color;  ///< Colour of the curve, linear RGB.
   };
   std::vector<Curve> curves;

@@ -81,7 +81,7 @@ class Fluid : public Simulation {
     }
     drawables.fields.push_back(field);
     if (p.chart) chart_.publish(drawables);
-    // Fields for files, not drawn over the picture.
+    // These fields are for files and are not drawn over the picture.
     field.cells = Field::Cells::floats;
     field.ownColors = false;
     field.display = nullptr;
@@ -158,11 +158,11 @@ class Fluid : public Simulation {
     if (plan_.parameters().tracers) tracers_.drawOver(kernels_.arrays().shown());
     count();
   }
-  /// Returns true if the force on any obstacle is measured.
+  /// Returns true if the force on at least one obstacle is measured.
   [[nodiscard]] bool isPushed() const {
     return std::ranges::any_of(plan_.parameters().obstacles, &FluidObstacle::measured);
   }
-  /// Fills the counts table: the quantities summed on the device, then the force on obstacles.
+  /// Fills a row of the counts table: the quantities summed on the GPU, then the force on obstacles.
   void count() {
     kernels_.measure();
     if (!isPushed()) return;

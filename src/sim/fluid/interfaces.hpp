@@ -3,7 +3,7 @@
 
 #include <array>
 
-/// Interfaces of the fluid's kernels; solver_interfaces.hpp has the pressure solver's.
+/// Interfaces of the fluid's kernels. Those of the pressure solver are in solver_interfaces.hpp.
 namespace simreel::sim {
 
 struct FluidPush {
@@ -143,7 +143,8 @@ struct FluidPaintBack {
   gl::Out<"nextDye"> nextDye;
 };
 
-/// Common interface part of the kernels that compute the displayed values from the state.
+/// Part of a kernel interface: members common to the kernels that compute the displayed values from the
+/// state.
 struct FluidShowPart {
   FluidPart part;
   gl::Uniform<"stopCount", int> stopCount;

@@ -60,7 +60,7 @@ std::vector<glm::vec4> stopElements(const std::vector<glm::vec3>& colors) {
   return elements;
 }
 
-/// Returns the number of invocations for `groups` workgroups that each process tiles.
+/// Returns the number of invocations per axis for `groups` workgroups that process tiles.
 glm::ivec2 tileItems(int groups) {
   constexpr int side = 8, row = FluidLevel::groupRow;
   return {std::min(groups, row) * side, (groups + row - 1) / row * side};
@@ -163,16 +163,16 @@ void FluidKernels::runOpen(const gl::Kernel<Interface>& kernel, Interface given)
   kernel.dispatch(tileItems(solids_->tileGroups().front().x), given);
 }
 
-/// Paints the brushes into scratch memory and copies the result back, for the cells in the brushes' boxes
-/// only. If all cells were painted and the arrays are interchangeable, swaps the arrays instead of copying.
+/// Paints the brushes into scratch memory and copies the result back, only for the cells in the brushes'
+/// boxes. If all cells were painted and the arrays are interchangeable, the arrays are swapped instead.
 void FluidKernels::paint(double time, int step, bool all) {
   const std::vector<shader::FluidBrush> brushes = plan_.brushesAt(time, step).brushes;
   if (brushes.empty()) return;
   brushes_.write(0, std::as_bytes(std::span(brushes)));
   const std::vector<BrushBox> boxes = brushBoxes(brushes, plan_.parameters(), all);
   {
-    const gl::AccessTogether
-        together;  // No barrier is needed: a cell in two boxes gets the same value from both dispatches.
+    const gl::AccessTogether together;  // The dispatches need no barrier, because a cell in two boxes gets
+                                        // the same value from both.
     for (const BrushBox& box : boxes)
       paint_.dispatch({box.cells.z, box.cells.w}, {.part = part(),
                                                    .firstBrush = static_cast<int>(box.first),
@@ -222,8 +222,8 @@ void FluidKernels::project(unsigned number) {
     projectInPlace(number);
   } else {
     const FluidProject given = projection(number);
-    // The long-running kernel for few cells starts first; the kernel for open tiles fills the device
-    // meanwhile.
+    // The kernel for the other tiles takes long but has few cells, so it starts first. The kernel for open
+    // tiles keeps the GPU busy meanwhile.
     const gl::AccessTogether together;
     runOthers(project_.others, given);
     runOpen(project_.open, given);
@@ -233,8 +233,8 @@ void FluidKernels::project(unsigned number) {
 }
 
 /// Projects the flow in place. Cells near walls read their neighbours, so their results go to a second
-/// array until all of them are computed; cells in open tiles read only pressure corrections and write
-/// directly.
+/// array until all of them are computed. Cells in open tiles read only pressure corrections, so they are
+/// written directly.
 void FluidKernels::projectInPlace(unsigned number) {
   const FluidProject given = projection(number);
   {
@@ -288,15 +288,15 @@ void FluidKernels::moveDye(int passes) const {
   const glm::ivec2 size = plan_.size();
   constexpr int lanes = 32;
   const int columns = 2 * lanes - 4 * passes;
-  // Aims at about 9500 workgroups: with fewer, all wait for long strips with much dye; with more, shorter
-  // strips compute more overlapping rows twice.
+  // Aims at about 9500 workgroups. With fewer, all have to wait for long strips with much dye; with more,
+  // the strips are shorter and overlap more, so that more rows are computed twice.
   const int rows = std::clamp(static_cast<int>(std::int64_t{size.x} * size.y / 524288), 4, 1024);
   dyeStrips_[passes - 1].dispatch(
       {((size.x - 1) / columns + 1) * lanes, (size.y - 1) / rows + 1},
       {.part = part(),
        .rows = rows,
        .flow = arrays_.flow().resource(),
-       .ways = arrays_.scratch().resource(),  // The advection paths that check_ has written.
+       .ways = arrays_.scratch().resource(),  // The advection distances that check_ has written.
        .dye = arrays_.dye().resource(),
        .next = arrays_.spare().resource()});
 }

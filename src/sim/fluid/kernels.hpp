@@ -38,14 +38,15 @@ class FluidKernels {
 
   /// Uploads the parameters of all substeps of the frame that starts at `time` (seconds).
   void beginFrame(double time);
-  /// Places the obstacles as they are after `step` substeps of the frame that starts at `time` (seconds).
+  /// Places the obstacles at their positions after `step` substeps of the frame that starts at `time`
+  /// (seconds).
   void place(double time, int step);
   /// Runs substep `step` (counted from 1) of the frame that starts at `time`.
   void advance(double time, int step, unsigned number);
-  /// Computes the initial state: painted at `time`, then projected to zero divergence.
+  /// Computes the initial state at `time`: paints the strokes, then projects the flow to zero divergence.
   void start(double time);
-  /// Call after a state was loaded for the frame that starts at `time` (seconds): restores the obstacles
-  /// and the control values that steps take from earlier steps.
+  /// Restores the obstacles, and the control values that a step takes from earlier steps. Call it after
+  /// loading a state for the frame that starts at `time` (seconds).
   void resume(double time);
   /// Computes shownWords() from the current state at `time` (seconds).
   void prepareDrawing(double time);
@@ -56,8 +57,8 @@ class FluidKernels {
 
   [[nodiscard]] FluidArrays& arrays() { return arrays_; }
   [[nodiscard]] const FluidArrays& arrays() const { return arrays_; }
-  /// Displayed values: colour in rgb, shown quantity in a, with a ring of cells. For flow lines: lineDetail
-  /// x lineDetail elements per cell and no ring.
+  /// Returns the displayed values: colour in rgb, shown quantity in a, including a ring of cells. For flow
+  /// lines: lineDetail x lineDetail elements per cell and no ring.
   [[nodiscard]] const gl::Texture& shownWords() const {
     return lineWords_ ? lineWords_ : arrays_.shown().words();
   }
@@ -68,40 +69,41 @@ class FluidKernels {
   [[nodiscard]] const FluidPressure& pressure() const { return pressure_; }
 
  private:
-  /// Kernel variants for open tiles and for the remaining tiles and the ring.
+  /// Two variants of a kernel: for open tiles, and for the other tiles and the ring.
   template <class Interface>
   struct Tiled {
     gl::Kernel<Interface> open, others;
   };
-  /// Returns the dispatch size for the grid and the ring around it.
+  /// Returns the dispatch size that covers the grid and the ring around it.
   [[nodiscard]] glm::ivec2 everywhere() const { return plan_.size() + 2; }
   [[nodiscard]] FluidPart part() const { return pressure_.part(steps_.at(step_)); }
   template <class Interface>
   void runOthers(const gl::Kernel<Interface>& kernel, Interface given) const;
   template <class Interface>
   void runOpen(const gl::Kernel<Interface>& kernel, Interface given) const;
-  /// `all`: paints all cells including the whole ring, not only the brushes' boxes.
+  /// Paints the brushes' boxes, or all cells and the whole ring if `all` is true.
   void paint(double time, int step, bool all);
   void project(unsigned number);
   [[nodiscard]] FluidProject projection(unsigned number) const;
-  /// Projects in place on the storage path, then runs check_, which measures the result and finds the paths
-  /// for the advection of dye.
+  /// Projects the flow in place on the storage path, then runs check_, which measures the result and
+  /// computes the distances that dye is advected.
   void projectInPlace(unsigned number);
   void moveDye();
-  /// Advects dye by one pass, or by two passes at once, into the spare array.
+  /// Advects dye into the spare array, by one pass or by two passes in one dispatch.
   void moveDye(int passes) const;
   void makeShowing(const std::string& name, const gl::Defines& defines);
 
   const FluidPlan& plan_;
   std::shared_ptr<const FluidSolids> solids_;
-  gl::Vec4Array lines_;  ///< Output buffer of the flow line display; empty if flow lines are not shown.
+  gl::Vec4Array lines_;  ///< Output buffer of the flow line display; empty if flow lines are not displayed.
   gl::Texture lineWords_;
   gl::WordsArray stamps_;
   gl::Vec4Array stops_;
   gl::Buffer status_, brushes_;
-  gl::Buffer kept_;  ///< Buffer for the fraction of pressure kept between steps (glsl/fluid/kept.glsl).
+  gl::Buffer kept_;  ///< Buffer for the fraction of the pressure that remains between steps
+                     ///< (glsl/fluid/kept.glsl).
   StepBlocks<shader::FluidStep> steps_;
-  std::size_t step_ = 0;  ///< Index in `steps_` of the uniform block that kernels get.
+  std::size_t step_ = 0;  ///< Index in `steps_` of the uniform block that is passed to kernels.
   gl::Kernel<FluidPush> push_;
   gl::Kernel<FluidCarry> carry_;
   gl::Kernel<FluidCorrect> correct_;
@@ -112,7 +114,8 @@ class FluidKernels {
   gl::Kernel<FluidLines> showLines_;
   Tiled<FluidProject> project_;  ///< Projection kernels; on the storage path only `others` is created.
   Tiled<FluidDyePass> moveDye_;
-  // Kernels for the storage path. dyeStrips_[0] makes one pass of dye, dyeStrips_[1] two at once.
+  // Kernels for the storage path. dyeStrips_[0] makes one pass of dye advection, dyeStrips_[1] two passes
+  // at once.
   gl::Kernel<FluidProjectOpen> projectOpen_;
   gl::Kernel<FluidSettle> settle_;
   gl::Kernel<FluidCheck> check_;
@@ -121,7 +124,8 @@ class FluidKernels {
   FluidArrays arrays_;
   Tally tally_;
   gl::Kernel<FluidSums> sums_;
-  glm::vec4 perCells_{1};  ///< Factors that turn sums into means over open cells and over open corners.
+  glm::vec4 perCells_{1};  ///< Factors that turn sums into means over open cells and over corners between
+                           ///< open cells.
 };
 
 }  // namespace simreel::sim

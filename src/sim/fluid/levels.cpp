@@ -10,9 +10,9 @@ namespace simreel::sim {
 
 namespace {
 
-/// Remaining opening of a coarse face beside a wall that lies within a coarse cell. It is not 0, because
-/// otherwise regions that are disconnected only on the coarse grid would have no solution on the coarse
-/// grid.
+/// Remaining opening of a coarse face beside a wall that lies within a coarse cell. The opening is not 0,
+/// because otherwise regions could become disconnected on the coarse grid only and would then have no
+/// solution there.
 constexpr double throughWalls = 0.15;
 
 }  // namespace
@@ -64,8 +64,8 @@ struct FluidLevels::Grid {
     return c;
   }
 
-  /// Returns true if a face is closed between two cells that each have another open face: a wall that would
-  /// lie within a coarse cell. The coarse cell must not connect the two sides.
+  /// Returns true if a face is closed and each of its two cells has another open face. Such a wall lies
+  /// within a coarse cell, and that coarse cell must not connect its two sides.
   [[nodiscard]] bool isWalledX(int x, int y) {
     if (wraps.x) x = (x + cells.x) % cells.x;
     if (x <= 0 || x >= cells.x) return false;

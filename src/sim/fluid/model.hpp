@@ -1,5 +1,5 @@
 #pragma once
-// Compiles the files that glsl/fluid shares with C++, in namespace simreel::shader.
+// Compiles as C++ the files of glsl/fluid that work in both languages, in namespace simreel::shader.
 #include "sim/core/shader_code.hpp"
 
 namespace simreel::shader {

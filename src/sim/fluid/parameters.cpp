@@ -52,9 +52,9 @@ void describeStroke(scene::Fields& f, FluidStroke& stroke) {
   if (f.given("dye")) stroke.setsDye = true;
 }
 
-/// Returns the default strokes: thin jets from points on an ellipse, aimed past the centre on the same
-/// side, so that together they rotate. Each jet has two colours side by side; the next jet shares one of
-/// them.
+/// Returns the default strokes: thin jets that start on an ellipse and are all aimed past the centre on the
+/// same side, so that together they rotate. Each jet has two adjacent colours, one of which it has in
+/// common with the next jet.
 std::vector<FluidStroke> standardStrokes(glm::ivec2 size) {
   constexpr int count = 5;
   constexpr glm::vec3 colors[count] = {{1.7F, 0.03F, 0.01F},

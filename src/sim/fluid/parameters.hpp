@@ -17,13 +17,13 @@ namespace simreel::sim {
 
 /// One side of a fluid's grid.
 struct FluidSide {
-  /// Boundary condition. wall: no slip. slip: free slip. inflow: prescribed velocity. open: pressure 0.
-  /// Values match glsl/fluid/model.glsl.
+  /// Boundary condition: wall is a no-slip wall, slip a free-slip wall, inflow has a prescribed velocity,
+  /// open has pressure 0. The values match glsl/fluid/model.glsl.
   enum class Kind { wall, slip, inflow, open, periodic };
   Kind kind = Kind::wall;
   scene::Animated<glm::vec3> velocity =
-      glm::vec3(0);  ///< Velocity in cells/s: of a wall along itself, or of an inflow.
-  /// Velocity profile across an inflow: uniform, or a parabola with `velocity` at the centre and 0 at the
+      glm::vec3(0);  ///< Velocity in cells/s of a wall along itself, or of an inflow.
+  /// Velocity profile across an inflow: constant, or a parabola with `velocity` at the centre and 0 at the
   /// ends.
   enum class Profile { even, parabola };
   Profile profile = Profile::even;
@@ -38,23 +38,23 @@ struct FluidObstacle {
   float radius = 8;                    ///< Radius of a circle in cells.
   glm::vec3 extent{16, 16, 0};         ///< Width and height of a box in cells, at least 1.
   scene::Animated<float> turn = 0.0F;  ///< Clockwise rotation about the centre, in degrees.
-  std::filesystem::path image;         ///< Image whose light pixels are solid.
-  float threshold = 0.5F;              ///< Brightness threshold for solid, 0 to 1.
+  std::filesystem::path image;         ///< Image whose bright pixels are solid.
+  float threshold = 0.5F;              ///< Minimum brightness of solid pixels, 0 to 1.
   float scale = 1;                     ///< Size of an image pixel in cells.
   bool measured = true;                ///< True if the measured drag and lift include this obstacle.
 
   [[nodiscard]] bool moves() const { return center.moves() || turn.moves(); }
 };
 
-/// Stroke that sets velocity, temperature or dye, or applies a force. In each substep, the cells move
-/// towards the set values by the fraction `value`.
+/// Stroke that sets velocity, temperature or dye, or applies a force. In each substep, the cells approach
+/// the values to set by the fraction `value`.
 struct FluidStroke : StrokeParameters {
   bool setsVelocity = false, setsTemperature = false, setsDye = false;
   scene::Animated<glm::vec3> velocity = glm::vec3(0);  ///< Velocity set by the stroke, in cells/s.
   scene::Animated<float> temperature = 0.0F;
   scene::Animated<glm::vec3> dye = glm::vec3(0);    ///< Dye colour set by the stroke, RGB.
   scene::Animated<glm::vec3> force = glm::vec3(0);  ///< Acceleration applied by the stroke, in cells/s^2.
-  float soft = 0.5F;  ///< Fraction of the radius over which the stroke fades towards its rim.
+  float soft = 0.5F;  ///< Fraction of the radius over which the stroke's effect falls to 0 towards its rim.
 };
 
 /// Scene parameters of a fluid: incompressible flow. Lengths are in cells; y and v point down in the
@@ -64,20 +64,21 @@ struct FluidParameters : ObjectParameters, HasColorRange, scene::Covering {
     macCormack,
     semiLagrangian,
     cubic
-  };  // Values match ADVECTION of glsl/fluid/grid.glsl.
+  };  // The values match ADVECTION of glsl/fluid/grid.glsl.
   enum class Show { dye, speed, vorticity, temperature, pressure, lines };
   enum class Look { light, ink, fire };
   glm::ivec2 size{320, 180};  ///< Grid size in cells.
   FluidSide left, right, top, bottom;
   float speed = 450;            ///< Expected maximum flow speed in cells/s.
   std::optional<int> substeps;  ///< Substeps per frame; if empty, chosen from speed and viscosity.
-  float courant = 2.5F;         ///< Cells that the maximum speed travels in a substep.
+  float courant = 2.5F;         ///< Distance in cells that fluid with the speed `speed` moves in a substep.
   Advection advection = Advection::macCormack;
   scene::Animated<float> viscosity = 0.0F;    ///< Kinematic viscosity in cells^2/s.
   scene::Animated<float> confinement = 0.0F;  ///< Strength of vorticity confinement in 1/s.
   scene::Animated<float> lift = 0.0F;         ///< Upward acceleration at temperature 1, in cells/s^2.
   float cooling = 0;                          ///< Rate at which temperature decays, in 1/s.
-  scene::Animated<float> dyeWeight = 0.0F;    ///< Downward acceleration of dye (1, 1, 1), in cells/s^2.
+  scene::Animated<float> dyeWeight = 0.0F;    ///< Downward acceleration where the dye is (1, 1, 1), in
+                                              ///< cells/s^2.
   glm::vec3 flow{0};                          ///< Initial uniform velocity in cells/s.
   int cycles = 16;                            ///< Maximum number of multigrid cycles per projection.
   std::vector<FluidObstacle> obstacles;
@@ -90,8 +91,10 @@ struct FluidParameters : ObjectParameters, HasColorRange, scene::Covering {
   std::optional<TracerParameters> tracers;
   float brightness = 1.1F;
   glm::vec3 paper{0.003F, 0.004F, 0.009F};  ///< Background colour where there is no dye, linear RGB.
-  int lineDetail = 4;                       ///< Pixels per cell, along each axis, of the flow line picture.
-  double lineRate = 0.8;                    ///< Ripple frequency at a fixed point of a flow line, in 1/s.
+  int lineDetail = 4;                       ///< Pixels per cell along each axis in the display of flow
+                                            ///< lines.
+  double lineRate = 0.8;                    ///< Frequency in 1/s of the ripples at a fixed point of a flow
+                                            ///< line.
   FieldDisplay display;
   std::optional<FluidChartParameters> chart;
 
@@ -116,8 +119,8 @@ struct FluidParameters : ObjectParameters, HasColorRange, scene::Covering {
 
   [[nodiscard]] bool wrapsX() const { return left.kind == FluidSide::Kind::periodic; }
   [[nodiscard]] bool wrapsY() const { return top.kind == FluidSide::Kind::periodic; }
-  /// heats(): some stroke sets a temperature. dyes(): some stroke sets dye. sinks(): dye has weight.
-  /// remarkIdle() reports parameters without effect.
+  /// heats() returns true if a stroke sets a temperature, dyes() if a stroke sets dye, and sinks() if dye
+  /// has weight. remarkIdle() reports parameters that have no effect.
   void remarkIdle(scene::Fields& fields) const;
   [[nodiscard]] bool heats() const;
   [[nodiscard]] bool dyes() const;
@@ -129,12 +132,12 @@ struct FluidParameters : ObjectParameters, HasColorRange, scene::Covering {
   [[nodiscard]] bool pocketsGrow() const;
 };
 
-/// Maximum of max|div u| / max|u| after a projection.
+/// Maximum ratio of max|div u| to max|u| after a projection.
 inline constexpr float maxFluidDivergence = 1e-5F;
-/// Solver cycles stop when their own estimate of the residual divergence is below this value; rounding in
-/// the flow adds to the residual.
+/// The solver stops its cycles when it estimates the ratio to be below this value. The margin is for
+/// rounding errors of the flow, which add to the residual divergence.
 inline constexpr float aimedFluidDivergence = 0.8F * maxFluidDivergence;
-/// Factor on the expected speed: a faster flow counts as lost, and the run ends.
+/// If the speed exceeds the expected speed by this factor, the flow counts as lost and the run ends.
 inline constexpr float lostFluidSpeed = 1e3F;
 
 }  // namespace simreel::sim

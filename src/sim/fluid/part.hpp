@@ -4,7 +4,7 @@
 
 namespace simreel::sim {
 
-/// Kernel interface part for the members of glsl/fluid/grid.glsl, except the cells.
+/// Part of a kernel interface: members of glsl/fluid/grid.glsl, except the cells.
 struct FluidPart {
   gl::Block<"FluidBlock", shader::FluidStep> step;
   gl::Uniform<"size", glm::ivec2> size;

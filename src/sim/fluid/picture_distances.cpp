@@ -1,5 +1,5 @@
-// Computes distances to the white area of a picture: exact near the threshold crossing, then propagated
-// outwards by sweeps (Zhao 2005, "A fast sweeping method for Eikonal equations").
+// Computes distances to the bright area of an image. Near the edge the distances are exact; from there they
+// are propagated outwards by sweeps (Zhao 2005, "A fast sweeping method for Eikonal equations").
 #include "base/error.hpp"
 #include "sim/fluid/solids.hpp"
 #include "sim/grid/picture_file.hpp"
@@ -23,7 +23,7 @@ std::vector<double> levelsOf(const Picture& picture) {
   return levels;
 }
 
-/// Solves |grad d| = 1 for d, given the smaller neighbour values along x and y.
+/// Solves |grad d| = 1 for d at a pixel. a and b are the smaller neighbour values along x and along y.
 double eikonal(double a, double b) {
   const double low = std::min(a, b), high = std::max(a, b);
   if (high - low >= 1) return low + 1;

@@ -11,8 +11,8 @@ namespace simreel::sim {
 
 namespace {
 
-/// Maximum of dt nu / h^2 for a stable step: 1/4 in open cells, less beside walls, where mirrored cells are
-/// used.
+/// Maximum of dt nu / h^2 for a stable step, where nu is the kinematic viscosity and h the cell width. The
+/// limit is 1/4 in open cells and smaller beside walls, where mirrored cells are used.
 constexpr double maxDiffusion = 0.2;
 
 double greatest(const scene::Animated<float>& value) {
@@ -43,7 +43,8 @@ bool inflowMoves(const FluidParameters& p) {
          p.bottom.velocity.moves();
 }
 
-/// Returns the velocity (x, y) of a side. A wall moves only along itself: in x if `alongX`, else in y.
+/// Returns the velocity (x, y) of a side. A wall moves only along itself: in x if `alongX` is true,
+/// otherwise in y.
 glm::vec2 velocityOf(const FluidSide& side, bool alongX, double time) {
   const glm::vec3 v = side.velocity.at(time);
   if (side.kind == FluidSide::Kind::inflow) return {v.x, v.y};
@@ -174,8 +175,8 @@ FluidPlan::Brushes FluidPlan::brushesAt(double time, int step) const {
     brush.segment = {stroke.from.x, stroke.from.y, stroke.to.x, stroke.to.y};
     const float hard = 1 - what.soft;
     const float rim =
-        stroke.radius2 *
-        (1 - hard * hard);  // Difference of squared radii from the start of the fade to the rim.
+        stroke.radius2 * (1 - hard * hard);  // Difference between the squared radius of the rim and the
+                                             // squared radius at which the fade starts.
     brush.reach = {stroke.radius2, stroke.perLength2, std::min(stroke.value, 1.0F),
                    rim > 1e-6F && stroke.imageSize.x == 0 ? 1 / rim : 0};
     brush.stamp = {stroke.seed, stroke.picked, stroke.imageWord,

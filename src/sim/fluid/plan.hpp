@@ -12,19 +12,19 @@
 
 namespace simreel::sim {
 
-/// CPU-side setup of a fluid: obstacle cells, multigrid weights, and the parameters of each substep. Shared
-/// by the GPU simulation and its CPU twin.
+/// CPU-side setup of a fluid: obstacle cells, multigrid weights, and the parameters of each substep. Used
+/// by the GPU simulation and by its CPU twin.
 class FluidPlan {
  public:
-  /// Brushes active in the same substep, and the strokes that they belong to.
+  /// Brushes that act in the same substep, and the strokes that they belong to.
   struct Brushes {
     std::vector<shader::FluidBrush> brushes;
     std::vector<shader::Stroke> strokes;
   };
 
-  /// Reads the obstacles' images unless `pictures` is given, and the strokes' images. Throws
+  /// Reads the strokes' images, and also the obstacles' images unless `pictures` is given. Throws
   /// UserError(usage) if the viscosity makes the substeps unstable or if more than maxBrushes brushes act
-  /// at once.
+  /// in one substep.
   FluidPlan(FluidParameters parameters, const std::string& object, int seed, double frameSeconds,
             std::vector<PictureDistances> pictures = {});
 
@@ -37,12 +37,12 @@ class FluidPlan {
   [[nodiscard]] int dyePasses() const { return dyePasses_; }
   /// Returns the multigrid hierarchy, with the face weights of the initial state.
   [[nodiscard]] const FluidLevels& levels() const { return stillSolids()->levels(); }
-  /// Returns the obstacles after `step` substeps of the frame that starts at `time` (seconds); always the
-  /// same object if no obstacle moves.
+  /// Returns the obstacles after `step` substeps of the frame that starts at `time` (seconds). It is always
+  /// the same object if no obstacle moves.
   [[nodiscard]] std::shared_ptr<const FluidSolids> solidsAt(double time, int step) const;
   [[nodiscard]] const Strokes& strokes() const { return strokes_; }
 
-  /// Returns the flow before painting and projection, with its ring of cells.
+  /// Returns the flow before painting and projection, including the ring of cells.
   [[nodiscard]] std::vector<glm::vec4> firstFlow(double time) const;
   /// Returns the uniform block of substep `step` (counted from 1) of the frame that starts at `time`
   /// (seconds).
@@ -58,10 +58,11 @@ class FluidPlan {
   std::string object_;
   double frameSeconds_;
   int substeps_ = 1, dyePasses_ = 1;
-  std::vector<PictureDistances> pictures_;  ///< Distances to the obstacles' images; one entry per obstacle.
+  std::vector<PictureDistances> pictures_;  ///< Distances to the images of the obstacles; one entry per
+                                            ///< obstacle.
   Strokes strokes_;
-  /// Returns the obstacles at 0 s. Created on first use, so that a plan made only for validation needs no
-  /// memory per cell.
+  /// Returns the obstacles at time 0. They are created on first use, so that a plan made only for
+  /// validation allocates no memory per cell.
   [[nodiscard]] const std::shared_ptr<const FluidSolids>& stillSolids() const;
 
   mutable std::shared_ptr<const FluidSolids> still_;

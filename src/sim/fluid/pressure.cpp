@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t
     lastSpeedWord = 7,
     controlWords =
-        9;  // Control words that precede the dispatch sizes (glsl/fluid/solver/solve_control.glsl).
+        9;  // Number of control words before the dispatch sizes (glsl/fluid/solver/solve_control.glsl).
 
 /// Number of cycles that most projections need; the remaining cycles are skipped together by one condition.
 constexpr int usualCycles = 4;
@@ -30,7 +30,7 @@ GLintptr groupsAt(std::size_t dispatch) {
   return static_cast<GLintptr>((controlWords + 3 * dispatch) * 4);
 }
 
-/// Returns true if on periodic axes all levels except the coarsest have an even number of cells.
+/// Returns true if all levels except the coarsest have an even number of cells on each periodic axis.
 bool isEven(const FluidPlan& plan) {
   const std::vector<FluidLevel>& levels = plan.levels().levels();
   return std::all_of(levels.begin(), levels.end() - 1, [&](const FluidLevel& level) {
@@ -41,8 +41,8 @@ bool isEven(const FluidPlan& plan) {
 
 }  // namespace
 
-// Indirect dispatch sizes: two per level (open tiles, other tiles), one for a single workgroup, one each
-// for down_ and up_.
+// There are two indirect dispatch sizes per level (for open tiles and for other tiles), one for a single
+// workgroup, and one each for down_ and up_.
 FluidPressure::FluidPressure(const std::string& name, const FluidPlan& plan, const gl::Defines& defines)
     : levels_(plan.levels()),
       cycles_(plan.parameters().cycles),
@@ -75,7 +75,7 @@ FluidPressure::FluidPressure(const std::string& name, const FluidPlan& plan, con
 }
 
 void FluidPressure::makeCoarse(const FluidPlan& plan, const gl::Defines& defines) {
-  constexpr int most = 64;  // Maximum number of cells per side of a level that coarse_ processes.
+  constexpr int most = 64;  // Maximum number of cells along each side of a level that coarse_ processes.
   const std::vector<FluidLevel>& levels = levels_.levels();
   const FluidParameters& p = plan.parameters();
   const auto fits = [&](const FluidLevel& level) {
@@ -105,7 +105,7 @@ std::vector<glm::ivec4> FluidPressure::placesFrom(std::size_t first, std::size_t
   return places;
 }
 
-// On the way down the windows grow with each level, so down_ can merge fewer levels than up_.
+// On the way to coarser levels, the windows grow with each level, so down_ can merge fewer levels than up_.
 void FluidPressure::makeMiddle(const gl::Defines& defines) {
   const auto make = [&](auto& kernel, std::size_t most, std::size_t& from,
                         std::vector<glm::ivec4>& places) {
@@ -123,8 +123,8 @@ bool FluidPressure::joins(std::size_t level) const {
   return gl::memoryPath() == gl::MemoryPath::storage && levels_.levels()[level].hasOpenTiles();
 }
 
-// Creates the `both` variant only if some level joins its tiles, because drivers take seconds to compile
-// each variant.
+// Creates the variant `both` only if a level needs it, because drivers take seconds to compile each
+// variant.
 template <class Interface>
 void FluidPressure::makePair(Pair<Interface>& pair, const gl::Defines& defines) const {
   bool any = false;
@@ -132,7 +132,7 @@ void FluidPressure::makePair(Pair<Interface>& pair, const gl::Defines& defines) 
   const auto of = [&](int open, bool tileAGroup) {
     return gl::Kernel<Interface>(defines, {.open = open, .tileAGroup = tileAGroup});
   };
-  // Without this variant, all tiles are in the list of others.
+  // On the storage path there is no such variant, and all tiles are in the list of other tiles.
   if (gl::memoryPath() != gl::MemoryPath::storage) pair.open = of(1, false);
   pair.others = of(0, tileAGroup_);
   if (any) pair.both = of(2, tileAGroup_);

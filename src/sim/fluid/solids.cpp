@@ -13,11 +13,11 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr double far = 8;  ///< Distances are clamped to this number of cells.
+constexpr double far = 8;  ///< Maximum distance in cells; larger distances are clamped to it.
 constexpr double leastOpening =
-    1 / 16.0;  ///< Minimum open fraction of a face; a smaller opening is closed.
+    1 / 16.0;  ///< Minimum open fraction of a face; a face with a smaller opening is closed.
 
-/// Obstacle at its position at one moment.
+/// Obstacle at its position at a given time.
 class PlacedObstacle {
  public:
   PlacedObstacle(const FluidObstacle& what, const PictureDistances& picture, double time)
@@ -58,7 +58,7 @@ class PlacedObstacle {
   double cos_, sin_, reach_;
 };
 
-/// Returns the fraction of an edge outside obstacles, from the signed distances at its two ends.
+/// Returns the fraction of an edge that is outside obstacles, from the signed distances at the edge's ends.
 double openShare(double a, double b) {
   if (a > 0 && b > 0) return 1;
   if (a <= 0 && b <= 0) return 0;
@@ -101,15 +101,15 @@ struct FluidSolids::Nearest {
         which[cell] = number;
       }
   }
-  /// Returns a cell centre's distance in the fixed-point units of the kernels.
+  /// Returns the distance at a cell centre in the fixed-point units of the kernels.
   [[nodiscard]] int units(int x, int y) const {
     const int i = (x + size.x) % size.x, j = (y + size.y) % size.y;
     const double distance = middles[static_cast<std::size_t>(j) * static_cast<std::size_t>(size.x) +
                                     static_cast<std::size_t>(i)];
     return static_cast<int>(std::lround(std::clamp(distance, -far, far) * 2048));
   }
-  /// Closes the faces of cells that have only faces held by a wall (heldU of glsl/fluid/walls.glsl). No
-  /// pressure would act on the flow there, so the flow would never come to rest.
+  /// Closes the faces of cells all of whose faces are held by a wall (heldU of glsl/fluid/walls.glsl).
+  /// Pressure would not act on the flow in such cells, so the flow would never come to rest.
   void closeSlivers(glm::bvec2 wraps, std::vector<double>& left, std::vector<double>& top) const {
     const auto leftAt = [&](int x, int y) -> double& {
       return left[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x + 1) +
@@ -256,8 +256,8 @@ void FluidSolids::findSolid() {
     }
 }
 
-// Finds connected regions by union-find over open cells, each joined to its left and upper neighbours; the
-// root of a region is its first cell.
+// Finds connected regions by union-find over open cells. Each cell is joined to its left and upper
+// neighbours; the root of a region is its first cell.
 void FluidSolids::findPockets(glm::bvec2 wraps) {
   pocketOf_.resize(solid_.size());
   for (std::size_t i = 0; i < pocketOf_.size(); ++i) pocketOf_[i] = static_cast<int>(i);
@@ -286,13 +286,13 @@ void FluidSolids::findPockets(glm::bvec2 wraps) {
       pocketOf_[i] = pockets_++;
     else
       pocketOf_[i] = pocketOf_[static_cast<std::size_t>(
-          pocketOf_[i])];  // The root precedes this cell, so its pocket number is already assigned.
+          pocketOf_[i])];  // The root precedes this cell, so the root's pocket number is already assigned.
   }
 }
 
-// Balances the volume that obstacles and sides push into each pocket without an open side: each of its
-// cells absorbs an equal part. The volume is the sum of the flux through closed parts of the cells' faces;
-// the flux between cells of the pocket cancels.
+// Balances the volume that obstacles and sides push into each pocket without an open side: every cell of
+// the pocket absorbs an equal part. The volume is the flux through the closed parts of the cells' faces,
+// summed over the pocket; the flux between its cells cancels.
 void FluidSolids::balance(const FluidParameters& p, const shader::FluidStep& sides) {
   const glm::bvec2 wraps(p.wrapsX(), p.wrapsY());
   const auto solidAt = [&](int x, int y) {
@@ -335,9 +335,9 @@ void FluidSolids::balance(const FluidParameters& p, const shader::FluidStep& sid
       if (pocket < 0) continue;
       const auto i = static_cast<std::size_t>(pocket);
       out[i] += acrossX(x + 1, y) - acrossX(x, y) + acrossY(x, y + 1) - acrossY(x, y);
-      area[i] +=
-          std::clamp(0.5 + distanceAt(x, y), 0.0,
-                     1.0);  // Open fraction of the cell, computed as openPart of glsl/fluid/projected.glsl.
+      area[i] += std::clamp(0.5 + distanceAt(x, y), 0.0,
+                            1.0);  // Open fraction of the cell, computed like openPart of
+                                   // glsl/fluid/projected.glsl.
       const bool lets = (x == 0 && !wraps.x && face(0, y).x > 0) ||
                         (x + 1 == size_.x && !wraps.x && face(size_.x, y).x > 0) ||
                         (y == 0 && !wraps.y && face(x, 0).y > 0) ||
@@ -348,7 +348,7 @@ void FluidSolids::balance(const FluidParameters& p, const shader::FluidStep& sid
   growPockets(out);
 }
 
-// Assigns a number to each pocket that absorbs volume, and notes it in the pocket's cells.
+// Assigns a number to each pocket that absorbs volume, and stores it in the words of the pocket's cells.
 void FluidSolids::growPockets(const std::vector<double>& each) {
   std::vector<std::uint32_t> number(each.size());
   std::uint32_t used = 0;

@@ -11,63 +11,65 @@
 
 namespace simreel::sim {
 
-/// Signed distances in pixels to the white area of a picture, negative inside. The brightness of a pixel is
-/// taken as its coverage, so an anti-aliased edge is located with subpixel precision.
+/// Signed distances in pixels to the bright area of an image, negative inside. The brightness of a pixel
+/// counts as its coverage, so an anti-aliased edge is located with subpixel precision.
 class PictureDistances {
  public:
   PictureDistances() = default;
-  /// Areas brighter than `threshold` (0 to 1) are solid. Throws UserError if the picture cannot be read.
+  /// Areas brighter than `threshold` (0 to 1) are solid. Throws UserError if the image cannot be read.
   PictureDistances(const std::filesystem::path& file, double threshold);
-  /// Computes the distances from brightness values. `levels`: brightness 0 to 1, x fastest.
+  /// Computes the distances from brightness values: `levels` holds the brightness of each pixel, 0 to 1, x
+  /// fastest.
   PictureDistances(glm::ivec2 size, const std::vector<double>& levels, double threshold);
 
-  /// Returns the distance at a point in pixels; (0, 0) is the top left corner of the picture.
+  /// Returns the distance at a point given in pixels; (0, 0) is the top left corner of the image.
   [[nodiscard]] double at(glm::dvec2 p) const;
   [[nodiscard]] glm::ivec2 size() const { return size_ - 2 * margin; }
 
  private:
-  static constexpr int margin = 4;  ///< Width of an empty margin around the picture, in pixels.
+  static constexpr int margin = 4;  ///< Width of an empty margin around the image, in pixels.
   void measure(std::vector<double> field);
 
   glm::ivec2 size_{0, 0};
   std::vector<double> distances_;
 };
 
-/// Obstacles on the fluid's grid at one moment: partly open faces, obstacle velocities, and enclosed
-/// pockets. Openings are computed from the distances at cell corners by linear interpolation; openings
+/// Obstacles on the fluid's grid at one time: partly open faces, obstacle velocities, and enclosed pockets
+/// of fluid. The openings of faces are linearly interpolated from the distances at cell corners; openings
 /// below 1/16 are closed.
 class FluidSolids {
  public:
-  /// Places the obstacles at `time` (seconds) and takes their velocities from the motion since `time` -
-  /// `dt`. `pictures`: one per obstacle, used for shape "image". `sides`: the velocities at the grid's
-  /// sides.
+  /// Places the obstacles at `time` (seconds) and computes their velocities from the motion since `time` -
+  /// `dt`. `pictures` has one entry per obstacle, which is used for the shape "image". `sides` gives the
+  /// velocities at the grid's sides.
   FluidSolids(const FluidParameters& p, const std::vector<PictureDistances>& pictures, double time,
               double dt, const shader::FluidStep& sides);
 
   [[nodiscard]] const FluidLevels& levels() const { return levels_; }
   /// Returns one byte per cell, x fastest: 1 if all faces of the cell are closed.
   [[nodiscard]] const std::vector<std::uint8_t>& solid() const { return solid_; }
-  /// Returns the data for the kernels: the weights of all levels; then, if there are obstacles, the words
-  /// of solidWord (glsl/fluid/walls.glsl) in blocks of 2x2 cells; then FluidLevels::tileLists.
+  /// Returns the data for the kernels: first the weights of all levels; then, if there are obstacles, the
+  /// words of solidWord (glsl/fluid/walls.glsl) in blocks of 2x2 cells; then FluidLevels::tileLists.
   [[nodiscard]] const std::vector<glm::uvec4>& words() const { return words_; }
   [[nodiscard]] int solidsStart() const { return levels_.elements(); }
   [[nodiscard]] int tilesStart() const { return tilesStart_; }
   /// Returns for each level the number of workgroups for open tiles and for other tiles.
   [[nodiscard]] const std::vector<glm::ivec2>& tileGroups() const { return tileGroups_; }
-  /// Returns a cell's packed word: distance, obstacle, pocket.
+  /// Returns a cell's packed word of distance, obstacle index and pocket index.
   [[nodiscard]] std::uint32_t wordAt(int x, int y) const;
   [[nodiscard]] const shader::FluidSolidSet& set() const { return set_; }
-  /// Number of disconnected regions of the fluid, and the zero-based region index of each cell; -1: solid.
+  /// pockets() returns the number of disconnected regions of fluid. pocketOf() returns the zero-based
+  /// region index of each cell, -1 if it is solid.
   [[nodiscard]] int pockets() const { return pockets_; }
   [[nodiscard]] const std::vector<int>& pocketOf() const { return pocketOf_; }
-  /// Returns the fractions, 0 to 1, of a cell's left, right, top and bottom faces that obstacles close;
-  /// walls at the grid's sides do not count.
+  /// Returns the closed fractions, 0 to 1, of a cell's left, right, top and bottom faces. Only obstacles
+  /// count, not walls at the grid's sides.
   [[nodiscard]] glm::dvec4 closedAt(int x, int y) const;
   /// Returns the rigid-body velocity (cells/s) of the obstacle nearest to a cell, evaluated at a point in
   /// cells.
   [[nodiscard]] glm::dvec2 velocityAt(glm::ivec2 cell, glm::dvec2 point) const;
-  /// Returns true if some pocket has to grow or shrink: it has no open side, and walls or inflows change
-  /// its volume.
+  /// Returns true if a pocket has to grow or shrink, because it has no open side and walls or inflows
+  /// change its volume.
   [[nodiscard]] bool grows() const { return grows_; }
   /// Returns the signed distance (cells) from the centre of cell (x, y) to the nearest obstacle, at most 8.
   [[nodiscard]] double distanceAt(int x, int y) const { return shader::wallDistance(wordAt(x, y)); }

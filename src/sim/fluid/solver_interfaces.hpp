@@ -4,7 +4,7 @@
 /// Interfaces of the kernels of the pressure solver.
 namespace simreel::sim {
 
-/// Interface part for glsl/fluid/solver/levels.glsl.
+/// Part of a kernel interface: members of glsl/fluid/solver/levels.glsl.
 struct FluidLevelPart {
   gl::Block<"LevelBlock", shader::FluidLevelPlace> level;
   gl::In<"pool"> pool;
@@ -12,8 +12,8 @@ struct FluidLevelPart {
   gl::In<"weights"> weights;
 };
 struct FluidTiles {
-  gl::Choice<"IN_THE_OPEN", 0, 1, 2>
-      open;  // Tiles that the kernel processes: 0: tiles that are not open, 1: open tiles, 2: both.
+  gl::Choice<"IN_THE_OPEN", 0, 1, 2> open;  // Tiles that the kernel processes: 0 for the tiles that are not
+                                            // open, 1 for the open tiles, 2 for both.
 };
 struct FluidTileGroups {
   gl::Choice<"IN_THE_OPEN", 0, 1, 2> open;

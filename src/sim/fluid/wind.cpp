@@ -29,8 +29,9 @@ scene::Box boxOfPlane(const FluidPlane& plane, glm::ivec2 size) {
   return {plane.position - half, plane.position + half};
 }
 
-// Grid coordinates of point p: x = (p - c) . ex / h + W / 2 and y = H / 2 - (p - c) . ey / h, for centre c,
-// cell width h and a grid of W x H cells.
+// Maps a point p to the grid coordinates x = (p - c) . ex / h + W / 2 and y = H / 2 - (p - c) . ey / h,
+// where c is the centre of the rectangle, ex and ey are its axes, h is the cell width, and the grid has W x
+// H cells.
 shader::WindGrid fluidWindGrid(const FluidPlane& plane, glm::ivec2 size) {
   const glm::dmat4 turned(rotationMatrix(plane.rotation));
   const glm::dvec3 right(turned[0]), up(turned[1]), middle(plane.position);

@@ -19,7 +19,7 @@ namespace simreel::shader {
 namespace simreel::sim {
 
 /// Position and orientation of a fluid's rectangle in the world. Without rotation it stands upright like a
-/// picture viewed along -z: the fluid's x points right, its y down.
+/// picture that is viewed along -z: x of the fluid points right and y down.
 struct FluidPlane {
   glm::vec3 position{0};  ///< Centre of the rectangle in metres.
   glm::vec3 rotation{0};  ///< Rotation of the rectangle in degrees about x, then y, then z.
@@ -28,14 +28,14 @@ struct FluidPlane {
   void describe(scene::Fields& fields);
 };
 
-/// Returns a box around a rectangle of `size` cells in the world.
+/// Returns the bounding box in the world of a rectangle of `size` cells.
 [[nodiscard]] scene::Box boxOfPlane(const FluidPlane& plane, glm::ivec2 size);
 
-/// Returns the data that lets other simulations sample a fluid of `size` cells as their wind
-/// (glsl/fluid/wind_model.glsl); shared with the CPU twins.
+/// Returns the data with which other simulations sample a fluid of `size` cells as their wind
+/// (glsl/fluid/wind_model.glsl). The CPU twins use it, too.
 [[nodiscard]] shader::WindGrid fluidWindGrid(const FluidPlane& plane, glm::ivec2 size);
 
-/// Kernel interface part for the members of glsl/fluid/wind_array.glsl, used if WIND is defined.
+/// Part of a kernel interface: members of glsl/fluid/wind_array.glsl, used if WIND is defined.
 struct FluidWindPart {
   gl::Uniform<"windGrid.across", glm::vec4> across;
   gl::Uniform<"windGrid.down", glm::vec4> down;
@@ -45,16 +45,16 @@ struct FluidWindPart {
   gl::In<"windCells"> cells;
 };
 
-/// Wind that other simulations take from a fluid, in the state after the fluid's latest step. There is no
-/// wind outside the fluid's rectangle; perpendicular to its plane the wind is constant.
+/// Wind that other simulations get from a fluid, in the state after the fluid's latest step. There is no
+/// wind outside the fluid's rectangle. Perpendicular to the rectangle's plane the wind is constant.
 class FluidWind {
  public:
   static const PortInfo port;
 
-  /// `flow`: returns the array that holds the flow at the moment of the call. `speed`: expected maximum
-  /// speed in cells/s.
+  /// `flow` returns the array that holds the flow when it is called. `speed` is the expected maximum speed
+  /// in cells/s.
   FluidWind(const FluidPlane& plane, glm::ivec2 size, float speed, std::function<const FluidArray&()> flow);
-  /// Creates a constant wind. `cells`: x and y are the flow (cells/s) at the left and top faces of each
+  /// Creates a constant wind. x and y of `cells` are the flow (cells/s) at the left and top faces of each
   /// cell, row by row, including a ring of one cell: (size.x + 2) (size.y + 2) elements.
   FluidWind(const std::string& name, const FluidPlane& plane, glm::ivec2 size,
             std::span<const glm::vec4> cells);
@@ -74,7 +74,7 @@ class FluidWind {
   shader::WindGrid grid_;
   float speed_;
   std::function<const FluidArray&()> flow_;
-  gl::Buffer still_;  ///< Cells of a constant wind.
+  gl::Buffer still_;  ///< Flow of a constant wind.
   FluidArray stillFlow_;
 };
 

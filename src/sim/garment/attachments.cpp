@@ -17,24 +17,25 @@ namespace simreel::sim {
 namespace {
 
 constexpr double unreachedWay = std::numeric_limits<double>::infinity();
-/// Attachments that would carry a smaller fraction of the weight are omitted.
+/// Minimum fraction of the weight that an attachment must carry; other attachments are omitted.
 constexpr double leastLacking = 0.2;
-/// Faces support each other, so only this fraction of the softness that stiffnessOf() computes takes
-/// effect. Measured by the stretch of hanging rows of right-angled and random meshes without attachments.
+/// Fraction of the softness computed by stiffnessOf() that takes effect, because faces support each other.
+/// It was measured from the stretch of hanging rows of right-angled and random meshes without attachments.
 constexpr double partOfSoftness = 0.75;
 
 double lengthOf(const glm::dvec3& d) {
   return std::sqrt(glm::dot(d, d));
 }
 
-/// A front that reaches a third vertex across the segment between two others.
+/// Path of a front that reaches a third vertex across the segment between two others.
 struct WayOver {
   double length = unreachedWay;
-  bool second = false;  ///< true: it crosses nearer to the second vertex
+  bool second = false;  ///< true if the path crosses the segment nearer to the second vertex
 };
 
-/// Computes the path to a third vertex, at the origin, across the segment a-b. With one source, the front
-/// is a circle around a point behind the segment; with several, it is a straight line.
+/// Computes the path to a third vertex, at the origin, across the segment a-b. If both vertices were
+/// reached from one source, the front is a circle around a point behind the segment; otherwise it is a
+/// straight line.
 WayOver wayOver(const glm::dvec2& a, const glm::dvec2& b, double toA, double toB, bool oneSource) {
   const glm::dvec2 edge = b - a;
   const double e = std::sqrt(glm::dot(edge, edge));
@@ -58,7 +59,7 @@ WayOver wayOver(const glm::dvec2& a, const glm::dvec2& b, double toA, double toB
   return {length, crosses > 0.5 * e};
 }
 
-/// Propagates fronts from all pins at once, vertex by vertex (fast marching).
+/// Propagates fronts from all pins simultaneously, vertex by vertex (fast marching).
 class Fronts {
  public:
   Fronts(const ClothTriangles& cloth, const std::vector<bool>& pinned) : cloth_(cloth) {
@@ -103,8 +104,8 @@ class Fronts {
     reach(vertex, way.length, ways.pins[way.second ? b : a]);
   }
 
-  /// Shortens the path of a vertex by its reached neighbours: along edges, across faces and, because angles
-  /// at the vertex can be wide, across the faces beyond, unfolded into one plane.
+  /// Shortens the path of a vertex through the neighbours that were already reached: along edges, across
+  /// faces and, because angles at the vertex can be wide, across the next faces, unfolded into one plane.
   void update(unsigned vertex) {
     if (reached_[vertex]) return;
     const glm::dvec3 here = cloth_.points[vertex];
@@ -132,7 +133,7 @@ class Fronts {
       const glm::dvec2 along = placeB - placeA;
       const glm::dvec2 placeC = placeA + along * part + glm::dvec2(along.y, -along.x) * height;
       if (!(placeC.y > 0) || !(placeC.x * placeB.y - placeC.y * placeB.x > 0))
-        continue;  // the point is hidden from the vertex
+        continue;  // the vertex cannot be seen from the point
       over(vertex, a, c, placeA, placeC);
       over(vertex, c, b, placeC, placeB);
     }
@@ -143,14 +144,14 @@ class Fronts {
   std::set<std::pair<double, unsigned>> open_;
 };
 
-/// Distribution of the weight on a group of pins that edges connect: M and b as functions of the distance s
-/// from the pins, and the integral U.
+/// Distribution of the weight over the distance from a group of pins that are connected by edges: the mass
+/// M beyond the distance s, the width b at s, and the integral U.
 class Hanging {
  public:
   Hanging() = default;
   explicit Hanging(double farthest) : width_(std::max(farthest, 1e-9) / bins) {}
 
-  /// Distributes the area (m^2) and mass (kg) of a face evenly over the distances `from` to `to`.
+  /// Distributes the area (m^2) and mass (kg) of a face evenly over the distances from `from` to `to`.
   void add(double from, double to, double area, double mass) {
     const double first = from / width_;
     const double last = std::max(to / width_, first + 1e-9);
@@ -165,7 +166,7 @@ class Hanging {
     }
   }
 
-  /// Returns U(distance) in kg.
+  /// Returns the integral U at a distance, in kg.
   [[nodiscard]] double lowered(double distance) const {
     double beyond = 0;
     for (const double mass : masses_) beyond += mass;
@@ -185,14 +186,14 @@ class Hanging {
   std::array<double, bins> areas_{}, masses_{};
 };
 
-/// Returns the stiffness (N/m) of a strip cut at an angle to the weft; `cosine` and `sine` are the squares
-/// of the angle's cosine and sine.
+/// Returns the stiffness (N/m) along a strip that is cut at an angle to the weft. `cosine` and `sine` are
+/// the squares of the angle's cosine and sine.
 double alongWay(const FaceStiffness& k, double cosine, double sine) {
   return 1 / (cosine * cosine / k.weft + sine * sine / k.warp + cosine * sine / k.shear);
 }
 
-/// Returns the cluster of each vertex: the lowest index among the pins that edges connect with the vertex'
-/// pin.
+/// Returns the cluster of each vertex: the minimum index of the pins that are connected by edges with the
+/// vertex' pin.
 std::vector<unsigned> clustersOf(const ClothTriangles& cloth, const std::vector<bool>& pinned,
                                  const WaysToPins& ways) {
   std::vector<unsigned> first(pinned.size());
@@ -219,8 +220,8 @@ std::vector<unsigned> clustersOf(const ClothTriangles& cloth, const std::vector<
 WaysToPins waysToPins(const ClothTriangles& cloth, const std::vector<bool>& pinned) {
   WaysToPins ways = Fronts(cloth, pinned).ways;
   for (std::size_t i = 0; i < ways.pins.size(); ++i)
-    if (ways.pins[i] != ClothTriangles::none)  // if the cluster has several pins, the front does not tell
-                                               // which one it started from
+    if (ways.pins[i] != ClothTriangles::none)  // if the cluster has several pins, it is unknown from which
+                                               // of them the front started
       ways.lengths[i] = std::max(ways.lengths[i], lengthOf(cloth.points[ways.pins[i]] - cloth.points[i]));
   return ways;
 }
@@ -240,7 +241,7 @@ std::vector<Attachment> attachmentsOf(const ClothTriangles& cloth, const std::ve
   std::map<unsigned, Hanging> hanging;
   for (const auto& [cluster, most] : farthest) hanging.emplace(cluster, Hanging(most));
   for (const ClothTriangles::Face& face : cloth.faces)
-    for (const unsigned corner : face.corners) {  // each corner gets a third of the face
+    for (const unsigned corner : face.corners) {  // each corner gets a third of the face's area and mass
       if (clusters[corner] == ClothTriangles::none) continue;
       double from = unreachedWay;
       double to = 0;

@@ -64,7 +64,7 @@ class Garment : public Simulation, public LockStep {
   [[nodiscard]] ContactPart contactPart() const override {
     const ClothParameters& p = plan_.parameters();
     ContactPart part{plan_.firstPositions(), {}, 0, p.contact->friction, plan_.contactRooms()};
-    part.positions.resize(part.rooms.size());  // without the ghosts of clamped edges
+    part.positions.resize(part.rooms.size());  // removes the ghost points of clamped edges
     part.name = name_;
     for (const glm::uvec4& face : plan_.arrays().corners) part.faces.emplace_back(face);
     double sum = 0;
@@ -163,7 +163,7 @@ class Garment : public Simulation, public LockStep {
   }
 
  private:
-  /// Computes what is drawn of the current state.
+  /// Computes the data for drawing the current state.
   void prepareDrawing() {
     kernels_.prepareDrawing(steps_.at(0));
     if (colors_)
@@ -187,7 +187,7 @@ class Garment : public Simulation, public LockStep {
   GarmentKernels kernels_;
   StepBlocks<shader::ClothStep> steps_;
   MeshTopology topology_;
-  std::optional<MovingLooks> looks_;  ///< nullopt: the vertices are coloured
+  std::optional<MovingLooks> looks_;  ///< empty if the vertices are coloured by a quantity
   scene::Material material_;
   std::optional<ClothColors> colors_;
 };

@@ -5,7 +5,7 @@
 
 namespace simreel::sim {
 
-/// Returns the simulation kind "cloth": a grid, or a mesh if the parameters name one.
+/// Returns the simulation kind "cloth": a mesh if the parameters give one, otherwise a grid.
 [[nodiscard]] SimulationKind clothKind();
 
 }  // namespace simreel::sim

@@ -2,12 +2,12 @@
 
 namespace simreel::sim {
 
-/// Inputs that all kernels share (glsl/garment/kernel.glsl).
+/// Part of a kernel interface: inputs common to all kernels (glsl/garment/kernel.glsl).
 struct GarmentPart {
   gl::Uniform<"count", int> count;
   gl::Block<"StepBlock", shader::ClothStep> step;
 };
-/// Faces around each vertex.
+/// Part of a kernel interface: faces around each vertex.
 struct GarmentRings {
   gl::In<"fans"> fans;
   gl::In<"rings"> rings;
@@ -115,7 +115,8 @@ struct GarmentShow {
 
 namespace {
 
-/// Calls `run` with the first item and the item count of each colour; `back` reverses the order.
+/// Calls `run` with the first item and the number of items of each colour, in reverse order if `back` is
+/// true.
 template <class Run>
 void inColours(const std::vector<int>& colours, bool back, const Run& run) {
   for (std::size_t k = 0; k + 1 < colours.size(); ++k) {
@@ -226,9 +227,11 @@ void GarmentKernels::accelerate(const Step& step, std::size_t bending) const {
                                 .next = positions_[1]});
 }
 
-// Applies the stretch and shear constraints to positions_[1], in forward and then in reverse order.
+// Applies the stretch and shear constraints to positions_[1], first in forward and then in reverse order.
 void GarmentKernels::stretch(const Step& step) const {
-  if (plan_->parameters().keepsEnergy()) return;  // forces were applied by accelerate()
+  if (plan_->parameters().keepsEnergy())
+    return;  // such cloth has no constraints; accelerate() has applied
+             // the forces
   for (const bool back : {false, true})
     inColours(plan_->arrays().colours, back, [&](int first, int count) {
       stretch_.dispatch(count, {.garment = {count, step},
@@ -240,7 +243,7 @@ void GarmentKernels::stretch(const Step& step) const {
     });
 }
 
-// Pulls back vertices that are farther from their pin than the cloth is long.
+// Pulls back vertices whose distance from their pin exceeds the length of the cloth between them.
 void GarmentKernels::attach(const Step& step) const {
   if (plan_->arrays().attachments.empty()) return;
   const auto count = static_cast<int>(plan_->arrays().attachments.size());

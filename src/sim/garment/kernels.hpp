@@ -21,9 +21,9 @@ struct GarmentSettle;
 struct GarmentThin;
 struct GarmentShow;
 
-/// Owns the GPU state of a cloth of triangles and dispatches the kernels of a substep: air forces per face,
-/// forces and prediction per vertex, stretch and shear one colour of faces at a time, then velocities and
-/// collisions.
+/// Owns the GPU state of a cloth made of triangles and dispatches the kernels of a substep in this order:
+/// air forces per face, forces and prediction per vertex, stretch and shear of the faces one colour at a
+/// time, and finally velocities and collisions.
 class GarmentKernels {
  public:
   /// Uniform block of one substep (shader::ClothStep).
@@ -34,13 +34,13 @@ class GarmentKernels {
 
   /// Prepares the frame from time `begin` to `end` (seconds).
   void beginFrame(double begin, double end) { hold_.beginFrame(plan_->skinPins(), begin, end); }
-  /// Computes the result of a substep with the plan's bending number `bending`; finish() makes it the
-  /// current state.
+  /// Computes the state after a substep, where `bending` is an index into the plan's bendings. finish()
+  /// makes it the current state.
   void predict(int substep, const Step& step, std::size_t bending, const TouchPart& touch);
-  /// Repeats the last part of predict() for the vertices that contact has pushed since.
+  /// Repeats the last part of predict() for the vertices that contact has pushed since then.
   void settle(const Step& step, const TouchPart& touch) const { meet(settleAgain_, step, touch); }
   void finish() { std::swap(positions_[0], positions_[1]); }
-  /// Computes the drawn positions and normals of the current state; `step` can be any substep's block.
+  /// Computes the drawn positions and normals of the current state; `step` can be the block of any substep.
   void prepareDrawing(const Step& step) const;
 
   [[nodiscard]] gl::Vec4Array& positions() { return positions_[0]; }
@@ -49,8 +49,8 @@ class GarmentKernels {
   [[nodiscard]] const gl::Vec4Array& nextPositions() const { return positions_[1]; }
   [[nodiscard]] gl::Vec4Array& velocities() { return velocities_; }
   [[nodiscard]] const gl::Vec4Array& velocities() const { return velocities_; }
-  /// Returns the constraints' trends (glsl/cloth/motion.glsl); for a pinned vertex, its rest position
-  /// instead.
+  /// Returns the trends of the constraints (glsl/cloth/motion.glsl). For a pinned vertex the element is the
+  /// rest position instead.
   [[nodiscard]] gl::Vec4Array& trends() { return trends_; }
   [[nodiscard]] const gl::Vec4Array& trends() const { return trends_; }
   [[nodiscard]] const gl::Vec4Array& drawnPositions() const { return drawnPositions_; }
@@ -69,12 +69,13 @@ class GarmentKernels {
   void meet(const gl::Kernel<GarmentSettle>& settling, const Step& step, const TouchPart& touch) const;
 
   const GarmentPlan* plan_;
-  int vertices_;                ///< number of vertices, including the ghosts of clamped edges
+  int vertices_;                ///< number of vertices, including the ghost points of clamped edges
   gl::Vec4Array positions_[2];  ///< current positions, and the output of the next substep
   gl::Vec4Array velocities_, trends_, elements_, faceForces_;
-  gl::Vec4Array left_;  ///< for a cloth in contact: predicted positions before contact pushed the vertices
+  gl::Vec4Array left_;  ///< for a cloth in contact: the predicted positions before contact pushed the
+                        ///< vertices
   gl::WordsArray corners_, rings_, copies_, stitches_, attachments_;
-  std::vector<gl::WordsArray> fans_, entries_;  ///< one array for each of the plan's bendings
+  std::vector<gl::WordsArray> fans_, entries_;  ///< one array for each entry of the plan's bendings
   gl::Vec4Array drawnPositions_, drawnNormals_;
   gl::Buffer status_;
   SkinHold hold_;

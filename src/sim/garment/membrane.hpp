@@ -11,12 +11,14 @@ namespace simreel::sim {
 
 /// Stretch and shear of one face of a mesh (glsl/garment/membrane.glsl).
 struct MembraneElement {
-  double p, q, r, s;  ///< coefficients in 1/m: fu = (b - a) p + (c - a) q, fv = (b - a) r + (c - a) s
+  double p, q, r, s;  ///< coefficients in 1/m of the deformation gradient of a face a, b, c: fu = (b - a) p
+                      ///< + (c - a) q, fv = (b - a) r + (c - a) s
   double area;        ///< area in m^2
 };
 
-/// Returns one element per face. Weft runs along u, warp perpendicular to it in the face's plane. Without
-/// usable uv, weft runs along the mesh's x axis, or along z for faces perpendicular to x.
+/// Returns one element per face. The weft runs along u, and the warp perpendicular to it in the plane of
+/// the face. If the uv cannot be used, the weft runs along the mesh's x axis, or along z for faces
+/// perpendicular to x.
 [[nodiscard]] std::vector<MembraneElement> membraneElements(const ClothTriangles& cloth, const Mesh& mesh);
 
 /// Deformation of a face.
@@ -32,18 +34,19 @@ struct FaceStiffness {
   double weft, warp, shear;
 };
 /// Returns the effective stiffness of a face whose constraints are relaxed forward and back once in
-/// `seconds`: 1 / (1 / k + A S h^2 / 2), where h is constraintPart * seconds and S the sum of the corners'
-/// inverse masses (1/kg) times their squared gradients. The stored energy follows from it. With 0 seconds
-/// it is the fabric's stiffness.
+/// `seconds`: 1 / (1 / k + A S h^2 / 2), where k is the fabric's stiffness, A the face's area, h is
+/// constraintPart * seconds, and S is the sum over the corners of the inverse mass (1/kg) times the squared
+/// gradient. The stored energy is computed with it. If `seconds` is 0, it is the fabric's stiffness.
 [[nodiscard]] FaceStiffness stiffnessOf(const MembraneElement& element,
                                         const shader::FabricConstants& fabric,
                                         const glm::dvec3& inverseMasses, double seconds);
 
-/// Returns the `seconds` argument of stiffnessOf() for a substep. Faces of cloth that keeps energy are
-/// softer, 1 / (1 / k + softening A S dt^2), so the result is longer than the substep.
+/// Returns the argument `seconds` of stiffnessOf() for a substep. Faces of cloth that keeps energy are
+/// softer, with 1 / (1 / k + softening A S dt^2), so for them the result is longer than the substep.
 [[nodiscard]] double softeningSeconds(const ClothParameters& parameters, double seconds);
 
-/// Returns E = A / 2 (weft (l - 1)^2 + warp (m - 1)^2 + shear s^2) in J.
+/// Returns the energy A / 2 (weft (l - 1)^2 + warp (m - 1)^2 + shear s^2) in J, with the area A, the length
+/// ratios l and m along weft and warp, and the sine s of the shear angle.
 [[nodiscard]] double membraneEnergy(const MembraneElement& element, const FaceStiffness& stiffness,
                                     const FaceStrain& strain);
 

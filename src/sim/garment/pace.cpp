@@ -17,14 +17,14 @@ constexpr double mostStretchError = 0.005;
 /// Fraction of a length held by attachments that counts as hanging.
 constexpr double attachedPart = 0.1;
 constexpr int mostSubsteps = 1024;
-/// Maximum of substeps per frame for the sake of bending. Beyond it, elements are softened instead, because
-/// a few slivers would slow down the whole cloth.
+/// Maximum number of substeps per frame that are added because of bending. Beyond it, elements are softened
+/// instead, because otherwise a few slivers would slow down the whole cloth.
 constexpr double mostForBending = 240;
 
 constexpr double unreached = std::numeric_limits<double>::infinity();
 
 /// Shortens `distances` along edges, starting from the vertices in `open` (Dijkstra). Returns the reached
-/// vertices, the farthest last.
+/// vertices in the order of their distance.
 std::vector<unsigned> spread(const ClothTriangles& cloth, const std::multimap<unsigned, unsigned>& links,
                              std::vector<double>& distances, std::set<std::pair<double, unsigned>> open) {
   std::vector<unsigned> reached;
@@ -63,7 +63,7 @@ std::vector<double> hangingWays(const ClothTriangles& cloth, const std::vector<b
   spread(cloth, links, distances, open);
   for (unsigned i = 0; i < distances.size(); ++i) {
     if (distances[i] < unreached) continue;
-    // A piece without pins: searches from one end to the other.
+    // For a piece without pins, searches from one end of the piece to the other.
     unsigned end = i;
     for (int way = 0; way < 2; ++way) {
       distances[end] = 0;
@@ -123,8 +123,8 @@ GarmentPace::GarmentPace(const ClothParameters& parameters, const ClothTriangles
 }
 
 double GarmentPace::stableSeconds() const {
-  // Stability limit of semi-implicit Euler as for grids (ClothParameters::stableSeconds()): (w dt)^2 + 2 c
-  // dt < 4, for faces with w^2 <= 4 T A S.
+  // As for grids (ClothParameters::stableSeconds()), semi-implicit Euler is stable if (w dt)^2 + 2 c dt <
+  // 4, where c is the drag rate and w^2 <= 4 T A S for faces with the tension T.
   const double rate = drag + std::sqrt(drag * drag + 16.0 * stiffening);
   return rate > 0 ? 4.0 / rate : unreached;
 }

@@ -14,49 +14,51 @@ namespace simreel::sim {
 ///
 /// Constraints are relaxed forward and back once per substep (XPBD with small steps, Macklin et al. 2019),
 /// with the time step h = constraintPart * seconds. Cloth that hangs at rest falls by g h^2 per substep and
-/// is pulled back by the same distance. A face therefore carries the tension T per width only once it is
-/// stretched by e = T A S h^2 / 2 in addition to its compliance's stretch, where S is the sum of its
-/// corners' inverse masses times their squared gradients. If the length d hangs on the face, T = rho g d,
-/// so the average over that length is e = 1/4 rho g d A S h^2.
+/// is pulled back by the same distance. A face therefore carries the tension T per width only when it is
+/// stretched by e = T A S h^2 / 2 in addition to the stretch of its compliance, where A is the area and S
+/// is the sum over its corners of the inverse mass times the squared gradient. If cloth of the length d and
+/// the density rho hangs from the face, T = rho g d, so the mean over that length is e = 1/4 rho g d A S
+/// h^2.
 ///
-/// "auto" keeps that error below 1/2 %, or below 5 % if attachments (attachments.hpp) hold the cloth: they
-/// hold it straight, but are slack if swinging cloth is taut along a curve.
+/// "auto" keeps that error below 0.5 %, or below 5 % if attachments (attachments.hpp) hold the cloth.
+/// Attachments hold the cloth straight, but they are slack while swinging cloth is taut along a curve.
 struct GarmentPace {
   GarmentPace(const ClothParameters& parameters, const ClothTriangles& cloth,
               const std::vector<MembraneElement>& membrane, const std::vector<double>& masses,
               const std::vector<bool>& pinned, const std::multimap<unsigned, unsigned>& links);
 
-  double hanging = 0;       ///< length d in metres (see hangingLength()); a length held by attachments
-                            ///< counts by a tenth
-  double stiffening = 0;    ///< product rho a d A S in 1/s^2, where a is the acceleration by the greatest
-                            ///< load
-  double drag = 0;          ///< rate in 1/s at which the fastest air drags the cloth
+  double hanging = 0;       ///< length d in metres (see hangingLength()); of a length held by attachments,
+                            ///< only a tenth counts
+  double stiffening = 0;    ///< product rho a d A S in 1/s^2, where a is the maximum acceleration by
+                            ///< gravity and wind
+  double drag = 0;          ///< rate in 1/s at which the fastest air slows the cloth
   double softening = 1;     ///< ratio of softeningSeconds() to its argument
-  double steadyPart = 0.7;  ///< fraction of the stable substep that "auto" takes, the same as for grids
+  double steadyPart = 0.7;  ///< fraction of the maximum stable substep that "auto" uses; the same value as
+                            ///< for grids
   [[nodiscard]] double stretchError(double seconds) const {
     const double reach = constraintPart * softening * seconds;
     return 0.25 * stiffening * reach * reach;
   }
-  /// Returns the longest stable substep in seconds, limited by hanging cloth that swings sideways, in the
-  /// fastest air. Cloth held by attachments is stable, too: the tension of its faces is k_e e at the
-  /// stretch e, and k_e A S h^2 <= 1, so w^2 h^2 <= 4 e.
+  /// Returns the maximum stable substep in seconds in the fastest air, limited by the sideways swings of
+  /// hanging cloth. Cloth held by attachments is also stable: at the stretch e, the tension of its faces is
+  /// k_e e with k_e A S h^2 <= 1, so w^2 h^2 <= 4 e for the frequency w of a swing.
   [[nodiscard]] double stableSeconds() const;
-  /// Returns the number of substeps per frame for "auto", at least `fewest`. `bendingSquared` (1/s^2): the
-  /// result of plateFrequencySquared().
+  /// Returns the number of substeps per frame for "auto", at least `fewest`. `bendingSquared` (1/s^2) is
+  /// the result of plateFrequencySquared().
   [[nodiscard]] int substeps(double frameSeconds, double bendingSquared, int fewest = 8) const;
 };
 
-/// Returns for each vertex the length in metres of which hangingLength() returns the maximum.
+/// Returns the length in metres for each vertex; hangingLength() returns the maximum of these lengths.
 [[nodiscard]] std::vector<double> hangingWays(const ClothTriangles& cloth, const std::vector<bool>& pinned,
                                               const std::multimap<unsigned, unsigned>& links);
 
 /// Returns the maximum over all vertices of the shortest path along edges to a pin of the same piece, in
-/// metres. For a piece without pins: half of the path between two vertices far apart. `links` connect
-/// vertices at zero distance, in both directions (seams).
+/// metres. For a piece without pins, the length is half of the path between two vertices that are far
+/// apart. `links` (seams) connect vertices at zero distance; each connection is listed in both directions.
 [[nodiscard]] double hangingLength(const ClothTriangles& cloth, const std::vector<bool>& pinned,
                                    const std::multimap<unsigned, unsigned>& links);
 
-/// Returns the largest squared bending frequency (1/s^2) that an explicit step of `seconds` tolerates.
+/// Returns the maximum squared bending frequency (1/s^2) for which an explicit step of `seconds` is stable.
 [[nodiscard]] constexpr double mostBending(double seconds) {
   return 2.0 / (seconds * seconds);
 }

@@ -33,7 +33,7 @@ std::vector<double> vertexMasses(const ClothTriangles& cloth, double density) {
   return masses;
 }
 
-/// Transforms a point from the mesh's space to world space.
+/// Transforms a point from the mesh's local space to world space.
 glm::vec3 placed(const ClothParameters& parameters, const glm::dvec3& p) {
   const glm::mat4 turn = rotationMatrix(parameters.rotation);
   glm::dvec3 place(parameters.position);
@@ -146,7 +146,7 @@ void GarmentPlan::clamp(const std::string& name, const ClothParameters& paramete
       const glm::dvec3 a = cloth_.points[face.corners[k]];
       const glm::dvec3 edge = cloth_.points[face.corners[(k + 1) % 3]] - a;
       const glm::dvec3 within = cloth_.points[face.corners[(k + 2) % 3]] - a;
-      // The ghost lies as far outside the edge as the third corner lies inside.
+      // The ghost point is as far outside the edge as the third corner is inside.
       const glm::dvec3 out = edge * (glm::dot(within, edge) / glm::dot(edge, edge)) - within;
       const auto ghost = static_cast<unsigned>(cloth_.points.size() + clamps_.size());
       clamps_.push_back({f, k, ghost, std::sqrt(glm::dot(out, out))});
@@ -169,14 +169,14 @@ void GarmentPlan::sew(const std::string& name, const ClothParameters& parameters
     for (std::size_t i = 0; i < seam.from.size(); ++i) {
       const unsigned a = vertexNamed(name, fmt::format("seams[{}]", k), seam.from[i]);
       const unsigned b = vertexNamed(name, fmt::format("seams[{}]", k), seam.to[i]);
-      if (a == b) continue;  // already the same vertex
+      if (a == b) continue;  // both vertices have been merged
       const glm::dvec3 d = glm::dvec3(rest_[b]) - glm::dvec3(rest_[a]);
       shut_[seam.seconds].emplace_back(a, b);
       stitches.emplace_back(a, b, bitsOf(std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z)),
                             bitsOf(1 / seam.seconds));
     }
   }
-  // Greedy colouring: each stitch gets the first colour that neither of its vertices has.
+  // Greedy colouring: each stitch gets the first colour that no other stitch at its two vertices has.
   std::vector<std::vector<glm::uvec4>> colours;
   std::vector<std::vector<bool>> taken;
   for (const glm::uvec4& stitch : stitches) {
@@ -239,7 +239,8 @@ ClothParameters GarmentPlan::settled(const std::string& name, ClothParameters pa
     const bool thin = std::any_of(colliders.begin(), colliders.end(), [&](const ColliderShape& shape) {
       return ColliderPlan::isThin(shape, edge, reach);
     });
-    // 1/960 s is short enough for faces, relaxed once per substep, to give way to a rod of 2 cm at 10 m/s.
+    // With a substep of 1/960 s, faces that are relaxed once per substep yield fast enough to a rod of 2 cm
+    // at 10 m/s.
     const double longest = parameters.keepsEnergy() ? keepingFaceSubstep : 1.0 / 960;
     const int fewest =
         thin || parameters.keepsEnergy() ? static_cast<int>(std::ceil(frameSeconds / longest - 1e-9)) : 8;
@@ -280,7 +281,7 @@ void GarmentPlan::bend(const std::string& name, const ClothParameters& parameter
   int softened = 0;
   for (const std::vector<PlateElement>& plate : plates_) {
     GarmentBending bending;
-    // Starts at the first substep after the seam is closed.
+    // The bending applies from the first substep after the seam is closed.
     if (!arrays_.bendings.empty()) bending.from = static_cast<int>(std::ceil((shut++)->first / seconds));
     const PlateMatrix matrix(plate, parameters.fabric->constants().bending, inverseMasses(),
                              mostBending(seconds));

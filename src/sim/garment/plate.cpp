@@ -23,14 +23,14 @@ struct FlatPoint {
   glm::dvec2 place;
 };
 
-/// A face unfolded into the plane of the first one.
+/// Face unfolded into the plane of the patch's first face.
 struct FlatFace {
   unsigned face;
   std::array<glm::dvec2, 3> corners;
 };
 
 /// The two faces at an edge and the rings of faces around them, unfolded into one plane. The origin is the
-/// middle of the edge; x runs along it, y out of the first face.
+/// middle of the edge. The x axis runs along the edge; the y axis points out of the first face.
 class Patch {
  public:
   Patch(const ClothTriangles& cloth, unsigned first, std::size_t side) : cloth_(cloth) {
@@ -58,7 +58,7 @@ class Patch {
   }
 
   std::vector<FlatPoint> points;
-  double length;  ///< metres; length of the edge
+  double length;  ///< length of the edge in metres
 
  private:
   void addBeyond(const FlatFace from, std::size_t side) {
@@ -69,7 +69,7 @@ class Patch {
       return;
     const glm::dvec2 p = from.corners[side];
     const glm::dvec2 along = from.corners[(side + 1) % 3] - p;
-    // Uses the other face's own corners, because a sewn neighbour lies elsewhere.
+    // Uses the corners of the neighbour, because after sewing they differ from those of this face.
     const Face& beyond = cloth_.faces[other];
     const std::size_t back = cloth_.sideBeyond(from.face, side);
     const glm::dvec3 start = cloth_.points[beyond.corners[(back + 1) % 3]];
@@ -132,8 +132,8 @@ struct Term {
   double weight;
 };
 
-/// Returns the derivative along y at the origin (1/m) of the quadratic that best fits the points; empty if
-/// the points do not determine it.
+/// Returns the derivative along y at the origin (1/m) of the quadratic that best fits the points. The list
+/// of terms is empty if the points do not determine a quadratic.
 std::vector<Term> slopeOfFit(const Patch& patch) {
   if (patch.points.size() < mostUnknowns) return {};
   std::vector<SolverRow> values;
@@ -156,7 +156,7 @@ std::vector<Term> slopeOfFit(const Patch& patch) {
   return terms;
 }
 
-/// Returns the mean slope of the two faces' planes, the fallback for too few points.
+/// Returns the mean slope of the planes of the two faces; used if there are too few points for a fit.
 std::vector<Term> slopeOfPlanes(const Patch& patch) {
   std::vector<Term> terms;
   for (std::size_t k = 0; k < 4; ++k) terms.push_back({patch.points[k].vertex, 0});
@@ -173,7 +173,7 @@ std::vector<Term> slopeOfPlanes(const Patch& patch) {
   return terms;
 }
 
-/// Returns the derivative across an edge at its middle, pointing out of the face.
+/// Returns the derivative across an edge at its middle, in the direction out of the face.
 std::vector<Term> slopeAcross(const ClothTriangles& cloth, unsigned face, std::size_t side) {
   constexpr double most = 3;
   constexpr int rings = 3;
@@ -192,8 +192,8 @@ std::vector<Term> slopeAcross(const ClothTriangles& cloth, unsigned face, std::s
   return best.empty() ? slopeOfPlanes(patch) : best;
 }
 
-/// Returns the symmetric part of the product a b^T as (xx, yy, sqrt(2) xy), so that the dot product with
-/// itself is the sum of squares of the entries.
+/// Returns the symmetric part of the product a b^T as (xx, yy, sqrt(2) xy), so that the dot product of the
+/// result with itself is the sum of the squared entries.
 glm::dvec3 symmetric(const glm::dvec2& a, const glm::dvec2& b) {
   return {a.x * b.x, a.y * b.y, (a.x * b.y + a.y * b.x) / std::numbers::sqrt2};
 }
@@ -213,7 +213,7 @@ glm::dvec3 without(const std::vector<glm::dvec3>& directions, glm::dvec3 v) {
 
 using Slopes = std::vector<std::array<std::vector<Term>, 3>>;
 
-/// Clamped edges of a face by side; null: the side is not clamped.
+/// Clamped edges of a face, one per side; null for a side that is not clamped.
 using Clamps = std::array<const ClampedEdge*, 3>;
 
 PlateElement elementOf(const ClothTriangles& cloth, unsigned number, const Slopes& slopes,
@@ -265,7 +265,7 @@ PlateElement elementOf(const ClothTriangles& cloth, unsigned number, const Slope
   return element;
 }
 
-/// Distributes the weight of a sewn vertex evenly over all vertices sewn together.
+/// Distributes the weight of a sewn vertex evenly over all vertices that are sewn together with it.
 void share(const std::vector<std::vector<unsigned>>& sewn, PlateElement& element) {
   std::vector<PlateElement::Part> parts;
   for (const PlateElement::Part& part : element.parts) {
@@ -280,12 +280,12 @@ void share(const std::vector<std::vector<unsigned>>& sewn, PlateElement& element
   element.parts = std::move(parts);
 }
 
-/// Returns an entry of the element's matrix, without the factor D.
+/// Returns an entry of the element's matrix without the factor D (the bending stiffness).
 double entry(const PlateElement& element, std::size_t i, std::size_t j) {
   return element.area * glm::dot(element.parts[i].weights, element.parts[j].weights);
 }
 
-/// Returns the element's contribution to the frequency bound at its i-th vertex, without the factor D.
+/// Returns the element's contribution, without the factor D, to the frequency bound at its i-th vertex.
 double boundAt(const PlateElement& element, std::size_t i, const std::vector<double>& inverseMasses) {
   double sum = 0;
   for (std::size_t j = 0; j < element.parts.size(); ++j) sum += std::abs(entry(element, i, j));

@@ -10,7 +10,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Returns the maximum, or NaN if either is NaN.
+/// Returns the maximum, or NaN if either argument is NaN.
 double greaterOf(double a, double b) {
   return std::isnan(a) || a >= b ? a : b;
 }
@@ -30,7 +30,7 @@ std::vector<double> measureGarment(const GarmentPlan& plan, std::span<const glm:
   double fastestSquared = 0;
   for (std::size_t i = 0; i < positions.size(); ++i) {
     points.emplace_back(positions[i]);
-    if (i >= plan.masses().size()) continue;  // skips a ghost of a clamped edge
+    if (i >= plan.masses().size()) continue;  // skips the ghost points of clamped edges
     const double mass = plan.masses()[i];
     const glm::dvec3 v(velocities[i]);
     total += mass;

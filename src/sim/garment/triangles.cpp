@@ -16,10 +16,11 @@ namespace simreel::sim {
 
 namespace {
 
-/// Minimum area of a face as a fraction of its longest edge's square; smaller faces are degenerate.
+/// Minimum area of a face as a fraction of the squared length of its longest edge; smaller faces are
+/// degenerate.
 constexpr double leastArea = 1e-5;
-/// Maximum number of faces around a vertex. All of them have different colours, and colours are processed
-/// one after another.
+/// Maximum number of faces around a vertex. They all have different colours, and colours are processed one
+/// after another.
 constexpr unsigned mostAround = 256;
 
 using Spot = std::array<float, 3>;
@@ -28,7 +29,7 @@ Spot placeOf(const glm::vec3& p) {
   return {p.x, p.y, p.z};
 }
 
-/// Returns for each vertex the first one at the same position.
+/// Returns for each vertex the index of the first vertex at the same position.
 std::vector<unsigned> firstAtPlace(const Mesh& mesh) {
   std::vector<unsigned> order(mesh.positions.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -45,7 +46,8 @@ std::vector<unsigned> firstAtPlace(const Mesh& mesh) {
   return first;
 }
 
-/// Returns for each vertex the first one that a chain of steps of at most `reach` (metres) leads to.
+/// Returns for each vertex the first vertex that can be reached from it by steps of at most `reach`
+/// (metres) between vertices.
 std::vector<unsigned> firstWithin(const Mesh& mesh, double scale, double reach) {
   std::vector<unsigned> first(mesh.positions.size());
   std::iota(first.begin(), first.end(), 0U);
@@ -192,7 +194,10 @@ int ClothTriangles::sew(const std::vector<std::pair<unsigned, unsigned>>& stitch
   }
   for (unsigned i = 0; i < sewn_.size(); ++i) sewn_[i] = root(i);
   int opposite = 0;
-  std::map<std::pair<unsigned, unsigned>, std::pair<unsigned, std::size_t>> borders;  // by end vertices
+  std::map<std::pair<unsigned, unsigned>, std::pair<unsigned, std::size_t>>
+      borders;  // border edges; the key
+                // holds the vertices at the
+                // ends
   for (unsigned f = 0; f < faces.size(); ++f)
     for (std::size_t k = 0; k < 3; ++k) {
       if (faces[f].neighbours[k] != none) continue;
@@ -226,7 +231,8 @@ std::size_t ClothTriangles::sideBeyond(unsigned face, std::size_t side) const {
 
 std::vector<int> colourFaces(const ClothTriangles& cloth) {
   std::vector<int> colours(cloth.faces.size(), -1);
-  std::vector<unsigned> taken;  // index of the face that last found the colour taken
+  std::vector<unsigned> taken;  // for each colour: index of the last face whose search found the colour
+                                // taken
   for (unsigned f = 0; f < cloth.faces.size(); ++f) {
     for (const unsigned corner : cloth.faces[f].corners)
       for (unsigned k = cloth.starts[corner]; k < cloth.starts[corner + 1]; ++k) {

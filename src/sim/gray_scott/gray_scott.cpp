@@ -66,13 +66,13 @@ class GrayScott : public Simulation, public Retunable {
     field.cells = Field::Cells::floats;
     field.size = p.size;
     field.rowWords = 4 * plan_.columns();
-    field.firstWord = 1;  // Offset of v in a cell's pair (u, v).
+    field.firstWord = 1;  // Index of v in a cell's pair (u, v).
     field.cellWords = 2;
     field.range = {static_cast<float>(p.display.low), static_cast<float>(p.display.high)};
     field.colors = &colors_;
     field.display = &p.display;
     drawables.fields.push_back(field);
-    // Field for files, not drawn over the picture.
+    // This field is for files and is not drawn over the picture.
     field.name = &uName_;
     field.firstWord = 0;
     field.display = nullptr;

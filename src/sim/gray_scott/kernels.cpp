@@ -73,8 +73,8 @@ int stripGroup() {
   return gl::memoryPath() == gl::MemoryPath::texel ? 1 : 32;
 }
 
-/// Returns the number of strips in a pass of several steps. Each strip also recomputes `steps` cells around
-/// its part.
+/// Returns the number of strips in a pass of several steps. Each strip also recomputes `steps` cells on
+/// each side of its cells.
 int stripCount(glm::ivec2 size, int steps, int elements, int rows) {
   const int width = stripGroup() * elements - (steps + 1) / 2 * 2;
   return (((size.x + 1) / 2 - 1) / width + 1) * ((size.y - 1) / rows + 1);
@@ -94,9 +94,9 @@ void checkLimits(const std::string& name, glm::ivec2 size, int columns) {
   refuse(elements, "texels", gl::limits().texelBufferTexels, "GL_MAX_TEXTURE_BUFFER_SIZE");
 }
 
-/// Returns the number of rows per band; 0: no bands. An H200 transfers 3.6e12 bytes/s while both arrays are
-/// within 256 MiB, but 2.1e12 bytes/s at 1 GiB, probably because of TLB misses. A band of both arrays
-/// therefore takes 256 MiB. Software drivers and smaller grids use no bands.
+/// Returns the number of rows per band, or 0 to use no bands. An H200 transfers 3.6e12 bytes/s if both
+/// arrays fit into 256 MiB, but only 2.1e12 bytes/s at 1 GiB, probably because of TLB misses. A band of
+/// both arrays therefore takes 256 MiB. Software drivers and smaller grids use no bands.
 int bandRowsFor(int columns, int rows) {
   constexpr std::int64_t reach = 512LL << 20;
   const std::int64_t rowBytes = std::int64_t{columns} * 32;
@@ -106,13 +106,14 @@ int bandRowsFor(int columns, int rows) {
 
 }  // namespace
 
-// Longer and wider strips recompute fewer cells, but an H200 needs about 4,000 strips (each of its 132
-// multiprocessors runs 9 of the widest at a time). Measured from 512x512 to 8192x8192
-// (tools/bench/README.md).
+// With longer and wider strips, fewer cells are recomputed, but an H200 needs about 4,000 strips, because
+// each of its 132 multiprocessors runs 9 of the widest strips at a time. The values were measured from
+// 512x512 to 8192x8192 (tools/bench/README.md).
 GrayScottKernels::Cut GrayScottKernels::bestCut(glm::ivec2 size) {
   constexpr int steps = 4;
   if (gl::memoryPath() == gl::MemoryPath::texel) {
-    constexpr int elements = 12, lanes = 64;  // Enough strips for four threads with eight lanes each.
+    constexpr int elements = 12, lanes = 64;  // There must be enough strips for four threads with eight
+                                              // lanes each.
     int rows = 64;
     while (rows > 8 && stripCount(size, steps, elements, rows) < lanes) rows /= 2;
     return {1, 4, 32, 4, -1, steps, elements, rows};
@@ -207,11 +208,12 @@ void GrayScottKernels::swapCells() {
   std::swap(words_[0], words_[1]);
 }
 
-// Runs several steps band by band. A sweep over a grid larger than the device's memory caches and TLB would
-// miss in every pass. A band of rows that fits takes all steps in turn: step s computes the band's rows at
-// a distance of at least s from its edges, which need only existing values. Then the missing rows are
-// computed around each edge, s rows on both sides. Each row keeps the values of its last two steps, exactly
-// the ones that its neighbours still need, so two arrays suffice.
+// Runs several steps band by band. On a grid larger than the GPU's caches and TLB, each pass over the whole
+// grid would cause cache misses. Therefore, all steps are first computed for one band of rows that fits:
+// step s computes the rows of the band whose distance from the band's edges is at least s, which need only
+// existing values. Afterwards, the missing rows around each edge are computed, s rows on both sides. Each
+// row keeps the values of its last two steps, which are exactly those that its neighbours still need, so
+// two arrays are enough.
 void GrayScottKernels::bands(int steps) {
   const int number = (size_.y - 1) / cut_.bandRows + 1;
   const auto edge = [&](int band) { return static_cast<int>(std::int64_t{size_.y} * band / number); };

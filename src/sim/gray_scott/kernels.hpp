@@ -16,19 +16,19 @@ struct GrayScottPaint;
 /// Owns the cells of a Gray-Scott field on the GPU and the kernels that step them.
 class GrayScottKernels {
  public:
-  /// Work partition; every choice gives the same bits.
+  /// Distribution of the work among invocations. Every choice gives the same bits.
   struct Cut {
     int across =
         1;         ///< Number of consecutive elements (of two cells each) per invocation of a single step.
     int rows = 1;  ///< Number of rows per invocation of a single step.
     int groupX = 32, groupY = 4;
-    int bandRows =
-        -1;  ///< Number of rows per band for single steps (bands()); 0: no bands; -1: chosen by grid size.
-    int stepsPerPass = 1;   ///< Number of steps per pass of strips: 2, 3, 4, 6 or 8; 1: no strips.
+    int bandRows = -1;      ///< Number of rows per band for single steps (bands()); 0 for no bands, -1 to
+                            ///< choose it by the grid size.
+    int stepsPerPass = 1;   ///< Number of steps per pass of strips: 2, 3, 4, 6 or 8; 1 for no strips.
     int stripElements = 1;  ///< Number of elements across a strip per invocation.
     int stripRows = 64;     ///< Number of rows per strip.
   };
-  /// Returns the fastest partition for this grid size and this device's memory path.
+  /// Returns the fastest distribution for this grid size and this device's memory path.
   [[nodiscard]] static Cut bestCut(glm::ivec2 size);
 
   /// Throws UserError(device) if the grid exceeds a limit of the device.
@@ -38,28 +38,28 @@ class GrayScottKernels {
 
   /// Sets the rates for the following steps.
   void setRates(const shader::GrayScottRates& rates);
-  /// Advances by `steps` steps, several per pass if the partition allows.
+  /// Advances by `steps` steps, with several steps per pass if the distribution allows.
   void advance(int steps);
   void paint(const shader::Stroke& stroke);
 
-  /// Returns the status buffer of Simulation::status(). It causes a remark if a step clamped a cell to [0,
-  /// 1]. It is updated after 1, 2, 4, ... 128 steps (at the end of a pass), then after every 128 steps;
-  /// strokes restart this sequence.
+  /// Returns the status buffer of Simulation::status(). It triggers a remark if a step clamped a cell to
+  /// [0, 1]. The buffer is updated after 1, 2, 4, ... 128 steps (at the end of a pass), then after every
+  /// 128 steps. A stroke restarts this sequence.
   [[nodiscard]] const gl::Buffer& status() const { return status_; }
   [[nodiscard]] const gl::Vec4Array& cells() const { return cells_[0]; }
   [[nodiscard]] gl::Vec4Array& cells() { return cells_[0]; }
-  /// Returns the cells as a word view, for Field.
+  /// Returns the cells as a view of 32-bit words, for Field.
   [[nodiscard]] const gl::Texture& words() const { return words_[0]; }
 
  private:
-  /// Returns the interface part for all kernels except painting; they read cells_[from].
+  /// Returns the interface part for all kernels except the painting kernel; the kernels read cells_[from].
   [[nodiscard]] GrayScottGrid grid(int from, int first, int rows) const;
   void bands(int steps);
   void swapCells();
-  /// Checks the cells for remarks if it is due, after `steps` more steps.
+  /// Counts `steps` more steps and, if a check is due, checks the cells for a remark.
   void look(int steps);
-  /// Computes one step of `rows` rows from row `first` on, wrapping around the border, from cells_[from] to
-  /// the other array.
+  /// Computes one step for `rows` rows, starting with row `first` and wrapping at the border. Reads
+  /// cells_[from] and writes the other array.
   void pass(int from, int first, int rows);
   /// Runs cut_.stepsPerPass steps of the whole grid.
   void stripPass();
@@ -76,7 +76,7 @@ class GrayScottKernels {
   gl::Kernel<GrayScottStrips> strips_;
   gl::Kernel<GrayScottLook> look_;
   gl::Kernel<GrayScottPaint> paint_;
-  long taken_ = 0;     ///< Number of steps since the start or the latest stroke.
+  long taken_ = 0;     ///< Number of steps since the start or since the latest stroke.
   long nextLook_ = 1;  ///< Value of `taken_` at which the next check is due.
   bool mapped_;
 };

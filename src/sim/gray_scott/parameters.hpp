@@ -12,8 +12,8 @@
 
 namespace simreel::sim {
 
-/// Named pairs of rates. src/sim/gray_scott/README.md shows what each grows: "spots" dies out, "leopard"
-/// grows spots.
+/// Named pairs of rates. src/sim/gray_scott/README.md shows the pattern of each: "spots" dies out,
+/// "leopard" grows spots.
 enum class GrayScottPreset { spots, stripes, maze, solitons, unstable, leopard, chaos };
 
 /// Feed rate of u and removal rate of v, per unit of time.
@@ -34,11 +34,11 @@ struct GrayScottParameters : ObjectParameters, HasColorRange, scene::Covering {
   glm::ivec2 size{256, 256};  ///< Grid size in cells.
   GrayScottPreset preset = GrayScottPreset::leopard;
   std::optional<scene::Animated<float>> feed,
-      kill;                               ///< Feed and kill rates that replace the preset's rates.
+      kill;                               ///< Feed rate and kill rate that replace the rates of the preset.
   std::optional<GrayScottHealth> health;  ///< Blended rates that replace preset, feed and kill.
   std::optional<double> feedAcross,
-      killDown;       ///< Feed rate at the right edge and kill rate at the bottom edge.
-  bool axes = false;  ///< True to draw axes if the rates vary along them.
+      killDown;       ///< Feed rate at the right edge, and kill rate at the bottom edge.
+  bool axes = false;  ///< True to draw axes along which the rates vary.
   std::filesystem::path feedImage,
       killImage;  ///< Images whose brightness interpolates the rates towards feedWhite and killWhite.
   double feedWhite = 0.06, killWhite = 0.065;
@@ -50,7 +50,7 @@ struct GrayScottParameters : ObjectParameters, HasColorRange, scene::Covering {
   double seedRadius = 5;        ///< Radius of a seed in cells.
   double seedValue = 0.5;       ///< Initial value of v in a seed; u is 1 - v.
   double seedNoise = 0.1;       ///< Amplitude of random variation of v within seeds, as a fraction.
-  std::filesystem::path image;  ///< Image whose light pixels are initialized like seeds.
+  std::filesystem::path image;  ///< Image whose bright pixels are initialized like seeds.
   std::vector<StrokeParameters> strokes;
   FieldDisplay display;
 
@@ -67,8 +67,8 @@ struct GrayScottParameters : ObjectParameters, HasColorRange, scene::Covering {
   [[nodiscard]] FeedKill ratesAt(double time) const;
 };
 
-/// Maximum stable dt D. The stencil's fastest mode, alternating rows, has the eigenvalue -1.6, and an
-/// explicit step requires dt D 1.6 <= 2.
+/// Maximum of dt D (step times diffusion coefficient) for stability. The stencil's fastest mode,
+/// alternating rows, has the eigenvalue -1.6, and an explicit step requires dt D 1.6 <= 2.
 inline constexpr double maxGrayScottDiffusion = 1.25;
 
 }  // namespace simreel::sim

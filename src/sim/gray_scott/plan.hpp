@@ -20,21 +20,21 @@ static_assert(sizeof(GrayScottRates) == 32);
 namespace simreel::sim {
 
 /// CPU-side setup of a Gray-Scott field: the initial state, the map of rates, and the parameters of each
-/// frame. Shared by the GPU simulation and its CPU twin.
+/// frame. Used by the GPU simulation and by its CPU twin.
 class GrayScottPlan {
  public:
   /// Reads the images. Throws UserError if an image cannot be read.
   GrayScottPlan(GrayScottParameters parameters, const std::string& object, int seed, double frameSeconds);
-  /// Reads the pictures that the parameters name, to detect errors. Throws the errors of loadPicture.
+  /// Reads the images that the parameters name, to detect errors. Throws the errors of loadPicture.
   void checkPictures() const;
 
-  /// Returns the initial state: two cells (u, v, u, v) per element, rows of columns() elements. In a row of
-  /// odd width, the unused half element repeats cell 0.
+  /// Returns the initial state: two cells (u, v, u, v) per element, in rows of columns() elements. If the
+  /// width is odd, the unused half element of a row repeats cell 0.
   [[nodiscard]] std::vector<glm::vec4> firstCells() const;
   /// Returns true if the rates vary over the grid.
   [[nodiscard]] bool mapped() const;
-  /// Returns the weights of the rates, (feed, kill, feed, kill) per element in the layout of firstCells();
-  /// empty unless mapped().
+  /// Returns the interpolation weights of the rates, (feed, kill, feed, kill) per element in the layout of
+  /// firstCells(); empty unless mapped() is true.
   [[nodiscard]] std::vector<glm::vec4> weights() const;
   /// Returns the rates for the frame that starts at `time` (seconds).
   [[nodiscard]] shader::GrayScottRates ratesAt(double time) const;

@@ -16,7 +16,7 @@ using Complex = std::complex<double>;
 
 constexpr int maxSide = 384;
 
-/// Minimum peak of v that counts as a pattern; smaller values are remains of the seeds.
+/// Minimum peak of v that counts as a pattern. Smaller peaks are remains of the seeds.
 constexpr float minPattern = 0.05F;
 
 /// Returns e^(-2 pi i k / count) for k = 0 to count - 1.
@@ -48,10 +48,10 @@ std::vector<double> averaged(std::span<const float> values, glm::ivec2 size, int
 
 struct Ring {
   double power = 0;
-  double moment = 0;  ///< Power times spatial frequency (cycles per cell).
+  double moment = 0;  ///< Product of power and spatial frequency (cycles per cell).
 };
 
-/// Returns the power spectrum summed over rings of wave numbers, by a plain discrete Fourier transform
+/// Returns the power spectrum summed over rings of wave numbers, computed by a discrete Fourier transform
 /// along rows, then along columns. Ring i is at i / side cycles per (averaged) cell, where side is the
 /// longer side.
 std::vector<Ring> ringPower(const std::vector<double>& field, glm::ivec2 size) {

@@ -8,8 +8,9 @@
 
 namespace simreel::sim {
 
-/// Declares "colors", a colour map by name, and "colorStops", a map of the scene's own. Returns the evenly
-/// spaced linear RGB stops of the chosen map. `what`: plural of what is coloured, such as "particles".
+/// Declares "colors", the name of a colour map, and "colorStops", a map defined by the scene. Returns the
+/// evenly spaced linear RGB stops of the chosen map. `what` is the plural of the coloured things, such as
+/// "particles".
 [[nodiscard]] std::vector<glm::vec3> describeColors(scene::Fields& fields, const std::string& what);
 
 }  // namespace simreel::sim

@@ -13,7 +13,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Colour map of 33 evenly spaced sRGB stops, 0xRRGGBB; the map's quarters fall on stops.
+/// Colour map of 33 evenly spaced sRGB stops, 0xRRGGBB. Every eighth stop is at a quarter of the map.
 using Table = std::array<std::uint32_t, 33>;
 
 constexpr Table viridis = {
@@ -46,15 +46,15 @@ constexpr Table turbo = {
     0xcced34, 0xdee037, 0xedd03a, 0xf8c03a, 0xfdae35, 0xfe982c, 0xfb8022, 0xf56817, 0xec520f,
     0xe04009, 0xd23105, 0xc02302, 0xac1701, 0x950d01, 0x7a0403,
 };
-/// Diverging map with zero in the dark middle; lightness and hue in OKLab (Ottosson 2020) change evenly
-/// towards both sides.
+/// Diverging map whose dark middle stands for zero. Lightness and hue in OKLab (Ottosson 2020) change
+/// evenly towards both sides.
 constexpr Table polar = {
     0xcdf4f6, 0xbfe3e7, 0x98d8e3, 0x6dcce1, 0x3bbee0, 0x12add8, 0x069cca, 0x098bbc, 0x067aad,
     0x066a9e, 0x035a8f, 0x034b7f, 0x013c70, 0x012e60, 0x002150, 0x01153c, 0x0d0d0d, 0x340204,
     0x4a0002, 0x5d0901, 0x6e1901, 0x7e2802, 0x8f3602, 0x9e4604, 0xae5504, 0xbd6507, 0xcd7606,
     0xd78926, 0xdb9f50, 0xdeb475, 0xe1c89a, 0xe6dac0, 0xf5ebce,
 };
-/// Grey scale in even steps of sRGB.
+/// Grey scale in even steps in sRGB.
 constexpr Table grey = [] {
   Table table{};
   for (std::uint32_t i = 0; i < table.size(); ++i) table[i] = 0x010101U * ((255U * i + 16U) / 32U);

@@ -11,9 +11,10 @@ namespace simreel::sim {
 [[nodiscard]] const std::vector<std::string>& colorMapNames();
 
 /// Returns the evenly spaced linear RGB stops of a colour map; empty for an unknown name. Linear
-/// interpolation stays within 5/255 (sRGB) of the published map. viridis, magma, inferno, plasma: N. J.
-/// Smith, S. van der Walt, E. Firing (CC0). turbo: A. Mikhailov, Google (Apache 2.0). polar: this program's
-/// own map for signed values, dark in the middle with lightness rising evenly to both sides.
+/// interpolation between the stops stays within 5/255 (sRGB) of the published map. viridis, magma, inferno
+/// and plasma are by N. J. Smith, S. van der Walt and E. Firing (CC0), turbo by A. Mikhailov, Google
+/// (Apache 2.0). polar is a map of this program for signed values; it is dark in the middle, and its
+/// lightness increases evenly to both sides.
 [[nodiscard]] std::vector<glm::vec3> colorMapStops(const std::string& name);
 
 /// Returns `count` colours interpolated from evenly spaced stops, from the first to the last, for a

@@ -30,7 +30,7 @@ void FieldDisplay::describe(scene::Fields& fields) {
   std::vector<const char*> maps;
   maps.reserve(names.size());
   for (const std::string& name : names) maps.push_back(name.c_str());
-  // Default colours of a simulation take precedence over a map, unless the scene names a map.
+  // The default colours of a simulation take precedence over the default map, unless the scene names a map.
   int index =
       stops.empty() ? static_cast<int>(std::find(names.begin(), names.end(), map) - names.begin()) : -1;
   fields.oneOf("map", index, maps, "Colour map.");

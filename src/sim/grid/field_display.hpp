@@ -11,11 +11,12 @@
 
 namespace simreel::sim {
 
-/// Settings for drawing a field over the picture, shared by all simulations that publish a field: the
-/// scene's group "display".
+/// Settings for drawing a field over the picture, used by all simulations that publish a field: the scene's
+/// group "display".
 struct FieldDisplay {
-  /// over: on the finished picture, with unmodified colours. behind: behind all drawn objects, subject to
-  /// the scene's lighting and tone mapping. none: not drawn (surfaces may still use it as a texture).
+  /// over: drawn on the finished picture, with unmodified colours. behind: drawn behind all objects,
+  /// subject to the scene's lighting and tone mapping. none: not drawn, although surfaces may use the field
+  /// as a texture.
   enum class Layer { over, behind, none };
   enum class Fit { contain, cover, stretch };
   Layer layer = Layer::over;
@@ -26,33 +27,36 @@ struct FieldDisplay {
       glm::vec3(0.5F);  ///< Point of the field at the centre of the panel, as fractions of the field.
   scene::Animated<float> zoom = 1.0F;
   scene::Animated<float> opacity = 1.0F;
-  bool smooth = true;  ///< True to interpolate linearly between cells; false to draw each cell as a square.
-  bool tiled = false;  ///< True to repeat the field beyond its border; false to show `border` there.
+  bool smooth = true;  ///< True to interpolate linearly between cells, false to draw each cell as a square.
+  bool tiled = false;  ///< True to repeat the field beyond its border, false to show the colour `border`
+                       ///< there.
   glm::vec3 border{0.01F};  ///< Colour outside the field, linear RGB.
-  float relief = 0.0F;  ///< Strength of relief shading: a value of 1 counts as a height of 7 cells times
-                        ///< `relief`; 0: no shading.
+  float relief = 0.0F;      ///< Strength of the relief shading: a field value of 1 counts as a height of 7
+                            ///< cells times `relief`. 0 disables the shading.
   std::string map = "viridis";   ///< Name of a colour map.
-  std::vector<glm::vec3> stops;  ///< Linear RGB stops that replace the map.
+  std::vector<glm::vec3> stops;  ///< Linear RGB stops that replace the colour map.
   double low = 0, high = 1;      ///< Values of the first and the last colour.
-  AutoEnds autoEnds;             ///< Ends that a first run measures; until then they have their defaults.
-  /// Quantity that changes linearly over the field, from its first to its last cell. Drawn as a scale at
-  /// the field's edge.
+  AutoEnds autoEnds;             ///< States which ends a first run measures. Until then, these ends have
+                                 ///< their defaults.
+  /// Quantity that changes linearly over the field, from its first to its last cell. It is drawn as a scale
+  /// at the field's edge.
   struct Axis {
-    std::string name;  ///< Symbol, and after a comma its meaning: "F, feed rate".
+    std::string name;  ///< Symbol of the quantity, and after a comma its meaning: "F, feed rate".
     scene::Animated<float> first = 0.0F, last = 1.0F;
   };
   std::optional<Axis> across, down;  ///< Axes of a parameter map; set by simulations, not by scenes.
 
   /// Declares the members of "display". Simulations set their own defaults first.
   void describe(scene::Fields& fields);
-  /// Returns the stops, or the stops of the named map.
+  /// Returns `stops`, or if they are empty the stops of the colour map.
   [[nodiscard]] std::vector<glm::vec3> colors() const;
-  /// True if it is drawn over the whole picture at time 0, and nothing shines through.
+  /// Returns true if the display covers the whole picture at time 0 and is opaque.
   [[nodiscard]] bool coversPicture() const {
     return layer == Layer::over && opacity.at(0) >= 1 && corner.x <= 0 && corner.y <= 0 &&
            corner.x + extent.x >= 1 && corner.y + extent.y >= 1;
   }
-  /// Returns the range of the colours if it must be measured. `path`: the display's group.
+  /// Returns the colour range if at least one end must be measured. `path` is the path of the display's
+  /// group.
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges(const char* path = "display") {
     return measuredRange(path, "low", "high", autoEnds, low, high);
   }

@@ -4,7 +4,7 @@
 
 namespace simreel::sim {
 
-/// Kernel interface part for the members of glsl/grid/field.glsl.
+/// Part of a kernel interface: members of glsl/grid/field.glsl.
 struct FieldPart {
   gl::Uniform<"fieldSize", glm::ivec2> size;
   gl::Uniform<"rowWords", int> rowWords;
@@ -12,7 +12,7 @@ struct FieldPart {
   gl::Uniform<"cellWords", int> cellWords;
   gl::In<"fieldWords"> words;
 };
-/// Define CELLS of glsl/grid/field.glsl, indexed by Field::Cells.
+/// Defines CELLS of glsl/grid/field.glsl, with the values of Field::Cells.
 using FieldCells = gl::Choice<"CELLS", 0, 1, 2, 3>;
 
 [[nodiscard]] inline FieldPart partOf(const Field& field) {

@@ -34,7 +34,8 @@ FieldView fieldView(const FieldDisplay& display, glm::ivec2 cells, glm::ivec2 pi
   FieldView view;
   view.part = {corner, corner + extent};
   view.perPixel = 1.0 / scale;
-  // Pixel position of the corner of cell (0, 0).
+  // Pixel position of the corner of cell (0, 0). It is rounded if the view does not move and the
+  // magnification is an integer.
   glm::dvec2 first = corner + 0.5 * extent - center * scale;
   if (!display.zoom.moves() && !display.center.moves())
     for (int i = 0; i < 2; ++i)

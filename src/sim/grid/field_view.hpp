@@ -6,18 +6,20 @@
 
 namespace simreel::sim {
 
-/// Returns the magnification of letters in charts and axes, which is also the width of thin lines (pixels).
+/// Returns the magnification of letters in charts and axes. It is also the width of thin lines in pixels.
 [[nodiscard]] int letterUnit(glm::ivec2 picture);
 
 /// Position of a field's cells in a picture.
 struct FieldView {
-  glm::dvec4 part{0};      ///< left, top, right, bottom of the field's part of the picture, in whole pixels
+  glm::dvec4 part{0};      ///< left, top, right and bottom edge, in whole pixels, of the part of the
+                           ///< picture that the field covers
   glm::dvec2 origin{0};    ///< cell coordinates at the picture's top left corner
-  glm::dvec2 perPixel{1};  ///< cells per pixel
+  glm::dvec2 perPixel{1};  ///< number of cells per pixel
 };
 
-/// Returns the margins (pixels) that axes take from the display's part of the picture: on the left, and at
-/// the bottom. Zero without axes (FieldDisplay::Axis), or if the part is too small for letters.
+/// Returns the margins in pixels on the left and at the bottom that axes need within the display's part of
+/// the picture. They are zero if there are no axes (FieldDisplay::Axis), or if the part is too small for
+/// letters.
 [[nodiscard]] glm::ivec2 axesMargin(const FieldDisplay& display, glm::ivec2 picture);
 
 /// Returns the view of a display at `seconds`, from its fit, zoom and centre. If the view does not move and

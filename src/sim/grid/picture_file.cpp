@@ -15,7 +15,7 @@ namespace {
 
 constexpr int mostTexels = 1 << 27;  ///< Maximum number of texels in a buffer on common devices.
 
-/// Returns true if a BMP file contains all bytes of its rows; stb_image would fill missing bytes with
+/// Returns true if a BMP file contains all bytes of its rows. stb_image would replace missing bytes by
 /// zeros.
 bool bmpIsWhole(std::string_view bytes, glm::ivec2 size) {
   const auto number = [&](std::size_t at, std::size_t length) {
@@ -24,7 +24,7 @@ bool bmpIsWhole(std::string_view bytes, glm::ivec2 size) {
       value = value << 8U | (at + k < bytes.size() ? static_cast<unsigned char>(bytes[at + k]) : 0U);
     return value;
   };
-  const bool old = number(14, 4) == 12;  // True for a BMP file with the OS/2 header.
+  const bool old = number(14, 4) == 12;  // true for a BMP file with the OS/2 header
   const std::size_t bits = number(old ? 24 : 28, 2);
   const std::size_t row = (static_cast<std::size_t>(size.x) * bits + 31) / 32 * 4;
   return number(10, 4) + row * static_cast<std::size_t>(size.y) <= bytes.size();
@@ -35,17 +35,17 @@ double pixelsIn(std::string_view bytes) {
   const auto size = static_cast<double>(bytes.size());
   if (bytes.starts_with('P')) return size;
   if (bytes.starts_with("BM"))
-    return size * 8;  // At least one bit per pixel; compressed BMP files are not read.
+    return size * 8;  // A pixel takes at least one bit; compressed BMP files are not supported.
   if (!bytes.starts_with('\x89'))
-    return size * 512;  // JPEG: a block of 8 x 8 pixels takes at least one bit.
+    return size * 512;  // In a JPEG, a block of 8 x 8 pixels takes at least one bit.
   const auto header = pngHeaderOf(bytes);
   constexpr int channels[] = {1, 0, 3, 1, 2, 0, 4};  // Number of channels, indexed by PNG colour type.
   const int bits = header && header->colour < 7 ? header->depth * channels[header->colour] : 0;
   return bits == 0 ? 0 : size * 1032 * 8 / bits;  // Deflate expands one byte to at most 1032 bytes.
 }
 
-/// Returns true if width, height and maximum value of a PNM picture (P5, P6) have at most nine digits each;
-/// stb_image overflows on longer numbers. The numbers are separated by white space and comments.
+/// Returns true if width, height and maximum value of a PNM image (P5, P6) have at most nine digits each,
+/// because stb_image overflows on longer numbers. The numbers are separated by white space and comments.
 bool pnmNumbersFit(std::string_view bytes) {
   std::size_t at = 2;
   const auto is = [&](std::string_view any) {
@@ -63,11 +63,11 @@ bool pnmNumbersFit(std::string_view bytes) {
 
 [[noreturn]] void refusePicture(const char* what, const std::string& name, const std::string& why) {
   fail(ExitCode::inputOutput, "the {} {} is not a picture this program reads ({}); use PNG or JPEG", what,
-       name, oneLine(why));  // stb_image's message may quote the file's contents.
+       name, oneLine(why));  // The message of stb_image may quote the file's contents.
 }
 
-/// Refuses a PNG whose pixels use colour indices beyond its palette; stb_image would read uninitialized
-/// memory for them. The indices are obtained by decoding the same file as a grey image.
+/// Throws an error for a PNG whose pixels use colour indices beyond the palette, because stb_image would
+/// read uninitialized memory for them. The indices are obtained by decoding the same file as a grey image.
 void checkPalette(std::string_view bytes, glm::ivec2 size, const std::string& name, const char* what) {
   const auto header = pngHeaderOf(bytes);
   if (!header || header->colour != 3) return;
@@ -94,12 +94,12 @@ void checkPalette(std::string_view bytes, glm::ivec2 size, const std::string& na
                                 at % width, at / width, number, colours));
 }
 
-/// Checks the picture's header against the file size and the limits, and returns the picture's size.
+/// Checks the image's header against the file size and the limits, and returns the image's size.
 glm::ivec2 checkedSize(std::string_view bytes, const std::string& name, const char* what, int maxSide) {
   const auto refuse = [&](const std::string& why) { refusePicture(what, name, why); };
   if (bytes.size() > std::size_t{1} << 30) refuse("larger than 1 GiB");
   if (bytes.starts_with('P') && !pnmNumbersFit(bytes)) refuse("a number of more than nine digits");
-  // Reads only the header first, because a small file may declare a picture that takes all memory.
+  // First reads only the header, because a small file may declare an image that takes all memory.
   const auto size = stbSize(bytes);
   if (!size) refuse(stbReason());
   auto [width, height] = std::pair(size->x, size->y);
@@ -136,7 +136,7 @@ std::vector<Value> decodedChannels(std::string_view bytes, const std::string& na
   return std::move(*values);
 }
 
-/// Refuses pictures with pixels that are not opaque.
+/// Throws an error if a pixel is not opaque.
 template <class Value>
 void checkOpaque(const std::vector<Value>& rgba, const std::string& name, const char* what) {
   std::size_t seenThrough = 0;
@@ -152,8 +152,8 @@ void checkOpaque(const std::vector<Value>& rgba, const std::string& name, const 
              : "");
 }
 
-/// Returns the pixel nearest to a cell's centre, at (2 cell + 1) / (2 cells) of the picture's width, in
-/// integer arithmetic.
+/// Returns the index of the pixel nearest to a cell's centre, which is at (2 cell + 1) / (2 cells) of the
+/// image's width. Uses integer arithmetic.
 int nearestPixel(int cell, int cells, int pixels) {
   return static_cast<int>((2LL * cell + 1) * pixels / (2LL * cells));
 }
@@ -187,7 +187,7 @@ Levels loadLevels(const std::filesystem::path& file, const char* what, int maxSi
     for (std::size_t at = 0; at < rgba.size(); at += 4)
       levels.values.push_back(static_cast<std::uint16_t>(
           (54U * rgba[at] + 183U * rgba[at + 1] + 19U * rgba[at + 2]) >>
-          8U));  // Weights of the colour channels are the same as in Picture::level().
+          8U));  // The weights of the colour channels are the same as in Picture::level().
   };
   if (const auto header = pngHeaderOf(bytes); header && header->depth == 16)
     convert(decodedChannels<std::uint16_t>(bytes, name, what, levels.size));

@@ -9,7 +9,7 @@
 
 namespace simreel::sim {
 
-/// Decoded picture: rows from the top, RGBA, 8 bits per channel, sRGB as in the file; rgba.size() == 4 *
+/// Decoded image: rows from the top, RGBA with 8 bits per channel, sRGB as in the file. rgba.size() is 4 *
 /// width * height.
 struct Picture {
   glm::ivec2 size{0, 0};
@@ -27,17 +27,18 @@ struct Picture {
 /// Returns true if the bytes start with the signature of a supported format: PNG, JPEG, PNM or BMP.
 [[nodiscard]] bool beginsAsPicture(std::string_view bytes);
 
-/// Reads a PNG or JPEG picture, or a BMP or PNM picture of 8 bits per channel. `what`: use of the picture
-/// in messages ("texture", "fuel map"). Throws UserError: the errors of readFile; inputOutput if the file
-/// is not a picture or declares more pixels than its bytes can encode; device if a side exceeds `maxSide`
-/// or the picture has more than 2^27 pixels; usage if a pixel is not opaque.
+/// Reads a PNG or JPEG image, or a BMP or PNM image with 8 bits per channel. `what` is the use of the image
+/// in messages ("texture", "fuel map"). Throws UserError: the errors of readFile(); inputOutput if the file
+/// is not an image or declares more pixels than its bytes can encode; device if a side exceeds `maxSide` or
+/// the image has more than 2^27 pixels; usage if a pixel is not opaque.
 [[nodiscard]] Picture loadPicture(const std::filesystem::path& file, const char* what, int maxSide);
-/// Decodes a picture from a file's bytes; pixels need not be opaque. `name`: name of the file in messages.
+/// Decodes an image from a file's bytes. Its pixels need not be opaque. `name` is the name of the file in
+/// messages.
 [[nodiscard]] Picture decodePicture(std::string_view bytes, const std::string& name, const char* what,
                                     int maxSide);
 
-/// Brightness of each pixel of a picture, 0 to `white`, rows from the top. Uses 16 bits per channel if the
-/// file is a 16-bit PNG, else 8.
+/// Brightness of each pixel of an image, 0 to `white`, with rows from the top. It has 16 bits per channel
+/// if the file is a 16-bit PNG, otherwise 8.
 struct Levels {
   glm::ivec2 size{0, 0};
   std::vector<std::uint16_t> values;
@@ -49,14 +50,14 @@ struct Levels {
   }
 };
 
-/// Reads a picture whose pixels are interpreted as numbers. Throws the errors of loadPicture().
+/// Reads an image whose pixels are interpreted as numbers. Throws the errors of loadPicture().
 [[nodiscard]] Levels loadLevels(const std::filesystem::path& file, const char* what, int maxSide);
 
-/// Resamples a picture to a grid as levelsOnGrid() does; returns fractions of white.
+/// Resamples an image to a grid like levelsOnGrid(), but returns fractions of `white`.
 [[nodiscard]] std::vector<double> sharesOnGrid(const Levels& levels, glm::ivec2 grid);
 
-/// Resamples a picture to a grid: returns the level (0 to 255) of the pixel nearest to each cell's centre,
-/// x fastest. A picture of the grid's size is copied pixel by pixel.
+/// Resamples an image to a grid: returns for each cell the level (0 to 255) of the pixel nearest to the
+/// cell's centre, x fastest. An image of the same size as the grid is copied pixel by pixel.
 [[nodiscard]] std::vector<std::uint8_t> levelsOnGrid(const Picture& picture, glm::ivec2 grid);
 
 }  // namespace simreel::sim

@@ -1,4 +1,5 @@
-// Follows the PNG specification (ISO/IEC 15948): section 5 chunks, 9 filtering, 10 compression.
+// This file follows the PNG specification (ISO/IEC 15948), sections 5 (chunks), 9 (filtering) and 10
+// (compression).
 #include "sim/grid/plain_png.hpp"
 
 #include "base/png.hpp"
@@ -63,11 +64,11 @@ std::optional<PlainFile> readChunks(std::string_view bytes, int maxSide) {
   return std::nullopt;
 }
 
-/// Inflates the chunks; returns true if the result has exactly the size of `rows`.
+/// Inflates the chunks. Returns true if the result has exactly the size of `rows`.
 bool inflate(const std::vector<std::string_view>& chunks, std::vector<Byte>& rows) {
   if (rows.size() > std::numeric_limits<std::uint32_t>::max()) return false;
-  const auto kept = std::make_unique<inflate_state>();  // Allocated on the heap, because the state is too
-                                                        // large for the stack.
+  const auto kept = std::make_unique<inflate_state>();  // The state is on the heap, because it is too large
+                                                        // for the stack.
   inflate_state& state = *kept;
   isal_inflate_init(&state);
   state.crc_flag = ISAL_ZLIB;
@@ -89,8 +90,8 @@ Byte paeth(int left, int above, int corner) {
   return static_cast<Byte>(toLeft <= std::min(toAbove, toCorner) ? left : other);
 }
 
-/// Adds to each byte `predicted(left, above, corner)` of its neighbours' bytes; `left` and `corner` are 0
-/// for the first pixel.
+/// Adds `predicted(left, above, corner)` to each byte of a row, where the arguments are the bytes of the
+/// neighbouring pixels. `left` and `corner` are 0 for the first pixel.
 template <std::size_t channels, class Predicted>
 void addTo(Byte* row, const Byte* above, std::size_t size, const Predicted& predicted) {
   Byte left[channels] = {}, corner[channels] = {};
@@ -125,8 +126,8 @@ bool unfilter(int filter, Byte* row, const Byte* above, std::size_t size) {
   }
 }
 
-/// Reverses the row filters and writes RGBA pixels; returns false for an unknown filter. `rows`: for each
-/// row its filter byte, then its data.
+/// Reverses the row filters and writes RGBA pixels. Returns false for an unknown filter. `rows` holds for
+/// each row its filter byte followed by its data.
 template <std::size_t channels>
 bool makePixels(const Header& header, std::vector<Byte>& rows, std::vector<Byte>& rgba) {
   const std::size_t size = header.width * channels;

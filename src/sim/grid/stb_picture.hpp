@@ -8,22 +8,23 @@
 
 namespace simreel::sim {
 
-// Wrapper of stb_image, the fallback decoder for any PNG, JPEG, BMP and PNM. Limits each allocation to the
-// size of the declared pixels, so that a small compressed file cannot expand to gigabytes.
+// Wrapper of stb_image, the fallback decoder for PNG, JPEG, BMP and PNM files of all kinds. Limits each
+// allocation to the size of the declared pixels, so that a small compressed file cannot expand to
+// gigabytes.
 
-/// Returns width and height from the header; a BMP's height is negative if its rows start at the top.
-/// Returns nothing on errors (stbReason()).
+/// Returns width and height from the header. The height of a BMP is negative if its rows start at the top.
+/// Returns nothing on errors (see stbReason()).
 [[nodiscard]] std::optional<glm::ivec2> stbSize(std::string_view bytes);
 /// Returns true if the file has 16 bits per channel.
 [[nodiscard]] bool stbIsDeep(std::string_view bytes);
 
-/// Decodes the pixels of a file of the given size: 8 or 16 bits per channel (std::uint8_t, std::uint16_t),
-/// and 1 (grey) or 4 (RGBA) channels. Returns nothing on errors (stbReason()).
+/// Decodes the pixels of a file of the given size, with 8 or 16 bits per channel (std::uint8_t or
+/// std::uint16_t) and 1 (grey) or 4 (RGBA) channels. Returns nothing on errors (see stbReason()).
 template <class Value>
 [[nodiscard]] std::optional<std::vector<Value>> stbDecode(std::string_view bytes, glm::ivec2 size,
                                                           int channels = 4);
 
-/// Returns the reason why this thread's last picture was not decoded.
+/// Returns the reason why the last image on this thread could not be decoded.
 [[nodiscard]] std::string stbReason();
 /// Returns true if decoding failed because the file has more pixels than the given size.
 [[nodiscard]] bool stbFoundMore();

@@ -15,17 +15,17 @@ namespace simreel::sim {
   return !(stroke.until > stroke.at);
 }
 
-/// Returns true if the stroke paints into the state at `time` (seconds) after a step of `seconds`: it is
-/// active in the interval (time - seconds, time].
+/// Returns true if the stroke paints into the state at `time` (seconds) that follows a step of `seconds`.
+/// This is so if it is active in the interval (time - seconds, time].
 [[nodiscard]] bool isDue(const StrokeParameters& stroke, double time, double seconds);
 
-/// Start and end of a stroke; for a moving circle, its path within the step.
+/// Start and end of a stroke, or for a moving circle the start and end of its path within the step.
 struct StrokeWay {
   glm::vec3 from{0}, to{0};
 };
 [[nodiscard]] StrokeWay strokeWay(const StrokeParameters& stroke, double time, double seconds);
 
-/// Returns the kernel parameters value, seed and fraction of the scene's stroke number `index`, for the
+/// Returns a shader::Stroke with value, seed and fraction of the scene's stroke number `index`, for the
 /// state at `time` (seconds) with step number `step`.
 [[nodiscard]] shader::Stroke strokePaint(const StrokeParameters& stroke, int seed, std::size_t index,
                                          double time, long step);

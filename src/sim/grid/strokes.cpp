@@ -19,14 +19,15 @@ namespace {
 constexpr int maxStampSide = 8192;
 constexpr double maxRounds =
     1000;  ///< Maximum number of times that a stroke's path may wrap around a periodic grid.
-constexpr double maxStampImages = 4096;  ///< Maximum number of periodic images of a stamp.
+constexpr double maxStampImages = 4096;  ///< Maximum number of periodic images of a stroke that is an
+                                         ///< image.
 
 glm::vec2 flat(const glm::vec3& p) {
   return {p.x, p.y};
 }
 
-/// Returns the start and end, as fractions of a segment, of the part whose coordinate on one axis is within
-/// [low, high]. If no part is, the start is greater than the end.
+/// Returns the start and end, as fractions of a segment, of that part of the segment whose coordinate on
+/// one axis is within [low, high]. If there is no such part, the start is greater than the end.
 glm::dvec2 fractionsWithin(double from, double to, double low, double high) {
   if (from == to) return from >= low && from <= high ? glm::dvec2(0, 1) : glm::dvec2(1, 0);
   const double a = (low - from) / (to - from);
@@ -106,8 +107,8 @@ glm::vec3 strokePlace(const StrokeParameters& p, double time) {
   return place;
 }
 
-// Times are multiples of the step up to rounding. A state covers the interval (before, time], shifted by a
-// small tolerance.
+// Times are multiples of the step except for rounding. A state covers the interval (before, time], shifted
+// by a small tolerance.
 bool isDue(const StrokeParameters& p, double time, double seconds) {
   const double hair = 1e-6 * seconds;
   return p.at <= time + hair && (paintsOnce(p) ? p.at : p.until) > time - seconds + hair;
@@ -146,7 +147,7 @@ Strokes::Strokes(std::vector<StrokeParameters> strokes, int seed, StrokeGrid gri
         bits_[static_cast<std::size_t>(stamp.firstWord) + i / 32] |= 1U << (i % 32);
     }
   }
-  bits_.resize((bits_.size() + 4) / 4 * 4);  // Pads the array to whole elements, at least one.
+  bits_.resize((bits_.size() + 4) / 4 * 4);  // Pads the array to whole elements, to at least one element.
   for (std::size_t i = 0; i < strokes_.size(); ++i) check(i);
 }
 
@@ -158,7 +159,7 @@ void Strokes::check(std::size_t index) const {
   const bool stays = p.shape == StrokeParameters::Shape::circle && !(p.until > p.at);
   const glm::dvec2 to = stays ? from : glm::dvec2(flat(p.to));
   const glm::dvec2 stamp(stamps_[index].size);
-  // Path segments between consecutive keyframes.
+  // Segments of the path between consecutive keyframes.
   std::vector<std::pair<glm::dvec2, glm::dvec2>> legs = {{from, to}};
   if (p.path) {
     legs.clear();
@@ -214,9 +215,10 @@ std::vector<shader::Stroke> Strokes::into(double time, double seconds, long step
   return active;
 }
 
-// Adds the periodic images of a stroke. On a periodic grid a cell is painted if any image covers it. The
-// nearest image is at most half a grid away from the segment's point nearest to the cell, so only images
-// whose cells, extended by the radius or half a grid, intersect the segment are added.
+// Adds the periodic images of a stroke. On a periodic grid, a cell is painted if any of the images covers
+// it. The nearest image is at most half a grid away from the point of the segment that is nearest to the
+// cell. Therefore, only those images are added whose cells, extended by the radius or half a grid,
+// intersect the segment.
 void Strokes::addImages(std::vector<shader::Stroke>& all, const shader::Stroke& stroke) const {
   if (!grid_.torus) {
     all.push_back(stroke);

@@ -12,8 +12,8 @@ namespace simreel::sim {
 
 struct TallyJoin;
 
-/// Computes four sums and four maxima over the cells of a field once per frame, on the GPU in an order that
-/// is the same on every machine. Used for the table beside the frames.
+/// Computes four sums and four maxima over the cells of a field once per frame, on the GPU and in an order
+/// that is the same on every machine. Used for the table written next to the frame images.
 class Tally {
  public:
   static const int lanes;
@@ -24,10 +24,10 @@ class Tally {
   /// Returns the array into which kernels that include glsl/grid/tally.glsl write the sums of their `lanes`
   /// invocations.
   [[nodiscard]] const gl::Vec4Array& laneSums() const { return laneSums_; }
-  /// Combines laneSums() into the totals; call after a kernel has written them. `sumFactor`, `mostFactor`:
-  /// factors on the resulting sums and maxima.
+  /// Combines laneSums() into the totals. Call it after a kernel has written them. The resulting sums are
+  /// multiplied by `sumFactor`, the maxima by `mostFactor`.
   void join(const glm::vec4& sumFactor, const glm::vec4& mostFactor) const;
-  /// Returns the table: the sums, then the maxima, with these column names, at most eight.
+  /// Returns the table of the sums followed by the maxima, with these column names (at most eight).
   [[nodiscard]] CountTable table(std::vector<const char*> columns) const;
 
  private:

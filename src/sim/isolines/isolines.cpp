@@ -35,7 +35,7 @@ void checkIsolines(const scene::Object& object, const Setting& /*setting*/) {
 
 using Outlines = std::vector<std::vector<glm::vec2>>;
 
-/// Lines of equal values, drawn over the picture. They have no state.
+/// Lines of equal field values, drawn over the picture. This object has no state.
 class Isolines : public Simulation {
  public:
   Isolines(const scene::Object& object, const Setting& setting)
@@ -62,7 +62,7 @@ class Isolines : public Simulation {
   }
 
  private:
-  /// Returns the field, with the display of its object if it has none of its own.
+  /// Returns the field. If it has no display, it gets the display of its object.
   [[nodiscard]] Field field() const {
     Field found = fieldNamed(*links_, parameters_.of);
     Drawables drawables;
@@ -78,7 +78,7 @@ class Isolines : public Simulation {
     return found;
   }
 
-  /// Makes the outlines of lines and numbers, unless the field and its view are unchanged.
+  /// Creates the outlines of lines and numbers, unless the field and its view are unchanged.
   void make(double time) const {
     const Field shown = field();
     const glm::ivec2 picture = shownPicture(links_).size;
@@ -142,7 +142,7 @@ class Isolines : public Simulation {
     return width;
   }
 
-  /// Adds a polygon of pixels as a Writing has it: in heights of a capital, y up.
+  /// Adds a polygon given in pixels, converted to the units of a Writing: the cap height, with y up.
   static void add(Outlines& outlines, const std::vector<glm::dvec2>& pixels, double unit) {
     auto& polygon = outlines.emplace_back();
     for (const glm::dvec2& point : pixels) polygon.emplace_back(point.x / unit, -point.y / unit);

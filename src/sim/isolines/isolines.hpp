@@ -3,7 +3,7 @@
 
 namespace simreel::sim {
 
-/// Returns the kind "isolines": lines of equal values over a displayed field, with numbers.
+/// Returns the kind "isolines", which draws lines of equal values, with numbers, over a displayed field.
 [[nodiscard]] SimulationKind isolinesKind();
 
 }  // namespace simreel::sim

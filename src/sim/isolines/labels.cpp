@@ -14,14 +14,15 @@ namespace simreel::sim {
 
 namespace {
 
-// In heights of a capital: between a label and its line, and between a label and the lines beside it.
+// Distances in units of the cap height: between a label and its line, and between a label and the lines
+// above and below it.
 constexpr double gap = 0.45, gapAbove = 0.25;
-constexpr double stride = 5;        // pixels between two places that are compared
-constexpr double mostBent = 0.35;   // of the line below a label, in heights of a capital
-constexpr double apartOnLine = 40;  // distance of labels on one line, in heights of a capital
-constexpr double cell = 3;          // pixels of a cell of the map of lines
+constexpr double stride = 5;        // distance in pixels between two candidate positions
+constexpr double mostBent = 0.35;   // maximum bend of the line below a label, in units of the cap height
+constexpr double apartOnLine = 40;  // distance between labels on one line, in units of the cap height
+constexpr double cell = 3;          // width in pixels of a cell of LineMap
 
-/// Line with the lengths up to its points; a closed line ends with its first point.
+/// Line with the arc length at each point. A closed line ends with its first point.
 class MeasuredLine {
  public:
   explicit MeasuredLine(const IsoLine& line) : points_(line.points), closed_(line.closed) {
@@ -51,7 +52,7 @@ class MeasuredLine {
   std::vector<double> lengths_;
 };
 
-/// Map of lines: for each place the index of the only line near it, or `several`.
+/// Grid that stores for each position the index of the only line near it, or `several`.
 class LineMap {
  public:
   explicit LineMap(const glm::dvec4& part)
@@ -65,7 +66,7 @@ class LineMap {
       there = there == none || there == index ? index : several;
     }
   }
-  /// True if a line other than this one passes near the place.
+  /// Returns true if a line other than `line` passes near a position.
   [[nodiscard]] bool hasOther(glm::dvec2 place, int line) const {
     const int found = lines_[indexOf(place)];
     return found != none && found != line;
@@ -109,13 +110,13 @@ class Placement {
     return sizes_.widths[static_cast<std::size_t>(lines_[line].level)];
   }
 
-  /// Places labels on a line, until it has as many as its length allows or no place is left.
+  /// Places labels on a line, until it has as many as its length allows or until no position is left.
   void placeOn(std::size_t index, const LineMap& avoided) {
     const MeasuredLine line(lines_[index]);
     const auto count = std::count_if(placed_.begin(), placed_.end(),
                                      [&](const IsoLabel& label) { return label.line == index; });
     const int most = 1 + static_cast<int>(line.length() / (apartOnLine * sizes_.capital));
-    // Where it is crowded, one label is enough.
+    // If lines are crowded, one label is enough.
     if (&avoided == &numbered_ && count > 0) return;
     for (auto k = static_cast<int>(count); k < most; ++k) {
       const std::optional<IsoLabel> label = best(line, index, avoided);
@@ -128,7 +129,7 @@ class Placement {
                                              const LineMap& avoided) const {
     const double half = 0.5 * widthOf(index) + gap * sizes_.capital;
     const double margin = lines_[index].closed ? 0 : half + sizes_.capital;
-    constexpr double leastRest = 2.5;  // length of a line in labels
+    constexpr double leastRest = 2.5;  // minimum length of a line, in units of the label's width
     if (line.length() < leastRest * 2 * half) return std::nullopt;
     std::optional<IsoLabel> found;
     double least = mostBent * sizes_.capital;
@@ -146,7 +147,7 @@ class Placement {
       }
       label.middle = 0.5 * (from + to) + mean * normal;
       if (label.along.x < 0 || (label.along.x == 0 && label.along.y > 0)) label.along = -label.along;
-      // Level text is easier to read than steep text.
+      // Horizontal text is easier to read than steep text.
       const double cost = bent + 0.1 * sizes_.capital * std::abs(label.along.y);
       if (cost >= least || !fits(label, avoided)) continue;
       least = cost;
@@ -155,7 +156,8 @@ class Placement {
     return found;
   }
 
-  /// True if the label lies in the part, over no line to avoid and away from other labels.
+  /// Returns true if the label is in the field's part of the picture, does not cover a line in `avoided`,
+  /// and is far enough from other labels.
   [[nodiscard]] bool fits(const IsoLabel& label, const LineMap& avoided) const {
     const double u = sizes_.capital;
     for (const IsoLabel& other : placed_) {
@@ -183,7 +185,7 @@ class Placement {
   std::vector<IsoLabel> placed_;
 };
 
-/// Removes what lies in a label's box from the parts of a line.
+/// Removes from the pieces of a line what is inside a label's box.
 std::vector<IsoLine> withoutBox(const std::vector<IsoLine>& parts, const IsoLabel& label, double capital) {
   const glm::dvec2 half(0.5 * label.width + gap * capital, (0.5 + gapAbove) * capital);
   const glm::dvec2 up(label.along.y, -label.along.x);
@@ -210,7 +212,7 @@ std::vector<IsoLine> withoutBox(const std::vector<IsoLine>& parts, const IsoLabe
       rest.push_back(part);
       continue;
     }
-    // The last piece of a closed line goes on in the first one.
+    // The last piece of a closed line continues in the first piece.
     if (part.closed && pieces.size() > 1) {
       auto& first = pieces.front().points;
       pieces.back().points.insert(pieces.back().points.end(), first.begin() + 1, first.end());

@@ -14,12 +14,12 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr double samplePixels = 2;  // distance between samples of a magnified field
+constexpr double samplePixels = 2;  // distance in pixels between samples of a magnified field
 constexpr int mostPerCell = 16;
-constexpr double leastApart = 0.4;  // pixels between points of a line
-constexpr double leastLoop = 6;     // pixels; shorter closed lines are left out
+constexpr double leastApart = 0.4;  // minimum distance in pixels between points of a line
+constexpr double leastLoop = 6;     // minimum length in pixels of closed lines; shorter ones are left out
 
-/// Values of a field. Beyond its edges they go on straight.
+/// Values of a field, extrapolated linearly beyond its edges.
 struct Cells {
   std::span<const float> values;
   glm::ivec2 size;
@@ -33,7 +33,7 @@ struct Cells {
   }
 
  private:
-  /// Returns the neighbour of a cell at an edge.
+  /// Returns the index of the inner neighbour of a cell at an edge.
   static int inwards(int edge, int count) { return edge == 0 ? std::min(1, count - 1) : edge - 1; }
   [[nodiscard]] double inside(int x, int y) const {
     const auto value =
@@ -49,7 +49,7 @@ std::array<double, 4> splineWeights(double t) {
           0.5 * (t3 - t2)};
 }
 
-/// Returns the value at a place in cells, where the middle of cell (0, 0) is (0.5, 0.5).
+/// Returns the value at a position in cells, where the centre of cell (0, 0) is at (0.5, 0.5).
 double splineAt(const Cells& cells, glm::dvec2 place) {
   const glm::dvec2 from = glm::floor(place - 0.5);
   const glm::dvec2 beyond = place - 0.5 - from;
@@ -73,7 +73,7 @@ double meanAround(const Cells& cells, glm::ivec2 corner, glm::ivec2 block) {
   return sum / block.x / block.y;
 }
 
-/// Lines of one level, found by marching squares.
+/// Finds the lines of one level by marching squares.
 class Marching {
  public:
   Marching(const IsoGrid& grid, double level)
@@ -97,11 +97,11 @@ class Marching {
  private:
   [[nodiscard]] int pointAt(int x, int y) const { return y * grid_.size.x + x; }
   [[nodiscard]] double value(int point) const { return grid_.values[static_cast<std::size_t>(point)]; }
-  /// Returns both neighbours of an edge on its line; -1: none.
+  /// Returns the two neighbours of an edge on its line; -1 if there is none.
   [[nodiscard]] std::array<int, 2>& link(int edge) { return links_[static_cast<std::size_t>(edge)]; }
 
-  /// Joins the edges of a square that the line crosses. An edge has the number 2 p if it goes right from
-  /// point p, and 2 p + 1 if it goes down.
+  /// Joins those edges of a square that the line crosses. The edge to the right of point p has the number 2
+  /// p, the edge below it has the number 2 p + 1.
   void square(int x, int y) {
     const int points[] = {pointAt(x, y), pointAt(x + 1, y), pointAt(x + 1, y + 1), pointAt(x, y + 1)};
     int inside = 0;
@@ -117,7 +117,7 @@ class Marching {
     if (count < 4) return;
     const double middle =
         0.25 * (value(points[0]) + value(points[1]) + value(points[2]) + value(points[3]));
-    // The corner that differs from the middle is cut off.
+    // The line cuts off the corner that differs from the centre.
     const bool cutsFirst = (middle >= level_) != ((inside & 1) != 0);
     join(edges[0], cutsFirst ? edges[3] : edges[1]);
     join(edges[2], cutsFirst ? edges[1] : edges[3]);
@@ -130,7 +130,7 @@ class Marching {
     }
   }
 
-  /// Follows a line from an edge and removes its links.
+  /// Follows a line, starting from an edge, and removes the links on it.
   IsoLine walk(int edge) {
     IsoLine line;
     const int start = edge;
@@ -158,7 +158,7 @@ class Marching {
   const IsoGrid& grid_;
   double level_;
   std::vector<std::array<int, 2>> links_;
-  std::vector<int> met_;  ///< crossed edges, in the order of their squares
+  std::vector<int> met_;  ///< crossed edges, in the order of the squares
 };
 
 double lengthOf(const IsoLine& line) {
@@ -168,7 +168,7 @@ double lengthOf(const IsoLine& line) {
   return line.closed ? sum + glm::distance(line.points.back(), line.points.front()) : sum;
 }
 
-/// Removes points that are almost at the place of the point before.
+/// Removes points that are almost at the position of the previous point.
 void thin(IsoLine& line) {
   std::vector<glm::dvec2> kept = {line.points.front()};
   for (std::size_t i = 1; i < line.points.size(); ++i) {
@@ -183,7 +183,7 @@ void thin(IsoLine& line) {
   line.points = std::move(kept);
 }
 
-/// Appends the parts of a line that lie within the rectangle.
+/// Appends the pieces of a line that are inside the rectangle.
 void clip(IsoLine line, const glm::dvec4& part, std::vector<IsoLine>& clipped) {
   const auto inside = [&](const glm::dvec2& p) {
     return p.x >= part.x && p.y >= part.y && p.x <= part.z && p.y <= part.w;
@@ -232,13 +232,14 @@ glm::dvec2 shareWithin(glm::dvec2 from, glm::dvec2 to, const glm::dvec4& part) {
 
 IsoGrid isoGrid(std::span<const float> values, glm::ivec2 cells, const FieldView& view) {
   const Cells all{values, cells};
-  glm::dvec2 apart(1);  // cells between two points
+  glm::dvec2 apart(1);  // distance in cells between two samples
   for (int axis = 0; axis < 2; ++axis)
     apart[axis] = view.perPixel[axis] > 1
                       ? std::ceil(view.perPixel[axis])
                       : 1 / std::clamp(std::ceil(1 / view.perPixel[axis] / samplePixels), 1.0,
                                        static_cast<double>(mostPerCell));
-  // Points from the first to the last one that is needed; the first point of the field is its corner.
+  // The samples run from the first to the last one that is needed. The first sample of the field is at its
+  // corner.
   const glm::dvec2 from = view.origin + view.perPixel * glm::dvec2(view.part.x, view.part.y);
   const glm::dvec2 to = view.origin + view.perPixel * glm::dvec2(view.part.z, view.part.w);
   const glm::dvec2 most = glm::floor(glm::dvec2(cells) / apart);
@@ -287,7 +288,7 @@ std::vector<std::vector<glm::dvec2>> isoStroke(const IsoLine& line, double width
     const glm::dvec2 sum = before + after;
     const double length = glm::length(sum);
     const glm::dvec2 normal = length > 1e-9 ? sum / length : after;
-    // The mitre of a sharp bend is cut at twice the width.
+    // The mitre of a sharp bend is limited to twice the width.
     const glm::dvec2 offset = normal * (0.5 * width / std::max(glm::dot(normal, after), 0.5));
     left.push_back(line.points[i] + offset);
     right.push_back(line.points[i] - offset);

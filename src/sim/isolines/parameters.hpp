@@ -14,31 +14,32 @@ namespace simreel::sim {
 /// Value at which a line is drawn.
 struct IsoLevel {
   double value = 0;
-  std::string text;   ///< number on the line
-  bool bold = false;  ///< true for a thick line
+  std::string text;   ///< text shown on the line
+  bool bold = false;  ///< true if the line is thick
 };
 
 /// Parameters of the object kind "isolines".
 struct IsolineParameters : ObjectParameters {
   std::string of;               ///< name of a field, OBJECT or OBJECT.PART
   std::optional<double> every;  ///< distance between two levels
-  scene::Formula at;            ///< levels; empty: multiples of `every`
-  int bold = 0;                 ///< every so many levels one is thick; 0: none
+  scene::Formula at;            ///< levels; if empty, multiples of `every`
+  int bold = 0;                 ///< every `bold`-th level has a thick line; 0 for none
   bool labels = true;
-  std::string unit;        ///< appended to the numbers
-  glm::vec3 color{0.01F};  ///< linear RGB
+  std::string unit;        ///< unit appended to the numbers
+  glm::vec3 color{0.01F};  ///< line colour, linear RGB
   float opacity = 0.85F;
   float width = 0.0022F;       ///< width of a line as a fraction of the picture's height
   float height = 0.018F;       ///< height of capitals as a fraction of the picture's height
-  std::filesystem::path font;  ///< font file; empty: the bundled font
+  std::filesystem::path font;  ///< font file; if empty, the bundled font
 
   void describe(scene::Fields& fields) override;
   void ports(Ports& ports) const override;
   [[nodiscard]] std::filesystem::path fontFile() const;
   [[nodiscard]] const char* drawnWith() const override { return "its \"color\""; }
-  /// Returns the levels of lines over a field in ascending order. `colors`: range of its colours, whose
-  /// tenth, rounded, is the distance of levels without "every"; `values`: its extremes, between which the
-  /// multiples lie. Throws UserError(usage) for more than maxIsoLevels levels.
+  /// Returns the levels of the lines over a field in ascending order. `colors` is the colour range; without
+  /// "every", the distance between levels is a tenth of it, rounded. `values` are the minimum and maximum
+  /// of the field, between which the multiples are. Throws UserError(usage) for more than maxIsoLevels
+  /// levels.
   [[nodiscard]] std::vector<IsoLevel> levels(glm::dvec2 colors, glm::dvec2 values) const;
 };
 

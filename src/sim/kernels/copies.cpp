@@ -21,7 +21,7 @@ glm::mat3 axesAlong(const glm::vec3& direction) {
   return {x, glm::cross(z, x), z};
 }
 
-/// Returns v turned by a unit quaternion.
+/// Returns v rotated by a unit quaternion.
 glm::vec3 turnedBy(const glm::vec4& q, const glm::vec3& v) {
   const glm::vec3 axis(q);
   return v + 2.0F * glm::cross(axis, glm::cross(axis, v) + q.w * v);

@@ -18,46 +18,47 @@ namespace simreel::sim {
 struct KernelMemory {
   std::string name;
   scene::Formula
-      size;  ///< number of elements or texels along one to three axes; empty: size of `file`, or one
+      size;  ///< number of elements or texels along one to three axes; if empty, the size of `file`, or one
   scene::Formulas start;  ///< initial values by member; other members are zero
   std::filesystem::path file;
-  bool previous = false;  ///< true if kernels read its state from before their dispatch
-  bool upward = false;    ///< true if the first row of its file is the last row of the texture
+  bool previous = false;  ///< true if kernels read the contents that the buffer had before their dispatch
+  bool upward = false;    ///< true if the first row of the file is the last row of the texture
   double counter = 0;     ///< initial counter value, for append and consume buffers
-  // Only for textures:
-  std::string field;  ///< field of another object that it takes, OBJECT or OBJECT.PART
+  // The following members apply only to textures.
+  std::string field;  ///< name of another object's field that the texture is filled with, OBJECT or
+                      ///< OBJECT.PART
   enum class Taken { everyFrame, start };
   Taken taken = Taken::everyFrame;
-  std::string format;  ///< GLSL image format; empty: format in the shader, or 32 bits per channel
+  std::string format;  ///< GLSL image format; if empty, the format in the shader, or 32 bits per channel
   enum class Filter { shader, point, linear };
   enum class Wrap { shader, repeat, clamp, mirror };
   Filter filter = Filter::shader;
   Wrap wrap = Wrap::shader;
 };
 
-/// An entry of a schedule: a dispatch, or an operation between dispatches.
+/// Entry of a schedule: a dispatch, or an operation between dispatches.
 struct KernelEntry {
   std::string kernel;
-  scene::Formula
-      threads;  ///< number of invocations along each axis; empty: derived from the outputs of the kernel
+  scene::Formula threads;  ///< number of invocations along each axis; if empty, it is derived from the
+                           ///< outputs of the kernel
   int repeat = 1, every = 1;
   std::string indirect;     ///< buffer that contains the workgroup counts
   int offset = 0;           ///< byte offset in `indirect` or `into`
   scene::Formula swap;      ///< names of two buffers or textures to swap after the kernel
   std::string clear;        ///< name of a buffer or texture to fill with zeros
-  std::string count, into;  ///< copies the counter of buffer `count` into buffer `into`
+  std::string count, into;  ///< the counter of buffer `count` is copied into buffer `into`
 };
 
-/// A triangle mesh whose vertices are elements of a buffer.
+/// Triangle mesh whose vertices are elements of a buffer.
 struct KernelSurface {
   std::string of, position = "position", normal;
-  glm::ivec2 grid{0, 0};       ///< number of vertices along x and y; 0: size of the buffer
+  glm::ivec2 grid{0, 0};       ///< number of vertices along x and y; if 0, the size of the buffer
   std::string indices;         ///< buffer with three indices per triangle
   std::filesystem::path mesh;  ///< mesh file that provides the triangles
   bool doubleSided = true;
 };
 
-/// Draws the elements of a buffer as spheres, discs or meshes.
+/// Elements of a buffer that are drawn as spheres, discs or meshes.
 struct KernelPoints {
   std::string of, position = "position", velocity, mass, alive, rotation;
   Instances::Shape shape = Instances::Shape::sprite;
@@ -67,64 +68,65 @@ struct KernelPoints {
   float massExponent = 0;
   Instances::ColorBy colorBy = Instances::ColorBy::material;
   glm::vec2 colorRange{0, 1};
-  AutoEnds autoColors;  ///< ends of `colorRange` that a first run measures
+  AutoEnds autoColors;  ///< states which ends of `colorRange` a first run measures
   std::string map = "inferno";
   bool additive = false;
   float brightness = 1;
 };
 
-/// Draws a texture or the elements of a buffer as a field over the picture.
+/// Texture, or elements of a buffer, drawn as a field over the picture.
 struct KernelField {
-  std::string of, show;  ///< member or component; empty: a colour if the element has at least three
-                         ///< numbers, else its first number
-  bool encoded = false;  ///< true if colours are sRGB values instead of linear ones
+  std::string of, show;  ///< member or component; if empty, a colour if the element has at least three
+                         ///< numbers, otherwise its first number
+  bool encoded = false;  ///< true if colours are sRGB values, false if they are linear
   FieldDisplay display;
 };
 
 /// Ground whose heights are the elements of a 2-D texture or of a buffer.
 struct KernelTerrain {
-  std::string of, height;  ///< member or channel that holds the height; empty: the first number
-  glm::vec3 position{0};   ///< middle of the ground at the height 0, in metres
+  std::string of, height;  ///< member or channel that holds the height; if empty, the first number
+  glm::vec3 position{0};   ///< centre of the ground at height 0, in metres
   float width = 4;         ///< width along x in metres
-  float scale = 1;         ///< metres of the height 1
+  float scale = 1;         ///< height in metres that the value 1 stands for
   bool collides = false;
   float grip = 25.3F;  ///< rate in 1/s at which sliding objects lose speed
 
-  /// Returns the distance between elements for `count` of them along x.
+  /// Returns the distance in metres between elements if there are `count` of them along x.
   [[nodiscard]] float cell(int count) const { return width / static_cast<float>(count - 1); }
 };
 
-/// Surface where the numbers of a 3-D texture, or of a buffer with three axes, reach a level.
+/// Surface on which the numbers of a 3-D texture, or of a buffer with three axes, equal a level.
 struct KernelVolume {
   enum class Draw { isosurface, cubes };
-  std::string of, show;  ///< member or channel that has the level; empty: the first number
+  std::string of, show;  ///< member or channel that is compared with the level; if empty, the first number
   Draw draw = Draw::isosurface;
   scene::Animated<float> level = 0.5F;
-  std::string color;  ///< member or channel that the colour map colours; empty: the material's colour
+  std::string color;  ///< member or channel that selects the colour from the colour map; if empty, the
+                      ///< surface has the material's colour
   std::string map = "inferno";
   glm::vec2 colorRange{0, 1};
-  glm::vec3 position{0};  ///< middle of the volume in metres
+  glm::vec3 position{0};  ///< centre of the volume in metres
   float width = 2;        ///< width along x in metres; cells are cubes
-  bool closed = true;     ///< true: the surface is closed where it reaches the border
+  bool closed = true;     ///< true to close the surface where it meets the border of the volume
 };
 
-/// Velocities in a plane of the world, as the wind of other objects.
+/// Velocities in a plane of the world that act as wind on other objects.
 struct KernelWind {
   std::string of,
-      velocity;      ///< member of at least two numbers; empty: the first two channels, or the element
-  float scale = 1;   ///< m/s of the velocity 1
+      velocity;      ///< member with at least two numbers; if empty, the first two channels, or the element
+  float scale = 1;   ///< velocity in m/s that the value 1 stands for
   float speed = 10;  ///< expected maximum speed in m/s
   FluidPlane plane;
 };
 
-/// A statistic over a buffer member, for checks and charts.
+/// Statistic over a buffer member, for checks and charts.
 struct KernelMeasure {
   enum class What { mean, sum, min, max };
   std::string name, of, member;
   What what = What::mean;
 };
 
-/// A user's shaders, their memory and their schedule, as described in a scene.
+/// Description of a user's shaders, their memory and their schedule, as given by a scene.
 struct KernelDescription {
   std::filesystem::path file;
   scene::Formula keywords;
@@ -132,11 +134,11 @@ struct KernelDescription {
   scene::Formulas constants;
   int steps = 1;  ///< number of steps per frame
   std::vector<KernelEntry> first, step;
-  /// Reaction to out-of-bounds accesses: stop ends the run, ignore reports the first access, silent
-  /// compiles no code that detects them.
+  /// Reaction to out-of-bounds accesses: stop ends the run, ignore reports the first access and continues,
+  /// silent compiles no code that detects them.
   enum class Bounds { stop, ignore, silent };
   Bounds bounds = Bounds::stop;
-  int iterations = 65000;  ///< max iterations of a loop; 0: no limit
+  int iterations = 65000;  ///< maximum number of iterations of a loop; 0 for no limit
   bool fast = false;
   std::optional<KernelSurface> surface;
   std::optional<KernelPoints> points;

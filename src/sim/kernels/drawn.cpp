@@ -156,7 +156,7 @@ void KernelDrawn::updateField(const KernelStore& store) {
   }
   if (slot == nullptr) slot = from.slots.data();
   const bool colors = slot->offsets.size() >= 3;
-  // The fourth number is the first component: skins use it as a scalar.
+  // The fourth number repeats the first component, because skins use it as a scalar.
   KernelSlot one = *slot;
   one.path = "first";
   one.offsets.resize(1);

@@ -15,7 +15,7 @@ namespace simreel::sim {
 
 struct NormalKernel;
 
-/// Draws the memory of a user's kernels: copies members into the layout of drawables.
+/// Draws the memory of a user's kernels. Copies members into the layout of drawables.
 class KernelDrawn {
  public:
   KernelDrawn(const std::string& name, const KernelPlan& plan, const scene::Material& material,
@@ -24,15 +24,15 @@ class KernelDrawn {
   KernelDrawn(const KernelDrawn&) = delete;
   KernelDrawn& operator=(const KernelDrawn&) = delete;
 
-  /// Copies from memory at `time` (seconds). Call after KernelStore::settle().
+  /// Copies from memory at `time` (seconds). Call it after KernelStore::settle().
   void update(const KernelStore& store, double time);
-  /// Enlarges the level surface if it was too small (Simulation::grow).
+  /// Enlarges the buffers of the level surface if they were too small (Simulation::grow).
   bool grow() { return level_ && level_->grow(); }
   void publish(Drawables& drawables) const;
-  /// Returns the terrain; null if nothing of that kind is drawn.
+  /// Returns the terrain, or null if no terrain is drawn.
   [[nodiscard]] KernelGround* ground() { return ground_ ? &*ground_ : nullptr; }
-  /// Reads back from the GPU: the drawn points, else the vertices; and all that is drawn as one mesh, which
-  /// includes copies of a mesh file.
+  /// Read back from the GPU. points() returns the drawn points, or if there are none, the vertices. mesh()
+  /// returns everything that is drawn as one mesh, including the copies of a mesh file.
   [[nodiscard]] PointTable points() const;
   [[nodiscard]] std::optional<MeshTable> mesh() const;
 

@@ -4,11 +4,11 @@
 
 namespace simreel::sim {
 
-/// Returns OpenGL's number of a texture's format that GLSL names; 0 for other names.
+/// Returns the OpenGL enum of a GLSL texture format name; 0 for other names.
 [[nodiscard]] unsigned texelFormat(const std::string& name);
 /// Returns the names of all formats.
 [[nodiscard]] std::vector<std::string> texelFormatNames();
-/// Returns "float", "int" or "uint": the numbers that a texture of this format holds.
+/// Returns the type of the numbers in a texture of this format: "float", "int" or "uint".
 [[nodiscard]] std::string texelNumbers(const std::string& format);
 
 }  // namespace simreel::sim

@@ -13,21 +13,22 @@ namespace simreel::sim {
 
 struct GatherKernel;
 
-/// The words of one buffer or texture of a user's kernels, with the layout of its elements.
+/// Words of one buffer or texture of a user's kernels, with the layout of its elements.
 struct KernelNumbers {
   const gl::Buffer* words;
   int start, stride, count;
   glm::ivec3 size;
   std::vector<KernelSlot> slots;
 
-  static constexpr const char* chosen = "chosen";  ///< name of the only slot that a choice leaves
+  static constexpr const char* chosen = "chosen";  ///< name of the slot if there is only one, because a
+                                                   ///< member was chosen
 };
 
-/// Returns the numbers of the buffer or texture `of`. Call after KernelStore::settle().
+/// Returns the numbers of the buffer or texture named `of`. Call it after KernelStore::settle().
 [[nodiscard]] KernelNumbers numbersOf(const KernelStore& store, const std::string& of);
 
-/// Returns the numbers of `of` with one slot, KernelNumbers::chosen: the first `components` numbers of
-/// `member`, or if that is empty of the texel or element.
+/// Returns the numbers of `of` with only one slot, named KernelNumbers::chosen. It holds the first
+/// `components` numbers of `member`, or if `member` is empty, of the texel or element.
 [[nodiscard]] KernelNumbers numbersOf(const KernelStore& store, const std::string& of,
                                       const std::string& member, std::size_t components);
 
@@ -39,14 +40,17 @@ class KernelGather {
   KernelGather(const KernelGather&) = delete;
   KernelGather& operator=(const KernelGather&) = delete;
 
-  /// Numbers to copy. An element without members is a single unnamed slot, which any name selects.
+  /// Selection of the numbers to copy. An element without members is a single unnamed slot, which any name
+  /// selects.
   struct Chosen {
-    std::string member;             ///< slot of the first three numbers
-    std::string fourth = {};        ///< slot of w; empty: `fill`
-    std::string alive = {};         ///< slot that is above 0 in live elements; w of the others becomes -1
-    glm::vec4 fill = glm::vec4(0);  ///< value of numbers that the slots do not have
-    bool encoded = false;           ///< true if the first three numbers are sRGB, which become linear
-    int components = 3;             ///< number of components that `member` gives
+    std::string member;             ///< slot that gives the first three numbers
+    std::string fourth = {};        ///< slot that gives w; if empty, w of `fill`
+    std::string alive = {};         ///< slot whose value is above 0 in live elements; w of all other
+                                    ///< elements becomes -1
+    glm::vec4 fill = glm::vec4(0);  ///< values of numbers that the slots do not provide
+    bool encoded = false;           ///< true if the first three numbers are sRGB values, which are
+                                    ///< converted to linear values
+    int components = 3;             ///< number of components that `member` provides
   };
   void run(const KernelNumbers& from, const Chosen& chosen, const gl::Vec4Array& to) const;
 

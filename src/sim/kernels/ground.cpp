@@ -17,7 +17,7 @@ struct GroundKernel {
 
 namespace {
 
-/// Returns the terrain as a plane for HeightPlan. Its vertices are given in the world, so it lies at the
+/// Returns the terrain as a plane for HeightPlan. The vertices are given in world space, so the plane is at
 /// height 0.
 MeshParameters planeOf(const KernelTerrain& given, glm::ivec2 size, float cell) {
   MeshParameters plane;

@@ -10,8 +10,8 @@ namespace simreel::sim {
 
 struct GroundKernel;
 
-/// Ground whose heights are a texture or buffer of a user's kernels: draws it, and lets others fall onto
-/// it.
+/// Ground whose heights come from a texture or buffer of a user's kernels. Draws the ground, and lets other
+/// objects fall onto it.
 class KernelGround {
  public:
   KernelGround(const std::string& name, const KernelPlan& plan, double frameSeconds);
@@ -19,14 +19,14 @@ class KernelGround {
   KernelGround(const KernelGround&) = delete;
   KernelGround& operator=(const KernelGround&) = delete;
 
-  /// Takes the heights from memory. Call after KernelStore::settle().
+  /// Copies the heights from memory. Call it after KernelStore::settle().
   void update(const KernelStore& store);
-  /// Makes the present heights those at the end of a frame.
+  /// Makes the current heights those at the end of the frame.
   void endFrame();
   void carryOver(CarryOver& carry);
-  /// Returns the outlet of a terrain that collides; null for any other.
+  /// Returns the outlet of a terrain that collides; null if it does not collide.
   [[nodiscard]] HeightField* outlet() { return field_ ? &*field_ : nullptr; }
-  /// Returns a surface without material.
+  /// Returns a surface whose material is not set.
   [[nodiscard]] Surface surface() const;
   [[nodiscard]] glm::ivec2 size() const { return size_; }
   [[nodiscard]] const gl::Vec4Array& vertices() const { return vertices_; }

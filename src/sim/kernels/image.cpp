@@ -18,18 +18,18 @@ namespace simreel::sim {
 
 namespace {
 
-/// An input channel of a pass: a picture file, or the output of another pass.
+/// Input channel of a pass: an image file, or the output of another pass.
 struct ImageChannel {
-  std::string name;  ///< "0" to "3"
+  std::string name;  ///< number of the channel, "0" to "3"
   std::filesystem::path file;
   std::string buffer, field;
   KernelMemory::Filter filter = KernelMemory::Filter::linear;
   KernelMemory::Wrap wrap = KernelMemory::Wrap::clamp;
 };
 
-/// A pass of a ShaderToy program.
+/// Pass of a ShaderToy program.
 struct ImagePass {
-  std::string name;  ///< "A" to "D", or "Image"
+  std::string name;  ///< name of the pass: "A" to "D", or "Image"
   std::filesystem::path file;
   std::vector<ImageChannel> channels;
 
@@ -52,7 +52,7 @@ struct ImagePass {
   }
 };
 
-/// Parameters of the kind image: passes with mainImage() that compute a picture.
+/// Parameters of the object kind "image": passes with mainImage() that compute a picture.
 struct ImageParameters : KernelsParameters, scene::Covering {
   glm::ivec2 pixels{960, 540};
   ImagePass image;
@@ -81,7 +81,7 @@ struct ImageParameters : KernelsParameters, scene::Covering {
   }
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
   [[nodiscard]] bool covers() const override { return display.coversPicture(); }
-  /// An image has colours of its own, and no range.
+  /// An image computes its colours, so it has no colour range.
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return {}; }
 
  private:
@@ -224,7 +224,7 @@ void ImageParameters::build(scene::Fields& f) {
   std::vector<ImagePass> all = passes;
   all.push_back(image);
   for (const ImagePass& pass : all) addPass(f, pass);
-  // The image passes also run before the first step, so that the first frame has an image.
+  // The image passes run once before the first step, so that the first frame has an image.
   first = step;
   const auto constant = [&](const char* name, const scene::Formula& value) {
     constants.list.push_back({name, value});

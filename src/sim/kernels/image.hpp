@@ -3,7 +3,7 @@
 
 namespace simreel::sim {
 
-/// Returns the kind image: a picture that a user's shader computes pixel by pixel, as on ShaderToy.
+/// Returns the kind "image": a picture that a user's shader computes pixel by pixel, as on ShaderToy.
 [[nodiscard]] SimulationKind imageKind();
 
 }  // namespace simreel::sim

@@ -24,7 +24,7 @@ struct TakeKernel {
 
 namespace {
 
-constexpr int mostSide = 32768;  // of betweenCells() in glsl/reaction/sampling.glsl
+constexpr int mostSide = 32768;  // maximum side in cells for betweenCells() in glsl/reaction/sampling.glsl
 
 }  // namespace
 

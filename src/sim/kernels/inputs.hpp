@@ -14,18 +14,21 @@ namespace simreel::sim {
 
 struct TakeKernel;
 
-/// Fields and quantities of other objects that a user's kernels read, as at the start of a frame.
+/// Fields and quantities of other objects that a user's kernels read, in their state at the start of a
+/// frame.
 class KernelInputs {
  public:
-  /// `links` may be null: then there is nothing to take.
+  /// `links` may be null; then the kernels read nothing from other objects.
   KernelInputs(const KernelPlan& plan, const scene::Object& object, const Links* links);
   ~KernelInputs();
   KernelInputs(const KernelInputs&) = delete;
   KernelInputs& operator=(const KernelInputs&) = delete;
 
-  /// True if something is taken, so that the kernels cannot run before other objects exist.
+  /// Returns true if the kernels read something from other objects, so that they cannot run before these
+  /// exist.
   [[nodiscard]] bool any() const { return any_; }
-  /// Copies fields into textures and reads quantities. `first`: also what is taken once, at the start.
+  /// Copies fields into textures and reads quantities. If `first` is true, also copies the fields that are
+  /// read only once, at the start.
   void update(KernelStore& store, bool first);
   [[nodiscard]] const std::vector<double>& quantities() const { return quantities_; }
 

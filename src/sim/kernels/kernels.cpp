@@ -71,7 +71,7 @@ class Kernels : public Simulation, public RaceChecked, public FrameStarter {
       begin();
   }
 
-  /// Kernels that take something from other objects begin once all objects exist.
+  /// Kernels that read from other objects start when all objects exist.
   void frameStarts() override {
     inputs_.update(store_, !begun_);
     if (!begun_) begin();
@@ -87,7 +87,7 @@ class Kernels : public Simulation, public RaceChecked, public FrameStarter {
     finish(time + frameSeconds_);
     endFrame();
   }
-  /// Others may take the wind and the ground of this frame, so these are updated too.
+  /// Other objects may use the wind and the ground of this frame, so both are updated, too.
   void pass(double time) override {
     if (wind_ || drawn_.ground() != nullptr) return step(time, {});
     advance(time, {});
@@ -127,7 +127,7 @@ class Kernels : public Simulation, public RaceChecked, public FrameStarter {
   }
   [[nodiscard]] std::vector<std::string> races(double time) override {
     if (parameters_.request.file.empty())
-      return {};  // an image needs no search: each invocation writes only its own pixel
+      return {};  // an image needs no race check, because each invocation writes only its pixel
     const KernelStore::Saved before = store_.save();
     races_ = std::make_unique<KernelRaces>(name_, parameters_.request);
     run(plan_->first(), nowAt(time, 0), true);
@@ -166,7 +166,7 @@ class Kernels : public Simulation, public RaceChecked, public FrameStarter {
     return {dt, time + step * dt, frame, frame * parameters_.steps + step, seed_, inputs_.quantities()};
   }
 
-  /// Publishes the start values, which other kernels may read before these ones begin.
+  /// Publishes the initial values, which other objects may read before these kernels start.
   void showStart() {
     store_.settle();
     drawn_.update(store_, startTime_);
@@ -266,9 +266,9 @@ class Kernels : public Simulation, public RaceChecked, public FrameStarter {
   DispatchPace pace_;
   KernelInputs inputs_;
   double startTime_;
-  bool begun_ = false;  ///< true once `first` has run
+  bool begun_ = false;  ///< true once the passes of `first` have run
   std::string kind_;
-  std::unique_ptr<KernelRaces> races_;  ///< null unless a search for races is running
+  std::unique_ptr<KernelRaces> races_;  ///< null unless a race check is running
 };
 
 }  // namespace

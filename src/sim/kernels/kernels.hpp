@@ -13,7 +13,8 @@ namespace simreel::sim {
 
 /// Returns the object kind "kernels": a user's compute shader (Unity .compute, HLSL or GLSL).
 [[nodiscard]] SimulationKind kernelsKind();
-/// Functions `check` and `make` for all kinds whose parameters are KernelsParameters.
+/// Functions for SimulationKind::check and SimulationKind::make, for all kinds whose parameters are
+/// KernelsParameters.
 void checkKernels(const scene::Object& object, const Setting& setting);
 [[nodiscard]] std::unique_ptr<Simulation> makeKernels(const scene::Object& object, const Setting& setting);
 

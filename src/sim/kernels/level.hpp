@@ -8,7 +8,7 @@ namespace simreel::sim {
 
 struct PackKernel;
 
-/// Level surface of a volume of a user's kernels.
+/// Level surface in a volume computed by a user's kernels.
 class KernelLevel {
  public:
   KernelLevel(const std::string& name, const KernelPlan& plan);
@@ -16,11 +16,11 @@ class KernelLevel {
   KernelLevel(const KernelLevel&) = delete;
   KernelLevel& operator=(const KernelLevel&) = delete;
 
-  /// Takes the values from memory and computes the surface at `time` (seconds). Call after
+  /// Copies the values from memory and computes the surface at `time` (seconds). Call it after
   /// KernelStore::settle().
   void update(const KernelStore& store, double time);
   bool grow() { return surface_.grow(); }
-  /// Returns a surface without material.
+  /// Returns a surface whose material is not set.
   [[nodiscard]] Surface surface() const { return surface_.surface(); }
   [[nodiscard]] MeshTable mesh() const { return surface_.mesh(); }
 

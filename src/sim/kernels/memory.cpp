@@ -57,8 +57,8 @@ void upload(const gl::Texture& texture, GLenum layout, GLenum type, const void* 
     glTextureSubImage2D(texture.name(), 0, 0, 0, texture.width(), texture.height(), layout, type, data);
 }
 
-/// Returns one word per word of an element: 1 if it is a float. Returns an empty buffer if the element has
-/// no floats or if kernels only read the buffer.
+/// Returns one flag word for each word of an element: 1 if the word is a float. Returns an empty buffer if
+/// the element has no floats or if kernels only read the buffer.
 gl::Buffer floatsOf(const PlannedBuffer& planned) {
   std::vector<unsigned> words(planned.stride / 4);
   bool any = false;

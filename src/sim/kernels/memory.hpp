@@ -29,14 +29,14 @@ class KernelStore {
   void clear(const std::string& name);
   /// Copies a buffer's counter into another buffer.
   void copyCounter(const PlannedEntry& entry);
-  /// A copy of all memory.
+  /// Copy of all memory.
   struct Saved {
     std::vector<gl::Buffer> buffers, words;
   };
   [[nodiscard]] Saved save();
   void restore(const Saved& saved);
-  /// Clears the guard elements that out-of-bounds writes go to, replaces NaNs by a canonical one (machines
-  /// differ in sign and payload), and copies textures into words(). Call before the state is read.
+  /// Clears the guard elements that absorb out-of-bounds writes, replaces NaNs by a canonical NaN (machines
+  /// differ in its sign and payload), and copies textures into words(). Call it before reading the state.
   void settle();
   /// Fills the textures from words() after words() has been restored.
   void putBack();
@@ -45,14 +45,14 @@ class KernelStore {
     return buffers_[static_cast<std::size_t>(place)];
   }
   [[nodiscard]] gl::Buffer& buffer(int place) { return buffers_[static_cast<std::size_t>(place)]; }
-  /// Returns the texels of a texture, four words each, as copied by settle().
+  /// Returns the texels of a texture as copied by settle(), four words per texel.
   [[nodiscard]] const gl::Buffer& words(int texture) const {
     return words_[static_cast<std::size_t>(texture)].buffer();
   }
   [[nodiscard]] gl::Buffer& words(int texture) {
     return words_[static_cast<std::size_t>(texture)].buffer();
   }
-  /// Returns the array of words() with its views.
+  /// Returns the array that words() gives access to, with its views.
   [[nodiscard]] gl::WordsArray& texels(std::size_t texture) { return words_[texture]; }
   /// Fills one texture from words().
   void putBackOne(std::size_t texture);

@@ -11,7 +11,7 @@ DispatchPace::~DispatchPace() {
 void DispatchPace::dispatched() {
   checkFrame();
   if (++count_ % atOnce != 0) return;
-  constexpr GLuint64 patience = 100'000'000;  // ns between two looks at signals
+  constexpr GLuint64 patience = 100'000'000;  // time in ns between two checks for signals
   if (before_ != nullptr) {
     while (glClientWaitSync(before_, GL_SYNC_FLUSH_COMMANDS_BIT, patience) == GL_TIMEOUT_EXPIRED)
       checkFrame();

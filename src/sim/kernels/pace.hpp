@@ -3,7 +3,8 @@
 
 namespace simreel::sim {
 
-/// Keeps few dispatches waiting on the device, so that a signal ends a long frame between two of them.
+/// Limits the number of dispatches waiting on the GPU, so that a signal can end a long frame between two
+/// dispatches.
 class DispatchPace {
  public:
   DispatchPace() = default;
@@ -11,13 +12,13 @@ class DispatchPace {
   DispatchPace(const DispatchPace&) = delete;
   DispatchPace& operator=(const DispatchPace&) = delete;
 
-  /// Call after each dispatch. Throws what checkFrame() throws.
+  /// Call it after each dispatch. Throws the exceptions of checkFrame().
   void dispatched();
 
  private:
   static constexpr int atOnce = 16;
   int count_ = 0;
-  GLsync before_ = nullptr;  ///< signalled once the last group of `atOnce` dispatches is done
+  GLsync before_ = nullptr;  ///< fence signalled when the last group of `atOnce` dispatches is complete
 };
 
 }  // namespace simreel::sim

@@ -312,7 +312,7 @@ std::vector<MeasuredRange> KernelsParameters::measuredRanges() {
   std::vector<MeasuredRange> all;
   const auto add = [&](std::vector<MeasuredRange> ranges) {
     for (MeasuredRange& range : ranges) {
-      // The drawing is a part of the plan, which holds a copy of the range.
+      // The drawing belongs to the plan, which also holds a copy of the range.
       range.set = [this, own = std::move(range.set)](double low, double high) {
         own(low, high);
         auto changed = std::make_shared<KernelPlan>(*plan);

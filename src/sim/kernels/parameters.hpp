@@ -17,14 +17,14 @@
 
 namespace simreel::sim {
 
-/// Parameters of the kind kernels.
+/// Parameters of the object kind "kernels".
 struct KernelsParameters : ObjectParameters, HasColorRange, KernelDescription {
   /// Created by describe() while a scene is loaded; null if the file cannot be compiled.
   std::shared_ptr<const KernelPlan> plan;
-  kernels::Request request;  ///< the request that the shader was compiled from
-  /// Error message of the compiler; empty if none exists.
+  kernels::Request request;  ///< request from which the shader was compiled
+  /// Error message of the compiler; empty if there is none.
   std::string problem;
-  bool problemIsReport = false;  ///< true if the message already contains places and carets
+  bool problemIsReport = false;  ///< true if the message already contains source positions and carets
 
   void describe(scene::Fields& fields) override;
   void ports(Ports& ports) const override;
@@ -34,7 +34,7 @@ struct KernelsParameters : ObjectParameters, HasColorRange, KernelDescription {
   [[nodiscard]] std::optional<scene::Box> framed() const override;
   [[nodiscard]] Looks looks() const override;
   [[nodiscard]] bool wanders() const override;
-  /// Returns the files of its shaders, with what they include.
+  /// Returns the files of the shaders, including the files that they include.
   [[nodiscard]] std::vector<std::filesystem::path> shaderFiles() const;
 
  protected:

@@ -17,13 +17,14 @@
 
 namespace simreel::sim {
 
-/// A buffer of the kernels of a file: a header of fixed members, followed by an array of elements.
+/// Buffer of the kernels of a file: a header of fixed members, followed by an array of elements.
 struct PlannedBuffer {
   std::string name;
-  std::string counterOf;   ///< name of the buffer whose counter this is
-  std::string previousOf;  ///< name of the buffer whose state before a dispatch this holds
+  std::string counterOf;   ///< if this is a counter, name of the buffer that it belongs to
+  std::string previousOf;  ///< if this is a copy from before a dispatch, name of the copied buffer
   std::size_t header = 0, stride = 4;
-  int guards = 0;            ///< number of extra elements behind `count` that absorb out-of-bounds accesses
+  int guards = 0;            ///< number of additional elements after `count` elements that absorb
+                             ///< out-of-bounds accesses
   glm::ivec3 size{1, 1, 1};  ///< number of elements along each axis
   bool sized = false;        ///< true if the scene or a file defines the size
   std::vector<KernelSlot> fixed, element;
@@ -40,10 +41,11 @@ struct PlannedBuffer {
   }
 };
 
-/// A texture or image of the kernels of a file.
+/// Texture or image of the kernels of a file.
 struct PlannedTexture {
-  std::string name, type, format;  ///< "2D", "3D", "2DArray", "Cube"; a format as GLSL has it
-  std::string values{};            ///< "float", "int" or "uint", as the shader has its texels
+  std::string name, type, format;  ///< type is "2D", "3D", "2DArray" or "Cube"; format is a GLSL format
+                                   ///< name
+  std::string values{};            ///< "float", "int" or "uint", the type of the texels in the shader
   glm::ivec3 size{1, 1, 1};
   bool sized = false, written = false;
   bool formatted = false;  ///< true if the shader or the scene defines the format
@@ -53,7 +55,8 @@ struct PlannedTexture {
     return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
            static_cast<std::size_t>(size.z);
   }
-  /// Returns the sampler state (bits as in simreel_Samplers) for reads of this texture with `sampler`.
+  /// Returns the sampler state (bits as in simreel_Samplers) for reading this texture with the sampler of
+  /// the given name.
   [[nodiscard]] unsigned samplerState(std::string_view sampler) const;
   [[nodiscard]] bool integers() const { return format.ends_with("i"); }
   [[nodiscard]] bool singleChannel() const {
@@ -61,24 +64,24 @@ struct PlannedTexture {
   }
 };
 
-/// A component of a constant or of a thread count.
+/// Component of a constant or of a thread count.
 struct PlannedNumber {
   double number = 0;
-  std::shared_ptr<const Expression> expression;  ///< null: `number` is the value
+  std::shared_ptr<const Expression> expression;  ///< null if `number` is the value
 };
 
-/// An entry of a schedule.
+/// Entry of a schedule.
 struct PlannedEntry {
-  int kernel = -1;  ///< index of the kernel in the shader; -1: no dispatch
+  int kernel = -1;  ///< index of the kernel in the shader; -1 if the entry is no dispatch
   std::vector<PlannedNumber> threads;
   int repeat = 1, every = 1;
-  int indirect = -1;  ///< index of a buffer; -1: none
+  int indirect = -1;  ///< index of a buffer, or -1 for none
   std::size_t offset = 0;
   std::string swapA, swapB, clear;
-  int count = -1, into = -1;  ///< indices of buffers; -1: none
+  int count = -1, into = -1;  ///< indices of buffers, or -1 for none
 };
 
-/// The drawings of a scene, with defaults filled in.
+/// Drawings of a scene, with defaults filled in.
 struct PlannedDrawing {
   std::optional<KernelSurface> surface;
   std::optional<KernelPoints> points;
@@ -94,7 +97,7 @@ struct PlannedDrawing {
 /// A scene's description of its kernels, checked against the contents of their file. Needs no device.
 class KernelPlan {
  public:
-  /// An error in a scene: JSON path of the value, and byte range in its text.
+  /// Error in a scene: JSON path of the value, and byte range in its text.
   struct Mistake {
     std::vector<std::string> path;
     std::size_t begin = 0, end = 1;
@@ -104,8 +107,8 @@ class KernelPlan {
   /// Compiles the file. The result is cached until the file or one of its includes changes.
   [[nodiscard]] static std::shared_ptr<const kernels::Shader> shaderOf(const kernels::Request& request);
 
-  /// `announced`: names of all kernels in the file; `shader` contains only those that run. `aliases`:
-  /// textures of the shader that share the memory of another texture.
+  /// `announced` holds the names of all kernels in the file; `shader` contains only those that run.
+  /// `aliases` lists textures of the shader that use the memory of another texture.
   KernelPlan(const KernelDescription& parameters, std::shared_ptr<const kernels::Shader> shader,
              const std::vector<std::string>& announced,
              const std::map<std::string, std::string>& aliases = {});
@@ -118,31 +121,33 @@ class KernelPlan {
   [[nodiscard]] const std::vector<PlannedEntry>& first() const { return first_; }
   [[nodiscard]] const std::vector<PlannedEntry>& step() const { return step_; }
   [[nodiscard]] const PlannedDrawing& drawn() const { return drawn_; }
-  /// Sets the ranges of the drawing's colours from `description`.
+  /// Sets the colour ranges of the drawing to those of `description`.
   void setColorRanges(const KernelDescription& description);
   [[nodiscard]] int bufferNamed(std::string_view name) const;
   [[nodiscard]] int textureNamed(std::string_view name) const;
-  /// Returns the size of the buffer or texture of that name.
+  /// Returns the size of the buffer or texture with the given name.
   [[nodiscard]] glm::ivec3 sizeOf(const std::string& memory) const;
   /// Returns the values that can be set in one element of the buffer named `memory` (its members), or in
-  /// one texel of the texture of that name (its channels); empty if there is neither.
+  /// one texel of the texture with that name (its channels); empty if neither exists.
   [[nodiscard]] std::vector<KernelSlot> slots(const std::string& memory) const;
-  /// Returns a bounding box of the initial drawing; nothing if the drawing has no position in space.
+  /// Returns a bounding box of the initial drawing, or nothing if the drawing has no position in space.
   [[nodiscard]] std::optional<scene::Box> box() const;
 
-  /// Initial contents: of a buffer, PlannedBuffer::bytes() bytes; of a texture, four numbers per texel.
+  /// Return the initial contents: PlannedBuffer::bytes() bytes for a buffer, four numbers per texel for a
+  /// texture.
   [[nodiscard]] std::vector<std::byte> firstBytes(const PlannedBuffer& buffer, unsigned seed) const;
   [[nodiscard]] std::vector<double> firstTexels(const PlannedTexture& texture, unsigned seed) const;
 
-  /// Variables for the expressions of constants and thread counts.
+  /// Values of the variables in the expressions of constants and thread counts.
   struct Now {
     double dt = 0, time = 0;
     long frame = 0, step = 0;
     int seed = 1;
-    std::span<const double> quantities = {};  ///< values of quantities(); zeros if it is shorter
+    std::span<const double> quantities = {};  ///< values of quantities(); missing values count as zero
   };
   [[nodiscard]] std::vector<double> values(const Now& now) const;
-  /// A quantity of another object that constants use: OBJECT.QUANTITY, and JSON path of the constant.
+  /// Quantity of another object that constants use: its name OBJECT.QUANTITY, and the JSON path of the
+  /// constant.
   struct Quantity {
     std::string name;
     std::vector<std::string> path;
@@ -170,13 +175,13 @@ class KernelPlan {
   void planEntries(const std::vector<KernelEntry>& given, const char* list,
                    const std::vector<std::string>& announced, int perFrame,
                    std::vector<PlannedEntry>& planned);
-  /// Returns the file of the shader that announces a kernel; empty where none does.
+  /// Returns the file of the shader that declares a kernel; empty if none does.
   [[nodiscard]] std::string announcedIn(const std::string& kernel) const;
   void planThreads(const KernelEntry& given, const std::vector<std::string>& path, PlannedEntry& entry);
   void planBetween(const KernelEntry& given, const std::vector<std::string>& path, PlannedEntry& entry);
   void everyKernel();
   void useUsualThreads(std::vector<std::string> path, PlannedEntry& entry);
-  /// True if a file of the shader contains the word, even if no scheduled kernel uses it.
+  /// Returns true if a file of the shader contains the word, even if no scheduled kernel uses it.
   [[nodiscard]] bool mentioned(const std::string& word) const;
   void planStarts();
   void planStart(const PlannedBuffer& buffer);
@@ -193,7 +198,7 @@ class KernelPlan {
   void planGrids();
   [[nodiscard]] scene::Box boxOfTerrain() const;
   [[nodiscard]] scene::Box boxOfVolume() const;
-  /// Reports a grid `of` that does not have `axes` axes, or a member of it that has too few numbers.
+  /// Reports an error if the grid `of` does not have `axes` axes, or if a member of it has too few numbers.
   bool holdGrid(const char* group, const char* key, const std::string& of, const std::string& member,
                 std::size_t numbers, int axes);
   bool holdMember(const char* group, const char* key, const std::string& of, const std::string& member,
@@ -201,7 +206,8 @@ class KernelPlan {
   void planMeasures(const KernelDescription& parameters);
   PlannedNumber compiled(const scene::Formula::Part& part, std::vector<std::string> path);
   int placeOf(const std::string& name);
-  /// Returns the memory in a name such as "count(NAME)"; nothing where the shader has none of that name.
+  /// Returns the memory named in an expression such as "count(NAME)"; empty if the shader has no memory of
+  /// that name.
   [[nodiscard]] std::string unsizedIn(const std::string& name) const;
   void mistake(std::vector<std::string> path, std::string message, std::size_t begin = 0,
                std::size_t end = 1);
@@ -215,10 +221,11 @@ class KernelPlan {
   std::vector<PlannedEntry> first_, step_;
   std::map<std::string, Constant> constants_;
   std::vector<std::pair<std::string, double>>
-      lookups_;  ///< values of count(NAME) and similar functions, in order after the plain variables
+      lookups_;  ///< values of count(NAME) and similar functions; in the list of variables, they follow the
+                 ///< plain variables
   std::vector<Quantity> quantities_;
-  std::vector<std::size_t> quantityPlaces_;  ///< index of each quantity among lookups_
-  bool takesQuantities_ = false;             ///< true while constants are planned
+  std::vector<std::size_t> quantityPlaces_;  ///< index of each quantity in lookups_
+  bool takesQuantities_ = false;             ///< true while the constants are being planned
   PlannedDrawing drawn_;
   std::vector<Mistake> mistakes_;
   KernelTables tables_;

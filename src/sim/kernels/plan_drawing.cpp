@@ -49,7 +49,7 @@ void KernelPlan::planDrawing(const KernelDescription& parameters) {
   if (drawn_.field) planField(*drawn_.field);
 }
 
-/// Returns the names of the buffers of elements, which leaves out counters.
+/// Returns the names of all buffers of elements, which excludes counters.
 std::vector<std::string> KernelPlan::bufferNames() const {
   std::vector<std::string> names;
   for (const PlannedBuffer& buffer : buffers_)
@@ -124,8 +124,8 @@ void KernelPlan::setColorRanges(const KernelDescription& description) {
   if (drawn_.points && description.points) drawn_.points->colorRange = description.points->colorRange;
 }
 
-/// Default drawing: a 2-D texture that the kernels write, else a buffer with positions, as a surface if it
-/// is a grid.
+/// Chooses the default drawing: a 2-D texture that the kernels write, otherwise a buffer with positions,
+/// which is drawn as a surface if it is a grid.
 void KernelPlan::chooseDrawing() {
   for (std::size_t i = textures_.size(); i-- > 0;) {
     const PlannedTexture& texture = textures_[i];

@@ -1,4 +1,4 @@
-// The part of KernelPlan that plans grids of the world: terrain, wind and volumes.
+// The part of KernelPlan that plans grids in the world: terrain, wind and volumes.
 #include "scene/json/words.hpp"
 #include "sim/kernels/plan.hpp"
 

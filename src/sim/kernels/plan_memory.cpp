@@ -1,4 +1,4 @@
-// Memory of a KernelPlan: names, formats and sizes.
+// The part of KernelPlan that plans memory: names, formats and sizes.
 #include "base/error.hpp"
 #include "scene/json/words.hpp"
 #include "sim/kernels/formats.hpp"
@@ -14,8 +14,8 @@ namespace simreel::sim {
 namespace {
 
 constexpr double mostElements = 1 << 28;
-/// Max bytes of memory of one object, and bytes counted for each texel: four channels of 32 bits, and a
-/// copy.
+/// Maximum number of bytes of memory per object, and number of bytes counted per texel: four channels of 32
+/// bits, and a copy of them.
 constexpr double mostMemory = 8.0 * (1 << 30), texelMemory = 32;
 
 }  // namespace
@@ -64,7 +64,7 @@ void KernelPlan::holdFormat(PlannedTexture& texture, const std::string& format) 
   texture.formatted = true;
 }
 
-/// `axes`: that the size has; 0: one to three.
+/// Reads a size. `axes` is the number of axes that it must have; 0 stands for one to three.
 void KernelPlan::sizeOf(const char* list, const KernelMemory& given, int axes, glm::ivec3& size,
                         bool& sized) {
   if (!given.file.empty()) {
@@ -109,7 +109,8 @@ void KernelPlan::size(const KernelDescription& /*parameters*/) {
       deed("textures", texture, texture.type == "3D" || texture.type == "2DArray" ? 3 : 2);
     for (PlannedBuffer& buffer : buffers_) deed("buffers", buffer, 0);
   };
-  // A size may name another memory: what cannot be told yet is told in a later round.
+  // The size of a memory may depend on another memory. If that is not yet known, the size is computed in a
+  // later round.
   for (bool going = true; going;) {
     going = false;
     each([&](const char* list, auto& memory, int axes) {

@@ -1,4 +1,5 @@
-// Schedules of a KernelPlan: what runs, how many invocations of it, and what happens in between.
+// The part of KernelPlan that plans schedules: which kernels run, with how many invocations, and the
+// operations between them.
 #include "base/file.hpp"
 #include "kernels/source/files.hpp"
 #include "scene/json/words.hpp"
@@ -175,7 +176,7 @@ void KernelPlan::planBetween(const KernelEntry& given, const std::vector<std::st
     const int c = textureNamed(entry.swapA), d = textureNamed(entry.swapB);
     const auto place = [](int i) { return static_cast<std::size_t>(i); };
     if (c >= 0 && d >= 0) {
-      // A texture that is only read takes the format of the texture that it is swapped with.
+      // A texture that is only read gets the format of the texture with which it is swapped.
       PlannedTexture &one = textures_[place(c)], &other = textures_[place(d)];
       if (!one.formatted) one.format = other.format;
       if (!other.formatted) other.format = one.format;

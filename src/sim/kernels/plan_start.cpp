@@ -1,4 +1,4 @@
-// The part of KernelPlan that computes initial contents of memory.
+// The part of KernelPlan that computes the initial contents of memory.
 #include "scene/json/words.hpp"
 #include "sim/kernels/plan.hpp"
 
@@ -14,7 +14,7 @@ constexpr const char* elementNames[] = {"i",     "x",      "y",     "z",    "cou
                                         "width", "height", "depth", "seed", "pi"};
 constexpr const char* channels[] = {"r", "g", "b", "a"};
 
-/// Evaluates the formulas of the elements of one buffer or texture. Columns of its file are additional
+/// Evaluates the formulas for the elements of one buffer or texture. The columns of its file are additional
 /// variables.
 class Starts {
  public:
@@ -24,7 +24,7 @@ class Starts {
   }
   /// Throws scene::ExpressionMistake.
   [[nodiscard]] Expression compiled(const std::string& text) const {
-    // Searches from the end, because columns of a file take precedence over built-in variables.
+    // The search runs from the end, because columns of a file take precedence over built-in variables.
     return Expression(
         text,
         [this](const std::string& name) {
@@ -54,9 +54,9 @@ class Starts {
   std::vector<std::string> names_;
 };
 
-/// Returns initial-value formulas that assign the columns of a table to slots by name. A slot "position"
-/// takes the column "position", the columns position_x, position_y, ..., or the columns x, y, z; normals
-/// also take nx, ny, nz and velocities vx, vy, vz.
+/// Returns formulas for initial values that assign the columns of a table to slots by name. A slot
+/// "position" takes the column "position", or the columns position_x, position_y, ..., or the columns x, y,
+/// z. Normals may also take nx, ny, nz and velocities vx, vy, vz.
 scene::Formulas columnsFor(const KernelTable& table, const std::vector<KernelSlot>& slots) {
   scene::Formulas all;
   const auto has = [&](const std::string& name) {
@@ -87,7 +87,7 @@ scene::Formulas columnsFor(const KernelTable& table, const std::vector<KernelSlo
   return all;
 }
 
-/// The first columns by their names.
+/// Returns the names of the first columns as text.
 std::string firstOf(const std::vector<std::string>& columns) {
   constexpr std::size_t most = 8;
   std::string names;

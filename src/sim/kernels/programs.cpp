@@ -26,7 +26,7 @@ KernelPrograms::KernelPrograms(const std::string& name, std::shared_ptr<const ke
   }
 }
 
-/// No dispatch takes a machine for hours: invocations have numbers of 31 bits.
+/// Throws for more than 2^31 invocations, because a dispatch of that size would occupy a machine for hours.
 void KernelPrograms::holdGroups(const kernels::Kernel& kernel, const glm::uvec3& groups) const {
   constexpr double mostInvocations = 2147483648.0;
   const double invocations =

@@ -21,8 +21,8 @@ class KernelPrograms {
   /// Returns the workgroup counts of an entry; 1 for an indirect dispatch.
   [[nodiscard]] static glm::uvec3 groups(const KernelPlan& plan, const PlannedEntry& entry,
                                          const KernelPlan::Now& now);
-  /// Runs an entry's kernel. What else it binds (reports, shadows) must be bound. Throws UserError(device)
-  /// for more than 2^31 threads.
+  /// Runs an entry's kernel. All other bindings (reports, shadows) must already be bound. Throws
+  /// UserError(device) for more than 2^31 invocations.
   void dispatch(KernelStore& store, const PlannedEntry& entry, const KernelPlan::Now& now);
 
  private:

@@ -24,8 +24,8 @@ std::string invocation(unsigned linear, const glm::uvec3& all) {
   return fmt::format("({}, {}, {})", linear % all.x, linear / all.x % all.y, linear / all.x / all.y);
 }
 
-/// Describes the position of an element: coordinates for a texture or a buffer with several axes, else an
-/// index.
+/// Returns a description of an element's position: coordinates for a texture or a buffer with several axes,
+/// otherwise an index.
 std::string elementText(const KernelPlan& plan, const std::string& of, unsigned index) {
   glm::ivec3 size(0);
   if (const int buffer = plan.bufferNamed(of); buffer >= 0)
@@ -38,19 +38,19 @@ std::string elementText(const KernelPlan& plan, const std::string& of, unsigned 
   return fmt::format("element ({}, {}, {})", index % width, index / width % height, index / width / height);
 }
 
-/// True if `of` names shared memory of a workgroup.
+/// Returns true if `of` is the name of shared memory of a workgroup.
 bool isShared(const KernelPlan& plan, const std::string& of) {
   return plan.textureNamed(of) < 0 && plan.bufferNamed(of) < 0;
 }
 
-/// Returns the advice that a race message ends with.
+/// Returns the advice at the end of a race message.
 const char* cureOf(const KernelPlan& plan, const std::string& of) {
   if (plan.textureNamed(of) >= 0) return "write to a second texture, and \"swap\" them";
   if (isShared(plan, of)) return "put a barrier between: GroupMemoryBarrierWithGroupSync() or barrier()";
   return "write to a second buffer and \"swap\" them, or give the buffer \"previous\": true";
 }
 
-/// Shadow buffers by name, shared by the recording and the checking variant of a kernel.
+/// Shadow buffers by name, used by both the recording and the checking variant of a kernel.
 using Shadows = std::map<std::string, gl::Buffer>;
 
 void bindShadows(const KernelPlan& plan, const kernels::Kernel& kernel, Shadows& shadows) {
@@ -97,8 +97,8 @@ void KernelRaces::dispatch(KernelStore& store, const PlannedEntry& entry, const 
   const auto counted = reports.readAll<glm::uvec4>();
   if (std::none_of(counted.begin(), counted.end(), [](const glm::uvec4& place) { return place.x > 0; }))
     return;
-  // Runs the check again and counts only the first invocation of each place, to get the element indices of
-  // that invocation.
+  // Runs the check again and counts only the first invocation at each source position, to get the element
+  // indices of that invocation.
   std::vector<glm::uvec4> first = none;
   for (std::size_t i = 0; i < first.size(); ++i)
     first[i] = {0x80000000U, counted[i].y, INT_MAX, 0x80000000U};
@@ -108,7 +108,7 @@ void KernelRaces::dispatch(KernelStore& store, const PlannedEntry& entry, const 
   gl::AccessLog::barrier(GL_ALL_BARRIER_BITS);
   std::vector<glm::uvec4> met = reports.readAll<glm::uvec4>();
   for (std::size_t i = 0; i < met.size(); ++i) {
-    // The second run may miss an access of the first, because a race changes what invocations do.
+    // The second run may miss an access of the first run, because a race changes what invocations do.
     const bool there = static_cast<int>(met[i].w) >= 0;
     met[i] = {counted[i].x, counted[i].y, there ? met[i].z : unknown, there ? met[i].w : unknown};
   }

@@ -13,18 +13,18 @@
 
 namespace simreel::sim {
 
-/// Searches the dispatches of a user's kernels for races. Each dispatch runs twice from the same state: the
-/// first run records which invocation changes each word, the second run compares its accesses with the
-/// record.
+/// Searches the dispatches of a user's kernels for data races. Each dispatch runs twice from the same
+/// state: the first run records which invocation changes each word, and the second run compares its
+/// accesses with that record.
 class KernelRaces {
  public:
   /// Throws the same errors as KernelPlan::shaderOf().
   KernelRaces(const std::string& name, const kernels::Request& request);
 
-  /// Runs an entry's kernel in both variants. Afterwards the store holds the state after the dispatch. An
-  /// entry that has been searched twice before runs once, without a search.
+  /// Runs an entry's kernel in both variants. Afterwards, the store holds the state after the dispatch. If
+  /// the entry has already been checked twice, runs it once without a check.
   void dispatch(KernelStore& store, const PlannedEntry& entry, const KernelPlan::Now& now);
-  /// Returns the races found, one line each.
+  /// Returns one line for each race that was found.
   [[nodiscard]] const std::vector<std::string>& found() const { return found_; }
 
  private:
@@ -35,7 +35,8 @@ class KernelRaces {
   std::shared_ptr<const kernels::Shader> recording_, checking_;
   KernelPrograms record_, check_;
   std::map<const PlannedEntry*, int> searches_;
-  std::set<std::pair<int, std::size_t>> told_;  ///< kernels, and places in them
+  std::set<std::pair<int, std::size_t>> told_;  ///< kernels and source positions in them for which a race
+                                                ///< was reported
   std::vector<std::string> found_;
 };
 

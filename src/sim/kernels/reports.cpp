@@ -26,8 +26,8 @@ namespace {
 
 constexpr glm::uvec4 nothing{0, UINT_MAX, INT_MAX, 0x80000000U};
 
-/// Returns the number of valid indices of a buffer or of one axis of a texture; 0 if it is known only
-/// inside the shader.
+/// Returns the number of valid indices of a buffer or of one axis of a texture; 0 if the number is known
+/// only inside the shader.
 std::size_t lengthOf(const KernelPlan& plan, const kernels::Place& place) {
   if (const int buffer = plan.bufferNamed(place.what); buffer >= 0)
     return plan.buffers()[static_cast<std::size_t>(buffer)].count();

@@ -10,18 +10,19 @@ namespace simreel::sim {
 
 struct ReportsKernel;
 
-/// Collects out-of-bounds accesses and loops that reach their limit in a user's kernels.
+/// Collects reports of a user's kernels about out-of-bounds accesses and about loops that reach their
+/// iteration limit.
 class KernelReports {
  public:
-  /// `goesOn`: faults are reported but do not end the run.
+  /// If `goesOn` is true, faults are reported but do not end the run.
   KernelReports(const std::string& name, const KernelPlan& plan, bool goesOn);
   ~KernelReports();
   KernelReports(const KernelReports&) = delete;
   KernelReports& operator=(const KernelReports&) = delete;
 
-  /// Binds the report buffer of a kernel before it runs `threads` invocations.
+  /// Binds the report buffer of a kernel. Call it before the kernel runs `threads` invocations.
   void bind(std::size_t kernel, glm::uvec3 threads);
-  /// Collects the reports of a frame on the GPU, without a wait.
+  /// Collects the reports of a frame on the GPU, without waiting for the GPU.
   void collect(long frame);
   /// See Simulation::status().
   [[nodiscard]] const gl::Buffer* status() const { return places_ == 0 ? nullptr : &status_; }

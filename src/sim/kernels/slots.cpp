@@ -18,7 +18,7 @@ using Number = KernelSlot::Number;
 /// Shape of a scalar, vector or matrix type of HLSL or GLSL.
 struct Shape {
   Number number = Number::real;
-  std::size_t rows = 1, columns = 1;  ///< a vector has one column
+  std::size_t rows = 1, columns = 1;  ///< numbers of rows and columns; a vector has one column
 };
 
 Shape shapeOf(const std::string& type) {
@@ -34,8 +34,8 @@ Shape shapeOf(const std::string& type) {
   const auto digit = [&](std::size_t at) { return static_cast<std::size_t>(type[at] - '0'); };
   const std::size_t last = type.size() - 1;
   if (type.size() > 3 && type[last - 1] == 'x' && type[last] >= '1' && type[last] <= '4') {
-    const bool hlsl =
-        !type.starts_with("mat") && !type.starts_with("dmat");  // HLSL's float3x4 is rows x columns
+    const bool hlsl = !type.starts_with("mat") && !type.starts_with("dmat");  // the type float3x4 of HLSL
+                                                                              // is rows x columns
     shape.rows = digit(hlsl ? last - 2 : last);
     shape.columns = digit(hlsl ? last : last - 2);
   } else if (type[last] >= '1' && type[last] <= '4') {
@@ -57,7 +57,8 @@ void addMembers(const std::vector<kernels::Member>& members, const std::string& 
   }
 }
 
-/// Returns the byte offset of each component of a value, row by row. Matrices are stored by columns.
+/// Returns the byte offset of each component of a value, in row order. Matrices are stored column by
+/// column.
 std::vector<std::size_t> componentsOf(const Shape& shape, std::size_t bytes, std::size_t base) {
   const std::size_t width = shape.number == Number::doubleReal ? 8 : 4;
   const std::size_t stride = shape.columns > 1 ? bytes / shape.columns : 0;

@@ -8,31 +8,33 @@
 
 namespace simreel::sim {
 
-/// A value that a scene can set in a buffer element or a constant block: a member that is not a struct.
+/// Value that a scene can set in a buffer element or a constant block: a member that is not a struct.
 struct KernelSlot {
   enum class Number { real, signedInteger, unsignedInteger, doubleReal };
-  std::string path;  ///< for example "position" or "material.color"; empty: the element itself
+  std::string path;  ///< path of the member, for example "position" or "material.color"; empty for the
+                     ///< element itself
   std::string type;  ///< type name in the shader: "float3", "mat4", "float[4]"
   Number number = Number::real;
-  bool used = true;                  ///< only for constants: true if the kernel reads it
-  std::vector<std::size_t> offsets;  ///< byte offset of each component; matrices row by row
+  bool used = true;                  ///< for constants only: true if the kernel reads the value
+  std::vector<std::size_t> offsets;  ///< byte offset of each component; the components of a matrix are in
+                                     ///< row order
 
   [[nodiscard]] std::size_t width() const { return number == Number::doubleReal ? 8 : 4; }
 };
 
-/// Returns the slots of members in order.
+/// Returns the slots of all members in order.
 [[nodiscard]] std::vector<KernelSlot> slotsOf(const std::vector<kernels::Member>& members);
 /// Returns the slots of an array element: the slots of its struct, or a single slot with an empty path.
 [[nodiscard]] std::vector<KernelSlot> slotsOfElement(const kernels::Member& array);
 /// Returns the paths of slots, as scenes name them.
 [[nodiscard]] std::vector<std::string> pathsOf(std::span<const KernelSlot> slots);
-/// Returns the slot with this path; null if none exists.
+/// Returns the slot with this path, or null if there is none.
 [[nodiscard]] const KernelSlot* slotNamed(std::span<const KernelSlot> slots, std::string_view path);
 
-/// Writes component `i` (zero-based) of a slot of the element at address `element`. For integer types the
-/// value is rounded down and clamped to the type's range.
+/// Writes component `i` (zero-based) of a slot in the element at the address `element`. For integer types,
+/// the value is rounded down and clamped to the type's range.
 void storeSlot(std::byte* element, const KernelSlot& slot, std::size_t i, double value);
-/// Returns component `i` (zero-based).
+/// Returns component `i` (zero-based) of a slot.
 [[nodiscard]] double loadSlot(const std::byte* element, const KernelSlot& slot, std::size_t i);
 
 }  // namespace simreel::sim

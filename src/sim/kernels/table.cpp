@@ -88,7 +88,7 @@ KernelTable tableOfCsv(std::string_view text, const std::string& name) {
   return table;
 }
 
-/// Returns the header's text; the numbers begin where it ends.
+/// Returns the text of the header. The numbers begin where the header ends.
 std::string_view npyHeader(std::string_view bytes, const std::string& name) {
   if (bytes.size() < 12 || !bytes.starts_with("\x93NUMPY")) broken(name, "this is no npy file");
   const bool old = bytes[6] == 1;
@@ -119,8 +119,8 @@ std::vector<std::size_t> npyShape(std::string_view header, const std::string& na
   return shape;
 }
 
-/// Parses an npy file with a little-endian array of one to three axes in C order. The last axis has the
-/// columns; with three axes, the first two are the rows and columns of a grid.
+/// Parses an npy file with a little-endian array of one to three axes in C order. The last axis counts the
+/// columns. With three axes, the first two are the rows and columns of a grid.
 KernelTable tableOfNpy(const std::string& bytes, const std::string& name) {
   const std::string_view header = npyHeader(bytes, name);
   const std::size_t begin = static_cast<std::size_t>(header.data() - bytes.data()) + header.size();

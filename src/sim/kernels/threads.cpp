@@ -27,7 +27,7 @@ std::optional<glm::ivec3> usualThreads(const kernels::Kernel& kernel, const Kern
     for (const kernels::Texture& texture : kernel.textures) {
       if (texture.writes != writes) continue;
       const glm::ivec3 size = sizes.texture(texture);
-      // Ambiguous, because the kernel may loop over the layers itself.
+      // This is ambiguous, because the kernel may loop over the layers.
       if (texture.type == "2DArray" && size.z > 1 && kernel.threads[2] == 1) return std::nullopt;
       if (single && row) return std::nullopt;
       return size;
@@ -39,7 +39,7 @@ std::optional<glm::ivec3> usualThreads(const kernels::Kernel& kernel, const Kern
         continue;
       const glm::ivec3 size = sizes.buffer(buffer);
       const int count = size.x * size.y * size.z;
-      // One-dimensional groups process the elements of a grid as a flat array.
+      // One-dimensional workgroups process the elements of a grid as a flat array.
       if (row) return glm::ivec3(count, 1, 1);
       if (size.y == 1 && count > 1) return std::nullopt;
       return size;

@@ -9,7 +9,7 @@ namespace simreel::sim {
 
 struct KernelWindKernel;
 
-/// Wind that other objects take from a grid of velocities of a user's kernels.
+/// Wind for other objects, from a grid of velocities computed by a user's kernels.
 class KernelWindSource {
  public:
   KernelWindSource(const std::string& name, const KernelPlan& plan);
@@ -17,7 +17,7 @@ class KernelWindSource {
   KernelWindSource(const KernelWindSource&) = delete;
   KernelWindSource& operator=(const KernelWindSource&) = delete;
 
-  /// Takes the velocities from memory. Call after KernelStore::settle().
+  /// Copies the velocities from memory. Call it after KernelStore::settle().
   void update(const KernelStore& store);
   [[nodiscard]] FluidWind* outlet() { return &wind_; }
 

@@ -38,7 +38,7 @@ struct LeniaStep {
     gl::Flag<"SMOOTH_LIFE"> smoothLife;
     gl::Range<"KERNELS", 1, 8> kernels;
     gl::Range<"RANGE", 2, maxLeniaRadius> range;
-    gl::Code<"REACHES", "2,2,2,2,2"> reaches;  // horizontal extent of each kernel row
+    gl::Code<"REACHES", "2,2,2,2,2"> reaches;  // half-width of each row of the widest kernel, in cells
   };
   LeniaGrid grid;
   gl::Uniform<"dt", float> dt;

@@ -3,8 +3,8 @@
 
 namespace simreel::sim {
 
-/// Returns the simulation kind "lenia": continuous automata on the GPU, Lenia (Chan 2019) with one or
-/// several kernels, or SmoothLife (Rafler 2011).
+/// Returns the simulation kind "lenia": continuous automata on the GPU. They are Lenia (Chan 2019) with one
+/// or several kernels, or SmoothLife (Rafler 2011).
 [[nodiscard]] SimulationKind leniaKind();
 
 }  // namespace simreel::sim

@@ -15,8 +15,8 @@ constexpr int maxKernels = 8, maxLeniaSide = 8192;
 
 }  // namespace
 
-// Orbium, grown from random patches with R 13, T 10, mu 0.15, sigma 0.015 and polynomial functions until it
-// was stable. It glides down and to the right by 0.48 of its kernel's radius per unit of time.
+// Orbium, grown from random patches with R = 13, T = 10, mu = 0.15, sigma = 0.015 and polynomial functions
+// until it was stable. It glides down and to the right by 0.48 times its kernel's radius per unit of time.
 const std::vector<LeniaShape>& leniaCreatures() {
   static const std::vector<LeniaShape> list = {
       {"orbium",

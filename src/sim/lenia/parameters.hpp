@@ -15,8 +15,9 @@ struct LeniaKernel {
   enum class Core { polynomial, exponential };
   enum class Growth { polynomial, gaussian, step };
   double radius = 13;            ///< radius in cells
-  std::vector<int> rings{100};   ///< heights in percent of rings of equal width, from the centre outwards
-  Core core = Core::polynomial;  ///< profile of a ring: (4 r (1 - r))^4 or exp(4 - 1 / (r (1 - r)))
+  std::vector<int> rings{100};   ///< heights, in percent, of rings of equal width, from the centre outwards
+  Core core = Core::polynomial;  ///< profile of a ring at the position r (0 to 1) across it: (4 r (1 -
+                                 ///< r))^4 or exp(4 - 1 / (r (1 - r)))
   Growth growth = Growth::polynomial;
   double mu = 0.15, sigma = 0.015;
   double weight = 1;
@@ -35,16 +36,16 @@ struct LeniaCreature {
 struct LeniaParameters : ObjectParameters, HasColorRange, scene::Covering {
   enum class Model { lenia, smoothLife };
   LeniaParameters();
-  glm::ivec2 size{256, 144};  ///< width and height of the grid, a torus, in cells
+  glm::ivec2 size{256, 144};  ///< width and height of the grid (a torus) in cells
   Model model = Model::lenia;
   std::vector<LeniaKernel> kernels{LeniaKernel{}};
   double timeScale = 10;  ///< number of steps per unit of time
   double stepsPerSecond = 30;
-  double radius = 12;  ///< radius of SmoothLife's ring in cells; the disc's is a third
+  double radius = 12;  ///< radius of SmoothLife's ring in cells; the disc has a third of it
   double bornMin = 0.278, bornMax = 0.365, surviveMin = 0.267, surviveMax = 0.445;
   double alphaRing = 0.028, alphaDisc = 0.147;
   std::vector<LeniaCreature> creatures;
-  int patches = 24;  ///< number of squares of random values at random places
+  int patches = 24;  ///< number of squares with random values at random positions
   std::vector<StrokeParameters> strokes;
   FieldDisplay display;
   void describe(scene::Fields& fields) override;
@@ -56,13 +57,13 @@ struct LeniaParameters : ObjectParameters, HasColorRange, scene::Covering {
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 };
 
-/// Named creature; its rows of cells are base-62 digits in units of 1/61.
+/// Named creature. Each character of its rows is a cell: a base-62 digit in units of 1/61.
 struct LeniaShape {
   const char* name;
   std::vector<const char*> rows;
 };
 [[nodiscard]] const std::vector<LeniaShape>& leniaCreatures();
-/// Returns the value of a base-62 digit, 0 to 1.
+/// Returns the value of a base-62 digit as a fraction from 0 to 1.
 [[nodiscard]] float leniaDigit(char digit);
 
 inline constexpr int maxLeniaRadius = 48;

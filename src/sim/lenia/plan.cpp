@@ -10,8 +10,8 @@ namespace simreel::sim {
 
 namespace {
 
-/// Returns a kernel's height at `r`, a fraction of its radius: rings of the given heights, each with the
-/// core's profile.
+/// Returns a kernel's height at `r`, a fraction of its radius. The kernel consists of rings of the given
+/// heights, each with the profile of the core.
 double kernelHeight(const LeniaKernel& kernel, double r) {
   if (r >= 1) return 0;
   const auto rings = static_cast<double>(kernel.rings.size());
@@ -25,8 +25,8 @@ double kernelHeight(const LeniaKernel& kernel, double r) {
   return kernel.rings[ring] / 100.0 * core;
 }
 
-/// Returns the fraction of a cell at the distance `d` that lies within a radius, approximated by a ramp one
-/// cell wide.
+/// Returns the fraction of a cell at the distance `d` that is inside a radius, approximated by a ramp that
+/// is one cell wide.
 double within(double d, double radius) {
   return std::clamp(radius + 0.5 - d, 0.0, 1.0);
 }
@@ -125,7 +125,8 @@ std::vector<glm::vec4> LeniaPlan::firstCells() const {
     return cells[static_cast<std::size_t>(wrap(y, size.y)) * static_cast<std::size_t>(rowItems()) +
                  static_cast<std::size_t>(x / 4)][x % 4];
   };
-  // Patches consist of squares of 3 x 3 cells of one value, so that kernels do not average the values away.
+  // Patches consist of squares of 3 x 3 cells with one value, so that kernels do not average the values
+  // away.
   constexpr int grain = 3;
   for (int i = 0; i < parameters_.patches; ++i) {
     const glm::uvec3 hash = shader::hash3(glm::uvec3(i, 0x1e41aU, seed_));

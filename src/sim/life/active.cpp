@@ -32,9 +32,9 @@ struct LifeActiveKernel {
 namespace {
 
 constexpr int tileWords = 1, tileRows = 32;
-// Maximum number of loop iterations of an invocation in one dispatch, counted as below. Mesa 22.3 silently
-// ends loops after 65,535 iterations; the margin is for compilers that keep further loops in the kernel. If
-// it does not suffice, the kernel's last statement reports it.
+// Maximum number of loop iterations that an invocation may execute in one dispatch, counted as below. Mesa
+// 22.3 silently ends loops after 65,535 iterations. The margin is for compilers that keep additional loops
+// in the kernel. If it is not enough, the kernel's last statement reports that.
 constexpr int maxLoops = 20000;
 
 int tilesOf(glm::ivec2 size) {
@@ -52,9 +52,9 @@ bool LifeActive::suits(glm::ivec2 size) {
 LifeActive::LifeActive(const CellRule& rule, bool torus, glm::ivec2 size)
     : size_(size), words_((size.x + 127) / 128 * 4 * size.y) {
   const int tiles = tilesOf(size);
-  // A pass counts one iteration itself, the iterations that list the tiles and process them in groups of
-  // eight, and the iterations over the rows of each group. Every loop counts one more, the final test of
-  // its condition.
+  // A pass counts as one iteration, plus the iterations that list the tiles and process them in groups of
+  // eight, plus the iterations over the rows of each group. Each loop counts one iteration more, for the
+  // last test of its condition.
   const int eights = (tiles + 7) / 8;
   const int loops = 1 + 2 * (eights + 1) + eights * ((tileRows + 2 * steps) / 2 + 1);
   passesPerDispatch_ = std::max(1, (maxLoops - 1) / loops);
@@ -74,7 +74,7 @@ LifeActive::LifeActive(const CellRule& rule, bool torus, glm::ivec2 size)
 void LifeActive::run(gl::WordsArray& cells, int passes, const gl::Buffer& status) {
   const auto bytes = static_cast<GLsizeiptr>(words_) * 4;
   const auto half = [&] { return (pass_ & 1U) == 0 ? GLintptr{0} : GLintptr{bytes}; };
-  ++pass_;  // marks of the previous run must differ from those of this run
+  ++pass_;  // the marks of the previous run must differ from those of this run
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glCopyNamedBufferSubData(cells.buffer().name(), cells_.name(), 0, half(), bytes);
   for (int done = 0; done < passes;) {

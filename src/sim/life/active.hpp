@@ -14,17 +14,18 @@ namespace simreel::sim {
 struct LifeActiveKernel;
 
 /// Advances a small grid by many generations per dispatch and computes only tiles near cells that change
-/// (glsl/life/active.comp). For drivers on the CPU, where one workgroup is one thread; larger workloads are
-/// better parallelized by LifeStepper.
+/// (glsl/life/active.comp). It is meant for drivers on the CPU, where a workgroup is a thread. LifeStepper
+/// parallelizes larger grids better.
 class LifeActive {
  public:
-  /// Number of generations in one pass.
+  /// Number of generations per pass.
   static constexpr int steps = 8;
-  /// Minimum number of generations for which copying the cells and computing every tile once pays off.
+  /// Minimum number of generations for which this class is faster, although it copies the cells and
+  /// computes every tile once.
   static constexpr int minGenerations = 256;
 
-  /// True if the current device and the grid size are suitable: a software driver, at most 2^18 cells, rows
-  /// of whole 32-bit words, and at least as many rows as a tile.
+  /// Returns true if the current device and the grid size are suitable: a software driver, at most 2^18
+  /// cells, rows of whole 32-bit words, and at least as many rows as a tile has.
   [[nodiscard]] static bool suits(glm::ivec2 size);
 
   LifeActive(const CellRule& rule, bool torus, glm::ivec2 size);
@@ -36,10 +37,11 @@ class LifeActive {
 
  private:
   glm::ivec2 size_;
-  int words_;              ///< number of words in the grid
-  int passesPerDispatch_;  ///< maximum number of passes per dispatch at which the driver ends no loop early
+  int words_;              ///< number of 32-bit words in the grid
+  int passesPerDispatch_;  ///< maximum number of passes per dispatch for which the driver does not end a
+                           ///< loop early
   unsigned pass_ = 0;
-  gl::Buffer cells_;  ///< cells in two halves: before and after a pass
+  gl::Buffer cells_;  ///< cells before a pass and cells after it, in the two halves of the buffer
   gl::Texture texels_;
   gl::Buffer marks_;
   gl::Kernel<LifeActiveKernel> kernel_;

@@ -10,7 +10,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Parses the suffix of a bounded grid, such as "T30+5,20". Calls `wrong` for errors, which throws.
+/// Parses the suffix of a bounded grid, such as "T30+5,20". For errors, calls `wrong`, which throws.
 template <class Wrong>
 class GridReader {
  public:

@@ -22,19 +22,19 @@ class LineReader : public PatternText {
  public:
   using PatternText::PatternText;
 
-  /// Parses plaintext: lines that begin with '!' are comments, all others are rows.
+  /// Parses plaintext. Lines that begin with '!' are comments; all other lines are rows.
   CellPattern plaintext() {
     for (std::string_view line; next(line);)
       if (!line.starts_with('!')) row(line);
     return fitted();
   }
 
-  /// Parses Life 1.05: "#P x y" begins a block of rows, "#R 23/3" names the rule, "#N" stands for Conway's
-  /// rule.
+  /// Parses Life 1.05. "#P x y" begins a block of rows, "#R 23/3" names the rule, and "#N" stands for
+  /// Conway's rule.
   CellPattern life105() {
     for (std::string_view line; next(line);) {
       if (line.starts_with("#P")) {
-        // "#P" without coordinates continues at the current row.
+        // "#P" without coordinates begins a block at the current row.
         if (std::size_t at = 2; line.size() > at) {
           block_.x = number(line, at);
           block_.y = number(line, at);
@@ -51,7 +51,7 @@ class LineReader : public PatternText {
     return fitted();
   }
 
-  /// Parses Life 1.06: each line holds the coordinates of a living cell.
+  /// Parses Life 1.06. Each line holds the coordinates of a live cell.
   CellPattern life106() {
     for (std::string_view line; next(line);) {
       if (line.starts_with('#') || line.find_first_not_of(" \t") == std::string_view::npos) continue;
@@ -66,7 +66,7 @@ class LineReader : public PatternText {
   }
 
  private:
-  /// Reads the next line without its line end; place_ is the offset of its start.
+  /// Reads the next line without its line end, and sets place_ to the offset of its start.
   bool next(std::string_view& line) {
     if (at_ >= text_.size()) return false;
     place_ = at_;
@@ -107,7 +107,7 @@ class LineReader : public PatternText {
     takeRuleText(place_ + at, line.substr(at));
   }
 
-  /// Translates the living cells so that their minimum x and y are 0.
+  /// Translates the live cells so that their minimum x and y are 0.
   CellPattern fitted() {
     constexpr int far = std::numeric_limits<int>::max();
     glm::ivec2 min(far), end(-far);
@@ -129,11 +129,11 @@ class LineReader : public PatternText {
 
   static constexpr int maxPlace = 1 << 28;
   std::size_t place_ = 0;   ///< offset of the current line's start
-  glm::ivec2 block_{0, 0};  ///< for Life 1.05: top left cell of the current block
+  glm::ivec2 block_{0, 0};  ///< for Life 1.05: position of the top left cell of the current block
   int row_ = 0;
 };
 
-/// True if the first line that is not a plaintext comment is a row of cells.
+/// Returns true if the first line that is not a plaintext comment is a row of cells.
 bool isPlaintext(std::string_view text) {
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());

@@ -22,50 +22,53 @@ struct CellPattern {
     int x, y, length;
     int state = 1;
   };
-  glm::ivec2 size{0, 0};         ///< size given by the file, else the bounding box of the living cells
-  std::vector<Run> runs;         ///< sorted by row, then from the left, for RLE and plaintext
+  glm::ivec2 size{0, 0};         ///< size given by the file, otherwise the size of the bounding box of the
+                                 ///< live cells
+  std::vector<Run> runs;         ///< runs; for RLE and plaintext sorted by row, then by column
   std::optional<CellRule> rule;  ///< rule named by the file, if any
-  /// Name that is not a rule notation, so that a file NAME.rule beside the pattern must define it; and its
-  /// place in the file.
+  /// Name of a rule, if it is not a rule notation, and the position of the name in the file. A file
+  /// NAME.rule in the pattern's folder must define the rule.
   std::string ruleName, rulePlace;
-  int highest = 1;           ///< highest state in the pattern
-  std::string highestPlace;  ///< "file:line:column" of the first cell in the highest state
+  int highest = 1;           ///< maximum state in the pattern
+  std::string highestPlace;  ///< "file:line:column" of the first cell in the maximum state
   /// Bounded grid given by the suffix of an RLE rule, for example "B3/S23:T257,130".
   std::optional<GridShape> shape;
   glm::ivec2 grid{0, 0};
   /// Top left corner of the pattern in that grid, if the file gives it.
   std::optional<glm::ivec2> corner;
-  std::string remark;  ///< one-line warning about a readable file that may be damaged; else empty
+  std::string remark;  ///< one-line warning about a readable file that may be damaged; otherwise empty
 };
 
-/// True if a file name ends in ".rle", ".cells", ".life", ".lif" or ".mc", optionally followed by ".gz".
+/// Returns true if a file name ends in ".rle", ".cells", ".life", ".lif" or ".mc", optionally followed by
+/// ".gz".
 [[nodiscard]] bool isPatternName(const std::filesystem::path& file);
 
-/// Reads a pattern and detects its format: Life 1.05, Life 1.06 and macrocell by the first line, plaintext
-/// (rows of '.' and 'O', comments after '!') if there are only such rows, else RLE. Each may be compressed
-/// by gzip, up to 64 MiB uncompressed. Throws UserError with file:line:column for an unreadable pattern or
-/// one with a side above maxLifeSide.
+/// Reads a pattern and detects its format. Life 1.05, Life 1.06 and macrocell are detected by the first
+/// line. A file with only rows of '.' and 'O' and comments after '!' is plaintext; any other file is RLE. A
+/// file may be compressed by gzip, up to 64 MiB uncompressed. Throws UserError with file:line:column for an
+/// unreadable pattern or one with a side above maxLifeSide.
 [[nodiscard]] CellPattern readPattern(const std::filesystem::path& file);
-/// Parses a pattern from text as readPattern() does; `name` is the file's name in messages.
+/// Parses a pattern from text like readPattern(). `name` is the file's name in messages.
 [[nodiscard]] CellPattern parsePattern(std::string_view text, const std::string& name);
 
-/// Base class of pattern parsers: a position in the text, and the pattern read so far.
+/// Base class of pattern parsers. It holds the current position in the text and the pattern that has been
+/// read so far.
 class PatternText {
  public:
   PatternText(std::string_view text, const std::string& name) : text_(text), name_(name) {}
   /// Throws UserError(usage) with the file:line:column of the character `at` and the message.
   [[noreturn]] void wrong(std::size_t at, const std::string& message) const;
-  /// Returns a character as shown in messages.
+  /// Returns a character as it is shown in messages.
   [[nodiscard]] static std::string shown(char c);
 
  protected:
-  /// Adds cells of a state; `from` is the offset of the text that describes them. Extends the previous run
-  /// if the cells continue it.
+  /// Adds a run of cells with the given state. `from` is the offset of the text that describes them. If the
+  /// cells continue the previous run, extends that run.
   void add(int x, int y, int length, int state = 1, std::size_t from = 0);
   /// Returns "file:line:column" of a character offset.
   [[nodiscard]] std::string place(std::size_t at) const;
-  /// Stores a rule: a notation, or a name that a .rule file must define. "B234" without "/S" is a valid
-  /// rule in files; its cells never survive.
+  /// Stores a rule, given as a notation or as a name that a .rule file must define. In files, "B234"
+  /// without "/S" is also a valid rule; its cells never survive.
   void takeRuleText(std::size_t at, std::string_view text);
   /// Parses the suffix of a bounded grid at the offset `start`, such as "T30+5,20", "P30,20", "K30*,20",
   /// "C30,20" or "S30". Returns the offset of its end.

@@ -106,7 +106,8 @@ class Life : public Simulation {
       if (watch) watch(++done);
     }
     gl::barrier();
-    // Frames may differ in their number of generations, so the watch is called for the missing ones, too.
+    // Frames may differ in their number of generations, so `watch` is also called for the missing
+    // generations.
     if (watch)
       while (done < stepsPerFrame()) watch(++done);
   }
@@ -176,7 +177,7 @@ class Life : public Simulation {
   }
 
  private:
-  /// Throws UserError(device) if a buffer exceeds the device's limit; called before gigabytes are
+  /// Throws UserError(device) if a buffer would exceed the device's limit; called before gigabytes are
   /// allocated.
   void checkLimits() const {
     const long blocks = plan_.blocks();
@@ -227,8 +228,8 @@ class Life : public Simulation {
                                             .trails = trail_});
   }
 
-  /// Computes most of the generations up to `end` by LifeActive, if many are due and none in between is
-  /// displayed or painted into.
+  /// Computes most of the generations up to `end` with LifeActive, if many are due and none of the earlier
+  /// ones is displayed or painted into.
   void takeActive(long end) {
     if (engine_ || end - generation_ < LifeActive::minGenerations || !LifeActive::suits(size_) ||
         trailQuads_ > 0 || !plan_.strokes().empty())
@@ -240,8 +241,8 @@ class Life : public Simulation {
     generation_ += long{passes} * LifeActive::steps;
   }
 
-  /// Returns the number of generations for the next pass, not beyond `end`: 1 if the engine runs, if a
-  /// trail needs every generation, or if a generation before the last has strokes.
+  /// Returns the number of generations for the next pass, which ends at `end` or earlier: 1 if the engine
+  /// is used, if a trail needs every generation, or if strokes paint into a generation before the last.
   [[nodiscard]] int stepsAtOnce(long end) const {
     const int max = stepper_.stepsOf(end - generation_);
     if (engine_ || trailQuads_ > 0) return 1;
@@ -268,14 +269,14 @@ class Life : public Simulation {
   std::vector<glm::vec3> colors_;
   LifeStepper stepper_;
   std::optional<LifeActive> active_;
-  std::optional<CellEngine> engine_;  ///< used for rules and borders that LifeStepper and LifeActive do not
-                                      ///< support
+  std::optional<CellEngine> engine_;  ///< engine for rules and borders that LifeStepper and LifeActive do
+                                      ///< not support
   gl::Buffer status_;                 ///< status buffer that active_ writes
   gl::WordsArray cells_[2];           ///< current cells, and the output of the next pass
   gl::WordsArray trail_, stamps_;
   gl::Kernel<LifePaint> paint_;
   gl::Kernel<LifeTrail> fade_;
-  int trailQuads_ = 0;  ///< 16-byte elements per row of the trail; 0: no trail
+  int trailQuads_ = 0;  ///< number of 16-byte elements per row of the trail; 0 if there is no trail
   bool started_ = false;
   long generation_ = 0, firstGeneration_ = 0;
 };

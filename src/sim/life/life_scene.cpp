@@ -13,7 +13,8 @@ std::string sceneAroundPattern(const std::filesystem::path& file) {
   const std::string name = file.filename().string();
   Json life = {{"patterns", {{{"file", name}}}}, {"stepsPerSecond", 15}, {"trail", 45}};
   if (!pattern.ruleName.empty() || pattern.rule.value_or(CellRule()).states > 2) life["trail"] = 0;
-  // Always present, so that users can edit it; empty: the rule that the pattern's file names.
+  // The rule is always written, so that users can edit it. If it is empty, the rule that the pattern's file
+  // names is used.
   life["rule"] = pattern.ruleName.empty() ? pattern.rule.value_or(CellRule()).text() : "";
   // On a torus, gliders would return and hit the pattern that emitted them.
   if (!pattern.shape) life["border"] = "dead";

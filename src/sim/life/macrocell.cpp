@@ -19,15 +19,15 @@ namespace {
 constexpr std::int64_t manyCells = std::int64_t{1} << 60;
 constexpr int maxLevel = 60;
 
-/// Quadtree node: a square with sides of 2^level cells. A leaf holds 64 bits (8 x 8 cells, row by row,
-/// lowest bit first) or four states.
+/// Quadtree node: a square with sides of 2^level cells. A leaf holds either 64 bits (8 x 8 cells, row by
+/// row, lowest bit first) or four states.
 struct Node {
   int level = 0;
   bool leaf = false;
-  std::int64_t cells = 0;  ///< number of living cells, at most manyCells; a node without any is never
+  std::int64_t cells = 0;  ///< number of live cells, at most manyCells; a node without live cells is never
                            ///< traversed, however often it is referenced
   std::uint64_t bits = 0;
-  std::array<int, 4> children{};  ///< node indices or states of NW, NE, SW, SE
+  std::array<int, 4> children{};  ///< node indices or states of the quadrants NW, NE, SW, SE
 };
 
 class MacrocellReader : public PatternText {
@@ -35,7 +35,7 @@ class MacrocellReader : public PatternText {
   using PatternText::PatternText;
 
   CellPattern read(std::size_t maxCells) {
-    nodes_.emplace_back();  // node 0: an empty square
+    nodes_.emplace_back();  // node 0 is an empty square
     while (at_ < text_.size()) {
       const std::size_t end = std::min(text_.find('\n', at_), text_.size());
       std::string_view line = text_.substr(at_, end - at_);
@@ -183,7 +183,7 @@ class MacrocellReader : public PatternText {
     return std::move(pattern_);
   }
 
-  /// The centre of the largest square is the centre of the grid. In Golly's file y points up, so row 0 is
+  /// The centre of the largest square is the centre of the grid. In Golly's file, y points up, so row 0 is
   /// the row above the centre.
   void placeInGrid(std::int64_t x, std::int64_t y) {
     const std::int64_t half = std::int64_t{1} << (nodes_.back().level - 1);

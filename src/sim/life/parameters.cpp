@@ -10,13 +10,13 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr int fittedTrail = 24;  // a fitted grid has few, large cells, and their trail shows how they move
+constexpr int fittedTrail = 24;  // a fitted grid has few, large cells, whose trail shows how they move
 
 }  // namespace
 
 LifeParameters::LifeParameters() {
   display.smooth = false;
-  // Makes living cells stand out from dying ones: the fourth colour corresponds to a level of 3/4.
+  // The live cells stand out from the dying ones, because the fourth colour corresponds to a level of 3/4.
   display.stops = {{0.006F, 0.009F, 0.018F},
                    {0.010F, 0.022F, 0.060F},
                    {0.014F, 0.070F, 0.130F},

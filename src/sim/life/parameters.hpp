@@ -19,23 +19,25 @@ using LifeBorder = GridBorder;
 struct LifePattern {
   enum class Flip { none, horizontal, vertical };
   std::filesystem::path file;
-  std::optional<glm::ivec2>
-      at;                  ///< cell of the top left corner, after flipping and rotating; empty: centred
-  Flip flip = Flip::none;  ///< flip, applied before the rotation
-  int rotate = 0;          ///< rotation in degrees clockwise, a multiple of 90
+  std::optional<glm::ivec2> at;  ///< cell of the pattern's top left corner, after flipping and rotating; if
+                                 ///< empty, the pattern is centred
+  Flip flip = Flip::none;        ///< flip, applied before the rotation
+  int rotate = 0;                ///< rotation in degrees clockwise, a multiple of 90
   void describe(scene::Fields& fields);
 };
 
 struct LifeParameters : ObjectParameters, HasColorRange, scene::Covering {
   LifeParameters();
   glm::ivec2 size{512, 512};       ///< width and height of the grid in cells
-  bool fitted = false;             ///< true: no size is given, so the size fits the patterns
-  std::string rule;                ///< empty: the rule of the first pattern that names one, else B3/S23
-  std::filesystem::path ruleFile;  ///< rule file, given instead of `rule`
+  bool fitted = false;             ///< true if no size is given, so that the size is fitted to the patterns
+  std::string rule;                ///< notation or name of the rule; if empty, the rule of the first
+                                   ///< pattern that names one, otherwise B3/S23
+  std::filesystem::path ruleFile;  ///< rule file, which may be given instead of `rule`
   LifeBorder border = LifeBorder::torus;
   glm::ivec2 shift{0, 0};    ///< see GridShape::shift
-  bool borderGiven = false;  ///< false: the border of the first pattern whose file has one is used
-  float fill = 0.3F;         ///< fraction of living cells at the start; 0 by default if there are patterns
+  bool borderGiven = false;  ///< if false, the border of the first pattern whose file has one is used
+  float fill = 0.3F;         ///< fraction of cells that are alive initially; 0 by default if there are
+                             ///< patterns
   bool fillGiven = false;
   std::vector<LifePattern> patterns;
   std::vector<StrokeParameters> strokes;  ///< brush strokes; their value is the painted state
@@ -53,11 +55,11 @@ struct LifeParameters : ObjectParameters, HasColorRange, scene::Covering {
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] GridShape shape() const { return {border, shift}; }
 
-  /// Returns the trail level of a living cell, which is above all levels of dead cells.
+  /// Returns the trail level of a live cell, which is above all levels of dead cells.
   [[nodiscard]] int brightLevel() const { return trail + (trail > 2 ? trail / 3 : 1); }
 };
 
-/// Maximum trail length, at which all levels fit into a byte.
+/// Maximum trail length; with it, all levels fit into a byte.
 inline constexpr int maxTrail = 191;
 
 }  // namespace simreel::sim

@@ -33,12 +33,12 @@ class Placement {
   [[nodiscard]] glm::ivec2 turnedSize() const {
     return pattern_.rotate % 180 == 0 ? size_ : glm::ivec2(size_.y, size_.x);
   }
-  /// True if the pattern is neither flipped nor rotated, so horizontal runs stay horizontal.
+  /// Returns true if the pattern is neither flipped nor rotated, so that horizontal runs stay horizontal.
   [[nodiscard]] bool upright() const {
     return pattern_.rotate == 0 && pattern_.flip == LifePattern::Flip::none;
   }
-  /// Returns the grid cell of the top left corner: the scene's value, else the file's if it was made for a
-  /// grid of this size, else centred.
+  /// Returns the grid cell of the pattern's top left corner. It is the scene's value; otherwise the file's
+  /// value, if the file was made for a grid of this size; otherwise the pattern is centred.
   [[nodiscard]] glm::ivec2 corner(glm::ivec2 grid) const {
     if (pattern_.at) return *pattern_.at;
     const bool turns = pattern_.rotate % 180 != 0;
@@ -127,8 +127,8 @@ const CellPattern& LifePlan::cellsOf(const LifePattern& pattern) const {
   return files_.at(pattern.file);
 }
 
-// Chooses the size of the grid. A pattern that was made for a bounded grid determines it. Otherwise gliders
-// get some space and the aspect ratio is 16:9.
+// Chooses the size of the grid. A pattern made for a bounded grid determines it. Otherwise, gliders get
+// some space and the aspect ratio is 16:9.
 void LifePlan::fitGrid() {
   constexpr int minMargin = 12, maxMargin = 256;
   constexpr glm::ivec2 shape(16, 9);
@@ -171,7 +171,7 @@ void LifePlan::resolveNames() {
   }
 }
 
-// Checks the scene against the rule, after the rule is known.
+// Checks the scene against the rule; called when the rule is known.
 void LifePlan::checkStates(const std::string& object) const {
   if (const std::string problem = shape().problem(parameters_.size); !problem.empty())
     fail(ExitCode::usage, "life \"{}\": {}", object, problem);
@@ -246,7 +246,7 @@ void LifePlan::checkPlaces(const std::string& object) const {
   }
 }
 
-// Limits the total number of living cells, because a file that is listed many times is read once but its
+// Limits the total number of live cells. A file that is listed several times is read only once, but its
 // cells are set each time.
 void LifePlan::checkLiving(const std::string& object) const {
   constexpr std::uint64_t alwaysAllowed = 1 << 24;

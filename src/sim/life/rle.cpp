@@ -56,8 +56,8 @@ class RleReader : public PatternText {
   void skipSpaces() {
     while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) ++at_;
   }
-  /// Reads the leading comments. Golly stores the pattern's position ("#CXRLE Pos=-3,4 Gen=0"), XLife the
-  /// rule ("#r 23/3").
+  /// Reads the comments at the beginning. Golly stores the pattern's position in them ("#CXRLE Pos=-3,4
+  /// Gen=0"), XLife the rule ("#r 23/3").
   void comments() {
     for (skipBlanks(); at_ < text_.size() && text_[at_] == '#'; skipBlanks()) {
       const std::size_t start = at_;
@@ -89,7 +89,7 @@ class RleReader : public PatternText {
     if (pattern_.shape && position_) pattern_.corner = *position_ + pattern_.grid / 2;
   }
 
-  /// Reads digits as a number up to `max`; `what` names it in messages.
+  /// Reads digits as a number up to `max`. `what` is the number's name in messages.
   int number(const char* what, int max) {
     const std::size_t start = at_;
     if (at_ == text_.size() || !isDigit(text_[at_])) wrong(at_, fmt::format("{} is missing here", what));
@@ -194,7 +194,7 @@ class RleReader : public PatternText {
     place_.x = end.x;
   }
 
-  bool headed_ = false;  ///< true if a header gives the size
+  bool headed_ = false;  ///< true if a header has given the size
   bool empty_ = true;
   glm::ivec2 place_{0, 0};
   std::optional<glm::ivec2> position_;  ///< position relative to the centre of the grid

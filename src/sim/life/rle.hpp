@@ -10,8 +10,8 @@
 
 namespace simreel::sim {
 
-/// Bits of a grid: rows of whole blocks of 128 cells, lowest bit of a word first; bits beyond the end of a
-/// row are zero.
+/// Cells of a grid as bits. Rows consist of whole blocks of 128 cells, with the lowest bit of a word first;
+/// bits beyond the end of a row are zero.
 struct CellRows {
   glm::ivec2 size{0, 0};
   std::span<const std::uint32_t> words;
@@ -33,12 +33,12 @@ struct CellRows {
 /// truncated within a run, cells outside the header's size, and sides above maxLifeSide.
 [[nodiscard]] CellPattern parseRle(std::string_view text, const std::string& name);
 
-/// Returns a whole grid as RLE in lines of at most 70 characters. `suffix`: bounded grid suffix
+/// Returns a whole grid as RLE in lines of at most 70 characters. `suffix` is the suffix of a bounded grid
 /// (GridShape::suffix); `comment` may have several lines.
 [[nodiscard]] std::string writeRle(const CellRows& cells, const CellRule& rule, std::string_view suffix,
                                    std::string_view comment);
 
-/// States of a grid, one byte per cell: rows of whole blocks of 16 cells.
+/// States of a grid, one byte per cell. Rows consist of whole blocks of 16 cells.
 struct StateRows {
   glm::ivec2 size{0, 0};
   std::span<const std::uint8_t> bytes;
@@ -49,7 +49,7 @@ struct StateRows {
   }
 };
 
-/// Returns a grid with more than two states as RLE, with the states ., A to X and pA to yO.
+/// Returns a grid with more than two states as RLE. The states are written as ., A to X and pA to yO.
 [[nodiscard]] std::string writeStatesRle(const StateRows& cells, const CellRule& rule,
                                          std::string_view suffix, std::string_view comment);
 

@@ -36,13 +36,13 @@ LifeRuleVariant variantOf(const CellRule& rule) {
 }
 
 LifeTuning LifeTuning::best(glm::ivec2 size) {
-  // Measured on llvmpipe with tools/bench/life.cpp.
+  // The values were measured on llvmpipe with tools/bench/life.cpp.
   const bool small = size.x <= (1 << 20) / size.y;
   LifeTuning tuning =
       gl::memoryPath() == gl::MemoryPath::texel
           ? LifeTuning{small ? 16 : 4, !small && size.x % 256 == 0 ? 2 : 1, 64, {8, 1}, true}
           : LifeTuning{2, 1, 32, {32, 2}};
-  // On small grids, enough invocations take precedence over long strips.
+  // On small grids, a sufficient number of invocations is more important than long strips.
   const int enough = tuning.flat ? 32 : 256;
   const int across = (size.x + 127) / 128 / tuning.blocks + (tuning.flat ? 0 : 1);
   while (tuning.rows > (tuning.flat ? 16 : 8) && size.y / tuning.rows * across < enough) tuning.rows /= 2;

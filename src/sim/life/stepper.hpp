@@ -9,8 +9,8 @@
 
 namespace simreel::sim {
 
-/// Rule-dependent part of the variants of glsl/life/step.comp and active.comp, for rules on bits: a formula
-/// or neighbour counts.
+/// Part of the variants of glsl/life/step.comp and active.comp that depends on the rule, for rules on bits:
+/// a formula or neighbour counts.
 struct LifeRuleVariant {
   gl::Code<"FORMULA", ""> formula;
   gl::Range<"BORN", 0, 511> born;
@@ -20,32 +20,33 @@ struct LifeRuleVariant {
 
 struct LifeStep;
 
-/// Partition of the grid among the invocations of glsl/life/step.comp.
+/// Distribution of the grid among the invocations of glsl/life/step.comp.
 struct LifeTuning {
-  int steps = 1;   ///< number of generations in one pass
-  int blocks = 1;  ///< number of 128-cell blocks side by side per invocation
+  int steps = 1;   ///< number of generations per pass
+  int blocks = 1;  ///< number of adjacent 128-cell blocks in a row per invocation
   int rows = 16;   ///< number of rows per invocation
   glm::ivec2 group{32, 2};
-  bool flat = false;  ///< true: strips are numbered row by row, so that narrow grids also fill workgroups
-  /// Returns the fastest measured tuning for the current device and a grid of this size, for any number of
-  /// steps.
+  bool flat = false;  ///< true if strips are numbered row by row, so that narrow grids also fill workgroups
+  /// Returns the tuning that was measured to be the fastest for the current device and a grid of this size,
+  /// for any number of steps.
   [[nodiscard]] static LifeTuning best(glm::ivec2 size);
 };
 
-/// Advances a grid of bits from one array to another. Compiles kernels on first use.
+/// Advances a grid of bits and writes the result to another array. Compiles kernels on first use.
 class LifeStepper {
  public:
   LifeStepper() = default;
   /// `rule` must be a rule on bits (CellRule::onBits).
   LifeStepper(const CellRule& rule, bool torus, glm::ivec2 size, const LifeTuning& tuning);
 
-  /// Returns the maximum number of generations in one pass: tuning.steps if rows consist of whole strips
-  /// and there are at least that many rows; else 1.
+  /// Returns the maximum number of generations per pass: tuning.steps if rows consist of whole strips and
+  /// there are at least that many rows, otherwise 1.
   [[nodiscard]] int maxSteps() const { return maxSteps_; }
-  /// Returns the number of generations for the next pass if `due` are due: maxSteps(), else 4 if permitted,
-  /// else 1. Few distinct values limit the number of compiled kernels.
+  /// Returns the number of generations for the next pass if `due` generations are due: maxSteps() if it is
+  /// not larger, otherwise 4 if possible, otherwise 1. Because there are few different values, few kernels
+  /// are compiled.
   [[nodiscard]] int stepsOf(long due) const;
-  /// Runs one pass; `steps` is in 1..maxSteps().
+  /// Runs one pass. `steps` must be between 1 and maxSteps().
   void run(const gl::WordsArray& from, const gl::WordsArray& to, int steps);
 
  private:

@@ -1,5 +1,5 @@
-// Reads OpenEXR through its own library: scanlines and tiles, every compression, half, float and integer
-// channels.
+// Reads OpenEXR images with the OpenEXR library: scanlines and tiles, all compressions, and half, float and
+// integer channels.
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "sim/light/exr_stream.hpp"
@@ -52,7 +52,7 @@ bool isRec709(const Imf::Chromaticities& named) {
          named.white.equalWithAbsError(usual.white, rounding);
 }
 
-/// Channel names for R, G, B and A (null: missing), and the names of the unused channels.
+/// Names of the channels for R, G, B and A (null if missing), and names of the channels that are not used.
 struct Chosen {
   std::vector<const char*> names;
   std::vector<std::string> others;
@@ -80,9 +80,9 @@ Chosen choose(const Imf::ChannelList& channels) {
   return chosen;
 }
 
-/// Throws if an attribute of a header is longer than the rest of the file, because the library would
-/// allocate its memory first. A header is a list of names, types and lengths and ends with an empty name;
-/// in a multi-part file a second empty name ends the headers.
+/// Throws if an attribute of a header is longer than the rest of the file, because the library would first
+/// allocate memory for it. A header is a list of names, types and lengths and ends with an empty name. In a
+/// multi-part file, a second empty name ends the list of headers.
 void checkAttributes(std::string_view bytes, bool severalParts) {
   std::size_t at = 8;  // the headers start after the magic number, version and flags
   const auto word = [&] {
@@ -111,15 +111,15 @@ void checkAttributes(std::string_view bytes, bool severalParts) {
   }
 }
 
-/// Reads the chosen channels of the data window as RGBA, row by row. A grey image has equal R, G and B; a
+/// Reads the chosen channels of the data window as RGBA, row by row. A grey image has equal R, G and B. A
 /// missing alpha is 1.
 std::vector<float> readPixels(Imf::MultiPartInputFile& file, const Chosen& chosen, const Window& data) {
   const Imf::Header& header = file.header(0);
   Imf::InputPart part(file, 0);
   std::vector<float> pixels(4 * std::size_t(data.width) * std::size_t(data.height), 0.0F);
   Imf::FrameBuffer buffer;
-  // A frame buffer allows each channel name once, so a grey image reads Y into one slice and copies it
-  // below.
+  // A frame buffer accepts each channel name only once, so for a grey image Y is read into one slice and
+  // copied below.
   for (std::size_t c = 0; c < 4; ++c) {
     const char* name = chosen.names[c];
     if (name == nullptr || buffer.findSlice(name) != nullptr) continue;
@@ -139,7 +139,7 @@ std::vector<float> readPixels(Imf::MultiPartInputFile& file, const Chosen& chose
   return pixels;
 }
 
-/// Throws if the windows are too large, or the data far too small for the display.
+/// Throws if a window is too large, or if the data window is far too small for the display window.
 void checkSizes(const Window& data, const Window& shown) {
   if (double(data.width) * data.height > mostPixels || double(shown.width) * shown.height > mostPixels)
     throw std::runtime_error("more than 100 million pixels");

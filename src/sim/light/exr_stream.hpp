@@ -8,7 +8,7 @@
 
 namespace simreel::sim {
 
-/// Input stream of OpenEXR's library over bytes in memory.
+/// Input stream for the OpenEXR library that reads bytes in memory.
 class ExrStream final : public Imf::IStream {
  public:
   explicit ExrStream(std::string_view bytes) : IStream("picture"), bytes_(bytes) {}
@@ -25,7 +25,7 @@ class ExrStream final : public Imf::IStream {
   std::uint64_t tellg() override { return at_; }
   void seekg(std::uint64_t position) override { at_ = position; }
   void clear() override {}
-  /// True if a read went beyond the end.
+  /// Returns true if a read went beyond the end.
   [[nodiscard]] bool beyond() const { return beyond_; }
 
  private:

@@ -14,17 +14,18 @@ struct LightFile {
 
   glm::ivec2 size{0, 0};
   std::vector<float> values;
-  std::string colours;  ///< description of the primaries; empty for Rec. 709
-  std::string note;     ///< content of the file that was not read, for example "channels Z"; empty if none
-  std::string unfit;    ///< reason why the image is no environment map; empty if it may be one
+  std::string colours;  ///< description of the primaries; empty if they are those of Rec. 709
+  std::string note;     ///< content of the file that was not read, for example "channels Z"; empty if there
+                        ///< is none
+  std::string unfit;    ///< reason why the image is not an environment map; empty if it may be one
 };
 
-/// True if the bytes begin like a file of the format.
+/// Return true if the bytes begin like a file of the format.
 [[nodiscard]] bool isRadiance(std::string_view bytes);
 [[nodiscard]] bool isExr(std::string_view bytes);
 
-// Decodes an image. Throws UserError(inputOutput) for unreadable bytes; the message begins with `label`
-// ("baseline a.exr") and, for a truncated file, ends with `advice`.
+// Decodes an image. Throws UserError(inputOutput) for unreadable bytes. The message begins with `label`
+// (such as "baseline a.exr") and, for a truncated file, ends with `advice`.
 [[nodiscard]] LightFile decodeRadiance(std::string_view bytes, const std::string& label,
                                        const std::string& advice);
 [[nodiscard]] LightFile decodeExr(std::string_view bytes, const std::string& label,

@@ -1,5 +1,6 @@
-// Reader of Radiance HDR (G. Ward, "Real Pixels", Graphics Gems II; ray/src/common/color.c): a text header,
-// then one byte of mantissa for each of R, G and B and a shared exponent, run-length encoded.
+// Reader of Radiance HDR images (G. Ward, "Real Pixels", Graphics Gems II; ray/src/common/color.c): a text
+// header, followed by run-length encoded pixels with one byte of mantissa for each of R, G and B and a
+// common exponent.
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "sim/light/light_file.hpp"
@@ -43,12 +44,12 @@ class RadianceFile {
     if (end == std::string_view::npos) cutOff();
     std::string_view found = rest_.substr(0, end);
     rest_.remove_prefix(end + 1);
-    if (found.ends_with('\r')) found.remove_suffix(1);  // some headers have Windows line ends
+    if (found.ends_with('\r')) found.remove_suffix(1);  // some headers have Windows line endings
     return found;
   }
 
   void readHeader() {
-    static_cast<void>(line());  // skips #?RADIANCE or #?RGBE
+    static_cast<void>(line());  // skips the line #?RADIANCE or #?RGBE
     for (std::string_view text = line(); !text.empty(); text = line()) {
       if (text.starts_with("FORMAT=") && text != "FORMAT=32-bit_rle_rgbe")
         refuse(fmt::format("has the format {}, and only 32-bit_rle_rgbe is read", oneLine(text.substr(7))));
@@ -68,13 +69,13 @@ class RadianceFile {
     };
     height_ = number("-Y ");
     width_ = number(" +X ");
-    // Rejects sizes that the bytes cannot hold: a run of 255 pixels takes four bytes, in the newer format
-    // one of 127 takes two bytes in each of four planes.
+    // Rejects sizes that are too large for the number of bytes. A run of 255 pixels takes four bytes; in
+    // the newer format, a run of 127 pixels takes two bytes in each of four planes.
     if (double(width_) * height_ > double(rest_.size()) * 255 / 4 + 255) cutOff();
   }
 
-  /// Accepts primaries close to Rec. 709. Radiance's default primaries (green 0.29 0.6, equal-energy white)
-  /// differ slightly, but programs that write them mean Rec. 709.
+  /// Accepts primaries that are close to Rec. 709. The default primaries of Radiance (green 0.29 0.6,
+  /// equal-energy white) differ slightly, but programs that write them mean Rec. 709.
   void checkPrimaries(std::string_view numbers) {
     constexpr std::array<double, 8> usual = {0.64, 0.33, 0.3, 0.6, 0.15, 0.06, 0.3127, 0.329};
     constexpr double slack = 0.025;
@@ -94,7 +95,7 @@ class RadianceFile {
     return value;
   }
 
-  /// Reads a scanline: in the new format four consecutive planes (R, G, B, exponent), else pixels.
+  /// Reads a scanline: in the newer format four consecutive planes (R, G, B, exponent), otherwise pixels.
   void readScanline(std::string& out) {
     const auto size = std::size_t(width_);
     const std::string mark = {2, 2, static_cast<char>(width_ >> 8), static_cast<char>(width_ & 255)};
@@ -116,7 +117,8 @@ class RadianceFile {
   }
 
   /// Reads uncompressed pixels. A pixel with the mantissas 1, 1, 1 repeats the previous pixel as often as
-  /// its fourth byte says. Consecutive repeat pixels are digits of a base-256 count, lowest digit first.
+  /// its fourth byte says. Consecutive repeat pixels are the digits of a base-256 count, lowest digit
+  /// first.
   void readPixels(std::string& out) {
     unsigned shift = 0;
     for (std::size_t at = 0; at < out.size();) {
@@ -136,9 +138,10 @@ class RadianceFile {
     }
   }
 
-  /// Decodes (m + 0.5) / 256 * 2^(e - 128); e = 0 is black. Writers truncate mantissas (setcolr), so m +
-  /// 0.5 is the expected value, as in Radiance itself (colr_color), Blender and libvips: 1 is read back as
-  /// 1.004, and the average brightness is preserved. Readers without the half are up to 0.8 % too dark.
+  /// Decodes a component with the mantissa m and the exponent e as (m + 0.5) / 256 * 2^(e - 128); e = 0 is
+  /// black. Writers truncate mantissas (setcolr), so m + 0.5 is the expected value, as in Radiance
+  /// (colr_color), Blender and libvips: 1 is read back as 1.004, and the average brightness is preserved.
+  /// Readers without the 0.5 are up to 0.8 % too dark.
   void setPixel(int x, int y, const std::string& scanline) {
     const auto at = [&](std::size_t channel) {
       const std::size_t i =

@@ -27,7 +27,8 @@ void checkSurroundings(const LightFile& picture, const std::string& label) {
   if (!picture.colours.empty())
     fail(ExitCode::inputOutput, "{} has {}; convert it to those of Rec. 709 (sRGB)", label,
          picture.colours);
-  constexpr float slightly = -1e-3F;  // tolerance for the undershoot of resampling next to bright pixels
+  constexpr float slightly = -1e-3F;  // minimum allowed value, because resampling can undershoot next to
+                                      // bright pixels
   std::size_t negative = 0;
   for (std::size_t i = 0; i < picture.values.size(); ++i) {
     if (i % 4 == 3) continue;

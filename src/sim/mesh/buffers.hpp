@@ -18,15 +18,15 @@ namespace simreel::sim {
 [[nodiscard]] MeshTable placed(std::span<const glm::vec4> positions, std::span<const glm::vec4> normals,
                                const glm::mat4& model);
 
-/// GPU buffers of a deforming mesh that never change: vec2 uvs (zero if the mesh has none), vertex colours
-/// if it has any, and 32-bit indices.
+/// GPU buffers of a deforming mesh that do not depend on the deformation: vec2 uvs (zero if the mesh has
+/// none), vertex colours if the mesh has any, and 32-bit indices.
 class MeshTopology {
  public:
   MeshTopology(const std::string& name, const Mesh& mesh);
-  /// Returns a surface without positions, normals, model, sides and material. Its pointers are valid as
-  /// long as this object.
+  /// Returns a surface whose positions, normals, model, sides and material are not set. Its pointers are
+  /// valid while this object exists.
   [[nodiscard]] Surface surface() const;
-  /// Reads back the members of a table other than positions and normals.
+  /// Reads back all members of a table except positions and normals.
   void complete(MeshTable& table) const;
 
  private:
@@ -37,15 +37,15 @@ class MeshTopology {
   int indexCount_;
 };
 
-/// GPU buffers of a mesh in the layout of Surface: vec4 positions and normals, and its topology.
+/// GPU buffers of a mesh in the layout of Surface: vec4 positions and normals, and the MeshTopology.
 class MeshBuffers {
  public:
   MeshBuffers(const std::string& name, const Mesh& mesh);
 
-  /// Returns a surface without model, sides and material. The surface is marked as still; its pointers are
-  /// valid as long as this object.
+  /// Returns a surface whose model, sides and material are not set. The surface is marked as still; its
+  /// pointers are valid while this object exists.
   [[nodiscard]] Surface surface() const;
-  /// Reads the whole mesh back, transformed by `model`.
+  /// Reads the whole mesh back and transforms it by `model`.
   [[nodiscard]] MeshTable table(const glm::mat4& model) const;
 
  private:

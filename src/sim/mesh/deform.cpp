@@ -24,10 +24,10 @@ namespace simreel::sim {
 
 namespace {
 
-/// Deformed vertices in the buffers that drawing reads.
+/// Deformed positions and normals in buffers that draw calls read.
 struct Vertices {
   gl::Vec4Array positions, normals;
-  GLsync drawn = nullptr;  ///< fence signalled when the GPU has read a mapped slot
+  GLsync drawn = nullptr;  ///< fence that is signalled when the GPU has read the mapped slot
 };
 
 struct PressKernel {
@@ -40,7 +40,7 @@ struct DisplaceKernel {
   static constexpr auto file = "mesh/displace.comp";
   struct Variant {
     gl::Range<"DISPLACEMENTS", 0, shader::maxDisplacements> displacements;
-    gl::Code<"FIRST_KINDS", "0"> firstKinds;  // kinds of the displacements, four bits each
+    gl::Code<"FIRST_KINDS", "0"> firstKinds;  // displacement kinds packed with four bits each
     gl::Code<"LAST_KINDS", "0"> lastKinds;
   };
   gl::Block<"DeformBlock", shader::DeformStep> step;
@@ -200,14 +200,15 @@ class DeformedMesh : public Simulation, public ContactSolid {
   double time_ = 0;  ///< time of the current positions in seconds
   DeformPlan plan_;
   RestMesh rest_;
-  mutable DeformCpu cpu_;  ///< CPU results; for techniques on the device, computed only on request
+  mutable DeformCpu cpu_;  ///< CPU results; for GPU techniques they are computed only on request
   MeshTopology topology_;
   MovingLooks looks_;
   gl::Vec4Array restPositions_, restNormals_;
   gl::Vec4Array trail_;
   gl::Buffer block_;
   StageClock clock_;
-  std::array<Vertices, 3> vertices_;  ///< vertex buffers: three slots if mapped, else one
+  std::array<Vertices, 3> vertices_;  ///< vertex buffers: three slots for the technique `mapped`, otherwise
+                                      ///< one
   std::size_t current_ = 0;
   gl::WordsArray fans_, faces_;
   gl::Kernel<PressKernel> press_;
@@ -215,7 +216,7 @@ class DeformedMesh : public Simulation, public ContactSolid {
   gl::Kernel<NormalKernel> gather_;
   std::unique_ptr<PositionReadback> readback_;
   std::optional<HeightField> heights_;    ///< set only for a mesh that collides as a height field
-  bool hasHeights_ = false;               ///< true once the heights of the start are stored
+  bool hasHeights_ = false;               ///< true once the heights at the start of the run are stored
   std::optional<MovedVertices> touched_;  ///< set only for a mesh whose faces collide
 };
 
@@ -319,7 +320,7 @@ void DeformedMesh::deformOnCpu(const shader::DeformStep& step) {
 }
 
 void DeformedMesh::deformMapped(const shader::DeformStep& step) {
-  // All commands that read the current slot have been issued by now.
+  // All commands that read the current slot have been issued at this point.
   Vertices& drawn = vertices_[current_];
   if (drawn.drawn == nullptr) drawn.drawn = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
   current_ = (current_ + 1) % vertices_.size();
@@ -339,7 +340,7 @@ std::optional<MeshTable> DeformedMesh::mesh() const {
   std::vector<glm::vec4> positions;
   std::vector<glm::vec4> normals;
   if (technique_ == DeformTechnique::compute) {
-    // On a slow device the copy of the latest frame may have been skipped.
+    // On a slow GPU, the copy of the latest frame may have been skipped.
     const bool copied = readback_ && readback_->current();
     positions = copied ? readback_->wait() : shown().positions.buffer().readAll<glm::vec4>();
     normals = shown().normals.buffer().readAll<glm::vec4>();

@@ -6,8 +6,8 @@
 
 namespace simreel::sim {
 
-/// Creates a mesh that is displaced for each frame (glsl/mesh/model.glsl) by the technique that its
-/// parameters choose. The rest positions are never modified.
+/// Creates a mesh that is deformed in each frame (glsl/mesh/model.glsl) with the technique that its
+/// parameters choose. The undeformed positions are never modified.
 [[nodiscard]] std::unique_ptr<Simulation> makeDeformedMesh(const scene::Object& object,
                                                            const MeshParameters& parameters,
                                                            const Mesh& mesh, const Setting& setting);

@@ -13,7 +13,7 @@ using namespace shader;  // NOLINT: the included model uses GLSL's type names
 
 #define FUNCTION inline
 #define precise
-/// Provides the inputs of displace.comp and press.comp to their model.
+/// Provides the inputs that the model code of displace.comp and press.comp reads.
 struct Model {
   const DeformStep& deformStep;
   const vec4* trail;
@@ -22,7 +22,7 @@ struct Model {
 #include "glsl/mesh/model.glsl"
 };
 
-/// Provides the inputs of normal.comp to its model.
+/// Provides the inputs that the model code of normal.comp reads.
 struct NormalModel {
   const RestMesh& rest;
   const vec4* positions;

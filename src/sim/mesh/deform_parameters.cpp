@@ -57,7 +57,8 @@ void describePush(scene::Fields& f, Push& p) {
            "Above the base, over which it begins to give way; 0: everywhere.");
 }
 
-/// Returns the number of shader displacements of an entry; each wave counts as one.
+/// Returns the number of shader displacements that an entry needs: one for each wave, or one for any other
+/// kind.
 std::size_t displacementsOf(const DisplacementParameters& entry) {
   return entry.waves.empty() ? 1 : entry.waves.size();
 }

@@ -13,17 +13,17 @@ static_assert(sizeof(DeformStep) == 48 + maxDisplacements * 144 + maxPressers * 
 
 namespace simreel::sim {
 
-/// Place where deformed vertices are computed (device, CPU threads or vertex shader), and how they get to
-/// the draw calls.
+/// Where deformed vertices are computed (GPU, CPU threads or vertex shader) and how the draw calls get
+/// them.
 enum class DeformTechnique { compute, singleThread, jobs, mapped, vertexShader };
 
-// The structs below inherit the shaders' structs, so that parameters passed on unchanged are declared, with
-// their defaults, only once.
+// The structs below inherit the shaders' structs, so that parameters which are passed on unchanged, and
+// their defaults, are declared only once.
 
 /// Ring waves around a centre.
 struct Ripple : shader::RippleStep {
   bool on = false;
-  float speed = 2.0F;             ///< speed in radians of phase per second
+  float speed = 2.0F;             ///< phase velocity in radians per second
   float wavelength = 6.2831853F;  ///< wavelength in metres
 };
 
@@ -31,8 +31,8 @@ struct Ripple : shader::RippleStep {
 struct Wave : shader::WaveStep {
   float direction = 0.0F;  ///< direction in degrees from +x towards +z
   float length = 2.0F;     ///< wavelength in metres
-  float steepness = 0.5F;  ///< shape of the crest: 0 sine, 1 cusp
-  float speed = 0.0F;      ///< speed in m/s; 0: the speed of deep-water waves
+  float steepness = 0.5F;  ///< shape of the crest: 0 is a sine, 1 a cusp
+  float speed = 0.0F;      ///< speed in m/s; 0 selects the speed of deep-water waves
   float initial = 0.0F;    ///< phase in degrees at time 0
 };
 
@@ -41,7 +41,7 @@ struct Sway : shader::SwayStep {
   float direction = 0.0F;   ///< direction in degrees from +x towards +z
   float height = 1.0F;      ///< height in metres above the base at which the lean reaches the amplitude
   float wavelength = 3.0F;  ///< wavelength of the gusts in metres
-  float speed = 2.0F;       ///< speed in radians of phase per second
+  float speed = 2.0F;       ///< phase velocity in radians per second
 };
 
 struct Footprints : shader::TrailStep {
@@ -54,7 +54,7 @@ struct Push : shader::PushStep {
   float height = 0.0F;  ///< height in metres above the base over which the effect fades in
 };
 
-/// One entry of "deform": exactly one of its members is active.
+/// One entry of the list "deform"; exactly one member is active.
 struct DisplacementParameters {
   Ripple ripple{};
   std::vector<Wave> waves;
@@ -68,7 +68,7 @@ struct DeformParameters {
   std::vector<DisplacementParameters> list;
   DeformTechnique technique = DeformTechnique::compute;
   bool readback = false;
-  /// Describes "deform", "technique" and "readback" among the fields of the mesh.
+  /// Declares "deform", "technique" and "readback" in the fields of the mesh.
   void describe(scene::Fields& fields);
 };
 

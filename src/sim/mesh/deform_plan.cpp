@@ -15,9 +15,10 @@ namespace simreel::sim {
 namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
-constexpr double maxPhase = 9000.0;  // with a margin, because exactSin is valid up to 1e4
+constexpr double maxPhase = 9000.0;  // maximum phase in radians; exactSin is valid up to 1e4, so this
+                                     // leaves a margin
 
-/// Returns the angle modulo a full turn, so that its precision does not decrease with time.
+/// Returns the angle reduced to one turn, so that its precision does not decrease with time.
 float reduced(double angle) {
   return static_cast<float>(angle - turn * std::floor(angle / turn));
 }
@@ -33,13 +34,13 @@ shader::Displacement of(const Ripple& r, double time) {
 
 shader::Displacement of(const Wave& w, double time) {
   const double k = turn / w.length;
-  // Deep-water waves have w^2 = g k.
+  // For deep-water waves, the angular frequency w and the wavenumber k satisfy w^2 = g k.
   const double rate = w.speed > 0 ? k * w.speed : std::sqrt(9.81 * k);
   shader::Displacement d{};
   d.kind = shader::waveKind;
   d.wave = w;
   d.wave.heading = cosineAndSine(w.direction);
-  // The crest is a cusp at surge k = 1; a larger surge would fold the surface over itself.
+  // If surge times k is 1, the crest is a cusp. A larger surge would fold the surface over itself.
   d.wave.surge = w.steepness * std::min(w.amplitude, static_cast<float>(1.0 / k));
   d.wave.wavenumber = static_cast<float>(k);
   d.wave.phase = reduced(rate * time - w.initial * 0.017453292519943295);
@@ -66,7 +67,7 @@ shader::Displacement of(const Push& p) {
   return d;
 }
 
-/// Returns R^T v, the vector with the rotation undone.
+/// Returns R^T v, the vector v with the rotation R undone.
 glm::vec3 unturned(const glm::mat4& m, const glm::vec3& v) {
   const auto row = [&](int i) { return m[i].x * v.x + m[i].y * v.y + m[i].z * v.z; };
   return {row(0), row(1), row(2)};
@@ -119,7 +120,8 @@ void DeformPlan::checkPhases(const std::string& name) const {
 }
 
 shader::Presser DeformPlan::presser(const ColliderShape& shape, double time) const {
-  // Transforms the collider into the mesh's own space: x = R^T (x' - position) / scale.
+  // Transforms the collider into the mesh's local space: x = R^T (x' - position) / scale, where R is the
+  // mesh's rotation.
   const glm::mat4 turned = rotationMatrix(parameters_.rotation.at(time));
   const glm::vec3 origin = parameters_.position.at(time);
   const float smaller = 1.0F / parameters_.scale.at(time);

@@ -13,7 +13,7 @@ namespace simreel::sim {
 namespace {
 
 constexpr unsigned maxFacesAround =
-    20'000;  // limit, because some drivers silently end a shader's loop after 65,535 iterations
+    20'000;  // limited because some drivers silently end a shader loop after 65,535 iterations
 
 bool before(const glm::vec3& a, const glm::vec3& b) {
   if (a.x != b.x) return a.x < b.x;
@@ -21,7 +21,8 @@ bool before(const glm::vec3& a, const glm::vec3& b) {
   return a.z < b.z;
 }
 
-/// Returns for each vertex the first one at the same position with (nearly) the same normal.
+/// Returns for each vertex the index of the first vertex with the same position and (nearly) the same
+/// normal.
 std::vector<unsigned> firstCopies(const Mesh& mesh) {
   std::vector<unsigned> order(mesh.positions.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -31,7 +32,7 @@ std::vector<unsigned> firstCopies(const Mesh& mesh) {
     return a < b;
   });
   std::vector<unsigned> first(order.size());
-  std::vector<unsigned> kept;  // first copies at the current position
+  std::vector<unsigned> kept;  // first copies at the current position, each with a different normal
   for (std::size_t i = 0; i < order.size(); ++i) {
     const unsigned vertex = order[i];
     if (i == 0 || mesh.positions[vertex] != mesh.positions[order[i - 1]]) kept.clear();

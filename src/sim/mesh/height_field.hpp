@@ -11,7 +11,7 @@ namespace simreel::sim {
 
 struct HeightsKernel;
 
-/// Inputs of glsl/mesh/height_array.glsl if HEIGHTS is 1; a part of a kernel's interface.
+/// Part of a kernel interface: inputs of glsl/mesh/height_array.glsl if HEIGHTS is 1.
 struct HeightPart {
   gl::Uniform<"heightGrid.corner", glm::vec2> corner;
   gl::Uniform<"heightGrid.perCell", glm::vec2> perCell;
@@ -32,18 +32,18 @@ class HeightField {
 
   HeightField(const std::string& name, const HeightPlan& plan);
 
-  /// Stores new heights for the frame's end; the previous end becomes the frame's beginning. The first call
-  /// sets the heights at the start of the run. `positions` are in the mesh's own space; `component` is the
-  /// index of the component that holds the height (1 or 0).
+  /// Stores new heights for the end of the frame; the previous end becomes the beginning of the frame. The
+  /// first call sets the heights at the start of the run. `positions` are in the mesh's local space;
+  /// `component` is the index of the component with the height (1 or 0).
   void setHeights(const gl::Vec4Array& positions, int component = 1);
   void carryOver(CarryOver& carry) { carry.array("heights", heights_.buffer()); }
-  /// Returns the heights and the position within the frame as kernel inputs; arguments as for
+  /// Returns the heights and the time within the frame as kernel inputs. The arguments are those of
   /// HeightPlan::at().
   [[nodiscard]] HeightPart part(int substep, int substeps, float margin, float bounce) const;
 
  private:
   HeightPlan plan_;
-  gl::Vec4Array heights_;  ///< x height at the frame's beginning, y at its end (m)
+  gl::Vec4Array heights_;  ///< x: height at the beginning of the frame, y: height at its end, in metres
   gl::Kernel<HeightsKernel> keep_;
 };
 

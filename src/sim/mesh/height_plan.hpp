@@ -8,14 +8,15 @@ namespace simreel::shader {
 
 namespace simreel::sim {
 
-/// Description of a height-field mesh for objects that fall onto it; the CPU references share it. The mesh
-/// is a plane that does not move, rotate or scale.
+/// Description of a height-field mesh for objects that fall onto it; the CPU references use it, too. The
+/// mesh is a plane that does not move, rotate or scale.
 class HeightPlan {
  public:
   HeightPlan(const MeshParameters& mesh, double frameSeconds);
 
-  /// Returns the grid at the end of substep `index` of `substeps`. `margin` (m): distance to keep above the
-  /// surface; `bounce`: fraction of the impact speed that is returned.
+  /// Returns the grid at the end of substep `index` of `substeps`. `margin` (metres) is the distance that
+  /// objects keep above the surface. `bounce` is the fraction of the impact speed that remains after the
+  /// bounce.
   [[nodiscard]] shader::HeightGrid at(int index, int substeps, float margin, float bounce) const;
   [[nodiscard]] float lift() const { return lift_; }  ///< height of the mesh's origin in metres
   [[nodiscard]] glm::ivec2 size() const { return grid_.size; }

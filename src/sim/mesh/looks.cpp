@@ -33,8 +33,8 @@ scene::Map mapOf(const MeshMap& map, const Images& images) {
   return {{}, images.at(static_cast<std::size_t>(map.image)), map.wrapU, map.wrapV};
 }
 
-/// Returns the colour map with the opacity of another image: its alpha channel if it has one, else its
-/// brightness.
+/// Returns the colour map with its opacity replaced by another image's alpha channel, or by the brightness
+/// if that image has no alpha channel.
 scene::Map withOpacity(const scene::Map& color, const scene::Image& from) {
   const bool itsOwn =
       std::any_of(from.rgba.begin(), from.rgba.end(),
@@ -91,7 +91,7 @@ scene::Material materialOf(const MeshMaterial& from, const Images& images, bool 
   return material;
 }
 
-/// Returns the triangles of one material and the vertices that they use.
+/// Returns a mesh of the triangles of one material and the vertices that they use.
 Mesh partOf(const Mesh& mesh, int material) {
   constexpr unsigned unused = ~0U;
   Mesh part;

@@ -12,30 +12,32 @@ namespace simreel::sim {
 /// Triangles of a mesh that share one material.
 struct MeshLook {
   scene::Material material;
-  Mesh mesh;  ///< the triangles; empty if the whole mesh has this material
+  Mesh mesh;  ///< mesh of these triangles; empty if the whole mesh has this material
 };
 
-/// Returns the materials that the mesh's file defines, in the file's order, each with its triangles. Empty
-/// if the file defines none or the scene gives the object a material. Triangles without a material get the
-/// object's. Throws UserError for an unreadable texture.
+/// Returns the materials that the mesh's file defines, in file order, each with its triangles. Triangles
+/// without a material get the object's material. Empty if the file defines no materials or the scene gives
+/// the object a material. Throws UserError for an unreadable texture.
 [[nodiscard]] std::vector<MeshLook> looksOf(const scene::Object& object, const Mesh& mesh);
 
-/// Returns the fallback material if neither the scene nor the file defines one: the object's material, with
-/// white colour if the mesh has vertex colours.
+/// Returns the material for a mesh if neither the scene nor the file defines one: the object's material, in
+/// white if the mesh has vertex colours.
 [[nodiscard]] scene::Material plainLook(const scene::Object& object, const Mesh& mesh);
 
-/// Materials of a mesh whose vertices move: one surface per material, all sharing the vertices.
+/// Materials of a mesh whose vertices move. Each material is one surface; all surfaces use the same
+/// vertices.
 class MovingLooks {
  public:
   /// Throws the errors of looksOf().
   MovingLooks(const scene::Object& object, const Mesh& mesh);
-  /// Adds one surface per material to `drawables`: copies of `surface` with their own indices and material.
+  /// Adds one surface per material to `drawables`: copies of `surface`, each with the indices and the
+  /// material of its triangles.
   void publish(const Surface& surface, Drawables& drawables) const;
 
  private:
   struct Part {
     scene::Material material;
-    gl::Buffer indices;  ///< triangle indices; empty: the whole mesh
+    gl::Buffer indices;  ///< triangle indices; empty for the whole mesh
     int indexCount = 0;
   };
   std::vector<Part> parts_;

@@ -91,7 +91,7 @@ class RigidMesh : public Simulation, public ContactSolid {
   /// Part of the mesh with one of the file's materials.
   struct Part {
     scene::Material material;
-    std::optional<MeshBuffers> buffers;  ///< buffers of the part; empty: the whole mesh
+    std::optional<MeshBuffers> buffers;  ///< buffers of the part; empty for the whole mesh
   };
 
   MeshParameters parameters_;
@@ -99,7 +99,7 @@ class RigidMesh : public Simulation, public ContactSolid {
   double frameSeconds_;
   double time_;  ///< time of the current frame in seconds
   MeshBuffers buffers_;
-  std::vector<Part> parts_;               ///< parts by material; empty: the whole mesh has material_
+  std::vector<Part> parts_;               ///< one part per material; empty if the whole mesh has material_
   std::optional<MovedVertices> touched_;  ///< set only for a mesh whose faces collide
 };
 
@@ -134,8 +134,8 @@ std::unique_ptr<Simulation> makeMesh(const scene::Object& object, const Setting&
   return std::make_unique<RigidMesh>(object, parameters, mesh, setting);
 }
 
-/// Returns a scene of one frame that draws a mesh file; empty for other files. Throws UserError(usage) for
-/// mesh formats that are not read.
+/// Returns the JSON text of a scene of one frame that draws a mesh file; empty for other files. Throws
+/// UserError(usage) for mesh formats that are not supported.
 std::string sceneAroundMesh(const std::filesystem::path& file) {
   constexpr std::array<std::string_view, 7> others = {".fbx",  ".dae", ".3ds",  ".usd",
                                                       ".usdz", ".off", ".blend"};
@@ -145,12 +145,12 @@ std::string sceneAroundMesh(const std::filesystem::path& file) {
     fail(ExitCode::usage,
          "{} is a mesh, not a scene, and of a format that is not read; export it as glTF (.glb)",
          file.string());
-  if (!isMeshFile(file) || isGltf(file)) return {};  // bodies make scenes around glTF
+  if (!isMeshFile(file) || isGltf(file)) return {};  // glTF files are handled by the object kind "body"
   using Json = nlohmann::ordered_json;
   const std::string name = file.filename().string();
   const Json scene = {{"version", 2},
                       {"title", name},
-                      {"time", {{"fps", 30}, {"duration", 0.03}}},  // one frame
+                      {"time", {{"fps", 30}, {"duration", 0.03}}},  // duration of one frame
                       {"objects", {{"model", {{"mesh", {{"file", name}}}}}}}};
   return scene.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

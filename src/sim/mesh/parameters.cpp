@@ -186,7 +186,7 @@ std::vector<glm::vec3> MeshParameters::placesAtRest() const {
       for (const glm::vec3& at : mesh.positions) places.emplace_back(placed * glm::vec4(at, 1));
     }
   } catch (const UserError&) {
-    return {};  // the simulation's constructor reports the error
+    return {};  // the constructor of the simulation reports the error
   }
   return places;
 }

@@ -24,7 +24,7 @@ struct MeshParameters : ObjectParameters, scene::Outlined, scene::Tinted {
   std::filesystem::path file;
   glm::vec3 size{4, 0, 4};         ///< width, height and depth in metres
   float radius = 1.0F;             ///< radius in metres
-  float tube = 0.35F;              ///< radius of a torus' tube in metres
+  float tube = 0.35F;              ///< radius of the tube of a torus in metres
   float height = 2.0F;             ///< height of a cylinder or cone in metres
   glm::ivec2 resolution{101, 65};  ///< number of vertices along u and v
   MeshSides sides = MeshSides::fitting;
@@ -36,17 +36,18 @@ struct MeshParameters : ObjectParameters, scene::Outlined, scene::Tinted {
   scene::Animated<glm::vec3> position = glm::vec3(0);  ///< position in metres
   scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< rotation in degrees
   scene::Animated<float> scale = 1.0F;
-  bool collides = false;           ///< true: collides as a closed mesh, or as a height field if deformed
-  bool byFaces = false;            ///< true: its faces collide with cloths in contact
+  bool collides = false;           ///< true if the mesh collides: as a closed mesh, or as a height field if
+                                   ///< it is deformed
+  bool byFaces = false;            ///< true if the mesh's faces collide with cloths in contact
   float grip = 25.3F;              ///< rate in 1/s at which sliding objects lose speed
   std::optional<double> friction;  ///< Coulomb friction coefficient, used instead of `grip`; if empty,
-                                   ///< collisions by faces use the cloth's
-  int distanceCells = 0;           ///< number of cells of the distance field along the longest side; 0:
-                                   ///< automatic
+                                   ///< collisions of faces use the cloth's coefficient
+  int distanceCells = 0;           ///< number of cells of the distance field along the longest side; 0
+                                   ///< chooses it automatically
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] bool measures() const override { return !deform.list.empty(); }
-  /// Returns the bounds of the rest mesh at every position key.
+  /// Returns the bounds of the undeformed mesh at all position keys together.
   [[nodiscard]] std::optional<scene::Box> framed() const override;
   /// Returns the outline points of meshes from files; empty for other shapes.
   [[nodiscard]] std::vector<glm::vec3> outline() const override;
@@ -55,26 +56,27 @@ struct MeshParameters : ObjectParameters, scene::Outlined, scene::Tinted {
     return shape == MeshShape::grass ? std::optional(glm::vec3(0.11F, 0.24F, 0.045F)) : std::nullopt;
   }
   void ports(Ports& ports) const override;
-  /// True if the mesh collides as a rigid body, through its distance field.
+  /// Returns true if the mesh collides as a rigid body, through its distance field.
   [[nodiscard]] bool collidesRigidly() const { return collides && deform.list.empty(); }
 
   [[nodiscard]] bool doubleSided() const;
-  /// Returns the transform from the mesh's own space to world space at `time`.
+  /// Returns the transform from the mesh's local space to world space at `time`.
   [[nodiscard]] glm::mat4 model(double time) const;
-  /// Returns the time (s) of the last discontinuous jump at or before `time`.
+  /// Returns the time (seconds) of the last jump along the keyframes, at or before `time`.
   [[nodiscard]] double jumpedBy(double time) const;
   /// Generates or reads the mesh. Throws the errors of loadMesh().
   [[nodiscard]] Mesh make(int seed) const;
 
  protected:
   void describeCollision(scene::Fields& fields);
-  /// Describes position, rotation, scale, sides and visibility.
+  /// Declares the fields for position, rotation, scale, sides and visibility.
   void describePlace(scene::Fields& fields);
 
  private:
-  /// Returns the maximum vertical displacement in metres by the deformation.
+  /// Returns the maximum vertical displacement in metres that the deformation causes.
   [[nodiscard]] float swell() const;
-  /// Returns the vertices at every position key; empty if the file cannot be read.
+  /// Returns the positions of the undeformed vertices at every position key; empty if the file cannot be
+  /// read.
   [[nodiscard]] std::vector<glm::vec3> placesAtRest() const;
   void remarkShape(scene::Fields& fields) const;
   void checkSolid(scene::Fields& fields) const;

@@ -5,8 +5,8 @@
 
 namespace simreel::sim {
 
-/// Returns the values of MeshParameters::quantities() for a mesh in world space, in the same order; sums
-/// follow the order of vertices and triangles.
+/// Returns the values of MeshParameters::quantities() for a mesh in world space, in the order of
+/// quantities(). Sums are computed in the order of vertices and triangles.
 [[nodiscard]] std::vector<double> measureMesh(const MeshTable& mesh);
 
 }  // namespace simreel::sim

@@ -22,8 +22,8 @@ void reserve(Mesh& mesh, unsigned rows, unsigned columns) {
   mesh.indices.reserve(std::size_t{6} * rows * columns);
 }
 
-/// Adds quads between rows + 1 lines of columns + 1 vertices. They face the side from which u runs right
-/// and v runs down.
+/// Adds quads between rows + 1 rows of columns + 1 vertices. The quads face the side from which u increases
+/// to the right and v increases downwards.
 void connectRows(Mesh& mesh, unsigned rows, unsigned columns) {
   for (unsigned row = 0; row < rows; ++row)
     for (unsigned column = 0; column < columns; ++column) {
@@ -33,8 +33,8 @@ void connectRows(Mesh& mesh, unsigned rows, unsigned columns) {
     }
 }
 
-/// Returns rings of latitude. With length > 0 the equator exists twice, the copies `length` apart, and
-/// `rows` must be even.
+/// Returns a sphere as rings of latitude. If length > 0, the equator exists twice, with the copies `length`
+/// apart, and `rows` must be even.
 Mesh roundMesh(float radius, float length, unsigned rows, unsigned columns) {
   const bool parted = length > 0;
   const unsigned rings = rows + 1 + (parted ? 1 : 0);
@@ -65,13 +65,14 @@ Mesh roundMesh(float radius, float length, unsigned rows, unsigned columns) {
 
 constexpr unsigned roundColumns = 64;
 
-/// Returns the horizontal unit vector of a column; column 0 and the last one, at the seam, are equal.
+/// Returns the horizontal unit vector of a column. Column 0 and the last column are the two sides of the
+/// seam, so their vectors are equal.
 glm::vec3 outwards(unsigned column) {
   const double angle = fullTurn * (column % roundColumns) / roundColumns;
   return {static_cast<float>(ieee::sin(angle)), 0, static_cast<float>(ieee::cos(angle))};
 }
 
-/// Adds a disc at height y around the y axis. `side`: +1 faces up, -1 faces down.
+/// Adds a disc around the y axis at height y. It faces up if `side` is +1, down if `side` is -1.
 void addDisc(Mesh& mesh, float radius, float y, float side) {
   const auto middle = static_cast<unsigned>(mesh.positions.size());
   const auto add = [&](const glm::vec3& at) {
@@ -111,8 +112,8 @@ Mesh sphereMesh(float radius, glm::ivec2 vertices) {
                    static_cast<unsigned>(vertices.x - 1));
 }
 
-// Each edge is interpolated in the order of its corners' indices, so that the two faces at the edge place
-// its vertices at identical bits.
+// Each edge is interpolated in the order of its corners' indices, so that both faces at the edge compute
+// positions with identical bits.
 Mesh geodesicMesh(float radius, int parts) {
   const double golden = (1 + std::sqrt(5.0)) / 2;
   std::vector<glm::dvec3> corners;
@@ -120,8 +121,8 @@ Mesh geodesicMesh(float radius, int parts) {
     for (const double other : {-golden, golden})
       corners.insert(corners.end(), {{0, one, other}, {one, other, 0}, {other, 0, one}});
   const auto near = [&](std::size_t a, std::size_t b) {
-    return glm::distance(corners[a], corners[b]) < 2.5;  // neighbouring corners are 2 apart, others more
-                                                         // than 3
+    return glm::distance(corners[a], corners[b]) < 2.5;  // distances between neighbouring corners are 2,
+                                                         // all others more than 3
   };
   Mesh mesh;
   const auto face = [&](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
@@ -162,7 +163,7 @@ Mesh torusMesh(float radius, float tube, glm::ivec2 vertices) {
   Mesh mesh;
   reserve(mesh, rows, columns);
   for (unsigned row = 0; row <= rows; ++row) {
-    // Starts at the outer rim and goes across the underside, so that rows run down on the outside.
+    // The rows start at the outer rim and cross the underside first, so that they run down on the outside.
     const double around = -fullTurn * (row % rows) / rows;
     const double reach = radius + tube * ieee::cos(around);
     for (unsigned column = 0; column <= columns; ++column) {

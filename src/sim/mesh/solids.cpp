@@ -12,7 +12,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Parameters of a mesh of one shape. It is closed and collides, except for the disc.
+/// Parameters of a mesh whose shape is fixed by its kind. It is closed and collides, except for the disc.
 struct SolidParameters : MeshParameters {
   explicit SolidParameters(MeshShape fixed) {
     shape = fixed;

@@ -18,9 +18,9 @@ namespace simreel::sim {
 
 namespace {
 
-/// Returns the cell of each vertex, numbered in the order in which faces first use the positions; -1 for
-/// vertices without a face. Positions are merged within a millionth of the mesh's extent, to tolerate the
-/// rounding of computed vertices.
+/// Returns the cell of each vertex, or -1 for vertices without a face. Cells are numbered in the order in
+/// which faces first use their positions. Positions that differ by at most a millionth of the mesh's extent
+/// are merged, to tolerate rounding errors of computed vertices.
 std::vector<int> weldedNumbers(const Mesh& mesh, std::vector<glm::dvec3>& places) {
   glm::vec3 low(mesh.positions.empty() ? glm::vec3(0) : mesh.positions.front()), high = low;
   for (const glm::vec3& p : mesh.positions) {
@@ -54,7 +54,7 @@ std::vector<int> weldedNumbers(const Mesh& mesh, std::vector<glm::dvec3>& places
 
 using CellTriangle = std::array<int, 3>;
 
-/// Returns the faces as cell indices, without degenerate ones.
+/// Returns the faces as triples of cell indices, without degenerate faces.
 std::vector<CellTriangle> cellTriangles(const Mesh& mesh, const std::vector<int>& cellOf) {
   std::vector<CellTriangle> triangles;
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
@@ -71,7 +71,7 @@ MeshCells cellsOf(const Mesh& mesh, const std::string& whose) {
   MeshCells cells;
   cells.cellOf = weldedNumbers(mesh, cells.places);
   cells.areas.assign(cells.places.size(), 0.0);
-  std::map<std::pair<int, int>, double> weights;  // weights by edge
+  std::map<std::pair<int, int>, double> weights;  // weight of each edge
   double area = 0;
   for (const CellTriangle& t : cellTriangles(mesh, cells.cellOf)) {
     const glm::dvec3 p[] = {cells.places[static_cast<std::size_t>(t[0])],
@@ -107,8 +107,8 @@ MeshCells cellsOf(const Mesh& mesh, const std::string& whose) {
   const auto add = [&](int from, int to, double weight) {
     cells.links[static_cast<std::size_t>(next[static_cast<std::size_t>(from)]++)] = {to, weight};
   };
-  // Edges are sorted by their lower cell, then by their higher one. Adding the lower neighbours first keeps
-  // each cell's links sorted.
+  // Edges are sorted by their lower cell, then by their higher cell. If the lower neighbours are added
+  // first, the links of each cell are sorted.
   for (const auto& [edge, weight] : weights) add(edge.second, edge.first, weight);
   for (const auto& [edge, weight] : weights) add(edge.first, edge.second, weight);
   cells.low = cells.high = cells.places.front();
@@ -122,15 +122,15 @@ MeshCells cellsOf(const Mesh& mesh, const std::string& whose) {
 namespace {
 
 struct RefinedEdge {
-  int middle = 0;          ///< number of the new vertex
+  int middle = 0;          ///< index of the new vertex in the middle of the edge
   glm::dvec3 opposite{0};  ///< sum of the positions of the opposite corners
   int faces = 0;
 };
 
 using RefinedEdges = std::map<std::pair<int, int>, RefinedEdge>;
 
-/// Returns the new positions of the vertices: weight 1 - n b for the vertex and b for each of its n
-/// neighbours; at borders 3/4, and 1/8 for each of the two border neighbours.
+/// Returns the new positions of the vertices. A vertex has the weight 1 - n b and each of its n neighbours
+/// the weight b; at borders, the weights are 3/4 and 1/8 for each of the two neighbours on the border.
 std::vector<glm::dvec3> movedVertices(const std::vector<glm::dvec3>& places, const RefinedEdges& edges) {
   std::vector<glm::dvec3> around(places.size(), glm::dvec3(0)), border(places.size(), glm::dvec3(0));
   std::vector<int> neighbours(places.size(), 0), borders(places.size(), 0);
@@ -158,7 +158,7 @@ std::vector<glm::dvec3> movedVertices(const std::vector<glm::dvec3>& places, con
   return moved;
 }
 
-/// Returns the normal of each vertex: the sum of its faces' normals, weighted by their areas.
+/// Returns the normal of each vertex: the sum of the normals of its faces, weighted by the faces' areas.
 std::vector<glm::vec3> normalsAt(const std::vector<glm::dvec3>& places,
                                  const std::vector<unsigned>& indices) {
   std::vector<glm::dvec3> sums(places.size(), glm::dvec3(0));

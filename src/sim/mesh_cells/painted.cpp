@@ -29,7 +29,7 @@ std::vector<glm::uvec4> restWords(const Mesh& mesh, const MeshCells& cells) {
   std::vector<glm::uvec4> words;
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const glm::vec3& p = mesh.positions[i];
-    // Vertices without a face have the cell -1; they are not drawn, so any valid cell will do.
+    // Vertices without a face have the cell -1. They are not drawn, so any valid cell can be used for them.
     words.emplace_back(std::bit_cast<std::uint32_t>(p.x), std::bit_cast<std::uint32_t>(p.y),
                        std::bit_cast<std::uint32_t>(p.z), std::max(cells.cellOf[i], 0));
   }

@@ -15,10 +15,10 @@ namespace simreel::sim {
 
 struct MeshPaintKernel;
 
-/// Mesh whose vertices are coloured by their cells' values; a kernel reads the values on the GPU.
+/// Mesh whose vertices are coloured by the values of their cells. A kernel reads the values on the GPU.
 class PaintedMesh {
  public:
-  /// `colors`: linear RGB, equally spaced from the lowest value of a range to the highest.
+  /// `colors` are evenly spaced linear RGB stops, from the lowest value of a range to the highest.
   PaintedMesh(const std::string& name, const Mesh& mesh, const MeshCells& cells,
               const std::vector<glm::vec3>& colors);
 
@@ -26,9 +26,10 @@ class PaintedMesh {
   /// `firstWord`. Does not wait.
   void paint(const gl::Texture& words, int firstWord, glm::vec2 range);
 
-  /// Returns a surface without model, sides and material; its pointers are valid as long as this object.
+  /// Returns a surface whose model, sides and material are not set. Its pointers are valid while this
+  /// object exists.
   [[nodiscard]] Surface surface() const;
-  /// Reads the mesh back, transformed by `model`.
+  /// Reads the mesh back and transforms it by `model`.
   [[nodiscard]] MeshTable table(const glm::mat4& model) const;
 
  private:

@@ -23,12 +23,13 @@ namespace {
 
 /// Camera as stored in a file.
 struct FileCamera {
-  std::string name;  ///< the camera's own name, which may differ from its node's
+  std::string name;  ///< name of the camera itself, which may differ from the name of its node
   int node = 0;
   bool perspective = true;
   double fieldOfView = 0;    ///< vertical field of view in radians
   double height = 0;         ///< height of an orthographic camera's view in metres
-  double near = 0, far = 0;  ///< distances of the near and far planes in metres; far = 0: infinite
+  double near = 0, far = 0;  ///< distances of the near and far planes in metres; far = 0 stands for
+                             ///< infinity
 
   template <class Archive>
   void pack(Archive& archive) {
@@ -109,7 +110,7 @@ class FileShot final : public scene::CameraShot {
            "camera \"{}\" of the file has a field of view of {:.4g} degrees; it must be {} to {}", name_,
            angle_, least, most);
     near_ = camera.near;
-    // An orthographic camera may have its near plane at the eye; the minimum distance makes no visible
+    // The near plane of an orthographic camera may be at the eye. The minimum distance makes no visible
     // difference.
     if (!camera.perspective) near_ = std::max(near_, 1e-4);
     if (camera.far > 0) far_ = camera.far;
@@ -153,7 +154,7 @@ class FileShot final : public scene::CameraShot {
   [[nodiscard]] std::optional<double> far() const override { return far_; }
 
  private:
-  /// The camera's node or one of its ancestors, with its animation channels.
+  /// Node of the camera or an ancestor of that node, with the animation channels of the node.
   struct Link {
     int number = 0;
     FigureNode node;
@@ -218,7 +219,7 @@ class FileShot final : public scene::CameraShot {
   bool loop_;
   double angle_ = 0, near_ = 0, length_ = 0;
   std::optional<double> height_, far_;
-  std::vector<Link> links_;  ///< chain of nodes; the camera's node first
+  std::vector<Link> links_;  ///< chain of nodes, starting with the camera's node
 };
 
 }  // namespace

@@ -11,8 +11,8 @@
 
 namespace simreel::sim {
 
-/// Nodes of a glTF 2.0 document's default scene, and their animations. Missing names become "node 3" or
-/// "animation 0". Throws UserError as GltfDocument does, also for key times that do not increase.
+/// Nodes of the default scene of a glTF 2.0 document, and their animations. Missing names become "node 3"
+/// or "animation 0". Throws the errors of GltfDocument, and UserError for key times that do not increase.
 class GltfNodes {
  public:
   /// Keeps a reference to `document`, which must outlive this object.
@@ -23,11 +23,11 @@ class GltfNodes {
   /// Reads the nodes, parents first.
   void walk(const Visit& visit);
   [[nodiscard]] const std::vector<FigureNode>& nodes() const { return nodes_; }
-  /// Returns the index in nodes() of a node of the file; -1: not in the default scene.
+  /// Returns the index in nodes() of a node of the file, or -1 if it is not in the default scene.
   [[nodiscard]] int placeOf(std::uint64_t number) const {
     return number < place_.size() ? place_[number] : -1;
   }
-  /// Returns every animation of the nodes' translations, rotations and scales.
+  /// Returns all animations of translations, rotations and scales of the nodes.
   [[nodiscard]] std::vector<FigureAnimation> animations();
 
  private:

@@ -8,12 +8,13 @@
 
 namespace simreel::sim {
 
-/// Node of a glTF file: a bone, or an object attached to one. Nodes follow their parents.
+/// Node of a glTF file: a bone, or an object attached to a bone. In a list of nodes, parents precede their
+/// children.
 struct FigureNode {
   std::string name;
-  int parent = -1;         ///< index of the parent; -1: none
-  bool hasMatrix = false;  ///< true: the matrix replaces translation, rotation and scale; the node is not
-                           ///< animated
+  int parent = -1;         ///< index of the parent, or -1 for none
+  bool hasMatrix = false;  ///< true if the matrix replaces translation, rotation and scale; the node is
+                           ///< then not animated
   glm::dmat4 matrix{1};
   glm::dvec3 translation{0};  ///< translation in metres
   glm::dquat rotation{1, 0, 0, 0};
@@ -39,8 +40,8 @@ struct FigureChannel {
   Path path = Path::translation;
   Way way = Way::linear;
   std::vector<float> times;   ///< times of the keys in seconds, increasing
-  std::vector<float> values;  ///< values: 3 or 4 (x y z w) per key; for `cubic`: in-tangent, value,
-                              ///< out-tangent
+  std::vector<float> values;  ///< 3 or 4 values (x y z w) per key; for `cubic`: in-tangent, value and
+                              ///< out-tangent per key
 
   template <class Archive>
   void pack(Archive& archive) {

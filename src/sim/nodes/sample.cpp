@@ -20,8 +20,8 @@ glm::dquat unitOf(const glm::dquat& q) {
   return squared > 1e-30 ? timesScalar(q, 1.0 / std::sqrt(squared)) : glm::dquat(1, 0, 0, 0);
 }
 
-/// Returns sin(u a) / sin(a) for cos(a) = 1 + below: u (1 + b1 (1 + b2 (1 + ...))), with b_i = (u^2 - i^2)
-/// / (i (2i + 1)) * below. For a up to a right angle |b_i| is at most 1/2.
+/// Returns sin(u a) / sin(a), where cos(a) = 1 + `below`: u (1 + b1 (1 + b2 (1 + ...))) with b_i = (u^2 -
+/// i^2) / (i (2i + 1)) * below. If a is at most a right angle, |b_i| is at most 1/2.
 double sineShare(double u, double below) {
   double sum = 1;
   for (int i = 44; i >= 1; --i) {
@@ -31,7 +31,7 @@ double sineShare(double u, double below) {
   return u * sum;
 }
 
-/// Returns the components of a key; quaternions are not normalized.
+/// Returns the components of a key. Quaternions are not normalized.
 glm::dvec4 keyAt(const FigureChannel& channel, std::size_t item) {
   const std::size_t width = channel.path == FigureChannel::Path::rotation ? 4 : 3;
   glm::dvec4 value(0);
@@ -72,8 +72,8 @@ glm::dvec4 sample(const FigureChannel& channel, double seconds) {
   const glm::dvec4 from = value(next - 1);
   const glm::dvec4 to = value(next);
   if (cubic) {
-    // Hermite interpolation; tangents are per second: the out-tangent of the previous key, the in-tangent
-    // of the next.
+    // Hermite interpolation uses the out-tangent of the previous key and the in-tangent of the next key;
+    // both are per second.
     const glm::dvec4 out = keyAt(channel, 3 * (next - 1) + 2) * length;
     const glm::dvec4 in = keyAt(channel, 3 * next) * length;
     const double u2 = u * u;
@@ -104,7 +104,7 @@ void move(FigureNode& node, const FigureChannel& channel, double seconds) {
 
 glm::dmat4 transformOf(const glm::dvec3& translation, const glm::dquat& rotation, const glm::dvec3& scale) {
   const glm::dquat q = unitOf(rotation);
-  // Columns of the unit quaternion's rotation matrix, each scaled.
+  // These are the columns of the unit quaternion's rotation matrix, each multiplied by a scale.
   return {glm::dvec4(1 - 2 * (q.y * q.y + q.z * q.z), 2 * (q.x * q.y + q.w * q.z),
                      2 * (q.x * q.z - q.w * q.y), 0) *
               scale.x,

@@ -45,7 +45,7 @@ std::string_view takeLine(std::string_view& rest) {
 }
 
 /// Returns the separator used in the first line of a CSV file. Programs in locales with a decimal comma
-/// write semicolons; spreadsheets write tabs.
+/// write semicolons, and spreadsheets write tabs.
 char separatorOf(std::string_view line) {
   for (const char separator : {',', ';', '\t'})
     if (line.find(separator) != std::string_view::npos) return separator;
@@ -85,7 +85,8 @@ std::optional<Column> columnOf(std::string_view name) {
   return std::nullopt;
 }
 
-/// Collects particle rows and validates each; `what` and `where` in messages form "line 7" or "vertex 3".
+/// Collects rows of particles and validates each row. For messages, `what` and `where` form "line 7" or
+/// "vertex 3".
 class Collector {
  public:
   Collector(std::string file, int max) : file_(std::move(file)), max_(max) {}
@@ -100,7 +101,7 @@ class Collector {
       if (!given[c])
         refuse("no column \"{}\"; particles need x, y, z and may have vx, vy, vz, mass", columnNames[c]);
   }
-  /// Warns once about columns that are not used, because such a name may be misspelt.
+  /// Warns once about columns that are not used, because their names may be misspelt.
   void noteUnused(const std::vector<std::string>& names) const {
     constexpr std::size_t most = 8;
     if (names.empty()) return;

@@ -12,14 +12,13 @@ namespace simreel::sim {
 ///   are comments.
 /// - PLY: properties with the same names in the element "vertex".
 ///
-/// Without a mass column the particles share `totalMass` (kg) equally. Unknown columns and properties are
-/// reported once. Throws UserError with the file, the line or vertex, and the problem: inputOutput for a
-/// file without particles, a malformed number, NaN, infinity or a mass that is not positive; usage for more
-/// than `maxParticles`.
+/// Without a mass column, each particle gets an equal part of `totalMass` (kg). Unknown columns and
+/// properties are reported once. Throws UserError with the file, the line or vertex, and the problem:
+/// inputOutput for a file without particles, a malformed number, NaN, infinity or a mass that is not
+/// positive; usage for more than `maxParticles` particles.
 [[nodiscard]] ParticleCloud readParticles(const std::filesystem::path& file, float totalMass,
                                           int maxParticles);
-/// Parses particles from the bytes of a file as readParticles() does; `name` is the file's name in
-/// messages.
+/// Parses particles from the bytes of a file like readParticles(). `name` is the file's name in messages.
 [[nodiscard]] ParticleCloud parseParticles(std::string_view text, const std::string& name, float totalMass,
                                            int maxParticles);
 

@@ -9,7 +9,7 @@
 
 namespace simreel::sim {
 
-/// Reduces bodies, or boxes of the previous level, to bounding boxes.
+/// Kernel that reduces bodies, or the boxes of the previous level, to bounding boxes.
 struct TreeReduce {
   static constexpr auto file = "particles/tree/reduce.comp";
   struct Variant {
@@ -85,7 +85,7 @@ using shader::rootBodies;
 using shader::rootLeaves;
 using shader::rootNodes;
 
-/// Number of items that one invocation of the reduction reads.
+/// Number of items that an invocation of the reduction reads.
 constexpr int reduction = 64;
 
 constexpr int ceilDivide(int a, int b) {
@@ -109,7 +109,8 @@ float softeningSquare(float softening) {
 GravityTree::GravityTree(const std::string& name, int capacity, bool fast)
     : name_(name), capacity_(capacity), sort_((checkLimits(), name + " order"), capacity) {
   const std::int64_t roots = ceilDivide(capacity, rootBodies);
-  // Sum of all reduction levels: capacity/64 + capacity/64^2 + ..., plus one for each level that rounds up.
+  // The capacity is the sum over all reduction levels: capacity/64 + capacity/64^2 + ..., plus one for each
+  // level that rounds up.
   corners_ = zeros(name + " box", 2 * (std::int64_t{capacity} / (reduction - 1) + 8));
   bodies_ = zeros(name + " sorted bodies", roots * rootBodies);
   boxes_ = zeros(name + " node boxes", 2 * roots * rootNodes);
@@ -129,7 +130,7 @@ GravityTree::GravityTree(const std::string& name, int capacity, bool fast)
 }
 
 /// Throws UserError(device) if the trees exceed the device's limit. Called before any buffer is filled,
-/// because a set far beyond the limit would allocate gigabytes first.
+/// because a set of bodies far beyond the limit would first allocate gigabytes.
 void GravityTree::checkLimits() const {
   SIMREEL_CHECK(capacity_ > 0);
   const std::int64_t bytesOfTree = std::int64_t{32} * rootNodes;
@@ -148,7 +149,7 @@ void GravityTree::accelerate(const gl::Vec4Array& positions, const gl::Vec4Array
   walk(accelerations, count, gravity, softening);
 }
 
-/// Takes log64(N) small dispatches.
+/// Needs log64(N) small dispatches for N bodies.
 void GravityTree::findBox(const gl::Vec4Array& positions, int count) {
   int items = count;
   int first = 0;
@@ -201,15 +202,15 @@ void GravityTree::build(const gl::Vec4Array& positions, int count, float opening
                                   .moments = moments_});
 }
 
-// On the texel path an invocation handles 8 bodies (walk.comp). On the storage path 64 bodies share a list
-// of the nodes and leaves that attract them (walk_list.comp). On a software driver each tree has its own
-// dispatch, so that no shader exceeds the driver's limit of loop iterations.
+// On the texel path, an invocation processes 8 bodies (walk.comp). On the storage path, 64 bodies use a
+// common list of the nodes and leaves that attract them (walk_list.comp). On a software driver, each tree
+// has a separate dispatch, so that no invocation exceeds the driver's limit of loop iterations.
 //
-// Cost for 131,072 bodies in a Plummer sphere at opening 0.6, counted in the CPU reference: a group of 64
-// visits 4142 nodes, evaluates 1700 of them as multipoles (66 operations per body) and opens 373 leaves (8
-// x 33 operations per body). With the visits shared that is 0.21e6 operations per body; in a disk a fifth
-// of that. Loads per group are 16 bytes per visit, 32 per multipole and 128 per leaf, so 2.6 kB per body
-// from the caches.
+// The cost was counted in the CPU reference for 131,072 bodies in a Plummer sphere with an opening of 0.6:
+// a group of 64 bodies visits 4142 nodes, evaluates 1700 of them as multipoles (66 operations per body) and
+// opens 373 leaves (8 x 33 operations per body). Including the visits, that is 0.21e6 operations per body;
+// in a disk it is a fifth of that. A group loads 16 bytes per visit, 32 per multipole and 128 per leaf,
+// which is 2.6 kB per body from the caches.
 void GravityTree::walk(const gl::Vec4Array& accelerations, int count, float gravity, float softening) {
   if (count <= 0) return;
   const int roots = ceilDivide(count, rootBodies);

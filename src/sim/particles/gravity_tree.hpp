@@ -19,18 +19,18 @@ struct TreeBuild;
 struct TreeWalk;
 struct TreeWalkList;
 
-/// Computes the gravity of many bodies in O(N log N) on the device, without readback. Bodies are sorted
-/// along a Hilbert curve and divided into leaves of 8 below pointerless binary trees
+/// Computes the gravity of many bodies in O(N log N) on the GPU, without readback. Bodies are sorted along
+/// a Hilbert curve and divided into leaves of 8 bodies below pointerless binary trees
 /// (glsl/particles/tree/types.glsl). A node far from a group of 64 neighbouring bodies acts through its
-/// mass and second moments. The result is bit-identical on every run and, in exact mode, on every device
+/// mass and second moments. The result is bit-identical in every run and, in exact mode, on every device
 /// and in the CPU reference.
 ///
 /// Ignores bodies with coordinates beyond 1e18 m, with NaN, or with a mass outside 1e-30..1e30 kg: they
-/// attract nothing and get zero acceleration. The sum of the masses must stay below 1e30 kg.
+/// attract nothing and their acceleration is zero. The sum of the masses must be below 1e30 kg.
 class GravityTree {
  public:
-  /// Allocates buffers for up to `capacity` bodies, about 75 bytes each. `fast` permits built-in arithmetic
-  /// instead of bit-exact functions. Throws UserError(device), naming the device's limit.
+  /// Allocates buffers for up to `capacity` bodies, about 75 bytes per body. `fast` permits built-in
+  /// arithmetic instead of bit-exact functions. Throws UserError(device), naming the device's limit.
   GravityTree(const std::string& name, int capacity, bool fast);
 
   /// Computes a_i = G sum_j m_j d_ij / (|d_ij|^2 + eps^2)^(3/2), d_ij from i to j, for the bodies
@@ -49,8 +49,8 @@ class GravityTree {
   void build(const gl::Vec4Array& positions, int count, float opening);
   void walk(const gl::Vec4Array& accelerations, int count, float gravity, float softening);
 
-  /// Node data for tests: two texels per node (mass and spread) and one per node (centre of mass, squared
-  /// opening radius). In each block of 8192 nodes, node 1 is a tree's root.
+  /// Node data for tests: two texels per node (mass and second moments) and one texel per node (centre of
+  /// mass, squared opening radius). In each block of 8192 nodes, node 1 is the root of a tree.
   [[nodiscard]] const gl::Vec4Array& moments() const { return moments_; }
   [[nodiscard]] const gl::Vec4Array& cells() const { return cells_; }
 
@@ -61,7 +61,7 @@ class GravityTree {
   std::string name_;
   int capacity_;
   int box_ = 0;            ///< index of the pair of corners that bounds all bodies
-  gl::Vec4Array corners_;  ///< pairs of corners (min, max) of all reduction levels
+  gl::Vec4Array corners_;  ///< corners (minimum, maximum) of the boxes of all reduction levels
   gl::Vec4Array bodies_;   ///< sorted bodies
   gl::Vec4Array boxes_;    ///< bounding boxes of nodes, two texels each
   gl::Vec4Array cells_;    ///< centres of mass and opening radii of nodes, one texel each
@@ -75,12 +75,13 @@ class GravityTree {
   gl::Kernel<TreeWalkList> walkList_;
 };
 
-/// Returns 1/opening for the kernels, at least 0.87 (opening 1.15). With a smaller value a node could
-/// represent bodies of its own group, because half the diagonal of a cube is 0.866 times its side.
+/// Returns 1/opening for the kernels, at least 0.87 (opening 1.15). With a smaller value, a node could
+/// represent bodies of the group that it attracts, because half the diagonal of a cube is 0.866 times its
+/// side.
 [[nodiscard]] float perOpening(float opening);
 
-/// Returns eps^2 in m^2 for the kernels. Never zero, so that the distance of a body to itself causes no
-/// division by zero.
+/// Returns eps^2 in m^2 for the kernels. It is never zero, so that the distance of a body to itself causes
+/// no division by zero.
 [[nodiscard]] float softeningSquare(float softening);
 
 }  // namespace simreel::sim

@@ -5,7 +5,7 @@
 
 namespace simreel::sim {
 
-/// Inputs that all particle kernels share (glsl/particles/kernel.glsl).
+/// Part of a kernel interface: inputs common to all particle kernels (glsl/particles/kernel.glsl).
 struct ParticlePart {
   gl::Block<"StepBlock", shader::ParticleStep> step;
   TouchPart touch;
@@ -32,7 +32,7 @@ struct ParticleKick {
   gl::InOut<"accelerations"> accelerations;
 };
 
-/// Substep of mutually attracting particles up to the second kick.
+/// Kernel for a substep of mutually attracting particles, up to the second kick.
 struct ParticleDrift {
   static constexpr auto file = "particles/drift.comp";
   using Variant = ParticleSolids;
@@ -40,7 +40,7 @@ struct ParticleDrift {
   gl::InOut<"accelerations"> accelerations;
 };
 
-/// Whole substep of particles that do not attract each other.
+/// Kernel for a whole substep of particles that do not attract each other.
 struct ParticleWhole {
   static constexpr auto file = "particles/step.comp";
   struct Variant {

@@ -38,11 +38,11 @@ void includeFile(std::optional<scene::Box>& box, const ParticleGroup& group) {
     ParticleCloud cloud = readParticles(group.file, group.totalMass, most);
     placeGroup(cloud, group);
     for (const glm::vec4& particle : cloud.positions) scene::include(box, glm::vec3(particle));
-  } catch (const UserError&) {  // the simulation's constructor reports the error
+  } catch (const UserError&) {  // the constructor of the simulation reports the error
   }
 }
 
-/// Includes the initial extent of a group; its later motion is unpredictable.
+/// Extends the box by the initial extent of a group. The group's later motion is unpredictable.
 void includeGroup(std::optional<scene::Box>& box, const ParticleGroup& group) {
   using Shape = ParticleGroup::Shape;
   if (group.shape == Shape::file) return includeFile(box, group);
@@ -54,8 +54,8 @@ void includeGroup(std::optional<scene::Box>& box, const ParticleGroup& group) {
   includeBall(box, group.position, half);
 }
 
-/// Includes the flight of the particles over one lifetime, without damping and attraction, and the widening
-/// of their velocity cone.
+/// Extends the box by the flight of the particles over one lifetime, without damping and attraction, and by
+/// the widening of their velocity cone.
 void includeEmitter(std::optional<scene::Box>& box, const Emitter& emitter, const glm::vec3& acceleration) {
   constexpr int looks = 16;
   const float apart = std::min(emitter.spread / 57.29578F, 1.0F);
@@ -289,7 +289,7 @@ std::optional<float> ParticleParameters::footing() const {
 std::optional<scene::Box> ParticleParameters::framed() const {
   std::optional<scene::Box> box;
   for (const ParticleGroup& group : groups) includeGroup(box, group);
-  // Falling particles stay visible: down to y = 0 or, if they start below, by the width of the cloud.
+  // Falling particles stay visible down to y = 0 or, if they start below, down by the width of the cloud.
   if (box && acceleration.at(0).y < 0) {
     const glm::vec3 extent = box->max - box->min;
     box->min.y = box->min.y > 0 ? 0.0F : box->min.y - std::max(extent.x, extent.z);

@@ -21,23 +21,25 @@ namespace simreel::shader {
 
 namespace simreel::sim {
 
-/// Cloud of particles that exists from the start.
+/// Cloud of particles that exists from the start of the run.
 struct ParticleGroup {
   enum class Shape { ball, cube, plummer, disk, file };
   Shape shape = Shape::ball;
   int count = 1024;     ///< number of particles; ignored for a file
-  float radius = 1.0F;  ///< metres: radius of the ball, half the cube's side, Plummer scale radius a, or
-                        ///< the disk's scale length
-  float thickness = 0.05F;     ///< disk: scale height as a fraction of radius
-  float totalMass = 1.0F;      ///< mass in kg that the particles share equally
-  float centralMass = 0.0F;    ///< kg; mass of an additional particle in the centre (a disk's bulge); 0:
-                               ///< none
-  float speed = 0.0F;          ///< m/s; random velocity in a ball or cube; plummer and disk start in
-                               ///< equilibrium
-  float spin = 0.0F;           ///< rad/s about the group's own y axis, for ball and cube
+  float radius = 1.0F;  ///< radius of the ball, half the cube's side, Plummer scale radius a, or the disk's
+                        ///< scale length, in metres
+  float thickness = 0.05F;     ///< scale height of a disk as a fraction of `radius`
+  float totalMass = 1.0F;      ///< total mass in kg; each particle gets an equal part of it
+  float centralMass = 0.0F;    ///< mass in kg of an additional particle in the centre (a disk's bulge); 0
+                               ///< for none
+  float speed = 0.0F;          ///< magnitude in m/s of a random velocity in a ball or cube; a Plummer
+                               ///< sphere or disk starts in equilibrium
+  float spin = 0.0F;           ///< angular velocity in rad/s about the group's local y axis, for a ball or
+                               ///< cube
   glm::vec3 position{0};       ///< centre in metres
   glm::vec3 velocity{0};       ///< velocity of the whole group in m/s
-  glm::vec3 rotation{0};       ///< degrees about x, then y, then z; disks lie in the xz plane
+  glm::vec3 rotation{0};       ///< rotation in degrees about x, then y, then z; without rotation, disks are
+                               ///< in the xz plane
   std::filesystem::path file;  ///< CSV file (first line names x,y,z[,vx,vy,vz][,mass]) or PLY file
   void describe(scene::Fields& fields);
 };
@@ -47,8 +49,8 @@ struct Emitter : shader::EmitterConstants {
   float rate = 1000.0F;                                      ///< number of particles per second
   scene::Animated<glm::vec3> position = glm::vec3(0);        ///< position in metres
   scene::Animated<glm::vec3> velocity = glm::vec3(0, 3, 0);  ///< mean initial velocity in m/s
-  float spread = 20.0F;                                      ///< degrees; half the angle of the velocity
-                                                             ///< cone
+  float spread = 20.0F;                                      ///< half the angle of the velocity cone in
+                                                             ///< degrees
   float from = 0.0F, until = 1e9F;                           ///< times in seconds at which the emitter
                                                              ///< starts and stops
   void describe(scene::Fields& fields);
@@ -56,7 +58,7 @@ struct Emitter : shader::EmitterConstants {
 
 /// Curl noise: a divergence-free velocity field.
 struct Turbulence : shader::TurbulenceConstants {
-  float size = 1.0F;   ///< metres; size of the swirls
+  float size = 1.0F;   ///< size of the swirls in metres
   float speed = 0.3F;  ///< speed in m/s at which the field drifts
 };
 
@@ -69,10 +71,15 @@ struct Attractor {
 /// Wind that carries the particles along.
 struct ParticleWind {
   std::string fluid;  ///< name of the fluid whose flow is the wind
-  float drag = 4;     ///< rate in 1/s at which velocity approaches the wind's
+  float drag = 4;     ///< rate in 1/s at which the velocity approaches that of the wind
 };
 
-enum class GravityMethod { none, allPairs, tree };  ///< named "none", "all-pairs" and "tree" in scenes
+enum class GravityMethod {
+  none,
+  allPairs,
+  tree
+};  ///< the names in scenes are "none", "all-pairs" and
+    ///< "tree"
 
 struct ParticleParameters : ObjectParameters, HasColorRange, TouchesMeshes, shader::ParticleConstants {
   std::vector<ParticleGroup> groups;
@@ -80,14 +87,14 @@ struct ParticleParameters : ObjectParameters, HasColorRange, TouchesMeshes, shad
   GravityMethod method = GravityMethod::allPairs;
   float gravity = 0.01F;   ///< gravitational constant G in m^3/(kg s^2)
   float softening = 0.1F;  ///< softening length eps in metres
-  float opening = 0.5F;    ///< for "tree": maximum angle (rad) at which a cell counts as one body
+  float opening = 0.5F;    ///< for "tree": maximum angle (rad) under which a cell counts as one body
   std::optional<Attractor> attractor;
   scene::Animated<glm::vec3> acceleration = glm::vec3(0);  ///< uniform acceleration in m/s^2
   Turbulence turbulence;
   int substeps = 1;
   bool collides = false;
   std::optional<ParticleWind> wind;
-  std::string walls;           ///< name of the solid whose walls the particles collide with; empty: none
+  std::string walls;           ///< name of the solid whose walls the particles collide with; empty if none
   std::string cloths = "all";  ///< cloths in contact to collide with: "all", "none", or a name
 
   std::optional<TrailParameters> trails;
@@ -100,7 +107,7 @@ struct ParticleParameters : ObjectParameters, HasColorRange, TouchesMeshes, shad
   float massExponent = 0.0F;
   Instances::ColorBy colorBy = Instances::ColorBy::material;
   glm::vec2 colorRange{0, 1};
-  AutoEnds autoColors;            ///< ends of `colorRange` that a first run measures
+  AutoEnds autoColors;            ///< states which ends of `colorRange` a first run measures
   std::vector<glm::vec3> colors;  ///< linear RGB stops of the colour map
   bool additive = false;
   float brightness = 1.0F;
@@ -109,7 +116,8 @@ struct ParticleParameters : ObjectParameters, HasColorRange, TouchesMeshes, shad
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] std::optional<scene::Box> framed() const override;
-  /// Infinite if the particles of all emitters fall: the ground is then where other objects stand.
+  /// Returns infinity if emitters exist and all their particles fall; the ground is then where other
+  /// objects stand.
   [[nodiscard]] std::optional<float> footing() const override;
   [[nodiscard]] Looks looks() const override { return additive ? Looks::shining : Looks::solid; }
   [[nodiscard]] bool wanders() const override { return true; }
@@ -122,12 +130,12 @@ struct ParticleParameters : ObjectParameters, HasColorRange, TouchesMeshes, shad
     return bytes;
   }
   [[nodiscard]] double touchMargin() const override { return collides ? margin : -1; }
-  /// Returns the rate in 1/s at which particles lose velocity relative to the surroundings: damping plus
-  /// wind drag.
+  /// Returns the rate in 1/s at which particles lose velocity relative to their surroundings: damping plus
+  /// drag of the wind.
   [[nodiscard]] float slowing() const { return damping + (wind ? wind->drag : 0.0F); }
   [[nodiscard]] bool meetsCloths() const { return collides && cloths != "none"; }
   /// Returns a copy with `contactSubsteps` substeps per frame if the particles collide with cloths; 0 keeps
-  /// the own number.
+  /// the number of the parameters.
   [[nodiscard]] ParticleParameters inStep(int contactSubsteps) const;
 
  private:

@@ -27,8 +27,8 @@ namespace {
 
 constexpr int maxAnywhere = 1 << 26;
 
-/// Returns the maximum number of particles for the current device: limited by one array's size and by one
-/// dispatch of workgroups of 64.
+/// Returns the maximum number of particles for the current device. It is limited by the size of one array
+/// and by one dispatch of workgroups of 64.
 int maxParticles() {
   constexpr std::int64_t bytes = sizeof(glm::vec4);
   std::int64_t max = gl::limits().storageBlockBytes / bytes;
@@ -286,8 +286,8 @@ class Particles : public Simulation, public LockStep {
     return instances;
   }
 
-  /// Returns the mass of a particle of nominal size, taken from the first group, else from the first
-  /// emitter.
+  /// Returns the mass of a particle that is drawn in the nominal size. It is taken from the first group, or
+  /// if there is none, from the first emitter.
   [[nodiscard]] float massReference() const {
     const ParticleParameters& p = plan_.parameters();
     if (p.groups.empty()) return p.emitters.empty() ? 1.0F : p.emitters.front().mass;
@@ -298,12 +298,13 @@ class Particles : public Simulation, public LockStep {
   std::string name_;
   scene::Material material_;
   ParticlePlan plan_;
-  gl::Vec4Array positions_[2];  ///< current positions; in contact with cloth also the substep's result
+  gl::Vec4Array positions_[2];  ///< current positions; for particles in contact with cloth, also the
+                                ///< positions after the substep
   gl::Vec4Array velocities_, accelerations_;
-  gl::Buffer savedAccelerations_;  ///< for particles in contact: accelerations before the frame
+  gl::Buffer savedAccelerations_;  ///< for particles in contact: accelerations at the start of the frame
   int next_ = 0;                   ///< index into positions_ of the array that kernels read and write
-  bool inContact_ = false;         ///< true if in contact with cloth
-  bool settles_ = false;           ///< true if there is anything else to collide with
+  bool inContact_ = false;         ///< true if the particles collide with cloths
+  bool settles_ = false;           ///< true if the particles collide with other objects
   gl::Buffer status_;
   StepBlocks<shader::ParticleStep> steps_;
   std::vector<shader::ParticleStep> stepsOfFrame_;
@@ -316,9 +317,9 @@ class Particles : public Simulation, public LockStep {
   gl::Kernel<ParticleKick> kick_;
   PairGravity pairs_;
   std::optional<GravityTree> tree_;
-  std::unique_ptr<ParticleTrails> trails_;  ///< null without trails
-  MovingPoints moving_;                     ///< for objects that draw the velocities
-  std::vector<glm::vec3> colors_;           ///< default colour map if the parameters have none
+  std::unique_ptr<ParticleTrails> trails_;  ///< null if there are no trails
+  MovingPoints moving_;                     ///< outlet for objects that draw the velocities
+  std::vector<glm::vec3> colors_;           ///< default colour map, used if the parameters have none
   bool primed_ = false;
 };
 

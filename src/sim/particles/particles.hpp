@@ -3,8 +3,8 @@
 
 namespace simreel::sim {
 
-/// Returns the simulation kind "particles": N-body particles, fields and emitters on the GPU, integrated by
-/// leapfrog, 48 bytes per particle.
+/// Returns the simulation kind "particles": N-body particles, force fields and emitters on the GPU,
+/// integrated by leapfrog, with 48 bytes per particle.
 [[nodiscard]] SimulationKind particlesKind();
 
 }  // namespace simreel::sim

@@ -26,7 +26,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Returns the maximum number of slots that an emitter can need at the same time.
+/// Returns the maximum number of slots that an emitter uses at any time.
 double ringSize(const Emitter& emitter) {
   return std::ceil(static_cast<double>(emitter.rate) * emitter.lifetime *
                    (1.0 + emitter.lifetimeVariation)) +
@@ -75,7 +75,8 @@ int ParticlePlan::groupCount(std::size_t group) const {
   return g.shape == ParticleGroup::Shape::file ? static_cast<int>(files_[group].positions.size()) : g.count;
 }
 
-/// Returns the masses at the centre of a group, within a hundredth of its radius.
+/// Returns the masses at the centre of a group, which are at most a hundredth of the group's radius away
+/// from it.
 std::vector<Companion> ParticlePlan::companionsOf(std::size_t group) const {
   const ParticleGroup& disk = parameters_.groups[group];
   const auto near = [&](const glm::vec3& position) {
@@ -133,7 +134,7 @@ shader::ParticleFields ParticlePlan::fields(double time) const {
   f.acceleration = glm::vec4(p.acceleration.at(time), 0.0F);
   if (p.attractor)
     f.attractor = glm::vec4(p.attractor->position.at(time), p.gravity * p.attractor->mass.at(time));
-  // The field drifts along a fixed direction that is not a coordinate axis.
+  // The noise field drifts along a fixed direction that is not a coordinate axis.
   const glm::dvec3 way = glm::dvec3(0.36, 0.48, 0.8) * (p.turbulence.speed * time);
   f.turbulenceDrift = glm::vec4(way.x, way.y, way.z, 0);
   return f;
@@ -195,17 +196,18 @@ std::vector<shader::ParticleStep> ParticlePlan::frame(double time) {
 void ParticlePlan::births(shader::EmitterStep& s, const Emitter& emitter, Ring& ring, double start,
                           double end) const {
   if (!ring.started) {
-    // "from": 0 means from the start of the run, pre-roll included.
+    // If "from" is 0, the emitter starts at the start of the run, including the pre-roll.
     ring.begin = emitter.from > 0 ? std::max<double>(emitter.from, start) : start;
     ring.started = true;
   }
   const auto rate = static_cast<double>(emitter.rate);
   const double until = std::min<double>(end, emitter.until);
-  // Particle n, counted from 0, is born at begin + (n + 1) / rate. The 1e-6 keeps rounding from losing the
-  // last particle of a whole number of periods.
+  // Particle n, counted from 0, is born at begin + (n + 1) / rate. The tolerance 1e-6 ensures that rounding
+  // does not lose the last particle of a whole number of periods.
   const auto due = std::max(
       ring.born, static_cast<long long>(std::floor(rate * std::max(until - ring.begin, 0.0) + 1e-6)));
-  // If more are due than the ring holds, all but the last ones have already died at the end of the substep.
+  // If more births are due than the ring has slots, all but the last of these particles have already died
+  // at the end of the substep.
   const auto newborns = static_cast<int>(std::min<long long>(due - ring.born, ring.size));
   const long long first = due - newborns;
   const double birth = ring.begin + static_cast<double>(first + 1) / rate;
@@ -213,7 +215,7 @@ void ParticlePlan::births(shader::EmitterStep& s, const Emitter& emitter, Ring& 
   s.positionBefore = glm::vec4(emitter.position.at(start), 0);
   s.velocity = glm::vec4(emitter.velocity.at(end), 0);
   s.velocityBefore = glm::vec4(emitter.velocity.at(start), 0);
-  // 1 - cos(a) = 2 sin^2(a / 2), which is exactly 0 without spread.
+  // The expression 1 - cos(a) = 2 sin^2(a / 2) is exactly 0 if there is no spread.
   const float half = shader::exactSin(emitter.spread * 0.00872664626F);
   s.coneHeight = 2.0F * half * half;
   s.birthInterval = static_cast<float>(1 / rate);

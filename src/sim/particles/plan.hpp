@@ -12,16 +12,16 @@ namespace simreel::sim {
 
 struct Companion;
 
-/// State of particles at one time. Positions: xyz in m, w the mass in kg (0: not alive). Velocities: xyz in
-/// m/s, w the age from 0 to 1 (negative: not alive).
+/// State of particles at one time. Positions: xyz in m, w the mass in kg (0 if not alive). Velocities: xyz
+/// in m/s, w the age as a fraction of life from 0 to 1 (negative if not alive).
 struct ParticleCloud {
   std::vector<glm::vec4> positions;
   std::vector<glm::vec4> velocities;
 };
 
-/// Everything about a particle simulation that the CPU decides: the initial state and the uniform data of
-/// each substep. The GPU simulation and its CPU reference share it. After the start its cost does not
-/// depend on the number of particles.
+/// The part of a particle simulation that the CPU computes: the initial state and the uniform data of each
+/// substep. The GPU simulation and its CPU reference both use it. After the start, the cost does not depend
+/// on the number of particles.
 class ParticlePlan {
  public:
   /// Reads the groups' files. Throws UserError(usage) for a file without usable particles, for more than
@@ -30,14 +30,15 @@ class ParticlePlan {
   ParticlePlan(ParticleParameters parameters, int seed, double frameSeconds, int maxParticles = 1 << 24,
                const std::vector<ColliderShape>& colliders = {});
 
-  /// Returns the number of slots: the groups' particles in order, then a ring buffer of slots for each
-  /// emitter.
+  /// Returns the number of slots: the particles of all groups in order, followed by a ring buffer of slots
+  /// for each emitter.
   [[nodiscard]] int count() const { return count_; }
-  /// Returns the number of equal particles in a group, without its central particle.
+  /// Returns the number of particles in a group that have equal mass, that is, without the central
+  /// particle.
   [[nodiscard]] int groupCount(std::size_t group) const;
-  /// Returns the initial state: the groups' particles, then empty slots for the emitters.
+  /// Returns the initial state: the particles of the groups, followed by empty slots for the emitters.
   [[nodiscard]] ParticleCloud firstCloud() const;
-  /// Returns the greatest speed at the start in m/s: of the first cloud and of what emitters emit.
+  /// Returns the maximum initial speed in m/s of the first cloud and of emitted particles.
   [[nodiscard]] float fastestAtStart(const ParticleCloud& cloud) const;
   /// Returns the description of the particles for contact with cloths.
   [[nodiscard]] ContactPart contactPart() const;
@@ -67,7 +68,7 @@ class ParticlePlan {
     int first = 0;
     int size = 0;
     long long born = 0;    ///< number of particles born so far
-    double begin = 0;      ///< seconds; earliest time of the first birth
+    double begin = 0;      ///< time in seconds from which births are counted
     bool started = false;  ///< true once `begin` is set
   };
 
@@ -80,7 +81,7 @@ class ParticlePlan {
   int seed_;
   double substepSeconds_;
   ColliderPlan colliders_;
-  std::vector<ParticleCloud> files_;  ///< content of each group's file; empty for other groups
+  std::vector<ParticleCloud> files_;  ///< content of each group's file; empty for groups without a file
   std::vector<Ring> rings_;
   int count_ = 0;
   int done_ = 0;  ///< number of substeps so far

@@ -11,10 +11,10 @@ namespace simreel::sim {
 
 namespace {
 
-// The functions below use only +, -, *, / and sqrt of doubles, which IEEE 754 defines exactly. The initial
-// state therefore has the same bits on every machine.
+// The functions below use only +, -, *, / and sqrt of doubles, which IEEE 754 defines exactly, so the
+// initial state has the same bits on every machine.
 
-/// Returns the natural logarithm: x = m 2^e, ln m = 2 (z + z^3/3 + z^5/5 + ...), z = (m-1)/(m+1).
+/// Returns the natural logarithm. For x = m 2^e, ln m = 2 (z + z^3/3 + z^5/5 + ...) with z = (m-1)/(m+1).
 double logarithm(double x) {
   int exponent = 0;
   double m = std::frexp(x, &exponent);
@@ -45,7 +45,7 @@ double cubeRoot(double x) {
   return y;
 }
 
-/// Random number sequence of one particle.
+/// Sequence of random numbers of one particle.
 class Draws {
  public:
   Draws(int particle, int group, int seed)
@@ -82,8 +82,8 @@ struct Body {
   glm::dvec3 velocity{0};
 };
 
-/// Returns a particle of a uniform ball or cube that spins about y, with a velocity of magnitude `speed` in
-/// a random direction.
+/// Returns a particle of a uniform ball or cube that spins about y. A velocity of magnitude `speed` in a
+/// random direction is added.
 Body looseBody(const ParticleGroup& g, Draws& draws) {
   Body body;
   const double r = g.radius;
@@ -99,11 +99,11 @@ Body looseBody(const ParticleGroup& g, Draws& draws) {
   return body;
 }
 
-/// Returns a particle of Plummer's model (Aarseth, Henon and Wielen 1974). The radius inverts M(r). The
-/// velocity as a fraction q of the escape velocity has the density q^2 (1 - q^2)^(7/2), which is always
-/// below 0.1, and is sampled by rejection.
+/// Returns a particle of Plummer's model (Aarseth, Henon and Wielen 1974). The radius is the inverse of the
+/// cumulative mass M(r). The velocity, as a fraction q of the escape velocity, has the density q^2 (1 -
+/// q^2)^(7/2), which is always below 0.1 and is sampled by rejection.
 Body plummerBody(const ParticleGroup& g, double gm, Draws& draws) {
-  const double fraction = draws.unit() * 0.999;  // limits radii to 39 times the scale radius a
+  const double fraction = draws.unit() * 0.999;  // limits the radius to 39 times the scale radius a
   const double root = cubeRoot(fraction);
   const double r = g.radius / std::sqrt(1 / (root * root) - 1);
   double q = 0;
@@ -121,14 +121,15 @@ Body plummerBody(const ParticleGroup& g, double gm, Draws& draws) {
   return body;
 }
 
-/// Circular motion in an exponential disk around a softened central mass; lengths in m.
+/// Circular motion in an exponential disk around a softened central mass. Lengths are in metres.
 struct DiskModel {
   double scale, gmDisk, gmCentre, softeningSquared;
   double gravity;
   std::span<const Companion> companions;
 
-  /// Returns v^2 = G M(<R) R^2 / (R^2 + eps^2)^(3/2), where M is the central mass plus the disk's mass
-  /// within R, treated as spherical. Each companion adds G M R^2 / (R^2 + a^2 + eps^2)^(3/2).
+  /// Returns the squared circular speed v^2 = G M(<R) R^2 / (R^2 + eps^2)^(3/2) at the radius R, where
+  /// M(<R) is the central mass plus the disk's mass within R, which is treated as spherical. Each companion
+  /// of mass M and scale radius a adds G M R^2 / (R^2 + a^2 + eps^2)^(3/2).
   [[nodiscard]] double speedSquared(double radius) const {
     const double x = radius / scale;
     const double within = gmDisk * (1 - (1 + x) * exponential(-x)) + gmCentre;
@@ -140,7 +141,7 @@ struct DiskModel {
     }
     return sum;
   }
-  /// Returns the squared epicyclic frequency kappa^2 = R^-3 d(R^2 v^2)/dR.
+  /// Returns the squared epicyclic frequency kappa^2 = R^-3 d(R^2 v^2)/dR at the radius R.
   [[nodiscard]] double epicyclicSquared(double radius) const {
     const double h = 1e-3 * radius;
     const double above = (radius + h) * (radius + h) * speedSquared(radius + h);
@@ -149,9 +150,10 @@ struct DiskModel {
   }
 };
 
-/// Returns a particle of a disk with the surface density exp(-R/Rd) and the vertical profile sech^2(z/z0).
-/// The velocity dispersion gives Toomre's Q = 1.2, limited to 0.3 of the circular speed; the mean rotation
-/// is reduced by the asymmetric drift (Binney and Tremaine 2008, 4.228).
+/// Returns a particle of a disk with the surface density exp(-R/Rd) and the vertical profile sech^2(z/z0),
+/// where Rd is the scale length and z0 the scale height. The velocity dispersion is chosen such that
+/// Toomre's Q is 1.2, but at most 0.3 times the circular speed. The mean rotation is reduced by the
+/// asymmetric drift (Binney and Tremaine 2008, 4.228).
 Body diskBody(const ParticleGroup& g, const DiskModel& disk, double gravity, Draws& draws) {
   double radius = 0;
   do {
@@ -227,7 +229,7 @@ ParticleCloud startGroup(const ParticleGroup& g, int groupIndex, int seed, float
 }
 
 void placeGroup(ParticleCloud& cloud, const ParticleGroup& group) {
-  // exactCos(0) is 1 - 1.2e-7, so an unrotated group skips the rotation to keep its bits.
+  // exactCos(0) is 1 - 1.2e-7, so a group without rotation skips this step to keep its bits.
   const bool turned = group.rotation != glm::vec3(0);
   const glm::mat3 turn = turned ? glm::mat3(rotationMatrix(group.rotation)) : glm::mat3(1.0F);
   for (glm::vec4& p : cloud.positions) p = glm::vec4(turn * glm::vec3(p) + group.position, p.w);

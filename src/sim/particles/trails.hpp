@@ -16,17 +16,17 @@ namespace simreel::sim {
 /// Parameters of the trails that particles draw.
 struct TrailParameters {
   int frames = 30;      ///< number of earlier frames in a trail
-  float width = 0.02F;  ///< diameter in metres at the particle
-  int every = 1;        ///< draws the trail of every n-th particle
-  float fade = 0.8F;    ///< fraction by which the colour is darker at the end
+  float width = 0.02F;  ///< diameter of the trail at the particle, in metres
+  int every = 1;        ///< n: only every n-th particle has a trail
+  float fade = 0.8F;    ///< fraction by which the colour is darkened at the end of the trail
 
   void describe(scene::Fields& fields);
 };
 
-/// Largest number of points of all trails of one object.
+/// Maximum number of points in all trails of one object.
 inline constexpr int mostTrailPoints = 1 << 18;
 
-/// Inputs of glsl/particles/trails/record.comp.
+/// Interface of glsl/particles/trails/record.comp.
 struct RecordTrail {
   static constexpr auto file = "particles/trails/record.comp";
   gl::Uniform<"count", int> count;
@@ -38,7 +38,7 @@ struct RecordTrail {
   gl::Out<"history"> history;
 };
 
-/// Inputs of glsl/particles/trails/gather.comp.
+/// Interface of glsl/particles/trails/gather.comp.
 struct GatherTrail {
   static constexpr auto file = "particles/trails/gather.comp";
   gl::Uniform<"count", int> count;
@@ -56,19 +56,20 @@ struct GatherTrail {
   gl::Out<"SpanBlock"> spans;
 };
 
-/// Trails of particles: tubes through the places of the latest frames.
+/// Trails of particles: tubes through the particles' positions in the latest frames.
 class ParticleTrails {
  public:
-  /// `look`: colours of the particles. Throws UserError(usage) for too many points.
+  /// `look` gives the colours of the particles. Throws UserError(usage) for too many points.
   ParticleTrails(const std::string& name, const TrailParameters& parameters, int particles,
                  const Instances& look, const scene::Material& material, bool fast);
 
-  /// Adds the places of a finished frame.
+  /// Adds the positions of a finished frame.
   void record(const gl::Vec4Array& positions, const gl::Vec4Array& velocities);
-  /// Makes the tubes of the present frame and returns them; the pointers are valid as long as this object.
+  /// Computes the tubes of the current frame and returns them as a surface, whose pointers are valid while
+  /// this object exists.
   [[nodiscard]] Surface surface(const gl::Vec4Array& positions, const gl::Vec4Array& velocities);
   void carryOver(CarryOver& carry);
-  /// Reads the tubes back, as surface() made them last.
+  /// Reads back the tubes of the last call of surface().
   [[nodiscard]] MeshTable table() const { return tubes_.table(); }
 
  private:
@@ -79,8 +80,8 @@ class ParticleTrails {
   int count_ = 0, room_ = 0;
   int slot_ = -1;          ///< slot of the latest frame in history_
   int recorded_ = 0;       ///< number of frames in history_
-  bool made_ = false;      ///< true if the tubes show the latest frame
-  gl::Vec4Array history_;  ///< per trail a ring of frames: x, y, z: place in metres; w: age
+  bool made_ = false;      ///< true if the tubes belong to the latest frame
+  gl::Vec4Array history_;  ///< for each trail a ring buffer of frames: xyz position in metres; w age
   gl::Vec4Array points_;
   gl::Buffer spans_;
   Tubes tubes_;

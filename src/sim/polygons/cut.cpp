@@ -19,7 +19,7 @@ double doubleArea(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Polygon projected to 2D, counter-clockwise; the remaining corners form a linked ring.
+/// Polygon projected to 2D, counter-clockwise. The corners that have not been cut off form a linked ring.
 class EarRing {
  public:
   EarRing(const glm::dvec3& normal, std::span<const glm::vec3> corners) : left_(corners.size()) {
@@ -43,8 +43,8 @@ class EarRing {
   [[nodiscard]] unsigned before(unsigned i) const { return before_[i]; }
   [[nodiscard]] bool convex() const { return hollows_.empty(); }
 
-  /// True if a corner's triangle contains no other corner (ear). Adds the number of tested corners to
-  /// `tests`.
+  /// Returns true if the triangle at a corner contains no other corner, so that it can be cut off (ear).
+  /// Adds the number of tested corners to `tests`.
   bool isEar(unsigned i, std::uint64_t& tests) {
     if (hollow_[i]) return false;
     const unsigned a = before_[i], c = next_[i];
@@ -52,7 +52,7 @@ class EarRing {
     bool ear = true;
     for (std::size_t k = 0; k < hollows_.size(); ++k) {
       const unsigned other = hollows_[k];
-      if (!hollow_[other]) continue;  // skips corners that are cut off or no longer concave
+      if (!hollow_[other]) continue;  // skips corners that were cut off or are no longer concave
       hollows_[kept++] = other;
       ++tests;
       if (other == a || other == c || !ear) continue;
@@ -76,8 +76,8 @@ class EarRing {
   [[nodiscard]] double turnAt(unsigned i) const {
     return doubleArea(flat_[before_[i]], flat_[i], flat_[next_[i]]);
   }
-  /// True if p lies within the triangle or on its edges but on none of its corners; polygons with holes
-  /// touch themselves there.
+  /// Returns true if p is inside the triangle or on its edges but not at a corner. Polygons with holes
+  /// touch themselves at corners.
   static bool inside(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
     if (p == a || p == b || p == c) return false;
     return doubleArea(a, b, p) >= 0 && doubleArea(b, c, p) >= 0 && doubleArea(c, a, p) >= 0;
@@ -87,8 +87,8 @@ class EarRing {
   std::vector<glm::dvec2> flat_;
   std::vector<unsigned> next_, before_;
   std::vector<char> hollow_;       ///< true if the corner is concave or straight
-  std::vector<unsigned> hollows_;  ///< indices of the concave corners; may contain corners that no longer
-                                   ///< are
+  std::vector<unsigned> hollows_;  ///< indices of concave corners; may include corners that are no longer
+                                   ///< concave
 };
 
 }  // namespace
@@ -96,8 +96,8 @@ class EarRing {
 glm::dvec3 polygonNormal(std::span<const glm::vec3> corners) {
   glm::dvec3 sum(0);
   if (corners.empty()) return sum;
-  // Takes positions relative to a corner, because products of large coordinates would cancel: the normal of
-  // a small polygon far from 0 would lose precision.
+  // The positions are relative to a corner, because products of large coordinates would cancel, so that the
+  // normal of a small polygon far from 0 would lose precision.
   const glm::dvec3 origin(corners[0]);
   for (std::size_t i = 1; i + 1 < corners.size(); ++i)
     sum += glm::cross(glm::dvec3(corners[i]) - origin, glm::dvec3(corners[i + 1]) - origin);
@@ -115,7 +115,7 @@ void PolygonCutter::cut(std::span<const glm::vec3> corners,
     cutEars(polygonNormal(corners), corners, triangles);
 }
 
-/// Splits a quad at its concave corner, else at the first.
+/// Splits a quad at its concave corner, or at the first corner if it is convex.
 void PolygonCutter::cutFour(std::span<const glm::vec3> corners,
                             std::vector<std::array<unsigned, 3>>& triangles) const {
   const glm::dvec3 normal = polygonNormal(corners);
@@ -139,14 +139,15 @@ void PolygonCutter::cutEars(const glm::dvec3& normal, std::span<const glm::vec3>
     return;
   }
   unsigned at = 0;
-  std::size_t passed = 0;  // number of corners since the last one that was cut off
+  std::size_t passed = 0;  // number of corners visited since the last one that was cut off
   while (ring.left() > 3) {
     const bool stuck = passed > ring.left();  // the polygon intersects itself or has no area
     if (stuck || ring.isEar(at, tests_)) {
       triangles.push_back({ring.before(at), at, ring.next(at)});
       ring.cutOff(at);
       passed = 0;
-      at = ring.next(ring.next(at));  // skips a corner, because cutting adjacent corners gives thin fans
+      at = ring.next(ring.next(at));  // skips a corner, because cutting off adjacent corners would give
+                                      // thin fans
       continue;
     }
     if (++tests_ > mostTests)

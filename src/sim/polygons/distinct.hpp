@@ -7,12 +7,13 @@
 
 namespace simreel::sim {
 
-/// Assigns keys consecutive numbers from 0 on, in the order of their first use. `Hash` must return 64
-/// well-mixed bits. Open addressing: 4 to 16 bytes per key in addition to the keys.
+/// Assigns consecutive numbers, from 0 on, to keys in the order of their first use. `Hash` must return 64
+/// well-mixed bits. The hash table uses open addressing and takes 4 to 16 bytes per key in addition to the
+/// keys.
 template <class Key, class Hash>
 class Distinct {
  public:
-  /// Returns a key's number and true if it is new.
+  /// Returns a key's number, and true if the key is new.
   std::pair<unsigned, bool> number(const Key& key) {
     if (2 * (keys_.size() + 1) > slots_.size()) grow();
     const std::size_t at = find(key);
@@ -48,7 +49,7 @@ class Distinct {
   std::vector<std::uint32_t> slots_;  ///< hash table; its size is a power of two
 };
 
-/// Hashes 32-bit words to 64 bits (with the finalizer of MurmurHash3, by Appleby).
+/// Computes a 64-bit hash of 32-bit words with the finalizer of MurmurHash3 (by Appleby).
 class WordHash {
  public:
   void add(std::uint32_t word) {

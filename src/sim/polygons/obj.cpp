@@ -53,7 +53,7 @@ class ObjReader {
     throw PolygonProblem(fmt::format("has in line {} {}", first_, why));
   }
 
-  /// Reads the next line together with its continuation lines, without comments.
+  /// Reads the next line together with its continuation lines, and removes comments.
   bool next(std::string_view& line) {
     if (!lines_.next(line)) return false;
     first_ = lines_.number();
@@ -114,7 +114,7 @@ class ObjReader {
     return *value;
   }
 
-  /// Parses the numbers of a line, at least `least` of them; missing ones are 0.
+  /// Parses the numbers of a line, of which there must be at least `least`. Missing numbers are 0.
   template <std::size_t count>
   std::array<float, count> numbers(std::string_view rest, std::size_t least) const {
     std::array<float, count> values{};
@@ -127,7 +127,7 @@ class ObjReader {
     return values;
   }
 
-  /// Parses a position: x y z, optionally a weight, optionally a colour.
+  /// Parses a position: x y z, optionally followed by a weight and a colour.
   void place(std::string_view rest) {
     std::array<float, 7> values{};
     std::size_t found = 0;
@@ -144,8 +144,8 @@ class ObjReader {
     file_.colors.emplace_back(values[found - 3], values[found - 2], values[found - 1]);
   }
 
-  /// Converts a corner's index into a list of `size` items: counted from 1, or backwards from the latest
-  /// item if negative. Indices of items that follow later are checked at the end.
+  /// Converts a corner's index into a list of `size` items, counted from 1, or backwards from the latest
+  /// item if it is negative. Indices of items that follow later are checked at the end.
   int index(std::string_view digits, std::size_t size, const char* what) {
     std::int64_t value = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
@@ -214,8 +214,9 @@ class ObjReader {
     material_ = at->second;
   }
 
-  /// Checks the indices of all corners, because faces may precede the items that they refer to. Missing uvs
-  /// and normals are only reported, because some programs write indices of normals and omit the normals.
+  /// Checks the indices of all corners. This happens at the end, because faces may precede the items that
+  /// they refer to. Missing uvs and normals are only reported, because some programs write indices of
+  /// normals but no normals.
   void checkCorners() {
     if (farthest_.number >= static_cast<int>(file_.places.size()))
       throw PolygonProblem(fmt::format("has in line {} a face with vertex {}, and there are {}",
@@ -235,7 +236,7 @@ class ObjReader {
     if (!file_.colors.empty()) file_.colors.resize(file_.places.size(), glm::vec3(1));
   }
 
-  /// Largest vertex index, and the first line that contains it.
+  /// Maximum vertex index, and the first line that contains it.
   struct Farthest {
     int number = -1;
     std::size_t line = 0;
@@ -247,7 +248,8 @@ class ObjReader {
 
   TextLines lines_;
   std::size_t most_;
-  std::size_t first_ = 0;  ///< number of the current line; with continuation lines, of the first one
+  std::size_t first_ = 0;  ///< number of the current line; if it has continuation lines, number of the
+                           ///< first of them
   std::string joined_;
   ObjFile file_;
   int material_ = -1;

@@ -11,32 +11,32 @@ namespace simreel::sim {
 
 /// Content of a Wavefront OBJ file.
 struct ObjFile {
-  /// Indices into the lists below; -1: none.
+  /// Indices into the lists below, or -1 for none.
   struct Corner {
     int place, uv, normal;
   };
   struct Face {
     std::size_t first;  ///< index of the face's first corner
     unsigned count;
-    int material;     ///< index into the list of material names; -1: none
-    unsigned smooth;  ///< smoothing group; 0: none, so the face is flat
+    int material;     ///< index into the list of material names, or -1 for none
+    unsigned smooth;  ///< smoothing group; 0 for none, in which case the face is flat
   };
   std::vector<glm::vec3> places, normals;
-  std::vector<glm::vec3> colors;  ///< one per position; empty if no position has one
+  std::vector<glm::vec3> colors;  ///< one colour per position; empty if no position has a colour
   std::vector<glm::vec2> uvs;
   std::vector<Corner> corners;
   std::vector<Face> faces;
   std::vector<std::string> materials;  ///< names of materials given by usemtl, in the order of their first
                                        ///< use
-  std::vector<std::string> libraries;  ///< the rest of each mtllib line
+  std::vector<std::string> libraries;  ///< text after the keyword of each mtllib line
   std::vector<std::string> notDrawn;   ///< content that is not drawn, for example "lines (3)"
 };
 
-/// Parses the text of an OBJ (Wavefront, Appendix B1 of the Advanced Visualizer's manual). Comments begin
-/// with '#', also after values; a backslash at a line's end continues the line. Vertex weights w apply only
-/// to curves, so they are ignored. Throws PolygonProblem, naming the line, for malformed or non-finite
-/// numbers, missing vertices, faces with more than maxCorners corners, and more than `most` vertices or
-/// faces.
+/// Parses the text of an OBJ file (Wavefront, Appendix B1 of the Advanced Visualizer's manual). Comments
+/// begin with '#', also after values; a backslash at the end of a line continues the line. Vertex weights w
+/// are ignored, because they apply only to curves. Throws PolygonProblem, naming the line, for malformed or
+/// non-finite numbers, missing vertices, faces with more than maxCorners corners, and more than `most`
+/// vertices or faces.
 [[nodiscard]] ObjFile parseObj(std::string_view text, std::size_t most);
 
 }  // namespace simreel::sim

@@ -56,7 +56,7 @@ std::string whichItem(const PlyElement& element, std::uint64_t item) {
   throw PolygonProblem("is cut off " + whichItem(element, item));
 }
 
-/// Reads the numbers of the text format and tracks line numbers.
+/// Reads the numbers of the text format and counts lines.
 class PlyText {
  public:
   PlyText(std::string_view text, std::size_t linesBefore) : lines_(text), before_(linesBefore) {}
@@ -87,7 +87,7 @@ class PlyText {
   std::size_t before_;
 };
 
-/// Converts a list's length to an integer; throws if it is not a valid count.
+/// Converts the length of a list to an integer. Throws if it is not a valid count.
 std::size_t lengthOf(double count, const PlyElement& element, std::uint64_t item) {
   constexpr double most = 4e9;
   if (!(count >= 0 && count < most) || count != std::floor(count))
@@ -106,8 +106,8 @@ int PlyElement::find(std::initializer_list<std::string_view> names, bool list) c
 }
 
 PlyFile::PlyFile(std::string_view text) : bytes_(text.size()) {
-  // The first line's ending applies to all header lines, because binary data may begin with a byte that
-  // looks like a line ending.
+  // The line ending of the first line applies to all header lines, because binary data may begin with a
+  // byte that looks like a line ending.
   const std::size_t end = text.find_first_of("\r\n");
   const bool macintosh =
       end != std::string_view::npos && text[end] == '\r' && !text.substr(end).starts_with("\r\n");

@@ -10,16 +10,16 @@
 
 namespace simreel::sim {
 
-/// Number type of PLY.
+/// Number type of a PLY file.
 struct PlyType {
   unsigned bytes = 4;
-  char kind = 'f';  ///< kind of number: f float, i signed integer, u unsigned integer
+  char kind = 'f';  ///< kind of number: f for float, i for signed integer, u for unsigned integer
 };
 
 struct PlyProperty {
   std::string name;
   PlyType type;
-  std::optional<PlyType> counts;  ///< for a list: the type of its length
+  std::optional<PlyType> counts;  ///< if the property is a list: type of the list's length
 };
 
 struct PlyElement {
@@ -27,14 +27,14 @@ struct PlyElement {
   std::uint64_t count = 0;
   std::vector<PlyProperty> properties;
 
-  /// Returns the index of the first property with one of the names; -1: none.
+  /// Returns the index of the first property with one of the names, or -1 if there is none.
   [[nodiscard]] int find(std::initializer_list<std::string_view> names, bool list = false) const;
 };
 
 /// Values of one item of an element.
 class PlyItem {
  public:
-  /// Returns the one value of a scalar property, or all values of a list.
+  /// Returns all values of a list, or the single value of a scalar property.
   [[nodiscard]] std::span<const double> list(std::size_t property) const {
     const std::size_t from = property == 0 ? 0 : ends_[property - 1];
     return std::span<const double>(values_).subspan(from, ends_[property] - from);
@@ -47,13 +47,12 @@ class PlyItem {
   std::vector<std::size_t> ends_;  ///< end index of each property's values
 };
 
-/// Reader of PLY files: text, or binary in either byte order (Greg Turk, The PLY Polygon File Format,
-/// 1994). Text is read number by number; the last number of an item must end its line. Throws
+/// Reader of PLY files, either as text or as binary in either byte order (Greg Turk, The PLY Polygon File
+/// Format, 1994). Text is read number by number; the last number of an item must end its line. Throws
 /// PolygonProblem.
 class PlyFile {
  public:
-  /// Reads the header. Throws for an invalid line and for a count that exceeds what the file's bytes can
-  /// hold.
+  /// Reads the header. Throws for an invalid line and for a count that is too large for the file's size.
   explicit PlyFile(std::string_view text);
 
   [[nodiscard]] const std::vector<PlyElement>& elements() const { return elements_; }
@@ -61,7 +60,7 @@ class PlyFile {
 
   /// Callback for each item: the element's index, the item's index, its values.
   using Visit = std::function<void(std::size_t element, std::uint64_t item, const PlyItem& values)>;
-  /// Reads the items in the file's order. Returns the number of bytes after the last one, ignoring blanks.
+  /// Reads the items in file order. Returns the number of bytes after the last item, not counting blanks.
   std::size_t read(const Visit& visit) const;
 
  private:

@@ -23,7 +23,7 @@ std::optional<Number> parsedNumber(std::string_view word) {
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error == std::errc::invalid_argument || end != word.data() + word.size()) return std::nullopt;
   if (error == std::errc()) return value;
-  // Out of range: distinguishes underflow to 0 from overflow.
+  // The number is out of range; this distinguishes underflow to 0 from overflow.
   const auto exponent = word.find_first_of("eE");
   const bool small = exponent == std::string_view::npos ? word.find_first_of("123456789") > word.find('.')
                                                         : word.substr(exponent + 1).starts_with('-');

@@ -10,15 +10,16 @@
 
 namespace simreel::sim {
 
-/// Port of objects that are drawn in colours of a scale: fields, and particles, cloth and points of kernels
-/// with "colorBy".
+/// Port of objects that are drawn in the colours of a scale: fields, and also particles, cloth and points
+/// of kernels if they have "colorBy".
 struct ColorScale {
   static const PortInfo port;
 
   std::vector<glm::vec3> colors;  ///< linear RGB: evenly spaced stops, or one colour per category
   glm::vec2 range{0, 1};          ///< values of the first and the last stop
   bool categories = false;        ///< true if a value is the index of a colour
-  std::vector<std::pair<int, std::string>> classes;  ///< names of the categories to show; empty: of none
+  std::vector<std::pair<int, std::string>> classes;  ///< values and names of the categories to show; empty
+                                                     ///< if none is shown
 };
 
 /// Returns the current scale of the field OBJECT or OBJECT.PART, else of the particles, points or cloth

@@ -6,13 +6,13 @@
 
 namespace simreel::sim {
 
-/// Port of objects that publish a field, and parts of it as OBJECT.PART.
+/// Port of objects that publish a field, named OBJECT, and fields for its parts, named OBJECT.PART.
 struct FieldSource {
   static const PortInfo port;
 };
 
-/// Parameters of objects whose cells are not a grid of the image: vertices of a mesh, or layers of a
-/// volume.
+/// Parameters of objects whose field cells do not form a grid of an image: they are the vertices of a mesh
+/// or the layers of a volume.
 struct OwnCells {
   virtual ~OwnCells() = default;
   /// True if this object can read the fields of `other` cell by cell.
@@ -26,8 +26,8 @@ struct OwnCells {
   OwnCells& operator=(OwnCells&&) = default;
 };
 
-/// Returns the current field with the name OBJECT or OBJECT.PART. Its pointers are valid until its object's
-/// next step. Throws UserError(usage) for an unknown name.
+/// Returns the current field with the name OBJECT or OBJECT.PART. The pointers in it are valid until the
+/// object's next step. Throws UserError(usage) for an unknown name.
 [[nodiscard]] Field fieldNamed(const Links& links, const std::string& name);
 
 }  // namespace simreel::sim

@@ -3,18 +3,18 @@
 
 namespace simreel::sim {
 
-/// Port of objects to collide with: shapes, meshes, bodies, water, cloths in contact. It has no outlet,
-/// because colliders have ports of their own.
+/// Port of objects that others can collide with: shapes, meshes, bodies, water, cloths in contact. It has
+/// no outlet, because colliders have their own ports.
 struct Touchable {
   static const PortInfo port;
 };
 
-/// Port of objects that publish a path (sim/core/path.hpp), which a camera or a light may follow.
+/// Port of objects that publish a path (sim/core/path.hpp) for cameras and lights to follow.
 struct Way {
   static const PortInfo port;
 };
 
-/// Port of every object: its centre, which a camera may look at.
+/// Port of every object for its centre, at which a camera may aim.
 struct Middle {
   static const PortInfo port;
 };

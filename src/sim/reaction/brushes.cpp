@@ -22,9 +22,9 @@ Brush brushAlong(const StrokeWay& way, double radius) {
   return {way.from, way.to, reach * reach, length2 > 0 ? 1.0F / length2 : 0.0F};
 }
 
-// Returns the periodic images of a brush that can reach the volume. A cell is painted if any image covers
-// it. The nearest image is at most half a volume away from the path's point nearest to the cell, so only
-// images within that distance are considered.
+// Returns the periodic images of a brush that can touch the volume. A cell is painted if any of the images
+// covers it. The image nearest to a cell is at most half a volume away from it, so only images within that
+// distance are considered.
 std::vector<Brush> brushImages(const Brush& brush, glm::ivec3 size) {
   const double radius = std::sqrt(static_cast<double>(brush.radius2)) + 0.01;
   const glm::dvec3 sides(size);
@@ -63,8 +63,9 @@ std::vector<StrokeWay> strokeLegs(const StrokeParameters& stroke) {
   return legs;
 }
 
-// Transforms a stroke's path from world space to mesh space (with the mesh's poses at `from` and `to`, in
-// seconds), then to the coordinates of its cells: units of length from the mesh's lowest corner.
+// Transforms a stroke's path from world space to mesh space, with the mesh's poses at `from` and `to`
+// (seconds), and then to the coordinates of the cells, which are in units of length from the mesh's minimum
+// corner.
 Brush ReactionPlan::onMesh(StrokeWay way, float radius, double from, double to) const {
   const auto placed = [&](const glm::vec3& place, double time) {
     const glm::dmat3 turned(rotationMatrix(parameters_.mesh->rotation.at(time)));
@@ -110,7 +111,8 @@ bool ReactionPlan::reaches(const Brush& brush) const {
   });
 }
 
-// Checks the strokes. Strokes on a moving mesh or a periodic volume are not checked for reaching any cell.
+// Checks the strokes. For strokes on a moving mesh or a periodic volume, it is not checked whether they
+// touch a cell.
 void ReactionPlan::checkBrushes(const std::string& object) const {
   const bool torus = !onMesh_ && parameters_.boundary == RuleBoundary::torus;
   const glm::dvec3 sides(parameters_.size, parameters_.depth);

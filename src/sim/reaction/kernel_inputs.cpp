@@ -60,7 +60,7 @@ struct SampleKernel {
 
 namespace {
 
-/// Packs the places in the format of glsl/reaction/sample.comp.
+/// Packs the positions in the format of glsl/reaction/sample.comp.
 std::vector<glm::uvec4> placeWords(const std::vector<glm::ivec2>& places) {
   std::vector<glm::uvec4> words((places.size() + 3) / 4, glm::uvec4(0));
   for (std::size_t i = 0; i < places.size(); ++i)
@@ -99,19 +99,19 @@ void ReactionKernels::setMap(int parameter, const Field& field, int layers) {
          *field.name, field.size.x, field.size.y, maxSampledSide);
   gl::barrier();
   samplerOf(field.cells, layers > 1)
-      .dispatch(
-          {columns_, size_.y * (layers > 1 ? depth_ : 1)},
-          {.field = partOf(field),
-           .size = size_,
-           .columns = columns_,
-           .depth = depth_,
-           .plane = parameter,
-           .fieldLayers = layers,
-           .storedGrain = storedGrain,
-           .byCell = field.size == size_ ? 1 : 0,  // A field of equal size has the same mesh's cells and is
-                                                   // copied cell by cell: a grid never has a single row.
-           .places = places_,
-           .maps = weights_});
+      .dispatch({columns_, size_.y * (layers > 1 ? depth_ : 1)},
+                {.field = partOf(field),
+                 .size = size_,
+                 .columns = columns_,
+                 .depth = depth_,
+                 .plane = parameter,
+                 .fieldLayers = layers,
+                 .storedGrain = storedGrain,
+                 .byCell = field.size == size_ ? 1 : 0,  // A grid never has a single row, so a field of
+                                                         // equal size belongs to the cells of the same mesh
+                                                         // and is copied cell by cell.
+                 .places = places_,
+                 .maps = weights_});
 }
 
 void ReactionKernels::paint(const ReactionPlan::Painted& painted) {

@@ -15,7 +15,8 @@
 
 namespace simreel::sim {
 
-/// One pass of a rule. The generated shader text (reaction/text) reads only some of the members.
+/// Interface of the kernel of one pass of a rule. The generated shader text (reaction/text) reads only some
+/// of the members.
 struct RuleKernel {
   static constexpr auto file = "reaction/rule";
   gl::Uniform<"size", glm::ivec2> size;
@@ -75,14 +76,14 @@ void checkRuleLimits(const std::string& name, const ReactionParameters& p, std::
 /// Maximum number of steps for which lost cells are recorded separately; more than a frame usually has.
 constexpr int lostSteps = 1024;
 
-/// Returns the number of elements across a strip that are stored.
+/// Returns the number of elements across a strip that the strip stores.
 int stripWidth(const RuleCut& cut) {
   const int lanes = gl::memoryPath() == gl::MemoryPath::texel ? 1 : 32;
   return lanes * cut.stripElements - (cut.stepsPerPass + 3) / 4 * 2;
 }
 
-/// Returns the number of rows per strip. Longer strips compute fewer rows twice, but the number of strips
-/// must suffice for the device: some per CPU thread on a software driver, thousands on a GPU.
+/// Returns the number of rows per strip. With longer strips, fewer rows are computed twice, but there must
+/// be enough strips for the device: several per CPU thread on a software driver, thousands on a GPU.
 int stripRowsFor(const RuleCut& cut, int columns, int rows) {
   const bool texel = gl::memoryPath() == gl::MemoryPath::texel;
   const int wanted = texel ? 64 : 4000, least = texel ? 8 : 16;
@@ -122,16 +123,15 @@ RuleCut ReactionKernels::bestCut() {
   RuleCut cut;
   const bool texel = gl::memoryPath() == gl::MemoryPath::texel;
   cut.rows = texel ? 2 : 1;
-  // Several rows share the loads of the row above and the row below, each in three layers.
+  // Consecutive rows use the same loads of the rows above and below, each in three layers.
   cut.volumeRows = texel ? 16 : 1;
   cut.stepsPerPass = texel ? 4 : 2;
   cut.stripElements = texel ? 6 : 1;
   // Maximum number of species for strips. The result has the same bits with and without strips. A software
-  // driver takes 7 s to compile strips of 3 species and 50 s for 8; a graphics card runs out of registers
-  // at 8.
+  // driver takes 7 s to compile strips of 3 species and 50 s for 8; a GPU runs out of registers at 8.
   cut.stripSpecies = texel ? 4 : 6;
-  // Number of cell steps after which strips are compiled: a software driver needs seconds to compile them
-  // and saves about 3 ns per cell and step.
+  // Number of cell updates after which strips are compiled. A software driver needs seconds to compile them
+  // and then saves about 3 ns per cell update.
   cut.stripsAfter = texel ? 5e8 : 0;
   return cut;
 }
@@ -227,8 +227,8 @@ void ReactionKernels::setValues(const std::vector<float>& values) {
     if (!plan_.program().passes[i].usesTime) tell(static_cast<int>(i));
 }
 
-// Uploads a pass's uniform values: the pass's own values, then the rounding grains of stored and of flushed
-// numbers, then the values beyond fixed edges.
+// Uploads the uniform block of a pass: the uniform values, then the rounding grains of stored numbers and
+// of flushed numbers, then the values beyond edges of the kind "fixed".
 void ReactionKernels::tell(int pass) {
   Pass& to = passes_[static_cast<std::size_t>(pass)];
   std::vector<float> told =

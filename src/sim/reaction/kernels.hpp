@@ -28,27 +28,28 @@ class ReactionKernels {
   ReactionKernels(const std::string& name, const ReactionPlan& plan, bool fast,
                   const RuleCut& cut = bestCut());
 
-  /// Sets the values for the following steps, from ReactionPlan::valuesAt.
+  /// Sets the uniform values for the following steps (see ReactionPlan::valuesAt).
   void setValues(const std::vector<float>& values);
-  /// Runs `steps` steps, starting with step `number`. `first`: step number of the initial state, at which
-  /// the model's time is 0.
+  /// Runs `steps` steps, starting with step `number`. `first` is the step number of the initial state, at
+  /// which the model's time is 0.
   void advance(long number, int steps, long first);
-  /// Samples a field as the map of a parameter. `layers` > 1: the field is a volume of that many layers.
-  /// Throws UserError(usage) if a side of the field (of one layer) is longer than maxSampledSide cells.
+  /// Samples a field as the map of a parameter. If `layers` is more than 1, the field is a volume with that
+  /// many layers. Throws UserError(usage) if a side of the field (of one layer) is longer than
+  /// maxSampledSide cells.
   void setMap(int parameter, const Field& field, int layers = 1);
   /// Returns the parameters' maps; the array is empty if no parameter has a map.
   [[nodiscard]] gl::Vec4Array& maps() { return weights_; }
   void paint(const ReactionPlan::Painted& painted);
-  /// Computes the displayed value of the state at step `number`, if it is not a species.
+  /// Computes the displayed value of the state at step `number`, unless the displayed value is a species.
   void prepareDrawing(long number, long first);
 
   [[nodiscard]] const gl::Buffer& status() const { return status_; }
   /// Returns the planes of the species.
   [[nodiscard]] const gl::Vec4Array& cells() const { return cells_[0]; }
   [[nodiscard]] gl::Vec4Array& cells() { return cells_[0]; }
-  /// Returns the species' planes as a word view, for Field.
+  /// Returns a view of the species' planes as 32-bit words, for Field.
   [[nodiscard]] const gl::Texture& words() const { return words_[0]; }
-  /// Returns the word view that contains a displayed or tinting plane.
+  /// Returns the view, as 32-bit words, that contains a displayed or tinting plane.
   [[nodiscard]] const gl::Texture& wordsOf(const RulePlane& shown) const {
     return shown.array == RuleArray::stage ? words_[0] : letWords_;
   }
@@ -64,7 +65,7 @@ class ReactionKernels {
   void makeInputs(const std::string& name, const gl::Defines& defines);
   void paintInSpace(const ReactionPlan::Painted& painted);
   void step(long number, long first);
-  /// Runs several steps at once, in strips.
+  /// Runs several steps per dispatch, in strips.
   void strips(long number, long lostFirst);
   const gl::Kernel<SampleKernel>& samplerOf(Field::Cells cells, bool layers);
   void makeStrips();
@@ -81,7 +82,7 @@ class ReactionKernels {
   std::string name_;
   bool mayStrip_ = false;
   gl::Defines stripDefines_;
-  double cellSteps_ = 0;    ///< Number of cells times steps computed so far.
+  double cellSteps_ = 0;    ///< Number of cell updates computed so far: cells times steps.
   gl::Vec4Array cells_[2];  ///< Current state, and the output of the next step.
   gl::Texture words_[2];
   gl::Vec4Array stages_[2];  ///< Intermediate states between the stages of a step.
@@ -92,12 +93,12 @@ class ReactionKernels {
   gl::Kernel<ReactionPaint> paint_;
   gl::Kernel<BrushKernel> brush_;  ///< Brush kernel for volumes and meshes.
   std::map<std::pair<Field::Cells, bool>, gl::Kernel<SampleKernel>>
-      samplers_;  ///< Samplers of other objects' fields, by cell format and by whether the field is a
-                  ///< volume.
+      samplers_;  ///< Kernels that sample other objects' fields, by cell format and by whether the field is
+                  ///< a volume.
   std::vector<Pass> passes_;
   gl::Kernel<StripKernel> strips_;
   gl::Kernel<LostKernel> lost_;
-  gl::Buffer lostCells_;  ///< For each of up to lostSteps steps, the lowest index of a lost cell.
+  gl::Buffer lostCells_;  ///< For each of up to lostSteps steps, the minimum index of the lost cells.
   std::vector<float> values_;
 };
 

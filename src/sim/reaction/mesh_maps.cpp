@@ -14,7 +14,7 @@ namespace {
 
 using MapsOf = ReactionMesh::Maps;
 
-/// Wraps coordinates outside 0 to 1, so that a picture repeats.
+/// Wraps coordinates outside 0 to 1, so that an image repeats.
 double repeated(double at) {
   return at < 0 || at > 1 ? at - std::floor(at) : at;
 }

@@ -9,11 +9,11 @@
 
 namespace simreel::sim {
 
-/// Returns each mesh cell's position on pictures and on other objects' fields: distances from the left and
-/// from the top, in units of 1/mapParts (glsl/reaction/sampling.glsl) of the width and height. A cell on a
-/// texture seam uses the coordinates of the first vertex in face order. Throws UserError(usage) if the
-/// scene requires texture coordinates and `mesh` has none. `whose`: name for messages, such as "reaction
-/// \"x\"".
+/// Returns the position of each mesh cell in images and in other objects' fields: the distances from the
+/// left and from the top, in units of 1/mapParts (glsl/reaction/sampling.glsl) of the width and of the
+/// height. A cell on a texture seam uses the coordinates of its first vertex in face order. Throws
+/// UserError(usage) if the scene requires texture coordinates and `mesh` has none. `whose` is the name for
+/// messages, such as "reaction \"x\"".
 [[nodiscard]] std::vector<glm::ivec2> mapPlaces(const ReactionMesh& parameters, const Mesh& mesh,
                                                 const MeshCells& cells, const std::string& whose);
 

@@ -15,7 +15,8 @@ namespace simreel::sim {
 
 namespace {
 
-/// Returns the number of subdivisions per side that gives a geodesic sphere at least `vertices` vertices.
+/// Returns the number of subdivisions per edge for which a geodesic sphere has at least `vertices`
+/// vertices.
 int geodesicParts(double vertices) {
   return static_cast<int>(std::ceil(std::sqrt(std::max(vertices - 2, 10.0) / 10)));
 }
@@ -56,8 +57,8 @@ void ReactionMesh::describe(scene::Fields& f) {
     f.error("tube", fmt::format("a tube of {} m closes the hole of a torus of {} m", tube, radius));
 }
 
-// Generates a sphere as a geodesic mesh. It has no poles, unlike a longitude-latitude mesh, whose small
-// cells at the poles would allow only short stable steps.
+// A sphere is generated as a geodesic mesh. A longitude-latitude mesh would have small cells at the poles,
+// which allow only short stable steps.
 Mesh ReactionMesh::make() const {
   constexpr std::int64_t maxFaces = 8'000'000;
   const auto check = [&](std::int64_t faces) {

@@ -13,7 +13,8 @@ namespace simreel::sim {
 
 namespace {
 
-/// Reads named groups on top of existing ones: the scene changes the groups that it names and adds others.
+/// Reads named groups into a list that already has groups: the scene changes the groups that it names and
+/// adds new ones.
 template <class Item, class Describe>
 void completed(scene::Fields& f, const char* name, const char* doc, const char* one, std::size_t max,
                std::vector<Item>& items, Describe describe) {

@@ -20,23 +20,24 @@ namespace simreel::sim {
 
 struct ReactionSpecies {
   std::string name;
-  scene::Animated<float> diffusion =
-      0.0F;                 ///< Coefficient D of the term D lap(u), in lengths^2 per unit of time.
-  std::string rate = "0";   ///< Expression for the rest of du/dt.
-  std::string start = "0";  ///< Expression for the initial state.
-  std::string next;         ///< Expression for the value after a step, instead of a rate.
-  double edge = 0;          ///< Value of the species beyond fixed edges.
+  scene::Animated<float> diffusion = 0.0F;  ///< Diffusion coefficient D of the term D lap(u), in squared
+                                            ///< lengths per unit of time.
+  std::string rate = "0";                   ///< Expression for du/dt without the diffusion term.
+  std::string start = "0";                  ///< Expression for the initial state.
+  std::string next;  ///< Expression for the value after a step; used instead of a rate.
+  double edge = 0;   ///< Value of the species beyond edges of the kind "fixed".
 };
 
 struct ReactionParameter {
   std::string name;
   scene::Animated<float> value = 0.0F;
   std::optional<double> across,
-      down;  ///< Value of the parameter at the right edge (`across`) or at the bottom edge (`down`).
-  std::filesystem::path image;  ///< Picture whose brightness interpolates from `value` to `white`.
+      down;  ///< Values of the parameter at the right edge (`across`) and at the bottom edge (`down`).
+  std::filesystem::path image;  ///< Image whose brightness interpolates from `value` (black) to `white`.
   double white = 1;
-  std::string field;       ///< Another object's field that supplies the values.
-  bool isPresets = false;  ///< True if a preset defines it; expressions then need not use it.
+  std::string field;       ///< Name of another object's field that supplies the values.
+  bool isPresets = false;  ///< True if a preset defines the parameter; the expressions then need not use
+                           ///< it.
 
   [[nodiscard]] bool isMapped() const { return across || down || !image.empty(); }
 };
@@ -46,24 +47,24 @@ struct ReactionLet {
 };
 
 struct ReactionStroke : StrokeParameters {
-  std::string species;  ///< Species to paint; empty: the first one.
+  std::string species;  ///< Species to paint; if empty, the first species.
 };
 
-/// Drawing style of a volume: the isosurface at a level, or the cells at or above the level.
+/// Display of a volume: the isosurface at a level, or the cells at or above the level.
 struct ReactionSurface {
   enum class Draw { isosurface, cubes };
   Draw draw = Draw::isosurface;
   std::optional<scene::Animated<float>>
-      level;          ///< Isosurface level; default: the middle of the display's range.
-  std::string color;  ///< Expression whose value selects the surface's colour in the colour map; empty: the
-                      ///< material's colour.
+      level;              ///< Level of the isosurface; if empty, the middle of the display's range.
+  std::string color;      ///< Expression whose value selects the surface's colour from the colour map; if
+                          ///< empty, the material's colour is used.
   glm::vec3 position{0};  ///< Centre of the volume in metres.
   float width = 2;        ///< Width of the volume along x in metres.
   bool closed = true;
   void describe(scene::Fields& fields);
 };
 
-/// Mesh whose vertices are the cells.
+/// Mesh whose vertices are the cells of the reaction.
 struct ReactionMesh {
   enum class Shape { file, plane, sphere, torus };
   enum class Maps { texture, front, top };
@@ -72,9 +73,10 @@ struct ReactionMesh {
   glm::vec3 size{4, 0, 4};         ///< Size of a plane in metres.
   float radius = 1, tube = 0.35F;  ///< Radii of a sphere or torus in metres.
   glm::ivec2 resolution{129, 65};  ///< Number of vertices along u and v.
-  int refine = 0;                  ///< Number of subdivisions; each one splits a face into four.
-  std::optional<Maps> maps;  ///< Mapping of pictures and fields; default: texture coordinates if the mesh
-                             ///< has any, else from the front.
+  int refine = 0;                  ///< Number of subdivisions; each subdivision splits every face into
+                                   ///< four.
+  std::optional<Maps> maps;  ///< Mapping of images and fields to the mesh; if empty, texture coordinates if
+                             ///< the mesh has any, otherwise a projection from the front.
   scene::Animated<glm::vec3> position = glm::vec3(0);  ///< Position of the mesh in metres.
   scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< Rotation of the mesh in degrees.
   scene::Animated<float> scale = 1.0F;
@@ -102,7 +104,7 @@ struct ReactionParameters : ObjectParameters, HasColorRange, OwnCells, scene::Co
   std::vector<ReactionSpecies> species;
   std::vector<ReactionParameter> parameters;
   std::vector<ReactionLet> lets;
-  std::string show;  ///< Expression to display; empty: the first species.
+  std::string show;  ///< Expression to display; if empty, the first species.
   std::vector<ReactionStroke> strokes;
   FieldDisplay display;
   ReactionSurface surface;
@@ -121,10 +123,10 @@ struct ReactionParameters : ObjectParameters, HasColorRange, OwnCells, scene::Co
   [[nodiscard]] std::int64_t leastBlockBytes() const override {
     return space() == RuleSpace::mesh ? 0 : std::int64_t{4} * size.x * size.y * depth;
   }
-  /// Returns true if some parameter takes its values from another object's field.
+  /// Returns true if a parameter takes its values from another object's field.
   [[nodiscard]] bool readsFields() const;
-  /// Returns true if fields of `other` can be read directly: cells of the same mesh, or a volume of the
-  /// same proportions.
+  /// Returns true if fields of `other` can be read cell by cell: `other` has the same mesh, or is a volume
+  /// of the same proportions.
   [[nodiscard]] bool readsCellsOf(const OwnCells& other) const override;
   [[nodiscard]] std::optional<scene::Box> framed() const override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
@@ -134,11 +136,11 @@ struct ReactionParameters : ObjectParameters, HasColorRange, OwnCells, scene::Co
   }
   /// Returns the size as text: "256x256" or "64x64x64".
   [[nodiscard]] std::string cellsText() const;
-  /// Returns the distance between a volume's cells in metres.
+  /// Returns the distance in metres between neighbouring cells of a volume.
   [[nodiscard]] float cellWidth() const { return surface.width / static_cast<float>(size.x); }
   [[nodiscard]] float levelAt(double time) const;
   [[nodiscard]] RuleText ruleText() const;
-  /// Returns the index of the species that a stroke paints; -1 if no species has this name.
+  /// Returns the index of the species that a stroke paints, or -1 if no species has the given name.
   [[nodiscard]] int painted(const ReactionStroke& stroke) const;
 
  private:

@@ -20,12 +20,12 @@ std::vector<StrokeParameters> plainStrokes(const std::vector<ReactionStroke>& st
   return {strokes.begin(), strokes.end()};
 }
 
-/// Magnitude of the largest eigenvalue of the 9-point and the 19-point Laplacian, in units of 1/h^2; it
-/// belongs to the checkerboard pattern in two axes.
+/// Magnitude of the largest eigenvalue of the 9-point Laplacian and of the 19-point Laplacian, in units of
+/// 1/h^2 (cell distance h). It belongs to the checkerboard pattern along two axes.
 constexpr double gridFastest = 16.0 / 3;
 
-/// Returns a bound of the Laplacian's eigenvalues by Gershgorin's theorem, in 1/m^2: the maximum over all
-/// cells of twice the sum of the cell's weights.
+/// Returns an upper bound of the magnitudes of the Laplacian's eigenvalues by Gershgorin's theorem, in
+/// 1/m^2: the maximum over all cells of twice the sum of the cell's weights.
 double fastestOf(const MeshCells& cells) {
   double fastest = 0;
   for (std::size_t cell = 0; cell + 1 < cells.first.size(); ++cell) {
@@ -60,8 +60,8 @@ ReactionPlan::ReactionPlan(ReactionParameters parameters, const std::string& obj
   warnOfSteps(object);
 }
 
-// Loads the mesh. The unit of length is chosen so that the mean distance of neighbours is `spacing`. If the
-// scene does not set `spacing`, it is enlarged so that diffusion is no faster than on a regular grid.
+// Loads the mesh. The unit of length is chosen so that the mean distance between neighbours is `spacing`.
+// If the scene does not set `spacing`, it is increased until diffusion is no faster than on a regular grid.
 void ReactionPlan::readMesh(const std::string& object) {
   onMesh_ = true;
   mesh_ = parameters_.mesh->make();
@@ -99,7 +99,7 @@ void ReactionPlan::readMesh(const std::string& object) {
   }
 }
 
-/// Returns the cells' coordinates along an axis in units of length; 0 is the mesh's minimum.
+/// Returns the coordinates of the cells along an axis in units of length; 0 is the mesh's minimum.
 std::vector<float> ReactionPlan::placesAlong(int axis) const {
   std::vector<float> places;
   for (const glm::dvec3& place : cells_.places)
@@ -107,8 +107,9 @@ std::vector<float> ReactionPlan::placesAlong(int axis) const {
   return places;
 }
 
-// Warns of steps that are too long for the diffusion. Explicit methods of order 1 and 2 are stable for dt
-// lambda >= -2, the method of order 4 for dt lambda >= -2.785.
+// Warns if the steps are too long for the diffusion. For the eigenvalue lambda of the fastest mode,
+// explicit methods of order 1 and 2 are stable if dt lambda >= -2, and the method of order 4 if dt lambda
+// >= -2.785.
 void ReactionPlan::warnOfSteps(const std::string& object) {
   const ReactionParameters& p = parameters_;
   const double limit = p.method == RuleMethod::rk4 ? 2.785 : 2;
@@ -169,7 +170,7 @@ std::vector<float> ReactionPlan::weightsOf(const ReactionParameter& parameter) c
     for (int z = 1; z < parameters_.depth; ++z) weights.insert(weights.end(), layer.begin(), layer.end());
     return weights;
   }
-  // The first row is at the top of a plane, but at the bottom of a volume's layer.
+  // The first row is the top row of a plane, but the bottom row of a layer of a volume.
   const bool upwards = parameters_.space() == RuleSpace::volume;
   const auto downTo = [&](int y) {
     return static_cast<float>(upwards ? size.y - 1 - y : y) / static_cast<float>(size.y - 1);

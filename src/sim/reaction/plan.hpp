@@ -8,20 +8,20 @@
 
 namespace simreel::sim {
 
-/// CPU-side setup of a rule: its program, the initial state, maps, and step parameters. Shared by the GPU
-/// simulation and its CPU twin.
+/// CPU-side setup of a rule: its program, the initial state, maps, and step parameters. Used by the GPU
+/// simulation and by its CPU twin.
 class ReactionPlan {
  public:
-  /// Warns of steps that are too long for the diffusion. On a mesh, sets `size` to one row of its cells.
+  /// Warns if the steps are too long for the diffusion. On a mesh, sets `size` to one row with all cells.
   /// Throws UserError if the mesh cannot be read.
   ReactionPlan(ReactionParameters parameters, const std::string& object, int seed, double frameSeconds);
   /// Returns true if the constructor warned that steps are too long for the diffusion.
   [[nodiscard]] bool diffusesTooFast() const { return tooFast_; }
-  /// Reads the pictures that the parameters name, to detect errors. Throws the errors of loadPicture.
+  /// Reads the images that the parameters name, to detect errors. Throws the errors of loadPicture.
   void checkPictures() const;
 
-  /// Adopts new parameter values. Returns false if the set of parameters differs, or if a parameter's
-  /// spatial variation differs.
+  /// Adopts new parameter values. Returns false if the set of parameters differs, or if a parameter varies
+  /// differently in space.
   [[nodiscard]] bool retune(const ReactionParameters& now);
 
   [[nodiscard]] const ReactionParameters& parameters() const { return parameters_; }
@@ -33,22 +33,22 @@ class ReactionPlan {
   [[nodiscard]] const RuleLinks* links() const { return onMesh_ ? &links_ : nullptr; }
   /// Returns the positions of a mesh's cells on other objects' fields; empty on grids.
   [[nodiscard]] const std::vector<glm::ivec2>& places() const { return places_; }
-  /// mesh() returns the mesh, cells() its cells.
+  /// mesh() returns the mesh, and cells() returns the cells on it.
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
   [[nodiscard]] const MeshCells& cells() const { return cells_; }
   [[nodiscard]] unsigned noiseSeed() const { return static_cast<unsigned>(seed_) * 2246822519U; }
-  /// Returns each species' value beyond fixed edges.
+  /// Returns the value of each species beyond edges of the kind "fixed".
   [[nodiscard]] std::vector<float> edges() const;
 
-  /// Returns a field with the initial state in `stage`, space in all other arrays, and the maps.
+  /// Returns a field with the initial state in `stage`, allocated memory in all other arrays, and the maps.
   [[nodiscard]] RuleField firstField() const;
-  /// Returns the values listed in ToldPlaces for the frame that starts at `time` (seconds); the model's own
-  /// time is 0.
+  /// Returns the values listed in ToldPlaces for the frame that starts at `time` (seconds). The model's
+  /// time among them is 0.
   [[nodiscard]] std::vector<float> valuesAt(double time) const;
   /// Returns the number of steps from scene time 0 to `time` (seconds).
   [[nodiscard]] long stepAt(double time) const;
-  /// Returns the model's time, in units of time, `later` (a fraction of a step) after step `step`. `first`:
-  /// step number of the initial state, before the presteps.
+  /// Returns the model's time, in units of time, at the fraction `later` of a step after step `step`.
+  /// `first` is the step number of the initial state, before the presteps.
   [[nodiscard]] float modelTime(long step, long first, double later) const;
   struct Painted {
     shader::Stroke stroke;
@@ -75,7 +75,7 @@ class ReactionPlan {
   MeshCells cells_;
   RuleLinks links_;
   std::vector<glm::ivec2> places_;
-  double perMetre_ = 1;  ///< Units of length per metre, on a mesh.
+  double perMetre_ = 1;  ///< Number of units of length per metre, on a mesh.
   int seed_;
   double frameSeconds_;
   Rule rule_;
@@ -83,13 +83,13 @@ class ReactionPlan {
   Strokes strokes_;
 };
 
-/// Computes a step of the CPU twin. `number`: the step's number; `first`: step number of the initial state;
-/// `values`: from ReactionPlan::valuesAt.
+/// Computes a step of the CPU twin. `number` is the number of the step, `first` the step number of the
+/// initial state; `values` is the result of ReactionPlan::valuesAt.
 void evaluateStep(const ReactionPlan& plan, std::vector<float> values, long number, long first,
                   RuleField& field);
 /// Applies a stroke in a volume or on a mesh.
 void evaluateBrush(const ReactionPlan::Painted& painted, RuleField& field);
-/// Returns the displayed values of the state in field.stage, the state before step `number`.
+/// Returns the displayed values of the state in field.stage, which is the state before step `number`.
 [[nodiscard]] std::vector<float> evaluateShown(const ReactionPlan& plan, std::vector<float> values,
                                                long number, long first, RuleField& field);
 

@@ -6,8 +6,8 @@ namespace simreel::sim {
 
 namespace {
 
-/// Initial state with one excited quarter beside a resting region: its fronts curl up at their ends into
-/// spirals.
+/// Initial state in which one excited quarter is next to a resting region. The ends of its fronts curl up
+/// into spirals.
 constexpr const char* crossedU = "if(x > 0.5*width, if(y < 0.5*height, 1, 0), 0)";
 
 }  // namespace

@@ -23,7 +23,7 @@ struct ReactionPreset {
   double dt;
   int steps;
   RuleMethod method = RuleMethod::euler;
-  const char* show = "";  ///< Expression to display; empty: the first species.
+  const char* show = "";  ///< Expression to display; if empty, the first species.
   const char* map;
   double low, high;  ///< Values at the ends of the colour map.
 
@@ -33,7 +33,7 @@ struct ReactionPreset {
 
 [[nodiscard]] std::span<const ReactionPreset> reactionPresets();
 
-/// Returns the text of `simreel list` for all presets: equations in C syntax, parameters, source.
+/// Returns the text that `simreel list` prints for all presets: equations in C syntax, parameters, source.
 [[nodiscard]] std::string reactionPresetsText();
 
 }  // namespace simreel::sim

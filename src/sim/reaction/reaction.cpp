@@ -114,7 +114,7 @@ class Reaction : public Simulation, public FrameStarter, public Retunable {
     field.colors = &colors_;
     field.display = p.space() == RuleSpace::plane ? &p.display : nullptr;
     drawables.fields.push_back(field);
-    // Fields for files, not drawn over the picture.
+    // These fields are for files and are not drawn over the picture.
     field.words = &kernels_.words();
     field.display = nullptr;
     for (std::size_t i = 0; i < speciesNames_.size(); ++i) {
@@ -205,7 +205,7 @@ class Reaction : public Simulation, public FrameStarter, public Retunable {
     return {&kernels_.wordsOf(plane), row, row * rows() * plane.plane};
   }
 
-  /// Returns the number of species in the table beside the frames.
+  /// Returns the number of species in the table written next to the frame images.
   [[nodiscard]] int counted() const {
     return std::min(static_cast<int>(plan_.parameters().species.size()), 4);
   }
@@ -221,7 +221,8 @@ class Reaction : public Simulation, public FrameStarter, public Retunable {
     for (int i = 0; i < species; ++i)
       countNames_.push_back("most_" + p.species[static_cast<std::size_t>(i)].name);
   }
-  /// Computes the displayed and counted values of the current state, which belongs to `time` (seconds).
+  /// Computes the displayed and counted values of the current state, which is the state at `time`
+  /// (seconds).
   void look(double time) {
     kernels_.prepareDrawing(now_, first_);
     const ReactionParameters& p = plan_.parameters();
@@ -287,8 +288,8 @@ class Reaction : public Simulation, public FrameStarter, public Retunable {
     }
   }
 
-  /// Returns the number of layers of the object that owns a field. The first call happens while the scene's
-  /// objects are created.
+  /// Returns the number of layers of the object that owns a field. The first call must happen while the
+  /// scene's objects are created.
   int layersOf(const std::string& field) {
     const std::string object = PartName(field).object;
     const auto [layers, isNew] = layersOf_.try_emplace(object, 1);
@@ -311,10 +312,10 @@ class Reaction : public Simulation, public FrameStarter, public Retunable {
   std::vector<glm::vec3> colors_;
   Tally tally_;
   gl::Kernel<ReactionSums> sums_;
-  std::optional<Isosurface> isosurface_;  ///< Isosurface of a volume; empty for planes and meshes.
+  std::optional<Isosurface> isosurface_;  ///< Isosurface of a volume; empty for a plane or a mesh.
   std::optional<PaintedMesh> painted_;    ///< Coloured mesh, if the cells are the vertices of a mesh.
   std::vector<std::string> countNames_;
-  long first_, now_;  ///< Step numbers of the initial and of the current state.
+  long first_, now_;  ///< Step numbers of the initial state and of the current state.
   double shownTime_;  ///< Time in seconds of the displayed state.
 };
 

@@ -27,7 +27,7 @@ class Sampled {
   [[nodiscard]] float between(const Between& across, const Between& down) const {
     return grained(inLayer(across, down, 0), storedGrain);
   }
-  /// Trilinear sample of a volume whose layers have `rows` rows each.
+  /// Returns a trilinear sample of a volume whose layers have `rows` rows each.
   [[nodiscard]] float between(const Between& across, const Between& down, const Between& deep,
                               int rows) const {
     return grained(betweenOf(inLayer(across, down, deep.before * rows),

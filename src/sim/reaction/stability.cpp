@@ -11,12 +11,12 @@ namespace simreel::sim {
 namespace {
 
 constexpr int probeSide = 4;
-/// Number of iterations until the fastest-growing wave dominates, and number of iterations over which its
-/// growth is measured.
+/// Number of iterations until the fastest-growing wave dominates, and number of further iterations over
+/// which its growth is measured.
 constexpr int probeTurns = 24, probeMeasured = 24;
-/// Height of the waves relative to the state.
+/// Height of the waves as a fraction of the state's values.
 constexpr double probeHeight = 1e-4;
-/// Tolerated logarithm of the growth. Oscillations grow slightly under Euler's method until nonlinear terms
+/// Tolerated logarithm of the growth. With Euler's method, oscillations grow slightly until nonlinear terms
 /// limit them.
 constexpr double probeAllowed = 0.08;
 
@@ -42,7 +42,7 @@ class StepProbe {
     height_ = probeHeight * (greatest > 0 ? greatest : 1);
   }
 
-  /// Returns the logarithm of the fastest wave's growth per step, by power iteration.
+  /// Returns the logarithm of the growth per step of the fastest-growing wave, by power iteration.
   [[nodiscard]] double growth(double dt) const {
     const RulePlanes end = stepped(field_.stage, dt);
     RulePlanes wave = field_.stage;
@@ -94,8 +94,8 @@ class StepProbe {
   double height_ = probeHeight;
 };
 
-/// Halves the step at least three times, and further until the growth per step is small. The growth at the
-/// smallest step is attributed to the equations themselves.
+/// Halves the step at least three times, and then until the growth per step is small. Growth that remains
+/// at the smallest step is considered to be growth of the equations.
 std::optional<StepGrowth> unstableNear(const StepProbe& probe, double dt) {
   constexpr double little = 0.3;
   std::vector<double> growths = {probe.growth(dt)};

@@ -30,7 +30,8 @@ void checkScaleBar(const scene::Object& object, const Setting& /*setting*/) {
   }
 }
 
-/// Returns the distance (m) from the camera to its target; negative if only a run can tell.
+/// Returns the distance in metres from the camera to its target; negative if it is known only after
+/// simulating.
 double targetDistance(const scene::Camera& camera, double time) {
   if (camera.gltf) return static_cast<double>(camera.gltf->distance);
   if (camera.orbit) return static_cast<double>(camera.orbit->distance.at(time));
@@ -69,7 +70,7 @@ class ScaleBar : public Simulation {
   }
 
  private:
-  /// Returns the size of a pixel of the field's display, in units.
+  /// Returns the size of a pixel in the display of the field, in the unit of the bar.
   [[nodiscard]] double fieldScale(double time, glm::ivec2 picture) const {
     Field found = fieldNamed(*links_, parameters_.of);
     Drawables drawables;
@@ -101,12 +102,12 @@ class ScaleBar : public Simulation {
     return 2 * distance * ieee::tan(half) / picture.size.y;
   }
 
-  /// Writes the bar, `pixels` long from end to end, and the number over its middle.
+  /// Adds the bar, which is `pixels` long from end to end, and the number above its centre.
   void write(double pixels, const std::string& text, glm::ivec2 picture) const {
     constexpr float thick = 0.16F, tall = 0.62F, gap = 0.55F;
     const double unit = static_cast<double>(parameters_.height) * picture.y;
     const auto wide = static_cast<float>(pixels / unit);
-    // One outline: a bar with an upright mark at each end, inside the length.
+    // A single outline forms the bar with an upright mark at each end; the marks are inside the length.
     outlines_ = {{{0, 0},
                   {wide, 0},
                   {wide, tall},

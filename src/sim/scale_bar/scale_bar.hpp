@@ -3,7 +3,7 @@
 
 namespace simreel::sim {
 
-/// Returns the kind "scaleBar": a bar of a round length with its number.
+/// Returns the kind "scaleBar": a bar of a round length, labelled with this length.
 [[nodiscard]] SimulationKind scaleBarKind();
 
 }  // namespace simreel::sim

@@ -22,8 +22,8 @@ struct ShapeParameters : ObjectParameters {
   bool collides = true;
   bool visible = true;
   void describe(scene::Fields& fields) override;
-  /// Returns the bounds of spheres and capsules at every position key; planes have none, because they serve
-  /// as ground.
+  /// Returns the bounds of spheres and capsules at all position keys. Planes have no bounds, because they
+  /// serve as ground.
   [[nodiscard]] std::optional<scene::Box> framed() const override;
   [[nodiscard]] std::optional<scene::Box> framedAlone() const override;
   void ports(Ports& ports) const override;

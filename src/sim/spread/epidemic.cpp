@@ -100,7 +100,7 @@ class Epidemic final : public Simulation {
   gl::Kernel<EpidemicPaintKernel> paint_;
 };
 
-/// Returns a plan for validation. For a grid that would take gigabytes it is a small grid from the same
+/// Returns a plan for validation. If the grid would take gigabytes, it is a small grid made from the same
 /// image.
 EpidemicPlan lookedAt(const EpidemicParameters& parameters, const EpidemicPlan& plan,
                       const Setting& setting) {

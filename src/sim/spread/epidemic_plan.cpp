@@ -90,7 +90,7 @@ std::vector<shader::Stroke> EpidemicPlan::firstStrokes(double time) const {
 std::vector<EpidemicPlan::Step> EpidemicPlan::frame(double time) {
   const Pace::Steps pace = pace_.during(time);
   const EpidemicParameters& p = parameters_;
-  // The cell format has 63 ages. If the trail is longer, ages advance only in some steps.
+  // The cell format has 63 ages. If the trail is longer, ages increase only in some of the steps.
   const unsigned period = static_cast<unsigned>(std::max(1L, std::lround(p.trail / 63.0)));
   const double seconds = 1.0 / p.stepsPerSecond;
   std::vector<Step> steps;
@@ -98,7 +98,7 @@ std::vector<EpidemicPlan::Step> EpidemicPlan::frame(double time) {
     const double t = pace.time + i * seconds;
     const double beta = static_cast<double>(p.beta.at(t));
     Step step{};
-    // With n infected neighbours a susceptible person is not infected with the probability (1 - beta)^n.
+    // A susceptible person with n infected neighbours stays uninfected with the probability (1 - beta)^n.
     double well = 1;
     for (int n = 0; n <= 8; ++n, well *= 1 - beta)
       step.data.infection[n / 4][n % 4] = thresholdOf(1 - well);

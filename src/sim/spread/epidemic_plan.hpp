@@ -15,19 +15,22 @@ static_assert(sizeof(EpidemicStep) == 80);
 
 namespace simreel::sim {
 
-/// Parameters of susceptible, infected and recovered people on a grid (Kermack and McKendrick, 1927, as a
-/// cellular automaton).
+/// Parameters of an epidemic of susceptible, infected and recovered people on a grid (Kermack and
+/// McKendrick, 1927, as a cellular automaton).
 struct EpidemicParameters final : ObjectParameters, SpreadParameters {
   enum class Mixing { local, global };
-  scene::Animated<float> beta = 0.06F;   ///< probability per step that one infected neighbour infects
-  scene::Animated<float> gamma = 0.08F;  ///< probability per step to recover
-  scene::Animated<float> waning = 0.0F;  ///< probability per step to become susceptible again
+  scene::Animated<float> beta = 0.06F;   ///< probability per step that an infected neighbour infects a
+                                         ///< susceptible person
+  scene::Animated<float> gamma = 0.08F;  ///< probability per step that an infected person recovers
+  scene::Animated<float> waning = 0.0F;  ///< probability per step that a recovered person becomes
+                                         ///< susceptible again
   Mixing mixing = Mixing::local;
   double infected = 0.0;             ///< initial fraction of infected people, chosen by a hash
   double immune = 0.0;               ///< initial fraction of immune people, chosen by a hash
   std::filesystem::path population;  ///< image whose brightness is the fraction of inhabited cells
   int trail = 63;  ///< number of steps over which colours show the age of an infection or immunity
-  // Blue, orange, grey: distinct in hue and in lightness, also for colour-blind viewers.
+  // The default colours blue, orange and grey differ in hue and in lightness, also for colour-blind
+  // viewers.
   glm::vec3 susceptible{0.010F, 0.075F, 0.210F};
   glm::vec3 infection{1.0F, 0.62F, 0.10F};  ///< colour of newly infected people
   glm::vec3 infectious{0.88F, 0.18F, 0.02F};
@@ -42,15 +45,15 @@ struct EpidemicParameters final : ObjectParameters, SpreadParameters {
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 };
 
-/// Everything about an epidemic that the CPU decides. The GPU simulation and its CPU reference share it.
+/// The part of an epidemic that the CPU computes. The GPU simulation and its CPU reference both use it.
 class EpidemicPlan {
  public:
   /// Loads the images. Throws the UserError of loadPicture().
   EpidemicPlan(const EpidemicParameters& parameters, const std::string& object, int seed,
                double frameSeconds);
 
-  /// Returns the initial state, one byte per cell (glsl/spread/cells.glsl), size.x * size.y, x fastest.
-  /// Throws UserError(usage) if no cell is inhabited.
+  /// Returns the initial state with one byte per cell (glsl/spread/cells.glsl), size.x * size.y cells, x
+  /// fastest. Throws UserError(usage) if no cell is inhabited.
   [[nodiscard]] std::vector<std::uint8_t> firstCells() const;
 
   struct Step {
@@ -60,7 +63,7 @@ class EpidemicPlan {
   /// Returns the steps of the frame that starts at `time` (seconds). Frames must be requested in order,
   /// because step numbers continue.
   [[nodiscard]] std::vector<Step> frame(double time);
-  /// Returns the strokes to paint into the initial state of a run that starts at `time` (seconds).
+  /// Returns the strokes that paint into the initial state of a run that starts at `time` (seconds).
   [[nodiscard]] std::vector<shader::Stroke> firstStrokes(double time) const;
   void carryOver(CarryOver& carry) { carry.number("steps begun", done_); }
   /// Sets the number of inhabited cells, used by global mixing.

@@ -17,7 +17,9 @@ constexpr int firstCapacity = 1024;
 
 glm::uvec4 countClasses(const std::vector<std::uint8_t>& cells) {
   glm::uvec4 counts(0);
-  for (const std::uint8_t cell : cells) ++counts[(cell / 64 + 3) % 4];  // uninhabited cells last
+  for (const std::uint8_t cell : cells)
+    ++counts[(cell / 64 + 3) % 4];  // the counter of uninhabited cells
+                                    // is the last one
   return counts;
 }
 
@@ -106,7 +108,7 @@ void SpreadGrid::startPainted() {
 SpreadStepPart SpreadGrid::beginStep() {
   ++done_;
   if (gl::memoryPath() == gl::MemoryPath::texel && !fresh_) {
-    // The kernel adds only the changes to the previous step's counts.
+    // The kernel only adds changes, so the counts of the previous step are copied first.
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     const GLuint history = history_.buffer().name();
     glCopyNamedBufferSubData(history, history, GLintptr{done_ - 1} * 16, GLintptr{done_} * 16, 16);
@@ -129,7 +131,9 @@ void SpreadGrid::endStep() {
 }
 
 int SpreadGrid::groupRows() const {
-  const int rowsEach = gl::memoryPath() == gl::MemoryPath::texel ? 16 : 4;  // see glsl/spread/step.glsl
+  const int rowsEach = gl::memoryPath() == gl::MemoryPath::texel ? 16 : 4;  // number of rows per
+                                                                            // invocation, see
+                                                                            // glsl/spread/step.glsl
   return (size_.y + rowsEach - 1) / rowsEach;
 }
 

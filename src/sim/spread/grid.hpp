@@ -13,12 +13,14 @@
 
 namespace simreel::sim {
 
-/// Packs the cells of a grid (x fastest) for the kernels: bytes four per word, sixteen per uvec4 element,
-/// each row padded with zeros to whole elements; cells of two bytes half as many.
+/// Packs the cells of a grid (x fastest) for the kernels. Byte cells are packed four per word and sixteen
+/// per uvec4 element; cells of two bytes are packed half as many. Each row is padded with zeros to whole
+/// elements.
 [[nodiscard]] std::vector<glm::uvec4> packedCells(const std::vector<std::uint8_t>& cells, glm::ivec2 size);
 [[nodiscard]] std::vector<glm::uvec4> packedCells(const std::vector<std::uint16_t>& cells, glm::ivec2 size);
 
-/// Inputs that all spread/*/step.comp kernels share, and inputs that all spread/*/paint.comp kernels share.
+/// Parts of kernel interfaces: inputs common to all kernels spread/*/step.comp, and inputs common to all
+/// kernels spread/*/paint.comp.
 struct SpreadStepPart {
   gl::Uniform<"size", glm::ivec2> size;
   gl::Uniform<"torus", bool> torus;
@@ -39,21 +41,21 @@ struct SpreadPaintPart {
   gl::InOut<"CountBlock"> counts;
 };
 
-/// Owns the GPU grid of an epidemic or a wildfire: two bytes per cell, the counts of every step so far, and
-/// the dispatches of the kernels in glsl/spread.
+/// Owns the GPU grid of an epidemic or a wildfire, with two bytes per cell, and the counts of every step so
+/// far. Dispatches the kernels in glsl/spread.
 class SpreadGrid {
  public:
-  /// Throws UserError(device), naming the limit, if a grid of this size exceeds it. Call before buffers are
-  /// filled. `bytesPerCell`: for its largest buffer.
+  /// Throws UserError(device), naming the limit, if a grid of this size exceeds a limit. Call it before
+  /// buffers are filled. `bytesPerCell` applies to the largest buffer.
   static void checkLimits(const std::string& name, glm::ivec2 size, int bytesPerCell = 1);
 
   SpreadGrid(const std::string& name, const SpreadParameters& parameters,
              const std::vector<std::uint8_t>& cells, int stepsPerFrame, const Strokes& strokes);
 
   /// Runs the steps of a frame. Each step applies the rule and then the strokes that paint into its result;
-  /// its counts include them. `blocks` receive the steps' uniform data. `kernels` dispatches both kernels:
-  /// step(items, SpreadStepPart, block) and paint(items, SpreadPaintPart, block). Calls `watch`
-  /// `stepsPerFrame` times, even if this frame has one step less.
+  /// its counts include the strokes. `blocks` receives the uniform data of the steps. `kernels` dispatches
+  /// both kernels: step(items, SpreadStepPart, block) and paint(items, SpreadPaintPart, block). Calls
+  /// `watch` `stepsPerFrame` times, even if this frame has one step less.
   template <class Step, class Kernels>
   void runFrame(const std::vector<Step>& steps, StepBlocks<decltype(Step::data)>& blocks, int stepsPerFrame,
                 const StepWatch& watch, const Kernels& kernels) {
@@ -83,11 +85,11 @@ class SpreadGrid {
 
   [[nodiscard]] const gl::WordsArray& cells() const { return cells_[0]; }
   [[nodiscard]] int rowElements() const { return (size_.x + 15) / 16; }
-  /// Returns the counts of the current frame, one row per step; before the first step, one row with the
-  /// initial counts.
+  /// Returns the counts of the current frame with one row per step. Before the first step, there is one row
+  /// with the initial counts.
   [[nodiscard]] const gl::Buffer& frameCounts() const { return frameCounts_; }
   [[nodiscard]] int frameSteps() const { return frameSteps_; }
-  /// Reads the four counts of the current state. Waits for the GPU.
+  /// Reads back the four counts of the current state. Waits for the GPU.
   [[nodiscard]] glm::uvec4 latestCounts() const;
   /// Returns the name of a state element, for example "cells (16, 3) to (31, 3)".
   [[nodiscard]] std::string elementName(long element) const;
@@ -95,7 +97,7 @@ class SpreadGrid {
   using ClassNames = std::vector<std::pair<int, std::string>>;
   void publishField(const std::string& name, const std::vector<glm::vec3>& colors,
                     const ClassNames& classes, const FieldDisplay& display, Drawables& drawables) const;
-  /// Adds a chart of the counts so far; the first names.size() counts are shown.
+  /// Adds a chart of the counts so far. It shows the first names.size() counts.
   void publishChart(const std::vector<std::string>& names, const std::vector<glm::vec3>& colors,
                     double steps, Drawables& drawables) const;
 
@@ -135,10 +137,11 @@ class SpreadGrid {
   glm::ivec2 size_;
   bool torus_;
   gl::WordsArray cells_[2];  ///< current cells, and the output of the next step
-  gl::WordsArray history_;   ///< counts of every step, the initial ones first; space for capacity_ of them
+  gl::WordsArray history_;   ///< counts of every step, starting with the initial counts; has space for
+                             ///< capacity_ rows
   gl::WordsArray stamps_;
-  /// Activity of each tile on the texel path (glsl/spread/tiles.glsl): of the last step, and the output of
-  /// the next. Invalid after a start, a restart or a stroke (fresh_).
+  /// Activity of each tile on the texel path (glsl/spread/tiles.glsl): after the last step, and the output
+  /// of the next step. Both are invalid after a start, a restart or a stroke (fresh_).
   gl::WordsArray tiles_[2];
   bool fresh_ = true;
   gl::Buffer frameCounts_;
@@ -146,7 +149,7 @@ class SpreadGrid {
   int done_ = 0;
   int frameStart_ = 0;
   int frameSteps_ = 1;
-  unsigned max_ = 1;  ///< number of people or fuel cells at the start
+  unsigned max_ = 1;  ///< initial number of people or of fuel cells
 };
 
 }  // namespace simreel::sim

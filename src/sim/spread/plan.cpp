@@ -11,15 +11,15 @@ namespace simreel::sim {
 namespace {
 
 constexpr int maxMapSide = 16384;
-/// Tolerance, in steps, for the rounding errors of frame times.
+/// Tolerance, in steps, for rounding errors of frame times.
 constexpr double hair = 1e-6;
 
 double hashedFraction(std::uint32_t x, std::uint32_t y, std::uint32_t seed) {
   return shader::hash3(glm::uvec3(x, y, seed)).x / 4294967296.0;
 }
 
-/// Returns value noise at (x, y): hashes of the four surrounding lattice points, interpolated with 3u^2 -
-/// 2u^3.
+/// Returns value noise at (x, y): hashes of the four surrounding lattice points, interpolated with the
+/// weights 3u^2 - 2u^3.
 double valueNoise(double x, double y, std::uint32_t seed) {
   const double left = std::floor(x);
   const double top = std::floor(y);

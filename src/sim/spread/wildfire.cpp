@@ -150,7 +150,7 @@ class Wildfire final : public Simulation {
   SpreadGrid grid_;
   gl::WordsArray fuels_, ground_, inclines_;
   gl::Vec4Array climbs_;
-  const FluidWind* wind_ = nullptr;  ///< source of the wind; null: uniform wind
+  const FluidWind* wind_ = nullptr;  ///< source of the wind; null for uniform wind
   gl::WordsArray gales_;
   gl::Kernel<WildfireStepKernel> step_;
   gl::Kernel<WildfirePaintKernel> paint_;
@@ -163,8 +163,8 @@ SimulationKind wildfireKind() {
   return kindOf<WildfireParameters>(
       "wildfire", "Fire on a map of fuel, carried by wind from cell to cell.",
       [](const scene::Object& object, const Setting& setting) {
-        // A grid that would take gigabytes is validated by a small one from the same images; its strokes
-        // are checked separately at full size.
+        // A grid that would take gigabytes is validated with a small grid made from the same images. Its
+        // strokes are checked separately at full size.
         WildfireParameters parameters = parametersOf<WildfireParameters>(object);
         if (parameters.leastBlockBytes() > ObjectParameters::commonBlockBytes) {
           static_cast<void>(Strokes(parameters.strokes, setting.seed,

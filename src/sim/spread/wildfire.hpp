@@ -3,8 +3,8 @@
 
 namespace simreel::sim {
 
-/// Returns the simulation kind "wildfire": a fire on a map of fuel; four bytes per cell, and 16 bytes per
-/// step for the counts.
+/// Returns the simulation kind "wildfire": a fire on a map of fuel, with four bytes per cell, and 16 bytes
+/// per step for the counts.
 [[nodiscard]] SimulationKind wildfireKind();
 
 }  // namespace simreel::sim

@@ -19,8 +19,8 @@ constexpr unsigned phaseSeed = 0x1b56c4e9U;
 constexpr unsigned ditherSeed = 0x967a889bU;
 constexpr unsigned inclineSeed = 0x5f356495U;
 
-/// Returns averages over 3x3 cells, because the 256 height levels of an image would be visible as steps in
-/// the shading.
+/// Returns means over 3x3 cells, because otherwise the 256 height levels of an image would be visible as
+/// steps in the shading.
 std::vector<double> smoothed(const std::vector<double>& values, glm::ivec2 size) {
   const auto at = [&](int x, int y) {
     return values[static_cast<std::size_t>(std::clamp(y, 0, size.y - 1)) *
@@ -39,14 +39,14 @@ std::vector<double> smoothed(const std::vector<double>& values, glm::ivec2 size)
   return result;
 }
 
-/// Returns an integer from 0 to `max`, dithered by the cell's hash so that levels blend.
+/// Returns an integer from 0 to `max`. It is dithered by the cell's hash, so that levels blend.
 unsigned dithered(double fraction, unsigned max, std::size_t cell, unsigned seed) {
   const double level = std::clamp(fraction, 0.0, 1.0) * max + cellFraction(cell, seed);
   return std::min(static_cast<unsigned>(level), max);
 }
 
-/// Returns a slope (cells per cell) in sixteenths, clamped to +-maxRise and offset by 128; dithered by the
-/// cell's hash so that the mean is exact.
+/// Returns a slope (cells per cell) in sixteenths, clamped to +-maxRise and offset by 128. It is dithered
+/// by the cell's hash, so that the mean is exact.
 unsigned sixteenths(double rise, std::size_t cell, unsigned seed) {
   constexpr double max = shader::maxRise;
   return static_cast<unsigned>(std::clamp(std::floor(16 * rise + cellFraction(cell, seed)), -max, max) +
@@ -126,8 +126,8 @@ WildfirePlan::WildfirePlan(const WildfireParameters& parameters, const std::stri
   makeFuel();
 }
 
-// Computes the ground's brightness: lit from the top left, so it increases with the slope towards the
-// bottom right.
+// Computes the brightness of the ground, which is lit from the top left and therefore gets brighter with
+// the slope towards the bottom right.
 void WildfirePlan::makeGround() {
   const glm::ivec2 size = parameters_.size;
   auto heights = parameters_.terrain.empty() ? hashNoise(size, 0.3 * size.y + 4, seed_ ^ terrainSeed)
@@ -169,7 +169,8 @@ void WildfirePlan::makeFuel() {
   fuels_.resize(count);
   bool burns = false;
   for (std::size_t i = 0; i < count; ++i) {
-    // Octave noise concentrates around its mean, so it is stretched to show both sparse and dense patches.
+    // Octave noise is concentrated around its mean, so it is stretched to give both sparse and dense
+    // patches.
     const double patch = std::clamp(0.5 + 1.8 * (noise[i] - 0.5), 0.0, 1.0);
     const double level = fuel[i] * p.fuelLevel * (1 - p.patchiness * (1 - patch));
     const unsigned shade = ground_[i] & 15U;
@@ -215,15 +216,15 @@ shader::WildfireStep WildfirePlan::stepAt(double time) const {
     for (int x = -1; x <= 1; ++x) {
       if (x == 0 && y == 0) continue;
       // Fire spreads from the neighbour at (x, y) in the direction (-x, -y). Diagonal distances are longer,
-      // so the probability is lower by that factor.
+      // so the probability is divided by the distance.
       const double length = std::sqrt(static_cast<double>(x * x + y * y));
       const double along = -(x * windX + y * windY) / length;
       const double chance = std::min(1.0, base * ieee::exp(strength * along) / length);
       data.spread[d / 4][static_cast<int>(d % 4)] = static_cast<unsigned>(std::lround(65536 * chance));
       ++d;
     }
-  // A cell ages seven times in coolSteps steps, and each ageing takes one round through the sixteen phases.
-  // Returns the number of phases completed after `steps` steps.
+  // A cell ages seven times in coolSteps steps, and in each of these times it takes one round through the
+  // sixteen phases. phases() returns the number of phases completed after `steps` steps.
   const auto phases = [&](std::uint64_t steps) {
     return static_cast<unsigned>(steps * 112 / static_cast<unsigned>(p.coolSteps));
   };
@@ -263,7 +264,7 @@ std::vector<glm::vec3> WildfirePlan::palette() const {
     return color * static_cast<float>(0.35 + 1.3 * fraction);
   };
   std::vector<glm::vec3> colors;
-  for (int i = 0; i < 64; ++i) {  // uninhabited classes: rock, then water, the rest unused
+  for (int i = 0; i < 64; ++i) {  // classes that cannot burn: first rock, then water; the others are unused
     const bool isWater = i / 16 == 1;
     colors.push_back(isWater ? p.water * static_cast<float>(0.85 + 0.3 * (i % 16) / 15.0)
                              : shaded(p.rock, i % 16 / 15.0));
@@ -279,7 +280,7 @@ std::vector<glm::vec3> WildfirePlan::palette() const {
   while (colors.size() < 192) colors.push_back(flames.back());
   for (int i = 0; i < 64; ++i) {
     const int age = i / 8;
-    // Cells cool at different times, so embers appear as specks in black char, which fades to ash.
+    // Cells cool at different times, so embers appear as specks in black char, which then fades to ash.
     const float old = static_cast<float>(age) / 7.0F;
     const float cool = 1.0F - old;
     const float hot = cool * cool * cool * cool * cool * cool * cool;

@@ -17,25 +17,26 @@ namespace simreel::sim {
 
 /// Sparks that the wind carries ahead of a fire.
 struct Embers {
-  double chance = 0.001;  ///< number of embers that a burning cell throws per step (probability)
-  double distance = 60;   ///< longest flight along the wind in cells
-  double spread = 0.3;    ///< lateral spread as a fraction of the flight
+  double chance = 0.001;  ///< mean number of embers that a burning cell throws per step (a probability)
+  double distance = 60;   ///< maximum flight distance along the wind in cells
+  double spread = 0.3;    ///< lateral spread as a fraction of the flight distance
 };
 
-/// Parameters of a fire on a map of fuel that spreads from cell to neighbouring cell.
+/// Parameters of a fire that spreads from cell to cell on a map of fuel.
 struct WildfireParameters final : ObjectParameters, SpreadParameters, shader::WildfireConstants {
   std::filesystem::path fuel, obstacles, moistureMap, terrain;
   double fuelLevel = 1;  ///< factor on the fuel, 0 to 1
   double patchiness = 0.5;
   double patchSize = 40;  ///< size of the largest patches in cells
-  double relief = 60;     ///< height in cells of the terrain image's white above its black
-  double slope = 0;       ///< logarithm of the factor on the spread rate up a slope of 45 degrees
+  double relief = 60;     ///< height difference in cells between white and black pixels of the terrain
+                          ///< image
+  double slope = 0;       ///< natural logarithm of the factor on the spread rate up a slope of 45 degrees
   scene::Animated<float> moisture = 0.0F;
   scene::Animated<float> spread = 0.12F;
   scene::Animated<float> windDirection = 0.0F;  ///< direction in degrees: 0 to the right, 90 up
-  scene::Animated<float> windStrength = 0.0F;  ///< logarithm of the factor on the spread rate in the wind's
-                                               ///< direction
-  std::string windFluid;                       ///< name of the fluid that provides the wind; empty: none
+  scene::Animated<float> windStrength = 0.0F;   ///< natural logarithm of the factor on the spread rate in
+                                                ///< the wind's direction
+  std::string windFluid;                        ///< name of the fluid that provides the wind; empty if none
   int coolSteps = 240;
   std::optional<Embers> embers;
   glm::vec3 forest{0.012F, 0.055F, 0.018F};
@@ -51,7 +52,7 @@ struct WildfireParameters final : ObjectParameters, SpreadParameters, shader::Wi
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 };
 
-/// Everything about a wildfire that the CPU decides. The GPU simulation and its CPU reference share it.
+/// The part of a wildfire that the CPU computes. The GPU simulation and its CPU reference both use it.
 class WildfirePlan {
  public:
   /// Loads the images. Throws the UserError of loadPicture(), and UserError(usage) if nothing on the map
@@ -59,9 +60,9 @@ class WildfirePlan {
   WildfirePlan(const WildfireParameters& parameters, const std::string& object, int seed,
                double frameSeconds);
 
-  /// Returns the initial state, one byte per cell (glsl/spread/cells.glsl), size.x * size.y, x fastest.
-  /// Fuel cells hold two bits of fuel amount above four bits of ground shade; bare cells hold 0, or 1 for
-  /// obstacles, above the shade.
+  /// Returns the initial state with one byte per cell (glsl/spread/cells.glsl), size.x * size.y cells, x
+  /// fastest. In a fuel cell, two bits of fuel amount are above four bits of ground shade. In a bare cell,
+  /// the value 0, or 1 for obstacles, is above the shade.
   [[nodiscard]] const std::vector<std::uint8_t>& firstCells() const { return cells_; }
   /// Returns the flammability of each cell, 0 to 255.
   [[nodiscard]] const std::vector<std::uint8_t>& fuels() const { return fuels_; }
@@ -80,14 +81,14 @@ class WildfirePlan {
   /// Returns the steps of the frame that starts at `time` (seconds). Frames must be requested in order,
   /// because step numbers continue.
   [[nodiscard]] std::vector<Step> frame(double time);
-  /// Returns the strokes to paint into the initial state of a run that starts at `time` (seconds).
+  /// Returns the strokes that paint into the initial state of a run that starts at `time` (seconds).
   [[nodiscard]] std::vector<shader::Stroke> firstStrokes(double time) const;
   void carryOver(CarryOver& carry) { carry.number("steps begun", done_); }
 
   [[nodiscard]] const WildfireParameters& parameters() const { return parameters_; }
   [[nodiscard]] const Strokes& strokes() const { return strokes_; }
   /// Returns the scale for galeOf() in glsl/spread/wildfire/gale.glsl in the frame that starts at `time`
-  /// (seconds); `speed` is the fluid's "speed" in cells/s.
+  /// (seconds). `speed` is the parameter "speed" of the fluid in cells/s.
   [[nodiscard]] float galeScale(double time, float speed) const {
     return static_cast<float>(static_cast<double>(parameters_.windStrength.at(time)) / speed);
   }

@@ -14,15 +14,19 @@ namespace simreel::sim {
 /// Parameters of the object kind "streamlines".
 struct StreamlineParameters : ObjectParameters, scene::Papered {
   std::string of;                    ///< name of the object whose flow is drawn
-  std::optional<double> separation;  ///< distance of lines in metres; nullopt: a 56th of the longer side
-  std::optional<double> length;      ///< greatest length of a line in metres; nullopt: 30 separations
-  std::optional<double> width;       ///< diameter in metres; nullopt: 0.3 separations
-  std::optional<int> seed;           ///< moves the seeds; nullopt: the scene's seed
+  std::optional<double> separation;  ///< distance between lines in metres; if empty, 1/56 of the longer
+                                     ///< side
+  std::optional<double> length;      ///< maximum length of a line in metres; if empty, 30 separations
+  std::optional<double> width;       ///< diameter of a line in metres; if empty, 0.3 separations
+  std::optional<int> seed;           ///< seed for the positions of the line seeds; if empty, the scene's
+                                     ///< seed
   double low = 0;                    ///< speed of the first colour in m/s
-  std::optional<double> high;        ///< speed of the last colour in m/s; nullopt: the source's greatest
-  std::vector<glm::vec3> colors;     ///< linear RGB stops of the colour map; empty: the object's material
-  std::optional<double> height;      ///< distance from the source's plane in metres; nullopt: the width
-  bool sheet = false;                ///< true: draws the source's field behind the lines
+  std::optional<double> high;        ///< speed of the last colour in m/s; if empty, the maximum speed of
+                                     ///< the source
+  std::vector<glm::vec3> colors;     ///< linear RGB stops of the colour map; if empty, the lines have the
+                                     ///< object's material
+  std::optional<double> height;      ///< distance from the source's plane in metres; if empty, `width`
+  bool sheet = false;                ///< true to draw the source's field behind the lines
 
   void describe(scene::Fields& fields) override;
   void ports(Ports& ports) const override;
@@ -31,9 +35,9 @@ struct StreamlineParameters : ObjectParameters, scene::Papered {
   }
 };
 
-/// Largest number of seeds of one object.
+/// Maximum number of seeds of one object.
 inline constexpr int mostSeeds = 8192;
-/// Points on each side of a seed.
+/// Number of points of a line on each side of its seed.
 inline constexpr int pointsAside = 40;
 
 }  // namespace simreel::sim

@@ -28,10 +28,10 @@ namespace simreel::sim {
 namespace {
 
 constexpr int pointsPerLine = 2 * pointsAside + 1;
-constexpr int rounds =
-    12;  // of trimming; each makes the longest lines of those that are still in doubt final
+constexpr int rounds = 12;  // number of rounds of trimming; each round makes those undecided lines final
+                            // that are the longest in their surroundings
 
-/// Inputs that all kernels share (glsl/streamlines/lines.glsl).
+/// Part of a kernel interface: inputs common to all kernels (glsl/streamlines/lines.glsl).
 struct LinePart {
   gl::Uniform<"count", int> count;
   gl::InOut<"points"> points;
@@ -55,7 +55,7 @@ struct TraceLines {
   FluidWindPart wind;
 };
 
-/// Inputs of the kernels that keep lines apart (glsl/streamlines/claims.glsl).
+/// Part of a kernel interface: inputs of the kernels that keep lines apart (glsl/streamlines/claims.glsl).
 struct ClaimPart {
   gl::Uniform<"round", int> round;
   gl::Uniform<"cellCount", glm::ivec2> cellCount;
@@ -93,7 +93,7 @@ struct NumberLines {
   gl::Out<"ArgumentBlock"> arguments;
 };
 
-/// Streamlines of another object. The object has no state.
+/// Streamlines of another object's flow. This object has no state.
 class Streamlines : public Simulation {
  public:
   Streamlines(const scene::Object& object, const Setting& setting)
@@ -158,7 +158,7 @@ class Streamlines : public Simulation {
     stride_ = static_cast<float>(parameters_.length.value_or(separations * separation) / (2 * pointsAside));
     width_ = static_cast<float>(parameters_.width.value_or(0.3 * separation));
     height_ = static_cast<float>(parameters_.height.value_or(static_cast<double>(width_)));
-    // More seeds than lines, so that lines fill the gaps that others leave.
+    // There are more seeds than lines, so that lines fill the gaps that others leave.
     constexpr double seedsPerSeparation = 1.6;
     const glm::dvec2 seeds =
         glm::max(glm::dvec2(1), glm::floor(seedsPerSeparation * glm::dvec2(extent) / separation + 1e-3));
@@ -170,7 +170,7 @@ class Streamlines : public Simulation {
            name_, separation, seeds.x * seeds.y, mostSeeds);
     columns_ = static_cast<int>(seeds.x);
     count_ = columns_ * static_cast<int>(seeds.y);
-    // Lines are at least two and a half separations long and half of one apart.
+    // Lines are at least two and a half separations long and at least half a separation apart.
     tubeCount_ = std::max(1, count_ / 3);
     const glm::mat4 turned = rotationMatrix(plane.rotation);
     const glm::vec3 right(turned[0]), up(turned[1]);
@@ -235,10 +235,10 @@ class Streamlines : public Simulation {
   glm::vec3 first_{0}, across_{0}, down_{0}, normal_{0};
   glm::ivec2 cells_{1, 1};
   glm::vec4 toColumn_{0}, toRow_{0};
-  gl::Vec4Array points_;  ///< x, y, z: metres; w: fraction of the range of speeds
-  gl::Buffer spans_;      ///< first and last point of each line now, and as traced
-  gl::Buffer tubeSpans_;  ///< the lines that are drawn
-  gl::Buffer claims_;     ///< per cell: round and rank of the line that claims it
+  gl::Vec4Array points_;  ///< xyz: position in metres; w: position of the speed within its range, 0 to 1
+  gl::Buffer spans_;      ///< indices of the first and last point of each line: currently, and as traced
+  gl::Buffer tubeSpans_;  ///< spans of the lines that are drawn
+  gl::Buffer claims_;     ///< for each cell: round and rank of the line that claims it
   Tubes tubes_;
   gl::Kernel<TraceLines> trace_;
   gl::Kernel<ClearClaims> clear_;

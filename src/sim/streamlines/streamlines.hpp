@@ -3,7 +3,8 @@
 
 namespace simreel::sim {
 
-/// Returns the simulation kind "streamlines": lines along the flow of another object at each frame.
+/// Returns the simulation kind "streamlines": lines along the flow of another object, computed for each
+/// frame.
 [[nodiscard]] SimulationKind streamlinesKind();
 
 }  // namespace simreel::sim

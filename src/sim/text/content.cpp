@@ -14,7 +14,7 @@ namespace {
 
 constexpr int mostDigits = 9;
 
-/// Parses the inside of a placeholder's braces.
+/// Parses the text between the braces of a placeholder.
 TextContent::Part numberOf(std::string_view inner) {
   using Number = TextContent::Part::Number;
   TextContent::Part part;

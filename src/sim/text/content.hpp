@@ -7,8 +7,8 @@
 
 namespace simreel::sim {
 
-/// Text of a scene with placeholders: {frame}, {time} (s) and {OBJECT.QUANTITY}, each optionally with a
-/// number of decimals, for example {time:2}. "{{" is a literal brace.
+/// Text of a scene with the placeholders {frame}, {time} (in seconds) and {OBJECT.QUANTITY}. Each may have
+/// a number of decimals, for example {time:2}. "{{" stands for a literal brace.
 class TextContent {
  public:
   struct Part {
@@ -23,7 +23,7 @@ class TextContent {
 
   [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
   [[nodiscard]] bool changes() const;
-  /// Returns the characters of the plain text and all characters that numbers can contain.
+  /// Returns all characters of the plain text and all characters that numbers can contain.
   [[nodiscard]] std::string alphabet() const;
   /// Callback that returns the current value of a quantity.
   using Measured = std::function<double(const std::string& object, const std::string& quantity)>;

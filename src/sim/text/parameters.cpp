@@ -16,7 +16,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Returns the parsed text; nullopt if it is malformed, which describe() reports.
+/// Returns the parsed text, or nullopt if it is malformed, which describe() reports.
 std::optional<TextContent> readContent(const std::string& text) {
   try {
     return TextContent(text);

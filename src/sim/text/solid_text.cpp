@@ -13,10 +13,10 @@ namespace simreel::sim {
 
 namespace {
 
-/// Non-horizontal edge of an outline, from its lower to its upper end.
+/// Edge of an outline that is not horizontal, from its lower to its upper end.
 struct Side {
   glm::dvec2 from, to;
-  int turn;  ///< winding: 1 if the outline goes up, else -1
+  int turn;  ///< winding: 1 if the outline goes up along the edge, otherwise -1
 
   [[nodiscard]] double at(double y) const {
     if (y == from.y) return from.x;
@@ -60,7 +60,7 @@ std::vector<Trapezoid> trapezoids(const TextOutlines& outlines) {
   const std::vector<Side> sides = sidesOf(outlines);
   const std::vector<double> heights = heightsOf(sides);
   std::vector<Trapezoid> found;
-  // Trapezoids that may continue upwards, by their left and right edges.
+  // Trapezoids that may continue upwards. The key holds their left and right edges.
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> open;
   for (std::size_t h = 0; h + 1 < heights.size(); ++h) {
     const double low = heights[h], high = heights[h + 1], middle = 0.5 * (low + high);
@@ -131,14 +131,14 @@ class TextSolid {
     for (const unsigned corner : {a, b, c}) mesh_.indices.push_back(corner);
   }
 
-  /// Returns the x of all points between two corners at a height, both included.
+  /// Returns the x coordinates, at a height, of all points from one corner to the other, including both.
   [[nodiscard]] std::vector<double> along(double y, double left, double right) const {
     const std::set<double>& all = corners_.at(y);
     return {all.lower_bound(left), all.upper_bound(right)};
   }
 
-  /// Adds the front (side = 1) or back (side = -1). Each piece is a fan around its centre, so that
-  /// neighbours share whole edges.
+  /// Adds the front (if `side` is 1) or the back (if it is -1). Each piece is a fan around its centre, so
+  /// that neighbours have whole edges in common.
   void face(double z, double side) {
     std::map<std::pair<double, double>, unsigned> known;
     const auto corner = [&](double x, double y) {
@@ -172,7 +172,7 @@ class TextSolid {
     }
   }
 
-  /// Returns the corners of pieces that lie on an edge of an outline, in the direction of the edge.
+  /// Returns the corners of pieces that are on an edge of an outline, in the direction of the edge.
   [[nodiscard]] std::vector<glm::dvec2> cuts(glm::dvec2 a, glm::dvec2 b) const {
     std::vector<glm::dvec2> points = {a};
     if (a.y == b.y) {
@@ -195,10 +195,10 @@ class TextSolid {
     return points;
   }
 
-  /// Adds the walls between front and back along the outlines. Normals are smooth where the outline turns
-  /// by less than 40 degrees.
+  /// Adds the walls between front and back along the outlines. Normals are smooth where an outline turns by
+  /// less than 40 degrees.
   void walls(const TextOutlines& outlines) {
-    double area = 0;  // signed area; positive if outer outlines are counter-clockwise
+    double area = 0;  // signed area; it is positive if outer outlines are counter-clockwise
     for (const auto& polygon : outlines)
       for (std::size_t i = 0; i < polygon.size(); ++i) {
         const glm::dvec2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
@@ -246,7 +246,7 @@ class TextSolid {
   double height_, depth_;
   glm::dvec2 low_{0}, high_{0};
   std::vector<Trapezoid> parts_;
-  std::map<double, std::set<double>> corners_;  ///< x coordinates by height, for all pieces
+  std::map<double, std::set<double>> corners_;  ///< x coordinates of all pieces' corners by height
   Mesh mesh_;
 };
 

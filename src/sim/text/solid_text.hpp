@@ -6,18 +6,18 @@
 
 namespace simreel::sim {
 
-/// Piece of an outline's interior: bounded by two heights and one straight line on each side.
+/// Piece of an outline's interior, bounded by two heights and by one straight line on each side.
 struct Trapezoid {
   double bottom, top;
   double bottomLeft, bottomRight, topLeft, topRight;
 };
-/// Divides the filled area into non-overlapping trapezoids. Trapezoids above one another touch at common
+/// Divides the filled area into trapezoids that do not overlap. Trapezoids above each other touch at common
 /// heights, where coincident corners have identical coordinates.
 [[nodiscard]] std::vector<Trapezoid> trapezoids(const TextOutlines& outlines);
 
-/// Returns a solid of the outlines, `depth` metres thick from z = -depth / 2 to depth / 2; `height` is the
-/// size of one unit of the outlines in metres. With depth 0 it has only a front. Triangles meet in whole
-/// edges. Texture coordinates span the bounding box. Empty without outlines.
+/// Returns a solid of the outlines that extends from z = -depth / 2 to depth / 2 (metres); `height` is the
+/// length of one unit of the outlines in metres. If `depth` is 0, it has only a front. Triangles meet in
+/// whole edges. Texture coordinates span the bounding box. The mesh is empty if there are no outlines.
 [[nodiscard]] Mesh solidText(const TextOutlines& outlines, double height, double depth);
 
 }  // namespace simreel::sim

@@ -20,7 +20,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Text in the world or on the screen. It has no state, but its content may change with the frame.
+/// Text in the world or over the picture. It has no state, but its content may change with the frame.
 class Text : public Simulation {
  public:
   Text(const scene::Object& object, const Setting& setting)

@@ -15,7 +15,7 @@ namespace simreel::sim {
 struct Setting;
 
 /// Kernel inputs for collisions of cloth and particles with everything except analytic shapes, and for
-/// wind. Inputs that the scene lacks are left empty.
+/// wind. Inputs that the scene does not have stay empty.
 struct TouchPart {
   gl::Block<"MeshColliderBlock", shader::MeshColliders> meshes = {};
   gl::In<"fieldCells"> fieldCells = {};
@@ -28,26 +28,26 @@ struct TouchVariant {
   gl::Switch<"HEIGHTS"> heights = {};
   WallVariant walls = {};
   gl::Flag<"WIND"> wind = {};
-  gl::Range<"COLLIDERS", 0, shader::maxColliders> colliders = {};  ///< for software drivers
+  gl::Range<"COLLIDERS", 0, shader::maxColliders> colliders = {};  ///< used by software drivers only
 };
 
 /// Rigid meshes, height fields and walls that an object of a scene collides with, and the wind around it.
 class Touch {
  public:
   struct Wanted {
-    std::string walls, wind;       ///< names of the objects that provide walls and wind; empty: none
-    bool solids = true;            ///< true: collides with rigid meshes and height fields
-    float margin = 0, bounce = 0;  ///< margin and bounce as in WallContact
+    std::string walls, wind;       ///< names of the objects that provide walls and wind; empty if none
+    bool solids = true;            ///< true if the object collides with rigid meshes and height fields
+    float margin = 0, bounce = 0;  ///< collision margin and bounce as in WallContact
     int colliders = 0;             ///< number of analytic shapes
     int substeps = 1;              ///< number of substeps per frame
     double substepSeconds = 1;
   };
   Touch() = default;
-  /// Throws UserError(usage) if the margin is too wide for the walls.
+  /// Throws UserError(usage) if the margin is too large for the walls.
   Touch(const std::string& name, const Setting& setting, const Wanted& wanted);
 
   [[nodiscard]] int meshCount() const { return fields_ == nullptr ? 0 : fields_->plan().count(); }
-  /// True if the object collides with anything other than analytic shapes.
+  /// Returns true if the object collides with anything other than analytic shapes.
   [[nodiscard]] bool meets() const { return meshCount() > 0 || heights_ != nullptr || walls_ != nullptr; }
   /// Uploads the data of the frame that starts at `time` (seconds).
   void beginFrame(double time);

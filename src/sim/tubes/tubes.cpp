@@ -15,7 +15,7 @@ namespace {
 
 constexpr int paletteRoom = 256;
 
-/// Returns the triangles of all tubes: bands between neighbouring rings of each line.
+/// Returns the triangles of all tubes: bands between consecutive rings of each line.
 std::vector<unsigned> bands(int lines, int rings) {
   std::vector<unsigned> indices;
   indices.reserve(static_cast<std::size_t>(lines) * static_cast<std::size_t>(rings - 1) * 6 * Tubes::sides);

@@ -24,12 +24,12 @@ class FloatKernels {
   /// `plan` must outlive this object and must have at least one body.
   FloatKernels(const std::string& name, const WaterPlan& plan, bool fast);
 
-  /// Computes the water that the bodies displace in the initial state; later steps continue from it.
+  /// Computes the water that the bodies displace in the initial state. Later steps continue from it.
   void begin(const gl::Vec4Array& cells, const gl::Buffer& status) { step(-1, cells, status); }
   /// Uploads the bodies' parameters for the frame that starts at `time` (seconds).
   void startFrame(double time);
-  /// Runs step `index` (from 0) of the frame, after the water's step: moves the bodies and applies their
-  /// effect on the water.
+  /// Runs step `index` (from 0) of the frame: moves the bodies and applies their effect on the water. Call
+  /// it after the water's step.
   void step(int index, const gl::Vec4Array& cells, const gl::Buffer& status);
   /// Computes the drawn vertices of the bodies.
   void prepareDrawing() const;
@@ -45,7 +45,7 @@ class FloatKernels {
     MeshTopology topology;
     gl::Vec4Array rest, restNormals, positions, normals;
     std::shared_ptr<const MovingLooks>
-        looks;  ///< Material textures; shared by bodies that use the same file.
+        looks;  ///< Material textures; bodies that use the same file have the same entry.
     int count;
     bool doubleSided = false;
   };
@@ -54,8 +54,8 @@ class FloatKernels {
   std::vector<Drawn> drawn_;
   gl::Vec4Array bodies_[2];  ///< Current state, and the output of the next step.
   gl::Vec4Array points_, told_;
-  /// Four integers per cell: increments of depth and of discharge along x and z in fixed-point units, and
-  /// the displaced depth.
+  /// Four integers per cell, in fixed-point units: increments of the depth and of the discharge along x and
+  /// z, and the displaced depth.
   gl::Buffer sums_;
   StepBlocks<shader::FloatStep> steps_;
   gl::Kernel<FloatMove> move_;

@@ -17,8 +17,8 @@ namespace simreel::sim {
 namespace {
 
 constexpr double waterDensity = 1000;       ///< Density of water in kg/m^3.
-constexpr double flowFineness = 268435456;  ///< Number of fixed-point units in the maximum discharge; large
-                                            ///< because single points contribute little.
+constexpr double flowFineness = 268435456;  ///< Number of fixed-point units in the maximum discharge. It is
+                                            ///< large because the contribution of a single point is small.
 constexpr double fineness = 4194304;        ///< Number of fixed-point units in the maximum depth.
 constexpr int largestReach = 1024;  ///< Maximum width, in cells, of the window of cells under a body.
 
@@ -67,8 +67,8 @@ std::vector<Hull> FloatPlan::hullsOf(const WaterParameters& water, const std::st
 }
 
 // A body resting on the ground sinks in by g dt^2 / (0.25 s), where s is the fraction of its points in
-// contact, about 3%. The step limits the sinking depth to 1/20 of the body's height or to a quarter of a
-// cell, whichever is larger.
+// contact, about 3%. The step limits this depth to 1/20 of the body's height or a quarter of a cell,
+// whichever is larger.
 double FloatPlan::longestStep(const WaterParameters& water, const std::vector<Hull>& hulls) {
   double seconds = 1e9;
   for (const Hull& hull : hulls) {
@@ -78,8 +78,8 @@ double FloatPlan::longestStep(const WaterParameters& water, const std::vector<Hu
   return seconds;
 }
 
-// The slowest standing wave between walls has a wavelength of twice the grid's length, so omega = pi c /
-// length. T satisfies omega T = 2.
+// The slowest standing wave between walls has a wavelength of twice the grid's length, so its angular
+// frequency is omega = pi c / length, where c is the wave speed. The time constant T satisfies omega T = 2.
 double FloatPlan::followSeconds(const WaterParameters& water, double depth) {
   const double length = std::max(water.size.x, water.size.y) * static_cast<double>(water.cell);
   return 2 * length / (std::numbers::pi * std::sqrt(water.gravity * depth));
@@ -124,7 +124,7 @@ void FloatPlan::describeStep(const WaterParameters& water, double dt, double dep
   s.count = static_cast<int>(floats_.size());
 }
 
-/// Warns if the body, in its initial rotation, is wider than the distance between two opposite walls.
+/// Warns if the body in its initial rotation is wider than the distance between two opposite walls.
 void FloatPlan::warnIfWider(const WaterParameters& water, const std::string& name,
                             std::size_t index) const {
   const glm::mat4 turned = rotationMatrix(floats_[index].rotation);
@@ -186,7 +186,8 @@ void FloatPlan::addBody(const WaterParameters& water, const std::string& name, s
   const glm::mat4 turned = rotationMatrix(body.rotation);
   const glm::vec3 middle = glm::vec3(turned * glm::vec4(glm::vec3(hull.middle), 0));
   const glm::dvec3 spin = glm::dvec3(body.spin) * 0.017453292519943295;
-  glm::dvec3 own(0);  // Angular velocity in the body's local space, then angular momentum.
+  glm::dvec3 own(0);  // The angular velocity is first converted to the body's local space, then to the
+                      // angular momentum.
   for (int axis = 0; axis < 3; ++axis)
     for (int row = 0; row < 3; ++row) own[axis] += static_cast<double>(turned[axis][row]) * spin[row];
   own = times(hull.inertia, own);

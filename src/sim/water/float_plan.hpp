@@ -15,25 +15,27 @@ static_assert(sizeof(FloatStep) == 96 && sizeof(FloatTold) == 16 * floatToldTexe
 
 namespace simreel::sim {
 
-/// CPU-side setup of floating bodies; shared by the GPU simulation and its CPU twin.
+/// CPU-side setup of floating bodies. Used by the GPU simulation and by its CPU twin.
 class FloatPlan {
  public:
   FloatPlan() = default;
-  /// Builds the hulls of a water's floating bodies. `object`: name for messages. Throws the errors of Hull.
+  /// Builds the hulls of the bodies that float on a water. `object` is the name for messages. Throws the
+  /// errors of Hull.
   [[nodiscard]] static std::vector<Hull> hullsOf(const WaterParameters& water, const std::string& object);
   /// Returns the maximum step in seconds for which bodies rest on the ground without sinking in too far.
   [[nodiscard]] static double longestStep(const WaterParameters& water, const std::vector<Hull>& hulls);
   /// Returns the time constant in seconds of each stage of the reference level's low-pass filter
   /// (glsl/water/float_model.glsl).
   [[nodiscard]] static double followSeconds(const WaterParameters& water, double depth);
-  /// `cells`: WaterPlan::firstCells(), or empty if first() is not needed. `depth`: maximum water depth in
-  /// metres. Throws UserError(usage) for a body that covers too many cells.
+  /// `cells` is WaterPlan::firstCells(), or empty if first() will not be used. `depth` is the maximum water
+  /// depth in metres. Throws UserError(usage) for a body that covers too many cells.
   FloatPlan(const WaterParameters& water, const std::string& object, std::vector<Hull> hulls,
             double frameSeconds, int substeps, double depth, const std::vector<glm::vec4>& cells);
 
   [[nodiscard]] bool empty() const { return hulls_.empty(); }
   [[nodiscard]] const std::vector<Hull>& hulls() const { return hulls_; }
-  /// Returns, for each body in turn: Hull::points, then the probes and nodes of Hull::touched.
+  /// Returns for each body, one after another: Hull::points, then the probes and the nodes of
+  /// Hull::touched.
   [[nodiscard]] const std::vector<glm::vec4>& points() const { return points_; }
   /// Returns the initial state: floatTexels elements per body.
   [[nodiscard]] const std::vector<glm::vec4>& first() const { return first_; }
@@ -41,7 +43,7 @@ class FloatPlan {
   /// Returns the bodies' parameters for the frame that starts at `time` (seconds): floatToldTexels elements
   /// per body.
   [[nodiscard]] std::vector<glm::vec4> toldAt(double time) const;
-  /// Returns the width in cells of the largest body's window.
+  /// Returns the width in cells of the largest window of cells under a body.
   [[nodiscard]] int side() const { return side_; }
 
  private:

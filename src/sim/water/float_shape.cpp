@@ -9,9 +9,9 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr int longestNodes = 32;   ///< Number of lattice steps along the longest side.
+constexpr int longestNodes = 32;   ///< Number of lattice steps along the longest side of the body.
 constexpr int margin = 2;          ///< Number of lattice steps added on each side of the body.
-constexpr int longestProbes = 20;  ///< Number of probe spacings along the longest side.
+constexpr int longestProbes = 20;  ///< Number of probe spacings along the longest side of the body.
 
 double dot(const glm::dvec3& a, const glm::dvec3& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
@@ -31,8 +31,8 @@ class NearestFaces {
   NearestFaces(const ClosedMesh& mesh, const glm::dvec3& low, double step, const glm::ivec3& counts)
       : mesh_(mesh), low_(low), step_(step), counts_(counts), found_(placeIn(counts, 0, 0, counts.z)) {
     for (std::size_t i = 0; i < mesh.faces.size(); ++i) note(i);
-    // Propagates faces to neighbouring nodes, diagonal ones included, in rising and then falling order of
-    // indices, twice. Each node keeps the nearest face that it was offered.
+    // Propagates faces to neighbouring nodes, including diagonal neighbours, in ascending and then in
+    // descending index order, twice. Each node keeps the nearest of the faces that it is offered.
     for (int round = 0; round < 2; ++round) {
       spread(1);
       spread(-1);
@@ -98,7 +98,7 @@ class NearestFaces {
   std::vector<Found> found_;
 };
 
-/// Samples points of the surface, corners first, at most one per cube of a lattice.
+/// Returns sample points of the surface, corners first, at most one per cube of a lattice.
 std::vector<glm::vec4> probesOf(const ClosedMesh& mesh, const glm::dvec3& middle, double apart) {
   const glm::ivec3 cubes = glm::ivec3(glm::floor((mesh.high - mesh.low) / apart)) + 1;
   std::vector<bool> taken(placeIn(cubes, 0, 0, cubes.z));

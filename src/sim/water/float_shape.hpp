@@ -8,18 +8,19 @@
 
 namespace simreel::sim {
 
-/// Contact shape of a floating body in its local space, relative to the centre of mass: either a sphere, or
-/// a lattice of signed distances to its surface with probe points on the surface. Computed in double
-/// arithmetic without libm.
+/// Contact shape of a floating body in its local space, relative to the centre of mass. It is either a
+/// sphere or a lattice of signed distances to the body's surface, with probe points on the surface.
+/// Computed in double arithmetic without libm.
 struct FloatShape {
   FloatShape() = default;
-  /// Sphere of the given radius in metres.
+  /// Creates a sphere of the given radius in metres.
   explicit FloatShape(double radius);
-  /// Closed mesh. `middle`: centre of mass in mesh coordinates.
+  /// Creates the lattice and probes of a closed mesh. `middle` is the centre of mass in mesh coordinates.
   FloatShape(const ClosedMesh& mesh, const glm::dvec3& middle);
 
   double radius = 0;              ///< Radius in metres of a sphere; 0 for a mesh.
-  std::vector<glm::vec4> probes;  ///< Position (metres) in xyz, radius (metres) in w.
+  std::vector<glm::vec4> probes;  ///< Probe points: xyz is the position, w the probe's radius (0 on a
+                                  ///< mesh), in metres.
   /// Lattice nodes, x fastest: xyz is the unit normal at the nearest point of the surface, w the signed
   /// distance (metres), negative inside.
   std::vector<glm::vec4> nodes;
@@ -28,8 +29,9 @@ struct FloatShape {
   glm::ivec3 counts{0};
 };
 
-/// Point of a face nearest to `p`, and the pseudonormal at that point (Baerentzen and Aanaes 2005): the
-/// sign of its dot product with the offset to `p` tells whether `p` is outside the mesh.
+/// Point of a face nearest to `p`, and the pseudonormal at that point (Baerentzen and Aanaes 2005). The
+/// sign of the dot product of the pseudonormal and the vector from the point to `p` tells whether `p` is
+/// outside the mesh.
 struct NearestOnFace {
   glm::dvec3 place{0}, normal{0};
 };

@@ -17,8 +17,8 @@ enum class WaterFloatShape { ball, box, file };
 struct FloatTow {
   scene::Animated<glm::vec3> position =
       glm::vec3(0);   ///< Position in metres relative to the grid's centre (y unused).
-  bool turns = true;  ///< True if the body's z axis is turned along the path.
-  float pull = 2;     ///< Rate in 1/s at which the body approaches the tow position.
+  bool turns = true;  ///< True if the body's z axis is turned to the direction of the path.
+  float pull = 2;     ///< Rate in 1/s at which the body approaches the position of the tow line.
 };
 
 /// Scene parameters of a body that floats on the water and pushes it.
@@ -28,7 +28,7 @@ struct WaterFloat {
   glm::vec3 size{1, 0.4F, 2};   ///< Size of a box in metres.
   std::filesystem::path file;   ///< File of a closed mesh.
   float scale = 1;              ///< Factor on the coordinates of mesh files.
-  std::filesystem::path drawn;  ///< Mesh drawn instead of the shape; it may be open.
+  std::filesystem::path drawn;  ///< File of a mesh that is drawn instead of the shape; it may be open.
   float density = 500;          ///< Density of the body in kg/m^3.
   std::optional<double> mass;   ///< Mass of the body in kg; if set, replaces `density`.
   glm::vec3 ballast{0};         ///< Offset in metres from the centre of volume to the centre of mass.
@@ -43,7 +43,7 @@ struct WaterFloat {
   float air = 0;            ///< Rate in 1/s at which the body loses speed in air.
   float friction = 0.4F;    ///< Coulomb friction coefficient on the ground and against other bodies.
   std::optional<double>
-      apart;  ///< Radius in metres of a sphere that replaces the shape in contact with other bodies.
+      apart;  ///< Radius in metres of a sphere that replaces the body's shape in contact with other bodies.
   scene::Animated<float> thrust = 0.0F;    ///< Thrust in N along local z.
   scene::Animated<float> steering = 0.0F;  ///< Torque in N m about local y.
   std::optional<FloatTow> tow;
@@ -52,9 +52,9 @@ struct WaterFloat {
 
   WaterFloat();
   void describe(scene::Fields& fields);
-  /// Returns the mesh file to draw; empty if the mesh is generated.
+  /// Returns the file of the mesh to draw; empty if the mesh is generated.
   [[nodiscard]] const std::filesystem::path& drawnFile() const { return drawn.empty() ? file : drawn; }
-  /// Returns the body as a separate scene object, used to determine its appearance.
+  /// Returns the body as a separate scene object, from which its appearance is determined.
   [[nodiscard]] scene::Object shownAs(const std::string& name) const;
 };
 

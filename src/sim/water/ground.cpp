@@ -13,7 +13,7 @@ namespace {
 
 constexpr int shades = 32, wetnesses = 16;
 
-/// Value noise: random values 0 to 1 at integer lattice points, smoothly interpolated.
+/// Returns value noise: random values between 0 and 1 at integer lattice points, smoothly interpolated.
 float mottle(glm::vec2 p, unsigned seed) {
   const glm::vec2 whole(std::floor(p.x), std::floor(p.y));
   const glm::vec2 beyond = p - whole;
@@ -28,8 +28,8 @@ float mottle(glm::vec2 p, unsigned seed) {
   return above + (below - above) * share.y;
 }
 
-/// Fractal noise of five octaves; each octave has half the feature size and 0.62 times the weight of the
-/// previous one.
+/// Returns fractal noise of five octaves. Each octave has half the feature size and 0.62 times the weight
+/// of the previous octave.
 float patches(glm::vec2 p) {
   float sum = 0, weight = 0.5F, weights = 0;
   for (unsigned octave = 0; octave < 5; ++octave) {
@@ -60,8 +60,8 @@ std::vector<std::uint16_t> groundColors(const WaterPlan& plan) {
   for (const glm::vec4& cell : plan.firstCells()) {
     const auto i = static_cast<int>(colors.size());
     const glm::ivec2 at(i % width, i / width);
-    // Ground counts as wet up to 18 times `shallow` above the initial water level, with wetness decreasing
-    // linearly.
+    // Ground counts as wet up to a height of 18 times `shallow` above the initial water level. The wetness
+    // decreases linearly with the height.
     const float dry = (cell.w - p.level) / (18.0F * shallow);
     const float wetness = 1 - std::clamp(dry, 0.0F, 1.0F);
     const float shade = std::clamp(1.8F * patches(glm::vec2(at) * perPatch) - 0.4F, 0.0F, 1.0F);

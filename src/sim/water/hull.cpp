@@ -17,7 +17,7 @@ namespace {
 constexpr int raysAcross = 4;       ///< Number of rays per cuboid along x and along z.
 constexpr int longestCuboids = 48;  ///< Maximum number of cuboids along the longest side.
 constexpr double fewestPoints =
-    600;  ///< Minimum number of cuboids in the bounding box, unless limited by longestCuboids.
+    600;  ///< Minimum number of cuboids in the bounding box, unless longestCuboids limits it.
 
 /// Returns, in ascending order, the heights at which a vertical line enters and leaves the body.
 using Crossings = std::function<std::vector<double>(std::size_t column)>;
@@ -71,7 +71,7 @@ ClosedMesh closedOf(const Mesh& mesh, const std::string& name) {
   }
 }
 
-/// Vertical lines, raysAcross^2 per column of cuboids.
+/// Vertical lines through the body, raysAcross^2 per column of cuboids.
 struct Rays {
   glm::dvec3 low, step;
   int across, down;
@@ -125,8 +125,8 @@ std::vector<std::vector<double>> crossedBall(const Rays& rays, double radius) {
   return heights;
 }
 
-/// Returns the number of cuboids along each side of a box: the smallest numbers that give at least
-/// fewestPoints cuboids in all.
+/// Returns the number of cuboids along each side of a box: the smallest numbers whose product is at least
+/// fewestPoints.
 glm::ivec3 cuboidsOf(const glm::dvec3& extent) {
   const double longest = std::max({extent.x, extent.y, extent.z});
   glm::ivec3 counts(1);
@@ -141,11 +141,11 @@ glm::ivec3 cuboidsOf(const glm::dvec3& extent) {
 /// Part of a body inside one cuboid.
 struct Part {
   double volume = 0;
-  glm::dvec3 moment{0};  ///< volume times centre
+  glm::dvec3 moment{0};  ///< product of volume and centre
 };
 
-/// Integrates the body over each cuboid, along vertical rays. Each line lists where a ray enters and leaves
-/// the body.
+/// Integrates the body over each cuboid along vertical rays. Each entry of `lines` holds the heights at
+/// which a ray enters and leaves the body.
 std::vector<Part> partsOf(const Rays& rays, const std::vector<std::vector<double>>& lines,
                           const glm::ivec3& counts, const glm::dvec3& grain) {
   std::vector<Part> parts(static_cast<std::size_t>(counts.x) * static_cast<std::size_t>(counts.y) *
@@ -206,7 +206,7 @@ Hull::Hull(const WaterFloat& body, const std::string& name) : mesh(meshOf(body))
     const double own = part.volume * perVolume;
     points.emplace_back(glm::vec3(at), static_cast<float>(own));
     aside2 += own / volume * (at.x * at.x + at.z * at.z);
-    // Computes the inertia about the centre of mass as if ballast were distributed like the volume.
+    // Computes the inertia about the centre of mass as if the ballast were distributed like the volume.
     const double kg = mass * own / volume;
     const glm::dvec3 r = at + glm::dvec3(body.ballast);
     const glm::dvec3 squared = r * r + grain * grain / 12.0;

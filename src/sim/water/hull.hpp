@@ -15,14 +15,15 @@ namespace simreel::sim {
 /// Geometry of a floating body: the drawn mesh, and cuboids that represent its volume. Computed in double
 /// arithmetic in a fixed order, without libm.
 struct Hull {
-  /// Builds the hull, reading the body's file if any. `name`: used in messages. Throws UserError: the
-  /// errors of loadMesh, and usage for a mesh that is not closed.
+  /// Builds the hull; reads the body's file if it has one. `name` is used in messages. Throws the errors of
+  /// loadMesh(), and UserError(usage) for a mesh that is not closed.
   Hull(const WaterFloat& body, const std::string& name);
 
   Mesh mesh;                       ///< Drawn mesh in metres; its origin is the centre of mass.
   std::vector<glm::vec3> corners;  ///< Vertices of the shape in metres.
-  std::vector<glm::vec4> points;   ///< One per cuboid: centre of its part inside the body (metres, relative
-                                   ///< to the centre of mass) and volume of that part (m^3).
+  std::vector<glm::vec4> points;   ///< One element per cuboid: xyz is the centre of the cuboid's part
+                                   ///< inside the body (metres, relative to the centre of mass), w the
+                                   ///< volume of that part (m^3).
   glm::dvec3 grain{0};             ///< Size of a cuboid in metres.
   glm::dvec3 middle{0};            ///< Centre of mass in metres, relative to the shape's origin.
   double volume = 0;               ///< Volume of the body in m^3.

@@ -19,7 +19,7 @@ struct WaterSums;
 /// Owns the water's cells on the GPU and the kernels that process them.
 class WaterKernels {
  public:
-  /// Throws UserError(device) if a grid of `size` cells exceeds the device's limits. Call before filling
+  /// Throws UserError(device) if a grid of `size` cells exceeds the device's limits. Call it before filling
   /// arrays, because the arrays of an oversized grid would take gigabytes.
   static void checkLimits(const std::string& name, glm::ivec2 size);
 
@@ -30,11 +30,12 @@ class WaterKernels {
   void startFrame(double time);
   /// Runs step `number` (counted from 1) of the frame.
   void step(int number);
-  /// Applies rain, drops, drains and strokes to the state after step `number`.
+  /// Applies rain, drops, drains and strokes to the state after step `number` of the frame that starts at
+  /// `time`.
   void fall(double time, int number) const;
   /// Computes the displayed values and the drawn vertices.
   void look() const;
-  /// Measures the current state for the table beside the frames.
+  /// Measures the current state for the table written next to the frame images.
   void tally(double time);
 
   [[nodiscard]] gl::Vec4Array& cells() { return cells_[0]; }
@@ -48,12 +49,12 @@ class WaterKernels {
  private:
   const WaterPlan* plan_;
   glm::ivec2 size_;
-  /// True to step by strips (step_strips.comp); false to step by columns, one per invocation.
+  /// True if strips are processed (step_strips.comp), false if columns are, one per invocation (step.comp).
   bool strips_ = gl::memoryPath() == gl::MemoryPath::storage;
-  /// Number of rows per strip or column. A larger number computes fewer rows twice; a small grid uses fewer
-  /// rows, so that there are enough workgroups.
+  /// Number of rows per strip or column. With more rows, fewer rows are computed twice; a small grid uses
+  /// fewer rows, so that there are enough workgroups.
   int rowsEach_;
-  gl::Vec4Array cells_[2];  ///< Current state, and the output of the next step; between steps the second
+  gl::Vec4Array cells_[2];  ///< Current state, and the output of the next step. Between steps the second
                             ///< array holds the displayed values.
   gl::Texture words_[2];    ///< Views of both arrays as 32-bit words.
   gl::WordsArray stamps_;

@@ -70,7 +70,7 @@ void WaterParameters::rainOnPond(scene::Fields& f) {
   pondTerrain(extent, smaller);
 }
 
-/// Default terrain of the pond: a hollow among hills, with two stones.
+/// Sets the default terrain of the pond: a hollow between hills, with two stones.
 void WaterParameters::pondTerrain(glm::vec2 extent, float smaller) {
   struct Hill {
     float x, z, across, along, height;
@@ -231,8 +231,8 @@ void WaterParameters::describeLook(scene::Fields& f) {
 
 std::optional<scene::Box> WaterParameters::framed() const {
   if (!visible) return std::nullopt;
-  // The box is high enough that the default camera looks along the water; for the pond, it covers only the
-  // middle.
+  // The box is so high that the default camera looks along the water surface. For the pond, it covers only
+  // the middle.
   const glm::vec3 extent = cell * glm::vec3(size.x, 0, size.y);
   glm::vec3 reach = (isPond ? 0.15F : 0.5F) * extent;
   reach.y = 0.51F * std::max(reach.x, reach.z);

@@ -15,29 +15,30 @@
 
 namespace simreel::sim {
 
-/// Boundary condition at a side of the grid, in the order of glsl/water/types.glsl.
+/// Boundary condition at a side of the grid, numbered as in glsl/water/types.glsl.
 enum class WaterBorder { wall, open, periodic, sea };
 
-/// Hill of the bed with elliptical outline: height (1 - r^2)^2, where r is the distance from the centre
-/// relative to `radii`. A negative height makes a hollow.
+/// Hill of the bed with an elliptical outline. Its profile is height (1 - r^2)^2, where r is the distance
+/// from the centre relative to `radii`. A negative height gives a hollow.
 struct WaterHill {
   glm::vec3 center{0};       ///< Centre in metres relative to the grid's centre (y unused).
   glm::vec3 radii{1, 0, 1};  ///< Radii in metres along x and z (y unused).
-  float height = 1;          ///< Height of the hill in metres; negative: a hollow.
+  float height = 1;          ///< Height of the hill in metres; a negative value gives a hollow.
 };
 
-/// Rectangle of the grid with its own initial water level.
+/// Rectangle of the grid with a separate initial water level.
 struct WaterPool {
   glm::vec3 from{0}, to{0};  ///< Two opposite corners in metres relative to the grid's centre (y unused).
   float level = 1;           ///< Initial water level in the rectangle, in metres.
 };
 
-/// Drop of water that falls into the grid at one moment.
+/// Drop of water that falls onto the water at a given time.
 struct WaterDropParameters {
   double at = 0;        ///< Time in seconds at which the drop falls.
   glm::vec3 center{0};  ///< Position in metres relative to the grid's centre (y unused).
   float radius = 0.2F;  ///< Radius of the drop in metres.
-  float height = 0.1F;  ///< Rise of the level at the drop's centre in metres; negative: a dent.
+  float height = 0.1F;  ///< Rise of the level at the drop's centre in metres; a negative value gives a
+                        ///< dent.
 };
 
 /// Drain that removes water.
@@ -45,21 +46,21 @@ struct WaterDrain {
   glm::vec3 center{0};                  ///< Position in metres relative to the grid's centre (y unused).
   float radius = 0.5F;                  ///< Radius of the drain in metres.
   scene::Animated<float> speed = 0.5F;  ///< Rate in m/s at which the level falls at the drain's centre.
-  double from = 0, until = 1e9;         ///< Start and end of the draining in seconds.
+  double from = 0, until = 1e9;         ///< Start and end of the drain's activity in seconds.
 };
 
 /// Rain: drops at random positions.
 struct WaterRain {
-  double rate = 10;      ///< Drops per second on the whole grid.
+  double rate = 10;      ///< Number of drops per second on the whole grid.
   float radius = 0.22F;  ///< Drop radius in metres.
   float height = 0.1F;   ///< Rise of the level at a drop's centre in metres.
   double from = 0;       ///< Start of the rain in seconds.
   double until = 1e9;    ///< End of the rain in seconds.
 };
 
-/// Swell: waves that enter at a side of kind sea.
+/// Swell: waves that enter through a side with the boundary condition `sea`.
 struct WaterSwell {
-  int side = 3;  ///< Index of the side where the waves enter: west, east, north, south.
+  int side = 3;  ///< Index of the side through which the waves enter: west, east, north, south.
   scene::Animated<float> height = 0.3F;  ///< Wave height in metres, from trough to crest.
   double period = 4;                     ///< Wave period in seconds.
   double phase = 0;                      ///< Initial phase as a fraction of a period.
@@ -75,7 +76,7 @@ struct WaterParameters : ObjectParameters, HasColorRange {
   float bed = -1;  ///< Height of the flat bed in metres.
   std::filesystem::path terrain;
   float terrainLow = -1,
-        terrainHigh = 0.5F;  ///< Heights of black and white in the terrain image, in metres.
+        terrainHigh = 0.5F;  ///< Heights in metres of black and white pixels in the terrain image.
   int terrainSmooth = 2;
   std::vector<WaterHill> hills;
   std::array<WaterBorder, 4>
@@ -85,13 +86,15 @@ struct WaterParameters : ObjectParameters, HasColorRange {
   scene::Animated<float> drag = 0.0F;      ///< Linear drag coefficient of the flow in 1/s.
   float manning = 0;                       ///< Manning's roughness coefficient in s/m^(1/3).
   scene::Animated<float> rainfall = 0.0F;  ///< Uniform rainfall in mm/h.
-  std::optional<int> substeps;  ///< Substeps per frame; if empty, chosen from the maximum depth and speed.
+  std::optional<int> substeps;  ///< Substeps per frame; if empty, they are chosen from the maximum depth
+                                ///< and speed.
   std::optional<double> greatestDepth;  ///< Expected maximum depth in metres.
   std::optional<double> greatestSpeed;  ///< Expected maximum speed in m/s.
   std::vector<WaterDropParameters> drops;
   std::vector<WaterDrain> drains;
   std::optional<WaterRain> rain;
-  bool isPond = false;  ///< True if the scene gives no parameters of the water; the default pond is used.
+  bool isPond = false;  ///< True if the scene gives no parameters of the water, so that the default pond is
+                        ///< used.
   std::vector<StrokeParameters> strokes;
   std::vector<WaterFloat> floats;
   bool collides = false;
@@ -119,7 +122,7 @@ struct WaterParameters : ObjectParameters, HasColorRange {
   [[nodiscard]] bool isTorus() const;
 
  private:
-  /// Sets the defaults of a scene that gives no parameters of the water.
+  /// Sets the defaults for a scene that gives no parameters of the water.
   void rainOnPond(scene::Fields& fields);
   void pondTerrain(glm::vec2 extent, float smaller);
   void describeStart(scene::Fields& fields);

@@ -17,21 +17,21 @@ namespace {
 
 constexpr int maxImageSide = 32768;
 constexpr double aimed =
-    0.25;  ///< Courant number of automatic substeps; small enough that no outflow is limited.
+    0.25;  ///< Courant number for automatic substeps; it is so small that no outflow has to be limited.
 constexpr double allowed = 0.5;  ///< Courant number beyond which two-dimensional steps are unstable.
-constexpr double thinShare = 1e-4, dryShare = 1e-5;  ///< Depths below which water counts as thin or dry, as
-                                                     ///< fractions of the maximum depth.
+constexpr double thinShare = 1e-4, dryShare = 1e-5;  ///< Depths below which water counts as thin or as dry,
+                                                     ///< as fractions of the maximum depth.
 constexpr int maxSubsteps = 100'000;
 
-/// Scales strokes to steps: the value of a stroke with a duration is a rate per second, so it is multiplied
-/// by the step's duration.
+/// Scales the strokes to single steps. The value of a stroke with a duration is a rate per second, so it is
+/// multiplied by the step's duration.
 std::vector<StrokeParameters> perStep(std::vector<StrokeParameters> strokes, double seconds) {
   for (StrokeParameters& stroke : strokes)
     if (stroke.until > stroke.at) stroke.value *= seconds;
   return strokes;
 }
 
-/// Returns 3x3 box means; beyond the border, the border cells are repeated.
+/// Returns 3x3 box means. Beyond the border, the border cells are repeated.
 std::vector<float> smoothed(const std::vector<float>& heights, glm::ivec2 size) {
   std::vector<float> result;
   result.reserve(heights.size());
@@ -136,7 +136,7 @@ void WaterPlan::makeFirst() {
 }
 
 /// Returns an upper bound of the depth of all cells in metres. Reads the terrain image only to detect
-/// errors.
+/// errors in it.
 double WaterPlan::deepestPossible() const {
   const WaterParameters& p = parameters_;
   double top = p.level, bottom = p.bed;
@@ -210,7 +210,7 @@ shader::WaterStep WaterPlan::stepAt(double time, int step) const {
 shader::WaterDrop WaterPlan::dropOf(glm::dvec2 center, double radius, float height) const {
   const double cells =
       std::max(radius / parameters_.cell,
-               0.75);  // The radius is at least 0.75 cells, so that a drop affects at least one cell.
+               0.75);  // The radius is at least 0.75 cells, so that each drop affects at least one cell.
   return {glm::vec2(center), static_cast<float>(1 / (cells * cells)), height, look().shallow};
 }
 
@@ -219,7 +219,7 @@ WaterFalls WaterPlan::fallsAt(double time, int step) const {
   const double dt = stepSeconds();
   const double now = time + step * dt;
   WaterFalls falls;
-  // Rounds moments up to whole steps, so that each moment belongs to exactly one step.
+  // Rounds times up to whole steps, so that each event belongs to exactly one step.
   const long state = std::lround(now / dt);
   const auto due = [&](double at) { return std::lround(std::ceil(at / dt - 1e-6)) == state; };
   if (!strokes_.empty()) falls.strokes = strokes_.into(now, dt, state);
@@ -281,8 +281,9 @@ shader::WaterLook WaterPlan::look() const {
   return l;
 }
 
-// Returns the colours by depth and foam. By Beer's law the fraction e^(-d / clarity) of the visible colour
-// is the shallow colour, the rest the deep colour; red is absorbed more strongly.
+// Returns the colours by depth and foam. By Beer's law, at the depth d, a fraction e^(-d / clarity) of the
+// visible colour is the shallow colour and the remaining fraction is the deep colour. Red is absorbed more
+// strongly.
 std::vector<glm::vec4> WaterPlan::palette() const {
   const glm::vec3 deep = parameters_.deep;
   constexpr glm::vec3 absorbed(1.7F, 0.95F, 1.1F);

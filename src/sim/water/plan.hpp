@@ -14,7 +14,7 @@ namespace simreel::shader {
 #define FUNCTION inline
 #define precise
 #include "glsl/water/types.glsl"
-// The headers below use the types of types.glsl.
+// The headers below need the types of types.glsl.
 #include "glsl/water/look_types.glsl"
 #include "glsl/water/model.glsl"
 static_assert(sizeof(WaterStep) == 80 && sizeof(WaterLook) == 48);
@@ -30,7 +30,7 @@ struct WaterFalls {
   std::vector<shader::WaterDrop> drops;
 };
 
-/// CPU-side setup of the water; shared by the GPU simulation and its CPU twin.
+/// CPU-side setup of the water. Used by the GPU simulation and by its CPU twin.
 class WaterPlan {
  public:
   /// Reads the images. Throws UserError if an image cannot be read, and UserError(usage) if no allowed
@@ -44,16 +44,16 @@ class WaterPlan {
     return {std::move(parameters), object, seed, frameSeconds, false};
   }
 
-  /// Returns the initial state, one element per cell, x fastest: level (m), discharges along x and z
-  /// (m^2/s, zero), bed (m).
+  /// Returns the initial state with one element per cell, x fastest: level (m), discharge along x and along
+  /// z (m^2/s, zero), bed height (m).
   [[nodiscard]] const std::vector<glm::vec4>& firstCells() const { return first_; }
   [[nodiscard]] int substeps() const { return substeps_; }
   [[nodiscard]] double stepSeconds() const { return frameSeconds_ / substeps_; }
-  /// Returns the step parameters of the frame that starts at `time` (seconds). `step` counts from 0 and
-  /// matters only if there is swell.
+  /// Returns the step parameters of the frame that starts at `time` (seconds). `step` is the zero-based
+  /// step, which matters only if there is swell.
   [[nodiscard]] shader::WaterStep stepAt(double time, int step = 0) const;
-  /// Returns the number of distinct step parameter blocks per frame: one, or one per substep if there is
-  /// swell.
+  /// Returns the number of different step parameter blocks per frame: one per substep if there is swell,
+  /// otherwise one.
   [[nodiscard]] int toldSteps() const { return parameters_.swell.empty() ? 1 : substeps_; }
   /// Returns the drops and strokes applied to the state after `step` steps of the frame that starts at
   /// `time` (seconds).
@@ -66,7 +66,7 @@ class WaterPlan {
   [[nodiscard]] const WaterParameters& parameters() const { return parameters_; }
   [[nodiscard]] const Strokes& strokes() const { return strokes_; }
   [[nodiscard]] shader::WaterLook look() const;
-  /// Returns linear RGB colours, indexed by w of a vertex.
+  /// Returns linear RGB colours that are indexed by w of a vertex.
   [[nodiscard]] std::vector<glm::vec4> palette() const;
   /// Converts metres relative to the grid's centre to cell coordinates.
   [[nodiscard]] glm::dvec2 cellsAt(const glm::vec3& metres) const;
@@ -77,7 +77,7 @@ class WaterPlan {
   [[nodiscard]] std::vector<float> bedHeights() const;
   void makeFirst();
   [[nodiscard]] double deepestPossible() const;
-  /// `longest`: maximum step in seconds that the floating bodies allow.
+  /// `longest` is the maximum step in seconds that the floating bodies allow.
   void chooseSubsteps(const std::string& object, double longest);
   [[nodiscard]] shader::WaterDrop dropOf(glm::dvec2 center, double radius, float height) const;
 

@@ -39,7 +39,7 @@ std::span<const scene::Quantity> WaterParameters::quantities() const {
 
 namespace {
 
-/// Returns the y component of v rotated by the quaternion q.
+/// Returns the y component of the vector v rotated by the quaternion q.
 double heightOf(const glm::dvec4& q, const glm::dvec3& v) {
   return 2 * (q.x * q.y + q.z * q.w) * v.x + (1 - 2 * (q.x * q.x + q.z * q.z)) * v.y +
          2 * (q.y * q.z - q.x * q.w) * v.z;

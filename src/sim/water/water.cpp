@@ -27,7 +27,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Returns the water's vertices as a height field that other objects collide with.
+/// Returns a description of the water's surface as a height field for objects that collide with it.
 HeightPlan heightsOf(const WaterParameters& p, double frameSeconds) {
   MeshParameters plane;
   const glm::vec2 cells(p.size - 1);
@@ -135,7 +135,7 @@ class Water : public Simulation {
     field.colors = &colors_;
     field.display = &p.display;
     drawables.fields.push_back(field);
-    // Fields for files, not drawn over the picture.
+    // These fields are for files and are not drawn over the picture.
     field.display = nullptr;
     field.name = &levelName_;
     field.words = &kernels_.cellWords();
@@ -198,7 +198,7 @@ class Water : public Simulation {
   }
 
  private:
-  /// Creates the drawing data besides the cells: two bytes per cell, and the indices of one row.
+  /// Creates the drawing data other than the cells: two bytes per cell, and the indices of one row.
   void makeSurfaces() {
     const WaterParameters& p = plan_.parameters();
     const shader::WaterLook look = plan_.look();
@@ -231,11 +231,11 @@ class Water : public Simulation {
     gl::barrier();
   }
 
-  /// Measures the current state for the table beside the frames.
+  /// Measures the current state for the table written next to the frame images.
   void tallyNow(double time) {
     kernels_.tally(time);
     if (!floats_) return;
-    // A row has the seven sums computed by the device, followed by the quantities of floating bodies.
+    // A row has the seven sums that the GPU computes, followed by the quantities of floating bodies.
     constexpr std::size_t sums = 7;
     std::array<float, 4 * countElements> row{};
     kernels_.tally().table({}).steps->read(0, std::as_writable_bytes(std::span(row).first(sums + 1)));
@@ -275,7 +275,7 @@ SimulationKind waterKind() {
       "water", "Shallow water that flows over a terrain, wets and leaves it dry; rain, sources, dams.",
       [](const scene::Object& object, const Setting& setting) {
         const auto& parameters = parametersOf<WaterParameters>(object);
-        // For arrays larger than common devices allow, validation does not create the cells.
+        // If arrays are larger than common devices allow, validation does not create the cells.
         const bool large = parameters.leastBlockBytes() > ObjectParameters::commonBlockBytes;
         const WaterPlan plan =
             large ? WaterPlan::withoutCells(parameters, object.name, setting.seed, setting.frameSeconds)

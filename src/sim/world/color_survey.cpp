@@ -28,7 +28,7 @@ void see(float value, SeenRange& range) {
   range.seen = true;
 }
 
-/// Returns the four floats of each texel of a buffer texture as one row of a field.
+/// Returns float `at` of each of the first `count` texels of a buffer texture.
 std::vector<float> component(const gl::Texture& texels, int count, int at) {
   Field field;
   field.words = &texels;
@@ -39,7 +39,7 @@ std::vector<float> component(const gl::Texture& texels, int count, int at) {
   return fieldValues(field);
 }
 
-/// Adds the values that colour the living particles.
+/// Extends the range by the values that colour the live particles.
 void seeInstances(const Instances& instances, SeenRange& range) {
   if (instances.colorBy == Instances::ColorBy::material || instances.capacity < 1) return;
   const auto of = [&](const gl::Texture& texels, int at) {
@@ -60,13 +60,14 @@ void seeInstances(const Instances& instances, SeenRange& range) {
     if (age[i] >= 0) see(values[i], range);
 }
 
-/// Adds the values that colour a surface's vertices.
+/// Extends the range by the values that colour a surface's vertices.
 void seeSurface(const Surface& surface, SeenRange& range) {
   if (surface.stops == nullptr) return;
   for (const float value : component(*surface.colors, surface.vertexCount, 3)) see(value, range);
 }
 
-/// Returns the object's field that its display shows; else the field of its name; null: none.
+/// Returns the field that the object displays; otherwise the field with the object's name; null if there is
+/// none.
 const Field* shownField(const Drawables& drawables, const std::string& object) {
   const Field* named = nullptr;
   for (const Field& field : drawables.fields) {
@@ -77,7 +78,8 @@ const Field* shownField(const Drawables& drawables, const std::string& object) {
   return named;
 }
 
-/// Moves measured ends apart that are equal, or in the wrong order because the other end is fixed.
+/// Moves the measured ends apart if both ends are equal, or if they are in the wrong order because one end
+/// is fixed.
 void separate(const AutoEnds& ends, double& low, double& high) {
   if (low < high) return;
   const double apart = std::max(1e-6, std::abs(low));
@@ -110,7 +112,7 @@ void seeValues(const World& world, std::vector<SeenRange>& ranges) {
     Drawables drawables;
     world.object(range.object).publish(world.time(), drawables);
     const Field* field = shownField(drawables, world.objectName(range.object));
-    // A kernels object may have both; its first range is the field's.
+    // A kernels object may have both a field and instances; its first range belongs to the field.
     if (field != nullptr && range.range == 0) {
       for (const float value : fieldValues(*field)) see(value, range);
       continue;
@@ -122,7 +124,8 @@ void seeValues(const World& world, std::vector<SeenRange>& ranges) {
 
 std::vector<std::string> setRanges(scene::Scene& scene, const std::vector<SeenRange>& ranges) {
   std::vector<std::string> given;
-  // From the last to the first, because a range that is set is no longer in the list of its object.
+  // The loop runs from the last to the first entry, because a range that is set is removed from the list of
+  // its object.
   for (auto seen = ranges.rbegin(); seen != ranges.rend(); ++seen) {
     const scene::Object& object = scene.objects.at(seen->object);
     const std::vector<MeasuredRange> all = rangesOf(object);

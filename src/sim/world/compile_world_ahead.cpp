@@ -9,8 +9,8 @@
 
 namespace simreel::sim {
 
-// Does nothing if the kernel cache is warm: constructing a World takes time that only saved compilations
-// win back.
+// If the kernel cache is warm, this does nothing: constructing a World takes time, which only pays off if
+// compilation time is saved.
 void compileWorldAhead(const scene::Scene& scene) {
   if (!gl::KernelCompiler::helps() || !gl::KernelCompiler::isCold()) return;
   gl::Rehearsal rehearsal;
@@ -19,7 +19,7 @@ void compileWorldAhead(const scene::Scene& scene) {
     World world(scene);
     world.advanceTo(0);
   } catch (const UserError&) {
-    // The real World meets the same error and reports it. Or the rehearsal was stopped because the
+    // Either the real World meets the same error and reports it, or the rehearsal was stopped because the
     // dispatches did not end.
   }
   gl::KernelCompiler::announce(rehearsal.extractKernels());

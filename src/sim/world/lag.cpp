@@ -10,8 +10,8 @@ Lag::Lag(double damping, double frameSeconds)
       rate_(2 / damping),
       decay_(ieee::exp(-rate_ * frameSeconds)) {}
 
-// If x has the velocity v, z = y - (x - v T) obeys z'' = -w^2 z - 2 w z', so after the time h
-//   z = (z0 + (z0' + w z0) h) e^-wh,  z' = (z0' - w (z0' + w z0) h) e^-wh.
+// If x has the velocity v, then z = y - (x - v T) obeys z'' = -w^2 z - 2 w z'. From the initial values z0
+// and z0', after the time h, z = (z0 + (z0' + w z0) h) e^-wh and z' = (z0' - w (z0' + w z0) h) e^-wh.
 void Lag::follow(const glm::dvec3& x) {
   if (known_ == 0) {
     known_ = 1;

@@ -7,17 +7,18 @@
 
 namespace simreel::sim {
 
-/// Position y that follows a position x like a critically damped spring, y'' = w^2 (x - y) - 2 w y', w = 2
-/// / T: under a steady motion y lags by the time T. x moves linearly from frame to frame; for such x the
-/// equation is solved exactly, so y does not depend on the number of frames in between.
+/// Position y that follows a position x like a critically damped spring, y'' = w^2 (x - y) - 2 w y' with w
+/// = 2 / T. If x has constant velocity, y lags by the time T. x moves linearly from frame to frame; for
+/// such x the equation is solved exactly, so y does not depend on how many frames lie between two times.
 class Lag {
  public:
   /// `damping`: T in seconds, above 0. `frameSeconds`: duration of a frame.
   Lag(double damping, double frameSeconds);
 
-  /// Sets x of the next frame and advances y. In the first frame y starts at x, at rest.
+  /// Sets x of the next frame and advances y. In the first frame y starts at x with zero velocity.
   void follow(const glm::dvec3& x);
-  /// Forgets the position after the target has disappeared; the target's next position counts as its first.
+  /// Discards the position because the target has disappeared. The target's next position counts as its
+  /// first.
   void lose() { known_ = 0; }
   /// Returns y; empty while there is no target.
   [[nodiscard]] std::optional<glm::vec3> place() const {

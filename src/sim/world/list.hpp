@@ -7,7 +7,7 @@
 
 namespace simreel::sim {
 
-/// Returns all kinds of objects that a scene can have. A new simulation takes one line in list.cpp.
+/// Returns all kinds of objects that a scene can have. A new kind of simulation needs one line in list.cpp.
 [[nodiscard]] std::span<const SimulationKind> simulations();
 /// Returns the kind with this name. The name must exist; the scene reader has checked it.
 [[nodiscard]] const SimulationKind& simulationNamed(std::string_view kind);

@@ -26,11 +26,11 @@ const scene::Object* named(Objects objects, std::string_view name) {
   return found == objects.end() ? nullptr : &*found;
 }
 
-/// Offer of one object to another at a port.
+/// Answer to whether one object provides a port to another object.
 struct Offered {
   bool given = false;
-  std::string unless;              ///< reason if nothing is offered
-  std::vector<std::string> parts;  ///< full names of the parts, OBJECT.PART
+  std::string unless;              ///< reason if the port is not provided
+  std::vector<std::string> parts;  ///< full names of the provider's parts, OBJECT.PART
 };
 
 Offered offered(const scene::Object& provider, const scene::Object& wanter, const PortInfo& port) {
@@ -61,8 +61,8 @@ std::vector<std::string> namesOf(const scene::Object& provider, const Offered& o
   return names;
 }
 
-/// Returns an error message for the name that an object refers to. Empty if it is valid, or if the named
-/// object has an error of its own.
+/// Returns an error message for the name that an object refers to. Empty if the name is valid, or if the
+/// named object itself has an error.
 std::string mistakeOf(const Ports::Want& want, const scene::Object& wanter, Objects objects) {
   const PortInfo& port = *want.port;
   std::vector<std::string> names;
@@ -92,7 +92,7 @@ std::vector<std::string> placed(const scene::Object& object, const std::vector<s
   return whole;
 }
 
-/// True if an object of the scene takes the port from all providers or from this one by name.
+/// Returns true if an object of the scene takes the port from all providers or from `provider` by name.
 bool isTaken(const PortInfo& port, const std::string& provider, Objects objects) {
   return std::any_of(objects.begin(), objects.end(), [&](const scene::Object& object) {
     const Ports ports = portsOf(object);
@@ -102,7 +102,7 @@ bool isTaken(const PortInfo& port, const std::string& provider, Objects objects)
   });
 }
 
-/// Reports a second provider if there may be only one, and providers that no object uses.
+/// Reports a second provider of a port that allows only one, and providers that no object uses.
 void checkOffers(Objects objects, const scene::Report& report) {
   std::vector<std::pair<const PortInfo*, const scene::Object*>> firsts;
   for (const scene::Object& object : objects)
@@ -121,8 +121,7 @@ void checkOffers(Objects objects, const scene::Report& report) {
     }
 }
 
-/// Appends an error message, after its path, for a name that the scene itself refers to; nothing if it is
-/// valid.
+/// Appends an error message, after its JSON path, if a name to which the scene itself refers is invalid.
 template <class Port>
 void checkNamed(const char* where, const std::string& name, Objects objects,
                 std::vector<std::string>& mistakes) {

@@ -31,8 +31,8 @@ bool isReported(const std::vector<UserError>& problems) {
   });
 }
 
-/// Opens the images of a material in the same way as its renderer: only the exact rasterizer, for a
-/// material with a finish, handles transparency.
+/// Opens the images of a material like its renderer does: only the exact rasterizer, for a material with a
+/// finish, handles transparency.
 template <class Attempt>
 void checkPictures(const scene::Material& material, bool exact, const Attempt& attempt) {
   const auto check = [&](const std::filesystem::path& file) {

@@ -7,8 +7,8 @@
 
 namespace simreel::sim {
 
-/// Returns the shapes that cloths and particles of a scene collide with, in the scene's order, then the
-/// capsules of its bodies, which are omitted if `bones` is null. Throws the errors of the bodies' file
+/// Returns the shapes that cloths and particles of a scene collide with, in scene order, followed by the
+/// capsules of its bodies; `bones` may be null to omit the capsules. Throws the errors of the bodies' file
 /// reader.
 [[nodiscard]] std::vector<ColliderShape> collidersOf(const scene::Scene& scene, const Bones* bones);
 

@@ -25,42 +25,47 @@ struct World::State {
   std::unique_ptr<DistanceFields> meshes;  ///< distance fields of rigid meshes that collide; null if no
                                            ///< object can touch them
   ObjectLinks links;
-  const std::vector<std::unique_ptr<Simulation>>& objects;  ///< owned by `links`
-  std::vector<std::unique_ptr<StepGroup>> groups;           ///< one group per node of the step order; null:
-                                                            ///< a single object
+  const std::vector<std::unique_ptr<Simulation>>& objects;  ///< simulations of all objects; owned by
+                                                            ///< `links`
+  std::vector<std::unique_ptr<StepGroup>> groups;           ///< step group of each node of the step order;
+                                                            ///< null if the node is a single object
   std::vector<std::string> names;
-  std::optional<std::size_t> tracked;   ///< index of the object that the camera looks at
-  std::vector<FrameStarter*> starters;  ///< objects that read others before each frame
-  std::vector<bool> isRead;             ///< true if another object reads this one before each frame
+  std::optional<std::size_t> tracked;   ///< index of the object at which the camera aims
+  std::vector<FrameStarter*> starters;  ///< objects that read other objects before each frame
+  std::vector<bool> isRead;             ///< for each object: true if another object reads it before each
+                                        ///< frame
   scene::Camera camera;
-  ShownPicture picture;   ///< provided by `links`
-  std::vector<Lag> lags;  ///< lags of the camera's target, and of its eye if the camera follows a path
-  std::vector<FrameObserver*> observers;  ///< the objects that implement FrameObserver
+  ShownPicture picture;   ///< outlet that `links` provides for the scene
+  std::vector<Lag> lags;  ///< lag of the camera's target, then, if the camera follows a path, lag of its
+                          ///< eye
+  std::vector<FrameObserver*> observers;  ///< objects that implement FrameObserver
   std::vector<std::size_t> observed;      ///< indices of the objects that the observers or the lags read
   std::unique_ptr<SummaryQueue> summaries;
   std::function<void(const Drawables& before)> hearBefore;
-  bool stepping = false;  ///< true within a frame, and after an exception ended it
-  bool passed = false;    ///< true if the current frame is passed and its state must not be read
+  bool stepping = false;  ///< true while a frame is simulated, and after an exception ended the frame
+  bool passed = false;    ///< true if the current frame was simulated by passTo(), so that its state must
+                          ///< not be read
 
   State(const scene::Scene& scene, bool timing, const std::function<void(long, long)>& presteps);
   void makeLags(double frameSeconds);
   /// Finds the frame observers and the objects that they read.
   void findObservers(const scene::Scene& scene);
   [[nodiscard]] double now() const { return (done - preroll) / fps; }
-  /// Returns the position that the camera looks at, which may lag behind its object.
+  /// Returns the position at which the camera aims; it may lag behind the object.
   [[nodiscard]] std::optional<glm::vec3> trackedPlace() const;
   /// Returns the positions that the lags follow in this frame, in the order of sim::Drawables::lagging;
   /// empty while the followed object has no position.
   [[nodiscard]] std::vector<glm::vec3> ahead() const;
-  /// Calls the frame observers. Updates the objects that they read to their drawn state, including data
-  /// computed only for drawing, so that the result does not depend on which frames are drawn.
+  /// Calls the frame observers. First updates the objects that they read to the state in which they are
+  /// drawn, so that the result does not depend on which frames are drawn.
   void observe();
-  /// Finds the objects that read others before each frame, and the objects that they read.
+  /// Finds the objects that read others before each frame, and the objects that are read.
   void findRead(const scene::Scene& scene);
   void startFrame() const;
   void makeMeshes(const scene::Scene& scene);
   void makeObjects(const scene::Scene& scene, Setting& setting);
-  /// Creates a group whose members all take as many steps per frame as the one that needs most.
+  /// Creates a group whose members all take the same number of steps per frame: the maximum that any member
+  /// needs.
   [[nodiscard]] std::unique_ptr<StepGroup> makeGroup(const scene::Scene& scene, const StepNode& node,
                                                      const Setting& setting);
 };

@@ -21,7 +21,7 @@ struct Waiting {
   std::set<std::size_t> before;
 };
 
-/// Returns one node per object, except that the members of a group with a leader share one.
+/// Returns one node per object, or one node for all members of a group that has a leader.
 std::vector<Waiting> nodesOf(Objects objects, const std::vector<Ports>& ports) {
   std::vector<Waiting> nodes;
   std::vector<Waiting> groups;
@@ -75,8 +75,8 @@ std::vector<Waiting> waiting(Objects objects) {
   return nodes;
 }
 
-/// Appends nodes to `order` as soon as all their predecessors are in it (topological sort); returns the
-/// nodes left in cycles.
+/// Appends nodes to `order` as soon as all their predecessors are in it (topological sort). Returns the
+/// nodes that cannot be sorted, because they are in a dependency cycle or depend on one.
 std::vector<std::size_t> sort(const std::vector<Waiting>& nodes, std::vector<StepNode>& order) {
   std::vector<std::size_t> left(nodes.size());
   for (std::size_t i = 0; i < left.size(); ++i) left[i] = i;

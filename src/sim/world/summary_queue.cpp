@@ -16,7 +16,7 @@ gl::Buffer copies(const char* label, std::size_t rows) {
   return gl::Buffer::mapped(label, rows * SummaryQueue::capacity * 16, false);
 }
 
-/// Copies from a mapped buffer whose fence has been reached.
+/// Copies data out of a mapped buffer. The fence of that data must already be signalled.
 void copyOut(const gl::Buffer& from, std::size_t offset, std::span<std::byte> to) {
   SIMREEL_CHECK(offset + to.size() <= from.bytes());
   const std::byte* first = static_cast<const std::byte*>(from.memory()) + offset;
@@ -102,7 +102,8 @@ std::optional<Summary> SummaryQueue::next(bool wait) {
   return taken;
 }
 
-/// Copies the counts into a slot; returns the number of elements per counting object.
+/// Copies the counts into a slot; returns the number of uvec4 counts (rows times elements) per counting
+/// object.
 std::vector<int> SummaryQueue::copyCounts(int slot) const {
   std::vector<int> rows;
   if (!counting_.empty()) glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -142,7 +143,8 @@ void SummaryQueue::checkStatus(int frame, int slot) {
   }
 }
 
-/// Computes a summary. The hash of the whole state is the sum of its arrays' hashes, word by word.
+/// Computes a summary from the copied results. The hash of the whole state is the sum of its arrays'
+/// hashes, word by word.
 Summary SummaryQueue::summary(const Pending& from) const {
   std::vector<glm::uvec4> words(arrays_.size());
   copyOut(sumCopies_, sumOffset(from.slot), std::as_writable_bytes(std::span(words)));

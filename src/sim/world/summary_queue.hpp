@@ -28,7 +28,8 @@ struct CountNames {
   bool measured = false;  ///< true: the values are floats
 };
 
-/// Frame number and hash (32 hexadecimal digits) over every state array of every object.
+/// Results of one frame: the hash (32 hexadecimal digits) over every state array of every object, and the
+/// counts.
 struct Summary {
   int frame = 0;
   std::string stateHash;
@@ -45,7 +46,7 @@ class SummaryQueue {
   using Objects = std::span<const std::unique_ptr<Simulation>>;
   static constexpr int capacity = 8;  ///< maximum number of pending frames
 
-  /// `objects` and `names` (one for each object) must outlive this object.
+  /// `objects` and `names` (one name per object) must outlive this object.
   SummaryQueue(Objects objects, std::span<const std::string> names);
   ~SummaryQueue();
   SummaryQueue(const SummaryQueue&) = delete;
@@ -57,19 +58,19 @@ class SummaryQueue {
   /// Starts hashing the current state of the objects and copying their counts. At most `capacity` summaries
   /// may be pending.
   void start(int frame);
-  /// Returns the oldest summary if it is ready; with `wait`, waits for it. Throws UserError(device) if a
-  /// simulation lost its state.
+  /// Returns the oldest summary if it is ready. If `wait` is true, waits for it. Throws UserError(device)
+  /// if a simulation lost its state.
   [[nodiscard]] std::optional<Summary> next(bool wait);
 
  private:
-  /// Hash sums and loss reports of one frame: 16 bytes per state array and 16 bytes of status per object.
+  /// Frame whose results the GPU is still computing, and the slot that the results are copied to.
   struct Pending {
     int frame;
     int slot;
     GLsync fence;
-    std::vector<int> countRows;  ///< number of elements per counting object
+    std::vector<int> countRows;  ///< number of uvec4 counts (rows times elements) per counting object
   };
-  /// Counting object, and the first of its rows in a slot of countCopies_.
+  /// Object that counts, and the index of the first of its rows in a slot of countCopies_.
   struct Counting {
     std::size_t object;
     std::size_t firstRow;
@@ -84,7 +85,7 @@ class SummaryQueue {
 
   Objects objects_;
   std::span<const std::string> names_;
-  std::vector<bool> remarked_;  ///< per object: true once its remark was printed
+  std::vector<bool> remarked_;  ///< for each object: true once its remark was printed
   std::vector<ArrayName> arrays_;
   std::vector<Counting> counting_;
   std::size_t countRowsOfSlot_ = 0;
@@ -92,7 +93,7 @@ class SummaryQueue {
   gl::Buffer sums_;         ///< hash sums: one uvec4 per array
   gl::Buffer sumCopies_;    ///< copies of hash sums: one uvec4 per array and slot
   gl::Buffer statuses_;     ///< copies of status buffers: one uvec4 per object and slot
-  gl::Buffer countCopies_;  ///< copies of counts: one uvec4 per step of a frame and slot
+  gl::Buffer countCopies_;  ///< copies of counts: one uvec4 per element of each row and slot
   std::deque<Pending> pending_;
   int nextSlot_ = 0;
 };

@@ -73,9 +73,9 @@ double weightOf(const scene::Object& object) {
   return cloth->contact ? contact : cloth->mesh ? ofMesh : 1;
 }
 
-/// Returns an estimate of the cost of simulating the scene: the sum over all objects of the bytes of state,
-/// weighted by weightOf(), times the number of steps. If all n bodies of an object attract each other,
-/// n * n / 10 bytes are added.
+/// Returns an estimate of the cost of simulating the scene: the bytes of state times the number of steps,
+/// weighted by weightOf() and summed over all objects. If all n bodies of an object attract each other, n *
+/// n / 10 bytes are added.
 double countedWork(const scene::Scene& scene, const World& world) {
   double work = 0;
   for (std::size_t i = 0; i < world.objectCount(); ++i) {
@@ -110,7 +110,7 @@ std::vector<glm::vec3> placesOf(const Simulation& object) {
   return places;
 }
 
-/// Returns the frames to sample, from 0 to the last.
+/// Returns the frames to sample, which span the frames from 0 to the last.
 std::vector<int> framesToSee(const scene::Scene& scene) {
   const int last = scene.frameCount() - 1;
   const int looks = std::min(last, mostLooks - 1);
@@ -129,7 +129,7 @@ bool isWithin(const scene::Box& room, const glm::vec3& at) {
   return glm::max(at, room.min) == at && glm::min(at, room.max) == at;
 }
 
-/// Object whose path is sampled.
+/// Object whose motion is sampled.
 struct Traveller {
   std::size_t object = 0;
   std::size_t place = 0;  ///< index of the object in Survey::framed
@@ -143,14 +143,15 @@ scene::Box roomAround(const scene::Box& box) {
   return {box.min - size, box.max + size};
 }
 
-/// True if the scene gives a ground and leaves its height to the stage.
+/// Returns true if the scene has its own ground and leaves the ground's height to the stage.
 bool standsOnOwnGround(const scene::Scene& scene) {
   return scene.staged && scene.ground && scene.ground->solid && scene.ground->visible &&
          scene.stage.leaves("ground.height");
 }
 
-/// Samples an object's current positions: an even subset of particles, because some are discarded later by
-/// their rank; the outermost points of other objects. Leaves out particles that the ground hides.
+/// Samples an object's current positions. Takes an even subset of the particles, because some are discarded
+/// later by their rank, and the outermost points of other objects. Leaves out particles that the ground
+/// hides.
 void look(const World& world, const scene::Scene& scene, std::size_t looks, Traveller& traveller) {
   std::vector<glm::vec3> places = placesOf(world.object(traveller.object));
   const ParticleParameters* particles = particlesOf(scene.objects[traveller.object]);
@@ -166,8 +167,8 @@ void look(const World& world, const scene::Scene& scene, std::size_t looks, Trav
   for (std::size_t i = 0; i < places.size(); i += stride) traveller.seen.push_back(places[i]);
 }
 
-/// Replaces an object's extent by the extent of the sampled points; keeps the extent given by the
-/// parameters if all points left the region.
+/// Replaces an object's extent by the extent of the sampled points. Keeps the extent given by the
+/// parameters if no sampled point was inside the region.
 void frameSeen(const Traveller& traveller, const ParticleParameters* particles, scene::Framed& framed) {
   if (traveller.seen.empty()) return;
   framed.points = particles == nullptr
@@ -261,7 +262,7 @@ void frameSurvey(scene::Scene& scene, const Survey& survey) {
 
 namespace {
 
-/// Places the camera and the stage as the survey says, and writes the overrides and the remark.
+/// Places the camera and the stage according to the survey, and writes the overrides and the remark.
 void placeByMotion(scene::Scene& scene, const Survey& survey, Clock::time_point began,
                    MotionFraming& framing) {
   if (survey.framed.empty()) return;

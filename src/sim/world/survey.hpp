@@ -8,22 +8,22 @@
 
 namespace simreel::sim {
 
-/// Maximum work of a survey run: bytes of state, counted once per step and weighted by their cost relative
-/// to a cloth of springs. Corresponds to about ten seconds of a software driver on two cores; `simreel -v
-/// render` prints the work and time of a run.
+/// Maximum work of a survey run. The work is the number of state bytes summed over all steps, weighted by
+/// the cost of a byte relative to a cloth of springs. The maximum takes about ten seconds with a software
+/// driver on two cores; `simreel -v render` prints the work and time of a run.
 constexpr double mostSurveyed = 1 << 30;
 
-/// True if the framing of an unplaced camera, or the position of a stage, depends on where cloth and
-/// particles move.
+/// Returns true if the framing of a camera without a position, or the position of a stage, depends on the
+/// motion of cloth and particles.
 [[nodiscard]] bool needsSurvey(const scene::Scene& scene);
 
-/// Result of a survey run: the extents of the objects, and the ranges of their colours.
+/// Result of a survey run: the extents of the objects and the ends of their colour ranges.
 struct Survey {
   std::vector<scene::Framed> framed;  ///< in the objects' order; only objects with Parameters::framed
-  int frames = 0;                     ///< number of frames simulated; 0: the extents follow from the
+  int frames = 0;                     ///< number of frames simulated; 0 if the extents follow from the
                                       ///< parameters only
   double work = 0;                    ///< work of all frames, in the unit of mostSurveyed
-  std::vector<SeenRange> ranges;      ///< ranges of colours that are "auto", over all frames
+  std::vector<SeenRange> ranges;      ///< measured colour ranges, over all frames
 };
 
 /// Callback between two frames; may throw to stop the survey.
@@ -31,17 +31,17 @@ using SurveyWatch = std::function<void()>;
 
 /// Simulates the whole scene once in exact mode, in a separate World on the current context, and samples
 /// cloth and particles in up to 48 evenly spaced frames. The result therefore depends only on the scene,
-/// not on the device or the requested frames. Ignores the outermost hundredth of particles in each
-/// direction, and points that have left the region given by the parameters by more than its size. If
-/// the work would exceed `most` (see mostSurveyed), it samples nothing. Measures the ranges of colours that
-/// are "auto" in all frames, whatever the work. Throws the errors of World.
+/// not on the device or the requested frames. Ignores the outermost 1% of the particles in each direction,
+/// and points that have left the region given by the parameters by more than its size. If the work would
+/// exceed `most` (see mostSurveyed), it samples no motion. Measures the "auto" colour ranges in all frames,
+/// regardless of the work. Throws the errors of World.
 [[nodiscard]] Survey surveyMotion(scene::Scene& scene, const SurveyWatch& watch = {},
                                   double most = mostSurveyed);
 
-/// Moves the scene's stage, and its camera unless that is placed, to fit the surveyed extents; marks the
-/// camera as placed. Sets the ranges of colours.
+/// Moves the scene's stage to fit the surveyed extents, and also the camera if the scene does not place it;
+/// marks the camera as placed. Sets the colour ranges.
 void frameSurvey(scene::Scene& scene, const Survey& survey);
-/// True if the survey has measured all ranges of the scene that are "auto".
+/// Returns true if the survey has measured all "auto" colour ranges of the scene.
 [[nodiscard]] bool coversRanges(const Survey& survey, scene::Scene& scene);
 
 /// Returns overrides "path=value" that place `camera`: position or orbit distance, target, and field of
@@ -52,12 +52,14 @@ void frameSurvey(scene::Scene& scene, const Survey& survey);
 struct MotionFraming {
   std::vector<std::string> camera = {};  ///< overrides "path=value" that reproduce the camera; empty if the
                                          ///< scene places its camera
-  std::string remark = {};               ///< line for the user; empty: nothing was done
-  std::vector<std::string> ranges = {};  ///< overrides that reproduce the ranges of colours
-  std::string rangeRemark = {};          ///< line for the user about the ranges; empty: none is "auto"
+  std::string remark = {};               ///< line for the user; empty if nothing was changed
+  std::vector<std::string> ranges = {};  ///< overrides "path=value" that reproduce the colour ranges
+  std::string rangeRemark = {};          ///< line for the user about the colour ranges; empty if none is
+                                         ///< "auto"
 };
 
-/// Runs the survey and applies it if needsSurvey() or needsRanges() holds; only once per scene.
+/// Runs the survey and applies its result if needsSurvey() or needsRanges() returns true. Call it only once
+/// per scene.
 MotionFraming frameMotion(scene::Scene& scene, const SurveyWatch& watch = {});
 
 }  // namespace simreel::sim

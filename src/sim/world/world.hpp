@@ -20,13 +20,13 @@ namespace simreel::sim {
 /// allow.
 [[nodiscard]] std::vector<std::string> tooLargeForMany(const scene::Scene& scene);
 
-/// All objects of a scene, stepped together in the order of stepOrder(): an object steps after those whose
-/// end-of-frame state it reads. Cloths in contact form a group that steps as late as possible, one substep
-/// of each member in turn. Frame 0 is at time 0; the pre-roll precedes it.
+/// All objects of a scene, stepped in the order of stepOrder(): an object steps after those whose
+/// end-of-frame state it reads. Cloths in contact form a group that steps as late as possible; in each
+/// substep, all members step one after another. Frame 0 is at time 0; the pre-roll precedes it.
 class World {
  public:
-  /// Creates every simulation on the current context. `timing`: simulations measure their stages
-  /// (Setting::timing). `presteps`: see Setting::presteps.
+  /// Creates every simulation on the current context. If `timing` is true, simulations measure their stages
+  /// (Setting::timing). For `presteps`, see Setting::presteps.
   explicit World(const scene::Scene& scene, bool timing = false,
                  const std::function<void(long done, long total)>& presteps = {});
   ~World();
@@ -40,7 +40,7 @@ class World {
   /// Callback after an object has issued all of its steps of a frame; for a group, called for each member
   /// after the whole group.
   using Stepped = std::function<void(std::size_t object)>;
-  /// Simulates up to `frame` (0: the pre-roll only). Cannot go backwards.
+  /// Simulates up to `frame`; frame 0 needs the pre-roll only. Cannot go backwards.
   void advanceTo(int frame, const Watch& watch = {}, const Stepped& stepped = {});
   /// Sets a callback that receives the drawables of the frame before the one that advanceTo() goes to, if
   /// advanceTo() takes a step.
@@ -48,15 +48,15 @@ class World {
   /// Simulates up to `frame` as advanceTo() does but skips work needed only for display. The state must not
   /// be drawn, read or hashed until advanceTo() goes further or complete() is called.
   void passTo(int frame);
-  /// Returns false if an exception ended a frame before all objects had stepped. The world is then of no
-  /// further use.
+  /// Returns false if an exception ended a frame before all objects had stepped. The world must then not be
+  /// used further.
   [[nodiscard]] bool isWhole() const;
-  /// Completes the state of a passed frame to what advanceTo() would have left.
+  /// Completes the state of a frame simulated by passTo() to what advanceTo() would have computed.
   void complete();
-  /// Saves or restores the state that the next frame depends on, object by object; calls `begin` with the
-  /// name of each before its parts.
+  /// Saves or restores the state that the next frame depends on, object by object. Calls `begin` with an
+  /// object's name before the data of that object.
   void carryOver(CarryOver& carry, const std::function<void(const std::string& object)>& begin);
-  /// Sets the current frame to `frame` (not before the first) after carryOver() has restored the state.
+  /// Sets the current frame to `frame` (at least firstFrame()) after carryOver() has restored the state.
   void resumeAt(int frame);
   /// Changes an object's parameters during the run (see Retunable). Returns false if the object does not
   /// support it.
@@ -84,14 +84,14 @@ class World {
   using Summary = sim::Summary;
   /// Returns every state array of every object in the order of hashing.
   [[nodiscard]] std::vector<ArrayName> arrays() const;
-  /// Returns every object with counts, in the order of objects.
+  /// Returns the names of the counts of every object that counts, in the order of objects.
   [[nodiscard]] std::vector<CountNames> countNames() const;
 
   /// Maximum number of summaries that startSummary() may have pending.
   static constexpr int maxSummaries = SummaryQueue::capacity;
   void startSummary();
-  /// Returns a finished summary, oldest first. With `wait` blocks for the oldest. Throws UserError(device)
-  /// if a simulation lost its state.
+  /// Returns the oldest summary if it is finished. If `wait` is true, waits for it. Throws
+  /// UserError(device) if a simulation lost its state.
   [[nodiscard]] std::optional<Summary> takeSummary(bool wait);
 
  private:
@@ -102,7 +102,7 @@ class World {
 };
 
 /// Determines which kernels the scene's World needs up to frame 0 and lets a software driver compile them
-/// on idle processors. Changes no state; does nothing if there is no gain.
+/// on idle processors. Changes no state. Does nothing if it would save no time.
 void compileWorldAhead(const scene::Scene& scene);
 
 }  // namespace simreel::sim

@@ -65,7 +65,7 @@ struct WindowSumsKernel {
   gl::Out<"sums"> sums;
 };
 
-/// Interface part common to all rule kernels.
+/// Part of a kernel interface: members common to all rule kernels.
 struct CellRulePart {
   gl::Uniform<"size", glm::ivec2> size;
   gl::Uniform<"rowItems", int> rowItems;
@@ -98,7 +98,7 @@ struct NineKernel {
     CellDefines cells;
     gl::Flag<"MAP"> map;
     gl::Range<"NEIGHBOURS", 4, 8>
-        neighbours;  // Number of neighbours in a rule given as a decision diagram.
+        neighbours;  // Number of neighbours of a rule given as a decision diagram.
   };
   CellRulePart rule;
   gl::Uniforms<"map", glm::ivec4, 4> map;
@@ -175,14 +175,14 @@ constexpr int columnRows = 64;
 /// Number of elements that a kernel may read past the last cell of a row.
 constexpr int spareItems = 64;
 
-/// Maximum range for which the count of 2 range + 1 cells fits in a byte.
+/// Maximum range for which the sum of 2 range + 1 cells fits in a byte.
 constexpr int maxByteRange = 127;
 
-/// Maximum range of spans.comp. For larger ranges an invocation may exceed 65,535 loop iterations, at which
-/// a software driver silently ends the loop.
+/// Maximum range of spans.comp. For larger ranges, an invocation may exceed 65,535 loop iterations, after
+/// which a software driver silently ends the loop.
 constexpr int maxSpansRange = 90;
 
-/// Returns the GLSL condition on `count` for wide.glsl.
+/// Returns the GLSL condition of wide.glsl which is true if `count` is in one of the ranges.
 std::string anyOf(const std::vector<CountRange>& counts) {
   std::string text;
   for (const CountRange& range : counts)
@@ -191,7 +191,7 @@ std::string anyOf(const std::vector<CountRange>& counts) {
 }
 
 /// Returns the first and last columns of the neighbourhood in the rows `top` to `bottom`, relative to the
-/// cell, as the defines LEFTS and RIGHTS of spans.comp and far.comp.
+/// cell, as the definitions LEFTS and RIGHTS of spans.comp and far.comp.
 SpanDefines spansOf(const WideRule& rule, int top, int bottom) {
   std::string lefts, rights;
   for (int dy = top; dy <= bottom; ++dy) {
@@ -307,8 +307,8 @@ void CellEngine::makeWide(const CellRule& rule) {
 }
 
 void CellEngine::makeRunning(const WideRule& rule, const WideDefines& wide) {
-  // Number of elements per invocation, large enough that the initial sum of a segment costs little compared
-  // to the running sums.
+  // Number of elements per invocation. It is large enough that the initial sum of a segment costs little
+  // compared to the running sums.
   items_ = bits_ ? std::max(1, range_ / 128) : std::max(4, range_ / 16);
   if (rule.shape == NeighbourShape::moore) {
     makeRule<RowsKernel>({.wide = wide, .range = range_, .items = items_},
@@ -332,7 +332,7 @@ void CellEngine::makeRunning(const WideRule& rule, const WideDefines& wide) {
 void CellEngine::makeFar(const WideRule& rule, const WideDefines& wide) {
   lanes_ = bits_ ? 8 : 1;
   const bool square = rule.shape == NeighbourShape::moore;
-  const int rows = square ? 0 : range_;  // Number of rows above and below the cell; for a square, sums_
+  const int rows = square ? 0 : range_;  // Number of rows above and below the cell. For a square, sums_
                                          // already includes all rows.
   makeRule<FarKernel>({.wide = wide, .spans = spansOf(rule, -rows, rows), .rows = 2 * rows + 1},
                       [this](const CellRulePart& part) {

@@ -23,13 +23,13 @@ struct CellRulePart;
 struct WideDefines;
 
 /// Advances a grid of cells by any rule with any border (glsl/automata). First copies the cells to bytes
-/// with a margin that is filled according to the border, then applies the rule without any border handling.
-/// Used for all rules that LifeStepper does not support.
+/// with a margin that is filled according to the border, then applies the rule without any handling of
+/// borders. Used for all rules that LifeStepper does not support.
 class CellEngine {
  public:
-  /// `bits`: two-state cells are passed as bits (rows padded to 128 cells), else as bytes (rows padded to
-  /// 16 cells). Throws UserError(device) if the memory exceeds the device's limits. `object`: name for the
-  /// message.
+  /// If `bits` is true, the cells have two states and are passed as bits (rows padded to 128 cells),
+  /// otherwise as bytes (rows padded to 16 cells). Throws UserError(device) if the memory exceeds the
+  /// device's limits. `object` is the name for the message.
   CellEngine(const CellRule& rule, const GridShape& shape, glm::ivec2 size, bool bits,
              const std::string& object);
 
@@ -42,7 +42,7 @@ class CellEngine {
   /// Computes one generation.
   void run(const gl::WordsArray& from, const gl::WordsArray& to);
 
-  /// Returns the size in bytes of the padded cells and of the sums, if any.
+  /// Returns the size in bytes of the padded cells and, if there are any, of the sums.
   [[nodiscard]] std::size_t bytes() const {
     return padded_.buffer().bytes() + sums_.buffer().bytes() + rowSums_.buffer().bytes();
   }
@@ -54,11 +54,11 @@ class CellEngine {
   void makeRunning(const WideRule& rule, const WideDefines& wide);
   void makeFar(const WideRule& rule, const WideDefines& wide);
   void makePlaces(const WideRule& rule, const WideDefines& wide);
-  /// Creates the last pass, which writes the next cells. `given` maps the common interface part to the
-  /// kernel's whole interface.
+  /// Creates the last pass, which writes the next cells. `given` converts the common interface part to the
+  /// kernel's complete interface.
   template <class Kernel, class Given>
   void makeRule(const typename Kernel::Variant& variant, const Given& given);
-  /// Uploads a list that the last pass reads besides the cells.
+  /// Uploads a list that the last pass reads in addition to the cells.
   void makeList(const char* name, const std::vector<std::uint32_t>& list);
 
   glm::ivec2 size_;

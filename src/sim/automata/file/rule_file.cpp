@@ -75,7 +75,7 @@ CellRule parseTree(const RuleFileText& file) {
 }
 
 /// Converts an 8-bit sRGB level to linear light by a polynomial, c (c (0.305306011 c + 0.682171111) +
-/// 0.012522878), which is within 0.2 % of full scale. Plain arithmetic gives the same bits on every
+/// 0.012522878), whose error is at most 0.2 % of full scale. Plain arithmetic gives the same bits on every
 /// machine.
 float lightOf(double level) {
   const double c = level / 255;
@@ -86,7 +86,8 @@ glm::vec3 lightOf(const std::array<int, 6>& levels, std::size_t first) {
   return {lightOf(levels[first]), lightOf(levels[first + 1]), lightOf(levels[first + 2])};
 }
 
-/// Parses colours: "1 0 128 255 blue", or a gradient over all states except 0: "0 0 255 255 0 0".
+/// Parses colours: either "1 0 128 255 blue" (state, red, green, blue, name), or a gradient over all states
+/// except 0: "0 0 255 255 0 0" (first and last colour).
 std::vector<glm::vec3> parseColors(const RuleFileText& file, int states) {
   std::vector<glm::vec3> colors;
   const auto count = static_cast<std::size_t>(states);

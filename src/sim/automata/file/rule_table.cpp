@@ -26,8 +26,8 @@ std::string lowWord(std::string_view text) {
   return low;
 }
 
-/// Returns the permutations of n neighbours in a symmetry: the new index of each neighbour. Empty for an
-/// unknown symmetry; "permute" is handled separately.
+/// Returns the permutations of n neighbours that belong to a symmetry; a permutation lists the new index of
+/// each neighbour. Empty for an unknown symmetry; "permute" is handled separately.
 std::vector<std::vector<int>> permutations(const std::string& symmetry, int n) {
   const auto turned = [&](int steps, bool reflected) {
     std::vector<int> result(static_cast<std::size_t>(n));
@@ -140,7 +140,7 @@ class TableReader {
     std::size_t open = line.text.find('{'), close = line.text.find('}');
     if (open == std::string_view::npos && close == std::string_view::npos &&
         line.text.find(',') == std::string_view::npos) {
-      open = equals;  // for example "var b=a"
+      open = equals;  // the value of a variable may be another variable, as in "var b=a"
       close = line.text.size();
     }
     if (equals == std::string_view::npos || open == std::string_view::npos ||
@@ -159,7 +159,7 @@ class TableReader {
 
   std::vector<RuleWord> wordsIn(const RuleFileText::Line& line) const {
     if (line.text.find(',') != std::string_view::npos) return wordsOf(line.text, true);
-    // Without commas, each digit is a state.
+    // In a line without commas, each digit is a state.
     std::vector<RuleWord> words;
     for (std::size_t i = 0; i < line.text.size(); ++i)
       if (line.text[i] != ' ' && line.text[i] != '\t') words.push_back({i, line.text.substr(i, 1)});
@@ -176,7 +176,7 @@ class TableReader {
                   fmt::format("a transition has {} states here (the cell, {} neighbours, the new state), "
                               "not {}",
                               count, n, words.size()));
-    // A variable that occurs more than once has the same state in all its places.
+    // A variable that occurs more than once stands for the same state in all its positions.
     std::vector<std::string> bound;
     for (std::size_t i = 0; i < words.size(); ++i) {
       if (!variables_.contains(words[i].text)) {

@@ -17,17 +17,19 @@ class RuleFileText {
   /// `name` is the file's name in messages.
   RuleFileText(std::string_view text, std::string name);
 
-  /// Returns the lines of the section "@NAME"; text after the name on its own line counts as the first
+  /// Returns the lines of the section "@NAME". Text after the name in the same line counts as the first
   /// line.
   [[nodiscard]] std::vector<Line> section(std::string_view name) const;
   [[nodiscard]] bool has(std::string_view name) const { return find(name) >= 0; }
-  /// Returns the zero-based index of the line that begins the section; negative: none.
+  /// Returns the zero-based index of the line that starts the section; negative if there is none.
   [[nodiscard]] int find(std::string_view name) const;
 
-  /// Throws UserError(usage) with file:line:column and the message; `at` is an offset in the line's text.
+  /// Throws UserError(usage) with file:line:column and the message. `at` is an offset in the line's text.
   [[noreturn]] void wrong(const Line& line, std::size_t at, const std::string& message) const;
-  [[noreturn]] void wrong(const std::string& message) const;  ///< error of the whole file
-  /// Returns the number in `word`, at most `max`; `at` is its offset in the line, for messages.
+  [[noreturn]] void wrong(const std::string& message) const;  ///< Throws the same for an error of the whole
+                                                              ///< file.
+  /// Returns the number in `word`, which may be at most `max`. `at` is the offset of `word` in the line,
+  /// for messages.
   [[nodiscard]] int number(const Line& line, std::size_t at, std::string_view word, int max,
                            const char* what) const;
 
@@ -36,7 +38,7 @@ class RuleFileText {
   std::vector<std::string_view> lines_;
 };
 
-/// Word of a line and its offset.
+/// Word of a line, with its offset in the line.
 struct RuleWord {
   std::size_t at;
   std::string_view text;

@@ -13,7 +13,8 @@ namespace {
 
 using Bits = std::vector<std::uint64_t>;
 
-/// Returns the table inputs in the order of a rule tree; -1: no input, so any state matches.
+/// Returns the table inputs in the order of a rule tree. -1 means that there is no input, so that any state
+/// matches.
 std::vector<int> treeOrder(TableShape shape) {
   switch (shape) {
     case TableShape::vonNeumann:
@@ -28,8 +29,8 @@ std::vector<int> treeOrder(TableShape shape) {
   return {};
 }
 
-/// Builds the diagram top down. A node corresponds to the set of transitions that can still apply; equal
-/// sets share a node, and so do nodes with equal children.
+/// Builds the diagram from the top down. A node corresponds to the set of transitions that can still apply.
+/// Equal sets become one node, and so do nodes with equal children.
 class TreeBuilder {
  public:
   TreeBuilder(const std::vector<RuleTransition>& table, TableShape shape, int states)
@@ -41,7 +42,7 @@ class TreeBuilder {
     std::bitset<256> every;
     for (std::size_t s = 0; s < states_; ++s) every.set(s);
     for (std::size_t r = 0; r < table.size(); ++r) mark(certain_[order_.size()], r);
-    // Tables use few distinct sets of states, so transitions are grouped by set.
+    // Tables use few different sets of states, so transitions are grouped by set.
     for (std::size_t depth = order_.size(); depth-- > 0;) {
       std::unordered_map<std::bitset<256>, Bits> having;
       for (std::size_t r = 0; r < table.size(); ++r) {
@@ -68,8 +69,7 @@ class TreeBuilder {
   static void mark(Bits& set, std::size_t i) { set[i / 64] |= std::uint64_t{1} << (i % 64); }
   static bool has(const Bits& set, std::size_t i) { return (set[i / 64] >> (i % 64) & 1U) != 0; }
 
-  /// Removes the transitions after the first one that is certain to apply whatever the remaining inputs
-  /// are.
+  /// Removes the transitions after the first one that applies whatever the remaining inputs are.
   void shorten(std::size_t depth, Bits& set) const {
     for (std::size_t w = 0; w < set.size(); ++w)
       if (const std::uint64_t sure = set[w] & certain_[depth][w]; sure != 0) {
@@ -110,8 +110,10 @@ class TreeBuilder {
   const std::vector<RuleTransition>& table_;
   std::vector<int> order_;
   std::size_t states_;
-  std::vector<std::vector<Bits>> applies_;  ///< transitions that accept a state, by depth and state
-  std::vector<Bits> certain_;               ///< by depth: transitions that accept all remaining inputs
+  std::vector<std::vector<Bits>> applies_;  ///< transitions that accept a state; indices are the depth and
+                                            ///< the state
+  std::vector<Bits> certain_;               ///< transitions that accept all remaining inputs; the index is
+                                            ///< the depth
   std::map<std::pair<std::size_t, Bits>, std::uint32_t> known_;
   std::map<std::size_t, std::map<std::vector<std::uint32_t>, std::uint32_t>> unique_;
   std::shared_ptr<RuleTree> tree_ = std::make_shared<RuleTree>();

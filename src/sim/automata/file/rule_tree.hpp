@@ -10,15 +10,15 @@
 
 namespace simreel::sim {
 
-/// Transition of a rule table with variables expanded. It applies if each input (the centre first, then the
-/// neighbours in the table's order) is in its set of states. The first transition of a table that applies
-/// is used.
+/// Transition of a rule table, with all variables expanded. It applies if the state of each input (the
+/// centre first, then the neighbours in the table's order) is in the input's set of states. In a table, the
+/// first transition that applies is used.
 struct RuleTransition {
   std::array<std::bitset<256>, 9> inputs;
   int output = 0;
 };
 
-/// Neighbourhoods of tables and the order of their neighbours: vonNeumann N E S W; moore N NE E SE S SW W
+/// Neighbourhoods of tables. Their neighbours have this order: vonNeumann N E S W; moore N NE E SE S SW W
 /// NW; hexagonal N E SE S W NW; oneDimensional W E.
 enum class TableShape { vonNeumann, moore, hexagonal, oneDimensional };
 [[nodiscard]] int neighboursOf(TableShape shape);

@@ -8,9 +8,9 @@ namespace simreel::sim {
 
 namespace {
 
-// One neighbourhood for each letter, rows from the upper left, for 1 to 4 neighbours. With 8 - n neighbours
-// a letter denotes the complement of its arrangement with n. Letters by A. Hensel, as in Golly's help and
-// the LifeWiki.
+// One neighbourhood for each letter, as rows from the upper left, for 1 to 4 neighbours. For 8 - n
+// neighbours, a letter denotes the complement of its arrangement for n. The letters were defined by A.
+// Hensel, see Golly's help and the LifeWiki.
 struct Sample {
   char letter;
   const char* cells;

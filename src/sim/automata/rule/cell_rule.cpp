@@ -21,7 +21,8 @@ std::string lowerText(std::string_view text) {
   return low;
 }
 
-/// Returns the letters and digits in lower case, so that "Brian's Brain" and "brians-brain" match.
+/// Returns only the letters and digits of a text, in lower case, so that "Brian's Brain" and "brians-brain"
+/// match.
 std::string bareName(std::string_view text) {
   std::string bare = lowerText(text);
   std::erase_if(bare, [](char c) { return !isDigit(c) && (c < 'a' || c > 'z'); });
@@ -29,7 +30,7 @@ std::string bareName(std::string_view text) {
 }
 
 /// Returns the description ("a rule of ...") of a rule that other programs support but this one does not;
-/// null for other texts. Notations of Golly's help and of the LifeWiki.
+/// null for other texts. Such notations are listed in Golly's help and in the LifeWiki.
 const char* otherKind(std::string_view text) {
   const std::string low = lowerText(text);
   if ((low.size() > 1 && low[0] == 'm' && isDigit(low[1])) || low.starts_with("margolus"))
@@ -40,7 +41,7 @@ const char* otherKind(std::string_view text) {
   return nullptr;
 }
 
-/// Sets a rule of signals by its name or a former one of Golly. Returns false for other texts.
+/// Sets a rule of signals by its name or by a former name from Golly. Returns false for other texts.
 bool setSignalRule(std::string_view text, CellRule& rule) {
   struct Name {
     const char *bare, *name;
@@ -163,7 +164,7 @@ RuleProblem parseCellRule(std::string_view text, CellRule& rule) {
   if (text.empty())
     return {0, "the rule is empty; write a rule as \"B3/S23\" (or \"23/3\", survival first)"};
   const std::string low = lowerText(text), bare = bareName(text);
-  // Skips notations such as "23/3", because without its punctuation "313" would match a preset.
+  // Notations such as "23/3" are skipped, because without punctuation, "313" would match a preset.
   if (text.find('/') == std::string_view::npos || text.find(' ') != std::string_view::npos)
     for (const RulePreset& preset : rulePresets())
       if (bare == bareName(preset.name)) {

@@ -10,7 +10,7 @@
 
 namespace simreel::sim {
 
-/// Outer-totalistic rule on the Moore neighbourhood: bit n of a mask stands for n living neighbours.
+/// Outer-totalistic rule on the Moore neighbourhood: bit n of a mask stands for n live neighbours.
 struct LifeRule {
   int born = 1 << 3;
   int survives = 1 << 2 | 1 << 3;
@@ -19,9 +19,9 @@ struct LifeRule {
   [[nodiscard]] std::string text() const;
 };
 
-/// Neighbourhood within the range r. moore: all cells; vonNeumann: |dx| + |dy| <= r; hexagonal: all cells
-/// with |dx - dy| <= r (a hexagon of skewed cells); circular: dx^2 + dy^2 < (r + 1/2)^2; euclidean: dx^2 +
-/// dy^2 <= r^2; cross: dx = 0 or dy = 0; places: the cells of a list.
+/// Neighbourhood of cells within the range r. moore: all cells; vonNeumann: |dx| + |dy| <= r; hexagonal:
+/// |dx - dy| <= r (a hexagon of skewed cells); circular: dx^2 + dy^2 < (r + 1/2)^2; euclidean: dx^2 + dy^2
+/// <= r^2; cross: dx = 0 or dy = 0; places: the cells of a list.
 enum class NeighbourShape { moore, vonNeumann, hexagonal, circular, euclidean, cross, places };
 
 /// Range of counts, both limits included.
@@ -38,18 +38,20 @@ struct NeighbourPlace {
 /// Larger than Life (Evans 1996): the number of surrounding cells in state 1 determines the next state.
 struct WideRule {
   int range = 1;
-  bool middle = false;  ///< true: a cell counts itself
+  bool middle = false;  ///< true if a cell counts itself, too
   std::vector<CountRange> survive{{2, 3}}, born{{3, 3}};
   NeighbourShape shape = NeighbourShape::moore;
-  std::vector<NeighbourPlace> places;  ///< only for the shape `places`; includes the centre
-  bool flips = false;                  ///< true: dy is negated in cells with odd x + y (triangular grid)
-  std::vector<int> stateWeights;       ///< weight of each state; empty: only state 1 counts, with weight 1
-  /// First and last column of a row's neighbours, relative to the centre; first > last: none.
+  std::vector<NeighbourPlace> places;  ///< used only for the shape `places`; includes the centre
+  bool flips = false;                  ///< true if dy is negated in cells with odd x + y (triangular grid)
+  std::vector<int> stateWeights;       ///< weight of each state; if empty, only state 1 counts, with weight
+                                       ///< 1
+  /// First and last column of the neighbours in a row, relative to the centre; there are none if first >
+  /// last.
   struct Span {
     int first, last;
   };
   [[nodiscard]] Span span(int dy) const;
-  /// Returns the highest possible count, including the centre.
+  /// Returns the maximum possible count, including the centre.
   [[nodiscard]] int most() const;
 };
 
@@ -60,10 +62,10 @@ struct CyclicRule {
   NeighbourShape shape = NeighbourShape::moore;
 };
 
-/// Transition function as a decision diagram. Each level of nodes branches on one neighbour's state, in the
-/// order of Golly's rule trees (north-west, north-east, south-west, south-east, north, west, east, south,
-/// centre; with four neighbours: north, west, east, south, centre). The item at node + state is the index
-/// of the next node or, at the last level, the new state.
+/// Transition function as a decision diagram. Each level of nodes branches on the state of one neighbour,
+/// in the order of Golly's rule trees: north-west, north-east, south-west, south-east, north, west, east,
+/// south, centre; with four neighbours: north, west, east, south, centre. The item at the index node +
+/// state is the index of the next node or, at the last level, the new state.
 struct RuleTree {
   int neighbours = 8;  ///< number of neighbours: 8 or 4
   std::uint32_t root = 0;
@@ -72,8 +74,9 @@ struct RuleTree {
 
 /// Rule of an automaton of any supported family.
 struct CellRule {
-  /// counts: LifeRule. map: any function of the cell and its eight neighbours, each alive (state 1) or not.
-  /// With more than two states, cells that do not survive age through the remaining states (Generations).
+  /// counts: a LifeRule. map: any function of the cell and its eight neighbours, each of which is alive
+  /// (state 1) or not. With more than two states, cells that do not survive age through the remaining
+  /// states (Generations).
   enum class Family { counts, map, wide, cyclic, tree };
   Family family = Family::counts;
   int states = 2;
@@ -84,7 +87,8 @@ struct CellRule {
   WideRule wide;
   CyclicRule cyclic;
   std::shared_ptr<const RuleTree> tree;
-  std::vector<glm::vec3> colors;  ///< linear RGB per state if the rule file defines colours; else empty
+  std::vector<glm::vec3> colors;  ///< linear RGB colour of each state; empty if the rule file defines no
+                                  ///< colours
   std::string name;               ///< notation of the rule, for all families except counts
 
   CellRule() = default;
@@ -96,10 +100,11 @@ struct CellRule {
   [[nodiscard]] std::string text() const { return family == Family::counts ? counts.text() : name; }
   /// Returns the distance of the farthest cells that affect a cell's next state.
   [[nodiscard]] int range() const;
-  /// Returns the next state of the centre of nine cells (bits as in `map`), for the families counts and
-  /// map.
+  /// Returns true if the centre of nine cells (bits as in `map`) is alive in the next state, for the
+  /// families counts and map.
   [[nodiscard]] bool outcome(unsigned neighbourhood) const;
-  /// True if the rule can run on bits (glsl/life): two states, and only the eight neighbours matter.
+  /// Returns true if the rule can be computed on bits (glsl/life), that is, if it has two states and
+  /// depends only on the eight neighbours.
   [[nodiscard]] bool onBits() const {
     return states == 2 && (family == Family::counts || family == Family::map);
   }
@@ -108,7 +113,7 @@ struct CellRule {
 /// Error of a parser, with the zero-based position in the text.
 struct RuleProblem {
   std::size_t at = 0;
-  std::string message;  ///< error message; empty: no error
+  std::string message;  ///< error message; empty if there is no error
 };
 
 /// Parses a rule in the notations of Golly and MCell:
@@ -131,7 +136,8 @@ struct RuleProblem {
 /// and the names of rulePresets().
 [[nodiscard]] RuleProblem parseCellRule(std::string_view text, CellRule& rule);
 
-/// True if a text that is not a rule notation may be the name of a rule, which a file NAME.rule defines.
+/// Returns true if a text that is not a rule notation may be the name of a rule that a file NAME.rule
+/// defines.
 [[nodiscard]] bool isRuleName(std::string_view text);
 
 /// Rule with a name.

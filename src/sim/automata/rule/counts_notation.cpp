@@ -18,7 +18,7 @@ char lowerLetter(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// Masks of the neighbours among nine cells.
+/// Bit masks of the neighbours among nine cells.
 constexpr unsigned aroundMoore = 0x1EF, aroundFour = 0xAA, aroundSix = 0x1EF & ~(1U << 2 | 1U << 6);
 
 unsigned around(NeighbourShape shape) {
@@ -27,7 +27,7 @@ unsigned around(NeighbourShape shape) {
                                               : aroundMoore;
 }
 
-/// For each number of neighbours, its allowed arrangements (bits of arrangementLetters).
+/// Allowed arrangements (bits of arrangementLetters) for each number of neighbours.
 using Counts = std::array<int, 9>;
 
 class CountsReader {
@@ -61,7 +61,7 @@ class CountsReader {
                              maxCount(), countsAdvice)};
   }
 
-  /// Reads digits with their letters up to the first other character.
+  /// Reads digits with their letters up to the first different character.
   RuleProblem readCounts(Counts& counts) {
     unsigned seen = 0;
     while (at_ < text_.size() && isDigit(text_[at_])) {
@@ -201,7 +201,7 @@ class CountsReader {
   std::string_view text_;
   std::size_t at_ = 0;
   NeighbourShape shape_ = NeighbourShape::moore;
-  Counts counts_[2] = {};  ///< counts for birth and for survival
+  Counts counts_[2] = {};  ///< counts for birth and counts for survival
   int states_ = 2;
 };
 

@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::string_view base64 = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-/// Returns the cells of nine (row by row) that index the bits of a map with this number of base64 digits;
-/// the first cell is the most significant bit. For hexagonal maps Golly 3.3 puts the row below first. Its
-/// help does not mention it, and rules by counts do not reveal it, but maps that copy a single cell move
+/// Returns the cells (of nine, row by row) that index the bits of a map with this number of base64 digits;
+/// the first cell is the most significant bit. For hexagonal maps, Golly 3.3 puts the row below first. Its
+/// help does not mention that, and rules by counts do not reveal it, but maps that copy a single cell move
 /// patterns accordingly.
 std::vector<unsigned> cellsOfMap(std::size_t digits) {
   if (digits == 86) return {0, 1, 2, 3, 4, 5, 6, 7, 8};
@@ -28,8 +28,8 @@ std::vector<unsigned> cellsOfMap(std::size_t digits) {
 RuleProblem parseMap(std::string_view text, CellRule& rule) {
   constexpr std::size_t first = 3;  // offset of the digits, after "MAP"
   std::size_t at = first;
-  // A slash is also a base64 digit, so the total length determines where the digits end. Only a number of
-  // states such as "/3" may follow.
+  // A slash is also a base64 digit, so the total length determines where the digits end. After them, only a
+  // number of states such as "/3" may follow.
   std::size_t end = text.size();
   for (const std::size_t digits : {std::size_t{86}, std::size_t{22}, std::size_t{6}}) {
     const std::size_t stop = first + digits;

@@ -9,7 +9,8 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr int maxPlacesRange = 500, maxTriangleRange = 250, maxGaussianRange = 50;  // Golly's limits
+constexpr int maxPlacesRange = 500, maxTriangleRange = 250, maxGaussianRange = 50;  // The limits are those
+                                                                                    // of Golly.
 
 /// Maximum number of listed cells that the kernel can process in one dispatch (glsl/automata/places.comp).
 constexpr std::size_t maxPlaces = 60000;
@@ -104,7 +105,7 @@ class NeighbourhoodReader {
     suffix();
   }
 
-  /// Reads one or two digits per cell, row by row; the highest bit is the sign.
+  /// Reads one or two digits per cell, row by row. The highest bit is the sign.
   void weighted(std::size_t at) {
     const std::vector<int> digits = reader_.hexDigits();
     const int side = 2 * rule_.range + 1, cells = side * side;

@@ -12,7 +12,8 @@
 
 namespace simreel::sim {
 
-/// Maximum number of ranges in a list of counts, because they are written into a kernel's source.
+/// Maximum number of ranges in a list of counts. It is limited because the ranges are written into a
+/// kernel's source.
 inline constexpr std::size_t maxRanges = 200;
 
 inline char upperLetter(char c) {
@@ -35,7 +36,7 @@ class NotationReader {
   [[nodiscard]] std::size_t at() const { return at_; }
   void moveTo(std::size_t at) { at_ = at; }
 
-  /// Skips an expected character, in either case; sets the error if it is missing.
+  /// Skips an expected character, in either case. If it is missing, sets the error.
   void expect(char wanted) {
     if (!good()) return;
     if (here() != wanted) {
@@ -61,8 +62,8 @@ class NotationReader {
     if (good() && low > high)
       wrong(first, fmt::format("{} to {}: the first of these limits is the greater one", low, high));
   }
-  /// Reads a list of ranges such as "2-3,8", which may be empty; does not consume a comma without a
-  /// following number.
+  /// Reads a list of ranges such as "2-3,8", which may be empty. Does not consume a comma that is not
+  /// followed by a number.
   void list(const char* what, int max, std::vector<CountRange>& counts) {
     counts.clear();
     const std::size_t start = at_;

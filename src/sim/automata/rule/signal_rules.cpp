@@ -13,8 +13,9 @@ namespace {
 
 enum class Kind { ground, sensitized, ordinary, special, confluent };
 constexpr int firstArrow = 9, firstSpecial = 17, firstConfluent = 25;
-constexpr int alongX = 29, alongY = 30, alongBoth = 31;  ///< crossings with signals
-using Around = std::array<int, 4>;  ///< states to the east, north, west and south: directions 0 to 3
+constexpr int alongX = 29, alongY = 30, alongBoth = 31;  ///< states of crossings that carry signals
+using Around = std::array<int, 4>;  ///< states to the east, north, west and south; the indices are the
+                                    ///< directions 0 to 3
 
 Kind kindOf(int state) {
   return state == 0               ? Kind::ground
@@ -45,26 +46,29 @@ int opposite(int direction) {
   return (direction + 2) % 4;
 }
 
-/// True if the neighbour in this direction is an arrow that points here.
+/// Returns true if the neighbour in this direction is an arrow that points to this cell.
 bool pointsHere(int state, int direction) {
   return isArrow(state) && directionOf(state) == opposite(direction);
 }
-/// True if the middle is an arrow of this kind that points at the neighbour in this direction.
+/// Returns true if the cell `middle` is an arrow of this kind that points to the neighbour in this
+/// direction.
 bool faces(int middle, Kind kind, int direction) {
   return kindOf(middle) == kind && directionOf(middle) == direction;
 }
-/// True if the neighbour in this direction is a confluent cell that now sends a signal here.
+/// Returns true if the neighbour in this direction is a confluent cell that now sends a signal to this
+/// cell.
 bool emits(int state, int direction) {
   const bool horizontal = direction % 2 == 0;
   return state == 27 || state == 28 || state == alongBoth || (state == alongX && horizontal) ||
          (state == alongY && !horizontal);
 }
 
-/// Inputs of a cell, as all three rules need them.
+/// Inputs of a cell on which all three rules depend.
 struct Inputs {
-  bool ordinary = false, special = false;  ///< excited arrows point here
-  bool quietOrdinary = false;              ///< a quiet ordinary arrow points here
-  bool x = false, y = false;               ///< excited ordinary arrows point here along the axis
+  bool ordinary = false, special = false;  ///< true if excited ordinary or special arrows point to the cell
+  bool quietOrdinary = false;              ///< true if a quiet ordinary arrow points to the cell
+  bool x = false, y = false;               ///< true if excited ordinary arrows point to the cell along the
+                                           ///< axis
 
   [[nodiscard]] int crossing() const {
     return x && y ? alongBoth : y ? alongY : x ? alongX : firstConfluent;
@@ -88,14 +92,15 @@ Inputs inputsOf(const Around& around) {
   return in;
 }
 
-/// Returns the next confluent state of the four with memory. The first bit is the signal that leaves now,
-/// the second one the signal that leaves next.
+/// Returns the next of the four confluent states, which have memory. The first bit of a state is the signal
+/// that leaves now, the second bit is the signal that leaves next.
 int confluentAfter(int state, bool arrives) {
   const bool leavesNext = state == 26 || state == 28;
   return firstConfluent + (leavesNext ? 2 : 0) + (arrives ? 1 : 0);
 }
 
-/// Result of the bits that a sensitized cell has received, without and with a signal now.
+/// Returns the next state of a sensitized cell from the bits that it has received and whether it receives a
+/// signal now.
 int sensitizedAfter(int state, bool signal) {
   constexpr std::array<int, 9> complete = {11, 12, 17, 18, 19, 20, firstConfluent, 9, 10};
   const int code = 2 * state + (signal ? 1 : 0);
@@ -119,7 +124,7 @@ int confluentOutcome(bool crosses, int middle, const Around& around, const Input
   return left[0] || left[1] ? confluentAfter(memory, false) : memory;
 }
 
-/// Next state by von Neumann's rule; `crosses`: with Nobili's crossings.
+/// Returns the next state by von Neumann's rule, with Nobili's crossings if `crosses` is true.
 int neumannOutcome(bool crosses, int middle, const Around& around) {
   const Inputs in = inputsOf(around);
   const Kind kind = kindOf(middle);
@@ -127,7 +132,8 @@ int neumannOutcome(bool crosses, int middle, const Around& around) {
     return sensitizedAfter(middle, in.ordinary || in.special);
   if (kind == Kind::confluent) return confluentOutcome(crosses, middle, around, in);
   if (kind == Kind::ordinary ? in.special : in.ordinary) return 0;
-  // Arrows that face each other do not excite each other, and confluent cells send nothing backwards.
+  // Arrows that face each other do not excite each other, and confluent cells do not send signals
+  // backwards.
   bool signal = false;
   for (int d = 0; d < 4; ++d) {
     const int state = around[static_cast<std::size_t>(d)];
@@ -160,13 +166,14 @@ class HuttonCell {
   }
 
  private:
-  /// True if an excited arrow of this kind points here and the cell does not face it.
+  /// Returns true if an excited arrow of this kind points to the cell and the cell does not face that
+  /// arrow.
   [[nodiscard]] bool arrow(Kind kind) const {
     for (int d = 0; d < 4; ++d)
       if (isArrowHere(d, kind) && !faces(c_, kind, d)) return true;
     return false;
   }
-  /// True if such an arrow or a confluent cell sends a signal here.
+  /// Returns true if an excited arrow of this kind or a confluent cell sends a signal to the cell.
   [[nodiscard]] bool hit(Kind kind) const {
     for (int d = 0; d < 4; ++d)
       if ((isArrowHere(d, kind) || emits(at(d), d)) && !faces(c_, kind, d)) return true;
@@ -176,9 +183,9 @@ class HuttonCell {
     return kindOf(at(d)) == kind && isExcited(at(d)) && pointsHere(at(d), d);
   }
   [[nodiscard]] int at(int direction) const { return around_[static_cast<std::size_t>(direction)]; }
-  /// Returns the state of the cell that this arrow points at.
+  /// Returns the state of the cell to which this arrow points.
   [[nodiscard]] int output() const { return at(directionOf(c_)); }
-  /// Returns the excited arrow that points here; 0: none.
+  /// Returns the state of the excited arrow that points to this cell, or 0 if there is none.
   [[nodiscard]] int input() const {
     for (const int d : {2, 3, 0, 1})
       if (isExcited(at(d)) && pointsHere(at(d), d)) return at(d);
@@ -198,7 +205,7 @@ class HuttonCell {
     if (arrow(Kind::special)) return 0;
     if (hit(Kind::ordinary)) {
       const bool onSpecial = kindOf(output()) == Kind::special && !isExcited(output());
-      if (outputBecomesOrdinary() || onSpecial) return 0;  // retraction
+      if (outputBecomesOrdinary() || onSpecial) return 0;  // the end of the wire is retracted
       return outputBecomesConfluent() ? 1 : excited(c_);
     }
     if (outputBecomesConfluent()) return 0;
@@ -219,8 +226,8 @@ class HuttonCell {
     return hit(Kind::special) ? excited(c_) : quiet(c_);
   }
 
-  /// The new arrow's direction is relative to the arrow that writes it. Cases without one do not occur in
-  /// machines; their results are Golly's.
+  /// The direction of the new arrow is relative to the arrow that writes it. Cases without such an arrow do
+  /// not occur in machines; their results equal those of Golly.
   [[nodiscard]] int sensitized() const {
     const bool one = arrow(Kind::ordinary);
     if (c_ < 4) return 2 * c_ + (one ? 1 : 0);
@@ -263,7 +270,7 @@ class HuttonCell {
   Inputs in_;
 };
 
-/// Builds the diagram of a rule. Neighbours that no rule distinguishes share a class.
+/// Builds the decision diagram of a rule. Neighbour states that no rule distinguishes are in one class.
 class SignalTree {
  public:
   explicit SignalTree(SignalRule rule) : rule_(rule), states_(statesOf(rule)) {

@@ -66,8 +66,8 @@ class WideReader {
   }
 
  private:
-  /// Reads the neighbourhood ahead, because it is at the end but determines the maximum of the limits
-  /// before it.
+  /// Reads the neighbourhood first, because it is at the end of the text but determines the maximum of the
+  /// limits before it.
   void neighbourhood() {
     const std::string upper = upperText(text_);
     const std::size_t at = upper.find(",N");
@@ -75,12 +75,12 @@ class WideReader {
     NotationReader after(text_, wideAdvice);
     after.moveTo(at + 2);
     readNeighbourhood(after, wide_, std::max(states_, 2));
-    // An error here is reported only if the text before it is valid.
+    // An error in the neighbourhood is reported only if the text before it is valid.
     problemAfter_ = after.problem();
     hood_ = upper.substr(at + 2, after.at() - at - 2);
   }
-  /// Returns the maximum of a limit; very large if the neighbourhood has an error, which is reported after
-  /// the limits.
+  /// Returns the maximum of a limit. It is very large if the neighbourhood has an error, which is reported
+  /// after the limits.
   [[nodiscard]] int most() const { return problemAfter_.message.empty() ? wide_.most() : 1'000'000; }
   void tellAfter() {
     if (!problemAfter_.message.empty()) reader_.wrong(problemAfter_.at, problemAfter_.message);
@@ -108,8 +108,8 @@ class WideReader {
   }
 
   void lists() {
-    const bool own = !hood_.empty() && hood_[0] == 'W';  // true for explicit weights, which include the
-                                                         // centre
+    const bool own = !hood_.empty() && hood_[0] == 'W';  // true if the neighbourhood gives explicit
+                                                         // weights, which include the centre
     reader_.expect('S');
     reader_.list("a count of S", most() - (own ? 0 : 1), wide_.survive);
     reader_.expect(',');

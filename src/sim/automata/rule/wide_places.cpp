@@ -23,7 +23,7 @@ bool counts(char letter, int range, int dx, int dy) {
       return dx == 0 || dy == 0 || dx == dy;
     case '3':
       return (dx == 0 && dy < 0) || (dy == 0 && dx < 0) || (dx == dy && dx > 0);
-    case 'L':  // rows are longest beside the triangle's base, which is below the centre row
+    case 'L':  // the rows next to the triangle's base, which is below the centre row, are the longest
       return across <= (dy < 0 ? 2 * range + 1 + dy : 2 * range - dy);
     default:
       return true;

@@ -110,7 +110,7 @@ void MeshBuilder::vertex(const glm::vec3& position, const glm::vec3& normal, con
                          const glm::vec3& color) {
   const auto within = [](float part) {
     return part >= 0 ? std::min(part, 1e4F) : 0.0F;
-  };  // NaN becomes 0, too
+  };  // also turns NaN into 0
   vertex(position, normal, uv);
   mesh_.colors.resize(mesh_.positions.size(), glm::vec3(1));
   mesh_.colors.back() = {within(color.r), within(color.g), within(color.b)};
@@ -132,7 +132,7 @@ Mesh MeshBuilder::finish() {
   return std::move(mesh_);
 }
 
-/// Fills in missing normals: the sum of the normals of the triangles around the vertex, weighted by area.
+/// Computes missing normals: the sum of the normals of the triangles around the vertex, weighted by area.
 void MeshBuilder::fillNormals() {
   std::vector<glm::vec3> sums(mesh_.positions.size(), glm::vec3(0));
   for (std::size_t i = 0; i < mesh_.indices.size(); i += 3) {

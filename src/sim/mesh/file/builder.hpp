@@ -12,8 +12,8 @@
 
 namespace simreel::sim {
 
-/// Maximum number of vertices, and of triangles, in a mesh file. Flat shading can triple the vertices,
-/// because each triangle then has three of its own.
+/// Maximum number of vertices and maximum number of triangles in a mesh file. Flat shading can triple the
+/// number of vertices, because each triangle then has three vertices that no other triangle uses.
 constexpr std::size_t maxMeshItems = 8'000'000;
 /// Maximum nesting depth of nodes.
 constexpr int maxNodeDepth = 256;
@@ -28,11 +28,11 @@ constexpr int maxNodeDepth = 256;
 /// literal name, replaces backslashes by slashes and removes backslashes before blanks.
 [[nodiscard]] std::filesystem::path besidePath(const std::filesystem::path& mesh, std::string_view name);
 
-/// True if a file that a mesh refers to lies in the mesh's folder or below, after resolving links.
+/// Returns true if a file that a mesh refers to is in the mesh's folder or below it, after resolving links.
 [[nodiscard]] bool liesBeside(const std::filesystem::path& mesh, const std::filesystem::path& named);
 
-/// Scope guard: while it exists, materials of this mesh that are read on this thread may use images in all
-/// folders readable by the scenes that refer to the mesh.
+/// Scope guard for reading the materials of a mesh. While it exists, this thread may read images from all
+/// folders that the scenes referring to the mesh may read.
 class ReadableFolders {
  public:
   explicit ReadableFolders(const std::filesystem::path& mesh);
@@ -43,26 +43,28 @@ class ReadableFolders {
   ReadableFolders& operator=(ReadableFolders&&) = delete;
 };
 
-/// Returns the reason why a file that a mesh's materials refer to is not read (missing or not permitted);
-/// empty if it can be read.
+/// Returns the reason why a file referred to by a mesh's materials is not read (missing or not permitted);
+/// empty if the file can be read.
 [[nodiscard]] std::string whyUnread(const std::filesystem::path& mesh, const std::filesystem::path& named);
 
-/// Assembles a mesh from parts with one transform each. Throws UserError for the errors of loadMesh() that
-/// do not depend on the format.
+/// Assembles a mesh from parts, each with its own transform. Throws UserError for the errors of loadMesh()
+/// that do not depend on the format.
 class MeshBuilder {
  public:
   explicit MeshBuilder(const std::filesystem::path& file) : file_(file) {}
 
-  /// Starts a part with the given numbers of vertices and triangles; `material` is an index, -1: none.
+  /// Starts a part with the given numbers of vertices and triangles. `material` is a material index, or -1
+  /// for none.
   void begin(std::size_t vertices, std::size_t triangles, const glm::mat4& transform, bool hasUvs,
              int material = -1);
-  /// Adds the next vertex. A zero normal is computed later from the surrounding triangles.
+  /// Adds the next vertex. A zero normal is replaced later by a normal computed from the surrounding
+  /// triangles.
   void vertex(const glm::vec3& position, const glm::vec3& normal, const glm::vec2& uv);
   /// Adds the next vertex with a colour (linear RGB); vertices without a colour are white.
   void vertex(const glm::vec3& position, const glm::vec3& normal, const glm::vec2& uv,
               const glm::vec3& color);
   /// Makes the last vertex share its computed normal with the earlier vertex `with` (index in the mesh):
-  /// the triangles around both contribute.
+  /// the triangles around both vertices contribute to the normal.
   void shareNormal(std::size_t with) { sharing_.back() = static_cast<unsigned>(with); }
   /// Returns the number of vertices added so far.
   [[nodiscard]] std::size_t vertexCount() const { return mesh_.positions.size(); }
@@ -75,7 +77,7 @@ class MeshBuilder {
 
   const std::filesystem::path& file_;
   Mesh mesh_;
-  std::vector<unsigned> sharing_;  ///< per vertex: the vertex whose normal sum it shares
+  std::vector<unsigned> sharing_;  ///< for each vertex: index of the vertex whose normal sum it uses
   glm::mat4 transform_{1};
   glm::mat3 turn_{1};  ///< matrix that transforms normals
   bool mirrored_ = false;

@@ -19,10 +19,10 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "values are copied as they lie in the file");
 
-constexpr std::int64_t maxNumber = std::int64_t{1} << 40;  // limit at which the product of two numbers does
-                                                           // not overflow
-constexpr std::size_t maxContainers = 500'000;             // limit, because each container takes 100 bytes
-                                                           // of memory or more
+constexpr std::int64_t maxNumber = std::int64_t{1} << 40;  // maximum for numbers in the file, so that the
+                                                           // product of two does not overflow
+constexpr std::size_t maxContainers = 500'000;             // limited because each container takes at least
+                                                           // 100 bytes of memory
 constexpr std::size_t maxZeros = 1'000'000;
 
 template <class T>
@@ -94,7 +94,7 @@ GltfDocument::GltfDocument(const std::filesystem::path& file, std::string_view t
 
 void GltfDocument::checkVersion() const {
   const JsonValue asset = root().at("asset");
-  // Version 1 may write a number.
+  // In version 1, "version" may be a number instead of a string.
   const JsonValue written = asset.at("version");
   if (written.json().is_number() || !written.text().starts_with("2.")) refuse("is no glTF of version 2");
   if (!asset.has("minVersion")) return;
@@ -203,7 +203,7 @@ std::string GltfDocument::bytesOf(const std::string& uri, std::uint64_t promised
     return decodeBase64(std::string_view(uri).substr(comma + 8));
   }
   const std::filesystem::path path = file_.parent_path() / decodePercent(uri);
-  const bool ofLooks = promised == 0;  // true for textures, which may lie in any folder that the scene may
+  const bool ofLooks = promised == 0;  // true for textures, which may be in any folder that the scene may
                                        // read
   if (!liesBeside(file_, path) && !(ofLooks && whyUnread(file_, path).empty()))
     refuse(fmt::format("names {}, which lies outside its folder", path.string()));
@@ -300,7 +300,7 @@ GltfDocument::Values GltfDocument::values(const JsonValue& accessor) const {
 
 float GltfDocument::component(const Values& values, std::size_t element, std::size_t component) const {
   const std::size_t at = element * values.stride + component * componentBytes(values.type);
-  // glTF 2.0, 3.11: the most negative integer also maps to -1.
+  // The most negative integer also maps to -1 (glTF 2.0, 3.11).
   const auto scaled = [&](auto number) {
     const auto value = static_cast<float>(number);
     return values.normalised

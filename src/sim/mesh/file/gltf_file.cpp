@@ -40,7 +40,8 @@ class GltfReader {
       GltfSkin skin;
       skin.morphs = mesh.morphs;
       if (mesh.skin) skin.pose = parts_.poseOf(*mesh.skin, nodes_);
-      // The joints determine the vertices' positions, whatever the node's transform (glTF 2.0, 3.7.3.2).
+      // The joints alone determine the vertices' positions; the node's transform has no effect (glTF 2.0,
+      // 3.7.3.2).
       const glm::mat4 transform = mesh.skin ? glm::mat4(1) : mesh.transform;
       flat += glm::determinant(glm::mat3(transform)) == 0 ? 1 : 0;
       parts_.eachPart(mesh.mesh, skin, [&](const GltfPart& part) { add(part, transform); });
@@ -72,15 +73,15 @@ class GltfReader {
     const std::array<double, 4> q = GltfDocument::rotation(node);
     const auto x = static_cast<float>(q[0]), y = static_cast<float>(q[1]), z = static_cast<float>(q[2]),
                w = static_cast<float>(q[3]);
-    // Columns of the unit quaternion's rotation matrix, each scaled.
+    // These are the columns of the unit quaternion's rotation matrix, each multiplied by a scale.
     return {glm::vec4(1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y), 0) * scale.x,
             glm::vec4(2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x), 0) * scale.y,
             glm::vec4(2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y), 0) * scale.z,
             glm::vec4(place, 1)};
   }
 
-  /// Collects the mesh instances of the default scene's nodes, which must form trees; for a file without
-  /// nodes, all meshes.
+  /// Collects the mesh instances of the default scene's nodes, which must form trees. If the file has no
+  /// nodes, collects all meshes.
   std::vector<Placed> walk() {
     struct Step {
       std::uint64_t node;

@@ -7,10 +7,10 @@
 namespace simreel::sim {
 
 /// Reads the triangles (also strips and fans) of the default scene of a glTF 2.0 or GLB file from its text:
-/// positions, normals and texture coordinates, v downwards. Buffers are embedded or in files beside `file`.
-/// All sizes are validated before allocation: lists against the bytes that hold them, nodes as a tree,
-/// vertices summed over all nodes. Throws UserError as loadMesh() does, also for required extensions that
-/// affect the mesh.
+/// positions, normals and texture coordinates, v downwards. Buffers are embedded or in files in the folder
+/// of `file`. All sizes are validated before memory is allocated: the length of a list against the bytes
+/// that hold the list, the nodes as a tree, and the number of vertices summed over all nodes. Throws
+/// UserError as loadMesh() does, also for required extensions that affect the mesh.
 [[nodiscard]] Mesh readGltf(const std::filesystem::path& file, std::string_view text, MeshNormals normals);
 
 }  // namespace simreel::sim

@@ -20,9 +20,10 @@ constexpr std::uint64_t repeatWrap = 10497, clampWrap = 33071, mirrorWrap = 3364
 constexpr std::uint64_t nearestFilter = 9728, linearFilter = 9729;
 constexpr std::size_t maxMaterials = 4096;
 constexpr const char* transformName = "KHR_texture_transform";
-constexpr MapNames gltfMapNames = {"baseColorTexture",         "",  // no map: alpha of the colour
-                                   "metallicRoughnessTexture", "normalTexture",
-                                   "occlusionTexture",         "emissiveTexture"};
+constexpr MapNames gltfMapNames = {"baseColorTexture", "",  // opacity has no map, because it is the
+                                                            // alpha channel of the colour
+                                   "metallicRoughnessTexture", "normalTexture", "occlusionTexture",
+                                   "emissiveTexture"};
 
 std::optional<JsonValue> textureTransformOf(const JsonValue& textureInfo) {
   const auto extensions = textureInfo.find("extensions");
@@ -47,7 +48,8 @@ std::uint64_t firstUvSet(const JsonValue& material) {
   return 0;
 }
 
-/// Returns u' = T R S u, where R is counter-clockwise as the image is displayed, with v pointing down.
+/// Returns the transform u' = T R S u (translation, rotation, scale), where R is counter-clockwise as the
+/// image is displayed, with v pointing down.
 TexturePlace transformedPlace(const JsonValue& transform) {
   constexpr float most = 1e6F;
   const auto pair = [&](const char* key, float otherwise) {
@@ -61,7 +63,7 @@ TexturePlace transformedPlace(const JsonValue& transform) {
   return {{scale.x * c, -scale.x * s, scale.y * s, scale.y * c}, pair("offset", 0)};
 }
 
-/// Returns the name of an image format from glTF extensions that is not supported; null for others.
+/// Returns the name of the image format if it is an unsupported format of a glTF extension; otherwise null.
 const char* unreadFormat(std::string_view bytes) {
   if (bytes.starts_with("RIFF") && bytes.substr(std::min<std::size_t>(8, bytes.size())).starts_with("WEBP"))
     return "WebP";
@@ -92,7 +94,7 @@ class MaterialReader {
     all_.ignored.push_back(fmt::format("{} of material {}", key, name_));
   }
 
-  /// Reports unsupported features outside of materials: used extensions that are neither supported nor
+  /// Reports unsupported features outside of materials: extensions in use that are neither supported nor
   /// reported elsewhere, and colours of unlit meshes.
   void ignoreElse() {
     if (const auto used = document_.root().find("extensionsUsed"))
@@ -177,8 +179,8 @@ class MaterialReader {
     return extensions && extensions->has("KHR_materials_unlit");
   }
 
-  /// Converts an unlit material, whose colour does not depend on the light: it becomes emissive with no
-  /// diffuse colour, and rough enough to reflect nothing except at grazing angles.
+  /// Converts an unlit material, whose colour does not depend on the light. The result is emissive and has
+  /// no diffuse colour; its roughness is so high that it reflects only at grazing angles.
   static MeshMaterial unlit(const MeshMaterial& material) {
     MeshMaterial shining;
     shining.color = glm::vec3(0);
@@ -218,8 +220,8 @@ class MaterialReader {
     }
   }
 
-  /// A thickness above 0 marks the mesh as a solid's surface; its value is not used, because rays find the
-  /// thickness themselves.
+  /// A thickness above 0 means that the mesh is the surface of a solid. The value itself is not used,
+  /// because rays measure the thickness.
   void takeVolume(MeshMaterial& material, const JsonValue& value) {
     material.thin = number(value, "thicknessFactor", 0) <= 0;
     const float distance = number(value, "attenuationDistance", 0);
@@ -234,7 +236,7 @@ class MaterialReader {
     return wrap == clampWrap ? scene::Wrap::clamp : scene::Wrap::repeat;
   }
 
-  /// Returns the texture that an object refers to, and keeps its image.
+  /// Returns the texture that an object refers to, and adds its image to the list of images.
   MeshMap map(const JsonValue& object, const char* key) {
     const auto found = object.find(key);
     if (!found) return {};

@@ -19,7 +19,8 @@ namespace {
 
 /// Maximum number of primitives over all nodes.
 constexpr std::size_t maxParts = 100'000;
-/// Maximum deviation of a vertex' weight sum from 1; each 8-bit weight is off by up to about 1/255.
+/// Maximum deviation of the sum of a vertex' weights from 1; each 8-bit weight has an error of up to about
+/// 1/255.
 constexpr float weightSlack = 0.02F;
 
 struct VertexHash {
@@ -64,8 +65,8 @@ GltfParts::GltfParts(const std::filesystem::path& file, std::string_view text, M
   checkExtensions();
 }
 
-/// Rejects required extensions, except KHR_mesh_quantization and those that affect only appearance or
-/// lights.
+/// Rejects a file with required extensions other than KHR_mesh_quantization and the extensions that affect
+/// only appearance or lights.
 void GltfParts::checkExtensions() const {
   const auto required = document_.root().find("extensionsRequired");
   if (!required) return;
@@ -212,8 +213,8 @@ std::vector<glm::mat4> GltfParts::poseOf(std::uint64_t skin,
   return pose;
 }
 
-/// Adds the displacements of morph targets, times their weights (glTF 2.0, 3.7.2.2). A node's weights
-/// replace the mesh's.
+/// Adds the displacements of morph targets, multiplied by their weights (glTF 2.0, 3.7.2.2). A node's
+/// weights replace the mesh's weights.
 void GltfParts::morph(std::size_t mesh, const JsonValue& primitive, const std::vector<float>& weights,
                       std::vector<GltfVertex>& vertices) const {
   const auto targets = primitive.find("targets");

@@ -18,7 +18,8 @@ namespace simreel::sim {
 
 /// Vertex of a part of a glTF mesh.
 struct GltfVertex {
-  /// Position, normal, texture coordinates and colour (linear RGB). Missing attributes are 0, colours 1.
+  /// Position, normal, texture coordinates and colour (linear RGB). Missing colour components are 1, other
+  /// missing components 0.
   std::array<float, 11> values{0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1};
   std::array<std::uint32_t, 4> bones{};  ///< indices into the skin's list of joints
   std::array<float, 4> weights{};        ///< weights of the joints in `bones`; the sum is 1
@@ -30,30 +31,30 @@ struct GltfVertex {
 struct GltfPart {
   bool hasUvs = false;
   bool hasColors = false;
-  bool fades = false;  ///< true if a colour has an opacity below 1, which is not supported
-  int material = -1;   ///< material index; -1: none
+  bool fades = false;  ///< true if a vertex colour has an opacity below 1, which is not supported
+  int material = -1;   ///< material index, or -1 for none
   std::vector<GltfVertex> vertices;
   std::vector<std::array<unsigned, 3>> triangles;
 };
 
-/// Handling of a skinned mesh: ignored by default; `kept` stores joints and weights per vertex, for a body
-/// that animates them; a non-empty `pose` (one matrix per joint) moves the vertices. `morphs` are the
-/// node's weights of morph targets; empty: the mesh's own.
+/// Handling of a skinned mesh. By default, the skin is ignored. If `kept` is set, joints and weights are
+/// stored per vertex, for a body that animates them. If `pose` (one matrix per joint) is not empty, it
+/// moves the vertices. `morphs` are the node's weights of morph targets; if empty, the mesh's own weights
+/// are used.
 struct GltfSkin {
   bool kept = false;
   std::vector<glm::mat4> pose;
   std::vector<float> morphs;
 };
 
-/// Returns a node's weights of morph targets; empty if it has none.
+/// Returns a node's weights of morph targets; empty if the node has none.
 [[nodiscard]] std::vector<float> morphsOf(const JsonValue& node);
 
 class MeshBuilder;
-/// Passes a vertex of a part on to the builder as its next vertex.
+/// Adds a vertex of a part to the builder.
 void addVertex(MeshBuilder& builder, const GltfPart& part, const GltfVertex& vertex);
 
-/// Reader of the triangles of a glTF 2.0 or GLB file, independent of their use. Throws the errors of
-/// GltfDocument.
+/// Reads the triangles of a glTF 2.0 or GLB file for any purpose. Throws the errors of GltfDocument.
 class GltfParts {
  public:
   /// Rejects required extensions that affect the mesh.
@@ -61,8 +62,8 @@ class GltfParts {
             MeshNormals normals = MeshNormals::shown);
 
   [[nodiscard]] const GltfDocument& document() const { return document_; }
-  /// Counts one more use of a mesh. Throws if the totals of vertices, triangles or parts exceed their
-  /// limits, before any of them is read.
+  /// Adds one use of a mesh to the totals. Throws if the totals of vertices, triangles or parts exceed
+  /// their limits, before any mesh is read.
   void count(std::size_t mesh);
   /// Calls `visit` with each part (GltfPart) of a mesh. Throws if `skin` requires joints and weights that
   /// are missing.
@@ -70,7 +71,7 @@ class GltfParts {
   void eachPart(std::size_t mesh, const GltfSkin& skin, const Visit& visit) const {
     forEachPrimitive(mesh, [&](const JsonValue& primitive) { visit(part(mesh, primitive, skin)); });
   }
-  /// Returns the counted primitives that are lines or points, for example "lines (2)".
+  /// Returns a description of the counted primitives that are lines or points, for example "lines (2)".
   [[nodiscard]] std::vector<std::string> undrawn() const;
   /// Returns the matrices of a skin's joints; `nodes` holds the nodes' world transforms.
   [[nodiscard]] std::vector<glm::mat4> poseOf(std::uint64_t skin,

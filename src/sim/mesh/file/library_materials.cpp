@@ -28,7 +28,7 @@ namespace {
 
 constexpr int librarySide = 16384;
 
-/// Calls each(key, rest) for each line of a text.
+/// Calls each(key, rest) for each line of a text, where `rest` is the line after the key.
 template <class Each>
 void eachKey(std::string_view text, const Each& each) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
@@ -40,8 +40,8 @@ void eachKey(std::string_view text, const Each& each) {
   }
 }
 
-/// Returns the files named by an `mtllib` line: the whole line if such a file exists (a name with blanks),
-/// else names that end in ".mtl", else words.
+/// Returns the file names in an `mtllib` line: the whole line if a file of that name exists. Otherwise, the
+/// line is split after each ".mtl", or into its words if it does not end in ".mtl".
 std::vector<std::string> libraryNames(const std::filesystem::path& mesh, std::string_view line) {
   std::error_code error;
   if (std::filesystem::exists(besidePath(mesh, line), error)) return {std::string(line)};
@@ -71,7 +71,9 @@ class LibraryReader {
   LibraryReader(const std::filesystem::path& file, Mesh& mesh) : file_(file), mesh_(mesh) {}
 
   void read(const std::string& library) {
-    if (!libraries_.insert(library).second) return;  // some programs repeat the line
+    if (!libraries_.insert(library).second)
+      return;  // some programs repeat the line, so each library is
+               // read only once
     const std::optional<std::string> text = beside(library, "material library");
     eachKey(text ? std::string_view(*text) : std::string_view(),
             [&](std::string_view key, std::string_view rest) {
@@ -95,8 +97,8 @@ class LibraryReader {
   [[nodiscard]] const std::map<std::string, MeshMaterial, std::less<>>& all() const { return all_; }
 
  private:
-  /// Returns the text of a file beside the mesh; if it is not readable, reports it as ignored and returns
-  /// nothing.
+  /// Returns the text of a file in the mesh's folder. If the file is not readable, reports it as ignored
+  /// and returns nothing.
   std::optional<std::string> beside(const std::string& name, const char* what) {
     const std::filesystem::path path = besidePath(file_, name);
     const std::string why = whyUnread(file_, path);
@@ -116,10 +118,10 @@ class LibraryReader {
     return std::max({color.x, color.y, color.z}) - std::min({color.x, color.y, color.z}) <= slack;
   }
 
-  /// Reports legacy lighting parameters that would change the image. Most programs write their defaults
-  /// into every file: a grey or black Ks, a Ka that is grey or equal to the colour, Ni between air and
-  /// plastics, an illum for opaque materials or, with d below 1, for transparent ones. These are not
-  /// reported.
+  /// Reports legacy lighting parameters that would change the image. Most programs write defaults into
+  /// every file, which are not reported: a grey or black Ks, a Ka that is grey or equal to the colour, an
+  /// Ni between those of air and plastics, and an illum for opaque materials or, if d is below 1, for
+  /// transparent ones.
   void ignoreLight(const MeshMaterial& material, const OldLight& said) {
     constexpr float plastic = 1.6F;
     if (said.ambient && !isGrey(*said.ambient) && *said.ambient != material.color) ignore("Ka");
@@ -146,10 +148,10 @@ class LibraryReader {
     light_.erase(name_);
   }
 
-  /// True if the numbers of a key can be used. Reports as ignored: words that are not numbers (spectra, CIE
-  /// coordinates) and numbers that are clamped to their range.
+  /// Returns true if the numbers of a key can be used. Reports as ignored: words that are not numbers
+  /// (spectra, CIE coordinates) and numbers that are clamped to the key's range.
   bool hasNumbers(const NumberKey& known, std::string_view key, std::string_view rest) {
-    constexpr double hair = 1e-4;  // tolerance for computed colours
+    constexpr double hair = 1e-4;  // tolerance for rounding errors of computed colours
     std::string_view words = rest;
     bool held = false;
     for (int i = 0; i < known.numbers; ++i) {
@@ -187,7 +189,8 @@ class LibraryReader {
     } else if (key == "Pm") {
       material.metallic = numbersIn(rest, 1)[0];
     } else if (key == "Ns") {
-      // A Blinn-Phong exponent n has about the lobe of alpha^2 = 2 / (n + 2).
+      // The lobe of a Blinn-Phong exponent n is about as wide as that of alpha^2 = 2 / (n + 2), where alpha
+      // is the squared roughness.
       if (hasRoughness_.count(name_) == 0)
         material.roughness = std::sqrt(std::sqrt(2.0F / (numbersIn(rest, 1e6F)[0] + 2)));
     } else if (key == "Ka") {
@@ -228,14 +231,14 @@ class LibraryReader {
     }
   }
 
-  /// Texture as named by a line, with its options.
+  /// Texture that a line names, with the options of the line.
   struct Named {
     MeshMap map;
     float strength = 1;  ///< value of the option -bm
   };
 
-  /// Reads up to three numbers before a file name, which may look like a number itself; missing ones keep
-  /// the values of `numbers`.
+  /// Reads up to three numbers before a file name, which may itself look like a number. Missing numbers
+  /// keep the values of `numbers`.
   static glm::vec3 takeNumbers(std::string_view& rest, glm::vec3 numbers) {
     for (int i = 0; i < 3; ++i) {
       std::string_view after = rest;
@@ -249,7 +252,7 @@ class LibraryReader {
     return numbers;
   }
 
-  /// Removes an option from a line and applies it. Returns false if the line does not start with a known
+  /// Removes an option from the start of `rest` and applies it. Returns false if `key` is not a known
   /// option.
   bool takeOption(std::string_view key, std::string_view& rest, Named& named, glm::vec2& scale,
                   glm::vec2& offset) {
@@ -284,8 +287,8 @@ class LibraryReader {
     return true;
   }
 
-  /// Returns the texture that a line names after its options. Its u coordinate is -s u + -o, as programs
-  /// that write such files define it; v likewise, counted from below.
+  /// Returns the texture that a line names after its options. The texture's u coordinate is -s u + -o, as
+  /// programs that write such files define it; v is computed likewise, counted from the bottom.
   Named map(std::string_view key, std::string_view rest) {
     Named named;
     glm::vec2 scale(1), offset(0);
@@ -309,7 +312,8 @@ class LibraryReader {
     return named;
   }
 
-  /// True if an image looks like a normal map: normals point outwards, so the average colour is blue.
+  /// Returns true if an image looks like a normal map. Normals point outwards, so its average colour is
+  /// blue.
   [[nodiscard]] bool holdsNormals(const MeshMap& map) const {
     const MeshImage& image = mesh_.images.at(static_cast<std::size_t>(map.image));
     Picture picture;
@@ -349,7 +353,7 @@ void addLibraryMaterials(const std::filesystem::path& file, const std::vector<st
   LibraryReader reader(file, mesh);
   for (const std::string& line : libraries)
     for (const std::string& library : libraryNames(file, line)) reader.read(library);
-  std::vector<int> numbers;  // indices of the library's materials within the mesh's
+  std::vector<int> numbers;  // for each material of the library: its index in the mesh
   for (const std::string& name : names) {
     const auto found = reader.all().find(name);
     numbers.push_back(found == reader.all().end() ? -1 : static_cast<int>(mesh.materials.size()));

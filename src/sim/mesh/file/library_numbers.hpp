@@ -10,13 +10,13 @@ namespace simreel::sim {
 /// Numeric key of a material in an OBJ's material library.
 struct NumberKey {
   std::string_view key;
-  int numbers;  ///< maximum count of its numbers
+  int numbers;  ///< maximum number of values after the key
   double max;   ///< largest meaningful value
 };
 
 inline constexpr double unboundedKey = 1e30;  ///< `NumberKey::max` of a key without an upper bound
 
-/// Returns the numeric key of that name; null if the key is unknown or not numeric.
+/// Returns the numeric key with the given name; null if the key is unknown or not numeric.
 const NumberKey* findNumberKey(std::string_view key);
 
 /// Returns the first three numbers of a text, clamped to 0..`max`. A missing number repeats the previous

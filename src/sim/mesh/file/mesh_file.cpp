@@ -37,12 +37,12 @@ std::string readApart(const std::filesystem::path& file, const std::function<std
   std::error_code unknown;
   const auto size = std::filesystem::file_size(file, unknown);
   const std::size_t bytes = unknown ? 0 : size;
-  // A byte of text takes some 30 bytes of memory after parsing; glTF validates its sizes before it
-  // allocates.
+  // Parsing text takes some 30 bytes of memory per byte; glTF validates its sizes before it allocates
+  // memory.
   const Allotment allotment{isGltf(file) ? std::size_t{4} << 30 : (std::size_t{256} << 20) + 64 * bytes,
                             10 + static_cast<int>(std::min<std::size_t>(bytes >> 20U, 3600))};
-  // Looked up before the fork, because the child of a multithreaded process must not wait for a lock held
-  // by another thread.
+  // The folders are looked up before the fork, because the child of a multithreaded process must not wait
+  // for a lock that another thread holds.
   const ReadableFolders readable(file);
   try {
     return runIsolated(allotment, read);

@@ -12,7 +12,7 @@
 
 namespace simreel::sim {
 
-/// Encoded image of a mesh's materials, as stored in its file: PNG or JPEG.
+/// Encoded image used by a mesh's materials, as stored in its file: PNG or JPEG.
 struct MeshImage {
   std::string name;  ///< name of the image in messages
   std::string bytes;
@@ -32,7 +32,7 @@ struct TexturePlace {
 
 /// Texture map of a material.
 struct MeshMap {
-  int image = -1;  ///< index into the mesh's images; -1: none
+  int image = -1;  ///< index into the mesh's images, or -1 for none
   scene::Wrap wrapU = scene::Wrap::repeat, wrapV = scene::Wrap::repeat;
   TexturePlace place = {};
 };
@@ -43,7 +43,8 @@ struct MeshMaterial {
   glm::vec3 color{1};
   float opacity = 1, roughness = 1, metallic = 1;
   MeshMap colorMap, normals, metalRough, occlusion, emissionMap;
-  MeshMap opacityMap;  ///< replaces the colour map's opacity: by this map's opacity, or else its brightness
+  MeshMap opacityMap;  ///< map whose opacity replaces the colour map's opacity; its brightness is used if
+                       ///< it has no opacity
   float normalStrength = 1, occlusionStrength = 1;
   glm::vec3 emission{0};
   float emissionStrength = 1;
@@ -54,26 +55,28 @@ struct MeshMaterial {
   glm::vec3 sheen{0};
   float sheenRoughness = 0;
   float transmission = 0, ior = 1.5F;
-  bool thin = true;  ///< true: a thin surface without a volume
+  bool thin = true;  ///< true for a thin surface that encloses no volume
   glm::vec3 attenuation{1};
   float attenuationDistance = 1;
 };
 
-/// Indexed triangle mesh with one position (m) and unit normal per vertex. uvs are empty if the file has
-/// none; v is 0 at an image's first row. Texture transforms of materials are already applied to uvs.
+/// Indexed triangle mesh with one position (metres) and one unit normal per vertex. `uvs` is empty if the
+/// file has none; v is 0 at an image's first row. Texture transforms of materials are already applied to
+/// `uvs`.
 struct Mesh {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;
   std::vector<glm::vec2> uvs;
-  /// Linear RGB per vertex, a factor on the base colour; empty if the file has none.
+  /// Linear RGB factor on the base colour, per vertex; empty if the file has none.
   std::vector<glm::vec3> colors;
   std::vector<unsigned> indices;        ///< vertex indices, three per triangle, counter-clockwise as seen
                                         ///< from outside
   std::vector<MeshMaterial> materials;  ///< materials; empty if the file has none
-  std::vector<int> materialOf;          ///< material index per triangle, -1: none; empty if there are no
-                                        ///< materials
+  std::vector<int> materialOf;          ///< material index per triangle, or -1 for none; empty if there are
+                                        ///< no materials
   std::vector<MeshImage> images;
-  std::vector<std::string> ignored;  ///< material features that are not drawn: the key and the material
+  std::vector<std::string> ignored;  ///< material features that are not drawn, each with its key and
+                                     ///< material
   std::vector<std::string> undrawn;  ///< other content that is not drawn, for example "lines (3)"
 
   template <class Archive>
@@ -91,38 +94,38 @@ struct Mesh {
   }
 };
 
-/// Normals for faces of a file without normals. `shown`: what the format specifies; flat faces get their
-/// own vertices. `shared`: one smooth normal per vertex of the file, for simulations that use these
-/// vertices.
+/// Normals for faces of a file without normals. `shown`: normals as the format specifies; flat faces get
+/// separate vertices. `shared`: one smooth normal per vertex of the file, for simulations that use the
+/// file's vertices.
 enum class MeshNormals { shown, shared };
 
-/// Extensions of the mesh files that are read, for messages.
+/// File name extensions of the supported mesh formats, for messages.
 inline constexpr const char* meshEndings = ".obj, .ply, .stl, .gltf and .glb";
 
-/// True if the file name has the extension of a mesh file that is read.
+/// Returns true if the file name has the extension of a supported mesh format.
 [[nodiscard]] bool isMeshFile(const std::filesystem::path& file);
 
-/// Reads OBJ, PLY, STL, glTF or GLB: every mesh of the file with its node's transform, polygons as
-/// triangles; points and lines are ignored. Without normals, glTF is flat, OBJ follows its smoothing
+/// Reads OBJ, PLY, STL, glTF or GLB: every mesh of the file with its node's transform, and polygons as
+/// triangles. Ignores points and lines. If the file has no normals, glTF is flat, OBJ follows its smoothing
 /// groups, PLY is smooth, and STL is smooth up to an angle of 30 degrees. Throws UserError:
 /// - usage for another extension
 /// - the errors of readFile() for an unreadable file
-/// - inputOutput for content that is malformed, promises more than its bytes hold, names a file outside its
+/// - inputOutput for content that is malformed, announces more data than it holds, names a file outside its
 ///   folder, has no triangle, a vertex that is not finite or beyond 1e9 m, a face of more than 10,000
 ///   corners, or more than 8 million vertices or triangles
 ///
-/// The file is parsed in a separate process with limits on memory and time; a crash there also gives
-/// inputOutput.
+/// The file is parsed in a separate process with limits on memory and time; a crash of that process also
+/// gives inputOutput.
 [[nodiscard]] Mesh loadMesh(const std::filesystem::path& file, MeshNormals normals = MeshNormals::shown);
 
 /// Reads a mesh as loadMesh() does, but within this process; for fuzzing.
 [[nodiscard]] Mesh importMesh(const std::filesystem::path& file, MeshNormals normals = MeshNormals::shown);
 
-/// True if the file name has the extension of a glTF file.
+/// Returns true if the file name has the extension of a glTF file.
 [[nodiscard]] bool isGltf(const std::filesystem::path& file);
 
-/// Runs `read` in a separate process, as loadMesh() does, and returns its result; for other readers of the
-/// same files.
+/// Runs `read` in a separate process, as loadMesh() does, and returns its result. Serves other readers of
+/// mesh files.
 [[nodiscard]] std::string readApart(const std::filesystem::path& file,
                                     const std::function<std::string()>& read);
 

@@ -21,7 +21,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Identity of a vertex: position, uv, the source of its normal, and the number within that source.
+/// Key of a vertex: its position, its uv, the source of its normal, and the index within that source.
 enum class NormalOf : std::uint32_t { file, group, face };
 using VertexKey = std::array<std::uint32_t, 4>;
 
@@ -62,7 +62,8 @@ class ObjMesh {
  private:
   [[nodiscard]] int materialAt(std::size_t face) const { return obj_.faces[face].material; }
 
-  /// Returns the faces in the file's order, grouped by material; materials are ordered by their first face.
+  /// Returns the face indices in file order, grouped by material. Materials are ordered by their first
+  /// face.
   [[nodiscard]] std::vector<std::size_t> byMaterial() const {
     std::vector<std::size_t> place(obj_.materials.size() + 1, 0);
     std::size_t places = 0;
@@ -122,7 +123,7 @@ class ObjMesh {
     glm::vec3 normal(0);
     if (static_cast<NormalOf>(kind) == NormalOf::file) normal = obj_.normals[which];
     if (static_cast<NormalOf>(kind) == NormalOf::face) normal = normalOf(obj_.faces[which]);
-    // OBJ counts v from an image's last row, Mesh from the first.
+    // In OBJ, v is 0 at an image's last row; in Mesh, at the first.
     glm::vec2 uv(0);
     if (static_cast<int>(uvNumber) >= 0) uv = {obj_.uvs[uvNumber].x, 1.0F - obj_.uvs[uvNumber].y};
     if (obj_.colors.empty())
@@ -149,7 +150,8 @@ class ObjMesh {
   PolygonCutter cutter_;
   std::vector<glm::vec3> corners_;
   Distinct<std::array<std::uint32_t, 2>, KeyHash<2>> smoothed_;  ///< pairs of position and smoothing group
-  std::vector<std::size_t> firstOf_;                             ///< first vertex of each pair in smoothed_
+  std::vector<std::size_t> firstOf_;                             ///< index of the first vertex for each
+                                                                 ///< pair in smoothed_
 };
 
 }  // namespace

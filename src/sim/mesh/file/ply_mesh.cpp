@@ -19,7 +19,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Indices of the vertex properties that are read; -1: missing.
+/// Indices of the vertex properties that are read, or -1 for missing properties.
 struct VertexLayout {
   explicit VertexLayout(const PlyElement& e)
       : place{e.find({"x"}), e.find({"y"}), e.find({"z"})},
@@ -38,7 +38,7 @@ bool allThere(const std::array<int, count>& properties) {
   return std::all_of(properties.begin(), properties.end(), [](int property) { return property >= 0; });
 }
 
-/// Returns the maximum value of a colour of this type.
+/// Returns the maximum colour value that this type can store.
 double brightest(const PlyType& type) {
   if (type.kind == 'f') return 1;
   return std::exp2(8.0 * type.bytes - (type.kind == 'i' ? 1 : 0)) - 1;
@@ -200,7 +200,7 @@ class PlyMesh {
     if (thin_ > 0) mesh_.undrawn.push_back(fmt::format("faces of fewer than three corners ({})", thin_));
   }
 
-  /// Builds the mesh from the vertices that faces use, in the file's order.
+  /// Builds the mesh from the vertices that faces use, in file order.
   void build() {
     std::vector<unsigned> numbers(places_.size(), 0), used;
     for (const auto& triangle : triangles_)
@@ -213,7 +213,7 @@ class PlyMesh {
     builder_.begin(used.size(), triangles_.size(), glm::mat4(1), !uvs_.empty());
     for (const unsigned vertex : used) {
       const glm::vec3 normal = normals_.empty() ? glm::vec3(0) : normals_[vertex];
-      // PLY counts v from an image's last row, Mesh from the first.
+      // In PLY, v is 0 at an image's last row; in Mesh, at the first.
       const glm::vec2 uv = uvs_.empty() ? glm::vec2(0) : glm::vec2(uvs_[vertex].x, 1.0F - uvs_[vertex].y);
       if (colors_.empty())
         builder_.vertex(places_[vertex], normal, uv);
@@ -225,11 +225,12 @@ class PlyMesh {
 
   PlyFile ply_;
   MeshBuilder builder_;
-  Mesh mesh_;  ///< used only for its notes (ignored, undrawn)
+  Mesh mesh_;  ///< used only for its lists `ignored` and `undrawn`
   std::size_t vertices_ = noElement;
   VertexLayout layout_{PlyElement()};
   std::array<double, 4> brightest_{1, 1, 1, 1};
-  std::map<std::size_t, Indices> lists_;  ///< lists of vertex indices, by the index of their element
+  std::map<std::size_t, Indices> lists_;  ///< maps the index of an element to the element's lists of vertex
+                                          ///< indices
   std::vector<glm::vec3> places_, normals_, colors_;
   std::vector<glm::vec2> uvs_;
   std::vector<unsigned> corners_, counts_;

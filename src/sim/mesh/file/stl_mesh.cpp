@@ -21,12 +21,12 @@ namespace simreel::sim {
 namespace {
 
 constexpr std::size_t headerBytes = 80, countBytes = 4, facetBytes = 50, normalBytes = 12;
-/// Largest angle between faces that are drawn as one smooth surface: cos 30 degrees.
+/// Cosine of the largest angle between faces that are drawn as one smooth surface: 30 degrees.
 constexpr double creaseCosine = 0.8660254037844386;
-/// Vertices with more faces, such as the tip of a finely divided cone, are drawn with flat faces.
+/// Vertices with more faces than this, such as the tip of a finely divided cone, are drawn with flat faces.
 constexpr std::size_t mostSmoothed = 256;
 
-/// Facets of an STL file, as three corners each.
+/// Facets of an STL file with three corners each.
 struct Facets {
   std::vector<glm::vec3> corners;
   std::size_t after = 0;  ///< bytes behind the last facet
@@ -61,7 +61,7 @@ void checkCount(std::size_t facets) {
     throw PolygonProblem(fmt::format("has more than {} triangles; simplify it", maxMeshItems));
 }
 
-/// Reads little-endian facets: a normal, three corners, and two bytes of attributes each.
+/// Reads little-endian facets. Each has a normal, three corners, and two bytes of attributes.
 Facets binaryFacets(std::string_view bytes) {
   const std::size_t count = wordAt(bytes, headerBytes);
   checkCount(count);
@@ -93,7 +93,7 @@ std::string lowerCase(std::string_view word) {
   return lower;
 }
 
-/// Reads facets of a text, word by word; names of solids are ignored.
+/// Reads facets from a text word by word. Ignores the names of solids.
 class TextFacets {
  public:
   explicit TextFacets(std::string_view text) : lines_(text) {}
@@ -103,7 +103,8 @@ class TextFacets {
       const std::string_view whole = line_;
       while (!line_.empty()) {
         const std::string word = lowerCase(takeWord(line_));
-        if (word == "solid" || word == "endsolid") {  // a name follows, and in one-line files a facet
+        if (word == "solid" || word == "endsolid") {  // the keyword is followed by a name and, in one-line
+                                                      // files, by a facet
           const std::size_t facet = lowerCase(line_).find("facet normal");
           if (word == "endsolid" || facet == std::string::npos) break;
           line_.remove_prefix(facet);
@@ -133,7 +134,9 @@ class TextFacets {
       if (corners_ != 3) refuse(whole, fmt::format("a facet has three corners, not {}", corners_));
       corners_ = 0;
     } else if (word == "normal") {
-      for (int k = 0; k < 3; ++k) static_cast<void>(takeWord(line_));  // corners determine the normal
+      for (int k = 0; k < 3; ++k)
+        static_cast<void>(takeWord(line_));  // skips the stored normal, because
+                                             // the corners determine it
     } else if (word != "facet" && word != "outer" && word != "loop" && word != "endfacet") {
       refuse(whole, "expected \"facet\", \"vertex\" or another word of STL");
     }
@@ -150,8 +153,8 @@ class TextFacets {
   Facets facets_;
 };
 
-/// Returns the facets. Binary files are known by their size, since their header may start with "solid",
-/// too.
+/// Returns the facets. Binary files are recognized by their size, because their header may also start with
+/// "solid".
 Facets facetsOf(std::string_view bytes) {
   const bool hasCount = bytes.size() >= headerBytes + countBytes;
   const bool exact = hasCount && (bytes.size() - headerBytes - countBytes) ==
@@ -168,7 +171,7 @@ Facets facetsOf(std::string_view bytes) {
   return binaryFacets(bytes);
 }
 
-/// Sums of the normals around each vertex, of the faces within the crease angle of a face.
+/// Sums the normals around each vertex, for each face over the faces within the crease angle of it.
 class Creases {
  public:
   Creases(const std::vector<glm::vec3>& corners, const std::vector<unsigned>& vertices, std::size_t count)
@@ -189,7 +192,7 @@ class Creases {
     }
   }
 
-  /// Returns the unit normal of a corner; 0 if its face has no area.
+  /// Returns the unit normal of a corner; 0 if the corner's face has no area.
   [[nodiscard]] glm::vec3 at(std::size_t corner) const {
     const unsigned vertex = vertices_[corner];
     const glm::dvec3 own = units_[corner / 3];
@@ -203,8 +206,8 @@ class Creases {
 
  private:
   const std::vector<unsigned>& vertices_;
-  std::vector<std::size_t> first_;  ///< index in around_ of each vertex's first face
-  std::vector<unsigned> around_;    ///< faces around each vertex
+  std::vector<std::size_t> first_;  ///< for each vertex: index in around_ of its first face
+  std::vector<unsigned> around_;    ///< faces around each vertex, stored one vertex after another
   std::vector<glm::dvec3> normals_, units_;
 };
 

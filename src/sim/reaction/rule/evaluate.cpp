@@ -10,7 +10,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Access to a plane's cells and, by the boundary condition, to values beyond its edges.
+/// Access to the cells of a plane and, according to the boundary condition, to the values beyond its edges.
 class PlaneView {
  public:
   PlaneView(RuleField& field, const RulePlane& plane) : field_(field), plane_(plane) {
@@ -54,7 +54,8 @@ class PlaneView {
     return flat + (sidesOfLayers + (faces(x, y - 1, z) + faces(x, y + 1, z)));
   }
 
-  /// Returns the weighted sum of differences to the neighbours of cell x of a mesh, summed in order.
+  /// Returns the weighted sum of the differences between the neighbours of cell x of a mesh and the cell,
+  /// added in link order.
   [[nodiscard]] float linked(int x) const {
     const float here = at(x, 0, 0);
     const glm::ivec2 range = field_.links->ranges[static_cast<std::size_t>(x / 4)];
@@ -162,7 +163,7 @@ RulePlanes& RuleField::array(RuleArray which) {
 }
 
 std::vector<float> toldOf(const RuleGraph& graph, const RulePass& pass, std::span<const float> values) {
-  // Arguments of uniform nodes are uniform, too, and precede them.
+  // The arguments of uniform nodes are also uniform and precede these nodes.
   const int count = pass.told.empty() ? 0 : pass.told.back() + 1;
   std::vector<bool> needed(static_cast<std::size_t>(count));
   for (const int node : pass.told) needed[static_cast<std::size_t>(node)] = true;

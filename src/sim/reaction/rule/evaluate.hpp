@@ -10,12 +10,12 @@
 namespace simreel::sim {
 
 /// Values beyond the edges of the grid. noFlux repeats the border cell, so the derivative across the edge
-/// is zero. fixed gives each species a constant; lets behave as for noFlux.
+/// is zero. fixed uses a constant for each species; lets (named subexpressions) then behave as for noFlux.
 enum class RuleBoundary { torus, noFlux, fixed };
 
-/// Neighbours of a mesh's cells, and the weights of u_j - u_i in the Laplacian at i. For each group of four
-/// cells, `ranges` holds the begin and end of its links. A link has one neighbour and weight for each of
-/// the four cells; -1 and 0 pad cells with fewer neighbours.
+/// Neighbours j of each cell i of a mesh, and the weights of u_j - u_i in the Laplacian at i. For each
+/// group of four cells, `ranges` holds the start and end index of the group's links. A link has one
+/// neighbour and one weight for each of the four cells; -1 and 0 pad cells with fewer neighbours.
 struct RuleLinks {
   std::vector<glm::ivec2> ranges;
   std::vector<glm::ivec4> neighbours;
@@ -25,8 +25,8 @@ struct RuleLinks {
 /// Planes of one array, cell by cell, x fastest.
 using RulePlanes = std::vector<std::vector<float>>;
 
-/// Arrays of the CPU evaluation, which gives the same bits as the kernels: for the CPU reference and the
-/// initial state.
+/// Arrays of the CPU evaluation, which gives the same bits as the kernels. It serves as the CPU reference
+/// and computes the initial state.
 struct RuleField {
   glm::ivec2 size{0, 0};
   int depth = 1;  ///< number of layers in a volume; a plane stores them one after another
@@ -41,12 +41,13 @@ struct RuleField {
   [[nodiscard]] bool isVolume() const { return depth > 1; }
 };
 
-/// Returns the uniform values of a pass, in the order of its list `told`; `values` are indexed by
+/// Returns the uniform values of a pass, in the order of its list `told`. `values` are indexed by
 /// ToldPlaces.
 [[nodiscard]] std::vector<float> toldOf(const RuleGraph& graph, const RulePass& pass,
                                         std::span<const float> values);
 
-/// Evaluates a pass for all cells. `told`: result of toldOf(); `step`: number of the step, used by noise.
+/// Evaluates a pass for all cells. `told` is the result of toldOf(); `step` is the number of the step,
+/// which noise uses.
 void evaluatePass(const RuleGraph& graph, const RulePass& pass, std::span<const float> told, unsigned step,
                   RuleField& field);
 

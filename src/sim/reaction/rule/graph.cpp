@@ -14,7 +14,7 @@ namespace {
 constexpr int lowestNormal = -126;
 constexpr int flushedQuantum = -96;
 
-/// Returns the largest q <= 0 for which the number is a multiple of 2^q.
+/// Returns the maximum q <= 0 for which the number is a multiple of 2^q.
 int quantumOf(float number) {
   if (number == 0) return 0;
   const auto bits = std::bit_cast<std::uint32_t>(number);
@@ -157,7 +157,7 @@ int RuleGraph::quotient(int a, int b) {
 }
 
 int RuleGraph::function(RuleOp op, int a) {
-  // If a nonzero result has at least the magnitude 2^m, it is a multiple of 2^(m - 23).
+  // If every nonzero result has at least the magnitude 2^m, the result is a multiple of 2^(m - 23).
   int q = quantum(a);
   if (op == RuleOp::reciprocal || op == RuleOp::exp)
     q = -123;  // the magnitude is at least 1e-30

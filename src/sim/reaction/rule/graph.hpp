@@ -6,29 +6,30 @@
 
 namespace simreel::sim {
 
-/// Operations of a rule's nodes, all in single precision with one rounding each. Functions that are not
-/// basic arithmetic are those named exact... in glsl/common/exact.glsl and glsl/reaction/functions.glsl.
+/// Operations of a rule's nodes, all in single precision with one rounding each. For functions other than
+/// basic arithmetic, see the functions named exact... in glsl/common/exact.glsl, and
+/// glsl/reaction/functions.glsl.
 enum class RuleOp : std::uint8_t {
   constant,  ///< the constant `number`
-  told,      ///< uniform value `index` of a step
+  told,      ///< uniform value number `index` of a step
   species,   ///< value of species `index` in this cell
-  weight,    ///< map `index` in this cell, 0 to 1
-  base,      ///< species `index` at the step's beginning
-  sum,       ///< sum for species `index` stored by earlier stages of the step
+  weight,    ///< value of map number `index` in this cell, 0 to 1
+  base,      ///< value of species `index` in this cell at the beginning of the step
+  sum,       ///< sum for species `index` that earlier stages of the step have stored
   x,         ///< distance in cells from the left edge to this cell's centre
-  y,         ///< distance in cells from the top; in a volume from the bottom
+  y,         ///< distance in cells from the top edge; in a volume from the bottom
   z,         ///< distance in cells from the first layer
-  noise,     ///< random number in [-1, 1) by cell and step, with the salt `index`
-  random,    ///< random number in [-1, 1) by cell
-  sixfold,   ///< 6 h^2 times the Laplacian of the argument: 4 edges + corners - 20 centre; in a volume 2
-             ///< edges + corners - 24 centre; on a mesh the Laplacian itself
+  noise,     ///< random number in [-1, 1) that depends on cell and step; `index` is the salt
+  random,    ///< random number in [-1, 1) that depends on the cell
+  sixfold,   ///< Laplacian of the argument times 6 h^2 (cell distance h): 4 edges + corners - 20 centre; in
+             ///< a volume 2 edges + corners - 24 centre; on a mesh the Laplacian without a factor
   edges,     ///< sum of the four edge neighbours; in a volume of the six face neighbours; on a mesh of all
              ///< neighbours
   corners,   ///< sum of the four corner neighbours; in a volume of the twelve edge neighbours
   tips,      ///< sum of the eight corner neighbours in a volume
-  across,    ///< right neighbour minus left neighbour
-  down,      ///< neighbour at y + 1 minus the one at y - 1
-  deep,      ///< neighbour at z + 1 minus the one at z - 1
+  across,    ///< value of the right neighbour minus value of the left neighbour
+  down,      ///< value of the neighbour at y + 1 minus value of the neighbour at y - 1
+  deep,      ///< value of the neighbour at z + 1 minus value of the neighbour at z - 1
   add,
   subtract,
   multiply,
@@ -46,10 +47,10 @@ enum class RuleOp : std::uint8_t {
   cos,
   tanh,
   power,  ///< power a^b for a >= 0
-  less,   ///< 1 if the comparison holds, else 0
+  less,   ///< 1 if a < b, otherwise 0
   lessEqual,
   equal,
-  choose,  ///< b if a != 0, else c
+  choose,  ///< b if a != 0, otherwise c
 };
 
 struct RuleNode {
@@ -61,15 +62,15 @@ struct RuleNode {
       default;  // NOLINT(modernize-use-nullptr): false positive in the generated comparison
 };
 
-/// Expressions of a rule as one graph. Equal subexpressions share a node, constants are folded, and
+/// Expressions of a rule as one graph. Equal subexpressions are one node, constants are folded, and
 /// products that could be subnormal are flushed, because drivers treat subnormals differently.
 ///
-/// To detect such products, each node has a quantum q: its value is a multiple of 2^q. The quanta of
-/// factors add up, and a value with q >= -126 is 0 or a normal number. Stored state consists of multiples
-/// of 2^-60.
+/// To detect such products, each node has a quantum q: its value is a multiple of 2^q. The quantum of a
+/// product is the sum of the factors' quanta, and a value with q >= -126 is 0 or a normal number. Stored
+/// state consists of multiples of 2^-60.
 class RuleGraph {
  public:
-  /// `edges`, `corners`: numbers of neighbours that these stencils sum.
+  /// `edges` and `corners` are the numbers of neighbours that the stencils of these names sum.
   explicit RuleGraph(int edges = 4, int corners = 4) : edges_(edges), corners_(corners) {}
   int constant(double value);
   int told(int index) { return add({RuleOp::told, 0, index}, storedQuantum, true); }
@@ -80,7 +81,7 @@ class RuleGraph {
   int sum(int a, int b);
   int difference(int a, int b);
   int product(int a, int b);
-  /// Adds a product without flush, for use as a summand of a value that is settled afterwards.
+  /// Adds a product without a flush, for use as a summand of a value that is settled afterwards.
   int rawProduct(int a, int b);
   int quotient(int a, int b);
   int settled(int a) { return add({RuleOp::settle, 0, 0, a}, storedQuantum, false); }
@@ -93,13 +94,13 @@ class RuleGraph {
   [[nodiscard]] const RuleNode& at(int node) const { return nodes_[static_cast<std::size_t>(node)]; }
   [[nodiscard]] int size() const { return static_cast<int>(nodes_.size()); }
   [[nodiscard]] bool isConstant(int node) const { return at(node).op == RuleOp::constant; }
-  /// True if the node has the same value in all cells.
+  /// Returns true if the node has the same value in all cells.
   [[nodiscard]] bool isUniform(int node) const { return uniform_[static_cast<std::size_t>(node)]; }
   static constexpr int storedQuantum = -60;
 
  private:
   int add(const RuleNode& node, int quantum, bool uniform);
-  /// Adds a node, or folds it if all arguments are constants.
+  /// Adds a node. If all arguments are constants, adds the constant result instead.
   int make(const RuleNode& node, int quantum);
   [[nodiscard]] int quantum(int node) const { return quanta_[static_cast<std::size_t>(node)]; }
   [[nodiscard]] bool is(int node, float number) const {

@@ -71,7 +71,8 @@ class Planning {
     return roots;
   }
 
-  /// Returns the node of u + dt k rounded for storage; `told` is the index of the uniform factor dt.
+  /// Returns the node of u + dt k, rounded for storage, where `from` is u and `told` is the index of the
+  /// uniform factor dt.
   int moved(int from, int told, int k) {
     return graph_.settled(graph_.sum(from, graph_.rawProduct(graph_.told(told), k)));
   }
@@ -85,7 +86,7 @@ class Planning {
         const auto index = static_cast<int>(i);
         const int k = rule_.rates[i];
         const bool first = s == 0, last = s + 1 == stages;
-        // In the first stage the current species are the state at the step's beginning.
+        // In the first stage, the current values of the species are those at the beginning of the step.
         const int base = graph_.input(first ? RuleOp::species : RuleOp::base, index);
         const int sum = first ? k : graph_.sum(graph_.input(RuleOp::sum, index), weighted(method, last, k));
         if (!last) all[s].push_back({{RuleArray::sum, index}, graph_.settled(sum)});
@@ -99,7 +100,7 @@ class Planning {
       }
     return all;
   }
-  /// Returns k with its weight in the sum: k1 + 2 k2 + 2 k3 + k4 for rk4, k1 + k2 for Heun.
+  /// Returns k multiplied by its weight in the sum: k1 + 2 k2 + 2 k3 + k4 for rk4, k1 + k2 for Heun.
   int weighted(RuleMethod method, bool last, int k) {
     return method == RuleMethod::rk4 && !last ? graph_.product(graph_.constant(2), k) : k;
   }
@@ -114,8 +115,8 @@ class Planning {
     return needed;
   }
 
-  /// Determines which nodes are stored in a plane of their own (let plane), and the first pass (level) in
-  /// which each node can be computed.
+  /// Determines which nodes are stored in a separate plane (let plane), and the first pass (level) in which
+  /// each node can be computed.
   void findPlanes(const std::vector<int>& roots) {
     const std::vector<bool> needed = neededBy(roots);
     levels_.assign(static_cast<std::size_t>(graph_.size()), 0);
@@ -150,7 +151,7 @@ class Planning {
     return numbers;
   }
 
-  /// Returns the let plane of a node if it is stored before a pass of this level, else null.
+  /// Returns the let plane of a node if it is stored before a pass of this level, otherwise null.
   [[nodiscard]] const int* storedBefore(int node, int level) const {
     const auto plane = planes_.find(node);
     return plane != planes_.end() && levels_[static_cast<std::size_t>(node)] < level ? &plane->second

@@ -26,38 +26,38 @@ struct RulePass {
     RulePlane plane;
     int node;
   };
-  /// Plane read by node `node` of the graph, directly or through a stencil.
+  /// Plane that node `node` of the graph reads, directly or through a stencil.
   struct Read {
     int node;
-    RuleOp op;  ///< operation: a stencil, or species for the cell itself
+    RuleOp op;  ///< a stencil, or `species` to read the cell itself
     RulePlane plane;
   };
   std::vector<Read> reads;
   std::vector<int> nodes;  ///< nodes to compute; arguments precede the nodes that use them
-  std::vector<int> told;   ///< uniform nodes, computed on the CPU
+  std::vector<int> told;   ///< uniform nodes, whose values the CPU computes
   std::vector<Output> outputs;
   bool usesTime = false;  ///< true if uniform values change from step to step
   bool usesNoise = false;
 
-  /// Returns the index of a node in `told`; -1 if it is not uniform.
+  /// Returns the index of a node in `told`, or -1 if it is not uniform.
   [[nodiscard]] int placeOf(int node) const;
 };
 
-/// Passes of a step. Each stage consists of passes that store the lets (named subexpressions) that stencils
-/// read, then its own pass.
+/// Passes of a step. Each stage consists of passes that store those lets (named subexpressions) that
+/// stencils read, followed by the main pass of the stage.
 struct RuleProgram {
   struct Stage {
     std::vector<int> passes;
     double time = 0;    ///< time within the step, as a fraction of the step
-    bool last = false;  ///< true: its outputs are the new state
+    bool last = false;  ///< true if the outputs of the pass are the new state
   };
   std::vector<RulePass> passes;
   std::vector<Stage> stages;
-  /// Passes that compute the shown and tint values, unless these are species.
+  /// Passes that compute the shown value and the tint value, unless these are species.
   std::vector<int> showing;
   int lets = 0;      ///< number of let planes
-  RulePlane shown;   ///< plane of a species (stage) or of the lets
-  RulePlane tint{};  ///< plane that colours the surface; without a tint the same as `shown`
+  RulePlane shown;   ///< plane of the shown value, among the species (stage) or the lets
+  RulePlane tint{};  ///< plane of the value that colours the surface; equal to `shown` if there is no tint
   bool sums = false;
 };
 

@@ -125,8 +125,8 @@ class Understanding {
     }
   }
 
-  /// Adds the nodes of an expression tree and returns its root. Arguments precede the nodes that use them,
-  /// so only lets cause recursion.
+  /// Adds the nodes of an expression tree and returns its root. In the tree, arguments precede the nodes
+  /// that use them, so recursion occurs only for lets (named subexpressions).
   int nodeOf(const RulePath& path, const ExpressionTree& tree) {
     std::vector<int> nodes;
     nodes.reserve(tree.nodes.size());
@@ -314,9 +314,8 @@ class Understanding {
     return graph().product(graph().told(ToldPlaces::perLaplacian), graph().stencil(RuleOp::sixfold, a));
   }
 
-  // Returns the diffusion with a variable coefficient. With the neighbours j of i and the weights w:
-  //   sum w (D_i + D_j) / 2 (u_j - u_i)
-  //   = (D_i lap(u) + lap(D u) - u_i lap(D)) / 2.
+  // Returns the diffusion with a variable coefficient D. With the neighbours j of cell i and the weights w:
+  // sum w (D_i + D_j) / 2 (u_j - u_i) = (D_i lap(u) + lap(D u) - u_i lap(D)) / 2.
   int diffuse(int d, int u) {
     RuleGraph& g = graph();
     if (g.isUniform(d)) return g.product(d, laplacian(u));
@@ -336,7 +335,7 @@ class Understanding {
       return g.function(RuleOp::power, base, exponent);
     if (whole < 0 && g.isConstant(base) && g.at(base).number == 0)
       throw RuleMistake{path, written.begin, written.end, "division by zero"};
-    // Exponentiation by squaring: a^5 = a (a^2)^2.
+    // The power is computed by squaring, for example a^5 = a (a^2)^2.
     int result = g.constant(1), square = base;
     for (int left = std::abs(whole); left > 0; left /= 2) {
       if (left % 2 == 1) result = g.product(result, square);

@@ -20,8 +20,8 @@ struct RuleText {
   struct Parameter {
     std::string name;
     bool isMapped = false;
-    bool mayBeIdle = false;  ///< true: the parameter need not occur in any expression
-    bool isField = false;    ///< true: the parameter is another object's values, cell by cell
+    bool mayBeIdle = false;  ///< true if the parameter need not occur in an expression
+    bool isField = false;    ///< true if the parameter takes its value in each cell from another object
   };
   struct Let {
     std::string name, text;
@@ -29,12 +29,13 @@ struct RuleText {
   std::vector<Species> species;
   std::vector<Parameter> parameters;
   std::vector<Let> lets;
-  std::string show;  ///< expression to show; empty: the first species
-  std::string tint;  ///< expression that colours a surface; empty: none
+  std::string show;  ///< expression to show; if empty, the first species
+  std::string tint;  ///< expression that colours a surface; empty if there is none
   RuleSpace space = RuleSpace::plane;
 };
 
-/// Error in one of the texts: the path of members that leads to it in a scene, and the range of characters.
+/// Error in one of the texts: the path of the text's member in the scene, and the range of wrong
+/// characters.
 struct RuleMistake {
   std::vector<std::string> path;
   std::size_t begin = 0, end = 1;
@@ -62,7 +63,7 @@ struct ToldPlaces {
   [[nodiscard]] int span(int parameter) const { return fixedCount + parameters + parameter; }
   /// Returns the index of D / (6 h^2) of a species.
   [[nodiscard]] int diffusion(int species) const { return fixedCount + 2 * parameters + species; }
-  /// Returns the index of a species' value beyond a fixed edge.
+  /// Returns the index of a species' value beyond an edge of the kind "fixed".
   [[nodiscard]] int edge(int species) const { return fixedCount + 2 * parameters + 8 + species; }
   [[nodiscard]] int count() const { return fixedCount + 2 * parameters + 16; }
 };
@@ -71,8 +72,8 @@ struct ToldPlaces {
 inline constexpr int placeMaps = 3;
 
 inline constexpr int maxSpecies = 8;
-/// Largest integer exponent that is evaluated by multiplication, which also allows negative bases. Other
-/// powers are exp(b log a), with 0 for bases up to 1e-30.
+/// Maximum integer exponent for which powers are evaluated by multiplication, which also allows negative
+/// bases. Other powers are exp(b log a), or 0 for bases up to 1e-30.
 inline constexpr int greatestWholePower = 1024;
 /// Maximum cost of a step with Euler's method, in additions or multiplications per cell.
 inline constexpr int maxRuleCost = 4000;
@@ -82,9 +83,10 @@ struct Rule {
   RuleGraph graph;
   ToldPlaces told;
   std::vector<int> rates;     ///< node of each species' rate, including diffusion
-  std::vector<int> nexts;     ///< node of a species' next value if it has no rate; -1: it has a rate
+  std::vector<int> nexts;     ///< for each species, the node of its next value; -1 if it has a rate
   std::vector<int> starts;    ///< nodes of the initial state
-  int shown = -1, tint = -1;  ///< nodes of the shown value and of the colour; tint = -1: no colour
+  int shown = -1, tint = -1;  ///< nodes of the shown value and of the colour; `tint` is -1 if there is no
+                              ///< colour
   /// C-like text with one line per let and rate.
   std::string text;
   int cost = 0;

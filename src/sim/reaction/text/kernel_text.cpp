@@ -64,8 +64,8 @@ class KernelWriter {
   }
 
  private:
-  /// Accesses to a plane beyond the current cell: rows above and below, sums or differences of columns, and
-  /// layers in a volume.
+  /// Accesses to a plane other than the current cell: rows above and below, sums or differences of columns,
+  /// and layers in a volume.
   struct Use {
     bool above = false, sides = false, across = false, deep = false;
   };
@@ -95,8 +95,8 @@ class KernelWriter {
 
   void declareTold() { text_ += toldText(pass_, boundary_); }
 
-  /// Declares a struct that holds the four cells of a row and the sums or differences of the cells beside
-  /// them.
+  /// Writes the declaration of a struct that holds the four cells of a row and the sums or differences of
+  /// the adjacent cells.
   void declareRow(const RulePlane& plane, const Use& use) {
     const std::string name = nameOf(plane);
     const bool inPlace = plane.array == RuleArray::sum;
@@ -140,7 +140,8 @@ class KernelWriter {
     if (isVolume()) declareLayers(name, use);
   }
 
-  /// Declares the function that combines a row with the same row of the previous and of the next layer.
+  /// Writes the declaration of the function that combines a row with the same row of the previous layer and
+  /// of the next layer.
   void declareLayers(const std::string& name, const Use& use) {
     line("{0}Row {0}RowAt(int x, int y, int z) {{", name);
     line("  {0}Row r = {0}LineAt(x, y, z);", name);
@@ -252,7 +253,7 @@ class KernelWriter {
     if (isMesh() && read.op == RuleOp::sixfold) return line("    vec4 v{} = {}Sum;", n, name);
     switch (read.op) {
       case RuleOp::sixfold:
-        // The product by 4 or 2 is exact, so fma gives the same bits as a product and a sum.
+        // The product with 4 or 2 is exact, so fma gives the same bits as a product followed by a sum.
         line("    precise vec4 v{0} = fma(vec4({2}.0), {1}Edges, {1}Corners) - {3}.0 * {1}Here.here;", n,
              name, isVolume() ? 2 : 4, isVolume() ? 24 : 20);
         break;
@@ -288,8 +289,8 @@ class KernelWriter {
         rule_.graph, i, [this](int node) { return value(node); }, seed_, rowName());
   }
 
-  // Writes the outputs. Checks all rows for lost cells and reports at most one at the end, because software
-  // drivers execute both sides of every branch.
+  // Writes the stores of the outputs. The generated code checks all rows for lost cells and reports at most
+  // one at the end, because software drivers execute both sides of every branch.
   void writeOutputs() {
     line("    if (y < size.y) {{");
     for (const RulePass::Output& output : pass_.outputs)

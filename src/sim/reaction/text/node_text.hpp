@@ -12,8 +12,8 @@ namespace simreel::sim {
                                    const std::function<std::string(int node)>& value, unsigned seed,
                                    const char* row);
 
-/// Returns the declarations of a pass' uniform values: k<node> for each, the grains, and values beyond
-/// fixed edges.
+/// Returns the declarations of the uniform values of a pass: k<node> for each, the grains, and the values
+/// beyond edges of the kind "fixed".
 [[nodiscard]] std::string toldText(const RulePass& pass, RuleBoundary boundary);
 
 }  // namespace simreel::sim

@@ -143,7 +143,8 @@ class StripWriter {
   void writeMain() {
     writeLoad();
     writeStart();
-    // Unrolled by three rows, so that the roles of above, here and below rotate without copies.
+    // The loop is unrolled by three rows, so that the roles of the rows above, here and below rotate
+    // without copies.
     line("  for (int i = 0; i < count; i += 3) {{");
     for (int turn = 0; turn < 3; ++turn) writeTurn(turn);
     line("  }}");
@@ -234,7 +235,7 @@ bool stripsCan(const Rule& rule, const RuleProgram& program, RuleSpace space, Ru
   const RulePass& pass = program.passes[static_cast<std::size_t>(program.stages[0].passes[0])];
   if (pass.usesTime) return false;
   const bool reads = std::all_of(pass.reads.begin(), pass.reads.end(), [&](const RulePass::Read& read) {
-    // An odd stencil changes its sign in the mirrored part beyond an edge, so it needs a torus.
+    // An odd stencil changes its sign in the mirrored values beyond an edge, so it requires a torus.
     const bool odd = read.op == RuleOp::down && boundary != RuleBoundary::torus;
     return read.plane.array == RuleArray::stage && isOfStrips(read.op) && !odd;
   });

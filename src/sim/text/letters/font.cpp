@@ -21,7 +21,7 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr double tolerance = 1e-3;  // maximum deviation of curves, in heights of H
+constexpr double tolerance = 1e-3;  // maximum deviation of polygons from curves, in units of the cap height
 constexpr int mostPieces = 64;
 
 /// Collects the polygons of an outline from FreeType's callbacks.
@@ -32,8 +32,8 @@ struct Pen {
   [[nodiscard]] glm::dvec2 place(const FT_Vector* at) const {
     return perUnit * glm::dvec2(static_cast<double>(at->x), static_cast<double>(at->y));
   }
-  /// Returns the number of pieces n for a curve whose deviation from its chords is at most `bend` / (8
-  /// n^2).
+  /// Returns the number n of line segments for a curve whose deviation from its chords is at most `bend` /
+  /// (8 n^2).
   static int pieces(double bend) {
     return std::clamp(static_cast<int>(std::ceil(std::sqrt(bend / (8 * tolerance)))), 1, mostPieces);
   }
@@ -47,8 +47,8 @@ struct Pen {
     pen.outlines.back().push_back(pen.place(to));
     return 0;
   }
-  // Adds a conic curve. The deviation from a chord is at most max |B''| / (8 n^2), and B'' of a conic is 2
-  // (a - 2 b + c).
+  // Adds a conic (quadratic) curve B. The deviation from its n chords is at most max |B''| / (8 n^2), where
+  // B'' is 2 (a - 2 b + c) for the points a, b and c.
   static int conic(const FT_Vector* control, const FT_Vector* to, void* user) {
     auto& pen = *static_cast<Pen*>(user);
     const glm::dvec2 a = pen.outlines.back().back(), b = pen.place(control), c = pen.place(to);
@@ -74,7 +74,7 @@ struct Pen {
   }
 };
 
-/// Removes repeated points and then polygons with fewer than three points.
+/// Removes repeated points, and then polygons with fewer than three points.
 void clean(TextOutlines& outlines) {
   for (auto& polygon : outlines) {
     polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
@@ -100,7 +100,8 @@ struct Font::Library {
   Library(Library&&) = delete;
   Library& operator=(Library&&) = delete;
 
-  /// Limit of FreeType's memory, because glyphs nested in composite glyphs could allocate gigabytes.
+  /// Maximum memory of FreeType in bytes, because glyphs nested in composite glyphs could allocate
+  /// gigabytes.
   static constexpr std::size_t mostMemory = std::size_t{64} << 20;
   std::size_t taken = 0;
   FT_MemoryRec_ memory{this, allocate, giveBack, resize};
@@ -118,7 +119,7 @@ struct Font::Library {
     static_cast<Library*>(memory->user)->taken -= size;
     std::free(start);
   }
-  // Reallocates a block; each block is preceded by its size.
+  // Reallocates a block. The size of each block is stored before it.
   static void* resize(FT_Memory memory, long before, long size, void* block) {
     auto& library = *static_cast<Library*>(memory->user);
     const auto wanted = static_cast<std::size_t>(size);
@@ -147,7 +148,7 @@ Font::Font(std::filesystem::path file) : file_(std::move(file)), library_(std::m
   if (has(U'H'))
     for (const auto& polygon : glyph(U'H').outlines)
       for (const glm::dvec2& point : polygon) height = std::max(height, point.y);
-  if (!(height > 0)) height = 0.7;  // typical height of capitals as a fraction of the em
+  if (!(height > 0)) height = 0.7;  // typical cap height as a fraction of the em
   perUnit_ /= height;
   glyphs_.clear();
 }

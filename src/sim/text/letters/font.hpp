@@ -9,11 +9,11 @@
 
 namespace simreel::sim {
 
-/// Closed polygons with y up; the interior is given by the nonzero winding rule.
+/// Closed polygons with y up. The nonzero winding rule determines the interior.
 using TextOutlines = std::vector<std::vector<glm::dvec2>>;
 
-/// Glyph outlines of a font file, unhinted, so that they are the same on every machine. The unit of length
-/// is the height of the capital H.
+/// Outlines of the glyphs in a font file, without hinting, so that they are the same on every machine. The
+/// unit of length is the height of the capital H.
 class Font {
  public:
   struct Glyph {
@@ -21,7 +21,7 @@ class Font {
     double advance = 0;
   };
 
-  /// Reads TrueType or OpenType. Throws UserError(inputOutput) for other files, and the errors of
+  /// Reads a TrueType or OpenType font. Throws UserError(inputOutput) for other files, and the errors of
   /// readFile().
   explicit Font(std::filesystem::path file);
   ~Font();
@@ -31,8 +31,8 @@ class Font {
   Font& operator=(const Font&) = delete;
 
   [[nodiscard]] bool has(char32_t character) const;
-  /// Returns the glyph of a character, or the font's replacement glyph if the font does not have it. Curves
-  /// are approximated by polygons to within a thousandth of a capital's height.
+  /// Returns the glyph of a character, or the font's replacement glyph if the font does not have the
+  /// character. Curves are approximated by polygons to within a thousandth of the cap height.
   [[nodiscard]] const Glyph& glyph(char32_t character);
   /// Returns the kerning distance between two characters.
   [[nodiscard]] double kerning(char32_t first, char32_t second) const;
@@ -43,7 +43,7 @@ class Font {
   struct Library;
   std::filesystem::path file_;
   std::unique_ptr<Library> library_;
-  double perUnit_ = 0;  ///< scale from font units to heights of H
+  double perUnit_ = 0;  ///< scale from font units to units of the cap height
   std::map<char32_t, Glyph> glyphs_;
 };
 

@@ -30,7 +30,7 @@ std::vector<std::u32string> linesOf(std::string_view text) {
   return lines;
 }
 
-/// Adds a line that starts at (0, y). Returns its length.
+/// Adds a line of text that starts at (0, y). Returns its length.
 double putLine(Font& font, const std::u32string& line, double y, TextOutlines& into) {
   double x = 0;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -55,7 +55,7 @@ TextOutlines written(Font& font, std::string_view text, const TextAnchor& anchor
   const auto lines = linesOf(text);
   const double apart = spacing * font.lineHeight();
   const double depth = apart * static_cast<double>(lines.size() - 1);
-  // Height of the first baseline.
+  // y of the first baseline.
   double y = 0;
   if (anchor.down == TextAnchor::Down::top) y = -1;
   if (anchor.down == TextAnchor::Down::middle) y = 0.5 * (depth - 1);
