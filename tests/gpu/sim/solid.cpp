@@ -48,7 +48,7 @@ sim::SolidShape binary(int width, int height, bool ceiling = false) {
   return shape;
 }
 
-/// Binary maps: all rock, all open, a checkerboard (all saddles), fine noise and coarse noise.
+/// Returns binary maps: all rock, all open, a checkerboard (all saddles), fine noise and coarse noise.
 std::vector<std::function<float(int, int)>> binaryMaps() {
   return {[](int, int) { return 1.0F; }, [](int, int) { return 0.0F; },
           [](int x, int y) { return static_cast<float>((x + y) % 2); },
@@ -59,7 +59,7 @@ std::vector<std::function<float(int, int)>> binaryMaps() {
 const std::vector<glm::ivec2> oddSizes = {{1, 1},   {1, 37}, {43, 1}, {2, 2},
                                           {13, 14}, {15, 7}, {30, 5}, {129, 33}};
 
-/// The edges and corners of a mesh whose vertices at equal positions are merged.
+/// The edges and corners of a mesh after vertices at equal positions are merged.
 struct Welded {
   explicit Welded(const sim::MeshTable& mesh) {
     std::map<std::tuple<float, float, float>, int> known;
@@ -93,8 +93,8 @@ struct Welded {
   }
 };
 
-/// Returns the number of connected regions of the map by flood fill: open cells connect across edges, rock
-/// across edges and corners. Outside the map is rock.
+/// Returns the number of connected regions of the map by flood fill. Open cells connect across edges, and
+/// rock connects across edges and corners. There is rock outside the map.
 int regionCount(glm::ivec2 size, const std::function<float(int, int)>& value, bool rock) {
   const glm::ivec2 all = size + 2;
   const auto isRock = [&](int x, int y) {
@@ -223,11 +223,11 @@ TEST_CASE("a solid is closed and has as many parts as the map has regions") {
         const Welded welded(mesh);
         CHECK(welded.openEdges() == 0);
         const int rooms = regionCount(size, map, false);
-        // Rock that is not connected to the outside is an island in a room and adds a handle to the room's
-        // surface.
+        // Rock that is not connected to the outside is an island in a room. Each island adds a handle to
+        // the room's surface.
         const int islands = regionCount(size, map, true) - 1;
         CHECK(welded.eulerCharacteristic() == (ceiling ? 2 + 2 * rooms - 2 * islands : 2));
-        // The expected volume is the volume of the whole block minus the open space above the floor.
+        // The expected volume is that of the whole block minus the open space above the floor.
         const double cells = (size.x + 1.0) * (size.y + 1.0) * 0.25;
         const double floor = areaAt(mesh, 0);
         const double full = cells * (1.5 + shape.base + (ceiling ? shape.roof : 0.0F));
@@ -237,8 +237,8 @@ TEST_CASE("a solid is closed and has as many parts as the map has regions") {
 
 TEST_CASE("the floor's area is the sum over the sixteen marching squares cases") {
   testContext();
-  // Area in eighths of a cell that low corners cover. Two opposite low corners cover only their own
-  // corners.
+  // Returns the area, in eighths of a cell, that low corners cover. Two opposite low corners cover only the
+  // areas at the corners.
   const auto eighths = [](bool a, bool b, bool c, bool d) {
     const int low = int(!a) + int(!b) + int(!c) + int(!d);
     return low == 0 ? 0 : low == 1 ? 1 : low == 3 ? 7 : low == 4 ? 8 : a == c ? 2 : 4;
@@ -320,7 +320,7 @@ TEST_CASE("a solid's memory grows to what a frame needs and is kept") {
     return count;
   };
   made.solid.make(busy.field, shape.heights);
-  // draws nothing until the memory suffices, instead of undefined triangles
+  // The solid must draw nothing until there is enough memory, instead of undefined triangles.
   CHECK(countOf(made.solid.surface()) == 0);
   CHECK(made.solid.grow());
   CHECK(!made.solid.grow());
@@ -380,7 +380,9 @@ TEST_CASE("solids for files: uvs are neither stretched nor mirrored") {
       const glm::dvec2 a = t[1] - t[0];
       const glm::dvec2 b = t[2] - t[0];
       const glm::dvec3 face = glm::cross(p[1] - p[0], p[2] - p[0]);
-      if (glm::length(face) > 1e-6) CHECK(a.x * b.y - a.y * b.x < 0);  // negative because v grows downwards
+      if (glm::length(face) > 1e-6)
+        CHECK(a.x * b.y - a.y * b.x < 0);  // The sign is negative, because v
+                                           // grows downwards.
     }
     CHECK(seams > 20);
     CHECK(sloping > 100);

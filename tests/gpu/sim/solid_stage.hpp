@@ -42,7 +42,7 @@ struct FieldInMemory {
   simreel::sim::Field field;
 };
 
-/// The solid of a field; its buffers have grown until everything fits.
+/// The solid of a field. Its buffers have grown until everything fits.
 struct SolidOnDevice {
   SolidOnDevice(const simreel::sim::SolidShape& shape, const FieldInMemory& from) : solid("solid", shape) {
     solid.make(from.field, shape.heights);

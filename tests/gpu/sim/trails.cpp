@@ -1,4 +1,4 @@
-// Tests trails of particles against the places of earlier frames.
+// Tests trails of particles against the positions in earlier frames.
 #include "sim/particles/trails.hpp"
 
 #include "gpu/context.hpp"
@@ -37,7 +37,7 @@ Ring ringOf(const sim::MeshTable& table, int trail, int ring) {
   return found;
 }
 
-/// Trails of every second particle; `ageAt` returns the age of a particle in a frame.
+/// Returns the trails of every second particle. `ageAt` returns the age of a particle in a frame.
 template <class AgeAt>
 sim::MeshTable trailsAfter(int last, const AgeAt& ageAt) {
   testContext();
@@ -80,7 +80,8 @@ TEST_CASE("a trail of few frames ends at the first one") {
 }
 
 TEST_CASE("a trail begins where its particle was born") {
-  // Particle 0 lives all the time, 2 is born in frame 9 where one died, 4 does not live.
+  // Particle 0 lives all the time, particle 2 is born in frame 9 in the slot of one that died, and particle
+  // 4 does not live.
   const sim::MeshTable table = trailsAfter(11, [](int i, int frame) {
     if (i == 4) return -1.0F;
     return i == 0      ? 0.05F * static_cast<float>(frame)
@@ -92,6 +93,6 @@ TEST_CASE("a trail begins where its particle was born") {
     CHECK(glm::distance(ringOf(table, 1, 1 + back).middle, placeOf(2, std::max(9, 11 - back))) < 1e-5F);
     const Ring dead = ringOf(table, 2, 1 + back);
     CHECK(glm::distance(dead.middle, placeOf(4, 11)) < 1e-5F);
-    CHECK(dead.radius < 1e-5F);  // rounding of the middle
+    CHECK(dead.radius < 1e-5F);  // The tolerance covers rounding of the middle.
   }
 }

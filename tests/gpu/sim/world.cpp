@@ -46,15 +46,15 @@ TEST_CASE("the state hash differs between frames and seeds and is repeatable") {
 
 TEST_CASE("the state hash is the same on every device") {
   testContext();
-  // A fixed hash, so that any change of the cloth's arithmetic is noticed. llvmpipe and an NVIDIA H200 give
-  // the same hash.
+  // The hash is fixed, so that any change of the cloth's arithmetic is noticed. llvmpipe and an NVIDIA H200
+  // give the same hash.
   CHECK(hashAt(sheet(R"({"size": [33, 21], "jitter": 0.01})"), 60) == "871a618e330b5bbfb27a0535a89326d8");
 }
 
 TEST_CASE("the state hash covers every word of small and large arrays") {
   testContext();
   const sim::StateHash kernel;
-  // Counts are odd, and the last one exceeds the invocations of one dispatch.
+  // The counts are odd, and the last one exceeds the number of invocations of one dispatch.
   for (const unsigned count : {1U, 63U, 257U, 300007U}) {
     CAPTURE(count);
     std::vector<glm::uvec4> words;
