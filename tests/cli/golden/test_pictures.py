@@ -506,8 +506,8 @@ class Commands(PicturesCase):
         self.assertEqual(self.statuses(0, "in/one.txt", actual=run), {"one.png": "pass"})
         self.bad(2, ["--update=prune has to know all scenes, and in/one.txt is one of them"], "test", "--expected", "expected", *run,
                  "in/one.txt", "--update=prune")
-        self.write("in/new.txt", baselines["two.png"])  # The pixels are those of a scene that is not tested in this
-                                                        # run.
+        # The pixels are those of a scene that is not tested in this run.
+        self.write("in/new.txt", baselines["two.png"])
         self.assertEqual(self.statuses(0, "in/new.txt", "--update", actual=run), {"new.png": "updated"})
         self.assertEqual(self.content("expected"), {**baselines, "new.png": baselines["two.png"]})
         # The whole folder is tested, so a baseline without a scene counts as stale.

@@ -118,8 +118,8 @@ class KernelLinks(Case):
         self.scene({"picture": {"image": {"file": "a.frag", "size": [32, 16], "channels": {"0": {"field": "half"}}}},
                     "half": {"kernels": {"file": "a.compute", "textures": {"_Out": [32, 16]}, "first": ["Make"]}}})
         rows = self.field("picture", 0)
-        self.assertEqual([set(row) for row in rows], [{1.0}] * 8 + [{0.0}] * 8)  # The y axis of ShaderToy points up, as
-                                                                                 # in the displayed field.
+        # The y axis of ShaderToy points up, as in the displayed field.
+        self.assertEqual([set(row) for row in rows], [{1.0}] * 8 + [{0.0}] * 8)
         self.scene({"picture": {"image": {"file": "a.frag", "size": [32, 16], "channels": {"0": {"field": "hal"}}}}})
         self.bad(2, 'no object is named "hal"', "validate", "k.json")
 
@@ -142,8 +142,8 @@ class KernelLinks(Case):
             self.assertGreater(len(vertices), 500)
             for at, normal in zip(vertices, normals):
                 out = [x - middle for x, middle in zip(at, (1, 2, 3))]
-                self.assertAlmostEqual(math.hypot(*out), 4, delta=0.02)  # The cells have 0.5 m, so the radius is 8
-                                                                         # cells.
+                # The cells have 0.5 m, so the radius is 8 cells.
+                self.assertAlmostEqual(math.hypot(*out), 4, delta=0.02)
                 self.assertGreater(sum(a * b for a, b in zip(out, normal)), 0.98 * 4)
             edges = {(face[i], face[(i + 1) % 3]) for face in triangles for i in range(3)}
             self.assertEqual(len(edges), 3 * len(triangles))

@@ -162,8 +162,8 @@ class Life(Case):
         shutil.copy(SOURCE / "assets/patterns/gosper_gun.rle", self.folder)
         self.write("s.json", {"version": 1, "objects": {"c": {"life": {"patterns": [{"file": "gosper_gun.rle"}]}}}})
         pixels = self.bright("s.json", 320, 180)
-        self.assertEqual(len(pixels), 36 * 16)  # The 36 cells of the gun have 4 x 4 pixels each. The grid has 80 x 45
-                                                # cells.
+        # The 36 cells of the gun have 4 x 4 pixels each. The grid has 80 x 45 cells.
+        self.assertEqual(len(pixels), 36 * 16)
         for axis, (least, most) in enumerate(((88, 231), (72, 107))):
             self.assertEqual((min(p[axis] for p in pixels), max(p[axis] for p in pixels)), (least, most))
         # A picture with another aspect ratio shows the whole grid.
@@ -217,8 +217,8 @@ class Life(Case):
 
     def test_every_shipped_pattern_is_read(self):
         files = sorted((SOURCE / "assets/patterns").glob("*.rle"))
-        self.good("validate", SOURCE / "assets/patterns/parity.rle")  # The rule file of the pattern is in the same
-                                                                      # folder.
+        # The rule file of the pattern is in the same folder.
+        self.good("validate", SOURCE / "assets/patterns/parity.rle")
         files = [file for file in files if "WireWorld" not in file.read_text(encoding="ascii")]
         self.assertGreater(len(files), 4)
         patterns = [{"file": f"patterns/{file.name}", "at": [5, 45 * i]} for i, file in enumerate(files)]

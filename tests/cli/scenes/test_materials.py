@@ -199,8 +199,8 @@ class Materials(Case):
             self.assertEqual(self.picture(), (left[:3], right[:3]), transform)
             self.assertNotIn(WORDS, self.said())
         second = gltf([glowing([1, 1, 1], emissiveTexture={"index": 0, "texCoord": 1})], [across], [{"source": 0}])
-        for part in second["meshes"][0]["primitives"]:  # The second uv set consists of the positions, so u = 0.32 is at
-                                                        # x = -0.36.
+        # The second uv set consists of the positions, so u = 0.32 is at x = -0.36.
+        for part in second["meshes"][0]["primitives"]:
             part["attributes"]["TEXCOORD_1"] = 4
         second["accessors"].append({"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC2"})
         second["bufferViews"][0]["byteStride"] = 12

@@ -76,8 +76,8 @@ class Folders(Case):
             self.bad_scene([], *command) if command[0] != "validate" else self.bad(2, [], *command)
             self.good(*command, "--assets", "project", "--assets", "there")
         tested = self.run_program("test", "project", "--assets", "there")
-        self.assertEqual(tested.returncode, 3, tested.err)  # Exit code 3 means that the scene has no baseline. It did
-                                                            # run.
+        # Exit code 3 means that the scene has no baseline. It did run.
+        self.assertEqual(tested.returncode, 3, tested.err)
         self.write("project/scene.json", with_values({"objects.flag.material": {"texture": "../there/board.png"}}))
         self.bad_scene(["lies outside the folders a scene may read", "--assets DIR lets it read another"], "render",
                        "project/scene.json", "-o", "out/")

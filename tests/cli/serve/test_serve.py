@@ -41,8 +41,8 @@ class Pictures(ServeCase):
         viewer = server.viewer()
         viewer.send(do="seek", frame=12)
         viewer.rest(12)
-        if viewer.latest["status"].get("kept", {}).get("every", 1) <= 1:  # This is skipped if the message has arrived
-                                                                          # already.
+        # This is skipped if the message has arrived already.
+        if viewer.latest["status"].get("kept", {}).get("every", 1) <= 1:
             viewer.until(lambda kind, m: kind == "status" and m.get("kept", {}).get("every", 1) > 1)
         self.assertLessEqual(viewer.latest["status"]["kept"]["bytes"], 8 << 20)
         viewer.send(do="seek", frame=7)
