@@ -61,10 +61,10 @@ struct Block {
 /// Source position in a kernel at which an invocation can cause a fault. The block `Kernel::report` has
 /// four words for each place, in the order of `Kernel::places`:
 ///
-/// 0  number of invocations whose first fault is at this place (uint)  initially 0
-/// 1  the lowest of these invocations, x first, then y, then z (uint)  0xFFFFFFFF
-/// 2  the lowest faulty index (int); for loops: number of iterations   INT_MAX
-/// 3  the highest faulty index (int)                                   INT_MIN
+///   0  number of invocations whose first fault is at this place (uint)  initially 0
+///   1  the lowest of these invocations, x first, then y, then z (uint)  0xFFFFFFFF
+///   2  the lowest faulty index (int); for loops: number of iterations   INT_MAX
+///   3  the highest faulty index (int)                                   INT_MIN
 ///
 /// For races, word 1 is the invocation with the access, word 2 is the lowest other invocation that changed
 /// the word or stored another value, and word 3 is the highest element index (for an image x + width * (y +
