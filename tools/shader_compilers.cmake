@@ -1,6 +1,6 @@
 # Defines simreel_shader_compilers: glslang, SPIRV-Tools and SPIRV-Cross, as packaged in Debian 12 and 13 and Ubuntu
-# 24.04. Each archive is searched by name, because glslang's archives change with the version (HLSL, OGLCompiler and
-# OSDependent were merged into others) and its CMake package requires programs of other packages.
+# 24.04. Each archive is searched by name. glslang's archives change with the version (HLSL, OGLCompiler and OSDependent
+# were merged into others), and its CMake package requires programs of other packages.
 add_library(simreel_shader_compilers INTERFACE)
 find_path(GLSLANG_INCLUDE glslang/Public/ShaderLang.h REQUIRED)
 find_path(SPIRV_TOOLS_INCLUDE spirv-tools/optimizer.hpp REQUIRED)
@@ -17,7 +17,7 @@ foreach(name SPIRV HLSL MachineIndependent GenericCodeGen OGLCompiler OSDependen
   endif()
 endforeach()
 find_package(Threads REQUIRED)
-# The archives depend on each other in a circle.
+# The archives depend on each other in a cycle.
 target_link_libraries(simreel_shader_compilers INTERFACE
   -Wl,--start-group ${COMPILER_ARCHIVES} ${SPIRV_TOOLS_OPT} ${SPIRV_TOOLS} -Wl,--end-group Threads::Threads)
 pkg_check_modules(SPIRV_CROSS REQUIRED IMPORTED_TARGET spirv-cross-c-shared)

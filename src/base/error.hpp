@@ -18,14 +18,15 @@ enum class ExitCode {
   inputOutput = 6,
 };
 
-/// Error that the user can fix. The message says what is wrong, where, and what to do; main() prints it.
+/// Error that the user can fix. The message states the problem, its location and a remedy. main() prints
+/// it.
 class UserError : public std::runtime_error {
  public:
-  /// sentence: main() prints it after "simreel: error: ". report: main() prints it unchanged, because its
-  /// lines contain "place: error: ".
+  /// sentence: main() prints the message after "simreel: error: ". report: main() prints the message
+  /// unchanged, because its lines contain "place: error: ".
   enum class Form { sentence, report };
 
-  /// Writes zero bytes in `message` as \x00, because what() would end at a zero byte.
+  /// Replaces zero bytes in `message` by \x00, because what() would end at a zero byte.
   UserError(ExitCode code, const std::string& message, Form form = Form::sentence);
   [[nodiscard]] ExitCode code() const { return code_; }
   [[nodiscard]] Form form() const { return form_; }
@@ -45,7 +46,8 @@ template <class... Args>
 
 }  // namespace simreel
 
-/// Aborts the program if an invariant of its own code does not hold, and prints both values.
+/// Checks that two values are equal. If they are not, the program has a bug, so the macro prints both
+/// values and aborts.
 #define SIMREEL_CHECK_EQ(a, b)                                              \
   do {                                                                      \
     const auto& checkA = (a);                                               \

@@ -34,8 +34,7 @@ class Descriptor {
   int value_;
 };
 
-/// Reads until the end of a file. `promised`: expected size in bytes; `place`: name of the file in
-/// messages.
+/// Reads to the end of a file. `promised`: expected size in bytes. `place`: name of the file in messages.
 std::string readAll(int descriptor, const char* what, const std::string& place, std::size_t maxBytes,
                     std::size_t promised = 0) {
   const auto tooLarge = [&] {
@@ -55,8 +54,8 @@ std::string readAll(int descriptor, const char* what, const std::string& place, 
   }
 }
 
-/// Waits until a file's data, or a folder's entries, are on the disk. Also returns true if syncing is not
-/// supported: pipes, some file systems.
+/// Waits until a file's data, or a folder's entries, are on the disk. Also returns true if the file does
+/// not support syncing, as pipes and some file systems.
 bool synced(int descriptor) {
   int result = 0;
   while ((result = ::fdatasync(descriptor)) != 0 && errno == EINTR) {
@@ -64,8 +63,8 @@ bool synced(int descriptor) {
   return result == 0 || errno == EINVAL || errno == EROFS || errno == EOPNOTSUPP;
 }
 
-/// True if the path must be written in place rather than replaced: a device, FIFO or socket, or a link of
-/// the system such as /dev/stdout or /dev/fd/3, whatever its target. Files in /dev/shm are ordinary files.
+/// True if the path must be written in place and not replaced: a device, FIFO or socket, or a link of the
+/// system such as /dev/stdout or /dev/fd/3, whatever its target. Files in /dev/shm are ordinary files.
 bool isDevice(const std::filesystem::path& path) {
   struct stat status {
   }, own{};
@@ -77,7 +76,7 @@ bool isDevice(const std::filesystem::path& path) {
   return ofSystem && ::lstat(path.c_str(), &own) == 0 && S_ISLNK(own.st_mode);
 }
 
-/// Removes the temporary file and throws. errno must hold the reason.
+/// Removes the temporary file and throws. errno must contain the reason.
 [[noreturn]] void removeAndFail(const std::filesystem::path& part, const char* verb,
                                 const std::filesystem::path& path) {
   const int reason = errno;
@@ -88,7 +87,7 @@ bool isDevice(const std::filesystem::path& path) {
 }  // namespace
 
 std::string readFile(const std::filesystem::path& path, const char* what, std::size_t maxBytes) {
-  // Non-blocking, because opening a pipe without a writer would block forever.
+  // The file is opened non-blocking, because opening a pipe without a writer would block forever.
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (file.get() < 0) {
     const int reason = errno;
@@ -122,8 +121,8 @@ bool hasName(int file, const std::filesystem::path& name) {
          opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
 }
 
-/// Opens the first of "path.part", "path.part2", ... that no other program holds. Empties it and locks it
-/// until it is closed. Takes over a file that a killed program has left. Returns -1 with errno set on
+/// Opens the first of "path.part", "path.part2", ... that no other program has locked. Empties it and locks
+/// it until it is closed. Reuses a file that a killed program has left. Returns -1 with errno set on
 /// failure.
 int openPart(const std::filesystem::path& path, std::filesystem::path& part) {
   constexpr int most = 1000;
@@ -141,7 +140,9 @@ int openPart(const std::filesystem::path& path, std::filesystem::path& part) {
       return -1;
     }
     ::close(file);
-    if (held) ++number;  // else another program renamed the file meanwhile: tries the same name again
+    if (held)
+      ++number;  // If the file is not locked, another program has renamed it in the meantime, and
+                 // the same name is tried again.
   }
   errno = EBUSY;
   return -1;
@@ -163,7 +164,7 @@ PartFile::PartFile(std::filesystem::path path) : path_(std::move(path)) {
 }
 
 PartFile::~PartFile() {
-  if (open_) ::unlink(part_.c_str());  // removes the file before close() releases its lock
+  if (open_) ::unlink(part_.c_str());  // This removes the file before close() releases the lock.
   if (file_ >= 0) ::close(file_);
 }
 
@@ -194,11 +195,12 @@ void PartFile::put(std::uint64_t offset, std::span<const std::byte> bytes) {
 
 void PartFile::finish(NameSync name) {
   if (!synced(file_)) giveUp("write");
-  // Keeps the lock until the file is renamed; otherwise another program would take it for an abandoned one.
+  // The lock is kept until the file is renamed. Otherwise another program would treat the file as
+  // abandoned.
   const Descriptor lock(open_ ? ::fcntl(file_, F_DUPFD_CLOEXEC, 0) : -1);
   // Some file systems report a full disk only at close().
   if (::close(std::exchange(file_, -1)) != 0) giveUp("write");
-  if (!open_) return;  // devices are not renamed
+  if (!open_) return;  // Devices are not renamed.
   if (::rename(part_.c_str(), path_.c_str()) != 0) giveUp("rename into");
   open_ = false;
   if (name == NameSync::now) syncFolder(path_.parent_path());
@@ -225,7 +227,9 @@ void renameDurably(const std::filesystem::path& part, const std::filesystem::pat
 void syncFolder(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder.empty() ? std::filesystem::path(".") : folder;
   const Descriptor opened(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (opened.get() < 0 && errno == EACCES) return;  // no error: the folder may be writable but not readable
+  if (opened.get() < 0 && errno == EACCES)
+    return;  // This is not an error: the folder may be writable but
+             // not readable.
   if (opened.get() >= 0 && synced(opened.get())) return;
   const int reason = errno;
   fail(ExitCode::inputOutput, "cannot sync folder {}: {}", path.string(), std::strerror(reason));
@@ -260,10 +264,10 @@ std::string lowerExtension(const std::filesystem::path& path) {
 void makeFolders(const std::filesystem::path& folder) {
   if (folder.empty()) return;
   std::error_code error;
-  // Retries, because another run may remove an empty output folder at the same moment.
+  // This is retried, because another run may remove an empty output folder at the same moment.
   for (int attempt = 0; attempt < 10; ++attempt) {
     std::filesystem::create_directories(folder, error);
-    // create_directories() also reports an error for a symbolic link to a folder, which is fine here.
+    // create_directories() also reports an error for a symbolic link to a folder, which is acceptable.
     std::error_code ignored;
     if (std::filesystem::is_directory(folder, ignored)) return;
     if (error || pathExists(folder)) break;

@@ -18,22 +18,22 @@ namespace simreel {
 /// Throws like readFile().
 [[nodiscard]] const std::string& standardInput(const char* what, std::size_t maxBytes);
 
-/// Time at which the folder entry of a written file is synced to disk. now: with the file. later: by a call
-/// of syncFolder(), once for all files of a folder.
+/// Time at which the folder entry of a written file is synced to disk. now: together with the file. later:
+/// by a call of syncFolder(), once for all files of a folder.
 enum class NameSync { now, later };
 
-/// Writes a file so that readers see either the old file or the complete new one, also after a power cut.
-/// Writes to `path` + ".part" in the same folder (".part2" and so on if another program holds that file),
-/// syncs it and renames it. Throws UserError(inputOutput) with the path and the system's reason; then the
-/// temporary file is removed.
+/// Writes a file so that readers see either the old file or the complete new one, even after a power
+/// failure. Writes to `path` + ".part" in the same folder (".part2" and so on if another program has locked
+/// that file), syncs it and renames it. On failure, removes the temporary file and throws
+/// UserError(inputOutput) with the path and the system's reason.
 void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes,
                          NameSync name = NameSync::now);
 void writeFileAtomically(const std::filesystem::path& path, std::string_view text,
                          NameSync name = NameSync::now);
 
-/// File that is written piece by piece, for data that do not fit into memory. Writes to a locked file
-/// `path` + ".part" and renames it when it is complete. Devices and pipes are written directly. All
-/// functions throw UserError(inputOutput) with the path and the system's reason.
+/// File that is written in parts, for data that do not fit into memory. Writes to a locked file `path` +
+/// ".part" and renames it when it is complete. Writes directly to devices and pipes. All functions throw
+/// UserError(inputOutput) with the path and the system's reason.
 class PartFile {
  public:
   explicit PartFile(std::filesystem::path path);
@@ -43,13 +43,13 @@ class PartFile {
   PartFile& operator=(const PartFile&) = delete;
 
   void append(std::span<const std::byte> bytes);
-  /// Overwrites bytes that have been written before.
+  /// Overwrites bytes that were written before, starting at `offset`.
   void put(std::uint64_t offset, std::span<const std::byte> bytes);
-  /// Syncs and renames the file. Nothing may be written afterwards.
+  /// Syncs and renames the file. Nothing may be written after this call.
   void finish(NameSync name = NameSync::now);
 
  private:
-  /// Removes the temporary file and throws. errno must hold the reason.
+  /// Removes the temporary file and throws. errno must contain the reason.
   [[noreturn]] void giveUp(const char* verb);
 
   std::filesystem::path path_, part_;
@@ -61,30 +61,31 @@ class PartFile {
 /// failure, removes `part` and throws UserError(inputOutput).
 void renameDurably(const std::filesystem::path& part, const std::filesystem::path& path);
 
-/// Syncs the entries of a folder (empty: the current one), so that new names survive a power cut. Does
-/// nothing if the file system cannot sync folders. Throws UserError(inputOutput).
+/// Syncs the entries of a folder, so that new names survive a power failure. An empty path means the
+/// current folder. Does nothing if the file system cannot sync folders. Throws UserError(inputOutput).
 void syncFolder(const std::filesystem::path& folder);
 
-/// Throws UserError(inputOutput) if writeFileAtomically() could not write this file. Leaves no file behind.
+/// Throws UserError(inputOutput) if writeFileAtomically() could not write this file. Does not leave a file.
 void checkWritable(const std::filesystem::path& path);
 
 /// Removes a file or an empty folder if it exists. Throws UserError(inputOutput).
 void removeFile(const std::filesystem::path& path);
 
-/// Returns the extension in lower case, with its dot.
+/// Returns the extension in lower case, including the dot.
 [[nodiscard]] std::string lowerExtension(const std::filesystem::path& path);
 
 /// Creates the folder and its parents. Throws UserError(inputOutput).
 void makeFolders(const std::filesystem::path& folder);
-/// True if a file or folder exists at the path; false if the system cannot tell.
+/// True if a file or folder exists at the path. False if the system reports an error.
 [[nodiscard]] bool pathExists(const std::filesystem::path& path);
 
-/// True if `path`, with symbolic links resolved, is `folder` (empty: the current one) or lies below it.
-/// Neither has to exist.
+/// True if `path`, with symbolic links resolved, is `folder` or lies below it. An empty `folder` means the
+/// current folder. Neither path has to exist.
 [[nodiscard]] bool liesBelow(const std::filesystem::path& path, const std::filesystem::path& folder);
 
-/// Returns the folder of shipped assets: $SIMREEL_ASSETS; else share/simreel/assets or assets beside the
-/// program's folder; else the assets of the source tree of this build. Empty if no such folder exists.
+/// Returns the first existing folder of shipped assets among: $SIMREEL_ASSETS; share/simreel/assets or
+/// assets next to the program's folder; the assets of the source tree of this build. Returns an empty path
+/// if none exists.
 [[nodiscard]] std::filesystem::path assetFolder();
 
 /// Returns the folder of the running program.

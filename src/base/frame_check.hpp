@@ -2,10 +2,10 @@
 
 namespace simreel {
 
-/// Sets the function that the parts of a long frame call in between; null: none. It may throw to end the
-/// work, which leaves the frame unfinished.
+/// Sets the function that long computations within a frame call repeatedly; null for none. The function may
+/// throw to stop the computation, which leaves the frame unfinished.
 void setFrameCheck(void (*check)());
-/// Calls the function that setFrameCheck() set, if any.
+/// Calls the function set by setFrameCheck(), if there is one.
 void checkFrame();
 
 }  // namespace simreel

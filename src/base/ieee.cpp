@@ -13,18 +13,19 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 // ln 2 and log2 e, each as a sum of two doubles. Products of ln2High with whole numbers up to 2^20 are
-// exact.
+// exact in double precision.
 constexpr double ln2High = 0x1.62e42fee00000p-1;
 constexpr double ln2Low = 0x1.a39ef35793c76p-33;
 constexpr double log2eHigh = 0x1.71547652b82fep+0;
 constexpr double log2eLow = 0x1.777d0ffda0d24p-56;
 
-/// Unevaluated sum of two doubles, about 106 bits: |low| is at most half a unit in the last place of high.
+/// Unevaluated sum of two doubles, which has about 106 bits. |low| is at most half a unit in the last place
+/// of `high`.
 struct Pair {
   double high, low;
 };
 
-/// Returns a + b exactly (Knuth).
+/// Returns a + b without rounding error (Knuth).
 Pair sumOf(double a, double b) {
   const double high = a + b;
   const double part = high - a;
@@ -38,7 +39,7 @@ Pair halvesOf(double a) {
   return {high, a - high};
 }
 
-/// Returns a * b exactly (Dekker).
+/// Returns a * b without rounding error (Dekker).
 Pair productOf(double a, double b) {
   const double high = a * b;
   const Pair x = halvesOf(a);
@@ -59,8 +60,8 @@ double powerOfTwo(double n) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + static_cast<std::int64_t>(n)) << 52U);
 }
 
-/// Returns e^(r + low) for |r| <= 0.35, with `low` at most a few units in the last place of r. Taylor
-/// series: 1 + (r + (r^2 (1/2 + r/6 + ...) + low (1 + r))).
+/// Returns e^(r + low) for |r| <= 0.35, where `low` is at most a few units in the last place of r. Uses the
+/// Taylor series 1 + (r + (r^2 (1/2 + r/6 + ...) + low (1 + r))).
 double expOfSmall(double r, double low) {
   constexpr double c[] = {1.0 / 2,          1.0 / 6,        1.0 / 24,        1.0 / 120,
                           1.0 / 720,        1.0 / 5040,     1.0 / 40320,     1.0 / 362880,
@@ -69,7 +70,7 @@ double expOfSmall(double r, double low) {
   return 1.0 + (r + (r * r * polynomial(c, r) + low * (1.0 + r)));
 }
 
-/// Returns e^(x.high + x.low) = 2^n e^r with r = x - n ln 2.
+/// Returns e^(x.high + x.low), computed as 2^n e^r with r = x - n ln 2.
 double expOf(Pair x) {
   if (x.high > 709.0) return infinity;
   if (x.high < -708.0) return 0.0;
@@ -108,8 +109,8 @@ struct Turned {
   unsigned quarters;  ///< number of quarter turns, modulo 4
 };
 
-/// Reduces an angle |x| <= 1e6 (Cody and Waite). pi/2 is a sum of three parts; products with the first two
-/// are exact.
+/// Reduces an angle |x| <= 1e6 (Cody and Waite). pi/2 is represented as a sum of three parts. Products with
+/// the first two parts are exact.
 Turned turned(double x) {
   SIMREEL_CHECK(std::abs(x) <= 1e6);
   const double n = std::floor(x * 0.63661977236758134 + 0.5);
@@ -118,8 +119,8 @@ Turned turned(double x) {
           static_cast<unsigned>(static_cast<std::int64_t>(n)) & 3U};
 }
 
-/// Taylor series of the sine for |r| <= pi/4; uses r.low to first order. cosOf() does the same for the
-/// cosine.
+/// Returns the sum of the sine's Taylor series for |r| <= pi/4. Uses r.low to first order. cosOf() does the
+/// same for the cosine.
 double sinOf(Pair r) {
   constexpr double c[] = {-1.0 / 6,        1.0 / 120,        -1.0 / 5040,          1.0 / 362880,
                           -1.0 / 39916800, 1.0 / 6227020800, -1.0 / 1307674368000, 1.0 / 355687428096000};
@@ -188,8 +189,8 @@ double cos(double x) {
   return sinOf(of);
 }
 
-// Reduces the quotient to at most 1, halves its angle twice with tan(a / 2) = t / (1 + sqrt(1 + t^2)), to
-// below tan(pi / 16), then sums Taylor's series up to t^27.
+// Takes the quotient or its inverse, so that t <= 1. Halves the angle twice with tan(a / 2) = t / (1 +
+// sqrt(1 + t^2)), which makes t at most tan(pi / 16). Then sums the Taylor series up to t^27.
 double atan2(double y, double x) {
   constexpr double pi = 0x1.921fb54442d18p+1;
   const double high = std::fmax(std::fabs(x), std::fabs(y)), low = std::fmin(std::fabs(x), std::fabs(y));

@@ -1,9 +1,9 @@
 #pragma once
 
-/// Elementary functions with the same bits on every machine. Results of the C library depend on its version
-/// and on the processor. Uses only operations that IEEE 754 defines exactly: + - * /, square root and floor
-/// of doubles (compiled with -ffp-contract=off). Results with a magnitude below 2^-1021 become 0. NaN is
-/// not supported.
+/// Elementary functions that return the same bits on every machine. Results of the C library, in contrast,
+/// depend on its version and on the processor. The functions use only operations that IEEE 754 defines
+/// exactly: + - * /, square root and floor of doubles (compiled with -ffp-contract=off). Results with a
+/// magnitude below 2^-1021 become 0. NaN is not supported.
 namespace simreel::ieee {
 
 /// Returns e^x. Relative error below 2^-52; infinity above 709, 0 below -708.
@@ -27,8 +27,8 @@ namespace simreel::ieee {
 /// Returns sin(x) / cos(x) for |x| <= 1e6, with a relative error below 2^-51.
 [[nodiscard]] double tan(double x);
 
-/// Returns the angle of (x, y) from the x axis, -pi to pi, with an error below 2^-50 of pi. atan2(0, 0) is
-/// 0.
+/// Returns the angle between the x axis and the vector (x, y), from -pi to pi, with an error below 2^-50
+/// pi. atan2(0, 0) is 0.
 [[nodiscard]] double atan2(double y, double x);
 
 }  // namespace simreel::ieee

@@ -25,13 +25,14 @@ namespace simreel {
 namespace {
 
 #ifdef SIMREEL_SANITIZED
-// Sanitizers reserve terabytes of address space, are slow, and print reports.
+// The limits are off under sanitizers, which reserve terabytes of address space, are slow, and print
+// reports.
 constexpr bool sanitized = true;
 #else
 constexpr bool sanitized = false;
 #endif
 
-/// First byte of the child's result.
+/// First byte of the child's result, which states the outcome.
 enum Outcome : char { returned = 'r', mistake = 'u', outOfMemory = 'm', other = 'o' };
 
 /// Anonymous file in memory for the child's result. Unlike a pipe, it need not be read while the child

@@ -21,7 +21,7 @@ std::atomic<bool> commandsAvoided = false;
 std::atomic<bool> json = false;
 
 void put(std::FILE* where, const std::string& text) {
-  // Does not use fmt::print(), which throws if standard error is closed: that must not end a run.
+  // fmt::print() is not used, because it throws if standard error is closed, which must not end a run.
   const std::string plain = commandsAvoided ? withoutCommands(text) : text;
   static_cast<void>(std::fwrite(plain.data(), 1, plain.size(), where));
 }

@@ -11,7 +11,7 @@ enum class Verbosity { quiet, normal, verbose };
 void setVerbosity(Verbosity verbosity);
 [[nodiscard]] Verbosity verbosity();
 
-/// Shows only errors while this object exists.
+/// Suppresses all messages except errors while the object exists.
 class Silence {
  public:
   Silence() : before_(verbosity()) { setVerbosity(Verbosity::quiet); }
@@ -25,7 +25,7 @@ class Silence {
   Verbosity before_;
 };
 
-/// From this call on, each line is a JSON object: {"event":"message","level":"error","text":"..."}.
+/// Makes all later lines JSON objects: {"event":"message","level":"error","text":"..."}.
 void logAsJson();
 /// Writes one line of plain ASCII to standard error. Safe in signal handlers.
 void rawErrorLine(const char* text) noexcept;
@@ -37,21 +37,22 @@ void rawErrorLine(const char* text) noexcept;
 void errorLine(const std::string& message);
 /// Writes a report of several lines to standard error at any verbosity. Keeps its newlines.
 void errorLines(const std::string& report);
-/// Writes text to standard output. A write error becomes visible when the program flushes the stream.
+/// Writes text to standard output. A write error is detected when the program flushes the stream.
 void printText(const std::string& text);
-/// Writes text to standard output unchanged, for text that is already escaped and may contain colours.
+/// Writes text to standard output unchanged. The text must already be escaped and may contain colours.
 void printPainted(const std::string& text);
-/// From this call on, changes output lines that GitHub Actions would interpret as commands.
+/// Makes all later output escape lines that GitHub Actions would interpret as commands.
 void avoidWorkflowCommands();
 /// Writes one line "simreel: warning: ..." to standard error unless quiet.
 void warnLine(const std::string& message);
-/// Writes a report of several lines to standard error unless quiet; each report only once per process.
+/// Writes a report of several lines to standard error unless quiet. Writes each report only once per
+/// process.
 void warnLinesOnce(const std::string& report);
 /// Writes one line to standard error unless quiet.
 void infoLine(const std::string& message);
-/// Writes one line to standard error unless quiet; each message only once per process.
+/// Writes one line to standard error unless quiet. Writes each message only once per process.
 void infoLineOnce(const std::string& message);
-/// Writes one line to standard error if verbose (-v).
+/// Writes one line to standard error if the user gave -v (verbose).
 void detailLine(const std::string& message);
 
 template <class... Args>

@@ -9,9 +9,9 @@
 
 namespace simreel {
 
-/// Serializes values to bytes for another process of the same program (runIsolated). A list or text is its
-/// length, then its items. A struct declares its members once for both directions: `template <class A> void
-/// pack(A& a)`.
+/// Serializes values to bytes for another process of the same program (runIsolated). A list or text is
+/// written as its length followed by its items. A struct declares its members once for both directions:
+/// `template <class A> void pack(A& a)`.
 class Packer {
  public:
   template <class T>
@@ -81,7 +81,7 @@ class Unpacker {
   std::size_t at_ = 0;
 };
 
-/// Convert `value` to bytes and back.
+/// packed() converts a value to bytes, and unpacked() converts the bytes back.
 template <class T>
 [[nodiscard]] std::string packed(T value) {
   Packer packer;

@@ -23,22 +23,23 @@ struct PngChunk {
 /// Returns the chunk at the start of `rest` and moves `rest` past it. Returns nullopt if the chunk is
 /// truncated.
 [[nodiscard]] std::optional<PngChunk> takePngChunk(std::string_view& rest);
-/// Returns the bytes of all chunks, those after the signature; nullopt if the file is not a PNG.
+/// Returns the bytes of all chunks, which follow the signature. Returns nullopt if the file is not a PNG.
 [[nodiscard]] std::optional<std::string_view> pngChunks(std::string_view file);
 
-/// Size and pixel format of an image, from the first chunk of a PNG.
+/// Size and pixel format of an image, from the header chunk of a PNG.
 struct PngHeader {
   static constexpr std::size_t size = 13;
 
   std::uint32_t width = 0, height = 0;
-  int depth = 0, colour = 0;  ///< bits per channel; colour type
-  bool plain = false;         ///< true: not interlaced, with the standard compression and filter methods
+  int depth = 0, colour = 0;  ///< bits per channel, and the PNG code of the colour type
+  bool plain = false;         ///< true if the image is not interlaced and uses the standard compression and
+                              ///< filter methods
 };
 
 /// Reads a header. `data`: data of the header chunk, `PngHeader::size` bytes.
 [[nodiscard]] PngHeader readPngHeader(std::string_view data);
-/// Returns the header of a PNG file without checking its checksum; nullopt if the file is not a PNG or is
-/// too short.
+/// Returns the header of a PNG file without verifying the chunk's checksum. Returns nullopt if the file is
+/// not a PNG or is too short.
 [[nodiscard]] std::optional<PngHeader> pngHeaderOf(std::string_view file);
 
 /// Appends a chunk to a file in memory.

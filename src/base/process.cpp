@@ -15,8 +15,8 @@ namespace simreel {
 
 namespace {
 
-// Running children, as atomics because signal handlers read them. Children beyond this number are not
-// tracked.
+// Process ids of running children, as atomics because signal handlers read them. Children that exceed this
+// number are not tracked.
 constexpr std::size_t maxWatched = 264;
 std::array<std::atomic<pid_t>, maxWatched> running{};
 std::atomic<bool> ended = false;
@@ -88,16 +88,16 @@ pid_t forkProcess() {
   const pid_t child = ::fork();
   if (child < 0) return child;
   if (child > 0) {
-    ::setpgid(child, child);  // parent and child both call setpgid(), because either may run first
+    ::setpgid(child, child);  // Parent and child both call setpgid(), because either may run first.
     watch(child);
     return child;
   }
   ::setpgid(0, 0);
   for (std::atomic<pid_t>& slot : running) slot = 0;
-  // The kernel kills this child when the parent ends. Its finished files are complete, and if it went on it
-  // would hold resources that the next run needs.
+  // The kernel kills this child when the parent ends. Finished files of the child are complete, and a child
+  // without parent would hold resources that the next run needs.
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) ::_exit(1);  // the parent ended before prctl() took effect
+  if (::getppid() != parent) ::_exit(1);  // The parent ended before prctl() took effect.
   return 0;
 }
 

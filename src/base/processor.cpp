@@ -23,7 +23,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// Returns the text after "key   : ", or an empty text.
+/// Returns the text after "key   : ", or an empty text if the key does not occur.
 std::string_view valueOf(std::string_view text, std::string_view key) {
   while (!text.empty()) {
     const std::string_view line = text.substr(0, text.find('\n'));

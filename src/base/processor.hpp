@@ -6,13 +6,12 @@
 namespace simreel {
 
 /// Returns a description of the processor: "AMD EPYC 7B13, family 25 model 1 stepping 0, sse4_1 avx f16c
-/// fma avx2". The numbers tell processors apart that clouds give the same name. The instruction sets are
-/// those for which software drivers generate different code; a virtual machine may hide some. Returns
-/// "unknown x86_64" if nothing is known.
+/// fma avx2". The numbers distinguish processors to which clouds give the same name. The instruction sets
+/// are those for which software drivers generate different code. A virtual machine may hide some of them.
+/// Returns "unknown x86_64" if nothing is known.
 [[nodiscard]] std::string processorName();
 
-/// Does the same as processorName() for a given text of /proc/cpuinfo, of which it uses the first
-/// processor.
+/// Does the same as processorName() for a given text of /proc/cpuinfo. Uses the first processor in it.
 [[nodiscard]] std::string processorName(std::string_view cpuinfo, const std::string& architecture);
 
 /// Returns the number of processors that this process may run on (taskset, CPU sets of containers), at

@@ -21,7 +21,7 @@ std::string shown(const std::string& key) {
   return fmt::format("\"{}{}\"", oneLine(key.substr(0, maxShown)), key.size() > maxShown ? "..." : "");
 }
 
-/// Builds the value from the parser's events. The library's own parser with a callback scans the whole list
+/// Builds the value from the parser's events. nlohmann's own parser with a callback would scan a whole list
 /// after each of its items.
 class Builder final : public nlohmann::json_sax<Json> {
  public:
@@ -35,7 +35,7 @@ class Builder final : public nlohmann::json_sax<Json> {
   bool number_unsigned(number_unsigned_t value) override { return add(value); }
   bool number_float(number_float_t value, const string_t& /*written*/) override { return add(value); }
   bool string(string_t& value) override { return add(std::move(value)); }
-  bool binary(binary_t& /*value*/) override { return false; }  // JSON text has no binary values
+  bool binary(binary_t& /*value*/) override { return false; }  // JSON text has no binary values.
   bool start_object(std::size_t /*count*/) override { return open(Json::object()); }
   bool start_array(std::size_t /*count*/) override { return open(Json::array()); }
   bool end_object() override { return close(); }
@@ -68,7 +68,8 @@ class Builder final : public nlohmann::json_sax<Json> {
     if (++containers_ > limits_.containers)
       throw JsonError(fmt::format("it holds more than {} objects and lists", limits_.containers));
     add(std::move(container));
-    open_.push_back(place_);  // stays valid: the parent adds no members before this container is closed
+    open_.push_back(place_);  // The pointer stays valid, because the parent adds no members before this
+                              // container is closed.
     return true;
   }
   bool close() {
@@ -79,14 +80,14 @@ class Builder final : public nlohmann::json_sax<Json> {
   const JsonLimits& limits_;
   Json root_;
   std::vector<Json*> open_;
-  Json* place_ = nullptr;  ///< place of the last value, or of the value that follows the last key
+  Json* place_ = nullptr;  ///< the last value, or the position of the value that follows the last key
   std::size_t containers_ = 0;
 };
 
 }  // namespace
 
 Json parseStrictJson(std::string_view text, const JsonLimits& limits) {
-  // The parser takes a zero byte for the end of the text. Zero bytes at the end are allowed, because some
+  // The parser treats a zero byte as the end of the text. Zero bytes at the end are allowed, because some
   // programs pad binary glTF with them.
   if (text.find_first_not_of('\0', text.find('\0')) != std::string_view::npos)
     throw JsonError("not valid JSON: a zero byte stands in it");

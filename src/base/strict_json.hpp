@@ -17,9 +17,9 @@
 
 namespace simreel {
 
-// Reader of JSON other than scenes: files of this program, and glTF. (Scenes have their own reader, which
-// tracks lines and columns.) Objects are sorted by key, so that an object with a million keys takes no
-// quadratic time.
+// Reader of JSON that is not a scene: files of this program, and glTF. (Scenes have their own reader, which
+// records lines and columns.) The members of an object are sorted by key, so that reading an object with a
+// million keys does not take quadratic time.
 
 /// Error in a JSON text: "frames[2].pixels must be text".
 class JsonError : public std::runtime_error {
@@ -29,15 +29,15 @@ class JsonError : public std::runtime_error {
 
 /// Limits on a JSON text.
 struct JsonLimits {
-  /// Maximum nesting levels; copying or writing much deeper values would overflow the stack.
+  /// Maximum nesting depth. Copying or writing much deeper values would overflow the stack.
   std::size_t depth = 100;
   /// Maximum number of objects and lists.
   std::size_t containers = std::numeric_limits<std::size_t>::max();
-  bool comments = false;  ///< true: comments are allowed
+  bool comments = false;  ///< true if comments are allowed
 };
 
-/// Parses a JSON text. Throws JsonError if the text is not JSON, exceeds the limits, has a number too large
-/// for a double, or has the same key twice in an object.
+/// Parses a JSON text. Throws JsonError if the text is not JSON, exceeds the limits, contains a number too
+/// large for a double, or contains the same key twice in one object.
 [[nodiscard]] nlohmann::json parseStrictJson(std::string_view text, const JsonLimits& limits = {});
 
 /// Value in a parsed JSON text, with the path that names it in error messages. The parsed text must outlive
@@ -49,8 +49,8 @@ class JsonValue {
 
   [[nodiscard]] const nlohmann::json& json() const { return *json_; }
   [[nodiscard]] bool isNull() const;
-  /// True if the value is this text. (The library's own comparison allocates memory although it is
-  /// noexcept.)
+  /// True if the value is a string equal to `text`. (The library's own comparison allocates memory although
+  /// it is noexcept.)
   [[nodiscard]] bool is(std::string_view text) const;
   [[nodiscard]] std::string text() const;
   [[nodiscard]] bool boolean() const;
@@ -63,19 +63,19 @@ class JsonValue {
     return static_cast<Int>(integerBetween(min, max));
   }
 
-  /// Functions for the items of a list.
+  /// The following functions are for the items of a list.
   [[nodiscard]] std::size_t size() const;
   [[nodiscard]] JsonValue at(std::size_t index) const;
   void eachItem(const std::function<void(const JsonValue& item)>& visit) const;
   [[nodiscard]] std::vector<std::string> texts() const;
 
-  /// Functions for the members of an object.
+  /// The following functions are for the members of an object.
   [[nodiscard]] bool has(const std::string& key) const { return find(key).has_value(); }
   [[nodiscard]] JsonValue at(const std::string& key) const;
   [[nodiscard]] std::optional<JsonValue> find(const std::string& key) const;
   void eachMember(const std::function<void(const std::string& key, const JsonValue& member)>& visit) const;
 
-  /// Throws JsonError with the path, then `what`.
+  /// Throws JsonError with the path, followed by `what`.
   [[noreturn]] void wrong(std::string_view what) const;
 
  private:
@@ -87,13 +87,13 @@ class JsonValue {
   std::string path_;  ///< path of the value; empty for the whole text
 };
 
-/// Object of which every member must be read; finish() reports other members as errors.
+/// Object whose members must all be read. finish() reports unread members as errors.
 class JsonObject {
  public:
   explicit JsonObject(JsonValue value) : value_(std::move(value)) {}
   [[nodiscard]] JsonValue at(const std::string& key);
   [[nodiscard]] std::optional<JsonValue> find(const std::string& key);
-  /// Throws JsonError if a member has not been read. Call it at the end.
+  /// Throws JsonError if a member has not been read. Must be called last.
   void finish() const;
 
  private:
@@ -101,7 +101,7 @@ class JsonObject {
   std::set<std::string> asked_;
 };
 
-/// Returns the text of an object's member; empty if the object lacks the member.
+/// Returns the text of an object's member, or an empty text if the member does not exist.
 template <class Object>
 [[nodiscard]] std::string textIfThere(Object& object, const std::string& key) {
   const auto found = object.find(key);

@@ -60,7 +60,7 @@ std::size_t codePointLength(std::string_view text, std::size_t at) {
   if (first < 0x80) return 1;
   if (first >= 0xC2 && first <= 0xDF) return follows(1) ? 2 : 0;
   if ((first & 0xF0U) == 0xE0U) {
-    // Rejects overlong encodings and halves of surrogate pairs.
+    // Overlong encodings and halves of surrogate pairs are rejected.
     const bool good = (first != 0xE0 || byte(1) >= 0xA0) && (first != 0xED || byte(1) <= 0x9F);
     return good && follows(1) && follows(2) ? 3 : 0;
   }
@@ -114,7 +114,7 @@ std::string withoutCommands(std::string_view text) {
     } else {
       out += text.front();
     }
-    // Blanks may precede a command, so they do not end the start of the line.
+    // Blanks may precede a command, so the start of the line lasts until the first other character.
     lineBegins = text.front() == '\n' || (lineBegins && (text.front() == ' ' || text.front() == '\t'));
   }
   return out;

@@ -12,8 +12,8 @@ namespace simreel {
   return c >= '0' && c <= '9';
 }
 
-/// Removes a whole number, possibly negative, from the front of the text and returns it. Returns nullopt if
-/// the text does not begin with an int.
+/// Removes a whole number, possibly negative, from the beginning of the text and returns it. Returns
+/// nullopt if the text does not begin with a number that fits into an int.
 [[nodiscard]] std::optional<int> takeInteger(std::string_view& text);
 /// Parses two whole numbers with a separator between them, such as "1280x720". Returns nullopt for any
 /// other text.
@@ -29,19 +29,20 @@ namespace simreel {
 /// True if all of `text` is valid UTF-8.
 [[nodiscard]] bool isUtf8(std::string_view text);
 
-/// True if a valid UTF-8 character can control a terminal or change the reading order of text: control
-/// characters (U+0000 to U+001F, U+007F to U+009F), line separators, and marks of writing direction.
+/// True if a valid UTF-8 character can control a terminal or change the reading order of text. These are
+/// control characters (U+0000 to U+001F, U+007F to U+009F), line separators, and marks of writing
+/// direction.
 [[nodiscard]] bool steersTerminal(std::string_view character);
 
-/// Returns the text with control characters and invalid UTF-8 escaped as \n, \x1b, \u202e, \xff, so that
-/// text from any file, name or argument prints as one line.
+/// Returns the text with control characters and invalid UTF-8 escaped as
+/// , \x1b, \u202e, \xff, so that text from any file, name or argument is printed as one line.
 [[nodiscard]] std::string oneLine(std::string_view text);
 
 /// Does the same as oneLine(), but keeps newlines and tabs.
 [[nodiscard]] std::string severalLines(std::string_view text);
 
-/// Changes lines that a service such as GitHub Actions would read as commands ("::" at the start, "##["
-/// anywhere) to plain text.
+/// Changes lines that a service such as GitHub Actions would interpret as commands ("::" at the start,
+/// "##[" anywhere) to plain text.
 [[nodiscard]] std::string withoutCommands(std::string_view text);
 
 }  // namespace simreel

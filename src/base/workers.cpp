@@ -26,13 +26,14 @@ namespace simreel {
 
 namespace {
 
-/// Milliseconds between checks for a signal, which may arrive just before a wait.
+/// Milliseconds between checks for a signal. A signal may arrive just before a wait, which it then does not
+/// interrupt.
 constexpr int glance = 50;
 
 enum class Word : std::uint32_t { ready, answer, mistake, failure };
 
-/// Header of each message from a worker. The layout is the same at both ends, because both run the same
-/// program.
+/// Header of each message from a worker. Its layout is the same in both processes, because both run the
+/// same program.
 struct Head {
   Word word = Word::ready;
   std::uint32_t code = 0;  ///< exit code, for Word::mistake
@@ -51,7 +52,7 @@ bool writeAll(int descriptor, const void* bytes, std::size_t count) {
   return true;
 }
 
-/// Sends a message. If the program no longer reads, the process exits, because no work is left.
+/// Sends a message. If the main program no longer reads, the process exits, because no work is left.
 void send(int descriptor, Head head, std::string_view text) {
   head.bytes = text.size();
   if (!writeAll(descriptor, &head, sizeof head) || !writeAll(descriptor, text.data(), text.size()))
@@ -64,12 +65,12 @@ struct Worker {
   int work = -1, answers = -1;
   std::string heard;  ///< received bytes of an incomplete message
   bool ready = false;
-  bool told = false;  ///< true: the worker has been told to end
+  bool told = false;  ///< true if the worker has been told to end
   std::optional<std::size_t> item;
-  Clock::time_point begin;  ///< start time of the current item
+  Clock::time_point begin;  ///< time at which the current item began
   bool late = false;
-  /// Reason why the worker ended: its own error message, or the timeout, signal or exit status seen from
-  /// outside.
+  /// Reason why the worker ended: its own error message, or the timeout, signal or exit status that the
+  /// main program observed.
   std::string failure;
   std::optional<ExitCode> mistake;
 };
@@ -79,7 +80,7 @@ class Employer {
   explicit Employer(const WorkForce& force)
       : force_(force), begun_(force.items, false), losses_(force.items, 0) {}
   ~Employer() {
-    // After an exception no results are used any more, so all workers are killed.
+    // After an exception no results are used, so all workers are killed.
     for (Worker& worker : workers_) {
       ::kill(-worker.process, SIGKILL);
       closeLines(worker);
@@ -101,7 +102,9 @@ class Employer {
       endLate();
     }
     if (force_.interrupted() != 0) {
-      while (!waiting_.empty()) handOn();  // delivers the remaining results, although some items have none
+      while (!waiting_.empty())
+        handOn();  // This delivers the remaining results, although some items have
+                   // none.
       return;
     }
     if (!everReady_ && firstMistake_) throw UserError(*firstMistake_, firstFailure_);
@@ -125,8 +128,8 @@ class Employer {
   bool start() {
     const std::size_t place = freePlace();
     int work[2] = {-1, -1}, answers[2] = {-1, -1};
-    // The pipes close on exec, but a worker only forks and inherits them all. So it closes the other
-    // workers' pipes itself.
+    // The pipes close on exec, but a worker only forks and therefore inherits all of them. So it closes the
+    // pipes of the other workers itself.
     const bool lines = ::pipe2(work, O_CLOEXEC) == 0 && ::pipe2(answers, O_CLOEXEC) == 0;
     std::fflush(nullptr);
     const pid_t process = lines ? forkProcess() : -1;
@@ -216,7 +219,7 @@ class Employer {
       if (all) closeWork(worker);
       if (!item) continue;
       const Task task{*item, losses_[*item]};
-      // If the worker is dead, the item stays unassigned; listen() notices the worker's end.
+      // If the worker is dead, the item stays unassigned. listen() detects the worker's end.
       if (!writeAll(worker.work, &task, sizeof task)) {
         closeWork(worker);
         continue;
@@ -245,7 +248,7 @@ class Employer {
         ::kill(-worker.process, SIGKILL);
   }
 
-  /// Reads messages of a worker. Returns false at the end of the connection.
+  /// Reads messages from a worker. Returns false at the end of the connection.
   bool hear(Worker& worker) {
     char block[1 << 16];
     const ssize_t got = ::read(worker.answers, block, sizeof block);
@@ -316,8 +319,8 @@ class Employer {
     if (worker.ready && !wellDone && more) static_cast<void>(start());
   }
 
-  /// Warns about processes that ended before they were ready, once another one is ready. If none becomes
-  /// ready, the failure is the error of the whole call.
+  /// Warns about processes that ended before they were ready, but only after another process has become
+  /// ready. If none becomes ready, the failure is the error of the whole call.
   void tellUnready() {
     if (!everReady_) return;
     for (const std::string& failure : unready_) warn("one process less to work in: it {}", failure);
@@ -332,7 +335,7 @@ class Employer {
       finish(item, std::move(loss));
   }
 
-  /// Records the result of an item and delivers all results that are next in order.
+  /// Records the result of an item. Delivers all results that are next in order.
   void finish(std::size_t item, End&& end) {
     begun_[item] = true;
     waiting_.emplace(item, std::move(end));

@@ -10,10 +10,10 @@ namespace simreel {
 /// Item of work that is assigned to a worker.
 struct Task {
   std::size_t item = 0;
-  int losses = 0;  ///< number of earlier workers that ended during this item
+  int losses = 0;  ///< number of workers that have already ended during this item
 };
 
-/// Reason why a worker ended while it worked on an item.
+/// Description of how a worker ended during an item.
 struct Loss {
   std::string how;    ///< reason in words, such as "was ended by signal 9 (Killed)"
   bool late = false;  ///< true if the item took longer than WorkForce::patience
@@ -25,8 +25,8 @@ class WorkerLine {
   WorkerLine(int in, int out, std::size_t place) : in_(in), out_(out), place_(place) {}
   /// Returns the zero-based slot of this worker. A worker that replaces another one takes over its slot.
   [[nodiscard]] std::size_t place() const { return place_; }
-  /// Reports that the worker can start, with text for the program (WorkForce::ready). Call it once, before
-  /// the first item.
+  /// Reports that the worker can start, with a text for the main program (WorkForce::ready). Must be called
+  /// once, before the first item.
   void ready(std::string_view text);
   /// Returns the next item, or nullopt if no work is left.
   [[nodiscard]] std::optional<Task> next();
@@ -37,7 +37,8 @@ class WorkerLine {
   std::size_t place_;
 };
 
-/// Items of work, numbered from 0, for several processes in parallel. Only `work` runs in these processes.
+/// Items of work, numbered from 0, for several parallel processes. Only `work` runs in these processes; the
+/// other functions run in the main program.
 struct WorkForce {
   std::size_t workers = 1;
   std::size_t items = 0;
@@ -48,22 +49,22 @@ struct WorkForce {
   std::function<void(const std::string&)> ready;
   /// Called with each answer, in the order of the items.
   std::function<void(std::size_t item, const std::string& answer)> done;
-  /// Called in the same order for each item whose worker ended before it answered.
+  /// Called in the order of the items for each item whose worker ended before it answered.
   std::function<void(std::size_t item, const Loss&)> lost;
-  /// Called as soon as a worker ends during an item. Returns true to give the item to another worker. If it
-  /// returns false or is empty, the item is lost.
+  /// Called as soon as a worker ends during an item. Must return true to give the item to another worker.
+  /// If it returns false or is empty, the item is lost.
   std::function<bool(std::size_t item, const Loss&)> again;
-  /// Maximum seconds for an item. Then its worker is killed, with all processes that it has started. 0:
-  /// unlimited.
+  /// Maximum seconds for an item; 0 for unlimited. After that time, the item's worker is killed with all
+  /// processes that it has started.
   double patience = 0;
-  /// Returns true for items that must not run in parallel with each other, nor out of order.
+  /// Returns true for items that must run in order and not in parallel with each other.
   std::function<bool(std::size_t item)> alone;
   /// Returns the number of a received signal, or 0. After a signal, no new work starts, workers get
   /// SIGTERM, and their finished answers are still delivered.
   std::function<int()> interrupted;
 };
 
-/// Does all the work. A worker that ends during an item only affects this item, because another worker
+/// Does all the work. A worker that ends during an item affects only this item, because another worker
 /// takes its slot. Throws UserError if no worker can be started or none becomes ready.
 void employ(const WorkForce& force);
 

@@ -13,13 +13,13 @@ namespace simreel {
 [[nodiscard]] std::size_t textColumns(std::string_view text);
 
 /// Returns `text` in lines of at most `width` columns, broken at spaces. All lines except the first start
-/// with `indent` spaces; `taken` columns of the first line are already in use. A word that is too long has
-/// its own line. Newlines in `text` are kept. There is no newline at the end.
+/// with `indent` spaces. The first `taken` columns of the first line are already in use. A word that is too
+/// long gets its own line. Newlines in `text` remain. There is no newline at the end.
 [[nodiscard]] std::string wrapped(std::string_view text, std::size_t width, std::size_t indent = 0,
                                   std::size_t taken = 0);
 
-/// Returns one entry of a printed list: `name` indented by two columns, `text` from `column` on. A name
-/// that does not fit has its own line. Ends with a newline.
+/// Returns one entry of a printed list: `name` indented by two columns, and `text` starting at `column`. A
+/// name that does not fit gets its own line. The entry ends with a newline.
 [[nodiscard]] std::string listEntry(std::string_view name, std::string_view text, std::size_t column,
                                     std::size_t width);
 

@@ -9,18 +9,18 @@ class App;
 
 namespace simreel::cli {
 
-/// Runs the command in the arguments and returns the exit code. A UserError is printed on standard error as
+/// Runs the command in the arguments and returns the exit code. Prints a UserError on standard error as
 /// "simreel: error: ...", or unchanged if it is a report.
 int run(int argc, char** argv);
-/// Installs a terminate handler: an exception that no code can catch (out of memory in a destructor, a
-/// thread that a library could not start) then ends the process at once with one line and a documented exit
-/// code.
+/// Installs a terminate handler. If an exception cannot be caught (out of memory in a destructor, or a
+/// thread that a library could not start), the process then ends immediately with one line and a documented
+/// exit code.
 void explainTermination();
 
 /// Adds the whole command line: name, flags and commands. tools/manual makes the man page from it.
 void addCommands(CLI::App& app);
 
-// Each function adds one command. The command's callback throws UserError or calls setExitCode().
+// Each of these functions adds one command. The command's callback throws UserError or calls setExitCode().
 void addRender(CLI::App& app);
 void addValidate(CLI::App& app);
 void addSchema(CLI::App& app);
@@ -45,7 +45,7 @@ void addKernels(CLI::App& app);
 /// Returns the command line as typed, quoted for a shell where needed.
 [[nodiscard]] const std::string& commandLine();
 
-/// Prints an error on standard error: a sentence after "simreel: error: ", a report unchanged.
+/// Prints an error on standard error: a sentence after "simreel: error: ", or a report unchanged.
 void printError(const UserError& error);
 
 /// Sets the exit code of a command that ends without an exception (130 after an interrupt).

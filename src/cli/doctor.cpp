@@ -22,7 +22,7 @@ namespace simreel::cli {
 
 namespace {
 
-/// Formats and prints text as printText() does, because names of devices and folders may hold any bytes.
+/// Formats and prints text as printText() does, because names of devices and folders may contain any bytes.
 template <class... Args>
 void print(fmt::format_string<Args...> format, Args&&... args) {
   printText(fmt::format(format, std::forward<Args>(args)...));
@@ -65,7 +65,7 @@ void doctor(const std::string& device) {
   if (const std::string variables = gl::driverVariables(); !variables.empty())
     print("Environment: {} selects another driver\n", variables);
   printDevices(gl::listDevices());
-  // Throws UserError with advice on what to install if no device works.
+  // This throws UserError with advice on what to install if no device works.
   const gl::Context context({.device = device, .debug = false, .memoryPath = ""});
   print("Chosen: {}: {}, because {}\n", context.device().index, context.device().name, context.reason());
   print("Memory path: {}\n", gl::memoryPath() == gl::MemoryPath::texel

@@ -11,8 +11,8 @@ namespace simreel::cli {
 
 namespace {
 
-/// Prints one line without allocating memory and exits at once with `code`. Files on disk stay whole, as
-/// after a kill.
+/// Prints one line without allocating memory and exits immediately with `code`. Files on disk stay
+/// complete, as after a kill.
 [[noreturn]] void end(const char* message, ExitCode code) {
   static_cast<void>(std::fputs("simreel: error: ", stderr));
   static_cast<void>(std::fputs(message, stderr));
@@ -41,8 +41,8 @@ void explainTermination() {
 
 namespace {
 
-/// Installs the handler before any static object is constructed, because constructors of static objects
-/// allocate memory before main in an order that the linker chooses.
+/// Installs the handler before any static object is constructed, because the constructors of static objects
+/// run before main() and may allocate memory.
 [[gnu::used, gnu::section(".preinit_array")]] void (*const beforeStaticObjects)() = explainTermination;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// simreel render --pieces; and simreel pieces, which runs the steps one by one as a cluster does.
+// simreel render --pieces, and simreel pieces, which runs the steps individually as a cluster does.
 #include "cli/pieces.hpp"
 
 #include "base/error.hpp"
@@ -55,7 +55,7 @@ void checkRequest(const PiecesRequest& request, const frame::OutputName& output)
     fail(ExitCode::usage, "--fields: raw values lie beside pictures, and a video has none");
 }
 
-/// Fails if an unfinished plan or an output file exists that would be overwritten.
+/// Throws UserError if an unfinished plan or an output file exists that would be overwritten.
 void refuseExisting(const batch::PiecePlan& plan, const frame::OutputName& output) {
   if (pathExists(plan.planFile()))
     fail(ExitCode::inputOutput, "{} is of pieces that were not joined; use --resume or --overwrite",
@@ -66,13 +66,13 @@ void refuseExisting(const batch::PiecePlan& plan, const frame::OutputName& outpu
 }
 
 batch::PiecePlan planOf(const PiecesRequest& request) {
-  batch::RenderJob job(request.render);  // throws on any error before something is written
+  batch::RenderJob job(request.render);  // This throws on any error before something is written.
   checkRequest(request, job.output());
   const batch::RenderRequest& render = request.render;
   batch::PiecePlan plan;
   plan.folder = job.output().piecesFolder();
-  // The trailing slash marks a folder, because parseOutput() otherwise decides by what exists on disk at
-  // the time.
+  // The trailing slash marks a folder. Without it, parseOutput() would decide by what exists on disk at
+  // that time.
   plan.output = fs::absolute(render.output).lexically_normal().string();
   if (job.output().wholeFolder && !plan.output.ends_with('/')) plan.output += '/';
   if (render.scene != "-")
@@ -86,7 +86,7 @@ batch::PiecePlan planOf(const PiecesRequest& request) {
   return plan;
 }
 
-/// True if an earlier run with --resume has already finished; its pieces are removed by then.
+/// True if an earlier run with --resume has finished, in which case its pieces have been removed.
 bool isWhole(const batch::PiecePlan& plan, const PiecesRequest& request) {
   const frame::OutputName output = plan.wholeOutput();
   if (request.render.existing != frame::Existing::resume || !pathExists(output.manifestFile()))
@@ -180,8 +180,8 @@ void join(const StepOptions& o) {
   joinAll(batch::readPiecePlan(o.folder));
 }
 
-/// Returns the manifest beside a folder of pieces that was removed after joining; empty if no such manifest
-/// exists.
+/// Returns the manifest next to a folder of pieces that was removed after joining, or an empty text if
+/// there is no such manifest.
 std::string joinedOutput(const std::string& folder) {
   fs::path pieces(folder);
   if (!pieces.has_filename()) pieces = pieces.parent_path();
@@ -197,8 +197,8 @@ fs::path slurmFolder(const batch::PiecePlan& plan) {
   return plan.folder / "slurm";
 }
 
-/// Prints the state of each piece. Exit code 0: all pieces are drawn or joined; 7: the missing pieces are
-/// still in the cluster's queue; 3: otherwise.
+/// Prints the state of each piece. The exit code is 0 if all pieces are drawn or joined, 7 if the missing
+/// pieces are still in the cluster's queue, and 3 otherwise.
 void status(const StepOptions& o) {
   if (const std::string whole = joinedOutput(o.folder); !whole.empty())
     return printText(fmt::format("all pieces are joined: {}\n", whole));
@@ -231,7 +231,7 @@ void status(const StepOptions& o) {
 /// Submits three dependent jobs: the simulation, the pieces (which start from its states), and the join.
 void submitPieces(const batch::PiecePlan& plan, const PiecesRequest& request) {
   batch::Slurm slurm = request.cluster.cluster(slurmFolder(plan));
-  // A second job for the same piece would find the piece locked.
+  // A second job for the same piece would find the piece locked and fail.
   if (!batch::SlurmQueue(slurmFolder(plan)).empty())
     fail(ExitCode::usage,
          "{}: the cluster still has jobs of these pieces; wait for them or end them (scancel)",

@@ -79,7 +79,7 @@ std::vector<draw::Layer> layersOf(const std::vector<std::string>& names) {
   return layers;
 }
 
-/// Adds --rule as overrides of the scene that is made around a cell pattern.
+/// Adds --rule as overrides of the scene that is generated for a cell pattern.
 void changeRule(const RenderOptions& o, std::vector<scene::Override>& changes) {
   const std::string& text = *o.rule;
   if (!sim::isPatternName(o.scene.file))
@@ -97,7 +97,7 @@ void changeRule(const RenderOptions& o, std::vector<scene::Override>& changes) {
 batch::RenderRequest requestOf(const RenderOptions& o) {
   std::vector<scene::Override> changes = o.scene.changes();
   if (o.rule) changeRule(o, changes);
-  // A model with an animation is still one picture if the output has one name.
+  // A model with an animation is rendered as a single picture if the output is a single picture file.
   const std::string ending = lowerExtension(o.output);
   const bool onePicture = sim::isMeshFile(o.scene.file) && !o.frames && !o.scene.turn &&
                           (ending == ".png" || ending == ".exr") && o.output.find('#') == std::string::npos;
@@ -130,7 +130,7 @@ void render(const RenderOptions& o) {
   if (o.cluster.slurm || !o.cluster.scratch.empty())
     fail(ExitCode::usage, "--slurm and --scratch go with --pieces");
   frame::Progress progress(frame::parseProgressMode(o.progress));
-  // Throws for an invalid output name before a device starts.
+  // This throws for an invalid output name before a device starts.
   batch::RenderJob job(requestOf(o));
   frame::catchInterrupts();
   frame::interruptFrames();
@@ -149,7 +149,7 @@ void render(const RenderOptions& o) {
   } catch (const UserError& error) {
     const int signal = frame::interruptSignal();
     if (signal == 0 || error.code() != ExitCode::inputOutput) throw;
-    printError(error);  // error caused by the signal, so the exit code is the signal's
+    printError(error);  // The signal caused the error, so the exit code is that of the signal.
     return setExitCode(128 + signal);
   }
   info("{}", frame::closingLine(result.frames, result.seconds, result.stages, job.summary()));

@@ -1,4 +1,4 @@
-// simreel reproduce: checks that a picture is what its scene gives.
+// simreel reproduce: checks that rendering a picture's scene again gives the same picture.
 #include "batch/reproduce/reproduce.hpp"
 
 #include "base/error.hpp"

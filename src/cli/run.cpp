@@ -34,16 +34,16 @@ int print(const std::string& message, ExitCode code) {
   return print(UserError(code, message));
 }
 
-/// Opens /dev/null on descriptors 0 to 2 that the caller closed. Otherwise the next opened file would get
-/// such a descriptor, and messages would be written into that file. /dev/null is opened read-only, so that
-/// writing fails as on the closed descriptor.
+/// Opens /dev/null on those of the descriptors 0 to 2 that the caller closed. Otherwise a file opened later
+/// would get such a descriptor, and messages would be written into that file. /dev/null is opened
+/// read-only, so that writing fails as on a closed descriptor.
 void holdStandardDescriptors() {
   for (int descriptor = 0; descriptor <= 2; ++descriptor)
     if (::fcntl(descriptor, F_GETFD) < 0) (void)::open("/dev/null", O_RDONLY);
 }
 
-/// Flushes standard output and returns the exit code. A full disk is only detected here, because text waits
-/// in the buffer until then.
+/// Flushes standard output and returns the exit code. A full disk is detected only by the flush, because
+/// text stays in the buffer until then.
 int flushed(int code) {
   std::cout.flush();
   const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();
@@ -51,8 +51,8 @@ int flushed(int code) {
   return print("cannot write to standard output", ExitCode::inputOutput);
 }
 
-/// True if the arguments contain --progress=ndjson. Scanned before the command line is parsed, so that
-/// parse errors are reported as NDJSON too.
+/// True if the arguments contain --progress=ndjson. Called before the command line is parsed, so that parse
+/// errors are also reported as NDJSON.
 bool asksForNdjson(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string_view word = argv[i];
@@ -117,7 +117,7 @@ int runCommand(int argc, char** argv) {
   }
 }
 
-/// Runs the command and turns every exception, including exceptions during setup, into one line and an exit
+/// Runs the command and converts every exception, including those during setup, to one line and an exit
 /// code.
 int explained(int argc, char** argv) {
   try {
@@ -125,7 +125,7 @@ int explained(int argc, char** argv) {
     return runCommand(argc, argv);
   } catch (const UserError& error) {
     return print(error);
-  } catch (const frame::Interrupted& interrupted) {  // while a command made its world
+  } catch (const frame::Interrupted& interrupted) {  // The interrupt came while a command built its world.
     info("simreel: interrupted");
     return 128 + interrupted.signal;
   } catch (const std::bad_alloc&) {

@@ -17,12 +17,12 @@ void takeStackRoom(char** arguments) {
   const rlim_t before = room.rlim_cur;
   // NOLINTNEXTLINE(concurrency-mt-unsafe): no other thread runs yet.
   if (std::getenv(again) == nullptr) {
-    // Raises both limits if that is allowed, else the soft limit as far as the hard limit permits.
+    // `most` raises both limits if that is allowed. `some` raises the soft limit as far as the hard limit
+    // permits.
     const rlimit most{good, std::max(good, room.rlim_max)},
         some{std::min(good, room.rlim_max), room.rlim_max};
     if (::setrlimit(RLIMIT_STACK, &most) != 0) static_cast<void>(::setrlimit(RLIMIT_STACK, &some));
-    // The new limit takes effect in a new process image, because thread stacks get the size of the limit at
-    // program start.
+    // The program restarts because the limit at program start determines the size of thread stacks.
     if (::getrlimit(RLIMIT_STACK, &room) == 0 && room.rlim_cur > before) {
       ::setenv(again, "1", 1);  // NOLINT(concurrency-mt-unsafe)
       ::execv("/proc/self/exe", arguments);

@@ -30,7 +30,7 @@ std::string variable(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-/// Returns the cache folder; empty if there is no cache.
+/// Returns the cache folder, or an empty path if caching is off.
 fs::path folder() {
   if (!variable("SIMREEL_GLSL").empty()) return {};
   const std::string own = variable("XDG_CACHE_HOME"), home = variable("HOME");
@@ -38,7 +38,8 @@ fs::path folder() {
   return home.empty() ? fs::path() : fs::path(home) / ".cache/simreel";
 }
 
-/// Identifies this build of the program, because builds of the same version may generate different GLSL.
+/// Returns text that identifies this build of the program, because builds of the same version may generate
+/// different GLSL.
 std::string program() {
   std::error_code error;
   const fs::path file = fs::canonical("/proc/self/exe", error);
@@ -92,7 +93,7 @@ std::optional<Shader> cachedShader(const Request& request) {
       if (hashOf(shader.files[i]) != hashes[i]) return std::nullopt;
     return shader;
   } catch (const std::exception&) {
-    return std::nullopt;  // no entry, or a damaged one
+    return std::nullopt;  // The entry is missing or damaged.
   }
 }
 
@@ -105,7 +106,7 @@ void keepShader(const Request& request, const Shader& shader) {
     writeFileAtomically(entryOf(request), entry.dump(), NameSync::later);
     removeOldest(folder());
   } catch (const std::exception&) {
-    return;  // the next run compiles again
+    return;  // Nothing was stored, so the next run compiles again.
   }
 }
 

@@ -6,12 +6,12 @@
 
 namespace simreel::kernels {
 
-/// Returns the cached result of an equal request with unchanged files, from the user's cache folder
-/// ($XDG_CACHE_HOME/simreel, else ~/.cache/simreel). Returns nothing if there is no such entry or
+/// Returns the cached result of an equal request whose files have not changed. The cache is in the user's
+/// folder $XDG_CACHE_HOME/simreel or ~/.cache/simreel. Returns nullopt if there is no such entry or
 /// $SIMREEL_GLSL is set.
 [[nodiscard]] std::optional<Shader> cachedShader(const Request& request);
-/// Stores a shader in the cache. A folder that is not writable is no error. If the cache exceeds 64 MiB,
-/// the oldest entries are deleted.
+/// Stores a shader in the cache. A folder without write permission is not an error. If the cache exceeds 64
+/// MiB, the oldest entries are deleted.
 void keepShader(const Request& request, const Shader& shader);
 
 }  // namespace simreel::kernels

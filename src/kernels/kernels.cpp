@@ -37,7 +37,7 @@ namespace simreel::kernels {
 
 namespace {
 
-/// Compiles a kernel, adds loop limits, replaces inexact operations, and optimizes the module with
+/// Compiles a kernel, limits its loops, replaces inexact operations, and optimizes the module with
 /// SPIRV-Tools.
 Module prepared(Files& files, const Unit& unit, const Request& request, Report* report) {
   const bool hlsl = unit.language == Language::hlsl;
@@ -67,8 +67,8 @@ Module prepared(Files& files, const Unit& unit, const Request& request, Report* 
   return hlsl && request.maxIterations != 0 && keepsUnrolled(plain) ? made(true) : plain;
 }
 
-/// Marks the buffers that the runtime provides (reports, previous states, shadows) and sets the guard
-/// counts.
+/// Marks the buffers that the runtime provides (reports, previous states, shadows) and sets the numbers of
+/// guard elements.
 void describeGuards(Kernel& kernel, bool fast) {
   for (Buffer& buffer : kernel.buffers) {
     if (buffer.name == reportBlock) kernel.report = buffer.binding;
@@ -122,7 +122,7 @@ Kernel lowered(Files& files, const Unit& unit, const Request& request) {
   return kernel;
 }
 
-/// Returns the announced kernels that the request selects, in the file's order.
+/// Returns the declared kernels that the request selects, in the file's order.
 std::vector<Announced> wanted(const Announcements& announced, const Request& request) {
   if (announced.kernels.empty())
     fail(ExitCode::usage,

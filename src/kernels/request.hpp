@@ -5,28 +5,31 @@
 
 namespace simreel::kernels {
 
-/// Races of a dispatch are found in two runs from the same state: `record` stores in shadow buffers which
-/// invocation changed each word (Buffer::shadowOf), `check` compares each access with the shadows.
+/// Mode of the search for races. A dispatch runs twice from the same state. `record` stores in shadow
+/// buffers which invocation changed each word (Buffer::shadowOf). `check` compares each access with the
+/// shadows.
 enum class Race { none, record, check };
 
 struct Request {
   std::filesystem::path file;
-  std::vector<std::filesystem::path> folders;  ///< folders for #include, in addition to the file's own
+  std::vector<std::filesystem::path> folders;  ///< folders for #include, in addition to the file's folder
   std::vector<std::string> kernels;            ///< names of the selected kernels; empty: all
   std::vector<std::string> keywords;           ///< selected keywords of multi_compile
-  bool fast = false;                           ///< compiles the shader as written, without exact operations
+  bool fast = false;                           ///< true to compile the shader as written, without exact
+                                               ///< operations
   /// Name of the pass for a ShaderToy file, which has mainImage() instead of a kernel. The pass writes the
-  /// image PASS_Output and reads PASS_Channel0 to PASS_Channel3. Empty: not a ShaderToy file.
+  /// image PASS_Output and reads PASS_Channel0 to PASS_Channel3. Empty for other files.
   std::string pass;
   bool upsideDown = false;  ///< true if the first row of PASS_Output is the top one
-  /// Records faults in the block Kernel::report: out-of-bounds reads and writes (unless `fast`), and loops
-  /// that reach the limit.
+  /// True to record faults in the block Kernel::report: out-of-bounds reads and writes (unless `fast`), and
+  /// loops that reach the limit.
   bool report = false;
-  unsigned maxIterations = 0;  ///< max iterations of a loop; longer loops are ended; 0: no limit
-  /// Names of buffers. A kernel that reads and writes one of them reads its state from before the dispatch,
-  /// from a separate buffer (Buffer::previousOf). Atomic operations on it are errors.
+  unsigned maxIterations = 0;  ///< max iterations of a loop; longer loops are stopped; 0: no limit
+  /// Names of buffers whose reads are redirected. A kernel that both reads and writes such a buffer reads
+  /// the state from before the dispatch, from a separate buffer (Buffer::previousOf). Atomic operations on
+  /// it are errors.
   std::vector<std::string> previous;
-  /// `check` reports only races, whatever `report` is.
+  /// Search for races. `check` reports only races, whatever the value of `report`.
   Race race = Race::none;
 };
 

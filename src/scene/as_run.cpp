@@ -18,7 +18,8 @@ namespace simreel::scene {
 
 namespace {
 
-/// Top-level members of a scene that no simulation depends on. Exception: a camera with damping.
+/// Top-level members of a scene that the simulation does not depend on. A camera with damping is an
+/// exception, because its lag is part of the simulation's state.
 constexpr std::array<std::string_view, 9> drawingMembers = {"$schema", "title",  "render", "camera", "sun",
                                                             "sky",     "lights", "test",   "checks"};
 
@@ -84,8 +85,8 @@ bool isDamped(const Node& group) {
   return damping != nullptr && !(damping->kind == Node::Kind::number && damping->number == 0);
 }
 
-/// Reduces the scene's camera to the members that determine state carried from frame to frame: a damped
-/// "target", "track" or "follow". Removes a camera without damping.
+/// Reduces the scene's camera to the members that determine its lag, which is carried from frame to frame:
+/// a damped "target", "track" or "follow". Removes a camera without damping.
 void leaveLag(Node& root) {
   Node* camera = root.find("camera");
   if (camera == nullptr) return;

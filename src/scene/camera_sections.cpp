@@ -16,8 +16,8 @@ void describeDamping(Fields& fields, double& damping, const char* what) {
                  fmt::format("a damping of {:g} s is none; give 0, or {} s at least", damping, least));
 }
 
-/// Warns if the target of a stationary camera lies outside its near and far distance, because it is not
-/// drawn.
+/// Warns if the target of a stationary camera lies outside the camera's near and far distance, because the
+/// target is then not drawn.
 void remarkReach(Fields& fields, const Camera& camera) {
   const bool placed = fields.given("position") || (fields.given("target") && fields.version() == 1);
   if (camera.follow || camera.track || camera.gltf || camera.orbit || !placed || camera.position.moves() ||

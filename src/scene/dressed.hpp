@@ -5,12 +5,13 @@
 
 namespace simreel::scene {
 
-/// Interface of parameters of objects that have a look of their own.
+/// Interface of the parameters of objects that bring a finish of their own.
 class Dressed {
  public:
   virtual ~Dressed() = default;
   /// Returns the finish that the object has on a stage: roughness, translucency, sheen, clear coat, and
-  /// normals with their `textureScale`. The scene's own material keys replace them. nullopt: the stage's.
+  /// normals with their `textureScale`. Keys of the scene's material replace parts of this finish. Returns
+  /// nullopt if the object uses the stage's finish.
   [[nodiscard]] virtual std::optional<Material> look() const = 0;
 };
 

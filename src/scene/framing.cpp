@@ -17,8 +17,8 @@ namespace simreel::scene {
 
 namespace {
 
-/// Returns the unit vector from the target to the camera. Flat boxes are seen from above; tall boxes almost
-/// level and slightly from the side, so that their depth shows.
+/// Returns the unit vector from the target to the camera. The camera sees flat boxes from above. It sees
+/// tall boxes almost level and slightly from the side, so that their depth shows.
 glm::vec3 backFrom(const Box& box) {
   const glm::vec3 extent = box.max - box.min;
   const bool tall = extent.y > 0.5F * std::max(extent.x, extent.z);
@@ -31,7 +31,7 @@ void addCorners(const Box& box, std::vector<glm::vec3>& points) {
                         (i & 4) == 0 ? box.min.z : box.max.z);
 }
 
-/// Appends 124 points of the ellipsoid inscribed in the box, roughly evenly distributed.
+/// Appends 124 points on the surface of the ellipsoid inscribed in the box, roughly evenly distributed.
 void addEllipsoid(const Box& box, std::vector<glm::vec3>& points) {
   constexpr int reach = 2;
   for (int x = -reach; x <= reach; ++x)
@@ -42,8 +42,8 @@ void addEllipsoid(const Box& box, std::vector<glm::vec3>& points) {
                            0.5F * (box.max - box.min) * (way / glm::length(way)));
 }
 
-/// View from direction `back` (unit vector from target to camera). `wide` and `high` are the tangents of
-/// the half angles of view.
+/// Orientation and angles of view of a camera. `back` is the unit vector from target to camera. `wide` and
+/// `high` are the tangents of the half angles of view.
 struct Look {
   glm::vec3 back, right, up;
   float wide, high;
@@ -84,8 +84,8 @@ glm::vec3 centred(const Look& look, glm::vec3 target, const std::vector<glm::vec
   return target;
 }
 
-/// Returns all points that must be in view: outermost points if given, else points of the ellipsoid in a
-/// round box, else the box's corners.
+/// Returns all points that must be in view. An object contributes its outermost points if it has them, else
+/// points of the ellipsoid in a round box, else the box's corners.
 std::vector<glm::vec3> pointsOf(const std::vector<Framed>& framed) {
   std::vector<glm::vec3> points;
   for (const Framed& one : framed)
@@ -101,7 +101,7 @@ bool hasPoints(const std::vector<Framed>& framed) {
 }
 
 constexpr float stageLens = 26.0F;  // vertical angle of view on a stage, in degrees
-/// Returns the fraction of the picture's half height and half width that the objects may fill.
+/// Returns the fraction of the picture's width and height that the objects may fill.
 float taken(const Scene& scene) {
   return scene.staged ? 0.8F : 0.92F;
 }
@@ -118,8 +118,8 @@ Look lookFrom(const glm::vec3& back, const Scene& scene) {
   return look;
 }
 
-/// Gives an orthographic camera the height that a perspective camera shows at `distance`. Does nothing if
-/// the scene gives the height.
+/// Gives an orthographic camera the view height that a perspective camera shows at `distance`. Does nothing
+/// if the scene gives the height.
 void showAsMuch(Camera& camera, float distance) {
   if (camera.projection != Projection::orthographic || camera.hasHeight) return;
   const double half = 0.5 * static_cast<double>(glm::radians(camera.fieldOfView.at(0)));
@@ -131,8 +131,8 @@ void reach(Camera& camera, float distance, float nearest, bool staged) {
   camera.far = std::max(camera.far, (staged ? 12.0F : 4.0F) * distance);
 }
 
-/// Returns the place that the scene has the camera look at: its target, or the middle of the object that it
-/// tracks, over its whole motion; nullopt: none.
+/// Returns the point that the scene aims the camera at: its target, or the middle of the extent that the
+/// tracked object has over its whole motion. Returns nullopt if the scene gives neither.
 std::optional<glm::vec3> aimOf(const Scene& scene) {
   const Camera& camera = scene.camera;
   if (camera.aimed) return camera.target.at(0);
@@ -144,8 +144,8 @@ std::optional<glm::vec3> aimOf(const Scene& scene) {
   return std::nullopt;
 }
 
-/// Places an orbiting camera: the target is the middle of all extents or of the tracked object, and the
-/// distance keeps all points in view at every turn and at every elevation key.
+/// Places an orbiting camera. The target is the middle of all extents or of the tracked object. The
+/// distance keeps all points in view at every angle of the orbit and at every key of the elevation.
 void frameOrbit(Scene& scene, const std::vector<Framed>& framed) {
   Camera& camera = scene.camera;
   if (scene.staged && !camera.hasAngle) camera.fieldOfView = stageLens;

@@ -8,7 +8,7 @@ namespace simreel::scene {
 /// Extent of an object that an automatically placed camera must show.
 struct Framed {
   Box box;
-  std::vector<glm::vec3> points = {};  ///< outermost points in metres; empty: use the box
+  std::vector<glm::vec3> points = {};  ///< outermost points in metres; if empty, `box` is used
 };
 
 /// Returns the extent to show, or nullopt if the object's parameters give none (Parameters::framed).
@@ -19,8 +19,8 @@ struct Framed {
 [[nodiscard]] Box boxAround(const std::vector<Framed>& framed);
 
 /// If the scene does not place its camera, places it so that all extents are in view with a margin. Flat
-/// scenes are seen from above and in front, tall scenes almost level and slightly from the side. On a
-/// stage, the camera looks from a corner through a longer lens, and the visible extent is centred.
+/// scenes are seen from the front and above, tall scenes almost level and slightly from the side. On a
+/// stage, the camera looks diagonally through a longer lens, and the visible extent is centred.
 void frameObjects(Scene& scene, const std::vector<Framed>& framed);
 
 /// Returns the unit vector from the objects on a stage to the camera.

@@ -3,11 +3,11 @@
 
 namespace simreel::scene {
 
-/// Interface of parameters of objects that are written over the picture.
+/// Interface of the parameters of objects that write or draw over the picture, such as text.
 class Inked {
  public:
   virtual ~Inked() = default;
-  /// Sets the linear RGB colour of the writing unless the scene gives one.
+  /// Sets the linear RGB colour of the text and lines unless the scene gives one.
   virtual void ink(const glm::vec3& color) = 0;
 };
 

@@ -6,8 +6,8 @@
 
 namespace simreel::scene {
 
-/// Returns advice for a key of an object that is no kind: a key of materials, another word for a kind, or
-/// the most similar kind.
+/// Returns advice for an object's key that is not the name of a kind. The advice differs for a key of
+/// materials, a synonym of a kind and a misspelt kind.
 [[nodiscard]] std::string hintForKind(const std::string& key, std::span<const Kind> kinds);
 
 }  // namespace simreel::scene

@@ -12,20 +12,21 @@
 namespace simreel::scene {
 
 inline constexpr std::size_t maxLights = 256;
-/// Each shadowed light draws all shadow casters six times, once for each of its shadow maps.
+/// Max number of lights with shadows. Each of these lights draws all shadow casters six times, once for
+/// each of its shadow maps.
 inline constexpr std::size_t maxShadowedLights = 8;
 
-/// Temperatures in kelvin for which the colour of a black body is defined (draw/black_body.hpp).
+/// Range of temperatures in kelvin for which the colour of a black body is defined (draw/black_body.hpp).
 inline constexpr Range blackBodyRange{1667, 25000};
 /// Declares "temperature", which sets a light's colour in place of "color".
 void describeTemperature(Fields& fields, std::optional<double>& temperature);
 
-/// Flicker of a flame: smooth noise over time (draw/lights/flicker.hpp).
+/// Flicker of a flame's light: smooth noise over time (draw/lights/flicker.hpp).
 struct Flicker {
-  Animated<float> amount = 0.3F;  ///< fraction of the intensity that flickers
-  /// Distance in metres by which a flickering light moves around its position.
+  Animated<float> amount = 0.3F;  ///< fraction of the intensity that varies
+  /// Max distance in metres between a flickering light and its mean position.
   Animated<float> sway = 0.0F;
-  float rate = 5.0F;  ///< frequency of the flicker: changes per second
+  float rate = 5.0F;  ///< frequency of the flicker in changes per second
   void describe(Fields& fields);
 };
 
@@ -33,7 +34,8 @@ struct Flicker {
 struct Spot {
   Animated<glm::vec3> target = glm::vec3(0, 0, 0);  ///< point that the cone's axis points at
   Animated<float> angle = 45.0F;                    ///< full angle of the cone in degrees
-  Animated<float> softness = 0.2F;  ///< fraction of the angle over which the light fades towards the edge
+  Animated<float> softness = 0.2F;  ///< fraction of the cone angle over which the light fades towards the
+                                    ///< edge
   void describe(Fields& fields);
 };
 
@@ -45,7 +47,8 @@ struct Area {
   void describe(Fields& fields);
 };
 
-/// Light at a position in the scene. Parameters of only one type are in the group named after that type.
+/// Light at a position in the scene. Parameters that only one type uses are in the member named after that
+/// type.
 struct Light {
   enum class Type { point, spot, area };
   /// Unit of the intensity: luminous intensity, luminous flux, or radiant flux.
@@ -55,7 +58,8 @@ struct Light {
   Spot spot;  ///< parameters of a spot light, used if `type` is spot
   Area area;  ///< parameters of an area light, used if `type` is area
   Animated<glm::vec3> position = glm::vec3(0, 1, 0);
-  std::optional<PathPlace> follow;  ///< replaces `position`; the light is off while the path does not exist
+  std::optional<PathPlace> follow;  ///< position on a path, which replaces `position`; the light is off
+                                    ///< while the path does not exist
   Animated<glm::vec3> color = glm::vec3(1, 0.72F, 0.42F);  ///< colour of the light, linear RGB
   /// Black-body temperature in kelvin, which sets the colour in place of `color`.
   std::optional<double> temperature;
@@ -63,7 +67,7 @@ struct Light {
   Animated<float> intensity = 20.0F;  ///< intensity in `unit`, for the colour (1, 1, 1)
   Animated<float> radius = 0.05F;     ///< radius of the luminous ball in metres
   float range = 0.0F;                 ///< metres beyond which the light has no effect; 0: unlimited
-  Animated<float> glow = 1.0F;        ///< factor on the brightness of the ball as seen by the camera
+  Animated<float> glow = 1.0F;        ///< factor on the brightness of the luminous ball in the picture
   std::optional<Flicker> flicker;
   bool shadow = true;
   int shadowSize = 512;         ///< side of each of the six shadow maps in texels

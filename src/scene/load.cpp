@@ -29,7 +29,7 @@ namespace simreel::scene {
 
 namespace {
 
-/// Gives an object the skin that its parameters imply.
+/// Gives an object the default skin that its parameters name, if any.
 void giveSkin(Object& object) {
   const auto* papered = dynamic_cast<const Papered*>(object.parameters.get());
   const std::string field = papered == nullptr ? "" : papered->fieldShown(object.name);
@@ -40,7 +40,7 @@ void giveSkin(Object& object) {
   object.material.skin->bump = 0;
 }
 
-/// Reads one object: exactly one member that names its kind, and an optional material.
+/// Reads one object: exactly one member whose name is a kind, and an optional material.
 Object readObject(const Node& node, ReadContext context, std::span<const Kind> kinds) {
   Object object;
   object.name = node.key;
@@ -101,7 +101,7 @@ const Node* memberOf(const Node& node, const std::string& key) {
                                                                                    : nullptr;
 }
 
-/// Last node that the scene gives on a path below an object.
+/// Deepest node that the scene gives on a path below an object.
 struct PathEnd {
   const Node* node;
   bool whole;  ///< true if the scene gives the whole path
@@ -143,8 +143,8 @@ void readObjects(const Node& node, ReadContext context, const Kinds& kinds, std:
               });
 }
 
-/// Returns the scene's version; nullopt, with an error, if this program cannot read it. A missing version
-/// is an error, too, but reading goes on.
+/// Returns the scene's version. Reports an error and returns nullopt if this program cannot read that
+/// version. Reports an error but returns a version if the scene does not give one.
 std::optional<int> versionOf(const Node* version, const Node& root, Diagnostics& diagnostics) {
   if (version == nullptr) {
     diagnostics.add(root.headPlace(),
@@ -159,10 +159,10 @@ std::optional<int> versionOf(const Node* version, const Node& root, Diagnostics&
   return std::nullopt;
 }
 
-/// Files that a scene's text and its sidecar's text come from.
+/// Source files of a scene's text and its sidecar's text.
 struct Sources {
   std::string file;
-  std::string sidecar;    ///< path of the sidecar, even if there is no such file
+  std::string sidecar;    ///< path of the sidecar, which need not exist
   int sidecarNumber = 0;  ///< source number of the sidecar's text; 0: no sidecar was read
 };
 
@@ -206,8 +206,8 @@ bool changesTime(std::span<const Override> overrides) {
   });
 }
 
-/// Reads the glTF file of the scene's camera. The file's angle of view, near and far distance apply if the
-/// scene gives none.
+/// Reads the glTF file of the scene's camera. Takes the angle of view and the near and far distance from
+/// the file if the scene does not give them.
 void openCamera(const Node& root, ReadContext context, const Kinds& kinds, Camera& camera) {
   const Node* section = root.find("camera");
   const Node* group = section == nullptr ? nullptr : section->find("gltf");
@@ -220,7 +220,7 @@ void openCamera(const Node& root, ReadContext context, const Kinds& kinds, Camer
     context.diagnostics.add(group->place(), error.what());
     return;
   }
-  const Node* wrong = nullptr;  // member that the file's type of camera does not support
+  const Node* wrong = nullptr;  // member that has no effect for the file's type of camera
   if (const std::optional<double> height = gltf.shot->height()) {
     camera.projection = Projection::orthographic;
     if (!camera.hasHeight) camera.height = static_cast<float>(*height);
@@ -244,9 +244,9 @@ void openCamera(const Node& root, ReadContext context, const Kinds& kinds, Camer
                                       camera.near, camera.far));
 }
 
-/// Checks that the object name in `group` ("track" or "follow") of `owner` exists. The group may be an
-/// object or, as a shorthand, the name itself. "track" rejects objects that are drawn over the picture and
-/// have no place in the world.
+/// Checks that an object with the name in `group` ("track" or "follow") of `owner` exists. The group may be
+/// an object or, as a shorthand, the name itself. "track" rejects objects that are drawn over the picture,
+/// because they have no position in the world.
 void checkObjectNamed(const Node* owner, const char* group, const std::string& name, const char* kind,
                       const std::vector<Object>& objects, Diagnostics& diagnostics) {
   std::vector<std::string> names;
@@ -284,7 +284,7 @@ void checkFollowed(const Node& root, const Scene& scene, Diagnostics& diagnostic
                        diagnostics);
 }
 
-/// Notes the paths of sun, sky, ground and lights that the scene gives.
+/// Records which members of sun, sky, ground and lights the scene gives.
 void noteSurroundings(const Node& root, Stage& stage) {
   for (const char* name : {"sun", "sky", "ground", "lights"}) {
     const Node* section = root.find(name);
@@ -294,7 +294,7 @@ void noteSurroundings(const Node& root, Stage& stage) {
   }
 }
 
-/// Reads a scene from its JSON tree. `heldToLength`: test frames beyond the scene's end are errors.
+/// Reads a scene from its JSON tree. `heldToLength`: true if test frames after the scene's end are errors.
 void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool heldToLength, Scene& scene) {
   if (!ValueReader("", context.diagnostics).expect(root, Node::Kind::object, "a scene in { }")) return;
   const Node* versionNode = root.find("version");
@@ -303,10 +303,10 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
   if (!version) return;
   context.version = *version;
   Reader fields(&root, root.headPlace(), context);
-  static_cast<void>(fields.consume("version"));  // read above
+  static_cast<void>(fields.consume("version"));  // The version has been read above.
   const std::size_t errorsBefore = context.diagnostics.count();
   describeScene(fields, scene);
-  // If a value had an error, the scene's length is not reliable, so frames are not checked against it.
+  // The length of a scene with errors is not reliable, so test frames are then not checked against it.
   const bool lengthKnown = heldToLength && context.diagnostics.count() == errorsBefore;
   const Node* objects = fields.consume("objects");
   if (objects != nullptr) readObjects(*objects, context, kinds, scene.objects);
@@ -318,7 +318,8 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
   if (context.diagnostics.count() == 0) {
     noteSurroundings(root, scene.stage);
     const bool staged = scene.stage.preset != Stage::Preset::none;
-    // Computing extents may read mesh files and subdivide meshes, so it is done only if they are needed.
+    // Computing extents may read mesh files and subdivide meshes, so it is skipped unless the extents are
+    // needed.
     std::vector<Framed> framed;
     if (staged || !scene.camera.placed) framed = framedObjects(scene);
     if (staged) setStage(scene, framed, *version);
@@ -332,19 +333,20 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
   fields.idleUnless(scene.render.quality == Quality::standard, "render.quality", {"render.occlusionRadius"},
                     "\"quality\": \"standard\"");
   describeTests(fields, scene, lengthKnown ? std::optional(scene.frameCount()) : std::nullopt);
-  std::string schemaAddress;  // address of the schema, used only by text editors
+  std::string schemaAddress;  // Address of the schema. Only text editors use it.
   fields.text("$schema", schemaAddress, "");
   fields.finish();
 }
 
-/// Inputs for reading a scene besides its text.
+/// Inputs for reading a scene, in addition to its text.
 struct With {
   std::span<const Override> overrides;
   const Kinds& kinds;
   std::span<const std::filesystem::path> folders;
 };
 
-/// Returns a hash of a file's bytes; empty for a file that cannot be read, which its reader reports.
+/// Returns a hash of a file's bytes, or an empty string for a file that cannot be read. The file's reader
+/// reports the error.
 std::string contentHash(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) return {};
@@ -393,7 +395,8 @@ Scene parse(std::string_view text, const std::filesystem::path& file, const std:
 Scene parseScene(std::string_view text, const std::filesystem::path& file,
                  std::span<const Override> overrides, const Kinds& kinds,
                  std::span<const std::filesystem::path> folders) {
-  // An override may shorten the scene. Test frames beyond its end are then no error, because no test runs.
+  // An override may shorten the scene. Test frames after the new end are not errors then, because no test
+  // runs.
   return parse(text, file, nullptr, {overrides, kinds, folders}, !changesTime(overrides));
 }
 

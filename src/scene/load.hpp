@@ -7,9 +7,9 @@
 
 namespace simreel::scene {
 
-/// Reads and checks a scene. The file "-" is standard input; its folder is the current one. The scene may
-/// name files below its own folder, `folders` and the asset folder. Throws UserError(usage) with *all*
-/// errors in its message, each as "file:line:column: error: text", the source line and a caret.
+/// Reads and checks a scene. The file "-" is standard input, whose folder is the current directory. The
+/// scene may name files below its own folder, `folders` and the asset folder. Throws UserError(usage) with
+/// *all* errors in its message, each as "file:line:column: error: text", the source line and a caret.
 [[nodiscard]] Scene loadScene(const std::filesystem::path& file, std::span<const Override> overrides,
                               const Kinds& kinds, std::span<const std::filesystem::path> folders = {});
 /// Does the same as loadScene() for scene text. `file` names the text in messages and locates assets.
@@ -20,10 +20,10 @@ namespace simreel::scene {
 /// Returns the path of the sidecar, a file beside a scene that can hold its tests: flag.test.json for
 /// flag.json.
 [[nodiscard]] std::filesystem::path sidecarOf(const std::filesystem::path& sceneFile);
-/// Loads a scene for testing, like loadScene(). If the sidecar exists, its "test" and "checks" replace the
-/// scene's own, each as a whole; overrides apply last. Errors in the sidecar are reported with its own
-/// file:line:column. Test frames beyond the scene's end are errors even if an override changes the length;
-/// loadScene() allows that.
+/// Loads a scene for testing, like loadScene(). If the sidecar exists, its "test" and "checks" replace
+/// those of the scene, each as a whole. Overrides are applied after that. Errors in the sidecar are
+/// reported at the sidecar's file:line:column. Test frames after the scene's end are errors even if an
+/// override changes the length; loadScene() does not report them in that case.
 [[nodiscard]] Scene loadTestScene(const std::filesystem::path& file, std::span<const Override> overrides,
                                   const Kinds& kinds, std::span<const std::filesystem::path> folders = {});
 

@@ -11,8 +11,8 @@ namespace simreel::scene {
 
 namespace {
 
-/// Returns 98 unit vectors, roughly evenly distributed: from the middle of a cube of 5 x 5 x 5 cells to the
-/// other cells, each direction once.
+/// Returns 98 unit vectors, roughly evenly distributed. They point from the middle of a cube of 5 x 5 x 5
+/// cells to the other cells; parallel vectors are included only once.
 std::vector<glm::vec3> directions() {
   constexpr int reach = 2;
   std::vector<glm::vec3> ways;
@@ -37,7 +37,7 @@ std::vector<glm::vec3> outermost(std::span<const glm::vec3> points, double stray
   std::vector<std::pair<float, const glm::vec3*>> ranks(points.size());
   for (const glm::vec3& way : directions()) {
     for (std::size_t i = 0; i < points.size(); ++i) ranks[i] = {glm::dot(points[i], way), &points[i]};
-    // Coordinates break ties, so that the result does not depend on the order of the points.
+    // Ties are broken by the coordinates, so that the result does not depend on the order of the points.
     const auto wanted = ranks.begin() + static_cast<std::ptrdiff_t>(skipped);
     std::nth_element(ranks.begin(), wanted, ranks.end(), [](const auto& a, const auto& b) {
       return a.first != b.first ? a.first > b.first : comesFirst(*a.second, *b.second);

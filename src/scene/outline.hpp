@@ -6,19 +6,21 @@
 
 namespace simreel::scene {
 
-/// Interface of parameters that describe the object's extent more tightly than a box (Parameters::framed).
+/// Interface of parameters that describe the object's extent more closely than the box of
+/// Parameters::framed.
 class Outlined {
  public:
   virtual ~Outlined() = default;
-  /// Returns points (metres) whose convex hull contains the object at all times. Empty: use the box.
+  /// Returns points (metres) whose convex hull contains the object at all times. Returns an empty list if
+  /// the box must be used.
   [[nodiscard]] virtual std::vector<glm::vec3> outline() const = 0;
 };
 
 /// Returns the farthest point in each of 98 directions, moved outwards by `beyond` metres. For points on a
-/// ball, the hull of the result lies at most 5% of the radius inside it. In each direction the farthest
-/// points, a fraction `stray` of all (rounded down to a whole number), are skipped, so that a few stray
+/// sphere, the hull of the result lies at most 5% of the radius inside the sphere. In each direction, the
+/// farthest fraction `stray` of the points (rounded down to a whole number) is skipped, so that a few stray
 /// points do not move the camera back. The result depends on the set of points, not on their order. Returns
-/// an empty list for no points.
+/// an empty list if there are no points.
 [[nodiscard]] std::vector<glm::vec3> outermost(std::span<const glm::vec3> points, double stray = 0,
                                                float beyond = 0);
 

@@ -18,8 +18,8 @@ namespace simreel::scene {
 
 namespace {
 
-/// Parses the value as JSON, or takes it as a bare string. A value that begins like a list, object or
-/// string must be valid JSON, so that `[1,2` is an error.
+/// Parses the value as JSON, or uses it as a bare string. A value that begins like a list, object or string
+/// must be valid JSON, so that `[1,2` is an error.
 std::optional<Node> parseValue(const std::string& value, int source, std::size_t base,
                                Diagnostics& diagnostics) {
   const std::size_t first = value.find_first_not_of(' ');
@@ -51,8 +51,8 @@ Node* listItem(Node& list, std::string_view segment, Place place, Diagnostics& d
   return &list.children[index];
 }
 
-/// Returns true, with an error, if an override below a missing member would create an object, a light or a
-/// list item from a part.
+/// Reports an error and returns true if an override of a single member would create a missing object, light
+/// or list item around it.
 bool addsSilently(const Node& object, const std::string& path, std::size_t begin, std::size_t end,
                   int source, Diagnostics& diagnostics) {
   const std::string_view segment = std::string_view(path).substr(begin, end - begin);
@@ -90,7 +90,8 @@ Node* member(Node& object, std::string_view segment, Place place) {
   return &made;
 }
 
-/// True if the path has the form a.b.c; reports an error otherwise. Called before any node is created.
+/// True if the path has the form a.b.c. Otherwise reports an error. Must be called before nodes are
+/// created.
 bool checkPath(const std::string& path, int source, Diagnostics& diagnostics) {
   std::size_t depth = 0;
   for (std::size_t begin = 0; begin <= path.size(); ++depth) {
@@ -153,7 +154,7 @@ void applyOverride(Node& scene, const Override& change, Diagnostics& diagnostics
     return;
   }
   value->key = place->key;
-  // Errors about the key, such as an unknown name, also point into the -D text.
+  // Errors about the key, such as an unknown name, also point into the text of the -D option.
   value->keyBegin = static_cast<std::uint32_t>(dot == std::string::npos ? 0 : dot + 1);
   value->keyEnd = static_cast<std::uint32_t>(change.path.size());
   *place = std::move(*value);

@@ -4,9 +4,9 @@
 
 namespace simreel::scene {
 
-/// Sets the value of one -D override in the tree. Creates missing members on the way; a reader checks their
-/// names later. Does not create objects, lights or list items from a part: they must be given as a whole.
-/// Places of new nodes lie in the override's own text. Reports errors to `diagnostics`.
+/// Sets the value of one -D override in the tree. Creates missing members along the path; a reader checks
+/// their names later. Reports an error if the override would create an object, a light or a list item from
+/// a single member. Places of new nodes lie in the text of the override. Reports errors to `diagnostics`.
 void applyOverride(Node& scene, const Override& change, Diagnostics& diagnostics);
 
 }  // namespace simreel::scene

@@ -3,12 +3,12 @@
 
 namespace simreel::scene {
 
-/// Interface of parameters of objects that may be drawn in the colours of a field.
+/// Interface of the parameters of objects that may be drawn in the colours of a simulated field.
 class Papered {
  public:
   virtual ~Papered() = default;
-  /// Returns the name of the field whose colours the object has if its material has no "skin"; empty: none.
-  /// `object`: name of the object itself.
+  /// Returns the name of the object whose field colours this object if its material has no "skin". Returns
+  /// an empty string if there is none. `object`: name of this object.
   [[nodiscard]] virtual std::string fieldShown(const std::string& object) const = 0;
 };
 

@@ -23,52 +23,55 @@ namespace simreel::scene {
 
 enum class Numerics { exact, fast };
 
-/// Material that is generated from a simulated field and applied to the object's surface.
+/// Material that is generated from a simulated field and drawn on an object's surface.
 struct Skin {
   enum class Look { leather, spots, cracks, map };  ///< `map` shows the field in its own colours
   enum class Projection { uv, triplanar };
   std::string field;  ///< name of the object whose field is used
   Look look = Look::leather;
   Projection projection = Projection::uv;
-  float repeats = 1.0F;  ///< repeats of the field along u and v, or per metre (triplanar)
-  /// Field value between low and high colour; nullopt: default of the look.
+  float repeats = 1.0F;  ///< number of repeats of the field along u and v, or per metre without uv
+                         ///< (triplanar mapping)
+  /// Field value at the boundary between low and high colour. nullopt: default of `look`.
   std::optional<double> threshold;
-  glm::vec3 low{-1};                ///< linear RGB for low field values; negative: default of the look
-  glm::vec3 high{-1};               ///< linear RGB for high field values; negative: default of the look
+  glm::vec3 low{-1};                ///< linear RGB for low field values; negative: default of `look`
+  glm::vec3 high{-1};               ///< linear RGB for high field values; negative: default of `look`
   float bump = 1.0F;                ///< factor on the height of the relief
-  std::optional<double> roughness;  ///< surface roughness; nullopt: default of the look
+  std::optional<double> roughness;  ///< surface roughness; nullopt: default of `look`
   void describe(Fields& fields);
 };
 
 /// Surface with metallic/roughness shading. Colours are linear RGB.
 struct Material {
   glm::vec3 color{0.8F, 0.7F, 0.6F};
-  std::filesystem::path texture;  ///< sRGB image multiplied by the colour; empty: none
-  /// Repeats along u and v, or per metre on surfaces without uv; z is unused.
+  std::filesystem::path texture;  ///< file of an sRGB image that is multiplied by the colour; empty: no
+                                  ///< image
+  /// Number of repeats along u and v, or per metre on surfaces without uv. z is unused.
   glm::vec3 textureScale{1, 1, 1};
   float roughness = 0.8F;
   float metallic = 0.0F;
   float translucency = 0.0F;  ///< fraction of light from behind that shines through
-  float bump = 0.0F;          ///< height in metres of the texture's white above its black
-  bool castsShadow = true;    ///< true: casts shadows in the light of the sun and the lights
-  std::optional<Skin> skin;   ///< live material that replaces colour and roughness
+  float bump = 0.0F;          ///< height in metres of white texels above black texels
+  bool castsShadow = true;    ///< true if the surface casts shadows in the light of the sun and the lights
+  std::optional<Skin> skin;   ///< generated material that replaces colour and roughness
   Finish finish;
   void describe(Fields& fields);
 };
 
 /// Light that scatters around bright areas of the picture.
 struct Bloom {
-  Animated<float> strength = 0.0F;  ///< fraction of the light above the threshold that scatters; 0: off
-  float threshold = 1.0F;           ///< threshold of linear light; only light above it scatters
+  Animated<float> strength = 0.0F;  ///< fraction of the light above the threshold that is scattered; 0:
+                                    ///< bloom is off
+  float threshold = 1.0F;           ///< linear light; only the light above this value is scattered
   float radius = 0.1F;              ///< radius of the scattering as a fraction of the picture's height
   void describe(Fields& fields);
 };
 
-/// Method of drawing. exact: compute kernels with the same bytes on every machine; driver: OpenGL's
-/// rasterizer.
+/// Method of drawing. exact: compute kernels, whose pictures have the same bytes on every machine. driver:
+/// OpenGL's rasterizer.
 enum class Rasterizer { exact, driver };
 
-/// Effort for lighting. draft: direct light and ambient light without occlusion. standard: adds ambient
+/// Quality of lighting. draft: direct light, and ambient light without occlusion. standard: adds ambient
 /// occlusion and screen-space reflections. high: ray tracing.
 enum class Quality { draft, standard, high };
 
@@ -79,17 +82,17 @@ struct Render {
   Rasterizer rasterizer = Rasterizer::exact;
   Quality quality = Quality::draft;
   bool hasQuality = false;  ///< true if the scene gives "quality"
-  /// Radius of ambient occlusion in metres; nullopt: a sixth of the distance to the target.
+  /// Radius of ambient occlusion in metres. nullopt: a sixth of the distance from the camera to the target.
   std::optional<double> occlusionRadius;
-  int raySamples = 64;         ///< light samples per pixel with quality high
+  int raySamples = 64;         ///< number of light samples per pixel with Quality::high
   glm::ivec2 size{1280, 720};  ///< width and height in pixels
-  /// Samples per pixel: 1, 2, 4, 8 or 16; the driver's rasterizer may support only 1 and 4.
+  /// Number of samples per pixel: 1, 2, 4, 8 or 16. The driver's rasterizer may support only 1 and 4.
   int samples = 4;
   Animated<float> exposure = 0.0F;  ///< exposure value (EV); +1 doubles the brightness
   Tone tone = Tone::aces;
   /// White balance in kelvin: light of this black-body colour is shown as white.
   std::optional<Animated<float>> whiteBalance;
-  bool transparent = false;  ///< true: pictures have no background but an alpha channel
+  bool transparent = false;  ///< true: pictures have an alpha channel in place of a background
   float vignette = 0.0F;
   Bloom bloom;
   void describe(Fields& fields);
@@ -104,8 +107,9 @@ struct Time {
 
 /// Camera that moves along a path found by an object.
 struct Follow : PathPlace {
-  float ahead = 4.0F;  ///< metres of path ahead; the camera looks at the mean of its points
-  double damping = 0;  ///< lag of the camera in seconds behind steady motion; 0: none
+  float ahead = 4.0F;  ///< length in metres of the part of the path ahead of the camera; the camera looks
+                       ///< at the mean of its points
+  double damping = 0;  ///< time in seconds that the camera lags behind steady motion; 0: no lag
   void describe(Fields& fields);
 };
 
@@ -113,72 +117,75 @@ struct Follow : PathPlace {
 struct Track {
   std::string object;
   glm::vec3 offset{0};  ///< offset in metres from the object's middle to the point that the camera looks at
-  double damping = 0;   ///< lag of the camera in seconds behind a steadily moving object; 0: none
+  double damping = 0;   ///< time in seconds that the camera lags behind a steadily moving object; 0: no lag
   void describe(Fields& fields);
 };
 
-/// Position and orientation of a camera at one time.
+/// Position and orientation of a camera at one moment.
 struct CameraPose {
   glm::dvec3 eye{0};
   /// Axes of the camera: unit vectors, orthogonal to each other.
   glm::dvec3 right{1, 0, 0}, up{0, 1, 0}, back{0, 0, 1};
 };
 
-/// Camera of a file as a function of time. Several threads may use it at once.
+/// Motion of a camera that comes from a file. Several threads may use one object at once.
 class CameraShot {
  public:
   virtual ~CameraShot() = default;
-  /// Returns the pose at `seconds` of the scene's time.
+  /// Returns the pose at the scene's time `seconds`.
   [[nodiscard]] virtual CameraPose at(double seconds) const = 0;
   /// Vertical angle of view in degrees; only for perspective cameras.
   [[nodiscard]] virtual double fieldOfView() const = 0;
-  /// Height of the view in metres; nullopt: perspective.
+  /// Height of the view in metres; nullopt for a perspective camera.
   [[nodiscard]] virtual std::optional<double> height() const = 0;
-  [[nodiscard]] virtual double near() const = 0;  ///< nearest drawn distance in metres
-  /// Farthest drawn distance in metres; nullopt: unlimited.
+  [[nodiscard]] virtual double near() const = 0;  ///< distance of the near plane in metres
+  /// Distance of the far plane in metres; nullopt: unlimited.
   [[nodiscard]] virtual std::optional<double> far() const = 0;
 };
 
 /// Camera whose pose and motion come from a glTF file.
 struct CameraFile {
   std::filesystem::path file;
-  std::string name;       ///< name of the camera or its node; empty: the file's only camera
-  std::string animation;  ///< name of the animation; empty: the first that moves the camera
+  std::string name;       ///< name of the camera or its node; empty: the only camera of the file
+  std::string animation;  ///< name of the animation; empty: the first animation that moves the camera
   double speed = 1, start = 0;
   bool loop = false;
-  float distance = 6;                    ///< distance of the target along the line of sight, in metres
+  float distance = 6;                    ///< distance from the camera to its target along the line of
+                                         ///< sight, in metres
   bool hasNear = false, hasFar = false;  ///< true if the scene itself gives near or far
   std::shared_ptr<const CameraShot> shot = {};  ///< the file's camera; null until the file has been read
   void describe(Fields& fields);
 };
 
-/// Lens of a camera: objects outside the focus distance are blurred.
+/// f-number (focal length divided by aperture diameter) for a sensor 24 mm high
 struct Lens {
   Animated<float> fNumber = 2.8F;  ///< focal length / aperture diameter, for a picture 24 mm high
-  /// Focus distance in metres along the line of sight; nullopt: distance of the target.
+  /// Focus distance in metres along the line of sight. nullopt: distance of the target.
   std::optional<Animated<float>> focus;
-  int blades = 0;    ///< number of sides of the aperture; 0: round
-  int samples = 32;  ///< number of aperture points; each picture is drawn once for each
+  int blades = 0;    ///< number of sides of the aperture polygon; 0: round aperture
+  int samples = 32;  ///< number of points of the aperture from which each picture is drawn
   void describe(Fields& fields);
 };
 
-/// Exposure time of a picture: objects that move during it are blurred.
+/// Exposure time of a picture. Objects that move during the exposure are blurred.
 struct Shutter {
-  float angle = 180.0F;  ///< exposure time in degrees; 360 is the whole time between two frames
-  int samples = 16;      ///< number of times within the exposure at which each picture is drawn
+  float angle = 180.0F;  ///< exposure time in degrees; 360 is the interval between two frames
+  int samples = 16;      ///< number of moments within the exposure at which each picture is drawn
   void describe(Fields& fields);
 };
 
-/// Camera that orbits its target.
+/// Orbit of a camera around its target.
 struct Orbit {
   Animated<float> turn = 0.0F;        ///< angle about the vertical in degrees, from +z towards +x
-  Animated<float> elevation = 20.0F;  ///< camera angle above the horizon in degrees
+  Animated<float> elevation = 20.0F;  ///< elevation of the camera above the horizon in degrees, seen from
+                                      ///< the target
   Animated<float> distance = 6.0F;    ///< distance from the target in metres
-  bool distanced = false;             ///< true if the scene gives the distance
+  bool distanced = false;             ///< true if the scene gives the distance of the orbit
   void describe(Fields& fields);
 };
 
-/// Camera rays. perspective: all from one point; orthographic: parallel, perpendicular to the picture.
+/// Type of a camera's rays. perspective: all rays start at one point. orthographic: all rays are parallel,
+/// perpendicular to the picture.
 enum class Projection { perspective, orthographic };
 
 struct Camera {
@@ -189,14 +196,15 @@ struct Camera {
   Animated<float> height = 4.0F;  ///< height of an orthographic view in metres
   bool hasHeight = false;         ///< true if the scene gives the height
   Animated<float> roll = 0.0F;    ///< rotation about the line of sight in degrees
-  double damping = 0;  ///< lag of the line of sight in seconds behind a steadily moving `target`; 0: none
+  double damping = 0;  ///< time in seconds that the line of sight lags behind a steadily moving `target`;
+                       ///< 0: no lag
   std::optional<Follow> follow;    ///< camera on a path; replaces position and target
   std::optional<Track> track;      ///< tracked object; replaces target
   std::optional<Orbit> orbit;      ///< orbit around the target; replaces position
   std::optional<CameraFile> gltf;  ///< camera of a glTF file; replaces position and target
   bool placed = false;             ///< true if the scene determines the camera's position or target
-  /// True if the scene gives the target alone; the position follows from the extents of the objects. Since
-  /// version 2 of scenes.
+  /// True if the scene gives the target but not the position, which then follows from the extents of the
+  /// objects. Only scenes since version 2 can do so.
   bool aimed = false;
   bool hasAngle = false;           ///< true if the scene gives the field of view
   std::optional<Lens> lens;        ///< depth of field; nullopt: everything is sharp
@@ -212,7 +220,8 @@ struct Sun {
   /// Black-body temperature in kelvin, which sets the colour in place of `color`.
   std::optional<double> temperature;
   Animated<float> intensity = 4.0F;
-  float diameter = 0.0F;  ///< angular diameter in degrees; penumbras grow with it; 0: they do not grow
+  float diameter = 0.0F;  ///< angular diameter in degrees, which widens penumbras with distance; 0: their
+                          ///< width is constant
   bool shadow = true;
   int shadowSize = 1024;        ///< side of the shadow map in texels
   float shadowSoftness = 1.5F;  ///< radius of the shadow filter in texels
@@ -221,7 +230,8 @@ struct Sun {
 
 /// Ambient light and background: a gradient, or a panorama.
 struct Sky {
-  std::filesystem::path picture;  ///< equirectangular HDR image whose middle lies towards -z; empty: none
+  std::filesystem::path picture;  ///< equirectangular HDR image whose middle lies in direction -z; empty:
+                                  ///< no image
   float strength = 1.0F;          ///< factor on the image's light
   float turn = 0.0F;              ///< rotation of the image about the vertical in degrees
   Animated<glm::vec3> zenith = glm::vec3(0.08F, 0.22F, 0.52F);
@@ -231,24 +241,26 @@ struct Sky {
   void describe(Fields& fields);
 };
 
-/// Ground plane.
+/// true if objects collide with the plane; false for the floor of a stage
 struct Ground {
   bool solid = false;    ///< true if objects collide with it; false for the floor of a stage
   float height = -5.0F;  ///< height of the plane in metres
-  /// Coulomb's coefficient; nullopt: sliding objects lose speed at a rate of 25.3 1/s
+  /// Coulomb's coefficient. nullopt: the speed of sliding objects decays at a rate of 25.3 1/s.
   std::optional<double> friction;
   bool visible = true;
   glm::vec3 color{0.32F, 0.29F, 0.25F};
   float roughness = 0.9F;
-  /// Metres from the camera's target at which the ground starts to fade into the sky.
+  /// Distance in metres from the camera's target at which the ground starts to fade into the sky.
   float fadeStart = 15.0F;
   float fadeEnd = 40.0F;
   void describe(Fields& fields);
 };
 
-/// Source of the values that a scene leaves out of sun, sky, ground, lights and materials (stage.hpp).
+/// Preset that supplies the values that a scene leaves out of sun, sky, ground, lights and materials
+/// (stage.hpp).
 struct Stage {
-  /// `none`: plain defaults. `automatic`: studio, or a dark stage for objects that glow. `hollow`: "void".
+  /// `none`: plain defaults. `automatic`: studio, or a dark stage for objects that glow. `hollow`: the
+  /// preset "void".
   enum class Preset {
     none,
     automatic,
@@ -263,16 +275,18 @@ struct Stage {
   };
   enum class Palette { preset, vivid, earth, pastel, grey, ocean, neon };
   Preset preset = Preset::automatic;
-  Palette palette = Palette::preset;       ///< colours of objects that have none of their own
-  std::optional<glm::vec3> backdrop = {};  ///< linear RGB of floor and background; nullopt: the preset's
-  std::set<std::string, std::less<>> given = {};  ///< paths that the scene gives: "sun", "sun.color"
+  Palette palette = Palette::preset;       ///< colours for objects without a colour in the scene
+  std::optional<glm::vec3> backdrop = {};  ///< linear RGB of floor and background; nullopt: colour of the
+                                           ///< preset
+  std::set<std::string, std::less<>> given = {};  ///< paths of the members that the scene gives, such as
+                                                  ///< "sun" and "sun.color"
   [[nodiscard]] bool leaves(std::string_view path) const { return !given.contains(path); }
   void describe(Fields& fields);
 };
 
 struct Object {
   std::string name;
-  std::string kind;  ///< name of one of the Kinds
+  std::string kind;  ///< name of the object's entry in Kinds::list
   std::unique_ptr<Parameters> parameters;
   Material material;
   std::set<std::string, std::less<>> materialKeys;  ///< keys of the material that the scene gives
@@ -280,16 +294,17 @@ struct Object {
 };
 
 /// Reports an error of an object at the value that `path` names below it. If the scene does not give that
-/// value, the place is the last part of `path` that the scene gives.
+/// value, the error is reported at the last part of `path` that the scene gives.
 using Report = std::function<void(const Object& object, const std::vector<std::string>& path,
                                   const std::string& message)>;
 
-/// All kinds of objects, and checks that involve several objects. `check` receives all objects, also those
-/// with errors (their parameters may be null). Errors that it reports about values with errors are dropped.
+/// All kinds of objects, and checks that involve several objects. `check` receives all objects, including
+/// those with errors, whose parameters may be null. Errors that `check` reports about values that already
+/// have errors are dropped.
 struct Kinds {
   std::span<const Kind> list;
   std::function<void(std::span<const Object>, const Report&)> check = {};
-  /// Reads the file of a camera. Throws UserError; its code is `usage` if the scene's settings do not fit
+  /// Reads the file of a camera. Throws UserError; its code is `usage` if the scene's settings do not suit
   /// the file.
   std::function<std::shared_ptr<const CameraShot>(const CameraFile&)> openCamera = {};
 };
@@ -305,19 +320,20 @@ struct Scene {
   Sky sky;
   Stage stage;
   bool staged = false;    ///< true if the stage supplies the values that the scene leaves out
-  bool surveyed = false;  ///< true if camera and stage were placed after a trial run (sim/world/survey.hpp)
+  bool surveyed = false;  ///< true if camera and stage were placed by a trial run (sim/world/survey.hpp)
   std::optional<Ground> ground;
-  /// Local lights: at most maxLights, of which at most maxShadowedLights cast shadows.
+  /// Lights at positions in the scene: at most maxLights, of which at most maxShadowedLights cast shadows.
   std::vector<Light> lights;
   std::vector<Object> objects;
   Test test;
   std::vector<Check> checks;
   std::vector<std::filesystem::path> files;  ///< resolved paths of the files that the scene names
   std::string filesHash;                     ///< hashes of the contents of `files`
-  std::string hash;                          ///< hash of the text, overrides and named files; 32 digits
+  std::string hash;                          ///< hash of the text, the overrides and the named files as 32
+                                             ///< hexadecimal digits
   std::vector<std::string> overrides;        ///< "path=value" of each override, in the order applied
-  /// Warnings about values without effect. Each is "file:line:column: warning: ...", the source line and a
-  /// caret.
+  /// Warnings about values that have no effect. Each is "file:line:column: warning: ...", the source line
+  /// and a caret.
   std::vector<std::string> remarks;
 
   [[nodiscard]] int frameCount() const;
@@ -325,11 +341,11 @@ struct Scene {
   [[nodiscard]] bool drawsExactly() const {
     return numerics == Numerics::exact && render.rasterizer == Rasterizer::exact;
   }
-  /// Returns the indices of the objects that measure the quantity named by `check`; only `check.object`, if
-  /// given. A valid check has exactly one.
+  /// Returns the indices of the objects that measure the quantity named by `check`, or only of
+  /// `check.object` if it is given. For a valid check, the result has exactly one index.
   [[nodiscard]] std::vector<std::size_t> owners(const Check& check) const;
-  /// Returns the frames that a test compares: the given frames, or the first, middle and last. Ascending,
-  /// without repeats.
+  /// Returns the frames that a test compares, ascending and without repeats: the frames that the scene
+  /// gives, or the first, middle and last.
   [[nodiscard]] std::vector<int> testFrames() const;
 };
 
@@ -342,8 +358,8 @@ struct Override {
 /// Splits "path=value". Throws UserError(usage) if there is no path or no '='.
 [[nodiscard]] Override parseOverride(std::string_view argument);
 
-/// Returns overrides as command-line arguments: -D seed=7 -D 'render.size=[320,180]'. Empty for an empty
-/// list.
+/// Returns the overrides as command-line arguments: -D seed=7 -D 'render.size=[320,180]'. Returns an empty
+/// string for an empty list.
 [[nodiscard]] std::string asArguments(std::span<const std::string> overrides);
 
 }  // namespace simreel::scene

@@ -22,7 +22,7 @@ void checkLength(Fields& fields, const std::vector<int>& frames, int frameCount)
 void checkQuantity(Fields& fields, const Check& check, const Scene& scene) {
   std::vector<std::string> known;
   for (const Object& object : scene.objects) {
-    // The object has an error of its own, so the check is skipped.
+    // The object itself has an error, so the check is skipped.
     if (object.parameters == nullptr) return;
     if (object.parameters->measures() && (check.object.empty() || object.name == check.object))
       for (const Quantity& quantity : object.parameters->quantities())
@@ -47,7 +47,7 @@ void checkQuantity(Fields& fields, const Check& check, const Scene& scene) {
                                      suggestion(check.what, known)));
 }
 
-/// Reports errors of a check that involve other parts of the scene.
+/// Reports errors of a check that depend on other parts of the scene.
 void checkAgainstScene(Fields& fields, const Check& check, const Scene& scene,
                        std::optional<int> frameCount) {
   std::vector<std::string> names;

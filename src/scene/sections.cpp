@@ -46,8 +46,8 @@ void describeLights(Fields& fields, Scene& scene) {
                                        shadowed, maxShadowedLights));
 }
 
-/// Warns about shadow-map settings with ray tracing, which uses no shadow maps. Warns about a sun diameter
-/// without shadows, because without ray tracing it affects only shadows.
+/// Warns about shadow-map settings with ray tracing, which does not use shadow maps. Warns about a sun
+/// diameter if the sun casts no shadows, because without ray tracing the diameter affects only shadows.
 void remarkRays(Fields& fields, const Scene& scene) {
   const bool traces = scene.render.quality == Quality::high && scene.render.rasterizer == Rasterizer::exact;
   fields.idleUnless(traces || scene.sun.shadow, "sun.shadow", {"sun.diameter"}, "a sun with \"shadow\"");
@@ -63,7 +63,8 @@ void remarkRays(Fields& fields, const Scene& scene) {
   }
 }
 
-/// Warns about a sun that is always below visible ground: its direction probably has the wrong sign.
+/// Warns about a sun that is always below a visible ground, probably because its direction has the wrong
+/// sign.
 void remarkSun(Fields& fields, const Scene& scene) {
   const auto& keys = scene.sun.direction.keys();
   const bool below = std::all_of(keys.begin(), keys.end(), [](const auto& key) { return key.value.y < 0; });

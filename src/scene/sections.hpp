@@ -12,8 +12,8 @@ inline constexpr std::size_t maxObjects = 1000;
 
 /// Declares all members of a scene except "$schema", "version", "objects", "test" and "checks".
 void describeScene(Fields& fields, Scene& scene);
-/// Declares "test" and "checks". The scene's objects must have been read. `frameCount`: number of frames;
-/// nullopt if test frames must not be checked against it.
+/// Declares "test" and "checks". The scene's objects must have been read. `frameCount`: number of frames of
+/// the scene; nullopt if test frames must not be checked against it.
 void describeTests(Fields& fields, Scene& scene, std::optional<int> frameCount);
 
 inline constexpr const char* testDoc =
@@ -26,7 +26,8 @@ struct Section {
   const char* doc;
   std::function<void(Fields&)> describe;
 };
-/// render, time, camera, stage, sun, sky, ground, lights, material, test and checks, with their defaults.
+/// The sections render, time, camera, stage, sun, sky, ground, lights, material, test and checks, with
+/// their defaults.
 [[nodiscard]] std::span<const Section> sections();
 
 }  // namespace simreel::scene

@@ -21,8 +21,8 @@ namespace simreel::scene {
 namespace {
 
 constexpr glm::vec3 flame(1.0F, 0.52F, 0.22F);  ///< colour of objects that glow
-// Black has more contrast than white on backgrounds of at least this luminance: (L + 0.05) / 0.05 is then
-// greater than 1.05 / (L + 0.05) (WCAG 2.1, contrast ratio).
+// Luminance L of a background above which black text has more contrast than white text: the contrast ratio
+// of black, (L + 0.05) / 0.05, is then greater than that of white, 1.05 / (L + 0.05) (WCAG 2.1).
 constexpr float inkedDark = 0.18F;
 constexpr glm::vec3 darkInk(0.012F, 0.013F, 0.016F);
 
@@ -35,7 +35,7 @@ bool anyIs(Parameters::Looks looks, const Scene& scene) {
                      [&](const Object& object) { return object.parameters->looks() == looks; });
 }
 
-/// Returns the look of the scene's stage, with its backdrop.
+/// Returns the look of the scene's stage, including the scene's backdrop.
 StageLook lookOf(const Scene& scene) {
   StageLook look = stageLook(scene.stage.preset, anyIs(Parameters::Looks::shining, scene));
   if (scene.stage.backdrop) {
@@ -45,8 +45,8 @@ StageLook lookOf(const Scene& scene) {
   return look;
 }
 
-/// Returns the height of a ground that the scene gives, which objects collide with: below everything at the
-/// start. Infinite if nothing but particles that fall from above is there.
+/// Returns a height for a ground with which objects collide: the lowest point of all objects at the start.
+/// Infinite if the scene has only particles that fall from above.
 std::optional<float> groundBelow(const Scene& scene) {
   std::optional<float> lowest;
   for (const Object& object : scene.objects) {
@@ -57,7 +57,7 @@ std::optional<float> groundBelow(const Scene& scene) {
   return lowest;
 }
 
-/// Returns the height of a floor that nothing touches.
+/// Returns the height of a floor slightly below all objects, so that no object touches it.
 float floorBelow(const std::vector<Framed>& framed) {
   const Box box = boxAround(framed);
   const float radius = std::max(0.5F * glm::length(box.max - box.min), 1e-3F);
@@ -65,8 +65,8 @@ float floorBelow(const std::vector<Framed>& framed) {
   return box.min.y - (flat ? 0.1F : 1e-3F) * radius;
 }
 
-/// Gives a material the parts of an object's own look that it leaves out. `pictured`: true if it has a
-/// picture, which would share the scale of the look's normals.
+/// Gives a material those parts of the object's own finish `own` that the scene's material leaves out.
+/// `pictured`: true if the material has an image, whose scale would also apply to the normals of `own`.
 template <class Leaves>
 void wear(const Material& own, const Leaves& leaves, bool pictured, Material& material) {
   Finish& finish = material.finish;
@@ -85,7 +85,7 @@ void wear(const Material& own, const Leaves& leaves, bool pictured, Material& ma
   material.textureScale = own.textureScale;
 }
 
-/// Gives an object the colour and finish that its material leaves out.
+/// Gives an object the colour and finish that the scene's material leaves out.
 void dress(Object& object, std::size_t number, const Stage& stage, const StageLook& look) {
   Material& material = object.material;
   const auto leaves = [&](const char* key) { return !object.materialKeys.contains(key); };
@@ -109,7 +109,7 @@ void dress(Object& object, std::size_t number, const Stage& stage, const StageLo
     wear(*own, leaves, pictured, material);
 }
 
-/// True if the camera is below the ground at the start. False for cameras on paths and of files.
+/// True if the camera is below the ground at time 0. False for cameras on paths and for cameras from files.
 bool isBelowGround(const Scene& scene) {
   const Camera& camera = scene.camera;
   if (!scene.ground || camera.follow || camera.gltf) return false;
@@ -146,13 +146,13 @@ void setStage(Scene& scene, const std::vector<Framed>& framed, int version) {
   scene.staged = true;
   if (!scene.render.hasQuality && scene.render.rasterizer == Rasterizer::exact)
     scene.render.quality = Quality::standard;
-  // A picture of the sky brings its own sun.
+  // A panorama of the sky contains a sun.
   const bool hasSun = scene.sky.picture.empty() || !stage.leaves("sun");
   if (hasSun && stage.leaves("sun.diameter")) scene.sun.diameter = look.keyDiameter;
   if (hasSun && stage.leaves("sun.shadowSize")) scene.sun.shadowSize = 2048;
   if (!scene.ground && stage.leaves("ground") && look.hasFloor && !landscape) scene.ground.emplace();
   if (scene.ground) {
-    // A transparent picture leaves the background out, and the floor is background.
+    // A transparent picture has no background, and the floor is part of the background.
     if (stage.leaves("ground")) scene.ground->visible = !scene.render.transparent;
     if (stage.leaves("ground.height")) {
       const bool flows = std::any_of(scene.objects.begin(), scene.objects.end(), [](const Object& object) {
@@ -189,7 +189,7 @@ void openFloor(Scene& scene) {
 
 std::string groundAdvice(const Scene& scene) {
   if (scene.stage.leaves("ground") || !isBelowGround(scene) || !scene.ground->visible) return {};
-  // A scene below its ground is not hidden by it.
+  // If the target is also below the ground, the ground does not hide it.
   if (!scene.camera.track && scene.camera.target.at(0).y < scene.ground->height) return {};
   return fmt::format(
       "the camera is below the ground, at {:.4g} m, which hides everything above it; move the camera up, "
@@ -230,7 +230,7 @@ void moveStage(Scene& scene, const std::vector<Framed>& framed) {
     supply("ground.fadeEnd", ground.fadeEnd, std::max(look.reach * radius, 1.01F * ground.fadeStart));
     if (!stage.leaves("ground.fadeEnd"))
       ground.fadeStart = std::min(ground.fadeStart, 0.5F * ground.fadeEnd);
-    // The lit floor shows the background's colour: see groundLight in glsl/draw.
+    // The colour is chosen so that the lit floor has the background's colour: see groundLight in glsl/draw.
     const glm::vec3 fill = look.ambient * glm::mix(look.zenith, look.horizon, 0.3F);
     const glm::vec3 direct = look.keyColor * (look.key * 0.31830989F * key.y);
     supply("ground.color", ground.color, glm::min(look.floor / (fill + direct), glm::vec3(look.most)));

@@ -14,7 +14,7 @@ constexpr const char* rimName = "rim";
 constexpr const char* fillName = "fill";
 constexpr const char* softboxName = "softbox";
 
-/// Returns true if a lamp of that name is the stage's.
+/// Returns true if the scene does not give a lamp with this name, so that the stage supplies it.
 bool isOwn(const Scene& scene, const std::string& name) {
   return scene.stage.leaves("lights." + name);
 }
@@ -28,20 +28,20 @@ void add(Scene& scene, const char* name, Light::Type type) {
   if (type != Light::Type::area) lamp.glow = 0.0F;
 }
 
-/// Returns true if polished metal has nothing to mirror there.
+/// Returns true if the background is so dark that polished metal has nothing to mirror.
 bool isDark(const StageLook& look) {
-  constexpr float dark = 0.1F;  // luminance
+  constexpr float dark = 0.1F;  // max luminance
   return glm::dot(glm::mix(look.zenith, look.horizon, 0.5F), glm::vec3(0.2126F, 0.7152F, 0.0722F)) < dark;
 }
 
-/// Returns true if the floor is so smooth that a lamp behind the objects shows in it as a spot.
+/// Returns true if the floor is so smooth that it mirrors a lamp behind the objects as a bright spot.
 bool isGlossy(const Scene& scene) {
   constexpr float glossy = 0.6F;
   return scene.ground && scene.ground->visible && scene.ground->roughness < glossy;
 }
 
 void placeRim(Light& rim, bool high, const StageLook& look, const StageSpace& space) {
-  // The mirror image of a high and distant lamp lies below the edge of the picture.
+  // The floor's mirror image of a high and distant lamp lies below the edge of the picture.
   const float far = (high ? 6.0F : 3.0F) * space.radius;
   const glm::vec3 way = high ? -0.2F * space.back + 0.19F * space.right + glm::vec3(0, 1, 0)
                              : -0.8F * space.back + 0.75F * space.right + glm::vec3(0, 0.9F, 0);
@@ -51,8 +51,9 @@ void placeRim(Light& rim, bool high, const StageLook& look, const StageSpace& sp
   rim.radius = (high ? 1.0F : 0.5F) * space.radius;
 }
 
-/// Places a rectangle that gives `lux` in the middle of the stage. `way` leads to it from there; `size` is
-/// its width and height. Both are in radii of the stage.
+/// Places an area light that causes the illuminance `lux` in the middle of the stage. `way` is the vector
+/// from the middle to the light, and `size` is the light's width and height. Both are in radii of the
+/// stage.
 void placeSoft(Light& lamp, const StageSpace& space, const glm::vec3& way, const glm::vec2& size,
                float lux) {
   const float far = glm::length(way) * space.radius;
@@ -79,7 +80,8 @@ void moveStageLamps(Scene& scene, const StageLook& look, const StageSpace& space
     if (lamp.name == rimName) placeRim(lamp, isGlossy(scene), look, space);
     if (lamp.name != fillName && lamp.name != softboxName) continue;
     lamp.color = look.keyColor;
-    // Both are on the camera's side of the objects, so that no floor mirrors them towards it.
+    // Both lights are on the camera's side of the objects, so that the floor does not mirror them towards
+    // the camera.
     if (lamp.name == fillName)
       placeSoft(lamp, space, 1.9F * space.back + 2.2F * space.right + glm::vec3(0, 0.9F, 0),
                 glm::vec2(1.8F, 3.6F), 0.4F * look.key);

@@ -6,20 +6,20 @@
 
 namespace simreel::scene {
 
-/// Adds the stage's lamps that the scene does not replace by lamps of the same name: "rim" behind the
-/// objects and, for a dark stage whose sun the scene leaves out, the rectangles "fill" beside the camera
-/// and "softbox" above. `soft`: false for no rectangles.
+/// Adds the stage's lamps, except those that the scene replaces by lamps of the same name. "rim" is behind
+/// the objects. A dark stage whose sun the scene leaves out also gets two area lights: "fill" next to the
+/// camera and "softbox" above. `soft`: false to leave out the area lights.
 void addStageLamps(Scene& scene, const StageLook& look, bool soft);
 
-/// Space of a stage: the sphere around its objects and unit vectors.
+/// Sphere around the objects of a stage, and two horizontal unit vectors.
 struct StageSpace {
-  glm::vec3 middle;  ///< metres
-  float radius;      ///< metres
-  glm::vec3 back;    ///< horizontal direction to the automatic camera
-  glm::vec3 right;   ///< horizontal direction to that camera's right
+  glm::vec3 middle;  ///< centre of the sphere in metres
+  float radius;      ///< radius of the sphere in metres
+  glm::vec3 back;    ///< horizontal direction from the objects to the automatically placed camera
+  glm::vec3 right;   ///< horizontal direction to the right of that camera
 };
 
-/// Moves the stage's lamps to their places in the space.
+/// Moves the stage's lamps to their positions relative to `space`.
 void moveStageLamps(Scene& scene, const StageLook& look, const StageSpace& space);
 
 }  // namespace simreel::scene

@@ -55,7 +55,7 @@ constexpr StageLook sunset{.floor = {0.34F, 0.17F, 0.12F},
                            .rim = 2.4F,
                            .most = 0.5F,
                            .reach = 14.0F};
-// Dark enough for objects that glow.
+// Preset dark enough to show objects that glow.
 constexpr StageLook glow{.floor = {0.012F, 0.013F, 0.018F},
                          .horizon = {0.030F, 0.036F, 0.062F},
                          .zenith = {0.010F, 0.012F, 0.022F},
@@ -115,7 +115,7 @@ constexpr StageLook blueprint{.floor = {0.012F, 0.062F, 0.20F},
                               .most = 0.6F,
                               .palette = Stage::Palette::ocean};
 
-// Neighbours of each palette differ in hue or in brightness.
+// Adjacent colours of each palette differ in hue or in brightness.
 constexpr std::array vivid = {glm::vec3(0.70F, 0.105F, 0.045F),    // vermilion
                               glm::vec3(0.014F, 0.17F, 0.19F),     // petrol
                               glm::vec3(0.76F, 0.37F, 0.025F),     // saffron

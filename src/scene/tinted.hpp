@@ -5,12 +5,12 @@
 
 namespace simreel::scene {
 
-/// Interface of parameters of objects that may have a natural colour.
+/// Interface of the parameters of objects that may have a natural colour.
 class Tinted {
  public:
   virtual ~Tinted() = default;
-  /// Returns the linear RGB colour that the object has on a stage if it has no material; nullopt: a colour
-  /// of the stage's palette.
+  /// Returns the linear RGB colour that the object has on a stage if it has no material. Returns nullopt if
+  /// the object takes a colour of the stage's palette.
   [[nodiscard]] virtual std::optional<glm::vec3> tint() const = 0;
 };
 

@@ -20,8 +20,8 @@ namespace simreel::serve {
 
 namespace {
 
-/// Returns everything that has a fixed address: the files of the page and the schema. No address leads to
-/// the file system.
+/// Returns all content that has a fixed address: the files of the page and the schema. No address gives
+/// access to the file system.
 std::map<std::string, Content, std::less<>> contents() {
   std::map<std::string, Content, std::less<>> all;
   for (const PageFile& file : pageFiles())
@@ -55,7 +55,7 @@ int serveScene(ServeOptions options, const gl::Context& context) {
   printText("Open " + pageAddress(options.address, server.port(), guard.token()) + "\n" +
             "From another machine, first: " + tunnelCommand(options.address, server.port(), machineName()) +
             "\n" + "Ctrl-C ends it.\n");
-  std::fflush(stdout);  // a program that reads the address from a pipe needs it now
+  std::fflush(stdout);  // A program that reads the address through a pipe needs it immediately.
   player.run();
   return frame::interruptSignal();
 }

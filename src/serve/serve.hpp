@@ -9,8 +9,8 @@ namespace simreel::serve {
 struct ServeOptions {
   PlayerOptions player;
   std::string address = "127.0.0.1";  ///< IP address to listen on
-  int port = 0;                       ///< TCP port; 0: any free port
-  std::string token;                  ///< secret token of the address; empty: a new random one
+  int port = 0;                       ///< TCP port; 0 to use any free port
+  std::string token;                  ///< secret token in the address; empty to generate a random one
 };
 
 /// Shows the scene until a signal ends the program. Prints the page's address. Returns the signal. Throws

@@ -28,11 +28,11 @@ SCENE = {
 }
 FRAMES = 6
 
-# Seconds until a test treats a program as hung. No test depends on the speed of the machine: no shorter limit is used,
-# and if a program ends before a test's signal arrives, the test starts it again.
+# Seconds after which a test considers a program to hang. No test depends on the speed of the machine: no shorter limit
+# is used, and if a program ends before a test's signal arrives, the test starts the program again.
 PATIENCE = 1200
 
-# A stable simulation whose frames take long enough for a signal to arrive midway.
+# A stable simulation whose frames take long enough that a signal can arrive in the middle of one.
 SLOW = {"render.size": [320, 240], "time.fps": 30, "time.duration": 2, "objects.flag.cloth.size": [64, 48],
         "objects.flag.cloth.spacing": 0.02, "objects.flag.cloth.substeps": 64}
 

@@ -90,7 +90,7 @@ def run_golly(folder, file, generations, rules=None):
     return read_macrocell(text) if output == "golly.mc" else fitted(read_rle(text)[3])
 
 
-# A wall of constant state 2 between top and bottom turns a torus into a cylinder.
+# A wall of constant state 2 between top and bottom makes a torus behave like a cylinder.
 WALLED_LIFE = """@RULE WalledLife
 @TABLE
 n_states:3
@@ -145,7 +145,7 @@ def random_case(family, rng):
     elif family == "life":
         case["rule"] = f"B{digits(8, rng)}/S{digits(8, rng, 0)}"
     elif family == "map":
-        # A random function of nine cells, of seven (hexagonal) or of five (von Neumann).
+        # The rule is a random function of nine cells, of seven (hexagonal) or of five (von Neumann).
         count = rng.choice([512, 128, 32])
         bits = [i not in (0, count - 1) and i < count and rng.random() < 0.4 for i in range((count + 5) // 6 * 6)]
         base = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"
@@ -169,15 +169,16 @@ def random_case(family, rng):
         case["rule"] = f"W{2 * rng.randrange(128)}"
         case["fill"] = rng.choice([0.003, 0.01, 0.05])
     elif family == "shaped":
-        # Features of Golly 4.0 and later: other neighbourhood shapes, weights, lists of counts.
+        # The rule uses features of Golly 4.0 and later: other neighbourhood shapes, weights, lists of counts.
         case["rule"] = shaped_rule(rng)
         size[:] = (max(s, 24) for s in size)
         case["fill"] = rng.choice([0.3, 0.5])
     elif family in ("far", "farthest"):
-        # "far" runs for many generations, so ranges are small enough for few operations per cell and step in both
-        # programs; one case in sixteen exceeds the sums that fit into a byte and the loop length that a software driver
-        # handles in one pass. "farthest" uses ranges up to Golly's maximum for few generations. Golly requires grids at
-        # least twice as wide as the range. Half of the cells live, so limits are around the middle.
+        # "far" runs for many generations. Its ranges are small enough for few operations per cell and step in both
+        # programs. One case in sixteen exceeds the sums that fit into a byte and the loop length that a software driver
+        # handles in one pass. "farthest" runs for few generations with ranges up to Golly's maximum. Golly requires
+        # grids at least twice as wide as the range. Half of the cells live, so the limits are close to half of the
+        # neighbourhood.
         shape = rng.choice("MNC")
         if family == "farthest":
             reach = rng.choice([*[rng.randrange(1, 51) for _ in range(8)], rng.randrange(51, 140), rng.randrange(200, 501)])
@@ -233,7 +234,7 @@ def shaped_rule(rng):
 def random_table(rng):
     """Returns a rule file of random transitions, some of them with wildcards for neighbours."""
     neighbourhood = rng.choice(["Moore", "vonNeumann", "hexagonal"])
-    moore = neighbourhood == "Moore"  # decision diagrams of the Moore neighbourhood grow fast
+    moore = neighbourhood == "Moore"  # Decision diagrams of the Moore neighbourhood become large quickly.
     states = rng.randrange(2, 4 if moore else 6)
     neighbours = {"Moore": 8, "vonNeumann": 4, "hexagonal": 6}[neighbourhood]
     symmetries = rng.choice({"Moore": ["none", "rotate4", "rotate8", "reflect_horizontal", "rotate4reflect", "rotate8reflect", "permute"],
@@ -247,7 +248,7 @@ def random_table(rng):
         middle = rng.randrange(states)
         around = [rng.choice([f"a{i}", f"a{i}", "a0", "b", str(rng.randrange(states))]) for i in range(neighbours)]
         if middle == 0 and "b" not in around and not any(a.isdigit() and a != "0" for a in around):
-            around[0] = "b"  # a cell with empty neighbours stays empty
+            around[0] = "b"  # A cell with empty neighbours stays empty.
         lines.append(",".join([str(middle), *around, str(rng.randrange(states))]))
     return f"{name}.rule", "\n".join(lines) + "\n"
 

@@ -43,7 +43,7 @@ class Server:
             answer = connection.getresponse()
             return answer.status, answer.headers, answer.read()
         except http.client.RemoteDisconnected:
-            return 0, {}, b""  # the server closed the connection without an answer
+            return 0, {}, b""  # The server closed the connection without an answer.
         finally:
             connection.close()
 
@@ -84,7 +84,8 @@ class Viewer:
         self.latest, self.pictures, self.heard = {}, [], []
         self.buffer = self.taken = b""
         self.socket = socket.create_connection(("127.0.0.1", port), timeout=timeout)
-        # As in browsers; otherwise a second small message waits 40 ms for the first one's acknowledgement.
+        # Browsers set this option as well. Otherwise, a second small message waits 40 ms for the acknowledgement of the
+        # first one.
         self.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         host = host or f"127.0.0.1:{port}"
         lines = [f"GET {path if path is not None else f'/{token}/live'} HTTP/1.1", f"Host: {host}",
@@ -128,7 +129,7 @@ class Viewer:
 
     def _bytes(self, count):
         while len(self.buffer) < count:
-            left = self.end - time.monotonic()  # received pings do not extend the time limit
+            left = self.end - time.monotonic()  # Received pings do not extend the time limit.
             if left <= 0:
                 raise TimeoutError
             self.socket.settimeout(left)
@@ -146,7 +147,7 @@ class Viewer:
         self.taken = b""
         try:
             return self._receive()
-        except TimeoutError:  # possibly in the middle of a message: the next call continues with the received bytes
+        except TimeoutError:  # This may be in the middle of a message. The next call continues with the received bytes.
             self.buffer = self.taken + self.buffer
             raise
 

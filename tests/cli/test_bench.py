@@ -32,8 +32,8 @@ class BenchCase(Case):
             if side == "gpu" and result["timing"] != "query":
                 self.assertTrue(all(stage["gpu"] is None for stage in row["stages"]))
                 continue
-            # With frames in flight, a stage's time may belong to frames before the measured ones. Only if each stage is
-            # waited for, stages lie within their frame.
+            # With frames in flight, a stage's time may belong to frames before the measured ones. Stages lie within
+            # their frame only if each stage is waited for.
             if result["timing"] == "wait":
                 spent = sum(stage[side]["mean"] for stage in row["stages"])
                 self.assertLessEqual(spent, row["frame"]["mean"] * 1.0001)
@@ -73,11 +73,11 @@ class Bench(BenchCase):
                                       "objects": {"sheet": {"mesh": {"shape": "plane", "size": [50, 0, 50]}}}})
             return self.bench("sheet.json", "--frames", "1", "--warm-up", "0", "--rounds", "1")["rows"][0]["rays"]
 
-        each = 65 * 37 * 8  # pixels that all show the sheet, times samples
+        each = 65 * 37 * 8  # number of pixels that show only the sheet, times samples
         dark = rays(0)
-        self.assertGreaterEqual(dark, each)  # each sample traces a ray into the sky, and a few trace reflections
+        self.assertGreaterEqual(dark, each)  # Each sample traces a ray into the sky, and a few trace reflections.
         self.assertLess(dark, 1.1 * each)
-        self.assertEqual(rays(3), dark + each)  # each sample also traces a ray to the sun
+        self.assertEqual(rays(3), dark + each)  # Each sample also traces a ray to the sun.
         self.assertEqual(rays(3, "draft"), 0)
 
     def test_instances_and_bloom(self):
@@ -127,7 +127,7 @@ class Bench(BenchCase):
 
     def test_timing_by_waiting(self):
         (row,) = self.bench("scene.json", "--frames", "40", "--timing", "wait")["rows"]
-        # Compares minima, because on a busy machine most frames may be interrupted between two stages.
+        # Minima are compared, because on a busy machine most frames may be interrupted between two stages.
         spent = sum(stage["cpu"]["least"] for stage in row["stages"])
         self.assertGreater(spent, 0.5 * row["frame"]["least"])
         self.bad(2, "--timing", "bench", "scene.json", "--timing", "guess")

@@ -62,7 +62,7 @@ class Equivalent(unittest.TestCase):
     def test_every_listed_equivalent_mutant_exists(self):
         left = set(equivalent.EQUIVALENT)
         seed = 0
-        while left and seed < 64:  # any of eight bits of a hexadecimal number may be changed
+        while left and seed < 64:  # Any of the eight bits of a hexadecimal number may be changed.
             for file in sorted({file for file, _ in left}):
                 left -= {(file, mutant.after.strip()) for _, mutant in changes.mutants_of(file, seed, every=True)}
             seed += 1

@@ -12,7 +12,7 @@ loader = importlib.machinery.SourceFileLoader("check_shaders", str(SOURCE / "too
 lint = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
 loader.exec_module(lint)
 
-# Each text has one error, in its second line.
+# Each text has one error, which is in its second line.
 WRONG = [
     "float f(float x) {\nreturn x * 2.0f; }",
     "void f(float a, float b) {\nfloat c = a + b; }",

@@ -9,7 +9,7 @@ import unittest
 
 from common import PATIENCE, SOURCE, main
 
-# Two valid pages and a picture; each error is added to the second page.
+# There are two valid pages and a picture. Each error is added to the second page.
 PAGES = {
     "README.md": "# Start\n\n[Guide](assets/guide/01-first.md#a-heading)\n",
     "assets/guide/01-first.md": "# First\n\n## A heading\n\nText with `[no](link.md)` and a list:\n- ![dot](dot.png)\n- [back](../../README.md)\n",
@@ -53,7 +53,7 @@ class Site(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         page = (self.folder / "site/assets/guide/01-first.html").read_text(encoding="utf-8")
         self.assertIn("<code>[no](link.md)</code>", page)
-        # the list is recognized as on GitHub
+        # The list must be recognized as on GitHub.
         self.assertEqual(len(re.findall("<li>", page.partition("<article>")[2])), 2)
         first = tree / "assets/guide/01-first.md"
         first.write_text(PAGES["assets/guide/01-first.md"] + "\n" + "\n\n".join(MISTAKES) + "\n", encoding="utf-8")

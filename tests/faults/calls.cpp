@@ -31,7 +31,7 @@ struct Range {
   }
 };
 
-/// The address ranges of the program and of the C++ libraries, and the call that must fail.
+/// Address ranges of the program and of the C++ libraries, and the call that must fail.
 struct Plan {
   Range program, libraries[2];
   bool armed = false;
@@ -43,7 +43,7 @@ Plan plan;
 thread_local int inDriver = 0;
 std::atomic<long> counts[classes];
 
-/// Uses the system call, because write() is replaced by this library.
+/// Writes to the log with a system call, because this library replaces write().
 void say(const char* text) {
   if (plan.log >= 0) (void)::syscall(SYS_write, plan.log, text, std::strlen(text));
 }
@@ -68,7 +68,8 @@ int visit(dl_phdr_info* info, std::size_t /*size*/, void* data) {
   return 0;
 }
 
-/// Does nothing in programs that simreel starts, which inherit the environment.
+/// Reads the plan from the environment. Does nothing in programs that simreel starts, which inherit the
+/// environment.
 [[gnu::constructor]] void start() {
   if (std::strcmp(program_invocation_short_name, "simreel") != 0) return;
   const char* wanted = std::getenv("FAULTS");

@@ -26,7 +26,7 @@ constexpr const char* classNames[] = {"open",   "read",    "write", "sync", "clo
                                       "thread", "process", "alloc", "gl",   "egl"};
 constexpr int classes = sizeof classNames / sizeof *classNames;
 
-/// Marks its thread as inside the driver for its lifetime; the driver's calls are not counted.
+/// Marks its thread as inside the driver while the object exists. Calls of the driver are not counted.
 class InDriver {
  public:
   InDriver();
@@ -35,8 +35,9 @@ class InDriver {
   InDriver& operator=(const InDriver&) = delete;
 };
 
-/// Counts a call made at `caller` and returns true if this call must fail. Calls of the driver and of other
-/// libraries do not count. `libraries`: true if calls by the C++ libraries on the program's behalf count.
+/// Counts a call from the address `caller` and returns true if this call must fail. Does not count calls of
+/// the driver and of other libraries. `libraries`: true to count calls that the C++ libraries make for the
+/// program.
 [[nodiscard]] bool fails(Class what, const char* call, const void* caller, bool libraries);
 
 }  // namespace faults

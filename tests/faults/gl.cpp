@@ -1,6 +1,6 @@
-// OpenGL and EGL: simreel calls every entry point through epoxy's function pointer of that name, which this
-// file replaces. A failing call does nothing, returns its failure value, and makes glGetError return
-// GL_OUT_OF_MEMORY, as the specification requires.
+// Makes calls of OpenGL and EGL fail. simreel calls every entry point through epoxy's function pointer with
+// the entry point's name, which this file replaces. A failing call does nothing, returns its failure value,
+// and makes glGetError return GL_OUT_OF_MEMORY, as the specification requires.
 #include "calls.hpp"
 
 #include <atomic>

@@ -1,4 +1,4 @@
-// Files, threads, processes and memory.
+// Makes calls about files, threads, processes and memory fail.
 #include "calls.hpp"
 
 #include <cerrno>
@@ -22,14 +22,14 @@ using faults::fails;
 
 namespace {
 
-/// Returns the original function, which this library replaces.
+/// Returns the original function that this library replaces.
 template <class Function>
 Function* next(const char* name) {
   return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));
 }
 
-/// True for kernel files about the machine. They do not count, because only words in a manifest depend on
-/// them.
+/// True for files of the kernel that describe the machine. Reading them is not counted, because only texts
+/// in a manifest depend on it.
 bool isKernels(const char* path) {
   return std::strncmp(path, "/proc/", 6) == 0 || std::strncmp(path, "/sys/", 5) == 0;
 }
@@ -48,7 +48,7 @@ bool isKernels(const char* path) {
     return real arguments;                                              \
   }
 
-// The mode is always passed on; if the caller did not give one, the value is unused.
+// The mode is always passed on. If the caller did not give one, the value is unused.
 #define MODE                                \
   std::va_list list;                        \
   va_start(list, flags);                    \
@@ -107,7 +107,7 @@ FAILING(unlink, int, unlinkat, (int folder, const char* path, int flags), (folde
 FAILING(unlink, int, rmdir, (const char* path), (path), -1, EIO)
 FAILING(mkdir, int, mkdir, (const char* path, mode_t mode), (path, mode), -1, ENOSPC)
 FAILING(lock, int, flock, (int file, int how), (file, how), -1, ENOLCK)
-// Only commands that lock count.
+// Only commands that lock are counted.
 extern "C" int fcntl(int file, int command, ...) {
   static auto* const real = next<int(int, int, ...)>("fcntl");
   std::va_list list;
@@ -122,7 +122,7 @@ extern "C" int fcntl(int file, int command, ...) {
 FAILING(pipe, int, pipe2, (int* ends, int flags), (ends, flags), -1, EMFILE)
 FAILING(pipe, int, pipe, (int* ends), (ends), -1, EMFILE)
 
-// Even a failing close() closes the file.
+// A failing close() also closes the file.
 extern "C" int close(int file) {
   static auto* const real = next<int(int)>("close");
   const bool bad = fails(Class::close, "close", CALLER, true);
@@ -154,7 +154,7 @@ extern "C" int posix_spawnp(pid_t* child, const char* file, const posix_spawn_fi
   return real(child, file, actions, attributes, arguments, environment);
 }
 
-/// Only the program's own allocations count, not allocations by libraries.
+/// Defines an allocating function. Only allocations by the program are counted, not those by libraries.
 #define ALLOCATING(name, symbol, parameters, arguments, refuse) \
   void* name parameters {                                       \
     static auto* const real = next<void * parameters>(symbol);  \

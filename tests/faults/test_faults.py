@@ -27,11 +27,11 @@ import time
 
 SIMREEL = os.environ.get("SIMREEL", "simreel")
 LIBRARY = os.environ.get("FAULTS_LIBRARY", "libfaults.so")
-KEEP = os.environ.get("FAULTS_KEEP")  # folder that keeps the files of failed checks
+KEEP = os.environ.get("FAULTS_KEEP")  # folder for the files of failed checks; not kept if unset
 SECONDS = 120  # time limit of one run, in seconds
 MANY = ("alloc", "gl")  # classes with thousands of calls
 FIRST, STRIDE = 100, 613
-ALIKE = ("thread", "egl")  # classes whose calls most commands share
+ALIKE = ("thread", "egl")  # classes whose calls are the same in most commands
 CRASHES = ("terminate called", "internal error", "std::", "AddressSanitizer", "Assertion")
 
 SCENE = {
@@ -126,7 +126,7 @@ class Disturbed:
     def __init__(self, name, scratch, first, stride):
         self.name, self.run, self.first, self.stride = name, RUNS[name], first, stride
         self.before = None
-        self.tried = {}  # result of the next run, by signature of the folder that it found
+        self.tried = {}  # result of the run that follows, by signature of the folder that it found
         if self.run.before:
             self.before = scratch / f"{name}.before"
             self.before.mkdir()
@@ -181,8 +181,8 @@ class Disturbed:
                 return f"says \"{word}\""
         made = folder / self.run.made
         if code == 0:
-            # A remaining checkpoint that could not be removed, or may belong to another run, is allowed: only --resume
-            # reads it, and --resume checks it.
+            # A checkpoint may remain if it could not be removed or may belong to another run. Only --resume reads it,
+            # and --resume checks it.
             forgiven = ["checkpoint"] if "cannot remove" in message or fault.startswith("lock:") else []
             missing = different(contents(made), self.wanted, forgiven)
             return f"ends with 0, but {missing}" if missing else None
@@ -192,7 +192,7 @@ class Disturbed:
         if self.name != "update" and len(errors) != 1:
             return f"{len(errors)} lines of error"
         if not contents(made):
-            return None  # without files, there is nothing that a later run could trust
+            return None  # Without files, there is nothing that a later run could wrongly trust.
         found = signature(folder)
         if found not in self.tried:
             self.tried[found] = self.next_run(folder)

@@ -13,7 +13,7 @@ void readBaseline(std::string_view bytes) {
     const std::string written = golden::picturesText(golden::parsePictures(text, "baseline.json"));
     SIMREEL_CHECK_EQ(golden::picturesText(golden::parsePictures(written, "again.json")), written);
     return;
-  } catch (const UserError&) {  // not a baseline: tries to read it as a state
+  } catch (const UserError&) {  // Bytes that are not a baseline are read as a state.
   }
   const std::string written = golden::stateText(golden::parseState(text, "state.json"));
   SIMREEL_CHECK_EQ(golden::stateText(golden::parseState(written, "again.json")), written);

@@ -10,7 +10,7 @@
 namespace simreel::fuzz {
 namespace {
 
-/// Returns the run information that the seed files contain.
+/// Returns the run information in the seed files.
 frame::RunInfo run() {
   return {.title = "t",
           .sceneHash = "s",
@@ -23,7 +23,7 @@ frame::RunInfo run() {
           .driver = "d"};
 }
 
-/// Updates the hash at the end, which covers all bytes before it.
+/// Updates the hash at the end of the bytes. It covers all bytes before it.
 void mendCheckpoint(std::string& bytes) {
   if (bytes.size() < hashDigits) return;
   const std::size_t body = bytes.size() - hashDigits;

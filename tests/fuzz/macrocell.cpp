@@ -1,4 +1,5 @@
-// A valid macrocell pattern, written as RLE and read again, must have the same cells.
+// Fuzzes the reader of macrocell patterns. A valid pattern, written as RLE and read again, must have the
+// same cells.
 #include "sim/life/macrocell.hpp"
 
 #include "base/error.hpp"
@@ -11,12 +12,13 @@
 namespace simreel::fuzz {
 namespace {
 
-/// A few lines can describe more cells than fit into memory.
+/// Maximum number of cells that are compared, because a few lines can describe more cells than fit into
+/// memory.
 constexpr std::size_t maxCells = std::size_t{1} << 16;
-/// Size limit of grids that are written out.
+/// Maximum size of grids that are written.
 constexpr long maxBytes = 1 << 18;
 
-/// Returns the runs sorted by row and then from the left, with adjacent runs joined.
+/// Returns the runs sorted by row and then from left to right. Adjacent runs are joined.
 std::vector<sim::CellPattern::Run> sortedRuns(std::vector<sim::CellPattern::Run> runs) {
   std::sort(runs.begin(), runs.end(),
             [](const auto& a, const auto& b) { return a.y != b.y ? a.y < b.y : a.x < b.x; });

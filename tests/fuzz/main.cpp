@@ -1,4 +1,4 @@
-// The functions that libFuzzer calls; they use the harness named by --reader=NAME.
+// Defines the functions that libFuzzer calls. They use the harness named by --reader=NAME.
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "fuzz/reader.hpp"
@@ -12,7 +12,7 @@
 
 using namespace simreel;
 
-// Files of a harness need not survive a power failure, and waiting for the disk would take nearly all of
+// Files of a harness need not survive a power failure, and waiting for the disk would take almost all of
 // the time.
 extern "C" int fsync(int /*descriptor*/) {
   return 0;
@@ -30,7 +30,7 @@ const Reader* readers = nullptr;
 const Reader* asked = nullptr;
 std::size_t accepted = 0;  // number of inputs that were not refused
 
-/// Checks that a message is one line, unless it is a report with a line for each error.
+/// Checks that a message is one line, unless it is a report, which has a line for each error.
 void checkMessage(const UserError& error) {
   const std::string message = error.what();
   SIMREEL_CHECK(!message.empty());
@@ -47,7 +47,7 @@ Reader::Reader(const char* name, Read read, Mend mend) : name(name), read(read),
 
 extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments) {
   setVerbosity(Verbosity::quiet);
-  constexpr std::string_view option = "--reader=";  // libFuzzer ignores options that begin with two dashes
+  constexpr std::string_view option = "--reader=";  // libFuzzer ignores options that begin with two dashes.
   for (int i = 1; i < *count; ++i)
     if (const std::string_view argument = (*arguments)[i]; argument.starts_with(option))
       for (fuzz::asked = fuzz::readers; fuzz::asked && fuzz::asked->name != argument.substr(option.size());)

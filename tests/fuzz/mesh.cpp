@@ -1,4 +1,4 @@
-// OBJ, PLY, STL, glTF and GLB, distinguished by their first bytes.
+// Fuzzes the readers of OBJ, PLY, STL, glTF and GLB. The first bytes determine the format.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "fuzz/reader.hpp"
@@ -10,7 +10,8 @@
 namespace simreel::fuzz {
 namespace {
 
-/// True for a text that starts with "solid", and for bytes with a zero where a binary STL has its count.
+/// True for a text that starts with "solid", and for bytes with a zero where a binary STL has its count of
+/// triangles.
 bool isStl(std::string_view bytes) {
   return bytes.starts_with("solid") || (bytes.size() > 84 && bytes[83] == '\0');
 }

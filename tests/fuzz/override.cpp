@@ -19,7 +19,7 @@ constexpr const char* whole = R"({"version": 1, "title": "t", "seed": 7,
  "test": {"frames": [0]}, "checks": [{"what": "no-nan"}]})";
 constexpr std::size_t maxLines = 8;
 
-/// True if the unchanged scene is valid; otherwise every input would be refused.
+/// True if the unchanged scene is valid. If it were not, every input would be refused.
 bool good() {
   try {
     static_cast<void>(scene::parseScene(whole, "fuzz.json", {}, sim::kinds()));

@@ -6,7 +6,7 @@
 
 namespace simreel::fuzz {
 
-/// Reads particles; checks that accepted ones are complete and finite.
+/// Reads particles. Checks that accepted particles are complete and finite.
 inline void readCloud(std::string_view bytes, const char* name) {
   constexpr int max = 1000;
   const sim::ParticleCloud cloud = sim::parseParticles(bytes, name, 1.0F, max);

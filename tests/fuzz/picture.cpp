@@ -1,4 +1,4 @@
-// Pictures as assets: PNG, PNM and any other format that the bytes declare.
+// Fuzzes the readers of images: PNG, PNM and any other format that the bytes declare.
 #include "base/error.hpp"
 #include "fuzz/reader.hpp"
 #include "sim/grid/picture_file.hpp"

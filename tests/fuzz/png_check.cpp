@@ -1,5 +1,5 @@
-// The strict reader of pictures for comparisons: an accepted picture is decoded, encoded, and must decode
-// to the same pixels.
+// Fuzzes the strict reader of PNG files for comparisons. An accepted image is decoded and encoded, and the
+// result must decode to the same pixels.
 #include "golden/files/png_check.hpp"
 
 #include "base/error.hpp"

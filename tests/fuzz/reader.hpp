@@ -4,13 +4,14 @@
 
 namespace simreel::fuzz {
 
-/// A harness, defined once as a constant of its file: tests one reader of the program with damaged bytes.
+/// A harness, which tests one reader of the program with damaged bytes. Each harness is a constant of its
+/// source file.
 struct Reader {
-  /// Reads the bytes as the program would. A UserError is a valid refusal, and its message is checked. Any
-  /// other exception, or a failed SIMREEL_CHECK, is a finding.
+  /// Reads the bytes as the program would. A UserError is a valid refusal, whose message is then checked.
+  /// Any other exception, or a failed SIMREEL_CHECK, is a finding.
   using Read = void (*)(std::string_view bytes);
-  /// Repairs the checksum of a mutated input, so that the reader gets past it; never makes the input
-  /// longer.
+  /// Repairs the checksum of a mutated input, so that the reader accepts the checksum. Must not make the
+  /// input longer.
   using Mend = void (*)(std::string& bytes);
 
   /// Registers this harness under `name` for `--reader=NAME`.

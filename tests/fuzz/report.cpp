@@ -1,4 +1,4 @@
-// report.json, and all outputs made from one.
+// Fuzzes the reader of report.json, and all outputs that are made from a report.
 #include "base/error.hpp"
 #include "fuzz/reader.hpp"
 #include "golden/report/github.hpp"

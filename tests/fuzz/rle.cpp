@@ -1,4 +1,5 @@
-// A valid pattern in any format, written as RLE and read again, must be the same.
+// Fuzzes the readers of patterns. A valid pattern in any format, written as RLE and read again, must be the
+// same.
 #include "sim/life/rle.hpp"
 
 #include "base/error.hpp"
@@ -7,11 +8,13 @@
 namespace simreel::fuzz {
 namespace {
 
-/// Written files are read back only if the grid is not larger than this.
+/// Maximum size of grids whose written files are read again.
 constexpr long maxWords = 1 << 16;
 
 void readRle(std::string_view bytes) {
-  if (bytes.starts_with("[M2]")) return;  // macrocell.cpp tests these, with a limit on unfolded cells
+  if (bytes.starts_with("[M2]"))
+    return;  // macrocell.cpp tests these patterns, with a limit on the number
+             // of cells.
   const sim::CellPattern pattern = sim::parsePattern(bytes, "fuzz.rle");
   const long rowWords = sim::CellRows::rowWords(pattern.size.x);
   for (const auto& run : pattern.runs)

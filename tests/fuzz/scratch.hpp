@@ -8,7 +8,7 @@
 
 namespace simreel::fuzz {
 
-/// Returns a folder in memory for readers that take a path; removed when the process ends.
+/// Returns a folder in memory for readers that need a path. It is removed when the process ends.
 inline const std::filesystem::path& scratchFolder() {
   struct Folder {
     std::filesystem::path path;

@@ -1,4 +1,4 @@
-// steps.bin: an accepted file must be written as the same bytes.
+// Fuzzes the reader of steps.bin. An accepted file must be written as the same bytes.
 #include "golden/trace/trace.hpp"
 
 #include "base/error.hpp"

@@ -1,4 +1,5 @@
-// Body distributions for gravity tests, and the exact sum over all pairs in double precision.
+// Makes distributions of bodies for gravity tests, and sums exact forces over all pairs in double
+// precision.
 #include "reference/gravity_tree_twin.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 
 namespace {
 
-/// Uniform random numbers in (0, 1), equal for every standard library.
+/// Uniform random numbers in (0, 1) that are the same with every standard library.
 class Random {
  public:
   double operator()() { return (static_cast<double>(engine_() >> 11) + 0.5) * 0x1p-53; }
@@ -26,14 +27,14 @@ glm::dvec3 direction(Random& random) {
   return {r * std::cos(angle), r * std::sin(angle), z};
 }
 
-/// Returns a point of a Plummer sphere of scale 1 m: the radius that contains the mass fraction m is
+/// Returns a random point of a Plummer sphere with scale 1 m. The mass fraction m is inside the radius
 /// 1/sqrt(m^(-2/3) - 1).
 glm::dvec3 inPlummer(Random& random) {
   const double mass = std::min(random(), 0.999);
   return direction(random) / std::sqrt(std::pow(mass, -2.0 / 3.0) - 1);
 }
 
-/// Returns a point of an exponential disk with scale length 1 m, thickness 0.05 m and radius 8 m.
+/// Returns a random point of an exponential disk with scale length 1 m, thickness 0.05 m and radius 8 m.
 glm::dvec3 inDisk(Random& random) {
   double r = 9;
   while (r > 8) r = -std::log(random() * random());

@@ -11,7 +11,8 @@ class BodyTwin {
  public:
   explicit BodyTwin(const simreel::sim::Figure& figure) : figure_(figure) {}
 
-  /// Skins all vertices at the fraction `now` of a frame between two poses (BodyMotion::rowsAt).
+  /// Skins all vertices for a moment between two poses (BodyMotion::rowsAt). `now`: the moment as a
+  /// fraction of the frame.
   void skin(std::vector<glm::vec4> begin, const std::vector<glm::vec4>& end, double now) {
     begin.insert(begin.end(), end.begin(), end.end());
     positions.clear();

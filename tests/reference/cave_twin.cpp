@@ -81,8 +81,8 @@ void CaveTwin::clean() {
   remove(true, parameters_.smallestRock);
 }
 
-/// Returns the nearest open cell of each cell, by breadth-first search from all open cells. Of equally near
-/// cells, the one with the lowest index wins.
+/// Returns the index of the nearest open cell for each cell, by breadth-first search from all open cells.
+/// Among equally near cells, the one with the lowest index is returned.
 std::vector<int> CaveTwin::nearestOpen() const {
   std::vector<int> source(rock.size(), -1);
   std::vector<std::size_t> wave;
@@ -114,8 +114,8 @@ std::vector<int> CaveTwin::nearestOpen() const {
   return source;
 }
 
-/// Kruskal's spanning tree over the paths across each edge between two cells, sorted by length, then by
-/// edge.
+/// Returns the corridors of Kruskal's spanning tree. Its edges are the paths across each border between two
+/// cells, sorted by length, then by the border's index.
 std::vector<CaveTwin::Corridor> CaveTwin::corridors() const {
   std::vector<Corridor> dug;
   const std::vector<int> room = regions(false);
@@ -216,7 +216,8 @@ std::vector<int> CaveTwin::distancesFrom(glm::ivec2 start) const {
 }
 
 glm::ivec2 CaveTwin::farthest(const std::vector<int>& distances) const {
-  const auto found = std::max_element(distances.begin(), distances.end());  // the first of equal maxima
+  const auto found = std::max_element(distances.begin(), distances.end());  // This is the first of equal
+                                                                            // maxima.
   const int cell = static_cast<int>(found - distances.begin());
   return {cell % size_.x, cell / size_.x};
 }

@@ -6,8 +6,8 @@
 
 #include <glm/vec2.hpp>
 
-/// CPU twin of the cave automaton, in plain loops over cells: it uses queues, sorted edges and neighbour
-/// counts instead of the kernels' labels, minima and bitwise adders. Equals the GPU bit for bit.
+/// CPU twin of the cave automaton, in plain loops over cells. It uses queues, sorted edges and neighbour
+/// counts where the kernels use labels, minima and bitwise adders. Equals the GPU bit for bit.
 class CaveTwin {
  public:
   CaveTwin(const simreel::sim::CaveParameters& parameters, int seed);
@@ -25,19 +25,19 @@ class CaveTwin {
   [[nodiscard]] std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x) + static_cast<std::size_t>(x);
   }
-  /// Returns for each cell of the given kind the lowest cell index (row by row) of its region; -1 for other
-  /// cells.
+  /// Returns for each cell of the given kind the lowest cell index (row by row) in the cell's region.
+  /// Returns -1 for other cells.
   [[nodiscard]] std::vector<int> regions(bool ofRock) const;
-  /// Returns the number of steps from an open cell to each cell; -1 if a cell is unreachable.
+  /// Returns the number of steps from an open cell to each cell, or -1 for an unreachable cell.
   [[nodiscard]] std::vector<int> distancesFrom(glm::ivec2 start) const;
-  /// Returns entrance and exit; empty if no cell is open.
+  /// Returns entrance and exit, or nullopt if no cell is open.
   [[nodiscard]] std::optional<std::pair<glm::ivec2, glm::ivec2>> ends() const;
   /// Returns the total length of the corridors that connect() would dig.
   [[nodiscard]] long corridorLength() const;
   /// Returns the cells in the GPU's memory layout.
   [[nodiscard]] std::vector<glm::uvec4> words() const;
 
-  std::vector<bool> rock;  ///< cell by cell, x fastest
+  std::vector<bool> rock;  ///< true for rock; cell by cell, x fastest
 
  private:
   struct Corridor {

@@ -20,7 +20,7 @@ using namespace simreel::shader;
 
 #define FUNCTION inline
 #define precise
-/// Provides the globals that model.glsl reads in a kernel, and includes the model.
+/// Provides the globals that model.glsl reads in a kernel, and includes the model file.
 struct Kernel : WindKernel {
   ivec2 size;
   const ClothStep& stepData;
@@ -39,7 +39,7 @@ struct Kernel : WindKernel {
   int lineLinks = 0, lineStart = 0, linePace = 1;
   float lineRest = 0, lineCompliance = 0, lineGive = 0, lineKept = 0, lineSoftening = 1;
   bool keeps = false;
-  const vec4* past = nullptr;  // positions at the substep's start
+  const vec4* past = nullptr;  // positions at the start of the substep
   std::array<float, segmentLinks + 1> lineLower{}, lineMass{};
   std::array<float, segmentLinks> lineStretch{};
   [[nodiscard]] vec4 lineParticle(int k) const { return source[lineStart + k * linePace]; }
@@ -84,8 +84,8 @@ void forRows(int rows, int threads, const Body& body) {
   });
 }
 
-/// Solves a line segment by segment, as glsl/cloth/solve_lines.comp does. Writes `particles`, and for lines
-/// that conserve energy also `velocities`.
+/// Solves one line segment by segment, as glsl/cloth/solve_lines.comp does. Writes `particles` and, for
+/// lines that conserve energy, `velocities`.
 void solveLine(Kernel& kernel, std::vector<vec4>& particles, std::vector<vec4>& velocities) {
   std::vector<std::pair<int, int>> segments;  // first and last link of each segment
   for (int first = 0; first < kernel.lineLinks; first += segmentLinks)
@@ -104,7 +104,7 @@ void solveLine(Kernel& kernel, std::vector<vec4>& particles, std::vector<vec4>& 
     decltype(kernel.lineLower) lower, mass;
     decltype(kernel.lineStretch) stretch;
   };
-  std::vector<Made> made;  // one for each segment
+  std::vector<Made> made;  // one element per segment
   for (const auto& [first, last] : segments) {
     kernel.readSegment(first, last);
     firsts.push_back(kernel.firstOfSegment(last - first + 1));
@@ -157,7 +157,7 @@ void solveLine(Kernel& kernel, std::vector<vec4>& particles, std::vector<vec4>& 
         moved[k];
 }
 
-/// Relaxes the families of pairs one after the other, each in two colours.
+/// Relaxes the families of pairs one after the other. Each family is split into two colours.
 void relaxPairs(Kernel& kernel, const simreel::sim::ClothParameters& parameters,
                 const std::vector<vec4>& positions, std::vector<vec4>& next) {
   const ivec2 size = parameters.size;

@@ -10,32 +10,34 @@
 
 #include <glm/vec4.hpp>
 
-/// CPU twin of the cloth: the kernels' own model (glsl/cloth/model.glsl compiled as C++) in plain loops.
-/// Equals the GPU bit for bit in exact mode.
+/// CPU twin of the cloth. It runs the kernels' own model (glsl/cloth/model.glsl compiled as C++) in plain
+/// loops. Equals the GPU bit for bit in exact mode.
 class ClothTwin {
  public:
   explicit ClothTwin(simreel::sim::ClothPlan plan);
 
-  /// Steps one frame that starts at `time` (seconds). `threads`: 0 uses all processors.
+  /// Steps one frame that starts at `time` (seconds). `threads`: number of threads; 0 to use all
+  /// processors.
   void step(double time, int threads = 1);
-  /// Steps one substep with the given data; `index` is the substep's number in the frame.
+  /// Steps one substep with the given data. `index` is the substep's index in the frame.
   void substep(const simreel::shader::ClothStep& data, int threads = 1, int index = 0);
-  /// predict() and finish() are the two halves of a substep. Between them, contact may change `next`, and
+  /// predict() and finish() are the two halves of a substep. Between them, contact may change `next`;
   /// settle() then resolves collisions.
   void predict(const simreel::shader::ClothStep& data, int threads = 1, int index = 0);
   void settle(const simreel::shader::ClothStep& data, int index = 0, bool again = true);
   void finish();
 
-  std::vector<glm::vec4> positions;   ///< xyz in metres, w inverse mass
-  std::vector<glm::vec4> velocities;  ///< xyz in m/s, w pin group
-  std::vector<glm::vec4> trends;      ///< xyz in m/s, velocity changes (glsl/cloth/motion.glsl)
-  std::vector<glm::vec4> next;        ///< next positions, between predict() and finish()
-  /// The deformed mesh that the cloth may touch, if any.
+  std::vector<glm::vec4> positions;   ///< xyz in metres; w: inverse mass
+  std::vector<glm::vec4> velocities;  ///< xyz in m/s; w: pin group
+  std::vector<glm::vec4> trends;      ///< velocity changes (glsl/cloth/motion.glsl), xyz in m/s
+  std::vector<glm::vec4> next;        ///< positions after the substep; valid between predict() and finish()
+  /// Deformed mesh that the cloth may touch.
   std::optional<simreel::sim::HeightPlan> heightPlan;
-  std::vector<glm::vec4> heights;      ///< mesh heights in metres: x frame start, y frame end
-  std::optional<DistanceTwin> meshes;  ///< the rigid meshes that the cloth may touch, if any
-  std::optional<WallsTwin> walls;      ///< the solid that the cloth may touch, if any
-  std::optional<WindTwin> wind;        ///< the fluid whose wind acts on the cloth, if any
+  std::vector<glm::vec4> heights;      ///< heights of the mesh in metres; x: at the frame's start, y: at
+                                       ///< its end
+  std::optional<DistanceTwin> meshes;  ///< rigid meshes that the cloth may touch
+  std::optional<WallsTwin> walls;      ///< solid that the cloth may touch
+  std::optional<WindTwin> wind;        ///< fluid whose wind acts on the cloth
   [[nodiscard]] simreel::sim::ClothPlan& plan() { return plan_; }
 
  private:
@@ -44,5 +46,5 @@ class ClothTwin {
 
   simreel::sim::ClothPlan plan_;
   std::vector<glm::vec4> left_;  ///< positions after predict()
-  std::vector<glm::vec4> ways_;  ///< displacements in the frame of pins that follow a skin
+  std::vector<glm::vec4> ways_;  ///< displacement during the frame of each pin that follows a skin
 };

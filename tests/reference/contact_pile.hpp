@@ -24,17 +24,17 @@ inline std::vector<glm::uvec3> facesOfSheet(glm::ivec2 size) {
   return faces;
 }
 
-/// A solid with vertex positions `at` a time; w is 0.
+/// A solid whose vertex positions at a time are `at`; w is 0.
 struct PileSolid {
   std::function<std::vector<glm::vec4>(double time)> at;
   std::vector<glm::uvec3> faces;
-  float friction = -1;  ///< friction coefficient; negative: the cloths' friction
+  float friction = -1;  ///< friction coefficient; if negative, the cloths' friction applies
 };
 
 /// CPU twins of cloths that touch themselves, each other, balls and solids.
 struct Pile {
   std::vector<std::unique_ptr<ClothTwin>> cloths;
-  std::unique_ptr<ParticlesTwin> balls;  ///< null without balls
+  std::unique_ptr<ParticlesTwin> balls;  ///< twin of the balls; null if there are none
   std::vector<PileSolid> solids;
   std::unique_ptr<ContactTwin> contact;
   std::vector<glm::uvec3> faces;  ///< faces of all parts, with global vertex indices

@@ -6,20 +6,21 @@
 
 #include <glm/vec4.hpp>
 
-/// CPU twin of contact: the kernels' own model (glsl/contact/model.glsl compiled as C++) in plain loops.
-/// Tests every pair of faces instead of searching a tree.
+/// CPU twin of contact. It runs the kernels' own model (glsl/contact/model.glsl compiled as C++) in plain
+/// loops. Tests every pair of faces instead of searching a tree.
 class ContactTwin {
  public:
   explicit ContactTwin(simreel::sim::ContactPlan plan) : plan_(std::move(plan)) {}
 
   struct Part {
-    const std::vector<glm::vec4>* now;   ///< at the start: xyz in metres, w inverse mass (balls: mass)
-    std::vector<glm::vec4>* next;        ///< proposed positions at the substep's end; push() corrects them
-    std::vector<glm::vec4>* velocities;  ///< xyz in m/s; null for a solid
+    const std::vector<glm::vec4>* now;   ///< positions at the substep's start: xyz in metres; w: inverse
+                                         ///< mass (balls: mass)
+    std::vector<glm::vec4>* next;        ///< proposed positions at the substep's end, which push() corrects
+    std::vector<glm::vec4>* velocities;  ///< velocities in m/s; null for a solid
   };
-  /// Changes `next` by the contacts' impulses. `first` marks the first substep of a frame.
+  /// Changes `next` by the impulses of the contacts. `first`: true in the first substep of a frame.
   void push(const std::vector<Part>& parts, bool first);
-  /// Resolves contacts again after push(), because colliders may have moved `next`.
+  /// Resolves the contacts again after push(), because colliders may have moved `next`.
   void hold(const std::vector<Part>& parts);
 
   /// Counts of the last substep.

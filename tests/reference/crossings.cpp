@@ -7,7 +7,7 @@
 
 namespace {
 
-/// True if the segment p-q passes through the triangle a-b-c, by signed volumes in double precision.
+/// True if the segment p-q passes through the triangle a-b-c. Uses signed volumes in double precision.
 bool crosses(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& a, const glm::dvec3& b,
              const glm::dvec3& c) {
   const auto volume = [](const glm::dvec3& u, const glm::dvec3& v, const glm::dvec3& w,

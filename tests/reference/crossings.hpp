@@ -4,7 +4,7 @@
 #include <glm/vec3.hpp>
 
 /// Returns the number of pairs of a face and an edge that passes through the face, in double precision.
-/// Edges that share a corner with the face are skipped. Points from `firstSolid` on belong to solids; pairs
-/// of two solids are skipped.
+/// Skips edges that share a corner with the face. Points from index `firstSolid` on belong to solids. Skips
+/// pairs of two solids.
 int crossings(const std::vector<glm::dvec3>& points, const std::vector<glm::uvec3>& faces,
               unsigned firstSolid = ~0U);

@@ -12,7 +12,7 @@ using namespace simreel::shader;
 #define FUNCTION inline
 #define precise
 #include "glsl/collide/distance/bindings.glsl"
-/// Provides the tree access that the kernel's model needs, and includes the model.
+/// Provides the tree access that the kernels' model needs, and includes the model file.
 struct DistanceKernel {
   const simreel::sim::DistancePlan& plan;
   int firstLeaf;

@@ -6,8 +6,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-/// CPU twin of the distance fields of a scene's rigid meshes: the kernels' own model (glsl/collide/distance
-/// compiled as C++). Equals the GPU bit for bit.
+/// CPU twin of the distance fields of a scene's rigid meshes. It runs the kernels' own model
+/// (glsl/collide/distance compiled as C++). Equals the GPU bit for bit.
 struct DistanceTwin {
   explicit DistanceTwin(simreel::sim::MeshColliderPlan plan);
 
@@ -18,13 +18,13 @@ struct DistanceTwin {
 
   simreel::sim::MeshColliderPlan plan;
   std::vector<glm::uvec4> cells;
-  std::vector<simreel::shader::MeshColliders> steps;  ///< one for each substep of the frame
+  std::vector<simreel::shader::MeshColliders> steps;  ///< one element per substep of the frame
 };
 
-/// Returns the first mesh's distance field at a point in the mesh's own space: xyz gradient, w distance in
-/// metres. w is 1e9 outside the field.
+/// Returns the first mesh's distance field at a point in the mesh's coordinates. xyz is the gradient, w the
+/// distance in metres. w is 1e9 outside the field.
 [[nodiscard]] glm::vec4 distanceTwinAt(const DistanceTwin& twin, const glm::vec3& place);
 
-/// Returns the signed distance of a point in the mesh's own space by the kernels' tree search, without a
-/// grid.
+/// Returns the signed distance of a point in the mesh's coordinates, by the kernels' tree search and
+/// without a grid.
 [[nodiscard]] float distanceTo(const simreel::sim::DistancePlan& plan, const glm::vec3& place);

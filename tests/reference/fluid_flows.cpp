@@ -13,7 +13,7 @@ namespace {
 
 using Side = sim::FluidSide::Kind;
 
-/// Returns the max of the samples from `first` on, refined by a parabola through three samples.
+/// Returns the maximum of the samples from index `first` on, refined by a parabola through three samples.
 double peak(const std::vector<double>& values, std::size_t first) {
   double most = -1e300;
   for (std::size_t i = std::max<std::size_t>(first, 1); i + 1 < values.size(); ++i) {
@@ -35,7 +35,7 @@ constexpr double ghiaY[] = {0.9766, 0.9688, 0.9609, 0.9531, 0.8516, 0.7344, 0.61
 constexpr double ghiaX[] = {0.9688, 0.9609, 0.9531, 0.9453, 0.9063, 0.8594, 0.8047, 0.5,
                             0.2344, 0.2266, 0.1563, 0.0938, 0.0781, 0.0703, 0.0625};
 
-/// Returns the extremum of the parabola through three evenly spaced values; b is the middle value.
+/// Returns the extremum of the parabola through three evenly spaced values, of which b is the middle one.
 double parabolaAt(double a, double b, double c) {
   const double bend = a - 2 * b + c;
   return bend == 0 ? b : b - (c - a) * (c - a) / (8 * bend);
@@ -74,7 +74,7 @@ double Wake::frequency(double seconds) const {
 
 Cylinder schaeferTurek(int n) {
   Cylinder c;
-  const double metre = 10.0 * n;  // cells per metre
+  const double metre = 10.0 * n;  // number of cells per metre
   sim::FluidParameters& p = c.parameters;
   p.size = {22 * n, static_cast<int>(std::lround(4.1 * n))};
   p.strokes.clear();
@@ -171,8 +171,8 @@ double ghiaError(const Ghia& table, int n, std::span<const glm::vec4> flow, std:
     return flow[static_cast<std::size_t>(y + 1) * static_cast<std::size_t>(n + 2) +
                 static_cast<std::size_t>(x + 1)];
   };
-  // Linear between nodes. Nodes half a cell beyond the walls hold the values that give the wall's speed at
-  // the wall.
+  // Interpolates linearly between nodes. Nodes half a cell outside the walls have the values for which the
+  // interpolated speed at the wall is that of the wall.
   const auto between = [&](double place, const auto& node) {
     const int i = static_cast<int>(std::floor(place));
     return node(i) + (node(i + 1) - node(i)) * (place - i);

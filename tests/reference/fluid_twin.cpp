@@ -8,7 +8,7 @@ namespace simreel::shader {
 
 namespace {
 
-/// Provides the variables and functions that glsl/fluid/grid.glsl declares, under the same names.
+/// Provides the variables and functions that glsl/fluid/grid.glsl declares, with the same names.
 struct FluidModel {
   ivec2 size;
   FluidStep stepData;
@@ -56,14 +56,14 @@ struct FluidModel {
 #define FUNCTION [[nodiscard]] inline
 #define precise
 #include "glsl/fluid/transport.glsl"
-// Needs transport.glsl, which defines the cell types.
+// This file needs transport.glsl, which defines the types of cells.
 #include "glsl/fluid/projected.glsl"
-// Kernels that change cells.
+// The following files are kernels that change cells.
 #include "glsl/fluid/brush.glsl"
 #include "glsl/fluid/look/look.glsl"
   int lineDetail = 1;
   float linePerDetail = 1, linePhase = 0;
-// Line integral convolution; needs the variables above.
+// This file, line integral convolution, needs the variables above.
 #include "glsl/fluid/look/lines.glsl"
 #undef precise
 #undef FUNCTION

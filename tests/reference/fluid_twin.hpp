@@ -6,26 +6,26 @@
 
 #include <glm/vec4.hpp>
 
-/// CPU twin of a fluid: the kernels' own arithmetic (glsl/fluid compiled as C++) cell by cell; the
+/// CPU twin of a fluid. It runs the kernels' own arithmetic (glsl/fluid compiled as C++) cell by cell. The
 /// multigrid solver is a series of plain sweeps over its levels. Equals the GPU bit for bit in exact mode.
 class FluidTwin {
  public:
-  /// Creates the first state, at time `start` (seconds).
+  /// Creates the first state, at the time `start` (seconds).
   explicit FluidTwin(simreel::sim::FluidPlan plan, double start = 0);
 
   /// Steps one frame that starts at `time` (seconds).
   void step(double time);
 
-  // Stages of a substep.
+  // The following functions are the stages of a substep.
   void setStep(const simreel::shader::FluidStep& step) { step_ = step; }
-  /// Sets the obstacles to their state after `step` substeps of the frame that starts at `time` (seconds).
+  /// Gives the obstacles their state after `step` substeps of the frame that starts at `time` (seconds).
   void place(double time, int step);
-  void advect();  ///< includes forces
+  void advect();  ///< also applies forces
   void paint(double time, int step);
   void project();
   void moveDye();
 
-  /// Returns the displayed cells: colour in rgb, value in a.
+  /// Returns the displayed cells: colour in rgb, and the value in a.
   [[nodiscard]] std::vector<glm::vec4> shown() const;
   /// Returns the brightness of the flow lines at `time` (seconds), with lineDetail samples per cell along
   /// each axis.
@@ -35,14 +35,15 @@ class FluidTwin {
   [[nodiscard]] std::size_t index(int x, int y) const {
     return static_cast<std::size_t>((y + 1) * (plan_.size().x + 2) + x + 1);
   }
-  /// Returns the worst cell's absolute flow imbalance divided by max|u|.
+  /// Returns the maximum over the cells of the absolute flow imbalance, divided by max|u|.
   [[nodiscard]] double divergence() const;
 
-  std::vector<glm::vec4> flow, dye;  ///< with the ring of border cells, x fastest
+  std::vector<glm::vec4> flow, dye;  ///< one element per cell, including the ring of border cells, x
+                                     ///< fastest
   long cycles = 0;                   ///< number of multigrid cycles so far
 
  private:
-  /// One level of the multigrid solver: face weights, right-hand sides and solution.
+  /// One level of the multigrid solver, with face weights, right-hand side and solution.
   struct Level {
     glm::ivec2 cells;
     bool wrapsX, wrapsY;
@@ -58,7 +59,7 @@ class FluidTwin {
       };
       return {face(x, y).x, face(x + 1, y).x, face(x, y).y, face(x, y + 1).y};
     }
-    /// Returns 0 outside the grid.
+    /// Returns the value of a cell, or 0 outside the grid.
     [[nodiscard]] float at(const std::vector<float>& of, int x, int y) const {
       if (wrapsX) x = (x + cells.x) % cells.x;
       if (wrapsY) y = (y + cells.y) % cells.y;
@@ -80,7 +81,7 @@ class FluidTwin {
         for (int x = 0; x < cells.x; ++x)
           if ((x + y) % 2 == color) change(x, y, before);
     }
-    /// Relaxes the cells of one colour of a red-black checkerboard, from the values before the call.
+    /// Relaxes the cells of one colour of a red-black checkerboard, based on the values before the call.
     void relax(int color) {
       eachOf(color, [&](int x, int y, const std::vector<float>& before) {
         value[index(x, y)] = simreel::shader::relaxed(rhs[index(x, y)], sumAround(before, x, y),
@@ -90,7 +91,7 @@ class FluidTwin {
     void sweep() {
       for (const int color : {0, 1}) relax(color);
     }
-    /// Runs the first sweep of a level on the way down, from a zero solution.
+    /// Runs a level's first sweep on the way from fine to coarse levels, starting with a zero solution.
     void begin() {
       eachOf(0, [&](int x, int y, const std::vector<float>&) {
         value[index(x, y)] =
@@ -108,6 +109,6 @@ class FluidTwin {
   std::shared_ptr<const simreel::sim::FluidSolids> solids_;
   simreel::shader::FluidStep step_{};
   std::vector<glm::vec4> carried_;
-  std::vector<glm::vec2> sum_;  ///< summed corrections of each cell (x) and their rounding error (y)
+  std::vector<glm::vec2> sum_;  ///< sum of the corrections of each cell (x), and its rounding error (y)
   std::vector<Level> levels_;
 };

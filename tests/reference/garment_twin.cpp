@@ -12,7 +12,7 @@ using namespace simreel::shader;
 
 #define FUNCTION inline
 #define precise
-/// Provides the globals that the model reads in a kernel, and includes the model.
+/// Provides the globals that the model reads in a kernel, and includes the model files.
 struct GarmentKernel : WindKernel {
   const ClothStep& stepData;
   const simreel::sim::GarmentArrays& arrays;
@@ -101,7 +101,7 @@ void GarmentTwin::substep(const ClothStep& data, int index) {
   }
   const std::size_t faces = arrays.corners.size();
   for (std::size_t k = 0; !keeps && k < 2 * faces; ++k) {
-    const std::size_t f = k < faces ? k : 2 * faces - 1 - k;  // forwards, then backwards
+    const std::size_t f = k < faces ? k : 2 * faces - 1 - k;  // The order is forwards, then backwards.
     const uvec4 face = arrays.corners[f];
     const vec3 compliance = vec3(arrays.elements[2 * f + 1]) * data.complianceScale;
     const vec4 shape = arrays.elements[2 * f];

@@ -23,7 +23,7 @@ inline int findLSB(int x) {
 #define FUNCTION inline
 #define precise
 #define REAL float
-/// Provides the bodies that model.glsl reads in a kernel, and includes the model.
+/// Provides the bodies that model.glsl reads in a kernel, and includes the model file.
 struct Kernel {
   const vec4* bodies = nullptr;
 

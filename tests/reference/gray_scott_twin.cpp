@@ -20,7 +20,7 @@ void unpack(const std::vector<glm::vec4>& elements, glm::ivec2 size, std::vector
     }
 }
 
-/// Three neighbouring rows of one substance.
+/// Three neighbouring rows of u or v.
 struct Window {
   const float* above;
   const float* here;

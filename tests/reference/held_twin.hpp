@@ -13,7 +13,8 @@ using namespace simreel::shader;
 #undef FUNCTION
 }  // namespace held_twin
 
-/// CPU version of glsl/cloth/hold.comp: sets the velocities of particles pinned to a skin.
+/// CPU version of glsl/cloth/hold.comp. Sets the velocities of particles that are pinned to a skin. `ways`:
+/// displacements of the pins in the frame.
 inline void holdBySkin(const std::vector<glm::vec4>& ways, int substep, int substeps,
                        std::vector<glm::vec4>& velocities) {
   const double now = static_cast<double>(substep + 1) / substeps;

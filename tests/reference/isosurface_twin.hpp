@@ -3,15 +3,16 @@
 
 #include <functional>
 
-/// CPU twin of marching cubes, sample by sample, with the kernels' vertex numbering, triangle order and
-/// bits. `value` returns the value of a volume's cell. The colour number of each vertex is in uvs.x.
+/// CPU twin of marching cubes, which processes one sample after another. It uses the kernels' vertex
+/// numbering and triangle order and equals the GPU bit for bit. `value` returns the value of a volume's
+/// cell. uvs.x is the colour number of each vertex.
 [[nodiscard]] simreel::sim::MeshTable isosurfaceTwin(const simreel::sim::IsosurfaceShape& shape,
                                                      float level,
                                                      const std::function<float(int, int, int)>& value,
                                                      const std::function<float(int, int, int)>& tint,
                                                      glm::vec2 range);
 
-/// CPU twin of the surface that shows cells as cubes; parameters as in isosurfaceTwin().
+/// CPU twin of the surface that shows cells as cubes. The parameters are those of isosurfaceTwin().
 [[nodiscard]] simreel::sim::MeshTable cubesTwin(const simreel::sim::IsosurfaceShape& shape, float level,
                                                 const std::function<float(int, int, int)>& value,
                                                 const std::function<float(int, int, int)>& tint,

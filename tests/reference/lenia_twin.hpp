@@ -3,21 +3,21 @@
 
 #include <vector>
 
-/// CPU twin of a continuous automaton: the kernel's own arithmetic in the same order. Equals the GPU bit
-/// for bit.
+/// CPU twin of a continuous automaton. It runs the kernel's own arithmetic in the same order. Equals the
+/// GPU bit for bit.
 class LeniaTwin {
  public:
   explicit LeniaTwin(simreel::sim::LeniaPlan plan);
   void step();
-  std::vector<glm::vec4> cells;  ///< in the GPU's memory layout
+  std::vector<glm::vec4> cells;  ///< cells in the GPU's memory layout
 
  private:
   simreel::sim::LeniaPlan plan_;
 };
 
-/// SmoothLife in double precision after its paper (Rafler 2011, arXiv:1111.1567: equations of M, N,
-/// sigma_1, sigma_2, sigma_m and s; smooth steps f + dt (2 s - 1)). One value for each cell, rows without
-/// padding.
+/// SmoothLife in double precision, written from its paper (Rafler 2011, arXiv:1111.1567): the equations of
+/// M, N, sigma_1, sigma_2, sigma_m and s, and smooth steps f + dt (2 s - 1). There is one value per cell;
+/// rows have no padding.
 class SmoothLifeInDouble {
  public:
   explicit SmoothLifeInDouble(const simreel::sim::LeniaPlan& plan);
@@ -30,8 +30,8 @@ class SmoothLifeInDouble {
   simreel::sim::LeniaParameters p_;
 };
 
-/// Lenia's equations written independently in double precision, as sums over neighbours. One value for each
-/// cell, rows without padding.
+/// Lenia's equations in double precision, written independently as sums over neighbours. There is one value
+/// per cell; rows have no padding.
 class LeniaInDouble {
  public:
   explicit LeniaInDouble(const simreel::sim::LeniaPlan& plan);

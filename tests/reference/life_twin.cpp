@@ -23,7 +23,7 @@ namespace trails {
 
 #define FUNCTION [[gnu::always_inline]] inline
 #define WORD std::uint64_t
-/// The kernels' logic for a rule that is a compile-time constant.
+/// The kernels' logic for a rule that is known at compile time.
 template <int B, int S>
 struct FixedRule {
   static constexpr int BORN = B;
@@ -52,15 +52,16 @@ void forRows(int rows, int threads, const Body& body) {
   });
 }
 
-/// A grid of bits with 64 cells per word. The lower 32 cells come first in memory (little endian).
+/// A grid of bits with 64 cells per word. In memory, the first 32 cells are the lower half of the word
+/// (little endian).
 struct Grid {
   const std::uint32_t* words;
   glm::ivec2 size;
   bool torus;
   int count;  ///< number of 64-bit words in a row
 
-  /// Loads row y into row[1] onwards; row[0] and the word after the row hold the neighbours across the
-  /// border. Cells outside a dead border are zero.
+  /// Loads row y into row[1] and the words after it. row[0] and the word after the row receive the
+  /// neighbours across the border. Cells outside a dead border are zero.
   void load(int y, std::vector<std::uint64_t>& row) const {
     std::fill(row.begin(), row.end(), 0);
     if (torus) y = (y + size.y) % size.y;
@@ -146,7 +147,8 @@ void fastBytes(std::vector<std::uint8_t>& cells, std::vector<std::uint8_t>& next
     for (std::size_t x = 1; x <= width; ++x) {
       const auto n = static_cast<std::uint8_t>(a[x - 1] + a[x] + a[x + 1] + b[x - 1] + b[x + 1] + c[x - 1] +
                                                c[x] + c[x + 1]);
-      out[x] = static_cast<std::uint8_t>((n | b[x]) == 3);  // n is 3, or n is 2 and the cell is alive
+      out[x] = static_cast<std::uint8_t>((n | b[x]) == 3);  // True if n is 3, or if n is 2 and the cell is
+                                                            // alive.
     }
   }
 }

@@ -15,7 +15,7 @@ const simreel::shader::Frame noFrame{};
 #define EXACT_PICTURE
 #define SLICES twin.slices
 #define STEPS twin.steps
-/// Provides the inputs of the kernels, and includes the model.
+/// Provides the inputs of the kernels, and includes the model files.
 struct Kernel {
   const OcclusionTwin& twin;
   const ExactView& view = twin.view;

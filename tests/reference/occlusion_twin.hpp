@@ -8,7 +8,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-/// CPU twin of ambient occlusion: the shader files as C++, row by row over pixels of half resolution.
+/// CPU twin of ambient occlusion. It runs the shader files as C++, row by row over pixels of half
+/// resolution.
 struct OcclusionTwin {
   simreel::shader::ExactView view;
   glm::vec3 reach{0};  ///< result of draw::reachOnPicture()
@@ -16,13 +17,12 @@ struct OcclusionTwin {
   std::vector<float> nearness;  ///< 1/depth of half-resolution pixels (1/m)
 
   [[nodiscard]] glm::ivec2 half() const { return (view.size + 1) / 2; }
-  /// Computes `nearness` from the depth keys of the picture's samples. The keys do not contain the ground;
-  /// `ground` adds it.
+  /// Computes `nearness` from the depth keys of the picture's samples. Takes the ground from `ground`,
+  /// because the keys do not contain it.
   void see(const simreel::shader::Frame& frame, int samples, const std::vector<std::uint32_t>& keys,
            bool ground);
-  /// Returns the openness of each half-resolution pixel.
+  /// Returns the openness of each pixel of half resolution: 0 if fully occluded, 1 if not occluded.
   [[nodiscard]] std::vector<float> openness() const;
-  /// Returns the interpolated openness for shading the point `p` (metres) at `pixel` of the full-size
-  /// picture.
+  /// Returns the interpolated openness for shading point `p` (metres) at `pixel` of the full-size picture.
   [[nodiscard]] float opennessOn(const std::vector<float>& openness, glm::ivec2 pixel, glm::vec3 p) const;
 };

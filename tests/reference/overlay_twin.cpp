@@ -32,14 +32,15 @@ T texelFetch(const std::vector<T>& texels, int i) {
 #include "glsl/draw/overlay/pixel.glsl"
 
 struct FieldModel : FieldInputs {
-  static constexpr bool magnified = false;  // tests the loops that kernels with this define leave out
+  static constexpr bool magnified = false;  // This setting tests the loops that kernels omit with the
+                                            // define.
   const std::vector<vec4>& reduced;
 
   [[nodiscard]] vec4 reducedAt(ivec2 at) const {
     return reduced.at(static_cast<std::size_t>(at.y * size.x + at.x));
   }
 #include "glsl/draw/overlay/field_values.glsl"
-// Needs field_values.glsl, which defines cells and colours.
+// These files need field_values.glsl, which defines cells and colours.
 #include "glsl/draw/overlay/field_means.glsl"
 #include "glsl/draw/overlay/field_shading.glsl"
 };
@@ -51,14 +52,15 @@ struct ChartModel : ChartInputs {
     return columns.at(static_cast<std::size_t>(column)).at(static_cast<std::size_t>(row));
   }
 #include "glsl/draw/overlay/chart_columns.glsl"
-// Needs chart_columns.glsl: the shading reads the column heights.
+// This file needs chart_columns.glsl, because the shading reads the column heights.
 #include "glsl/draw/overlay/chart_shading.glsl"
 };
 #undef EXACT_PICTURE
 #undef precise
 #undef FUNCTION
 
-/// Loads an 8-bit pixel, lays `pixel` over it and rounds the result to bytes, as image loads and stores do.
+/// Loads an 8-bit pixel, blends `pixel` over it and rounds the result to bytes, as image loads and stores
+/// do.
 OverlayBytes stored(OverlayBytes below, vec4 pixel) {
   vec4 loaded;
   for (int i = 0; i < 4; ++i)

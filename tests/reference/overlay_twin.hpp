@@ -7,7 +7,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-/// A picture with four components per pixel, top row first: bytes, or premultiplied light and coverage.
+/// A picture with four components per pixel, top row first. The components are bytes, or premultiplied
+/// light and coverage.
 template <class T>
 struct OverlayPicture {
   glm::ivec2 size{0};
@@ -16,7 +17,7 @@ struct OverlayPicture {
 };
 using OverlayBytes = std::array<std::uint8_t, 4>;
 
-/// Provides the variables that glsl/draw/overlay/field_inputs.glsl and field_view.glsl declare, under the
+/// Provides the variables that glsl/draw/overlay/field_inputs.glsl and field_view.glsl declare, with the
 /// same names.
 struct FieldInputs {
   std::vector<glm::uvec4> words;
@@ -26,7 +27,7 @@ struct FieldInputs {
   float rangeLow = 0, rangeFactor = 1;
   int cellKind = 2;
   bool categories = false, colored = false;
-  // Position on the picture.
+  // The following variables give the position of the field on the picture.
   glm::ivec2 size{0}, base{0};
   glm::vec2 start{0}, perPixel{1}, slope{0};
   bool tiled = false, relief = false, encodes = true, reduces = false, smoothColors = false;
@@ -34,16 +35,17 @@ struct FieldInputs {
   float opacity = 1;
 };
 
-/// CPU twin of field drawing, from the kernels' own source.
+/// CPU twin of field drawing. It runs the kernels' own source.
 class FieldTwin {
  public:
   explicit FieldTwin(FieldInputs inputs) : inputs_(std::move(inputs)) {}
-  /// Returns the texels of the averaged field, x fastest. If `colored`, rgb is light and a is the
-  /// normalized value; otherwise all components are the value.
+  /// Returns the texels of the averaged field, x fastest. If the field is colored, rgb is light and a is
+  /// the normalized value. Otherwise all components are the value.
   [[nodiscard]] std::vector<glm::vec4> averaged(glm::ivec2 texels) const;
-  /// Sets averaged texels that later calls read instead of cells; inputs.size must be their size.
+  /// Sets averaged texels that later calls read in place of cells. inputs.size must be the number of these
+  /// texels.
   void setReduced(std::vector<glm::vec4> texels) { reduced_ = std::move(texels); }
-  /// over() draws the field over a part of a picture (left, top, right, bottom); behind() draws it behind
+  /// over() draws the field over a part of a picture (left, top, right, bottom). behind() draws it behind
   /// the picture.
   void over(OverlayPicture<OverlayBytes>& picture, glm::ivec4 part) const;
   void behind(OverlayPicture<glm::vec4>& light, glm::ivec4 part) const;
@@ -53,7 +55,7 @@ class FieldTwin {
   std::vector<glm::vec4> reduced_;
 };
 
-/// Provides the variables that glsl/draw/overlay/chart_inputs.glsl declares, under the same names.
+/// Provides the variables that glsl/draw/overlay/chart_inputs.glsl declares, with the same names.
 struct ChartInputs {
   std::vector<glm::uvec4> counts;
   int steps = 0;
@@ -65,13 +67,14 @@ struct ChartInputs {
   float zero = 0, end = 0;
 };
 
-/// CPU twin of a chart without its text.
+/// CPU twin of a chart, without the chart's text.
 class ChartTwin {
  public:
   explicit ChartTwin(ChartInputs inputs);
   void over(OverlayPicture<OverlayBytes>& picture, glm::ivec4 part) const;
-  /// Returns the reduced curves of each pixel column, in the row order of the kernel's texture: height at
-  /// the column's left edge, at its right edge, min and max.
+  /// Returns the reduced curves of each pixel column, in the row order of the kernel's texture. The
+  /// components are the height at the column's left edge, the height at its right edge, the minimum and the
+  /// maximum.
   [[nodiscard]] const std::vector<std::array<glm::vec4, 4>>& columns() const { return columns_; }
 
  private:

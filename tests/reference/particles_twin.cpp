@@ -17,7 +17,7 @@ using namespace simreel::shader;
 #define precise
 #include "glsl/particles/pace.glsl"
 #include "glsl/particles/pairs.glsl"
-/// Provides the globals that model.glsl reads in a kernel, and includes the model.
+/// Provides the globals that model.glsl reads in a kernel, and includes the model files.
 struct Kernel : WindKernel {
   const ParticleStep& stepData;
   MeshColliders meshData{};
@@ -31,7 +31,7 @@ struct Kernel : WindKernel {
   [[nodiscard]] int loadWallClass(int x, int y) const { return walls->classAt(x, y); }
   [[nodiscard]] float loadWallValue(int x, int y) const { return walls->valueAt(x, y); }
 #include "glsl/contour/model.glsl"
-// as on graphics cards; the twin of cloth tests the other variant, as used by software drivers
+// This is the variant for graphics cards. The twin of cloth tests the variant for software drivers.
 #define BRANCHES
 #include "glsl/contour/wall_model.glsl"
 #undef BRANCHES

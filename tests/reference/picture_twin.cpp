@@ -12,7 +12,7 @@ using namespace simreel::shader;  // NOLINT: the model uses GLSL's names
 #define REFLECTIVE
 #define GROUND_REFLECTIVE
 #define SAMPLES samples
-/// Provides the inputs of the kernels, and includes the model.
+/// Provides the inputs of the kernels, and includes the model files.
 struct Kernel {
   const Frame& frame;
   const ExactView& view;
@@ -57,7 +57,7 @@ std::uint32_t keyOf(float near) {
   return 0x7fffffffU - static_cast<std::uint32_t>(floatBitsToInt(near));
 }
 
-/// Adds the ground at samples where it is nearer than the visible primitive.
+/// Adds the ground to those samples where it is nearer than the visible primitive.
 void layGround(Kernel& kernel, RasterTwinResult& seen) {
   for (int y = 0; y < kernel.view.size.y; ++y)
     for (int x = 0; x < kernel.view.size.x; ++x)
@@ -127,7 +127,7 @@ vec4 groundAt(Kernel& kernel, ivec2 pixel, int sample) {
   return kernel.groundLight(kernel.placeOnRay(ray, depth), unitOf(-ray), 1.0F, 1.0F);
 }
 
-/// Returns the light of a pixel's samples: shades each primitive once, the ground last.
+/// Returns the light of a pixel's samples. Shades each visible primitive once, and the ground last.
 vec4 lightOf(Kernel& kernel, const PictureTwinScene& scene, const std::uint32_t* ids, ivec2 pixel) {
   vec4 sum(0);
   const auto add = [&](std::uint32_t id, int first) {

@@ -14,7 +14,7 @@ void imulExtended(int a, int b, int& high, int& low) {
 #define FUNCTION inline
 #define precise
 #define SAMPLES samples
-/// Provides the inputs of the kernels, and includes the model.
+/// Provides the inputs of the kernels, and includes the model files.
 struct Raster {
   ExactView view;
   int samples;

@@ -6,13 +6,13 @@
 
 #include <glm/vec3.hpp>
 
-/// The visible primitive of each sample, in row order: its depth key and its index.
+/// The visible primitive of each sample, in row order: the primitive's depth key and index.
 struct RasterTwinResult {
   std::vector<std::uint32_t> keys, ids;
 };
 
-/// Rasterizes triangles one after the other with the shader files compiled as C++. `indices` holds three
-/// indices into `places` (metres) for each triangle.
+/// Rasterizes triangles one after the other with the shader files compiled as C++. `indices` contains three
+/// indices into `places` (metres) per triangle.
 [[nodiscard]] RasterTwinResult rasterTwin(const simreel::shader::ExactView& view, int samples,
                                           bool doubleSided, const std::vector<glm::vec3>& places,
                                           const std::vector<unsigned>& indices);

@@ -13,7 +13,7 @@ using namespace simreel::shader;  // NOLINT: the model uses GLSL's names
 #define EXACT_PICTURE
 #define MIRROR_TWIN
 #include "glsl/draw/exact/reflections/levels.glsl"
-/// Provides the inputs of the kernels, and includes the model.
+/// Provides the inputs of the kernels, and includes the model files.
 struct MirrorKernel {
   const ReflectionsTwin& twin;
   const ExactView& view = twin.view;

@@ -86,7 +86,7 @@ void SolidTwin::addPoint(const Edge& edge, int level) {
     return at.x >= 0 && at.y >= 0 && at.x < shape_.size.x && at.y < shape_.size.y;
   };
   float part = 0.5F;
-  glm::vec2 out(edge.to > edge.from ? -1 : 1, 0);  // across the edge (x) and along it (y)
+  glm::vec2 out(edge.to > edge.from ? -1 : 1, 0);  // x is across the edge, y along it.
   if (isWithin(cell) && isWithin(next)) {
     const glm::ivec2 side(edge.along.y, edge.along.x);
     const auto at = [&](glm::ivec2 place) { return valueAt(place.x, place.y); };
@@ -114,7 +114,7 @@ void SolidTwin::addPoint(const Edge& edge, int level) {
   lines.levels.push_back(level);
 }
 
-/// Returns a side of the square at (x, y) in walking order: right, down, left, up.
+/// Returns a side of the square at (x, y). `side`: index in the order right, down, left, up.
 const SolidTwin::Edge& SolidTwin::edgeOf(int x, int y, int side) const {
   return side == 0   ? right_[index(x, y)]
          : side == 1 ? down_[index(x + 1, y)]
@@ -141,7 +141,8 @@ void SolidTwin::addSquares() {
     }
 }
 
-/// Walks around the square twice: a contour that enters leaves at the next crossing of its level.
+/// Adds the contour segments and walls of a square. Visits the square's sides in order, up to twice: a
+/// contour that enters at one side leaves at the next crossing of the same level.
 void SolidTwin::addWalls(int x, int y) {
   const glm::ivec2 corners[] = {{x, y}, {x + 1, y}, {x + 1, y + 1}, {x, y + 1}};
   const auto classOf = [&](int i) { return classAt(corners[i % 4].x, corners[i % 4].y); };

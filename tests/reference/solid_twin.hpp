@@ -6,8 +6,8 @@
 
 #include <glm/vec2.hpp>
 
-/// CPU twin of a field's solid: processes squares one after the other and polygons as lists, with the
-/// kernels' vertex numbering, triangle order and bits.
+/// CPU twin of a field's solid. It processes squares one after the other and polygons as lists. It uses the
+/// kernels' vertex numbering and triangle order and equals the GPU bit for bit.
 struct SolidTwin {
   /// `value` returns the value of the field's cell (x, y).
   SolidTwin(const simreel::sim::SolidShape& shape, const std::function<float(int x, int y)>& value);
@@ -15,7 +15,8 @@ struct SolidTwin {
   simreel::sim::MeshTable mesh;
   simreel::sim::ContourLines lines;
 
-  /// Returns the class of a sample; the field's cells begin at sample (1, 1).
+  /// Returns the class of a sample: the number of levels that its value reaches. The field's cells begin at
+  /// sample (1, 1).
   [[nodiscard]] int classAt(int x, int y) const;
 
  private:
@@ -45,6 +46,6 @@ struct SolidTwin {
   glm::ivec2 samples_;
   unsigned corners_ = 0, firstPoint_ = 0;
   std::vector<int> classes_;
-  std::vector<Edge> right_, down_;  ///< one for each sample
+  std::vector<Edge> right_, down_;  ///< edges to the right of and below each sample
   std::vector<unsigned> sheets_, walls_, faces_;
 };

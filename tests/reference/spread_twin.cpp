@@ -40,7 +40,7 @@ struct WildfireModel {
 #undef precise
 #undef FUNCTION
 
-/// Runs `body` for each row, in bands of 16 rows that have separate counts, and returns the total counts.
+/// Runs `body` for each row, in bands of 16 rows that count separately. Returns the total counts.
 template <class Body>
 glm::uvec4 forRows(int rows, int threads, const Body& body) {
   const int bands = (rows + 15) / 16;
@@ -70,7 +70,7 @@ glm::uvec4 countAll(const std::vector<std::uint8_t>& cells) {
   return counts;
 }
 
-/// The grid with lookups of neighbours.
+/// A grid of cells with access to the neighbours of a cell.
 struct Grid {
   const std::vector<std::uint8_t>& cells;
   glm::ivec2 size;
@@ -89,7 +89,7 @@ struct Grid {
     if (x < 0 || y < 0 || x >= size.x || y >= size.y) return false;
     return (cells[index(x, y)] & classMask) == classActive;
   }
-  /// Returns one bit for each active neighbour, row by row.
+  /// Returns one bit per neighbour, row by row; the bit is set if the neighbour is active.
   [[nodiscard]] std::uint32_t neighbours(int x, int y) const {
     std::uint32_t bits = 0;
     int d = 0;

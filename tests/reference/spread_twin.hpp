@@ -9,18 +9,19 @@
 
 #include <glm/vec4.hpp>
 
-/// CPU twin of the epidemic with one byte for each cell and individual lookups of neighbours. Decisions use
-/// the kernels' own model (glsl/spread/epidemic/model.glsl compiled as C++). Equals the GPU bit for bit.
+/// CPU twin of the epidemic, with one byte per cell and separate reads of all neighbours. Decisions use the
+/// kernels' own model (glsl/spread/epidemic/model.glsl compiled as C++). Equals the GPU bit for bit.
 class EpidemicTwin {
  public:
   /// `start`: time of the first state in seconds.
   explicit EpidemicTwin(simreel::sim::EpidemicPlan plan, double start = 0);
-  /// Steps one frame that starts at `time` (seconds). `threads`: 0 uses all processors.
+  /// Steps one frame that starts at `time` (seconds). `threads`: number of threads; 0 to use all
+  /// processors.
   void step(double time, int threads = 1);
   void oneStep(const simreel::sim::EpidemicPlan::Step& step, int threads = 1);
 
   std::vector<std::uint8_t> cells;
-  std::vector<glm::uvec4> counts;  ///< counts of the first state and of every later step
+  std::vector<glm::uvec4> counts;  ///< counts of the first state and of the state after every step
   [[nodiscard]] simreel::sim::EpidemicPlan& plan() { return plan_; }
 
  private:
@@ -30,7 +31,7 @@ class EpidemicTwin {
   std::vector<std::uint8_t> next_;
 };
 
-/// CPU twin of a wildfire, built like EpidemicTwin.
+/// CPU twin of a wildfire. It works like EpidemicTwin.
 class WildfireTwin {
  public:
   /// `start`: time of the first state in seconds.
@@ -41,9 +42,9 @@ class WildfireTwin {
   std::vector<std::uint8_t> cells;
   std::vector<glm::uvec4> counts;
   [[nodiscard]] simreel::sim::WildfirePlan& plan() { return plan_; }
-  std::optional<WindTwin> wind;  ///< the fluid whose wind acts on the fire, if any
-  /// Updates the fire's wind from the fluid before the steps of the frame at `time` (seconds); `speed` is
-  /// the fluid's parameter "speed".
+  std::optional<WindTwin> wind;  ///< fluid whose wind acts on the fire
+  /// Sets the fire's wind from the fluid, before the steps of the frame at `time` (seconds). `speed`: the
+  /// fluid's parameter "speed".
   void blow(double time, float speed);
 
  private:

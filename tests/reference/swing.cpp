@@ -38,7 +38,7 @@ Case sheet(double degrees, double spacing) {
   return made;
 }
 
-/// Returns the quantity "energy".
+/// Returns the quantity "energy" from a list of quantities.
 double energyOf(const std::vector<double>& measured) {
   return measured[5];
 }
@@ -48,8 +48,10 @@ double energyOf(const std::vector<double>& measured) {
 Case springs(double degrees, double spacing) {
   Case made = sheet(degrees, spacing);
   made.name = "springs";
-  made.parameters.mass = static_cast<float>(spacing * spacing);  // 1 kg/m^2
-  made.parameters.substeps = spacing < 0.03 ? 64 : 32;           // limits w dt of the lattice to 0.7
+  made.parameters.mass = static_cast<float>(spacing * spacing);  // This is 1 kg/m^2.
+  made.parameters.substeps = spacing < 0.03 ? 64 : 32;           // This limits w dt, with the highest
+                                                                 // angular frequency w of the lattice, to
+                                                                 // 0.7.
   return made;
 }
 
@@ -74,7 +76,7 @@ Case strip(double degrees, double spacing) {
   p.mesh->size = glm::vec3(0.5F, 0, 1);
   p.mesh->resolution = {(rows + 1) / 2, rows};
   sim::PinGroup& top = p.pins.emplace_back();
-  // The sheet's upper border after the rotation by `degrees`.
+  // This is the position of the sheet's upper border after the rotation by `degrees`.
   const double angle = degrees * 3.14159265358979 / 180;
   const auto y = static_cast<float>(0.5 * std::cos(angle)), z = static_cast<float>(-0.5 * std::sin(angle));
   top.box = sim::PinBox{glm::vec3(-1, y - 1e-3F, z - 1e-3F), glm::vec3(1, y + 1e-3F, z + 1e-3F)};
@@ -96,7 +98,7 @@ class Swinging {
     twin_.step(frame_++ * frameSeconds);
     return energy();
   }
-  /// Returns the energy of the cloth hanging straight down at its rest length.
+  /// Returns the energy of the cloth when it hangs straight down at its rest length.
   double energyHanging(double degrees) {
     const auto start = twin_.positions;
     double top = -1e300;
@@ -115,7 +117,7 @@ class Swinging {
   int frame_ = 0;
 };
 
-/// Calls `use` with the Swinging of the case.
+/// Calls `use` with the CPU twin (Swinging) of the case.
 template <class Use>
 auto withTwin(const Case& given, const Use& use) {
   const sim::ClothParameters& p = given.parameters;
@@ -134,8 +136,8 @@ auto withTwin(const Case& given, const Use& use) {
 Course courseOf(const Case& given, double seconds, const std::function<double()>& energyAfter) {
   const auto [first, hanging] = withTwin(
       given, [&](auto twin) { return std::pair(twin.energy(), twin.energyHanging(given.degrees)); });
-  // A hanging chain swings with the angular frequency j01 / 2 sqrt(g / L); j01 = 2.405 is the first zero of
-  // J0.
+  // A hanging chain of length L swings with the angular frequency j01 / 2 sqrt(g / L), where j01 = 2.405 is
+  // the first zero of the Bessel function J0.
   const double period = 2 * 3.14159265358979 / (1.2024 * std::sqrt(gravity / given.length));
   const int frames = static_cast<int>(std::lround(seconds / frameSeconds));
   const int window = static_cast<int>(std::lround(period / frameSeconds));

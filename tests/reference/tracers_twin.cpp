@@ -22,7 +22,7 @@ struct TracerModel {
     return solid.at(static_cast<std::size_t>(y * windGrid.size.x + x)) != 0;
   }
 #include "glsl/fluid/wind_model.glsl"
-// Needs wind_model.glsl, which defines the wind.
+// This file needs wind_model.glsl, which defines the wind.
 #include "glsl/fluid/tracers/tracer_model.glsl"
 };
 #undef precise

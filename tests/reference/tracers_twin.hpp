@@ -7,18 +7,19 @@
 
 #include <glm/vec4.hpp>
 
-/// CPU twin of tracers: the kernels' own model (glsl/fluid/tracers/tracer_model.glsl compiled as C++).
+/// CPU twin of tracers. It runs the kernels' own model (glsl/fluid/tracers/tracer_model.glsl compiled as
+/// C++).
 class TracersTwin {
  public:
-  /// `solid`: one byte for each cell, nonzero in obstacles.
+  /// `solid`: one byte per cell, which is nonzero in obstacles.
   TracersTwin(const simreel::sim::TracerParameters& parameters, glm::ivec2 size,
               std::vector<std::uint8_t> solid, const simreel::shader::TracerStep& step,
               double frameSeconds);
   void beginFrame();
   void advance(const WindTwin& wind);
 
-  std::vector<glm::vec4> tracers;    ///< position in cells (xy), age in seconds, number of rebirths
-  std::vector<std::uint32_t> trail;  ///< one for each cell, x fastest
+  std::vector<glm::vec4> tracers;    ///< xy: position in cells, z: age in seconds, w: number of rebirths
+  std::vector<std::uint32_t> trail;  ///< brightness, one value per cell, x fastest
 
  private:
   glm::ivec2 size_;

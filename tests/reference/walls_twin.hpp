@@ -9,7 +9,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-/// CPU twin of a solid for collisions: its field, and the independently computed classes of its samples.
+/// CPU twin of a solid for collisions. It contains the solid's field, and the classes of the field's
+/// samples, which are computed independently.
 class WallsTwin {
  public:
   /// `value` returns the value of the field's cell (x, y).
@@ -19,7 +20,7 @@ class WallsTwin {
     cut();
   }
 
-  /// Recomputes the classes; needed after the field's values or the heights have changed.
+  /// Recomputes the classes. Must be called after the field's values or the heights have changed.
   void cut() {
     classes_.clear();
     for (int y = -1; y <= shape_.size.y; ++y)
@@ -32,11 +33,12 @@ class WallsTwin {
   }
   void setHeights(const std::vector<float>& heights) { heights_ = heights; }
 
-  /// Returns the class of a sample; the field's cells begin at sample (1, 1).
+  /// Returns the class of a sample: the number of levels that its value reaches. The field's cells begin at
+  /// sample (1, 1).
   [[nodiscard]] int classAt(int x, int y) const {
     return classes_[static_cast<std::size_t>(y * (shape_.size.x + 2) + x)];
   }
-  /// Returns the value of a cell; outside the field, of the nearest cell.
+  /// Returns the value of a cell. Outside the field, returns that of the nearest cell.
   [[nodiscard]] float valueAt(int x, int y) const {
     const float value = value_(std::clamp(x, 0, shape_.size.x - 1), std::clamp(y, 0, shape_.size.y - 1));
     return std::isfinite(value) ? std::clamp(value, -1e20F, 1e20F) : -1e20F;

@@ -12,7 +12,7 @@ namespace {
 #define FUNCTION
 #define precise
 
-/// Provides the state and the parameters that the kernels read, and includes the model.
+/// Provides the state and the parameters that the kernels read, and includes the model files.
 struct WaterKernel {
   const std::vector<glm::vec4>& cells;
   ivec2 size;
@@ -25,7 +25,7 @@ struct WaterKernel {
 #include "glsl/water/step.glsl"
 };
 
-/// Provides the inputs of the kernels of floats, and includes the model.
+/// Provides the inputs of the kernels of floats, and includes the model files.
 struct FloatKernel {
   const std::vector<glm::vec4>& cells;
   const std::vector<glm::vec4>& bodies;
@@ -41,11 +41,11 @@ struct FloatKernel {
   [[nodiscard]] vec4 loadFloatPoint(int i) const { return points[static_cast<std::size_t>(i)]; }
   void addToSum(int cell, int which, int value) { sums[static_cast<std::size_t>(cell)][which] += value; }
 #include "glsl/water/float_model.glsl"
-  // Need float_model.glsl.
+  // These files need float_model.glsl.
 #include "glsl/water/float_contact.glsl"
 #include "glsl/water/float_motion.glsl"
 
-  /// Adds the contact with another body to a body's sum, as floats.comp does.
+  /// Adds the contact with another body to a body's sum of forces, as floats.comp does.
   [[nodiscard]] FloatSum withContact(const FloatSum& sum, int me, int other) {
     const bool isFirst = me < other;
     const FloatBody first = floatBody(std::min(me, other));

@@ -5,8 +5,8 @@
 
 #include <glm/vec4.hpp>
 
-/// CPU twin of shallow water: the kernels' own arithmetic (glsl/water compiled as C++). Equals the GPU bit
-/// for bit in exact mode.
+/// CPU twin of shallow water. It runs the kernels' own arithmetic (glsl/water compiled as C++). Equals the
+/// GPU bit for bit in exact mode.
 class WaterTwin {
  public:
   /// `start`: time of the first state in seconds.
@@ -14,19 +14,20 @@ class WaterTwin {
 
   /// Steps one frame that starts at `time` (seconds).
   void step(double time);
-  /// Runs one step without rain, strokes and drops.
+  /// Computes one step without rain, strokes and drops.
   void advance(const simreel::shader::WaterStep& water);
   /// Returns the cells that glsl/water/look.comp computes for drawing.
   [[nodiscard]] std::vector<glm::vec4> look() const;
   [[nodiscard]] const simreel::sim::WaterPlan& plan() const { return plan_; }
 
   /// Moves the floats and computes the water that they displace, for step `index` (zero-based) of the frame
-  /// at `time` (seconds). -1 computes only the displaced water of the first state.
+  /// at `time` (seconds). If `index` is -1, only computes the water displaced in the first state.
   void drift(double time, int index);
 
-  std::vector<glm::vec4> cells;       ///< cell by cell, x fastest
-  std::vector<glm::vec4> floats;      ///< layout of FloatPlan::first()
-  std::vector<glm::ivec4> displaced;  ///< one for each cell; empty without floats
+  std::vector<glm::vec4> cells;       ///< one element per cell, x fastest
+  std::vector<glm::vec4> floats;      ///< floats in the layout of FloatPlan::first()
+  std::vector<glm::ivec4> displaced;  ///< displaced water, one element per cell; empty if there are no
+                                      ///< floats
 
  private:
   void fall(double time, int step);

@@ -6,7 +6,8 @@
 
 #include <glm/vec4.hpp>
 
-/// CPU twin of a fluid's wind that acts on other objects: the flow with its ring of border cells.
+/// CPU twin of a fluid's wind that acts on other objects. It contains the flow with the ring of border
+/// cells.
 struct WindTwin {
   simreel::shader::WindGrid grid{};
   std::vector<glm::vec4> flow = {};
@@ -16,8 +17,8 @@ struct WindTwin {
   }
 };
 
-/// Provides the wind that kernels read (glsl/fluid/wind_array.glsl); no wind before blow() is called with
-/// one.
+/// Provides the wind that kernels read (glsl/fluid/wind_array.glsl). There is no wind until blow() has been
+/// called with one.
 struct WindKernel {
   bool blown = false;
   const WindTwin* windTwin = nullptr;

@@ -9,12 +9,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-/// glTF files with a skin, written by tests.
+/// Helpers that write glTF files with a skin.
 namespace simreel::test {
 
 class GltfText {
  public:
-  /// Adds an array of numbers and an accessor; returns the accessor's index.
+  /// Adds an array of numbers and its accessor. Returns the accessor's index.
   template <class T>
   std::size_t add(const std::vector<T>& numbers, int component, const char* type, std::size_t width,
                   bool normalized = false) {
@@ -62,7 +62,7 @@ class GltfText {
   nlohmann::json views_ = nlohmann::json::array(), accessors_ = nlohmann::json::array();
 };
 
-/// Errors to insert into the tube below.
+/// Errors to insert into the tube of tubeText().
 struct TubeFaults {
   bool noSkin = false, noWeights = false, noJoints = false;
   float weightSum = 1;
@@ -70,11 +70,11 @@ struct TubeFaults {
   std::vector<float> times = {0, 0.5F, 1};
 };
 
-/// A tube of radius 0.1 m and length 1 m along y. Its joints are "low" at the foot, "high" at the middle,
-/// which moves the upper half with a soft transition, and "tip" at the end, which moves nothing.
-/// Animations: "bend" rotates "high" about z by 0, 90, 0 degrees at 0, 0.5 and 1 s, and moves "low" along x
-/// by 0, 1, 0 m; "step" moves "high" by STEP; "curve" moves "high" by CUBICSPLINE with constant tangents
-/// (1, 2, 3) per second.
+/// Returns a tube of radius 0.1 m and length 1 m along y. Its joint "low" is at the lower end. "high" is in
+/// the middle and moves the upper half, with a gradual transition. "tip" is at the upper end and moves
+/// nothing. There are three animations. "bend" rotates "high" about z by 0, 90, 0 degrees at 0, 0.5 and 1
+/// s, and moves "low" along x by 0, 1, 0 m. "step" moves "high" with STEP interpolation. "curve" moves
+/// "high" with CUBICSPLINE interpolation and constant tangents (1, 2, 3) per second.
 inline GltfText tubeText(const TubeFaults& faults = {}) {
   constexpr int around = 24;
   constexpr int rings = 41;

@@ -7,19 +7,19 @@
 
 #include <doctest/doctest.h>
 
-/// Helpers shared by several test folders.
+/// Helpers for several folders of tests.
 namespace simreel::test {
 
 [[nodiscard]] inline bool has(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }
 
-/// Fails the test and prints both texts if `part` is missing.
+/// Fails the test and prints both texts if `text` does not contain `part`.
 inline void checkHas(const std::string& text, const std::string& part) {
   CHECK_MESSAGE(has(text, part), "\"", text, "\" lacks \"", part, "\"");
 }
 
-/// Creates a file in the system's temporary folder and removes it in the destructor.
+/// Creates a file in the system's temporary folder and removes the file in the destructor.
 class TemporaryFile {
  public:
   TemporaryFile(const std::string& name, const std::string& contents)

@@ -1,6 +1,6 @@
-// Measures cloth substeps on the device and by the CPU twin, on one thread and on all threads. One item
-// is one particle in one step. A substep with springs moves 64 bytes per particle:
-// it reads position (those of neighbours come from the cache) and velocity and writes both.
+// Measures cloth substeps on the device and on the CPU twin, with one thread and with all. One item is one
+// particle in one step. A substep with springs moves 64 bytes per particle: it reads position and velocity
+// and writes both. The positions of neighbours come from the cache.
 #include "gl/context.hpp"
 #include "reference/cloth_twin.hpp"
 #include "sim/world/list.hpp"
@@ -18,7 +18,7 @@ using namespace simreel;
 namespace {
 
 int substeps =
-    8;  ///< substeps per frame, --substeps N; the benchmark waits for the device after each frame
+    8;  ///< substeps per frame (--substeps N); the benchmark waits for the device after each frame
 
 sim::ClothParameters sheet(int side) {
   sim::ClothParameters p;

@@ -1,6 +1,6 @@
-// Measures floor and walls of a cave by marching squares, rebuilt every frame: milliseconds on the device,
-// memory size and memory rate. The cave is noise, smoothed five times. Each process measures one size:
-// bench_contours [SIDE [FRAMES]].
+// Measures marching squares for the floor and the walls of a cave, rebuilt in every frame: milliseconds on
+// the device, memory size and memory rate. The cave is noise that is smoothed five times. Each process
+// measures one size: bench_contours [SIDE [FRAMES]].
 #include "gl/context.hpp"
 #include "gl/texture.hpp"
 #include "sim/cave/growth.hpp"
@@ -45,7 +45,7 @@ int main(int argc, char** argv) {
     solid.make(field, {0.0F, height});
     return solid.settle();
   };
-  while (make(0.1F)) {  // repeats until the buffers are large enough
+  while (make(0.1F)) {  // This repeats until the buffers are large enough.
   }
   std::vector<double> took;
   for (int frame = 0; frame < frames; ++frame) {
@@ -60,7 +60,7 @@ int main(int argc, char** argv) {
     took.push_back(gl::softwareDriver() ? wall.count() : timer.nanoseconds() * 1e-6);
   }
   const sim::Surface surface = solid.surface();
-  // Reads positions of the samples and writes six indices per square.
+  // The kernel reads the positions of the samples and writes six indices per square.
   const double bytes = double(side) * side * (16 + 24);
   const double milliseconds = median(took);
   fmt::print("device: {}\n", context.device().name);

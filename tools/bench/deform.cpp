@@ -1,6 +1,6 @@
-// Compares the five deformation techniques on a 401x401 grid with the ripple: milliseconds of a frame's
-// deformation up to the start of drawing, and its stages. "compute" runs a second time with readback. Run
-// on an idle machine.
+// Compares the five deformation techniques on a 401x401 grid with the ripple. Prints the milliseconds from
+// the start of a frame's deformation to the start of drawing, and of the stages in between. "compute" runs
+// a second time with readback. The machine should be idle.
 #include "gl/context.hpp"
 #include "sim/mesh/parameters.hpp"
 #include "sim/world/list.hpp"
@@ -22,7 +22,7 @@ double median(std::vector<double>& values) {
   return values[values.size() / 2];
 }
 
-/// Prints a row of the table; returns the median milliseconds of a frame.
+/// Prints a row of the table. Returns the median milliseconds of a frame.
 double measure(const char* name, sim::DeformTechnique technique, bool readback, int frames) {
   scene::Object object;
   object.name = "sheet";

@@ -27,7 +27,7 @@ constexpr float softening = 0.01F;
 
 struct Phases {
   double sort, build, walk,
-      total;  ///< ms; total: wall-clock time of the whole step until the device is done
+      total;  ///< milliseconds; total: wall-clock time of the whole step until the device is done
 };
 
 double milliseconds(const auto& work) {
@@ -36,7 +36,8 @@ double milliseconds(const auto& work) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Measures with a timer query. Software drivers return zero for these, so on them with the clock.
+/// Measures the device time with a timer query. For software drivers, whose queries return zero, uses the
+/// clock.
 double deviceMilliseconds(const auto& work) {
   if (gl::softwareDriver())
     return milliseconds([&] {
@@ -50,7 +51,7 @@ double deviceMilliseconds(const auto& work) {
   return timer.nanoseconds() * 1e-6;
 }
 
-/// Returns the minimum of several steps, after one warm-up step.
+/// Returns the minimum times over several steps, after one warm-up step.
 Phases measure(sim::GravityTree& tree, const gl::Vec4Array& positions, const gl::Vec4Array& accelerations,
                int count, float opening, int steps) {
   const double max = std::numeric_limits<double>::max();

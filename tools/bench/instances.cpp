@@ -1,5 +1,5 @@
-// Measures crowds at 640x360 and 4 samples (and a million at 1280x720): shadow, culling, drawing and tone
-// mapping, without simulation and readback. Items are instances.
+// Measures crowds at 640x360 and 4 samples, and a million instances at 1280x720: shadow, culling, drawing
+// and tone mapping, without simulation and readback. One item is one instance.
 #include "draw/screen/renderer.hpp"
 #include "gl/buffer.hpp"
 #include "gl/context.hpp"
@@ -66,7 +66,7 @@ void frame(benchmark::State& state, sim::Instances::Shape shape, bool additive, 
   int drawn = 0;
   for (auto _ : state) {
     renderer.draw(0, drawables);
-    if (++drawn % 8 == 0) glFinish();  // several frames are in flight in a real sequence too
+    if (++drawn % 8 == 0) glFinish();  // In a real sequence, several frames are also in flight.
   }
   state.SetItemsProcessed(state.iterations() * state.range(0));
   state.counters["frames/s"] =

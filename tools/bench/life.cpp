@@ -31,14 +31,14 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Cells/s by wall-clock time, and by processor time of all threads; other load on the machine affects the
+/// Cells/s by wall-clock time, and by processor time of all threads. Other load on the machine affects the
 /// latter less.
 struct Rate {
   double wall = 0;
   double processor = 0;
 };
 
-/// Runs `body`, which does `cells` cell updates, at least twice and for 0.4 s; returns the best rates.
+/// Runs `body`, which performs `cells` cell updates, at least twice and for 0.4 s. Returns the best rates.
 template <class Body>
 Rate rate(double cells, const Body& body) {
   Rate best;
@@ -69,8 +69,8 @@ void print(const std::string& name, Rate found, Rate plain) {
   std::fflush(stdout);
 }
 
-/// Measures the loops over bytes and the twin, on a grid small enough for a CPU. Returns the plain loop's
-/// rate.
+/// Measures the loops over bytes and the twin on a grid small enough for a CPU. Returns the rate of the
+/// plain loop.
 Rate onCpu(glm::ivec2 size) {
   const double cells = static_cast<double>(size.x) * size.y;
   sim::LifeParameters parameters;
@@ -91,7 +91,7 @@ Rate onCpu(glm::ivec2 size) {
   return plain;
 }
 
-/// Returns a soup that repeats one random band, so that a huge grid is filled quickly.
+/// Returns a random pattern that repeats one band, so that a huge grid is filled quickly.
 std::vector<glm::uvec4> soup(glm::ivec2 size) {
   sim::LifeParameters parameters;
   parameters.size = {size.x, std::min(size.y, std::max(1, (1 << 22) / size.x))};

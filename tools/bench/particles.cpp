@@ -26,18 +26,19 @@
 
 using namespace simreel;
 
-/// particles/soa.cpp: vectorised by the compiler for this machine; writes three floats per target into
-/// `sums`.
+/// Function of particles/soa.cpp, vectorised by the compiler for this machine. Writes three floats per
+/// target to `sums`.
 void soaPairs(const float* x, const float* y, const float* z, const float* mass, int count, int first,
               int end, float softening, float* sums);
 
-/// particles/native.cpp: the plain loop with this machine's instruction set; xyzw per body.
+/// Function of particles/native.cpp: the plain loop with this machine's instruction set. Bodies have four
+/// floats, xyzw.
 void nativePairs(const float* bodies, float* accelerations, int count, int first, int end, float gravity,
                  float softening);
 
 #ifdef SIMREEL_BENCH_CUDA
-/// particles/pairs.cu: returns the seconds of the best of `runs`, negative without a device; writes xyzw
-/// per body into `accelerations`.
+/// Function of particles/pairs.cu. Returns the seconds of the fastest of `runs` runs, or a negative number
+/// without a device. Writes four floats, xyzw, per body to `accelerations`.
 double cudaPairs(const float* bodies, float* accelerations, int count, float gravity, float softening,
                  int runs);
 #endif
@@ -57,11 +58,11 @@ std::vector<glm::vec4> cloud(int count) {
   return bodies;
 }
 
-/// Minimum processor seconds of all threads over the runs of the last best(). Other load on a shared
+/// Minimum processor seconds of all threads over the runs of the last call of best(). Other load on the
 /// machine does not count.
 double processorSeconds = 0;
 
-/// Returns the seconds of the fastest run; runs at least three times and for half a second.
+/// Returns the seconds of the fastest run. Runs `body` at least three times and for half a second.
 double best(const std::function<void()>& body) {
   double shortest = 1e300;
   processorSeconds = 1e300;
@@ -79,7 +80,7 @@ double best(const std::function<void()>& body) {
   return shortest;
 }
 
-/// Bodies with one array per coordinate.
+/// Bodies as a structure of arrays, with one array per coordinate.
 struct Soa {
   std::vector<float> x, y, z, mass;
   explicit Soa(const std::vector<glm::vec4>& bodies) {
@@ -92,7 +93,7 @@ struct Soa {
   }
 };
 
-/// Distributes targets 0..count-1 over threads.
+/// Distributes the targets 0 to count-1 over threads.
 void shared(int count, unsigned threads, const std::function<void(int, int)>& part) {
   const auto bound = [&](unsigned i) {
     return static_cast<int>(static_cast<long long>(count) * i / threads);
@@ -121,7 +122,7 @@ void soaLoop(const Soa& bodies, std::vector<glm::vec4>& out, unsigned threads) {
     out[i] = glm::vec4(sums[i * 3], sums[i * 3 + 1], sums[i * 3 + 2], 0) * gravity;
 }
 
-/// Returns reference sums in double precision, for the errors of the implementations.
+/// Returns reference sums in double precision, which give the errors of the implementations.
 std::vector<glm::vec4> exactSums(const std::vector<glm::vec4>& bodies, std::size_t targets) {
   std::vector<glm::vec4> out;
   for (std::size_t i = 0; i < targets; ++i) {
@@ -136,8 +137,8 @@ std::vector<glm::vec4> exactSums(const std::vector<glm::vec4>& bodies, std::size
   return out;
 }
 
-/// Returns the maximum difference relative to the maximum acceleration, to check that all implementations
-/// solve the same problem.
+/// Returns the maximum difference relative to the maximum acceleration. This checks that all
+/// implementations solve the same problem.
 double difference(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
   float max = 0;
   float scale = 0;

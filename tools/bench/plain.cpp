@@ -105,7 +105,7 @@ Parameters field(int side) {
   return p;
 }
 
-/// A tenth of the cells is infected in the steady state.
+/// Returns the epidemic case. A tenth of the cells is infected in the steady state.
 Subject epidemic() {
   constexpr int side = 1024;
   auto p = field<sim::EpidemicParameters>(side);
@@ -129,7 +129,7 @@ Subject epidemic() {
           frames(onDevice("epidemic", p), sim::StepWatch{})};
 }
 
-/// `across` times as many growing fires.
+/// Returns the wildfire case with `across` x `across` growing fires.
 Subject wildfire(int across) {
   constexpr int side = 1024;
   auto p = field<sim::WildfireParameters>(side);
@@ -239,7 +239,7 @@ Subject deform() {
           frames(device, sim::StepWatch{})};
 }
 
-/// A cave's map from noise to walls, rebuilt each time.
+/// Returns the case of a cave whose map is computed from noise to walls each time.
 Subject walls() {
   constexpr int side = 1024;
   sim::CaveParameters p;

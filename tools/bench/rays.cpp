@@ -1,6 +1,6 @@
 // Measures rays per processor second through 320,000 triangles of a waving sheet, and through as many
-// randomly placed ones: by the kernel of render.quality "high", by the same algorithm as a plain loop, and
-// by Embree if its library is installed. All trace the same rays: from points on the sheet into the
+// randomly placed triangles. Compares the kernel of render.quality "high", the same algorithm as a plain
+// loop, and Embree if its library is installed. All trace the same rays: from points on the sheet into the
 // hemisphere (as for lighting), in the order of a picture's pixels.
 #include "base/hash.hpp"
 #include "draw/exact/rays/bindings.hpp"
@@ -95,8 +95,8 @@ double processorSeconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Runs `f` until a second of processor time is over and prints rays per second. Returns rays per processor
-/// second.
+/// Runs `f` until a second of processor time has passed and prints rays per second. Returns rays per
+/// processor second.
 template <class F>
 double measure(const char* name, std::size_t rays, const F& f) {
   f();
@@ -115,7 +115,7 @@ double measure(const char* name, std::size_t rays, const F& f) {
   return each;
 }
 
-/// The triangles on the device, with their BVH.
+/// The triangles on the device, with their bounding volume hierarchy.
 struct Stage {
   explicit Stage(const Soup& soup) {
     places = gl::Buffer::of<glm::vec4>("places", soup.places);

@@ -38,7 +38,8 @@ sim::GrayScottPlan byHand(int side) {
   return {p, "dish", 1, frameSeconds};
 }
 
-/// The same equations; 0.3 of their diffusion is the Laplacian available in expressions.
+/// Returns the plan of the same equations as a rule. The rule's diffusion coefficients are 0.3 times those
+/// of the kernels, because its Laplacian is larger by 1 / 0.3.
 sim::ReactionPlan asRule(int side) {
   sim::ReactionParameters p;
   p.size = {side, side};
@@ -72,7 +73,7 @@ sim::ReactionPlan closed(int side) {
   return {p, "dish", 1, frameSeconds};
 }
 
-/// A cycle of species, each displaced by the next (May and Leonard 1975).
+/// Returns a rule with a cycle of species, each of which is displaced by the next (May and Leonard 1975).
 sim::ReactionPlan inCircle(int side, int species) {
   sim::ReactionParameters p;
   p.size = {side, side};
@@ -148,7 +149,7 @@ void plainLoop(benchmark::State& state) {
   report(state, side, 1);
 }
 
-/// Copies four planes on the processor: moves the bytes of a step without computing.
+/// Copies four planes on the processor, which moves the bytes of a step without computing.
 void bytesAlone(benchmark::State& state, bool volume) {
   const int side = static_cast<int>(state.range(0)), depth = volume ? side : 1;
   const std::size_t cells =

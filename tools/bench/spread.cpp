@@ -1,5 +1,5 @@
 // Measures cells per second of an endless epidemic and of a growing wildfire: on the device, and on the CPU
-// twin with one thread and with all. All take the same steps from the same start.
+// twin with one thread and with all. All perform the same steps from the same start.
 #include "base/clock.hpp"
 #include "gl/context.hpp"
 #include "reference/spread_twin.hpp"
@@ -19,7 +19,7 @@ namespace {
 constexpr double frameSeconds = 1.0 / 60;
 constexpr int stepsEach = 16;
 
-/// About a tenth of the cells is infected in the steady state.
+/// Returns an epidemic in which about a tenth of the cells is infected in the steady state.
 sim::EpidemicParameters city(int side) {
   sim::EpidemicParameters p;
   p.size = {side, side};
@@ -33,7 +33,7 @@ sim::EpidemicParameters city(int side) {
   return p;
 }
 
-/// A forest with a hundred fires.
+/// Returns a forest with a hundred fires.
 sim::WildfireParameters forest(int side) {
   sim::WildfireParameters p;
   p.size = {side, side};
@@ -58,7 +58,7 @@ struct Times {
   double processor = 1e9;
 };
 
-/// Runs half the frames as warm-up, then returns the best of the others.
+/// Runs half of the frames as a warm-up. Returns the best times of the others.
 template <class Frame>
 Times secondsOf(int frames, const Frame& frame) {
   Times best;
@@ -92,7 +92,7 @@ void line(const char* what, int side, const Times& times) {
 template <class Parameters>
 void device(const char* name, const sim::SimulationKind& kind, const Parameters& parameters, int frames) {
   const std::unique_ptr<sim::Simulation> simulation = onDevice(kind, parameters);
-  if (!gl::softwareDriver()) {  // an idle GPU starts at a sixth of its clock rate
+  if (!gl::softwareDriver()) {  // An idle GPU starts at a sixth of its clock rate.
     const std::unique_ptr<sim::Simulation> other = onDevice(kind, parameters);
     const auto start = Clock::now();
     for (int i = 0; secondsSince(start) < 0.5; ++i) {

@@ -32,10 +32,11 @@ using namespace simreel;
 namespace {
 
 constexpr double degrees = 57.29577951308232;
-constexpr double flagWidth = 95 * 0.0215, flagHeight = 63 * 0.0215;  // m, size of the cloth in flag.json
+constexpr double flagWidth = 95 * 0.0215, flagHeight = 63 * 0.0215;  // size in metres of the cloth in
+                                                                     // flag.json
 constexpr int coarsest = 48;
 
-/// A mean over time with its standard error, estimated from the means of single seconds.
+/// A mean over time and its standard error, which is estimated from the means of single seconds.
 class Mean {
  public:
   void add(double squared, int frame) {
@@ -61,19 +62,20 @@ class Mean {
   std::vector<double> seconds_;
 };
 
-/// Angles between neighbouring chords, rms in degrees: along the fly edge, and along the last tenth of the
-/// rows; for chords as long as a link of the coarsest grid, and twice as long.
+/// Result for a flag: root mean square angles in degrees between neighbouring chords, along the fly edge
+/// and along the last tenth of the rows. The chords are as long as a link of the coarsest grid, or twice as
+/// long.
 struct Flag {
   int columns = 0, substeps = 0;
   std::array<Mean, 2> alongEdge, toEdge;
   double stretch = 0;   ///< maximum stretch over all frames
-  double strained = 0;  ///< links more than 5% beyond their length, per frame
+  double strained = 0;  ///< number of links that are more than 5% longer than at rest, per frame
   double reach = 0;     ///< distance (m) from the pole to the fly edge, along x
   double height = 0;    ///< height (m) of the fly edge
   double kinetic = 0;   ///< kinetic energy, J
 };
 
-/// Mean squared angle between chords of `pace` links along lines of particles.
+/// Sum of squared angles between chords of `pace` links along lines of particles.
 struct Angles {
   double sum = 0;
   long count = 0;
@@ -88,7 +90,7 @@ struct Angles {
   [[nodiscard]] double mean() const { return sum / static_cast<double>(count); }
 };
 
-/// Runs the flag with the given number of columns. Angles are measured over the same lengths of cloth,
+/// Simulates the flag with the given number of columns. Angles are measured over the same lengths of cloth,
 /// whatever the length of a link. Measuring starts after 3 s.
 Flag flagOf(int columns, int seconds, const std::vector<scene::Override>& more) {
   const double spacing = flagWidth / (columns - 1);
@@ -172,7 +174,7 @@ bool resolution(int seconds, const std::vector<scene::Override>& more) {
   return spread(&Flag::alongEdge, 0) <= 20 && spread(&Flag::alongEdge, 1) <= 20;
 }
 
-/// Runs on the device, so the study may be long and fine.
+/// Runs on the device, so that the study may be long and use fine grids.
 bool energy(int seconds) {
   fmt::print("{:<20} {:>8} {:>8} {:>9} {:>11} {:>11}   of the energy of the swing, {} s\n", "", "degrees",
              "spacing", "substeps", "drift", "rise", seconds);

@@ -27,7 +27,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Returns the best cells/s of at least two runs and 0.5 s.
+/// Returns the best rate in cells/s of at least two runs that last 0.5 s in total.
 template <class Body>
 double bestRate(double cells, const Body& body) {
   double best = 0;
@@ -80,7 +80,7 @@ int main(int argc, char** argv) {
     limits.half.push_back(around.wide.span(dy).last);
     n += 2 * limits.half.back() + 1;
   }
-  // The limits of Bosco's rule (range 5), as fractions of the neighbourhood.
+  // These are the limits of Bosco's rule (range 5), as fractions of the neighbourhood.
   const auto share = [&](int of121) { return static_cast<int>(std::int64_t{n} * of121 / 121); };
   limits.surviveMin = limits.bornMin = share(34);
   limits.surviveMax = share(58);
@@ -97,7 +97,7 @@ int main(int argc, char** argv) {
   if (loops) {
     plain::Wide loop(size.x, size.y, limits);
     for (std::size_t i = 0; i < loop.cells.size(); ++i) loop.cells[i] = i * 2654435761U % 97 < 48 ? 1 : 0;
-    // For long ranges a few rows are enough.
+    // For long ranges, a few rows are enough.
     const int rows = static_cast<int>(std::clamp(1e9 / n / size.x, 1.0, static_cast<double>(size.y)));
     direct = bestRate(static_cast<double>(size.x) * rows, [&] { loop.direct(rows); });
     line("loop over bytes, all around, 1 thread", direct, direct);
@@ -120,8 +120,8 @@ int main(int argc, char** argv) {
   const double rate = bestRate(cells * steps, run);
   line("device", rate, direct);
   const double copied = bench::copiedBySecond();
-  // Bits in and out; each pass writes and reads the engine's buffers once; squares and long ranges also
-  // read and write the padded cells as bytes once, for the column sums.
+  // The bits are read and written once. Each pass writes and reads the engine's buffers once. For squares
+  // and long ranges, the padded cells are also read and written once as bytes, for the column sums.
   const bool sums = range > 90 || shape == "M";
   const double bytesPerCell = 2.0 / 8 + 2.0 * static_cast<double>(engine.bytes()) / cells + (sums ? 1 : 0);
   fmt::print(

@@ -15,7 +15,7 @@ KNOWN = {
     "objects.*.capsule": SOLID | {"length"},
     "objects.*.material": {"color", "texture", "roughness", "metallic", "translucency"},
 }
-# Values that a scene must set itself, because simreel's defaults for them are not available in Blender.
+# Values that a scene must give, because simreel's defaults for them do not exist in Blender.
 NEEDED = {"camera": ("position", "target", "fieldOfView"), "sun": ("direction", "color", "intensity"),
           "ground": ("height", "color", "roughness", "fadeStart", "fadeEnd"), "render": ("size",)}
 

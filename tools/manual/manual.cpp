@@ -51,7 +51,7 @@ Command commandOf(const CLI::App& app) {
   return command;
 }
 
-/// Returns a command merged with its subcommands: "report merge reports..." becomes one entry.
+/// Returns a command that is merged with its subcommands: "report merge reports..." becomes one entry.
 Command wholeCommandOf(const CLI::App& app) {
   Command command = commandOf(app);
   for (const CLI::App* below : app.get_subcommands([](const CLI::App*) { return true; })) {
@@ -63,8 +63,8 @@ Command wholeCommandOf(const CLI::App& app) {
   return command;
 }
 
-/// Returns the program's own flags, which are allowed anywhere, as a command without a name; then its
-/// commands.
+/// Returns the commands. The first entry has no name and contains the program's own flags, which are
+/// allowed anywhere.
 std::vector<Command> commandsOf(const CLI::App& app) {
   std::vector<Command> all = {commandOf(app)};
   all.front().name.clear();
@@ -73,7 +73,7 @@ std::vector<Command> commandsOf(const CLI::App& app) {
   return all;
 }
 
-// Escapes text for groff(7): a backslash begins an escape, a dot or quote at the start of a line begins a
+// Escapes text for groff(7). A backslash begins an escape, a dot or quote at the start of a line begins a
 // request, and a bare - is a hyphen.
 std::string roff(const std::string& text) {
   std::string safe = replaced(replaced(text, "\\", "\\e"), "-", "\\-");
@@ -125,7 +125,8 @@ std::vector<std::string> namesOf(const std::vector<Command>& commands) {
   return names;
 }
 
-/// Returns the completion script for bash. If the script has no completion, the shell completes file names.
+/// Returns the completion script for bash. If the script finds no completion, the shell completes file
+/// names.
 std::string bash(const std::vector<Command>& commands) {
   const auto names = namesOf(commands);
   std::string values, flags;
@@ -160,7 +161,7 @@ complete -o default -F _simreel simreel
                      fmt::join(names, "|"), values, flags, fmt::join(names, " "));
 }
 
-/// Returns flags for _arguments of zsh, with its special characters in descriptions escaped.
+/// Returns flags in the syntax of zsh's _arguments. Special characters in descriptions are escaped.
 std::string zshFlags(const Command& command) {
   std::string text;
   for (const Flag& flag : command.flags) {

@@ -12,7 +12,7 @@ from mutants.equivalent import EQUIVALENT
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 GLSL = ROOT / "glsl"
-# Files of binding numbers and of memory layout.
+# Files of binding numbers and of memory layout, which are not mutated.
 NOT_MUTATED = re.compile(r"(bindings|types)\.glsl$")
 SWAPS = {
     "+": ["-"], "-": ["+"], "*": ["+"], "<": [">", "<="], ">": ["<", ">="], "<=": ["<", ">="], ">=": [">", "<="],
@@ -152,7 +152,7 @@ def reported(report):
         head = len(os.path.commonprefix([before, after]))
         tail = len(os.path.commonprefix([before[head:][::-1], after[head:][::-1]]))
         mutant = Mutant(file, number, text, at + head, before[head:len(before) - tail], after[head:len(after) - tail])
-        if mutant.name() not in names:  # the report repeats survivors after its last line
+        if mutant.name() not in names:  # The report repeats survivors after its last line.
             names.add(mutant.name())
             last = mutant
             found[last] = (kind, by + what, "")

@@ -5,7 +5,7 @@ import dataclasses
 @dataclasses.dataclass(frozen=True)
 class Code:
     folders: tuple  # folders below glsl
-    others: bool    # True if the group is all folders except `folders`
+    others: bool    # true if the group consists of all folders except `folders`
     # for drawing: arguments of test_gpu for each group of tests; the first group runs before all scenes are drawn
     tests: tuple
     bar: float      # fraction of mutants that must be caught

@@ -1,6 +1,6 @@
 """Mutants that are known to be equivalent."""
 
-# Keys are (file, line after the change), values the reason.
+# Keys are (file, line after the change). Values are the reason why the change has no effect.
 EQUIVALENT = {
     ("draw/half.glsl",
      "return vec2(abs(held.x) < 6.2e-5 ? 0.0 : held.x, abs(held.y) <= 6.2e-5 ? 0.0 : held.y);"):
@@ -244,7 +244,7 @@ EQUIVALENT = {
     ("draw/overlay/chart_shading.glsl",
      "if (zero > 0.0f && p.x > 0.0f && p.x <= plotSize.x) sum = covered(sum, vec3(1.0f), zeroAlpha);"):
         "the plot's sides are whole, middles of pixels are not",
-    # Mutants of simulations:
+    # The following mutants are in simulations.
     ("fluid/solver/decide.comp", "float each = exactReciprocal(max(speed, 0.0));"):
         "of a speed of 1e-20 and less the share is 0, whatever this is",
     ("water/float_motion.glsl", "int y = int(floor(clamp(row, -30000.0f, 60600.0f))) - reach;"):

@@ -19,9 +19,9 @@ from mutants import code, compiled, selection
 from mutants.changes import GLSL, ROOT
 from mutants.processes import run
 
-FIRST_SCENES = 5  # number of scenes drawn before the first group of tests; the group takes as long as ten scenes
+FIRST_SCENES = 5  # number of scenes drawn before the first group of tests, which takes as long as ten scenes
 FRAME = 8  # frame number of the small pictures
-PATIENCE = 120  # s per picture; a mutant that takes longer counts as caught
+PATIENCE = 120  # seconds per picture; a mutant that takes longer counts as caught
 ARGUMENTS = []  # arguments that select the driver variant
 
 
@@ -74,7 +74,7 @@ def looked_through(folder, program, scene, frame):
     sources.mkdir()
     files = [file for file in copy.rglob("*") if file.is_file()]
     for file in files:
-        # sets the access time to 0, so that a read is visible even if the file system updates access times rarely
+        # This sets the access time to 0, so that a read is visible even if the file system rarely updates access times.
         os.utime(file, (0, time.time()))
     begin = time.monotonic()
     entry = exact_pictures.drawn(program, scene, frame, *ARGUMENTS,
@@ -92,7 +92,7 @@ class Scenes:
 
     def __init__(self, program, jobs, names=None):
         self.program = program
-        self.compiled = {}  # {mutant: True if a scene compiles its line}
+        self.compiled = {}  # by mutant: true if a scene compiles the mutated line
         names = selection.scenes(exact_pictures.scenes()) if names is None else sorted(names)
         with tempfile.TemporaryDirectory(prefix="simreel-mutate-") as folder, \
                 concurrent.futures.ThreadPoolExecutor(jobs) as pool:
@@ -103,7 +103,8 @@ class Scenes:
         self.unchanged = {scene: entry for scene, (entry, _, _, _) in found.items()}
         if wrong := [f"{scene} {entry}" for scene, entry in self.unchanged.items() if "pixels" not in entry]:
             sys.exit(f"without a change, too, pictures cannot be drawn: {', '.join(wrong)}")
-        self.lock, self.sound = threading.Lock(), set()  # scenes checked to match their baselines
+        # scenes whose pictures have been checked to match their baselines
+        self.lock, self.sound = threading.Lock(), set()
         self.quickest = sorted(found, key=lambda scene: found[scene][2])
         self.read = {scene: read for scene, (_, read, _, _) in found.items()}
 
@@ -138,7 +139,7 @@ class Scenes:
                 print(f"without a change, too, {scene} is not as its baseline", file=sys.stderr, flush=True)
                 os._exit(2)
             self.sound.add(scene)
-        # The first tested frame catches most mutants, so it is tested alone first.
+        # The first tested frame catches most mutants, so it is tested first on its own.
         return tested_frames_differ(self.program, scene, glsl, 1) or tested_frames_differ(self.program, scene, glsl)
 
     def reads(self, mutant, folder):

@@ -8,7 +8,7 @@ import subprocess
 from mutants.changes import ROOT
 
 LABELS = {"quick": ["-L", "^quick$"], "ci": ["-LE", "^long$"], "all": []}
-chosen = None  # the selection as (scenes, names of cases); None: everything
+chosen = None  # the selection as (scenes, names of cases); None for everything
 
 
 def cases(program, *arguments):

@@ -49,7 +49,7 @@ class Watchers:
         self.all, of = [], shaders_hash()
         if kept and kept.exists():
             stored = json.loads(kept.read_text(encoding="utf-8"))
-            # If the shaders changed, the stored lines and states are discarded.
+            # If the shaders have changed, the stored lines and states are discarded.
             self.all = stored["watchers"] if stored["shaders"] == of else []
         known = {(watcher["kind"], watcher["name"]) for watcher in self.all}
         names = [("trace", scene) for scene in selection.scenes(exact_pictures.scenes())]

@@ -1,5 +1,5 @@
-// Search of the site: finds pages and sections that contain all words, those with the words in their title first.
-// search_index.js is a script rather than JSON, so that the site also works from a local folder.
+// Search of the site. Finds pages and sections that contain all words, and lists those with the words in their title
+// first. search_index.js is a script rather than JSON, so that the site also works from a local folder.
 "use strict";
 (() => {
   const root = document.body.dataset.root.replace(/\/?$/, "/");

@@ -25,7 +25,7 @@ namespace {
 using Color = std::array<std::uint8_t, 4>;
 constexpr Color paper{24, 24, 27, 255}, ink{235, 235, 235, 255}, nothing{60, 60, 66, 255},
     bad{255, 120, 100, 255};
-constexpr int maxSide = 8192;  ///< maximum side of the sheet in pixels
+constexpr int maxSide = 8192;  ///< maximum width and height of the sheet in pixels
 constexpr int gap = 12, border = 2;
 
 void fill(frame::Image& image, int left, int top, int right, int bottom, const Color& color) {
@@ -35,7 +35,7 @@ void fill(frame::Image& image, int left, int top, int right, int bottom, const C
                 image.bytes.begin() + 4 * (static_cast<std::ptrdiff_t>(y) * image.width + x));
 }
 
-/// Draws as much of the text as fits into `width`.
+/// Draws the beginning of the text that fits into `width` pixels.
 void write(frame::Image& image, std::string text, int left, int top, int width, int scale,
            const Color& color) {
   const auto widthOf = [scale](const std::string& part) { return draw::textSize(part, scale).x; };
@@ -54,8 +54,8 @@ void paste(frame::Image& image, const frame::Image& small, int left, int top) {
                 image.bytes.begin() + 4 * (static_cast<std::ptrdiff_t>(top + y) * image.width + left));
 }
 
-/// Returns the number of values of the last parameter if the jobs form a full grid in which it varies
-/// fastest; else 0.
+/// Returns the number of values of the last parameter if the jobs form a full grid in which that parameter
+/// varies fastest; otherwise 0.
 std::size_t gridColumns(const SweepPlan& plan) {
   const auto& jobs = plan.jobs;
   std::set<std::string> last;
@@ -172,11 +172,11 @@ class Sheet {
   const CollectedSweep& sweep_;
   std::vector<std::string> names_;
   std::vector<frame::Image> small_;
-  int grid_ = 0;  ///< columns of a grid, which have headings; 0: each job has a label
+  int grid_ = 0;  ///< number of columns of a grid, which have headings; 0 if each job has a label instead
   int columns_ = 1, rows_ = 1;
   int width_ = 24, height_ = 24;  ///< size of the largest reduced picture in pixels
-  int scale_ = 1, line_ = 13;     ///< scale of the letters; height of a line
-  int above_ = 0;                 ///< height of the label above a picture
+  int scale_ = 1, line_ = 13;     ///< scale factor of the letters, and height of a line in pixels
+  int above_ = 0;                 ///< height in pixels of the label above a picture
   int left_ = 0, top_ = 0;        ///< position of the first cell in pixels
   frame::Image image_;
 };

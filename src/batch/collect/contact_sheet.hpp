@@ -6,9 +6,9 @@
 
 namespace simreel::batch {
 
-/// Returns one image with a reduced picture of every job and the values that made it. If the jobs form a
+/// Returns one image that shows a reduced picture of every job and the job's values. If the jobs form a
 /// full grid, each column has one value of the last parameter, and headings show the values. Jobs that
-/// failed, or have a failed check, have a red border. Jobs without a picture are grey and show their state.
+/// failed or have a failed check have a red border. Jobs without a picture are grey and show their state.
 [[nodiscard]] frame::Image contactSheet(const CollectedSweep& sweep, std::optional<int> frame);
 
 }  // namespace simreel::batch

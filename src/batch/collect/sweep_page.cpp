@@ -52,7 +52,8 @@ std::vector<std::vector<std::string>> rowsOf(const std::string& csv) {
   return rows;
 }
 
-/// Returns the maximum side of the small pictures in pixels. All pictures together stay below about 20 MB.
+/// Returns the maximum width and height of the small pictures in pixels. It keeps all pictures together
+/// below about 20 MB.
 int sideOf(std::size_t jobs) {
   return std::clamp(static_cast<int>(3200.0 / std::sqrt(static_cast<double>(jobs))), 64, 320);
 }

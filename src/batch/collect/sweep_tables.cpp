@@ -33,7 +33,7 @@ std::string numberText(const std::optional<double>& value) {
   return value ? fmt::format("{}", *value) : std::string();
 }
 
-/// Column names in the order of their first use, and the cells of each job.
+/// Collects column names in the order of their first use, and the cells of each job.
 class Columns {
  public:
   void set(std::size_t job, const std::string& name, std::string value) {

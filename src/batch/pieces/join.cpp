@@ -104,7 +104,8 @@ class Join {
          number, piece - 1, piece, what, std::string_view(what) == "state" ? "s" : "");
   }
 
-  /// Assigns every frame to a piece. A frame drawn by two pieces belongs to the piece that begins with it.
+  /// Assigns every frame to a piece. A frame drawn by two pieces is assigned to the piece that begins with
+  /// it.
   void collectFrames() {
     for (std::size_t i = 0; i < drawn_.size(); ++i)
       for (const int number : plan_.pieces[i].frames) {
@@ -115,8 +116,8 @@ class Join {
     manifest_.counts = drawn_.back().manifest.counts;
   }
 
-  /// Rejects pieces of different machines if they depend on the machine: pictures of a driver's rasterizer,
-  /// states of fast numerics.
+  /// Rejects pieces from different machines if the result depends on the machine. This holds for pictures
+  /// of a driver's rasterizer and for states of fast numerics.
   void compareMachines() const {
     if (manifest_.run.exact()) return;
     const std::string first = drawn_[0].log.machineOf(plan_.pieces[0].first());
@@ -155,7 +156,7 @@ class Join {
     return pathExists(file) && hashHex(readFile(file, "frame")) == hash;
   }
 
-  /// Checks every file where it lies: in its piece's folder or, after an interrupted join, at its
+  /// Checks every file at its current location: in its piece's folder or, after an interrupted join, at its
   /// destination.
   void checkFiles(bool toWhole) const {
     const auto all = moves(toWhole);
@@ -173,8 +174,7 @@ class Join {
 
   [[nodiscard]] fs::path countFile() const { return drawn_.back().output.countFile(); }
 
-  /// Moves all files to the output. Other frames of the same run that already lie there stay in the
-  /// manifest.
+  /// Moves all files to the output. Existing frames of the same run in the output remain in the manifest.
   void moveFrames(std::optional<frame::SharedManifest>& claim) const {
     frame::RunInfo run = manifest_.run;
     if (const fs::path scene = drawn_[0].output.sceneFile(); pathExists(scene))
@@ -185,7 +185,7 @@ class Join {
     static_cast<void>(claim->inherit(frame::Existing::overwrite));
     for (const Move& move : moves(true)) {
       frame::throwIfInterrupted();
-      if (!pathExists(move.from)) continue;  // an earlier attempt has moved the file
+      if (!pathExists(move.from)) continue;  // An earlier attempt has moved the file.
       if (::rename(move.from.c_str(), move.to.c_str()) == 0) continue;
       if (errno != EXDEV)
         fail(ExitCode::inputOutput, "cannot rename {} into {}: {}", move.from.string(), move.to.string(),
@@ -195,7 +195,7 @@ class Join {
     }
     writeFileAtomically(whole_.runFile(), runLogText(mergedLog(before)), NameSync::later);
     Manifest manifest = manifest_;
-    // Other processes drew them, as the log says.
+    // Other processes have drawn the frames, and the log must say so.
     for (auto& [number, frame] : manifest.frames) frame.drawn = false;
     claim->write(std::move(manifest),
                  manifest_.counts.empty() ? std::string() : readFile(countFile(), "table of counts"));

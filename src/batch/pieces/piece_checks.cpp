@@ -7,7 +7,7 @@ namespace simreel::batch {
 
 namespace {
 
-/// Returns the file with the results of the simulation's checks. The last piece continues from it.
+/// Returns the file for the results of the simulation's checks. The last piece continues from it.
 std::filesystem::path checksFile(const PiecePlan& plan) {
   return plan.folder / "checks.part.json";
 }
@@ -36,11 +36,11 @@ std::optional<Measurements> checksOfPiece(const PiecePlan& plan, std::size_t pie
   const bool last = piece + 1 == plan.pieces.size();
   if (!last) std::erase_if(scene.checks, [](const scene::Check& check) { return !isOfPicture(check); });
   if (scene.checks.empty()) return std::nullopt;
-  // In all pieces except the last one, the last frame belongs to the next piece.
+  // In all pieces except the last, the last frame also belongs to the next piece.
   std::vector<int> own = plan.pieces.at(piece).frames;
   if (!last) own.pop_back();
-  // Only the last piece has checks of states, and they need the frames of the whole run. Other pieces only
-  // have "not-blank", which needs their own pictures.
+  // Only the last piece evaluates checks of states, and they need the frames of the whole run. Other pieces
+  // evaluate only "not-blank", which needs the pictures of the piece.
   return Measurements(scene, last ? plan.allFrames() : own, {checksFile(plan), {}}, toldBy(progress), last);
 }
 

@@ -11,34 +11,34 @@ namespace simreel::batch {
 
 /// One piece of a sequence of frames.
 struct Piece {
-  /// Frames to draw: its own and, except in the last piece, the first frame of the next piece.
+  /// Frames to draw. Except in the last piece, they end with the first frame of the next piece.
   std::vector<int> frames;
-  /// Returns the first frame; the piece begins with the state at this frame. The first piece begins at the
+  /// Returns the first frame. The piece begins with the state at this frame. The first piece begins at the
   /// scene's start.
   [[nodiscard]] int first() const { return frames.front(); }
 };
 
-/// Plan of a sequence that is drawn in pieces: plan.json in a folder beside the output, with a copy of the
-/// scene.
+/// Plan of a sequence that is drawn in pieces. It is stored as plan.json in a folder next to the output,
+/// with a copy of the scene.
 struct PiecePlan {
-  /// Folder of the plan, the checkpoints and the pieces; not stored in plan.json.
+  /// Folder of the plan, the checkpoints and the pieces. The path is not stored in plan.json.
   std::filesystem::path folder;
-  std::string output;  ///< output as given to -o, as an absolute path
-  /// Asset folders as absolute paths; the scene's own folder first.
+  std::string output;  ///< argument of -o as an absolute path
+  /// Asset folders as absolute paths. The scene's own folder is first.
   std::vector<std::filesystem::path> assets;
   std::vector<scene::Override> overrides;
-  std::string fields;  ///< field files as --fields takes them; empty: none
+  std::string fields;  ///< argument of --fields; empty if field files are not written
   bool counts = true;
   std::vector<Piece> pieces;
 
   [[nodiscard]] std::filesystem::path planFile() const { return folder / "plan.json"; }
   [[nodiscard]] std::filesystem::path sceneFile() const { return folder / "scene.json"; }
   [[nodiscard]] std::vector<int> allFrames() const;
-  /// Return the output name of the whole sequence, and of one piece (the same file names in the piece's
-  /// folder).
+  /// wholeOutput() returns the output name of the whole sequence. pieceOutput() returns the name for one
+  /// piece, with the same file names in the piece's folder.
   [[nodiscard]] frame::OutputName wholeOutput() const;
   [[nodiscard]] frame::OutputName pieceOutput(std::size_t piece) const;
-  /// Returns the request for the pass that simulates without drawing and keeps the state at the start of
+  /// Returns the request for the pass that simulates without drawing and stores the state at the start of
   /// each piece.
   [[nodiscard]] RenderRequest simulation(const std::string& command) const;
   [[nodiscard]] RenderRequest drawing(std::size_t piece, const std::string& command) const;

@@ -22,9 +22,9 @@ namespace simreel::batch {
 
 namespace {
 
-/// Work item of a worker: the simulation, or one piece.
+/// Task of a worker process: the simulation, or one piece.
 struct Step {
-  std::optional<std::size_t> piece;  ///< index of the piece; nullopt: the simulation
+  std::optional<std::size_t> piece;  ///< index of the piece; nullopt for the simulation
   [[nodiscard]] std::string name() const { return piece ? fmt::format("piece {}", *piece) : "simulation"; }
 };
 
@@ -46,7 +46,7 @@ void runSteps(const PiecePlan& plan, const std::vector<Step>& steps, const Local
     while (const auto task = line.next()) {
       frame::Progress progress(how.ndjson ? frame::Progress::Mode::ndjson : frame::Progress::Mode::none);
       progress.ofJob(steps[task->item].name());
-      // The answer is the exit code as one character, then the message.
+      // The worker's answer is the exit code as one character, followed by the message.
       std::string answer = "0";
       try {
         if (const int signal = runStep(plan, steps[task->item], context, progress, how); signal != 0)
@@ -88,7 +88,7 @@ void requireState(const PiecePlan& plan, const std::filesystem::path& checkpoint
   }
 }
 
-/// Locks a piece in the shared folder, because other machines cannot see a lock in a scratch folder.
+/// Locks a piece in the shared folder. A lock in a scratch folder would not be visible to other machines.
 frame::OutputLock lockOf(const std::filesystem::path& folder, std::size_t piece) {
   constexpr std::array all{0};
   try {
@@ -142,7 +142,7 @@ int drawPiece(const PiecePlan& plan, std::size_t piece, const gl::Context& conte
   makeFolders(folder);
   const frame::OutputLock lock = lockOf(folder, piece);
   Scratch place(folder, scratch);
-  // Keeps the file name of a pattern such as frame_####.png.
+  // The output keeps the file name of a pattern such as frame_####.png.
   const std::string name = std::filesystem::path(request.output).filename().string();
   request.output = name.empty() ? place.folder().string() + "/" : (place.folder() / name).string();
   int signal = 0;

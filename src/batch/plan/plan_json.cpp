@@ -39,7 +39,7 @@ std::string lineOf(const PlanJson& value) {
 
 std::string openObject(const PlanJson& members) {
   std::string text = members.dump(2, ' ', false, PlanJson::error_handler_t::replace);
-  text.resize(text.size() - 2);  // removes the closing "\n}", because more members follow
+  text.resize(text.size() - 2);  // The closing " }" is removed, because more members follow.
   return text;
 }
 

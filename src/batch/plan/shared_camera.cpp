@@ -19,7 +19,8 @@ bool changesView(const std::string& path) {
   return path == camera || path.starts_with("camera.") || path == "render" || path == "render.size";
 }
 
-/// Extends each object's extents in `all` by the same object's extents in `more`, which is another job.
+/// Extends each extent in `all` to contain the extent of the same object in `more`, the extents in another
+/// job.
 void merge(std::vector<scene::Framed>& all, const std::vector<scene::Framed>& more) {
   for (std::size_t i = 0; i < more.size(); ++i) {
     if (i == all.size()) {

@@ -31,7 +31,7 @@ bool hasAutoRanges(const SweepPlan& plan, const std::string& text) {
 }
 
 std::vector<scene::Override> sharedRanges(const SweepPlan& plan, const std::string& text) {
-  std::vector<std::pair<std::string, std::string>> ends;  // path and value, in the scene's order
+  std::vector<std::pair<std::string, std::string>> ends;  // pairs of path and value, in the scene's order
   for (std::size_t job = 0; job < plan.jobs.size(); ++job) {
     scene::Scene scene = sceneOf(plan, job, text);
     if (!sim::needsRanges(scene)) continue;

@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 constexpr const char* planFormat = "simreel-plan";
 constexpr int planVersion = 1;
 
-/// Name that simulations use for the number of steps before the first frame.
+/// Parameter name that simulations use for the number of steps before the first frame.
 constexpr const char* stepsBefore = "presteps";
 
 std::optional<int> sharedFrameOf(const SweepPlan& plan, const std::string& text) {
@@ -100,7 +100,8 @@ std::string SweepPlan::label(std::size_t job) const {
 }
 
 std::vector<std::string> shortNames(const std::vector<std::string>& paths) {
-  // Takes the last k names of each path, for the smallest k that makes them all different.
+  // Each short name consists of the last k names of its path, with the smallest k that makes all short
+  // names different.
   const auto lastNames = [](const std::string& path, int count) {
     std::size_t dot = path.size();
     for (int i = 0; i < count; ++i) {

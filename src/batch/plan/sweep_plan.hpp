@@ -13,8 +13,8 @@ namespace simreel::batch {
 struct PlannedJob {
   /// Values of the varied parameters, in the order of SweepPlan::varied.
   std::vector<scene::Override> values;
-  /// Hash of scene, values, frames, field format and program version. A result with another hash does not
-  /// belong to this job.
+  /// Hash of scene, values, frames, field format and program version. A result with a different hash does
+  /// not belong to this job.
   std::string hash;
 };
 
@@ -22,22 +22,22 @@ struct PlannedJob {
 struct SweepPlan {
   std::filesystem::path folder;  ///< folder that contains plan.json; not stored in the plan
   std::string program;           ///< version of the program that wrote the plan
-  /// Asset folders as absolute paths; the scene's own folder first.
+  /// Asset folders as absolute paths. The scene's own folder is first.
   std::vector<std::filesystem::path> assets;
-  /// Overrides common to all jobs, applied before a job's own values.
+  /// Overrides that apply to all jobs, before the job's own values.
   std::vector<scene::Override> overrides;
-  std::string frames;               ///< frames as --frames takes them; empty: all
-  std::string fields;               ///< field files as --fields takes them; empty: none
+  std::string frames;               ///< argument of --frames; empty for all frames
+  std::string fields;               ///< argument of --fields; empty if field files are not written
   std::vector<std::string> varied;  ///< paths of the varied parameters
-  /// First frame of all jobs, if they have the same state there and something must be simulated before it.
-  /// This state is simulated once for all jobs. nullopt if a varied path affects the simulation.
+  /// First frame of all jobs, if they have the same state at that frame and something must be simulated
+  /// before it. This state is simulated once for all jobs. nullopt if a varied path affects the simulation.
   std::optional<int> sharedFrame;
   std::vector<PlannedJob> jobs;
 
   [[nodiscard]] std::filesystem::path planFile() const { return folder / "plan.json"; }
   /// Returns the path of the copy of the scene that was made when the sweep was planned.
   [[nodiscard]] std::filesystem::path sceneFile() const { return folder / "scene.json"; }
-  /// Returns a job's name in tables and of its folder, such as "0007".
+  /// Returns the name of a job in tables, which is also the name of its folder, such as "0007".
   [[nodiscard]] std::string name(std::size_t job) const;
   [[nodiscard]] std::filesystem::path jobFolder(std::size_t job) const;
   /// Returns the folder with the checkpoint of the shared frame.
@@ -49,18 +49,18 @@ struct SweepPlan {
   [[nodiscard]] std::string label(std::size_t job) const;
 };
 
-/// Returns the paths without leading names, as short as they can be without becoming equal; at least one
-/// name each.
+/// Returns the paths without their leading names. They are as short as possible while all are different,
+/// and have at least one name each.
 [[nodiscard]] std::vector<std::string> shortNames(const std::vector<std::string>& paths);
 
 [[nodiscard]] std::string jobHash(const std::string& sceneHash, const std::string& frames,
                                   const std::string& fields);
 /// Throws UserError(usage) if another version of the program wrote the plan, because results of this
-/// version would be attributed to it.
+/// version would then be recorded as results of the other.
 void checkProgram(const SweepPlan& plan);
 
-/// Sets the hashes of all jobs, and `sharedFrame`. `text`: text of the scene. Throws UserError(usage) with
-/// the report of the first job whose scene has errors.
+/// Sets the hashes of all jobs and `sharedFrame`. `text`: text of the scene. Throws UserError(usage) with
+/// the errors of the first job whose scene has errors.
 void checkJobs(SweepPlan& plan, const std::string& text);
 
 [[nodiscard]] std::string planText(const SweepPlan& plan);

@@ -26,7 +26,7 @@ std::optional<double> numberOf(std::string_view text) {
   return value;
 }
 
-/// Splits text at each separator outside brackets and quotes.
+/// Splits text at each separator that is outside brackets and quotes.
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts(1);
   int depth = 0;
@@ -47,7 +47,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
-/// Returns the numbers of a range such as "0:1:0.1"; empty if a part is not a number.
+/// Returns the numbers of a range such as "0:1:0.1". Returns an empty list if a part is not a number.
 std::vector<double> rangeOf(const std::string& text) {
   std::vector<double> numbers;
   for (const std::string& part : split(text, ':')) {
@@ -58,8 +58,8 @@ std::vector<double> rangeOf(const std::string& text) {
   return numbers;
 }
 
-/// Appends the values from first to last. The last one is included if a whole number of steps leads to it.
-/// Twelve digits hide rounding errors: three steps of 0.1 give 0.3.
+/// Appends the values from first to last in steps. Includes the last value if the distance is a whole
+/// number of steps. Writes twelve digits to hide rounding errors, so that three steps of 0.1 give 0.3.
 void addSteps(const std::string& text, const std::vector<double>& range, std::vector<std::string>& values) {
   const double first = range[0], last = range[1], step = range[2];
   const double count = step == 0 ? -1 : std::floor((last - first) / step + 1e-9);
@@ -139,7 +139,7 @@ Vary parseVary(const std::string& text) {
       result.values.push_back(part);
     }
   }
-  std::map<std::string, std::string> seen;  // numbers are compared by value: 0.50 equals 0.5
+  std::map<std::string, std::string> seen;  // Numbers are compared by value: 0.50 equals 0.5.
   for (const std::string& value : result.values) {
     const auto number = numberOf(value);
     const auto [first, isNew] = seen.emplace(number ? fmt::format("{}", *number) : value, value);
@@ -173,7 +173,7 @@ std::vector<std::vector<scene::Override>> combine(const std::vector<Vary>& varie
     fail(ExitCode::usage, "a sweep has from 1 to {} jobs, not {}", maxJobs, count);
 
   std::vector<std::vector<scene::Override>> jobs(count);
-  std::size_t repeats = count;  // number of successive jobs with the same value, in a grid
+  std::size_t repeats = count;  // number of successive jobs of a grid that have the same value
   for (std::size_t v = 0; v < varied.size(); ++v) {
     const Vary& one = varied[v];
     std::vector<std::string> values;

@@ -7,8 +7,8 @@
 
 namespace simreel::batch {
 
-/// Returns the frames of a --frames argument, or all frames of the scene if `text` is nullopt. Warns about
-/// frames beyond the scene's end.
+/// Returns the frames that an argument of --frames selects, or all frames of the scene if `text` is
+/// nullopt. Warns about frames after the scene's end.
 [[nodiscard]] std::vector<int> chosenFrames(const std::optional<std::string>& text,
                                             const scene::Scene& scene);
 void warnBeyondEnd(int frame, const scene::Scene& scene);

@@ -40,7 +40,7 @@ RenderJob::RenderJob(RenderRequest request)
   if (request_.fields)
     fields_.emplace(output_, frame::parseFieldChoice(*request_.fields), request_.existing, frames_);
   chooseCheckpoints();
-  // Checks the output before a device starts and before a simulation for the camera's placement.
+  // The output is checked before a device starts and before any simulation that places the camera.
   frame::checkOutput(output_, request_.existing, frames_);
 }
 
@@ -117,8 +117,8 @@ void RenderJob::chooseCheckpoints() {
   }
 }
 
-/// Places the camera and measures ranges of colours by a run of the whole scene, independent of the frames
-/// that are drawn.
+/// Places the camera and measures ranges of colours by simulating the whole scene, independently of the
+/// frames that are drawn.
 void RenderJob::placeCamera() {
   if (frames_.empty()) return;
   const sim::MotionFraming framing = sim::frameMotion(scene_, frame::throwIfInterrupted);

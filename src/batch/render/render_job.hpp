@@ -17,30 +17,29 @@
 
 namespace simreel::batch {
 
-/// Input of one run: of `simreel render`, of a sweep's job, or of a piece of a sequence.
+/// Input of one run. A run is a `simreel render`, a sweep's job, or a piece of a sequence.
 struct RenderRequest {
-  std::filesystem::path scene;  ///< path of the scene; "-": standard input
+  std::filesystem::path scene;  ///< path of the scene; "-" for standard input
   std::vector<scene::Override> overrides;
   std::vector<std::filesystem::path> assets;  ///< additional folders for assets
   std::string output;
-  /// Frames as --frames takes them. "none": draws nothing and simulates up to the last frame in
-  /// checkpointAt.
+  /// Argument of --frames. "none" draws nothing and simulates up to the last frame in checkpointAt.
   std::optional<std::string> frames;
   frame::Existing existing = frame::Existing::error;
-  std::optional<std::string> fields;  ///< field files as --fields takes them
+  std::optional<std::string> fields;  ///< argument of --fields
   bool counts = true;
-  bool manifest = true;              ///< false: no manifest.json, run.json and as-run.json
-  std::optional<double> checkpoint;  ///< seconds between two checkpoints; nullopt: default
-  std::set<int> checkpointAt;        ///< frames whose checkpoints are kept after the run
-  std::filesystem::path from;        ///< checkpoint to start from; empty: the scene's start
-  bool mayDoWithout = false;         ///< true: starts at the scene's start if `from` cannot be used
+  bool manifest = true;              ///< false to write no manifest.json, run.json and as-run.json
+  std::optional<double> checkpoint;  ///< seconds between two checkpoints; nullopt for the default
+  std::set<int> checkpointAt;        ///< frames whose checkpoints remain after the run
+  std::filesystem::path from;        ///< checkpoint to start from; empty to begin at the scene's start
+  bool mayDoWithout = false;         ///< true to begin at the scene's start if `from` cannot be used
   std::string streamFormat = "rgba";
   std::vector<draw::Layer> layers;  ///< layers of OpenEXR pictures in addition to colour
   std::optional<int> bits;          ///< bits per number: 8 or 16 in PNG, 16 or 32 in OpenEXR's colour
   std::string command;              ///< command line to record in run.json
 };
 
-/// One run of one scene. Its construction needs no device and reports errors in the request.
+/// One run of one scene. The constructor needs no device and reports errors in the request.
 class RenderJob {
  public:
   /// Checks the request. Throws UserError.
@@ -72,7 +71,7 @@ class RenderJob {
   std::optional<frame::FieldFiles> fields_;
   std::map<int, std::filesystem::path> kept_;
   std::string asRun_;
-  std::vector<std::string> camera_;  ///< overrides of camera and colours, frame::RunInfo::camera
+  std::vector<std::string> camera_;  ///< overrides of camera and colours for frame::RunInfo::camera
   std::string summary_;
 };
 

@@ -89,7 +89,7 @@ Scratch::~Scratch() {
   if (!own_.empty()) removeAll(own_);
 }
 
-/// Removes folders of killed processes that did the same work; otherwise they would fill the disk.
+/// Removes folders of killed processes that did the same work, because they would otherwise fill the disk.
 void Scratch::removeLeftovers(const fs::path& root, const std::string& name) const {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(root, error)) {
@@ -121,7 +121,7 @@ void Scratch::deliver() {
     if (pathExists(to) && readFile(to, "file", anySize) == bytes) continue;
     writeFileAtomically(to, bytes, NameSync::later);
   }
-  // Files that the run has removed, such as a checkpoint that is no longer needed.
+  // The run has removed these files, such as a checkpoint that is no longer needed.
   for (const std::string& name : brought_) removeFile(shared_ / name);
   syncFolder(shared_);
 }

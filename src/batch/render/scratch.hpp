@@ -9,13 +9,14 @@ namespace simreel::batch {
 /// UserError(usage) if a variable is not set.
 [[nodiscard]] std::filesystem::path scratchRoot(const std::string& text);
 
-/// Folder on a node's local disk that takes the place of a shared folder during one run. The constructor
-/// copies files of an earlier attempt from the shared folder. deliver() copies the results back, also after
-/// an error or an interrupt, so that any other node can continue. If a node dies, its local files are lost.
+/// Folder on a node's local disk that replaces a shared folder during one run. The constructor copies files
+/// of an earlier attempt from the shared folder. deliver() copies the results back, and must be called even
+/// after an error or an interrupt, so that any other node can continue. If a node dies, its local files are
+/// lost.
 class Scratch {
  public:
-  /// `root`: local folder in which a folder is made; if empty, folder() is the shared folder. Throws
-  /// UserError(inputOutput).
+  /// `root`: local folder in which a new folder is created. If it is empty, folder() is the shared folder.
+  /// Throws UserError(inputOutput).
   Scratch(std::filesystem::path shared, const std::filesystem::path& root);
   ~Scratch();
   Scratch(const Scratch&) = delete;

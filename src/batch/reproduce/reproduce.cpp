@@ -31,18 +31,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Known facts about the frame that is rendered again.
+/// Known facts about the frame to be rendered again.
 struct Wanted {
   int frame = 0;
   std::string program, sceneHash, state, pixels;
-  std::string drawn;  ///< hash of the pixels in the picture file; empty: no picture was given
+  std::string drawn;  ///< hash of the pixels in the picture file; empty if no picture was given
   std::optional<frame::RunInfo> run;  ///< run in the manifest, if a manifest exists
   frame::RunRecord record;            ///< record of the process that drew the frame, if it is known
   std::vector<std::string> overrides;
-  fs::path asRun;  ///< scene as run; empty: it does not lie beside the picture
+  fs::path asRun;  ///< scene as run; empty if it is not in the picture's folder
 };
 
-/// Returns the path of another file of a manifest's output, with the ending `ending` in place of
+/// Returns the path of another file of a manifest's output, whose name ends in `ending` in place of
 /// "manifest.json".
 fs::path besideManifest(const fs::path& manifest, const std::string& ending) {
   constexpr std::string_view own = "manifest.json";
@@ -54,7 +54,7 @@ bool isManifestName(const fs::path& file) {
   return file.filename().string().ends_with("manifest.json");
 }
 
-/// Returns the program version in a manifest, which frame::Manifest does not contain.
+/// Returns the program version in a manifest file. frame::Manifest does not contain it.
 std::string programOf(const fs::path& manifest) {
   try {
     const auto json = parseStrictJson(readFile(manifest, "manifest"));
@@ -97,7 +97,8 @@ std::optional<std::pair<fs::path, int>> manifestFor(const fs::path& picture, fra
   return std::nullopt;
 }
 
-/// Returns the manifest that `file` is, or that belongs to the folder or video `file`; empty for a picture.
+/// Returns the path of the manifest: `file` itself, or the manifest of the folder or video `file`. Returns
+/// an empty path for a picture.
 fs::path manifestNamed(const fs::path& file) {
   if (isManifestName(file)) return file;
   std::error_code error;
@@ -148,7 +149,7 @@ Wanted wantedOf(const ReproduceRequest& request) {
   return wanted;
 }
 
-/// Output folder. It is temporary unless a folder to keep is given.
+/// Output folder. It is temporary unless the user names one.
 class Place {
  public:
   explicit Place(const fs::path& kept) : path_(kept), kept_(!kept.empty()) {
@@ -207,7 +208,8 @@ std::string assetWords(const ReproduceRequest& request, const Wanted& wanted) {
   return words;
 }
 
-/// Adds possible causes of different results. Also adds differences in origin if the results are equal.
+/// Adds possible causes if the results differ. If the results are equal, adds the differences in origin as
+/// well.
 void compareOrigins(const ReproduceRequest& request, const Wanted& wanted, const frame::Manifest& again,
                     const frame::RunLog& log, Reproduction& result) {
   const auto say = [&](std::string line) { result.differences.push_back(std::move(line)); };

@@ -9,11 +9,11 @@
 namespace simreel::batch {
 
 struct ReproduceRequest {
-  std::filesystem::path file;   ///< picture or manifest, or a folder or video with a manifest
-  std::optional<int> frame;     ///< frame number in the manifest; nullopt: the manifest's last frame
-  std::filesystem::path scene;  ///< path of the scene; empty: as-run.json beside the picture
+  std::filesystem::path file;   ///< a picture, a manifest, or a folder or video that has a manifest
+  std::optional<int> frame;     ///< frame number in the manifest; nullopt for the manifest's last frame
+  std::filesystem::path scene;  ///< path of the scene; empty to use as-run.json in the picture's folder
   std::vector<std::filesystem::path> assets;
-  std::filesystem::path output;  ///< folder for the new picture; empty: the picture is not kept
+  std::filesystem::path output;  ///< folder for the new picture; empty to discard the picture
   gl::ContextOptions on;
 };
 
@@ -21,7 +21,7 @@ struct Reproduction {
   int frame = 0;
   bool same = false;
   std::string state, pixels;  ///< hashes of the frame's new state and pixels
-  /// Differences in the results, and their possible causes, in words.
+  /// Differences in the results and their possible causes, as sentences.
   std::vector<std::string> differences;
 };
 

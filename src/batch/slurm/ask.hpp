@@ -11,11 +11,12 @@ struct Answer {
   std::string output, messages;
 
   [[nodiscard]] bool fine() const { return error == 0 && status == 0; }
-  /// Returns the first line of the error output, or the system's error if the command could not be started.
+  /// Returns the first line of the error output, or the system's error message if the command could not be
+  /// started.
   [[nodiscard]] std::string why() const;
 };
 
-/// Runs a program found in PATH and waits for its end.
+/// Runs a program found in PATH and waits until it ends.
 [[nodiscard]] Answer ask(const std::vector<std::string>& words);
 
 [[nodiscard]] inline std::string firstLine(const std::string& text) {

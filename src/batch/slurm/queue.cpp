@@ -48,7 +48,7 @@ void noteSubmitted(const fs::path& folder, const Submitted& job) {
 SlurmQueue::SlurmQueue(const fs::path& folder) {
   const auto submitted = folder.empty() ? std::vector<Submitted>() : submittedFrom(folder);
   if (submitted.empty()) return;
-  // Queries by user, because a query of an id that Slurm has forgotten is an error. --array prints one line
+  // The query is by user, because squeue fails for an id that Slurm has forgotten. --array prints one line
   // per array item.
   const Answer answer =
       ask({"squeue", "--noheader", "--array", fmt::format("--user={}", ::getuid()), "--format=%i"});

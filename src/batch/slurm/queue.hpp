@@ -14,18 +14,18 @@ struct Submitted {
   std::size_t offset = 0;  ///< difference between an item's number and its index in the Slurm array
 };
 
-/// Appends the job to the list of submitted jobs in `folder`, the folder of the scripts. Throws
+/// Appends the job to the list of submitted jobs in `folder`, which contains the scripts. Throws
 /// UserError(inputOutput).
 void noteSubmitted(const std::filesystem::path& folder, const Submitted& job);
 
-/// Jobs submitted from a folder that Slurm still has, waiting or running.
+/// Jobs that were submitted from a folder and that Slurm still has, waiting or running.
 class SlurmQueue {
  public:
-  /// Runs `squeue` if jobs were submitted from `folder` (an empty path: none were). If squeue fails, warns
-  /// and treats the queue as empty.
+  /// Runs `squeue` if jobs were submitted from `folder`. An empty path means that none were. If squeue
+  /// fails, warns and treats the queue as empty.
   explicit SlurmQueue(const std::filesystem::path& folder);
 
-  /// True if item `number` of this work is queued. A job that is not an array has the number 0.
+  /// True if item `number` of this work is queued. A job that is not an array has only item 0.
   [[nodiscard]] bool has(const std::string& work, std::size_t number) const;
   [[nodiscard]] bool empty() const { return numbers_.empty(); }
 

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the number after "MaxArraySize = ", or Slurm's default if it is missing.
+/// Returns the number after "MaxArraySize = ", or Slurm's default if there is none.
 std::size_t maxArraySizeOf(const std::string& config) {
   constexpr std::size_t standard = 1001;
   const std::size_t at = config.find("MaxArraySize");
@@ -54,7 +54,7 @@ std::vector<std::string> shellWords(const std::string& text) {
       quote = 0;
     } else if (quote == 0 && (c == '\'' || c == '"')) {
       quote = c;
-      if (!word) word.emplace();  // a pair of quotes without content is an empty word
+      if (!word) word.emplace();  // A pair of quotes without content is an empty word.
     } else if (quote == 0 && c == '\\' && i + 1 < text.size()) {
       add(text[++i]);
     } else if (quote != 0 || !blank) {
@@ -82,7 +82,7 @@ std::string arrayText(const std::vector<std::size_t>& numbers, std::size_t offse
 
 std::vector<std::vector<std::size_t>> splitArray(const std::vector<std::size_t>& numbers,
                                                  std::size_t maxSize) {
-  constexpr std::size_t maxParts = 10'000;  // each number takes up to six digits and a comma
+  constexpr std::size_t maxParts = 10'000;  // Each number takes up to six digits and a comma.
   std::vector<std::vector<std::size_t>> parts;
   for (const std::size_t number : numbers) {
     if (parts.empty() || number - parts.back().front() >= maxSize || parts.back().size() >= maxParts)
@@ -142,7 +142,7 @@ std::string Slurm::submitOne(const Work& work, const std::string& array, std::si
   if (!answer.fine())
     fail(ExitCode::inputOutput, "sbatch did not take {}: {}", script.string(), answer.why());
   std::string id = firstLine(answer.output);
-  id.resize(std::min(id.size(), id.find(';')));  // a ';' and the cluster's name may follow
+  id.resize(std::min(id.size(), id.find(';')));  // A ';' and the cluster's name may follow the id.
   noteSubmitted(folder_, {work.name, id, offset});
   return id;
 }

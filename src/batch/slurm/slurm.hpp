@@ -6,8 +6,8 @@
 
 namespace simreel::batch {
 
-/// Submits jobs to a Slurm cluster through `sbatch`. The script of a job replaces itself with simreel
-/// (`exec`), so that signals that Slurm sends before it ends or requeues a job reach the program.
+/// Submits jobs to a Slurm cluster through `sbatch`. A job's script replaces its process by simreel
+/// (`exec`), so that simreel receives the signals that Slurm sends before it ends or requeues a job.
 class Slurm {
  public:
   /// `folder`: folder for scripts and logs, visible to all nodes. `more`: additional arguments for sbatch.
@@ -17,10 +17,11 @@ class Slurm {
   /// Work of one job, or of each job of an array.
   struct Work {
     std::string name;                     ///< name of the job and of its script
-    std::vector<std::string> arguments;   ///< arguments for simreel; in an array the item's number follows
-    std::vector<std::size_t> numbers;     ///< item numbers, ascending; empty: a single job
-    std::vector<std::string> after = {};  ///< ids of jobs that must succeed first
-    bool however = false;                 ///< true: the jobs in `after` only have to end, with any result
+    std::vector<std::string> arguments;   ///< arguments for simreel; in an array, the item's number is
+                                          ///< appended
+    std::vector<std::size_t> numbers;     ///< item numbers in ascending order; empty for a single job
+    std::vector<std::string> after = {};  ///< ids of jobs that must succeed before this work starts
+    bool however = false;                 ///< true if the jobs in `after` only have to end, with any result
   };
   /// Submits the work and returns the jobs' ids. Splits arrays that are too long for the cluster. Throws
   /// UserError(inputOutput) with sbatch's message.
@@ -34,14 +35,14 @@ class Slurm {
   std::size_t maxArraySize_;
 };
 
-/// Splits text into words like a shell: at blanks, except within ' or ". Throws UserError(usage).
+/// Splits text into words like a shell: at blanks, except inside ' or ". Throws UserError(usage).
 [[nodiscard]] std::vector<std::string> shellWords(const std::string& text);
 
 /// Returns the numbers minus `offset` in the syntax of sbatch --array: "0-3,7".
 [[nodiscard]] std::string arrayText(const std::vector<std::size_t>& numbers, std::size_t offset);
 
-/// Splits ascending numbers so that, in each part, the numbers differ by less than `maxSize` and the part's
-/// text fits into one command-line argument.
+/// Splits ascending numbers into parts. In each part, the numbers differ by less than `maxSize`, and the
+/// part's text fits into one command-line argument.
 [[nodiscard]] std::vector<std::vector<std::size_t>> splitArray(const std::vector<std::size_t>& numbers,
                                                                std::size_t maxSize);
 

@@ -18,7 +18,8 @@ using Json = nlohmann::ordered_json;
 constexpr const char* resultFormat = "simreel-job";
 constexpr int resultVersion = 1;
 
-/// Returns null for a missing value, and for infinities, because JSON has no infinities.
+/// Returns the value as JSON. Returns null for a missing value and for infinities and NaN, because JSON
+/// cannot represent them.
 Json numberOrNull(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
@@ -107,7 +108,7 @@ std::string resultText(const JobResult& result) {
   const Json head = {{"format", resultFormat}, {"version", resultVersion},  {"hash", result.hash},
                      {"code", result.code},    {"message", result.message}, {"frames", result.frames}};
   std::string text = head.dump(2, ' ', false, Json::error_handler_t::replace);
-  text.resize(text.size() - 2);  // removes the closing "\n}", because more members follow
+  text.resize(text.size() - 2);  // The closing " }" is removed, because more members follow.
   text += ",\n  \"checks\": " + jsonLines(itemsOf(result.checks));
   text += ",\n  \"quantities\": " + jsonLines(quantities);
   text += ",\n  \"counts\": " + jsonLines(counts);

@@ -10,23 +10,23 @@
 
 namespace simreel::batch {
 
-/// Result of a job of a sweep. It is stored as result.json in the job's folder, the last file that the job
-/// writes. It has no times or data of the machine, so it is the same wherever the job ran.
+/// Result of a job of a sweep. It is stored as result.json in the job's folder, which is the last file that
+/// the job writes. It contains no times and no data of the machine, so it is the same wherever the job ran.
 struct JobResult {
   std::string hash;  ///< hash of the job in its plan
-  int code = 0;      ///< exit code of the job; 0: all frames exist
+  int code = 0;      ///< exit code of the job; 0 if all frames exist
   std::string message;
   int frames = 0;
   std::vector<golden::CheckResult> checks;
   std::vector<MeasuredQuantity> quantities;
-  /// Column and value, from the last row of the table of counts.
+  /// Pairs of column name and value from the last row of the table of counts.
   std::vector<std::pair<std::string, std::string>> counts;
 
   [[nodiscard]] bool checksPassed() const;
 };
 
 [[nodiscard]] std::string resultText(const JobResult& result);
-/// Parses a result. Throws UserError(usage) with the file's `name` and the error in it.
+/// Parses a result. Throws UserError(usage) with the file name `name` and the error in the file.
 [[nodiscard]] JobResult parseResult(const std::string& text, const std::string& name);
 
 /// Returns the results of checks as JSON, for a run that continues later.

@@ -16,7 +16,7 @@ Measurements::Measurements(scene::Scene& scene, std::span<const int> drawn, Chec
     : scene_(scene), files_(std::move(files)), hear_(std::move(hear)) {
   const auto isDrawn = [&](int frame) { return std::binary_search(drawn.begin(), drawn.end(), frame); };
   tested_ = scene.testFrames();
-  // The check "not-blank" needs pictures, so frames that are not drawn are removed from its list of frames.
+  // The check "not-blank" needs pictures, so frames that are not drawn are removed from the check's frames.
   for (scene::Check& check : scene.checks) {
     if (check.what != "not-blank" || check.frames.empty()) continue;
     std::erase_if(check.frames, [&](int frame) { return !isDrawn(frame); });

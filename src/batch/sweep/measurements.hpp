@@ -20,23 +20,23 @@ struct MeasuredQuantity {
   std::string what;  ///< name of quantity and object: "energy of flag"
   std::string unit;
   int frame = 0;
-  std::optional<double> value;  ///< measured number; nullopt if it is not finite
+  std::optional<double> value;  ///< measured number; nullopt if it is infinite or NaN
 };
 
-/// Files with results of checks; empty paths: no file.
+/// Files with results of checks. An empty path means no file.
 struct CheckFiles {
   std::filesystem::path
-      earlier;  ///< results of an earlier run, from whose checkpoint this run continues; may be missing
+      earlier;  ///< results of an earlier run from whose checkpoint this run continues; need not exist
   std::filesystem::path kept;  ///< file for the results so far, which a later run reads
 };
 
 /// Evaluates a scene's checks while it is rendered, and measures all quantities at the last frame.
 class Measurements final : public frame::FrameWatch {
  public:
-  /// Checks without their own frames are evaluated at the tested frames that are drawn and, with `ends`, at
-  /// the last frame. Frames beyond the last one are not evaluated. Removes frames without a picture from
-  /// the "not-blank" checks of `scene`, which must outlive this object. `hear`: called with each new
-  /// result, not with results of an earlier run.
+  /// Checks without frames of their own are evaluated at the tested frames that are drawn and, if `ends` is
+  /// true, at the last frame. Frames after the last one are not evaluated. Removes frames without a picture
+  /// from the "not-blank" checks of `scene`, which must outlive this object. `hear`: called with each new
+  /// result, but not with results of an earlier run.
   Measurements(scene::Scene& scene, std::span<const int> drawn, CheckFiles files,
                std::function<void(const golden::CheckResult&)> hear = {}, bool ends = true);
 
@@ -45,7 +45,7 @@ class Measurements final : public frame::FrameWatch {
   void made(const sim::World& world) override;
   void drawn(int frame, const frame::Image& image) override;
 
-  /// Evaluates pictures that the run kept from an earlier attempt; call it after the run. `fileOf`: returns
+  /// Evaluates pictures that exist from an earlier attempt. Must be called after the run. `fileOf`: returns
   /// the file of a frame. Throws UserError if a picture cannot be read.
   void lookAtKept(const std::function<std::filesystem::path(int frame)>& fileOf);
 

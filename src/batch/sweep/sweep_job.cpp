@@ -36,7 +36,7 @@ fs::path resultFile(const fs::path& folder) {
   return folder / "result.json";
 }
 
-/// Returns the hash of the job that was begun in the folder; empty if no job was begun.
+/// Returns the hash of the job that was begun in the folder, or an empty text if no job was begun.
 std::string begunHash(const fs::path& folder) {
   if (!pathExists(begunFile(folder))) return {};
   try {
@@ -60,8 +60,8 @@ std::optional<JobResult> storedResult(const SweepPlan& plan, std::size_t job) {
   return std::nullopt;
 }
 
-/// Locks a job; nullopt if another process holds the lock. The lock lies in the shared folder even if the
-/// job is drawn in a scratch folder.
+/// Locks a job. Returns nullopt if another process holds the lock. The lock is in the shared folder even if
+/// the job is drawn in a scratch folder.
 std::optional<frame::OutputLock> lockOf(const SweepPlan& plan, std::size_t job) {
   const fs::path begun = begunFile(plan.jobFolder(job));
   makeFolders(plan.jobFolder(job));
@@ -87,7 +87,7 @@ void emptyFolder(const fs::path& folder) {
   for (const fs::path& path : all) fs::remove_all(path, error);
 }
 
-/// True if the folder has files although no job has begun in it.
+/// True if the folder contains files although no job has begun in it.
 bool holdsOthersFiles(const fs::path& folder) {
   std::error_code error;
   if (pathExists(begunFile(folder)) || pathExists(resultFile(folder))) return false;
@@ -138,7 +138,7 @@ fs::path checksFile(const fs::path& folder) {
   return folder / "checks.part.json";
 }
 
-/// Returns the number of files that a done job's manifest lists and that do not exist. Does not read the
+/// Returns the number of missing files among those that a done job's manifest lists. Does not read the
 /// files.
 std::size_t missingFiles(const fs::path& folder) {
   std::set<std::string> names;
@@ -159,7 +159,7 @@ std::size_t missingFiles(const fs::path& folder) {
   return missing;
 }
 
-/// Renders the job into `folder`, which is the job's folder or a scratch folder.
+/// Renders the job into `folder`: the job's folder or a scratch folder.
 void render(const SweepPlan& plan, std::size_t job, const gl::Context& context, frame::Progress& progress,
             const std::string& command, const fs::path& folder, JobEnd& end) {
   const auto began = Clock::now();
@@ -245,7 +245,7 @@ JobEnd runSweepJob(const SweepPlan& plan, std::size_t job, const gl::Context& co
       end.elsewhere = true;
       return end;
     }
-    // The job may have been submitted twice, or done by another machine meanwhile.
+    // The job may have been submitted twice, or another machine may have finished it in the meantime.
     if (auto stored = storedResult(plan, job); stored && stored->code == 0 && missingFiles(folder) == 0) {
       end.result = std::move(*stored);
       return end;
@@ -281,7 +281,7 @@ JobEnd runSweepJob(const SweepPlan& plan, std::size_t job, const gl::Context& co
   try {
     writeFileAtomically(resultFile(folder), resultText(end.result));
   } catch (const UserError& error) {
-    if (end.result.code != 0) return end;  // keeps the first error, because it is the cause
+    if (end.result.code != 0) return end;  // The first error remains, because it is the cause.
     end.result.code = static_cast<int>(error.code());
     end.result.message = error.what();
   }
@@ -304,7 +304,7 @@ int makeShared(const SweepPlan& plan, const gl::Context& context, frame::Progres
   if (!lacksShared(plan)) return 0;
   RenderRequest request;
   request.scene = plan.sceneFile();
-  // Values of any job: the varied values do not affect the simulation.
+  // The values of any job serve, because the varied values do not affect the simulation.
   request.overrides = plan.overridesOf(0);
   request.assets = plan.assets;
   request.output = plan.sharedFolder().string() + "/";

@@ -14,9 +14,9 @@ namespace simreel::batch {
 /// State of a job of a sweep.
 enum class JobState {
   missing,  ///< the job has not begun
-  queued,   ///< the job does not run, but it is in a cluster's queue
-  running,  ///< the job is running: a process holds the lock of its folder
-  aborted,  ///< begun, but no process runs it; it can continue from its checkpoint
+  queued,   ///< the job is waiting in a cluster's queue
+  running,  ///< the job is running: a process holds the lock of the job's folder
+  aborted,  ///< the job has begun, but no process runs it; it can continue from its checkpoint
   failed,   ///< the job has ended with an error
   done
 };
@@ -32,24 +32,26 @@ struct JobStatus {
 /// Outcome of a call of runSweepJob().
 struct JobEnd {
   JobResult result;
-  int signal = 0;          ///< signal that interrupted it (then no result is stored), or 0
-  bool elsewhere = false;  ///< true: another process runs the job, so this one did nothing
+  int signal = 0;          ///< signal that interrupted the job (no result is stored then), or 0
+  bool elsewhere = false;  ///< true if another process runs the job, so that the call did nothing
 };
 
-/// Renders a job into its folder, or continues an interrupted one, and writes its result, also after an
-/// error. Does nothing if the job is already done. `scratch`: local folder to render in; empty: none.
+/// Renders a job into its folder, or continues an interrupted one, and writes the result, even after an
+/// error. Does nothing if the job is already done. `scratch`: local folder to render in; empty if none is
+/// used.
 [[nodiscard]] JobEnd runSweepJob(const SweepPlan& plan, std::size_t job, const gl::Context& context,
                                  frame::Progress& progress, const std::string& command,
                                  const std::filesystem::path& scratch = {});
-/// Simulates the part that all jobs share, if there is one, and keeps its last state for them. Jobs can
-/// also run without that state. Returns the signal that interrupted it, or 0. Throws UserError.
+/// Simulates the part that all jobs have in common, if there is one, and stores its last state for them.
+/// Jobs can also run without that state. Returns the signal that interrupted the simulation, or 0. Throws
+/// UserError.
 [[nodiscard]] int makeShared(const SweepPlan& plan, const gl::Context& context, frame::Progress& progress,
                              const std::string& command);
 [[nodiscard]] bool lacksShared(const SweepPlan& plan);
-/// Writes the result of a job whose process ended before it could write one. `how`: how the process ended.
-/// Throws UserError(inputOutput).
+/// Writes the result of a job whose process ended before writing one. `how`: the way in which the process
+/// ended. Throws UserError(inputOutput).
 JobResult writeLostResult(const SweepPlan& plan, std::size_t job, const std::string& how);
-/// Removes everything made for plan `old` before plan `next` replaces it, except jobs that are in both
+/// Removes all files of plan `old` before plan `next` replaces it, except those of jobs that are in both
 /// plans. Throws UserError(inputOutput) if a job is being rendered.
 void removeOthers(const SweepPlan& old, const SweepPlan& next);
 

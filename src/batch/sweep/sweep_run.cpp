@@ -86,7 +86,7 @@ int SweepTally::exitCode() const {
 
 namespace {
 
-/// Simulates the shared part in a worker process, like the jobs. If it fails, the jobs simulate that part
+/// Simulates the common part in a worker process, like a job. If it fails, the jobs simulate that part
 /// themselves, so the error only causes a warning.
 void shareWork(const SweepPlan& plan, const LocalRun& how) {
   WorkForce force;

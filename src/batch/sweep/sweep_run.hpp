@@ -19,8 +19,8 @@ struct SweepTally {
   [[nodiscard]] std::size_t jobs() const { return done + failed + aborted + running + queued + missing; }
   /// Returns a summary: "24 jobs: 20 done (1 with failed checks), 3 failed, 1 missing".
   [[nodiscard]] std::string text() const;
-  /// Returns the first exit code that applies: 1 if a job or a check failed; 7 if a job is begun or queued
-  /// but not done; 3 if a job is missing; 0 if all jobs are done.
+  /// Returns the first exit code that applies: 1 if a job or a check failed; 7 if a job has begun or is
+  /// queued but is not done; 3 if a job is missing; 0 if all jobs are done.
   [[nodiscard]] int exitCode() const;
 };
 
@@ -28,14 +28,14 @@ struct SweepTally {
 struct LocalRun {
   std::size_t workers = 1;
   gl::ContextOptions on;  ///< GPU selection; if it lists several devices, each worker takes the next one
-  /// True: writes an event to standard error for each check and at the end of each job.
+  /// True to write an event to standard error for each check and at the end of each job.
   bool ndjson = false;
-  /// Scratch folder on a local disk to render in; empty: jobs render into their own folders.
+  /// Scratch folder on a local disk to render in. If empty, jobs render into their own folders.
   std::filesystem::path scratch;
   std::string command;
 };
 
-/// Runs jobs in parallel and reports how each ended. Returns the signal that interrupted it, or 0.
+/// Runs jobs in parallel and reports how each ended. Returns the signal that interrupted the run, or 0.
 int runJobs(const SweepPlan& plan, const std::vector<std::size_t>& jobs, const LocalRun& how);
 
 }  // namespace simreel::batch

@@ -40,17 +40,17 @@ struct BakeOptions {
   std::vector<std::string> fields;  ///< names of the fields to write; empty: all
   std::optional<std::string> frames;
   bool overwrite = false;
-  bool sequence = false;  ///< True if all frames go into one file per object.
+  bool sequence = false;  ///< true if all frames of an object are written to one file
 };
 
-/// One file of each baked frame: the object's index, the file's name and its format.
+/// A file that is written for each baked frame: the object's index, the file's name and its format.
 struct BakedFile {
   std::size_t object;
   std::string name, format;
 };
 
-/// Returns the files of the object `o.object`, or of every object that has something to write in the
-/// format. Throws UserError(usage) if no file results.
+/// Returns the files of the object `o.object`, or of every object that can be written in the format. Throws
+/// UserError(usage) if there are no such files.
 std::vector<BakedFile> bakedFiles(const sim::World& world, const BakeOptions& o) {
   std::vector<BakedFile> files;
   std::string names, all;
@@ -77,7 +77,8 @@ std::vector<BakedFile> bakedFiles(const sim::World& world, const BakeOptions& o)
   return files;
 }
 
-/// Keeps the files of the fields that --fields names. Throws UserError(usage) for a name that is not there.
+/// Removes all files except those of the fields that --fields names. Throws UserError(usage) for the name
+/// of a field that does not exist.
 void chooseFields(std::vector<BakedFile>& files, const std::vector<std::string>& fields) {
   if (fields.empty()) return;
   std::vector<std::string> names;
@@ -95,10 +96,10 @@ fs::path fileOf(const BakeOptions& o, const BakedFile& baked, int frame) {
   return fs::path(o.output) / fmt::format("{}_{:06}.{}", baked.name, frame, baked.format);
 }
 
-/// Checks --sequence against --format: a sequence format implies --sequence, and --sequence without
-/// --format picks the first sequence format.
+/// Checks --sequence against --format. A sequence format implies --sequence. --sequence without --format
+/// selects the first sequence format.
 void settleSequence(BakeOptions& o) {
-  if (o.format == "csv") return void(o.sequence = false);  // always one table for all frames
+  if (o.format == "csv") return void(o.sequence = false);  // A CSV file is always one table for all frames.
   const auto& formats = frame::sequenceFormats;
   const bool known = std::find(formats.begin(), formats.end(), o.format) != formats.end();
   if (o.sequence && o.format.empty()) o.format = formats.front();
@@ -138,7 +139,7 @@ void bakeFrames(const BakeOptions& o, const scene::Scene& scene, sim::World& wor
   info("{} files -> {}", files, fileOf(o, all.front(), frames.front()).string() + " ...");
 }
 
-/// Checks --fields against --format; fields are npy files unless --format says pfm.
+/// Checks --fields against --format. Fields are written as npy files unless --format is pfm.
 void settleFields(BakeOptions& o) {
   if (o.fields.empty()) return;
   if (o.format.empty() && !o.sequence) o.format = "npy";
@@ -164,8 +165,8 @@ void bake(BakeOptions o) {
   frame::interruptFrames();
   const gl::Context context(o.on);
   sim::World world(scene);
-  static_cast<void>(
-      world.grow());  // allocates whole meshes, so that each object reports all that it can write
+  static_cast<void>(world.grow());  // This allocates whole meshes, so that each object reports everything
+                                    // that it can write.
   if (o.format == "csv") return bakeSeries(scene, world, o.output, o.object, frames, o.overwrite);
   auto all = bakedFiles(world, o);
   chooseFields(all, o.fields);

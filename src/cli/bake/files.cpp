@@ -19,7 +19,7 @@ namespace simreel::cli {
 
 namespace {
 
-/// Returns the published field with this name, or null.
+/// Returns the field with this name among the objects' drawables, or null.
 const sim::Field* fieldOf(const sim::Drawables& drawables, const std::string& name) {
   for (const sim::Field& field : drawables.fields)
     if (*field.name == name && !field.decoration) return &field;
@@ -30,7 +30,8 @@ bool isContourFormat(const std::string& format) {
   return format == "svg" || format == "geojson";
 }
 
-/// True for the formats that hold meshes only (ply also holds points).
+/// True for formats that can contain only meshes. PLY is not one of them, because it can also contain
+/// points.
 bool isMeshFormat(const std::string& format) {
   return format == "obj" || format == "glb" || format == "pc2" || format == "mdd";
 }
@@ -50,11 +51,12 @@ std::vector<std::byte> bytesOf(const std::string& text) {
   return {bytes.begin(), bytes.end()};
 }
 
-/// Encodes a mesh as PLY: for each vertex its position, its normal, its uv if the mesh has uvs, and the
-/// other columns of `points`, whose rows are the vertices; then the triangles.
+/// Encodes a mesh as PLY. Each vertex has its position, its normal, its uv if the mesh has uvs, and the
+/// other columns of `points`, whose rows are the vertices. The triangles follow.
 std::vector<std::byte> meshPly(const sim::MeshTable& mesh, const sim::PointTable& points,
                                std::span<const std::string> comments) {
-  constexpr std::size_t own = 3;  // the first columns of `points` are x, y and z, already written
+  constexpr std::size_t own = 3;  // The first three columns of `points` are x, y and z, which have been
+                                  // written.
   std::vector<const char*> columns = {"x", "y", "z", "nx", "ny", "nz"};
   if (!mesh.uvs.empty()) columns.insert(columns.end(), {"s", "t"});
   const std::size_t width = points.columns.size();
@@ -67,7 +69,7 @@ std::vector<std::byte> meshPly(const sim::MeshTable& mesh, const sim::PointTable
     const glm::vec3& p = mesh.positions[i];
     const glm::vec3& n = mesh.normals[i];
     values.insert(values.end(), {p.x, p.y, p.z, n.x, n.y, n.z});
-    // flips v, because PLY gets v pointing up as in OBJ
+    // v is flipped, because in PLY, as in OBJ, v points up.
     if (!mesh.uvs.empty()) values.insert(values.end(), {mesh.uvs[i].x, 1 - mesh.uvs[i].y});
     for (std::size_t k = own; k < width; ++k) values.push_back(points.values[i * width + k]);
   }
@@ -111,7 +113,9 @@ std::vector<std::string> fileNames(const sim::World& world, std::size_t object, 
   const sim::Drawables drawables = world.drawables();
   for (const sim::Field& field : drawables.fields)
     if (*field.name == name || field.name->starts_with(name + ".")) names.push_back(*field.name);
-  if (fieldOf(drawables, name) == nullptr) return {name};  // its points
+  if (fieldOf(drawables, name) == nullptr)
+    return {name};  // The name is that of the object, whose points
+                    // are written.
   return names;
 }
 

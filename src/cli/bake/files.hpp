@@ -9,27 +9,29 @@
 
 namespace simreel::cli {
 
-/// Formats of `simreel bake` that hold one object's state at one frame. ply: points or a mesh; obj, glb: a
-/// mesh; svg, geojson: contours; npy, pfm: the values of a field; rle: the cells of an automaton.
+/// Formats in which `simreel bake` writes one object's state at one frame. ply: points or a mesh. obj and
+/// glb: a mesh. svg and geojson: contours. npy and pfm: the values of a field. rle: the cells of an
+/// automaton.
 inline constexpr std::array<const char*, 8> stateFormats = {"ply", "obj", "glb",     "svg",
                                                             "npy", "pfm", "geojson", "rle"};
 
-/// Returns the format to write an object in: `wanted`, or if `wanted` is "" the first of rle, ply and npy
-/// that the object has. Returns "" if the object has nothing in that format.
+/// Returns the format in which an object is written: `wanted`, or, if `wanted` is empty, the first of rle,
+/// ply and npy that suits the object. Returns an empty text if the object cannot be written in that format.
 [[nodiscard]] std::string formatFor(const sim::World& world, std::size_t object, const std::string& wanted);
-/// Returns what a format holds, for messages: "points or a mesh", "cells", ...; "state" for "".
+/// Returns the kind of content that a format has, for messages: "points or a mesh", "cells", ...; "state"
+/// for an empty format.
 [[nodiscard]] const char* contentsOf(const std::string& format);
-/// Returns the names of an object's files, one name per file. A field format gives one file per field
-/// ("NAME", "NAME.u"); other formats give one file. `format` is a result of formatFor().
+/// Returns the names of an object's files. A format for fields gives one file per field ("NAME", "NAME.u");
+/// other formats give one file. `format` must be a result of formatFor().
 [[nodiscard]] std::vector<std::string> fileNames(const sim::World& world, std::size_t object,
                                                  const std::string& format);
-/// Returns the contents of the file `name`. `comments` are written if the format has room for comments.
+/// Returns the contents of the file `name`. Includes `comments` if the format allows comments.
 [[nodiscard]] std::vector<std::byte> stateFile(const sim::World& world, std::size_t object,
                                                const std::string& name, const std::string& format,
                                                std::span<const std::string> comments);
 
-/// Simulates up to `frame` without drawing the frames before. Returns false after an interrupt; the message
-/// then says that the `files` files written so far are whole.
+/// Simulates up to `frame` without drawing the frames before it. Returns false after an interrupt, with a
+/// message that the `files` files written so far are complete.
 [[nodiscard]] bool simulateTo(sim::World& world, int frame, int files);
 
 }  // namespace simreel::cli

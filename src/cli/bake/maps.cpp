@@ -34,9 +34,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int largestSide =
-    8192;  // texels per side; larger maps would take gigabytes while they are encoded
+    8192;  // maximum texels per side; larger maps would take gigabytes of memory during encoding
 
-/// Returns the size of the maps, or nothing without --size. --size overrides render.size, so the size is
+/// Returns the size of the maps, or nullopt without --size. Since --size overrides render.size, the size is
 /// read from the scene.
 std::optional<glm::ivec2> mapSize(const MapsOptions& o, const scene::Scene& scene) {
   if (!o.scene.size) return std::nullopt;
@@ -47,7 +47,8 @@ std::optional<glm::ivec2> mapSize(const MapsOptions& o, const scene::Scene& scen
   return size;
 }
 
-/// Applies --look: adds a skin with that look to a field that no object wears, on the field's own object.
+/// Applies --look: if no object has the field as its skin, gives the object with the field a skin with that
+/// look.
 void wearOwnField(const MapsOptions& o, scene::Scene& scene) {
   static const std::array<std::string, 4> looks = {"leather", "spots", "cracks", "map"};
   const auto* const look = std::find(looks.begin(), looks.end(), o.look);
@@ -68,7 +69,7 @@ void wearOwnField(const MapsOptions& o, scene::Scene& scene) {
          scene::suggestion(o.object, fields));
 }
 
-/// Returns the objects whose skins are baked: the one given by --object, or all with a skin.
+/// Returns the objects whose skins are baked: the object given by --object, or all objects with a skin.
 std::vector<const scene::Object*> bakedSkins(const MapsOptions& o, const scene::Scene& scene) {
   std::vector<const scene::Object*> found;
   std::vector<std::string> names;
@@ -86,7 +87,7 @@ std::vector<const scene::Object*> bakedSkins(const MapsOptions& o, const scene::
   return found;
 }
 
-/// Returns the maximum emitted radiance; black for looks that do not emit.
+/// Returns the maximum emitted radiance as linear RGB. It is black for looks that do not emit.
 glm::vec3 glowOf(const scene::Skin& skin) {
   return skin.look == scene::Skin::Look::cracks ? draw::lookOf(skin).high : glm::vec3(0);
 }
@@ -163,7 +164,9 @@ void bakeMaps(const MapsOptions& o) {
   refuseExisting(o, objects, frames);
   frame::catchInterrupts();
   const gl::Context context(o.on);
-  if (sim::needsRanges(scene)) static_cast<void>(sim::frameMotion(scene));  // the look depends on them
+  if (sim::needsRanges(scene))
+    static_cast<void>(sim::frameMotion(scene));  // The appearance depends on the
+                                                 // ranges.
   sim::World world(scene);
   MapWriter writer(o, scene, size);
   makeFolders(o.output);

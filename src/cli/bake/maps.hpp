@@ -17,7 +17,7 @@ struct MapsOptions {
   bool overwrite = false;
 };
 
-/// Writes the maps of one skin or of every skin in the scene, or of a field given a look, as
+/// Writes maps of one skin or of every skin in the scene, or of a field with a look, as
 /// OUTPUT/NAME_000000_albedo.png etc. Throws UserError.
 void bakeMaps(const MapsOptions& options);
 

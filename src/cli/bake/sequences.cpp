@@ -17,8 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Writes the mesh sequence of one object. Formats without triangles (pc2, mdd) get an OBJ file of the
-/// first frame beside the sequence.
+/// Writes the mesh sequence of one object. Formats without triangles (pc2, mdd) also get an OBJ file of the
+/// first frame in the same folder.
 class ObjectSequence {
  public:
   ObjectSequence(const sim::World& world, std::size_t object, const SequencesOptions& o)
@@ -29,7 +29,7 @@ class ObjectSequence {
     if (options_.format != "glb") all.push_back(place("obj"));
     return all;
   }
-  /// Appends the object's current mesh; called once per baked frame, in order.
+  /// Appends the object's current mesh. Must be called once per baked frame, in order.
   void add() {
     const sim::MeshTable mesh = world_.object(object_).mesh().value();
     if (!sequence_) {

@@ -8,7 +8,7 @@
 
 namespace simreel::cli {
 
-/// Options of `simreel bake` if all frames of an object go into one file.
+/// Options of `simreel bake` for files that each contain all frames of an object.
 struct SequencesOptions {
   std::string format;                ///< file format, one of frame::sequenceFormats
   std::filesystem::path output;      ///< output folder
@@ -16,12 +16,12 @@ struct SequencesOptions {
   std::vector<int> frames;
   double fps = 30;
   bool overwrite = false;
-  /// Returns the comment lines about an object at the current frame, for formats with room for comments.
+  /// Returns the comment lines about an object at the current frame, for formats that allow comments.
   std::function<std::vector<std::string>(std::size_t object)> comments;
 };
 
-/// Writes OUTPUT/NAME.glb, or OUTPUT/NAME.pc2 or .mdd with the first frame beside it as OUTPUT/NAME.obj.
-/// Throws UserError. An interrupt or an error leaves no partly written file.
+/// Writes OUTPUT/NAME.glb, or OUTPUT/NAME.pc2 or .mdd together with the first frame as OUTPUT/NAME.obj.
+/// Throws UserError. An interrupt or an error leaves no incomplete file.
 void bakeSequences(sim::World& world, const SequencesOptions& options);
 
 }  // namespace simreel::cli

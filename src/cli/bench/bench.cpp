@@ -54,7 +54,8 @@ void checkCounts(const BenchOptions& o) {
   within("--rounds", o.rounds, 1);
 }
 
-/// Checks that the output files can be written, before the measurement takes minutes.
+/// Checks that the output files can be written, so that an error is not reported after minutes of
+/// measuring.
 void checkFiles(const BenchOptions& o) {
   if (!o.chart.empty() && std::filesystem::path(o.chart).extension() != ".svg")
     fail(ExitCode::usage,
@@ -64,8 +65,8 @@ void checkFiles(const BenchOptions& o) {
     if (!file.empty() && file != "-") checkWritable(file);
 }
 
-/// Returns one row per case and fills `scenes` with their scenes. Errors in values are thrown here, before
-/// a device starts.
+/// Returns one row per case and stores the cases' scenes in `scenes`. Errors in values are thrown here,
+/// before a device starts.
 std::vector<BenchRow> rowsOf(const BenchOptions& o, std::vector<scene::Scene>& scenes) {
   std::vector<std::vector<BenchChoice>> lists;
   if (!o.technique.empty())
@@ -98,11 +99,11 @@ void ofRow(const BenchReport& report, const BenchRow& row, frame::Progress& prog
   }
 }
 
-/// Measures the rows in turns, so that a disturbance of the machine affects all rows alike.
+/// Measures the rows alternately, so that a disturbance of the machine affects all rows alike.
 void measure(BenchReport& report, std::vector<scene::Scene> scenes, const gl::Context& context,
              frame::Progress& progress) {
   constexpr int refill =
-      3;  // warm-up frames until the caches and the pipeline hold only this row's data again
+      3;  // number of warm-up frames after which caches and pipeline contain only this row's data
   std::vector<frame::BenchRun> runs;
   const int rounds = std::min(report.rounds, report.frames);
   const int rows = static_cast<int>(report.rows.size());

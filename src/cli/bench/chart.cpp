@@ -42,8 +42,8 @@ struct Color {
   }
 };
 
-/// Returns the colour of a stage. Named stages have the same colour in every chart; the steps of objects
-/// cycle through blues and greens by `number`.
+/// Returns the colour of a stage. Named stages have the same colour in every chart. The steps of objects
+/// cycle through blues and greens; `number` is the index of the step.
 Color colorOf(const std::string& stage, int number) {
   struct Named {
     const char* name;
@@ -63,7 +63,7 @@ Color colorOf(const std::string& stage, int number) {
   return steps[static_cast<std::size_t>(number) % steps.size()];
 }
 
-/// One coloured piece of a bar: a whole stage if `part` is "", else one part of the stage.
+/// One coloured segment of a bar: a whole stage if `part` is empty, else one part of the stage.
 struct Key {
   std::string stage, part, color;
   [[nodiscard]] std::string label() const { return part.empty() ? stage : stage + ": " + part; }
@@ -88,7 +88,8 @@ std::vector<Key> keysOf(const std::vector<RowFigures>& rows) {
   return keys;
 }
 
-/// Returns the length of a piece in ms. A stage with parts gets what its parts leave over.
+/// Returns the length of a segment in ms. The segment of a stage that has parts gets the time that the
+/// parts do not account for. `side`: CPU or GPU time.
 double lengthOf(const RowFigures& row, const Key& key, double StageFigures::*side) {
   for (const StageFigures& stage : row.stages) {
     if (stage.name != key.stage) continue;

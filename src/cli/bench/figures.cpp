@@ -9,8 +9,8 @@ namespace simreel::cli {
 
 namespace {
 
-/// Returns the longest stage and its share of the median frame: "surfaces, 61%", or "step mesh (deform),
-/// 61%" if the stage reports its parts.
+/// Returns the longest stage and its fraction of the median frame time: "surfaces, 61%", or "step mesh
+/// (deform), 61%" if the stage reports its parts.
 std::string largest(const RowFigures& row, double StageFigures::*side) {
   const auto max =
       std::max_element(row.stages.begin(), row.stages.end(),
@@ -22,8 +22,8 @@ std::string largest(const RowFigures& row, double StageFigures::*side) {
   return fmt::format("{}, {:.0f}%", name, 100 * (*max).*side / std::max(row.frame.median, 1e-9));
 }
 
-/// Returns what bounds the frame time (see RowFigures::bound). The threshold is below 1 because stage
-/// clocks and GPU queries measure slightly less than the whole frame.
+/// Returns the text for RowFigures::bound. The threshold is below 1 because stage clocks and GPU queries
+/// measure slightly less than the whole frame.
 std::string boundOf(const RowFigures& row, frame::Timing timing) {
   constexpr double enough = 0.6;
   if (row.stages.empty() || row.frame.count == 0) return "";

@@ -19,8 +19,8 @@ constexpr std::array timingNames = {"wait", "query", "whole"};
 
 using Lines = std::vector<std::vector<std::string>>;
 
-/// Aligns the columns of a table: the first to the left, the others to the right. With `tail`, the last
-/// column is left as it is.
+/// Aligns the columns of a table: the first to the left, the others to the right. `tail`: true to leave the
+/// last column unaligned.
 std::string aligned(const Lines& lines, bool tail) {
   std::vector<std::size_t> width;
   for (const auto& line : lines) {
@@ -45,7 +45,7 @@ std::string aligned(const Lines& lines, bool tail) {
   return text;
 }
 
-/// Formats a time with three significant digits, so that microseconds on a GPU are visible too.
+/// Formats a time with three significant digits, so that microseconds on a GPU are visible.
 std::string ms(double value) {
   return value >= 100  ? fmt::format("{:.0f}", value)
          : value >= 10 ? fmt::format("{:.1f}", value)
@@ -78,7 +78,7 @@ std::string frameTable(const BenchReport& report, const std::vector<RowFigures>&
   return aligned(lines, true);
 }
 
-/// One column of the stage table: a stage if `part` is "", else one part of the stage.
+/// One column of the stage table: a stage if `part` is empty, else one part of the stage.
 struct Column {
   std::string stage, part;
 };
@@ -194,8 +194,8 @@ ordered_json rowJson(const BenchRow& row, const BenchReport& report) {
           {"samples", {{"frame", row.times.frames}, {"ms", samples}}}};
 }
 
-/// Returns the line with ray counts of pictures of quality "high"; the time of their shading stage follows
-/// the number of rays.
+/// Returns the line about ray counts of pictures with quality "high". The time of their shading stage is
+/// proportional to the number of rays.
 std::string raysText(const BenchReport& report, const std::vector<RowFigures>& rows) {
   std::string text;
   for (std::size_t i = 0; i < rows.size(); ++i) {

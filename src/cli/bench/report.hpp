@@ -12,7 +12,7 @@
 
 namespace simreel::cli {
 
-/// One measured case of the benchmark.
+/// One row of the benchmark's report, for one case.
 struct BenchRow {
   BenchCase asked;
   glm::ivec2 size{0, 0};  ///< picture size in pixels
@@ -26,7 +26,7 @@ struct BenchReport {
   bool software = false;
   std::size_t processors = 1;  ///< number of processors that this process may use
   frame::Timing timing = frame::Timing::wait;
-  int frames = 0, warmUp = 0, rounds = 0;  ///< numbers requested by the user
+  int frames = 0, warmUp = 0, rounds = 0;  ///< numbers that the user requested
   bool interrupted = false;
   std::vector<BenchRow> rows;
 };
@@ -34,7 +34,7 @@ struct BenchReport {
 /// Median times of one stage, in ms.
 struct StageFigures {
   std::string name;
-  double cpu = 0;  ///< median time on the CPU; with Timing::wait the stage's whole time
+  double cpu = 0;  ///< median time on the CPU; with Timing::wait, the stage's whole time
   double gpu = 0;
   std::vector<std::pair<std::string, double>> parts;
 };
@@ -44,11 +44,11 @@ struct RowFigures {
   frame::Statistics frame;  ///< statistics of frame times, ms
   frame::Outliers outliers;
   double perSecond = 0;   ///< frames per second, outliers included
-  double processors = 0;  ///< average number of processors kept busy by this process
+  double processors = 0;  ///< average number of processors that this process kept busy
   std::vector<StageFigures> stages;
   double cpu = 0, gpu = 0;  ///< sum of the stages' median times, ms
-  /// The limit of the frame time: "surfaces, 61%", "GPU: shadow, 40%", "CPU: step a, 90%" or "waiting"; ""
-  /// if stages were not timed. Percentages are relative to the median frame.
+  /// The cause that limits the frame time: "surfaces, 61%", "GPU: shadow, 40%", "CPU: step a, 90%" or
+  /// "waiting". Empty if stages were not timed. Percentages are relative to the median frame time.
   std::string bound;
 };
 
@@ -57,7 +57,7 @@ struct RowFigures {
 /// Returns the stages that take at least 0.5% of the frame in some row, in execution order.
 [[nodiscard]] std::vector<std::string> shownStages(const std::vector<RowFigures>& rows);
 
-/// Returns two tables as text: frame times, and stage times. Ends in a newline.
+/// Returns two tables as text: frame times and stage times. The text ends with a newline.
 [[nodiscard]] std::string benchText(const BenchReport& report);
 
 /// Returns the statistics and all samples as JSON. Times are milliseconds; a "spread" is {"median", "p5",

@@ -20,17 +20,17 @@ struct BenchChoice {
   std::vector<scene::Override> changes;
 };
 
-/// Parses "path=a,b,c" into one choice per value. Commas within brackets, braces and quotes belong to a
+/// Parses "path=a,b,c" into one choice per value. Commas inside brackets, braces and quotes are part of a
 /// value. Throws UserError(usage).
 [[nodiscard]] std::vector<BenchChoice> parseVary(const std::string& text);
 
 /// Parses "all" or words separated by commas into one choice per technique. A choice sets "technique" in
-/// every object whose kind has that value. Throws UserError(usage) if no object has it.
+/// every object whose kind supports that technique. Throws UserError(usage) if no object supports it.
 [[nodiscard]] std::vector<BenchChoice> parseTechniques(const std::string& text, const scene::Scene& scene,
                                                        std::span<const scene::Kind> kinds);
 
-/// Returns every combination of the lists' choices; the last list varies fastest. Empty `lists` give one
-/// case named `plain`. Throws UserError(usage) for more than 64 cases.
+/// Returns every combination of one choice from each list. The last list varies fastest. If `lists` is
+/// empty, returns one case with the name `plain`. Throws UserError(usage) for more than 64 cases.
 [[nodiscard]] std::vector<BenchCase> combine(std::span<const std::vector<BenchChoice>> lists,
                                              const std::string& plain);
 

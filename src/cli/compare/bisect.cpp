@@ -1,4 +1,4 @@
-// simreel bisect: finds the first place where two builds or two drivers differ.
+// simreel bisect: finds the first point of a run at which two builds or two drivers differ.
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "base/process.hpp"
@@ -47,8 +47,8 @@ golden::BisectSide side(const char* name, const std::string& command, const Bise
   return result;
 }
 
-/// Returns the simulation's name of an element, "particle (12, 30)". Creates its own context because the
-/// contexts of the child processes are gone by now.
+/// Returns the simulation's name for an element, such as "particle (12, 30)". Creates a context, because
+/// the contexts of the child processes no longer exist.
 std::string elementName(const BisectOptions& o, const scene::Scene& scene, const std::string& object,
                         long element) {
   const gl::Context context(o.on);

@@ -70,8 +70,8 @@ std::string passName(const golden::PassDifference& found) {
   return found.pass + (found.part.empty() ? "" : fmt::format(" ({})", found.part));
 }
 
-/// Formats one word of a pass: a depth key, a channel of light, or red, green and blue from the lowest
-/// bytes of a word.
+/// Formats one word of a pass as a depth key, as a channel of light, or as red, green and blue from the
+/// lowest bytes of the word.
 std::string wordText(const golden::PassDifference& found, std::uint32_t word) {
   if (found.pass == "picture")
     return fmt::format("{} {} {}", word & 255U, word >> 8U & 255U, word >> 16U & 255U);
@@ -79,7 +79,7 @@ std::string wordText(const golden::PassDifference& found, std::uint32_t word) {
   return value ? fmt::format("{:.9g} (0x{:08x})", *value, word) : std::string("nothing");
 }
 
-/// Returns the names of a pass's words, in order.
+/// Returns the names of the words of a pass, in order.
 std::array<const char*, 4> wordNames(const golden::PassDifference& found) {
   if (found.light) return {"red", "green", "blue", "coverage"};
   return {found.pass == "picture" ? "bytes" : "nearness", "", "", ""};

@@ -6,17 +6,17 @@
 
 namespace simreel::cli {
 
-/// Result of `simreel bisect` with the texts that its report needs.
+/// Result of `simreel bisect`, with additional texts for the report.
 struct BisectReport {
   golden::BisectResult result;
   std::string commandHere, commandThere;
-  /// Name of the first differing element, "particle (12, 30)"; empty if it has no name.
+  /// Name of the first differing element, such as "particle (12, 30)". Empty if it has no name.
   std::string element;
 };
 
-/// Returns the report as text for people; ends in a newline.
+/// Returns the report as readable text that ends with a newline.
 [[nodiscard]] std::string bisectText(const BisectReport& report);
-/// Returns the report as indented JSON; ends in a newline.
+/// Returns the report as indented JSON that ends with a newline.
 [[nodiscard]] std::string bisectJson(const BisectReport& report);
 
 }  // namespace simreel::cli

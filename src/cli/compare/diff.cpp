@@ -55,7 +55,7 @@ golden::PairTerms termsFor(const DiffOptions& options, const scene::Tolerance& t
           options.quick ? golden::Measures::quick : golden::Measures::all};
 }
 
-/// Fails if the output would overwrite one of the compared files.
+/// Throws UserError if the output would overwrite one of the compared files.
 void checkOutput(const fs::path& output, const fs::path& a, const fs::path& b) {
   for (const fs::path& input : {a, b}) {
     std::error_code unknown;
@@ -65,7 +65,7 @@ void checkOutput(const fs::path& output, const fs::path& a, const fs::path& b) {
   }
 }
 
-/// Prints JSON. Replaces invalid UTF-8, because file names may hold any bytes.
+/// Prints JSON. Replaces invalid UTF-8, because file names may contain any bytes.
 void printJson(const nlohmann::ordered_json& json) {
   printText(json.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }

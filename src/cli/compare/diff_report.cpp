@@ -28,7 +28,8 @@ std::string verdict(const PairResult& result) {
 }
 
 ordered_json metricsJson(const Metrics& m) {
-  // JSON has no infinity, so an infinite PSNR becomes null, as does a metric that was not measured.
+  // JSON has no infinity, so an infinite PSNR is written as null. A metric that was not measured is also
+  // null.
   const auto measured = [](const std::optional<double>& value) {
     return value ? ordered_json(*value) : ordered_json(nullptr);
   };
@@ -50,8 +51,8 @@ ordered_json metricsJson(const Metrics& m) {
           {"movedPixels", m.movedPixels}};
 }
 
-/// Adds the members that a single pair and a pair of a sequence share. JSON writes "within" for pairs that
-/// differ within tolerance.
+/// Adds the members that the report of a single pair and of a pair in a sequence have in common. The JSON
+/// text for pairs that differ within tolerance is "within".
 void addResult(ordered_json& json, const PairResult& result) {
   json["result"] =
       result.outcome == PairResult::Outcome::within ? "within" : golden::outcomeName(result.outcome);

@@ -14,7 +14,7 @@ namespace simreel::cli {
 [[nodiscard]] std::string pairText(const golden::PairResult& result, const scene::Tolerance& tolerance);
 [[nodiscard]] nlohmann::ordered_json pairJson(const std::string& a, const std::string& b,
                                               const golden::PairResult& result);
-/// Returns the line of one pair in a sequence; empty if the pair is equal.
+/// Returns the line about one pair of a sequence, or an empty text if the pictures are equal.
 [[nodiscard]] std::string pairLine(const golden::Pair& pair, const golden::PairResult& result);
 
 /// Collected results of a sequence of pairs.
@@ -28,7 +28,7 @@ struct SequenceReport {
   void add(const golden::Pair& pair, const golden::PairResult& result);
   [[nodiscard]] int count(Outcome outcome) const;
   [[nodiscard]] bool differs() const;
-  /// Returns the names that only one side has, then a line with the counts.
+  /// Returns the names that exist only on one side, followed by a line with the counts.
   [[nodiscard]] std::string summary(const std::string& a, const std::string& b) const;
   [[nodiscard]] nlohmann::ordered_json json(const std::string& a, const std::string& b) const;
 };

@@ -80,7 +80,7 @@ Range parseRange(const std::string& text, int firstFrame, int frameCount) {
   return {*first, *last};
 }
 
-/// Returns the frame of "37:passes", or nothing for other text.
+/// Returns the frame number in a text such as "37:passes", or nullopt for other text.
 std::optional<int> parsePasses(const std::string& text) {
   std::string_view rest = text;
   const auto frame = takeInteger(rest);
@@ -98,8 +98,8 @@ std::pair<int, int> parseStep(const std::string& text, int firstFrame) {
   return *frameAndStep;
 }
 
-/// Writes bytes to standard output without buffering. Returns false if the reader closed the pipe; the
-/// caller then stops writing.
+/// Writes bytes to standard output without buffering. Returns false if the reader closed the pipe. The
+/// caller must then stop writing.
 bool putOut(std::span<const std::byte> bytes) {
   const int error = frame::writeAll(STDOUT_FILENO, bytes);
   if (error == 0) return true;

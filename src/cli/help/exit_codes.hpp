@@ -7,7 +7,7 @@ namespace simreel::cli {
 struct ExitMeaning {
   const char* code;
   const char* meaning;  ///< short meaning, for `simreel --help`
-  const char* cure;     ///< what the user can do about it
+  const char* cure;     ///< advice for the user
 };
 
 /// Returns all exit codes in ascending order.

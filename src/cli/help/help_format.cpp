@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t optionColumn = 28;
 constexpr std::size_t commandColumn = 14;
 
-/// Wraps each line to `width` columns. Lines that begin with a space are examples and stay unwrapped.
+/// Wraps each line to `width` columns. Lines that begin with a space are examples and are not wrapped.
 std::string wrappedLines(const std::string& text, std::size_t width) {
   std::string out;
   for (const std::string& line : CLI::detail::split(text, '\n'))

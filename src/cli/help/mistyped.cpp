@@ -40,8 +40,8 @@ std::vector<KnownFlag> flagsOf(const CLI::App& command) {
   return flags;
 }
 
-/// Returns the flag that `word` (without dashes) is a misspelling of, or the only flag that begins with
-/// `word`; null if no flag matches.
+/// Returns the flag that `word` (without dashes) resembles, or the only flag that begins with `word`.
+/// Returns null if no flag matches.
 const KnownFlag* nearestFlag(const std::string& word, const std::vector<KnownFlag>& flags) {
   if (word.size() < 2) return nullptr;
   std::vector<std::string> names;
@@ -99,7 +99,7 @@ std::string unknownCommand(const CLI::App& app, const CLI::App& command, const s
                      listEntry(*near, meant->get_description(), 14, textWidth()), page);
 }
 
-/// Returns the message about required arguments and options that are missing; empty if none is.
+/// Returns a message about missing required arguments and options, or an empty text if none is missing.
 std::string missing(const CLI::App& command) {
   std::string lines, names;
   for (const CLI::Option* option : command.get_options()) {
@@ -113,7 +113,8 @@ std::string missing(const CLI::App& command) {
                      usageOf(command), wordsOf(command));
 }
 
-/// Returns the message about a flag that was given without its value; empty if the error is another.
+/// Returns a message about a flag that was given without its value, or an empty text for any other error.
+/// `what`: message of the CLI11 library.
 std::string valueless(const CLI::App& command, const std::string& what) {
   const std::string name = what.substr(0, what.find(':'));
   for (const CLI::App* one = &command; one != nullptr; one = one->get_parent())
@@ -124,8 +125,8 @@ std::string valueless(const CLI::App& command, const std::string& what) {
   return "";
 }
 
-/// Returns the message about a value that is no number, from "Could not convert: --turn = x"; empty if the
-/// error is another.
+/// Returns a message about a value that is not a number, or an empty text for any other error. `what`:
+/// message of the CLI11 library, such as "Could not convert: --turn = x".
 std::string unconverted(const CLI::App& command, const std::string& what) {
   const std::size_t colon = what.find(": "), equals = what.find(" = ");
   if (colon == std::string::npos || equals == std::string::npos) return "";

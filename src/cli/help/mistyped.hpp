@@ -8,8 +8,8 @@ class ParseError;
 
 namespace simreel::cli {
 
-/// Returns the message about a command line that cannot be parsed: the error, a suggestion, and the help of
-/// the option meant. Several lines without a final newline.
+/// Returns a message about a command line that cannot be parsed: the error, a suggestion, and the help of
+/// the intended option. The text has several lines and no final newline.
 [[nodiscard]] std::string explainMistake(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace simreel::cli

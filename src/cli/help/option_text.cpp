@@ -10,7 +10,7 @@ namespace simreel::cli {
 
 namespace {
 
-/// Returns the range in the type's description, or "" if the type has none.
+/// Returns the range in a type's description, or an empty text if there is none.
 std::string rangeIn(const std::string& type) {
   const auto open = type.find(" in [");
   const auto close = type.rfind(']');
@@ -67,10 +67,11 @@ void takeValue(const CLI::Option& option, OptionText& text) {
   const std::string type = option.get_type_name();
   const auto open = type.find('{');
   const auto close = type.rfind('}');
-  if (open != std::string::npos && close != std::string::npos) {  // from CLI::IsMember or type_name()
+  if (open != std::string::npos && close != std::string::npos) {  // The words come from CLI::IsMember or
+                                                                  // type_name().
     text.choices = CLI::detail::split(type.substr(open + 1, close - open - 1), ',');
     text.value = fmt::format("{}", fmt::join(text.choices, "|"));
-    std::erase(text.choices, "NAME");  // stands for any name
+    std::erase(text.choices, "NAME");  // NAME stands for any name.
     return;
   }
   const std::string plain = type.substr(0, type.find(':'));

@@ -9,7 +9,8 @@ class Option;
 
 namespace simreel::cli {
 
-/// One option, or one positional argument, as help, man page and reference print it.
+/// One option, or one positional argument, with the texts that the help, the man page and the reference
+/// print.
 struct OptionText {
   std::vector<std::string> shorts, longs;  ///< names of the option without dashes
   std::string argument;                    ///< name of a positional argument; empty for an option
@@ -17,7 +18,7 @@ struct OptionText {
   std::string value;                       ///< placeholder of the value; empty for a flag without a value
   std::vector<std::string> choices;        ///< the allowed words; empty if any value is allowed
   bool required = false;
-  bool several = false;  ///< true for an argument that takes more than one value
+  bool several = false;  ///< true for an argument that accepts several values
 
   /// Returns the names with dashes: "-o", "--output".
   [[nodiscard]] std::vector<std::string> names() const;

@@ -1,4 +1,4 @@
-// simreel explain: lists every value of a scene as it will be used, and its origin.
+// simreel explain: lists every value of a scene that takes effect, and the value's origin.
 #include "scene/texts/explain.hpp"
 
 #include "base/log.hpp"
@@ -30,8 +30,8 @@ struct ExplainOptions {
   gl::ContextOptions on;
 };
 
-/// Returns "path value origin" in columns. A path or value that is wider than its column shifts the rest of
-/// its line.
+/// Returns lines with path, value and origin in columns. A path or value that is too wide shifts the rest
+/// of its line.
 std::string explainedText(const std::vector<scene::ExplainedValue>& values) {
   constexpr std::size_t mostPath = 44, mostValue = 36;
   std::size_t path = 0, value = 0;
@@ -54,7 +54,7 @@ std::string explainedJson(const std::vector<scene::ExplainedValue>& values) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const scene::ExplainedValue& one : values) {
     auto value = nlohmann::ordered_json::parse(one.value, nullptr, false);
-    if (value.is_discarded()) value = nullptr;  // JSON has no word for "off"
+    if (value.is_discarded()) value = nullptr;  // JSON has no value for "off".
     list.push_back({{"path", one.path}, {"value", value}, {"from", one.origin}});
   }
   return list.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n";

@@ -22,7 +22,7 @@ std::string lowered(std::string name) {
   return name;
 }
 
-/// Buffers and textures of all kernels, without duplicate names.
+/// Buffers and textures of all kernels. Each name occurs once.
 struct Memory {
   std::vector<const kernels::Buffer*> buffers;
   std::vector<const kernels::Texture*> textures;
@@ -50,15 +50,15 @@ std::size_t componentsOf(const std::string& type) {
   return matrix ? count * count : count;
 }
 
-/// True for Unity's time constants, which the program sets itself.
+/// True for Unity's time constants, which the program sets.
 bool isStandard(const sim::KernelSlot& constant) {
   const bool time = constant.path == "_Time" || constant.path == "_SinTime" ||
                     constant.path == "_CosTime" || constant.path == "unity_DeltaTime";
   return time && constant.offsets.size() == 4;
 }
 
-/// Returns a default value guessed from the name: time, a size, a seed and so on, else 1. One number or
-/// expression sets all components.
+/// Returns a default value guessed from the constant's name: a time, a size, a seed and so on, otherwise 1.
+/// A single number or expression sets all components.
 Json valueOf(const sim::KernelSlot& constant, const Memory& memory) {
   const std::string name = lowered(constant.path);
   const auto has = [&](const char* word) { return name.find(word) != std::string::npos; };
@@ -112,8 +112,8 @@ Json buffersOf(const Memory& memory, const std::set<std::string>& counted) {
   return buffers;
 }
 
-/// Returns the entry of a kernel in the schedule: with a guess of its threads if the sizes of its memory do
-/// not determine them.
+/// Returns a kernel's entry in the schedule. It contains a guessed number of threads if the sizes of the
+/// kernel's memory do not determine it.
 Json entryOf(const kernels::Kernel& kernel, const std::set<std::string>& counted) {
   const sim::KernelSizes sizes = {
       .texture =

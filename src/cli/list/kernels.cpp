@@ -53,7 +53,7 @@ const char* access(bool reads, bool writes) {
   return reads && writes ? "read and written" : writes ? "written" : reads ? "read" : "unused";
 }
 
-/// Describes a buffer. For an HLSL buffer (a single unsized array) prints the element type instead of the
+/// Describes a buffer. For an HLSL buffer (a single unsized array), prints the element type instead of the
 /// member list.
 void describe(std::string& out, const kernels::Buffer& buffer) {
   const bool plain =
@@ -107,7 +107,7 @@ std::string listed(const kernels::Shader& shader, const KernelsOptions& o) {
   return out;
 }
 
-/// Runs a scene's kernels and prints their races. Fails if there are any.
+/// Runs a scene's kernels and prints their races. Throws UserError if there are any.
 void checkRaces(const KernelsOptions& o) {
   const scene::Scene scene = scene::loadScene(o.checked, {}, sim::kinds());
   const std::vector<std::filesystem::path> files = sim::shaderFiles(scene);

@@ -4,15 +4,15 @@
 
 namespace simreel::cli {
 
-/// A common message with the advice that goes with it.
+/// A common message, with advice for the user.
 struct Message {
-  std::string_view code;  ///< exit code; "warning" for a warning, which has none
-  const char* shown;      ///< the message as printed, with names and numbers replaced by capital words
-  const char* source;     ///< a part of the message as it stands in the source code
+  std::string_view code;  ///< exit code; "warning" for a warning, which has no exit code
+  const char* shown;      ///< the printed message, with capital words in place of names and numbers
+  const char* source;     ///< part of the message that occurs in the source code
   const char* cure;
 };
 
-/// Returns the messages by exit code in ascending order, warnings last.
+/// Returns the messages in ascending order of their exit codes. Warnings are last.
 [[nodiscard]] std::span<const Message> messages();
 
 }  // namespace simreel::cli

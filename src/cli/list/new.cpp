@@ -1,4 +1,4 @@
-// simreel new KIND: prints a commented scene to start from.
+// simreel new KIND: prints a commented scene that users can edit.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/log.hpp"

@@ -1,4 +1,4 @@
-// simreel list --format json: the pages as JSON.
+// simreel list --format json: writes the pages as JSON.
 #include "cli/list/kind_notes.hpp"
 #include "cli/list/pages.hpp"
 #include "sim/world/list.hpp"
@@ -18,8 +18,8 @@ Json titlesJson(const std::vector<scene::HelpTitle>& titles) {
   return list;
 }
 
-/// Returns a default value as JSON. A default in words ("the preset's") becomes a string, no default
-/// becomes null.
+/// Returns a default value as JSON. A default in words ("the preset's") becomes a string. If there is no
+/// default, returns null.
 Json standardJson(const scene::HelpRow& row) {
   if (row.standard == "off" || row.standard.empty()) return nullptr;
   Json value = Json::parse(row.standard, nullptr, false);

@@ -1,4 +1,4 @@
-// simreel list --format markdown: the pages as Markdown.
+// simreel list --format markdown: writes the pages as Markdown.
 #include "cli/list/kind_notes.hpp"
 #include "cli/list/pages.hpp"
 #include "sim/world/list.hpp"

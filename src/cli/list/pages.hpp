@@ -8,24 +8,25 @@
 
 namespace simreel::cli {
 
-/// Returns the description of "cloth.pins": full sentence, default, range, unit and an example; for a group
-/// also its members. Throws UserError(usage) with a suggestion for an unknown name.
+/// Returns the description of a parameter such as "cloth.pins": full sentence, default, range, unit and an
+/// example. The description of a group also has its members. Throws UserError(usage) with a suggestion for
+/// an unknown name.
 [[nodiscard]] std::string parameterText(std::string_view path, std::size_t width);
-/// Returns every parameter and measured quantity whose name or description contains all of the words.
+/// Returns all parameters and measured quantities whose name or description contains all of the words.
 [[nodiscard]] std::string searchText(const std::string& words, std::size_t width);
-/// Value of a parameter as a shipped scene writes it.
+/// Value that a shipped scene gives to a parameter.
 struct ShippedValue {
   std::string text;   ///< value as JSON
   std::string scene;  ///< name of the scene, such as "flag"
 };
-/// Returns the shortest value of a parameter in the shipped scenes; nothing if no scene sets it.
+/// Returns the shortest value that a shipped scene gives to a parameter, or nullopt if no scene sets it.
 [[nodiscard]] std::optional<ShippedValue> shippedValue(const scene::HelpPage& page,
                                                        std::string_view parameter);
 
-/// Returns all pages as JSON: `simreel list --format json`.
+/// These functions return all pages, or one page, as JSON for `simreel list --format json`.
 [[nodiscard]] std::string listJson();
 [[nodiscard]] std::string pageJson(std::string_view name);
-/// Returns all pages as Markdown: `simreel list --format markdown`.
+/// These functions return all pages, or one page, as Markdown for `simreel list --format markdown`.
 [[nodiscard]] std::string listMarkdown();
 [[nodiscard]] std::string pageMarkdown(std::string_view name);
 

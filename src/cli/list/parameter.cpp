@@ -1,4 +1,4 @@
-// simreel list cloth.pins and simreel list --search WORDS.
+// simreel list cloth.pins, and simreel list --search WORDS: describes one parameter, or searches all.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/wrap.hpp"
@@ -33,12 +33,12 @@ std::vector<std::string> split(std::string_view text, char between) {
   return parts;
 }
 
-/// Collects the values at `path` below `node`; the path passes through all items of lists.
+/// Collects the values at `path` below `node`. At a list, continues with every item.
 void collectValues(const Node& node, const std::vector<std::string>& path, std::size_t at,
                    std::vector<const Node*>& found) {
   if (at == path.size()) return found.push_back(&node);
-  const bool named =
-      path[at].ends_with(">") || path[at] == "light";  // true for a key that the scene's author chooses
+  const bool named = path[at].ends_with(">") || path[at] == "light";  // true for a key that the author of
+                                                                      // the scene chooses
   for (const Node& child : node.children)
     if (node.kind == Node::Kind::list)
       collectValues(child, path, at, found);
@@ -190,7 +190,7 @@ std::string searchText(const std::string& words, std::size_t width) {
   for (scene::HelpTitle& section : scene::sectionTitles()) titles.push_back(std::move(section));
   for (const scene::HelpTitle& title : titles) {
     if (holds(title.name + " " + title.doc, wanted)) found.push_back(title);
-    if (title.name == "scene") continue;  // the pages of the sections already hold these rows
+    if (title.name == "scene") continue;  // The pages of the sections already contain these rows.
     const HelpPage page = scene::helpPage(title.name, sim::kinds().list);
     for (const HelpRow& row : page.rows) {
       const std::string name = page.name + "." + row.name;

@@ -1,4 +1,4 @@
-// simreel validate: checks scenes; simreel schema: prints their JSON schema.
+// simreel validate: checks scenes. simreel schema: prints the JSON Schema of scenes.
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "base/text.hpp"
@@ -30,11 +30,12 @@ namespace {
 
 struct ValidateOptions {
   std::vector<std::string> files, overrides, assets;
-  std::string device;  ///< device to validate on; empty: no device is used
+  std::string device;  ///< device to validate on; empty if no device is used
   gl::ContextOptions on;
 };
 
-/// Checks what needs a device: the scene against the device's limits, and the first frame.
+/// Makes the checks that need a device: compares the scene with the device's limits, and draws the first
+/// frame.
 void checkOnDevice(const scene::Scene& scene, const sim::Numerics& numerics) {
   sim::requireExact(scene, numerics);
   sim::World world(scene);
@@ -43,12 +44,12 @@ void checkOnDevice(const scene::Scene& scene, const sim::Numerics& numerics) {
   frame::checkState(world);
 }
 
-/// Returns the errors of one scene; empty if the scene is usable.
+/// Returns the errors of one scene. Returns an empty list if the scene is usable.
 std::vector<UserError> problemsOf(const std::string& file, const ValidateOptions& o,
                                   const std::optional<sim::Numerics>& numerics) {
   std::vector<UserError> problems;
   try {
-    const auto scene =  // loadTestScene() also reads the test settings in the file beside the scene
+    const auto scene =  // loadTestScene() also reads the test settings in the sidecar.
         scene::loadTestScene(file, parseOverrides(o.overrides), sim::kinds(), assetFolders(o.assets));
     for (const std::string& remark : scene.remarks) warnLinesOnce(remark);
     problems = sim::findProblems(scene);
@@ -61,7 +62,8 @@ std::vector<UserError> problemsOf(const std::string& file, const ValidateOptions
   return problems;
 }
 
-/// Prints an error with the scene's file name in front; a report already names the file on its lines.
+/// Prints an error after the scene's file name. A report is printed unchanged, because its lines already
+/// contain the name.
 void printProblem(const std::string& file, const UserError& error) {
   if (error.form() == UserError::Form::report)
     printError(error);
@@ -91,7 +93,7 @@ void validate(ValidateOptions o) {
     std::fflush(stdout);
     for (const UserError& problem : problems) printProblem(file, problem);
     if (o.files.size() == 1)
-      code = problems.front().code();  // the same code as rendering the scene would give
+      code = problems.front().code();  // Rendering the scene would return the same exit code.
   }
   if (bad > 0)
     fail(code, "{} of {} scene{} cannot be used", bad, o.files.size(), o.files.size() == 1 ? "" : "s");

@@ -9,7 +9,8 @@ namespace simreel::cli {
 
 /// Adds --device and --memory-path.
 void addDevice(CLI::App& command, gl::ContextOptions& options);
-/// Adds the same flags for a command with several processes; --device may then be a list such as "0,1".
+/// Adds --device and --memory-path for a command with several processes. --device may then be a list such
+/// as "0,1".
 void addDevices(CLI::App& command, gl::ContextOptions& options);
 
 }  // namespace simreel::cli

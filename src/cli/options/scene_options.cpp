@@ -81,10 +81,10 @@ void SceneOptions::addOptional(CLI::App& command) {
   addAssets(command, assets);
 }
 
-/// Replaces the position of a scene's camera by an orbit that starts there. Returns the angle at which the
-/// orbit starts, in degrees.
+/// Replaces the position of a scene's camera by an orbit that starts at that position. Returns the angle at
+/// which the orbit starts, in degrees.
 double SceneOptions::addOrbit(std::vector<scene::Override>& changes) const {
-  if (file == "-") return 0;  // standard input is read once
+  if (file == "-") return 0;  // Standard input can be read only once.
   const scene::Camera camera = scene::loadScene(file, changes, sim::kinds(), assetFolders(assets)).camera;
   if (!camera.placed || camera.orbit || camera.follow || camera.track || camera.gltf) return 0;
   constexpr double degrees = 180 / std::numbers::pi;

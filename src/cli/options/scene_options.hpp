@@ -12,28 +12,28 @@ class App;
 
 namespace simreel::cli {
 
-/// Options of every command that reads a scene in order to run it.
+/// Options of every command that reads a scene to run it.
 struct SceneOptions {
   std::string file;
-  bool shipped = false;                ///< true if `file` was found by the name of a shipped scene
+  bool shipped = false;                ///< true if `file` is a shipped scene that was found by its name
   std::vector<std::string> overrides;  ///< values of -D, each "path=value"
   std::optional<int> seed;
   std::optional<std::string> size;  ///< value of --size, "WxH"
   std::optional<double> fps;
-  std::optional<double> turn;  ///< seconds in which the camera goes once round the scene
+  std::optional<double> turn;  ///< seconds in which the camera orbits the scene once
   std::optional<int> samples;
   std::optional<std::string> rasterizer;
-  std::vector<std::string> assets;  ///< further folders that the scene may read from
+  std::vector<std::string> assets;  ///< additional folders from which the scene may read files
   void add(CLI::App& command);
-  /// Adds the options to a command whose scene is optional; without a scene `file` is empty.
+  /// Adds the options to a command whose scene is optional. Without a scene, `file` is empty.
   void addOptional(CLI::App& command);
-  /// Returns all options but --assets as overrides. Throws UserError(usage).
+  /// Returns all options except --assets as overrides. Throws UserError(usage).
   [[nodiscard]] std::vector<scene::Override> changes() const;
   double addOrbit(std::vector<scene::Override>& changes) const;
-  /// Reads the scene with all options applied, then `more`. --size, --fps, --samples and --seed are
-  /// shorthands of -D, so they change the scene's hash.
+  /// Reads the scene with all options applied, followed by `more`. --size, --fps, --samples and --seed are
+  /// abbreviations of -D, so they change the scene's hash.
   [[nodiscard]] scene::Scene load(const std::vector<scene::Override>& more = {}) const;
-  /// Returns all options as words of a command line.
+  /// Returns all options as command-line arguments.
   [[nodiscard]] std::vector<std::string> arguments() const;
 };
 

@@ -26,7 +26,8 @@ std::vector<std::string> scenesIn(const fs::path& folder) {
   return names;
 }
 
-/// Returns advice about a picture or mesh that was given in place of a scene; empty for other files.
+/// Returns advice about a picture or mesh that was given in place of a scene, or an empty text for other
+/// files.
 std::string cureFor(const std::string& file) {
   const std::string ending = lowerExtension(file);
   const auto any = [&](const std::set<std::string>& endings) { return endings.contains(ending); };

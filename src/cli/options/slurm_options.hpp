@@ -11,18 +11,18 @@ class App;
 
 namespace simreel::cli {
 
-/// --slurm, --sbatch and --scratch, for commands whose work several machines can share.
+/// Options --slurm, --sbatch and --scratch of commands whose work can be divided among several machines.
 struct SlurmOptions {
   bool slurm = false;
   std::vector<std::string> sbatch;
   std::string scratch;
 
   void add(CLI::App& command);
-  /// Adds only --scratch, for the commands that the cluster's jobs run.
+  /// Adds only --scratch, for the commands that run inside the cluster's jobs.
   void addScratch(CLI::App& command);
   /// Returns the cluster settings. Throws UserError(usage).
   [[nodiscard]] batch::Slurm cluster(const std::filesystem::path& folder) const;
-  /// Returns the options that are passed on to the cluster's jobs.
+  /// Returns the options that are passed to the cluster's jobs.
   [[nodiscard]] std::vector<std::string> arguments() const;
 };
 

@@ -33,7 +33,7 @@ std::map<std::string, double> ToleranceOptions::given() const {
     const double value = *found->second;
     const scene::Range& range = bound.spec.range;
     const bool whole = std::holds_alternative<int*>(bound.member);
-    // Written as !(in range), so that NaN is rejected too.
+    // The test is written as !(in range), so that it also rejects NaN.
     if (!(value >= range.min && value <= range.max) || (whole && value != std::floor(value)))
       fail(ExitCode::usage, "{} takes a {} from {:g} to {:g}, not {}", flagName(bound.name),
            whole ? "whole number" : "number", range.min, range.max, value);

@@ -1,5 +1,4 @@
-// Subcommands that work on an existing sweep plan: status, retry, collect, and the single job that a
-// cluster runs.
+// simreel sweep status, retry, collect and job: work on an existing plan of a sweep. A cluster runs `job`.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/log.hpp"
@@ -55,7 +54,8 @@ fs::path slurmFolder(const batch::SweepPlan& plan) {
 }
 constexpr const char* slurmWork = "sweep";
 
-/// Returns `queued` for a missing or aborted job that is still in the cluster's queue, else `state`.
+/// Returns `queued` if the job is missing or aborted and still in the cluster's queue; otherwise returns
+/// `state`.
 batch::JobState stateIn(const batch::SlurmQueue& queue, std::size_t job, batch::JobState state) {
   const bool idle = state == batch::JobState::missing || state == batch::JobState::aborted;
   return idle && queue.has(slurmWork, job) ? batch::JobState::queued : state;
@@ -169,7 +169,8 @@ void submitSweep(const batch::SweepPlan& plan, const std::vector<std::size_t>& j
   if (jobs.empty()) return;
   batch::Slurm::Work work{.name = slurmWork, .arguments = {"sweep", "job"}, .numbers = jobs};
   const std::string folder = fs::absolute(plan.folder).lexically_normal().string();
-  work.however = true;  // jobs can run without the shared work, so they start even if it failed
+  work.however = true;  // Jobs can run without the state that they share, so they start even if computing
+                        // it failed.
   if (how.on.deviceCount() > 1)
     fail(ExitCode::usage, "--device {}: with --slurm the cluster gives each job its device", how.on.device);
   if (jobs.size() > 1 && batch::lacksShared(plan))
@@ -190,7 +191,8 @@ void runSweep(const batch::SweepPlan& plan, const std::vector<std::size_t>& jobs
   batch::checkProgram(plan);
   std::vector<std::size_t> waiting;
   std::size_t queued = 0;
-  // With --slurm, jobs already in the cluster's queue are not submitted again; without, they run here.
+  // With --slurm, jobs that are in the cluster's queue are not submitted again. Without --slurm, they run
+  // here.
   const batch::SlurmQueue queue(how.cluster.slurm ? slurmFolder(plan) : fs::path());
   for (const std::size_t number : jobs) {
     const auto state = stateIn(queue, number, batch::statusOf(plan, number).state);

@@ -45,9 +45,10 @@ void checkOptions(const SweepOptions& o) {
     fail(ExitCode::usage, "--seed is that of --sample here; the scene's own is -D seed={}", *o.scene.seed);
 }
 
-/// Measures ranges of colours that are "auto" by a first run of each job, and gives all jobs the same.
+/// Simulates each job once to measure color ranges that are "auto", and gives all jobs the same ranges.
 void shareRanges(batch::SweepPlan& plan, const std::string& text, const SweepOptions& o) {
-  // In a process of its own: jobs are forked from this one, which must not have had a context.
+  // This runs in a separate process. Jobs are forked from this process, which therefore must not have had a
+  // GL context.
   constexpr Allotment unlimited{std::size_t{1} << 40, 1 << 30};
   std::string lines;
   try {
@@ -101,14 +102,15 @@ batch::SweepPlan planOf(const SweepOptions& o, const std::string& text) {
   batch::checkJobs(plan, text);
   if (const std::vector<scene::Override> camera = batch::sharedCamera(plan, text); !camera.empty()) {
     plan.overrides.insert(plan.overrides.end(), camera.begin(), camera.end());
-    batch::checkJobs(plan, text);  // the camera is part of the jobs' hashes
+    batch::checkJobs(plan, text);  // The camera is part of the jobs' hashes, so the hashes are computed
+                                   // again.
   }
   if (batch::hasAutoRanges(plan, text)) shareRanges(plan, text, o);
   return plan;
 }
 
-/// Writes the plan and the scene into the folder. If the folder already holds a plan, it must be the same
-/// plan unless `overwrite` is set.
+/// Writes the plan and the scene into the folder. If the folder already contains a plan, the two plans must
+/// be equal unless `overwrite` is set.
 void store(const batch::SweepPlan& plan, const std::string& scene, bool overwrite) {
   const std::string text = planText(plan);
   if (pathExists(plan.planFile())) {

@@ -15,7 +15,7 @@ class App;
 
 namespace simreel::cli {
 
-/// Options for running the jobs of a sweep, shared by `simreel sweep SCENE` and `sweep retry`.
+/// Options for running the jobs of a sweep, used by `simreel sweep SCENE` and `sweep retry`.
 struct SweepRunOptions {
   std::string jobs = "1";
   gl::ContextOptions on;
@@ -37,7 +37,7 @@ struct SweepOptions {
   SweepRunOptions run;
 };
 
-/// Runs the `jobs` that are not done yet, locally or by Slurm, and sets the exit code from the state of all
+/// Runs those `jobs` that are not done, locally or through Slurm. Sets the exit code from the state of all
 /// jobs.
 void runSweep(const batch::SweepPlan& plan, const std::vector<std::size_t>& jobs,
               const SweepRunOptions& how);

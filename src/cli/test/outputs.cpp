@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Removes the paths of pictures from a result, for a JSON report outside the report's folder. The command
-/// accept reads only files inside that folder.
+/// `accept` reads only files inside that folder.
 golden::SuiteResult forElsewhere(golden::SuiteResult suite) {
   for (golden::SceneResult& scene : suite.scenes) {
     scene.candidate.clear();
@@ -41,14 +41,15 @@ golden::SuiteResult forElsewhere(golden::SuiteResult suite) {
   return suite;
 }
 
-/// Returns the absolute path of a folder without a trailing slash; empty means the current folder.
+/// Returns the absolute path of a folder without a trailing slash. An empty `folder` means the current
+/// folder.
 fs::path wholePath(const fs::path& folder) {
   const fs::path whole = (fs::current_path() / folder).lexically_normal();
   return whole.has_filename() ? whole : whole.parent_path();
 }
 
-/// Returns the function that makes the `src` attribute of an image, for pictures that the report stores in
-/// `folder`.
+/// Returns the function that makes the `src` attribute of an image in Markdown. `folder`: folder in which
+/// the report stores its pictures.
 golden::PictureAddress pictureAddress(const std::string& how, const fs::path& folder,
                                       const fs::path& from) {
   if (how == "none") return {};
@@ -63,8 +64,8 @@ golden::PictureAddress pictureAddress(const std::string& how, const fs::path& fo
   return [before](const std::string& picture) { return before + golden::addressOf(picture); };
 }
 
-/// Returns the report's folder relative to the project's folder on GitLab and Jenkins; the absolute path if
-/// it is outside.
+/// Returns the report's folder relative to the project's folder on GitLab or Jenkins, or the absolute path
+/// if the folder is outside the project.
 fs::path folderInProject(const fs::path& folder) {
   fs::path project;
   for (const char* name : {"WORKSPACE", "CI_PROJECT_DIR"})
@@ -76,13 +77,13 @@ fs::path folderInProject(const fs::path& folder) {
 }
 
 void writeGithub(const golden::SuiteResult& suite, const golden::PictureAddress& address) {
-  // Written with fwrite, because printText() would escape the annotation commands.
+  // fwrite() is used because printText() would escape the annotation commands.
   const std::string commands = golden::githubAnnotations(suite);
   static_cast<void>(std::fwrite(commands.data(), 1, commands.size(), stdout));
   // NOLINTNEXTLINE(concurrency-mt-unsafe): the environment is only read.
   const char* place = std::getenv("GITHUB_STEP_SUMMARY");
   if (place == nullptr || *place == '\0') return;
-  // Opened for appending, because earlier steps of the job may have written to the summary.
+  // The file is opened for appending, because earlier steps of the job may have written to the summary.
   std::FILE* file = std::fopen(place, "a");
   const std::string text = golden::markdownSummary(suite, address);
   const bool written = file != nullptr && std::fwrite(text.data(), 1, text.size(), file) == text.size();
@@ -94,7 +95,8 @@ bool colored() {
   return ::isatty(STDOUT_FILENO) == 1;
 }
 
-/// Returns the common folder of all scenes that lie outside the current folder; empty if no scene does.
+/// Returns the common folder of all scenes outside the current folder. Returns an empty path if there are
+/// none.
 fs::path folderOutside(const golden::SuiteResult& suite) {
   fs::path common;
   for (const golden::SceneResult& scene : suite.scenes) {
@@ -106,8 +108,8 @@ fs::path folderOutside(const golden::SuiteResult& suite) {
   return common;
 }
 
-/// Returns the command line that accepts this run. Baselines outside the current folder need --expected,
-/// scenes outside need --scenes.
+/// Returns the command line that accepts this run. It contains --expected if baselines are outside the
+/// current folder, and --scenes if scenes are.
 std::string acceptCommand(const golden::SuiteResult& suite, const std::string& reportFile) {
   std::string command = "simreel accept " + inShellQuotes(reportFile);
   if (const fs::path expected = suite.expected;
@@ -206,7 +208,7 @@ void TestOutputs::write(golden::SuiteResult& suite) const {
     const auto address = pictureAddress(pictures.empty() ? "files" : pictures, place, beside);
     writeFileAtomically(markdown, golden::markdownSummary(suite, address));
   }
-  // A job summary has no files beside it, so pictures are embedded by default.
+  // A job summary cannot refer to files, so pictures are embedded by default.
   if (github)
     writeGithub(suite, pictureAddress(pictures.empty()      ? "data"
                                       : pictures == "files" ? "none"

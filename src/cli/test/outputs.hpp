@@ -13,26 +13,27 @@ namespace simreel::cli {
 /// Output files of a test run.
 struct TestOutputs {
   std::string report, junit, json, markdown;
-  /// Picture references in Markdown: "files", "data", "none" or a URL that serves the report's folder.
-  /// Empty: "files", but "data" in a job summary.
+  /// Form of pictures in Markdown: "files", "data", "none" or a URL that serves the report's folder. Empty
+  /// means "files", but "data" in a job summary.
   std::string pictures;
   bool github = false;
   void add(CLI::App& command);
   /// Adds all options except --report.
   void addFiles(CLI::App& command);
 
-  /// Returns the folder of report.json; the paths of images are relative to it. Empty: images are not kept.
+  /// Returns the folder of report.json. The paths of images are relative to it. An empty path means that
+  /// images are not kept.
   [[nodiscard]] std::filesystem::path folder() const;
-  /// Returns the folder for pictures of failures: <report>/files, or a folder beside the JSON report or the
-  /// Markdown file. Empty: pictures are not written.
+  /// Returns the folder for pictures of failures: <report>/files, or a folder next to the JSON report or
+  /// the Markdown file. An empty path means that pictures are not written.
   [[nodiscard]] std::filesystem::path artifacts() const;
-  /// Removes an earlier report. Throws UserError(usage) if the folder holds something else.
+  /// Removes an earlier report. Throws UserError(usage) if the folder contains other files.
   void prepare() const;
-  /// Prints one result as soon as it is known.
+  /// Prints one result. Called as soon as the result is known.
   void print(const golden::SceneResult& scene, const std::string& unit, bool allowFlaky) const;
   /// Checks the options. Throws UserError(usage).
   void check() const;
-  /// Writes all requested files and prints the closing lines.
+  /// Writes all requested files and prints the final lines.
   void write(golden::SuiteResult& suite) const;
 };
 

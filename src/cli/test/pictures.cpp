@@ -96,7 +96,7 @@ void checkOptions(const TestOptions& o) {
              path);
 }
 
-/// Returns the rules of the file, followed by the rules of the command line, which take precedence.
+/// Returns the rules of the file followed by those of the command line, which take precedence.
 std::vector<golden::Rule> rulesOf(const TestOptions& o) {
   std::vector<golden::Rule> rules;
   if (!o.rules.empty()) rules = golden::readRules(o.rules);
@@ -121,7 +121,7 @@ bool chosen(const TestOptions& o, const std::string& name) {
          });
 }
 
-/// One run of the command "test" on pictures: renders them if asked, and compares all chosen ones with
+/// One run of `simreel test` on pictures: renders them if requested, and compares all selected ones with
 /// their baselines.
 class PictureRun {
  public:
@@ -230,8 +230,8 @@ class PictureRun {
     golden::addAttempts(std::move(attempts), result);
   }
 
-  /// Returns the index of the scene that a picture is rendered from; nothing if no command of this run
-  /// makes the picture.
+  /// Returns the index of the scene from which a picture is rendered. Returns nullopt if no command of this
+  /// run makes the picture.
   [[nodiscard]] std::optional<std::size_t> sceneOf(const std::string& picture) const {
     if (o_.run.empty()) return std::nullopt;
     if (!command_.eachScene()) return 0;
@@ -241,7 +241,7 @@ class PictureRun {
   }
 
   [[nodiscard]] golden::PictureSet pairs() const {
-    // Baselines without a scene can only be reported as stale if the run covers whole folders, without
+    // A baseline without a scene can be reported as stale only if the run covers whole folders, without
     // filter or shard.
     std::error_code unknown;
     const bool whole = o_.globs.empty() && o_.shard.empty() &&
@@ -255,7 +255,7 @@ class PictureRun {
     });
   }
 
-  /// Returns the chosen pictures of the scenes that were rendered.
+  /// Returns the selected pictures of the scenes that were rendered.
   std::vector<golden::PictureCase> cases() {
     golden::PictureSet set = pairs();
     if (!set.passedOver.empty())
@@ -331,7 +331,7 @@ class PictureRun {
   }
 
   /// Sets the scene of a picture's result. A picture in a temporary folder is reported under the path of
-  /// its baselines or scene, which persist.
+  /// its baselines or its scene, which still exist later.
   void nameScene(std::optional<std::size_t> scene, golden::SceneResult& result) const {
     if (temporary_) result.file = result.baselines;
     if (!scene || !command_.eachScene()) return;

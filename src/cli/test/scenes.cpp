@@ -37,8 +37,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Checks that a profile is a valid folder name, because a profile's baselines are stored in a folder of
-/// that name.
+/// Checks that a profile's name is a valid folder name, because the profile's baselines are stored in a
+/// folder with that name.
 void checkProfile(const std::string& name) {
   constexpr const char* plain = "abcdefghijklmnopqrstuvwxyz0123456789-";
   if (name.find_first_not_of(plain) != std::string::npos || name.size() > 64)
@@ -107,7 +107,7 @@ class SceneRun {
     result_.allowFlaky = o_.allowFlaky;
     result_.strict = o_.strict;
     jobs_ = std::min(jobs_, scenes_.size());
-    // A timeout needs a child process, because only a process can be stopped in the middle of a scene.
+    // A timeout needs a child process, because only a process can be stopped while it tests a scene.
     if (jobs_ == 1 && o_.timeout == 0)
       testHere();
     else if (jobs_ > 0)
@@ -165,8 +165,8 @@ class SceneRun {
     };
     force.done = [this](std::size_t item, const std::string& text) {
       golden::Outcome outcome = golden::parseOutcome(text);
-      nameScene(scenes_[item], outcome.scene);  // set again here because JSON cannot hold names that are
-                                                // not valid UTF-8
+      nameScene(scenes_[item], outcome.scene);  // The name is set again here, because JSON cannot contain
+                                                // names that are not valid UTF-8.
       golden::addLosses(losses_[item], outcome);
       addOutcome(std::move(outcome));
     };
@@ -185,8 +185,8 @@ class SceneRun {
       addOutcome(std::move(outcome));
     };
     force.patience = o_.timeout;
-    // A renamed scene takes over the baseline of a scene that is gone. Such scenes run alone, in order, so
-    // that the first one gets the baseline.
+    // A renamed scene takes over the baseline of a scene that no longer exists. Such scenes run one at a
+    // time, in order, so that the first one gets the baseline.
     const bool mayMove = options_.update != golden::Update::none && !options_.orphans.empty();
     force.alone = [this, mayMove](std::size_t item) {
       return mayMove && !pathExists(golden::baselineFolder(scenes_[item].file));
@@ -227,7 +227,7 @@ class SceneRun {
     result_.scenes.push_back(std::move(outcome.scene));
   }
 
-  /// Reports baselines of scenes that are gone and that no renamed scene took over.
+  /// Reports baselines of scenes that no longer exist and that no renamed scene took over.
   void addOrphans() {
     for (const fs::path& folder : options_.orphans) {
       if (!pathExists(folder)) continue;
@@ -258,7 +258,7 @@ class SceneRun {
   golden::SuiteOptions options_;
   std::size_t jobs_ = 1;
   std::vector<golden::SceneFile> scenes_;
-  /// messages about processes lost while testing a scene, by scene index
+  /// Messages about processes that ended while they tested a scene, by the scene's index.
   std::map<std::size_t, std::vector<std::string>> losses_;
   golden::Tally tally_;
   golden::SuiteResult result_;

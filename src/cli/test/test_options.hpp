@@ -30,7 +30,7 @@ struct TestOptions {
   gl::ContextOptions on;
   bool list = false;
   ToleranceOptions tolerance;
-  // Options that apply to pictures, not to scenes:
+  // The following options apply to pictures, not to scenes.
   std::string expected, actual, run, rules;
   AllowanceOptions allowance;
   std::string command;  ///< command line as typed
@@ -43,7 +43,7 @@ struct TestOptions {
 /// Runs `simreel test SCENES`.
 void testScenes(const TestOptions& options);
 
-/// Runs `simreel test --expected DIR ...` on pictures that other programs made. Needs no device.
+/// Runs `simreel test --expected DIR ...` on pictures that any program made. Needs no device.
 void testPictures(const TestOptions& options);
 
 }  // namespace simreel::cli

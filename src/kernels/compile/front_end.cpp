@@ -27,7 +27,7 @@ void initialize() {
   if (!done) throw std::runtime_error("glslang cannot be started");
 }
 
-/// Passes included files to glslang. The name of a file is its number in Files.
+/// Passes included files to glslang. glslang knows each file by its index in Files.
 class Includer : public glslang::TShader::Includer {
  public:
   explicit Includer(Files& files) : files_(files) {}
@@ -42,7 +42,7 @@ class Includer : public glslang::TShader::Includer {
     // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): glslang returns the object from find()
     delete result;
   }
-  /// Failed includes by name, with the reason.
+  /// Returns the names of includes that failed, with the reasons.
   [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& failed() const { return failed_; }
 
  private:
@@ -54,8 +54,8 @@ class Includer : public glslang::TShader::Includer {
     else
       found = files_.include(name, beside, fileNumber(from, files_.count()), reason);
     if (!found) {
-      // For #include "name", glslang calls includeLocal() and, if that fails, includeSystem(). The reason
-      // of the first failure also covers the folders, so it is kept.
+      // For #include "name", glslang calls includeLocal() and, if that fails, includeSystem(). Only the
+      // reason of the first failure is stored, because it also covers the folders.
       if (std::none_of(failed_.begin(), failed_.end(), [&](const auto& one) { return one.first == name; }))
         failed_.emplace_back(name, reason);
       return nullptr;
@@ -69,7 +69,7 @@ class Includer : public glslang::TShader::Includer {
   std::vector<std::pair<std::string, std::string>> failed_;
 };
 
-/// Unity's macros for the platform, normally defined by Unity's own include files.
+/// Unity's macros for the platform. In Unity they come from its include files.
 constexpr const char* unityNames = R"(#define SHADER_API_D3D11 1
 #define SHADER_STAGE_COMPUTE 1
 #define SHADER_TARGET 50
@@ -111,7 +111,7 @@ std::string preamble(const Unit& unit, const Remedies& remedies) {
   return text + unit.before;
 }
 
-/// A shader and its program. The program is the last member, because glslang requires its destruction
+/// A shader and its program. The program is the last member, because glslang requires that it is destroyed
 /// first.
 struct Compiled {
   glslang::TShader shader{EShLangCompute};
@@ -128,8 +128,8 @@ std::vector<std::uint32_t> words(Compiled& compiled, bool lines) {
   return made;
 }
 
-/// True if a kernel has inputs or outputs other than built-in ones. This means that glslang took functions
-/// of the same name in included files for the entry point.
+/// True if a kernel has inputs or outputs that are not built-in variables. In this case glslang has used a
+/// function of the same name in an included file as the entry point.
 bool takesOthers(const std::vector<std::uint32_t>& words) {
   const Module module(words);
   return std::any_of(module.globals.begin(), module.globals.end(), [&](const Instruction& one) {
@@ -140,7 +140,8 @@ bool takesOthers(const std::vector<std::uint32_t>& words) {
   });
 }
 
-/// Compiles once. Returns nothing if a new remedy may fix the rejected code.
+/// Compiles once. If glslang rejects the code, throws the errors; returns nullopt instead if a new remedy
+/// may fix the code.
 std::optional<std::vector<std::uint32_t>> attempt(Files& files, const Unit& unit, bool renamed) {
   Compiled compiled;
   glslang::TShader& shader = compiled.shader;
@@ -181,7 +182,7 @@ std::optional<std::vector<std::uint32_t>> attempt(Files& files, const Unit& unit
   return words(compiled, true);
 }
 
-/// Returns the SPIR-V with original names for constants that a remedy has renamed.
+/// Returns the SPIR-V in which constants that a remedy renamed have their original names.
 std::vector<std::uint32_t> withOwnNames(const std::vector<std::uint32_t>& words) {
   constexpr std::size_t header = 5;
   std::vector<std::uint32_t> result(words.begin(), words.begin() + header);

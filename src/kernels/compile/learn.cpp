@@ -24,7 +24,7 @@ bool isResource(const Declaration& one) {
          one.type.starts_with("sampler");
 }
 
-/// Returns the tokens of the statement that contains a line (first line: 1).
+/// Returns the tokens of the statement that contains line `line`, counted from 1.
 std::vector<Token> statement(const Scan& scan, int line) {
   std::size_t begin = 0;
   for (int i = 1; i < line && begin < scan.code.size(); ++i)
@@ -39,7 +39,7 @@ std::vector<Token> statement(const Scan& scan, int line) {
   return {first, last};
 }
 
-/// Learns which constants the shader assigns to. If there is no new one, takes the constants in the
+/// Records the constants that the shader assigns to. If none of them is new, records the constants in the
 /// rejected statement, because a function may assign to them.
 void learnAssigned(Files& files, const Mistake& mistake) {
   const std::deque<Scan> all = scans(files);
@@ -73,7 +73,7 @@ void learnMeasured(Files& files) {
         files.remedies.measured.emplace(scan.all[i].text);
 }
 
-/// Returns true if a namespace is new.
+/// Records the namespaces of the files. Returns true if one of them is new.
 bool learnNamespaces(Files& files) {
   const std::size_t before = files.remedies.dissolved.size();
   for (const Scan& scan : scans(files))
@@ -83,14 +83,14 @@ bool learnNamespaces(Files& files) {
   return files.remedies.dissolved.size() > before;
 }
 
-/// Nests the flat initializers of a file, once.
+/// Nests the flat initializers of a file, unless that was done before.
 void learnInitializers(Files& files, const Mistake& mistake) {
   if (files.remedies.nested.contains(mistake.file)) return;
   files.remedies.nested.insert(mistake.file);
   files.remedies.edits[mistake.file].add(nestedInitializers(scans(files), mistake.file));
 }
 
-/// Adds overloads of a user's function.
+/// Adds overloads of the user's function `name`.
 void learnOverloads(Files& files, const std::string& name) {
   if (files.remedies.shortened.contains(name)) return;
   const std::deque<Scan> all = scans(files);
@@ -101,7 +101,7 @@ void learnOverloads(Files& files, const std::string& name) {
     }
 }
 
-/// Declares a variable before the last loop that declares it.
+/// Moves the declaration of a variable before the last loop that declares it.
 void learnLoopVariable(Files& files, const Mistake& mistake) {
   const std::string key = mistake.token + std::to_string(mistake.line);
   if (files.remedies.outliving.contains(key)) return;
@@ -117,7 +117,7 @@ bool asksForLength(const Files& files, const Mistake& mistake) {
   return std::any_of(tokens.begin(), tokens.end(), [](const Token& one) { return one.text == "Length"; });
 }
 
-/// True if an initializer, from token `i` to the semicolon, calls a function of the user's.
+/// True if an initializer, from token `i` to the semicolon, calls a function that the user's files define.
 bool callsFunction(const std::deque<Scan>& all, const Scan& scan, std::size_t i) {
   for (; i + 1 < scan.all.size() && scan.all[i].text != ";"; ++i) {
     const Token& name = scan.all[i];
@@ -128,7 +128,7 @@ bool callsFunction(const std::deque<Scan>& all, const Scan& scan, std::size_t i)
   return false;
 }
 
-/// Takes the initializer from "static T x = f();" and adds it to `starts` as a statement.
+/// Removes the initializer from "static T x = f();" and appends it to `starts` as an assignment.
 void takeStart(const std::deque<Scan>& all, const Scan& scan, const Declaration& one, Edits& edits,
                std::string& starts) {
   const Declarator& name = one.names[0];

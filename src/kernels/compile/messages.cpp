@@ -22,7 +22,8 @@ std::string trimmed(std::string_view text) {
   return std::string(text);
 }
 
-/// Parses "name:line: 'token' : message", the text after "ERROR: "; line 0 if it names no place.
+/// Parses "name:line: 'token' : message", the text after "ERROR: ". `count`: number of files. The line is 0
+/// if the text has none.
 Mistake located(std::string_view rest, std::size_t count) {
   Mistake mistake;
   const std::size_t first = rest.find(':');
@@ -94,7 +95,7 @@ void reword(Mistake& mistake) {
   if (named) mistake.message = fmt::format("{}: {}", scene::inQuotes(mistake.token), mistake.message);
 }
 
-/// Builds an error from "f(i1; calling g(i1;", the text after glslang's recursion message.
+/// Builds an error from "f(i1; calling g(i1;", the text after glslang's message about recursion.
 Mistake recursion(std::string_view calls, const Files& files) {
   const std::string name = trimmed(calls.substr(0, calls.find('(')));
   const std::string code = withoutComments(files.text(0));
@@ -108,7 +109,7 @@ Mistake recursion(std::string_view calls, const Files& files) {
   return {0, line, name, fmt::format("{} calls itself, which shaders cannot do", scene::inQuotes(name))};
 }
 
-/// Returns the failed include that an error refers to, with the reason; nullptr for other errors.
+/// Returns the failed include that an error refers to, with the reason. Returns nullptr for other errors.
 const std::pair<std::string, std::string>* failedInclude(
     const Mistake& mistake, const std::vector<std::pair<std::string, std::string>>& failed) {
   if (mistake.message.find("include") == std::string::npos &&
@@ -129,7 +130,8 @@ std::string_view lineOf(const Mistake& mistake, const Files& files) {
   return text.substr(0, text.find('\n'));
 }
 
-/// Removes errors that are consequences of other errors, and names types that glslang does not support.
+/// Removes errors that are consequences of other errors. Rewords errors about types that glslang does not
+/// support.
 void keepCauses(std::vector<Mistake>& mistakes, const Files& files) {
   for (Mistake& mistake : mistakes)
     for (const std::string_view type : {"RaytracingAccelerationStructure", "RayQuery", "RayDesc"})

@@ -9,7 +9,8 @@
 
 namespace simreel::kernels {
 
-/// Converts a file name of glslang to its number in Files; 0 (the first file) if it is not a valid number.
+/// Converts glslang's name of a file to the file's index in Files. Returns 0 (the first file) if the name
+/// is not a valid index.
 [[nodiscard]] std::size_t fileNumber(std::string_view name, std::size_t count);
 
 /// Returns the errors of a glslang log in glslang's wording.
@@ -18,8 +19,8 @@ namespace simreel::kernels {
 /// Warning of glslang if the text has no function of the kernel's name.
 inline constexpr const char* noEntry = "Entry point not found";
 
-/// Returns the errors of a glslang log in the program's wording. `failed`: includes that could not be read,
-/// and the reasons.
+/// Returns the errors of a glslang log in the program's wording. `failed`: names of includes that could not
+/// be read, and the reasons.
 [[nodiscard]] std::vector<Mistake> explained(std::string_view log, const Files& files,
                                              const std::vector<std::pair<std::string, std::string>>& failed,
                                              const Unit& unit);

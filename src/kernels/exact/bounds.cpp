@@ -19,18 +19,18 @@ namespace simreel::kernels {
 
 namespace {
 
-/// A flattened access chain: a variable and all indices.
+/// A flattened access chain: a variable and the indices of all nested chains.
 struct Chain {
   Id base = 0;
   Words indices;
 };
-/// Replacement of an access chain whose indices may be out of bounds. The chain's original id is the
-/// pointer for reads.
+/// Replacement of an access chain whose indices may be out of bounds. The new pointer for reads takes over
+/// the result id of the original chain.
 struct Guarded {
-  Id inside =
-      0;  ///< bool: all indices are in bounds; 0 if out-of-bounds reads go to a guard element instead
-  Id condition = 0;    ///< the same bool, for results of atomic operations
-  Id write = 0;        ///< pointer for writes and atomic operations
+  Id inside = 0;  ///< id of a bool that is true if all indices are in bounds; 0 if out-of-bounds reads go
+                  ///< to a guard element
+  Id condition = 0;    ///< id of the same bool, for results of atomic operations
+  Id write = 0;        ///< id of the pointer for writes and atomic operations
   bool drops = false;  ///< true if out-of-bounds accesses through `write` go to a guard element
 };
 
@@ -61,25 +61,26 @@ class Bounds {
   }
 
  private:
-  /// A comparison that was emitted in a block.
+  /// Comparison of an index with a length that was already emitted. `inside` is the id of its result.
   struct Known {
     Id block, inside, length;
   };
   struct Use {
     bool reads = false, writes = false;
   };
-  /// An index that is compared with a length.
+  /// An index of an access chain that is compared with a length. `at` is its position in the chain.
   struct Checked {
     std::size_t at;
     Id inside, index;
   };
-  /// The indices of an access chain.
+  /// The checked indices of an access chain.
   struct Walk {
     Words held;                    ///< clamped indices, except the index of a buffer's element
     std::vector<Checked> checked;  ///< indices that may be out of bounds
-    Id inside;                     ///< bool: the clamped indices were in bounds; 0 if none is clamped
+    Id inside;                     ///< id of a bool that is true if the clamped indices were in bounds; 0
+                                   ///< if no index is clamped
     Id length, runtime,
-        among;  ///< of a buffer: its length, the element index, and the bool "index < length"
+        among;  ///< for a buffer: ids of its length, of the element index, and of the bool "index < length"
     std::size_t runtimeAt;
   };
 
@@ -109,7 +110,8 @@ class Bounds {
     return Writing(module_, module_.body).select(condition, type, a, b, result);
   }
 
-  /// Records reads and writes through each pointer, except by further access chains.
+  /// Records which pointers an instruction reads and writes. Access chains are not counted as reads of
+  /// their base.
   void noteUse(const Instruction& one) {
     if (one.op == SpvOpAccessChain || one.op == SpvOpInBoundsAccessChain) return;
     if (one.op == SpvOpStore || (one.op >= SpvOpAtomicLoad && one.op <= SpvOpAtomicXor)) {
@@ -153,7 +155,7 @@ class Bounds {
     }
     chains_[one.result] = flat;
     one.op = SpvOpAccessChain;
-    if (!uses_.contains(one.result)) return;  // used only as the base of other chains
+    if (!uses_.contains(one.result)) return;  // The pointer is used only as the base of other chains.
     if (!guard(one, flat)) {
       one.operands = flat.indices;
       one.operands.insert(one.operands.begin(), flat.base);
@@ -161,20 +163,22 @@ class Bounds {
     }
   }
 
-  /// Returns the length of an array, a vector or a matrix that index `i` of a chain selects from.
+  /// Returns the length of the array, vector or matrix that index `i` of a chain selects from.
   std::uint32_t countOf(const Chain& flat, std::size_t i, const Instruction& type) const {
     if (const auto enlarged = shared_.find(flat.base); enlarged != shared_.end() && i == 0)
       return enlarged->second;
     return type.op == SpvOpTypeArray ? module_.constant(type.operands[1]).value_or(1) : type.operands[1];
   }
 
-  /// True unless an index is provably less than `count`. Optimizing may leave constants that are not.
+  /// True unless the index is provably less than `count`. A constant may also be too large, because
+  /// optimizing can create such constants.
   bool mayExceed(Id index, std::uint32_t count) const {
     const auto constant = module_.constant(index);
     return constant ? *constant >= count : facts_.atMost(index, block_) >= count;
   }
 
-  /// Returns the comparison of an index with a length, emitted here or in a block that leads here.
+  /// Returns the comparison of an index with a length. `key` identifies the operands. Reuses a comparison
+  /// from a block that dominates the current one; otherwise emits it here.
   template <class Emit>
   const Known& comparison(const Words& key, Emit emitted) {
     std::vector<Known>& all = known_[key];
@@ -203,7 +207,7 @@ class Bounds {
         .inside;
   }
 
-  /// Emits comparisons of the indices of a chain with their lengths, if they may be out of bounds.
+  /// Emits comparisons with the lengths for those indices of a chain that may be out of bounds.
   Walk walk(const Chain& flat) {
     Walk found{flat.indices, {}, 0, 0, 0, 0, 0};
     Id type = typeMaking(module_.typeOf(flat.base)).operands[1];
@@ -243,7 +247,9 @@ class Bounds {
 
   /// Replaces a chain by one whose indices are in bounds. Returns false if all indices are constants.
   bool guard(const Instruction& one, const Chain& flat) {
-    if (module_.name(flat.base).starts_with("simreel_")) return false;  // of other guards
+    if (module_.name(flat.base).starts_with("simreel_"))
+      return false;  // Other guards have inserted this
+                     // variable.
     Walk found = walk(flat);
     if (found.checked.empty()) return false;
     const Use use = uses_[one.result];
@@ -274,14 +280,15 @@ class Bounds {
     return true;
   }
 
-  /// Emits the report of an out-of-bounds index, if the code belongs to the user.
+  /// Emits the report of an out-of-bounds index if the access is in the user's code.
   void note(const Checked& index, const Chain& flat, const Use& use) {
     if (report_ == nullptr || at_.line == 0) return;
     const std::string name = indexedName(module_, flat.base, std::span(flat.indices).first(index.at + 1));
     note(index.inside, use.writes ? "write" : "read", name, index.index);
   }
   void note(Id inside, const char* kind, const std::string& name, Id index) {
-    // An invocation keeps its first fault, so a second test of the same condition would change nothing.
+    // An invocation stores only its first fault, so a second test of the same condition would have no
+    // effect.
     if (report_ != nullptr && at_.line != 0 && !noted_.contains(inside)) {
       if (!excused_) noted_.insert(inside);
       report_->note(module_, module_.body, inside, report_->place(kind, name, at_), index, index);
@@ -352,15 +359,16 @@ class Bounds {
   Facts facts_;
   Position at_;
   Id block_ = 0;       ///< label of the current block
-  bool ours_ = false;  ///< in a library function, which keeps its own bounds
+  bool ours_ = false;  ///< true in a library function, which keeps its indices in bounds without help
 
-  std::map<Words, std::vector<Known>> known_;  ///< comparisons by what they compare
-  std::unordered_set<Id> noted_;               ///< conditions that reports have tested
-  bool excused_ = false;                       ///< true for a value that is not always needed
+  std::map<Words, std::vector<Known>> known_;  ///< emitted comparisons by the ids of their operands
+  std::unordered_set<Id> noted_;               ///< ids of conditions that reports have tested
+  bool excused_ = false;                       ///< true for a value that is used only under a condition
+                                               ///< (excuses.hpp)
   std::unordered_map<Id, Use> uses_;
   std::unordered_map<Id, Chain> chains_;
   std::unordered_map<Id, Guarded> guarded_;
-  std::unordered_map<Id, std::uint32_t> shared_;  ///< array lengths before enlargeShared()
+  std::unordered_map<Id, std::uint32_t> shared_;  ///< array lengths before enlargeShared(), by variable
 };
 
 }  // namespace

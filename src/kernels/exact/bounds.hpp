@@ -4,14 +4,15 @@
 
 namespace simreel::kernels {
 
-/// Number of extra elements of a buffer that are hidden from its kernel. The first one is always zero and
-/// is read instead of out-of-bounds elements; the second one absorbs out-of-bounds writes.
+/// Number of extra elements at the end of a buffer that are hidden from the kernel. The first one is always
+/// zero and is read in place of out-of-bounds elements. The second one receives out-of-bounds writes.
 inline constexpr std::uint32_t guardElements = 2;
 
 /// Makes every out-of-bounds read return zero and drops every out-of-bounds write, in buffers, arrays in
-/// shared and private memory, vectors, and texels. Must run after HLSL functions are inlined. Exception: an
-/// out-of-bounds read of a whole struct from an array of fixed length returns the last element. OpenGL
-/// itself drops out-of-bounds image writes. `report`: records each such access; nullptr: no reports.
+/// shared and private memory, vectors, and texels. Must run after HLSL functions are inlined. There is one
+/// exception: an out-of-bounds read of a whole struct from an array of fixed length returns the last
+/// element. OpenGL itself drops out-of-bounds image writes. `report`: records each out-of-bounds access;
+/// nullptr for no reports.
 void keepInside(Module& module, Report* report);
 
 }  // namespace simreel::kernels

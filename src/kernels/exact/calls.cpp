@@ -47,14 +47,16 @@ const char* functionFor(SpvOp op) {
     case SpvOpSDiv:
       return "xSdiv";
     case SpvOpSRem:
-    case SpvOpSMod:  // glslang emits this for %; all drivers give it the sign of the first operand
+    case SpvOpSMod:  // glslang emits SMod for %, but all drivers give the result the sign of the first
+                     // operand.
       return "xSrem";
     default:
       return nullptr;
   }
 }
 
-/// Returns the library function for a GLSL.std.450 instruction; nullptr if the instruction is exact itself.
+/// Returns the library function for a GLSL.std.450 instruction. Returns nullptr if the instruction is exact
+/// on all drivers.
 const char* functionFor(std::uint32_t extended) {
   static constexpr std::pair<std::uint32_t, const char*> functions[] = {
       {GLSLstd450Round, "xRound"},
@@ -162,7 +164,7 @@ class Placing {
       function = functionFor(one.operands[1]);
       arguments.erase(arguments.begin(), arguments.begin() + 2);
     } else if (!dividesByConstant(one)) {
-      // glslang emits FMod for fmod and %; in HLSL the result has the sign of the first operand
+      // glslang emits FMod for fmod and %. In HLSL the result has the sign of the first operand.
       function = one.op == SpvOpFMod && hlsl_ ? "xRem" : functionFor(one.op);
     }
     if (function != nullptr && one.op == SpvOpVectorTimesScalar)
@@ -170,8 +172,8 @@ class Placing {
     if (function == nullptr || !call(one, function, arguments)) module_.body.push_back(std::move(one));
   }
 
-  /// Splits a function such as min of matrices, which SPIR-V has for vectors only, into its columns.
-  /// Returns false for other instructions.
+  /// Splits a function of matrices, such as min, into one instruction per column, because SPIR-V has such
+  /// functions for vectors only. Returns false for other instructions.
   bool splitColumns(const Instruction& one) {
     const Instruction* known = module_.global(one.type);
     const bool whole = one.operands[1] == GLSLstd450MatrixInverse;
@@ -203,7 +205,8 @@ class Placing {
       if (signature == "?") return false;
       key += signature + ";";
     }
-    // Library functions have integers of one signedness, but SPIR-V instructions accept both.
+    // The parameters of library functions are either signed or unsigned, but SPIR-V instructions accept
+    // both.
     Words given = arguments;
     retype(function, given, key);
     Id result = one.result, type = one.type;
@@ -218,7 +221,7 @@ class Placing {
     return true;
   }
 
-  /// Bitcasts integer arguments to the signedness that the function expects.
+  /// Bitcasts integer arguments to the signedness of the function's parameters.
   void retype(std::string_view function, Words& arguments, std::string& key) {
     const bool isUnsigned = function == "xUdiv" || function == "xUmod" || function.starts_with("xUnpack");
     const bool isSigned = function == "xSdiv" || function == "xSrem";
@@ -238,7 +241,8 @@ class Placing {
     }
   }
 
-  /// Returns the result type of the function, whose signedness may differ from the instruction's.
+  /// Returns the result type of the function. Its signedness may differ from that of the instruction's
+  /// result.
   Id resultType(std::string_view function, Id type) {
     if (function == "xUdiv" || function == "xUmod" || function == "xToUint" ||
         function.starts_with("xPack"))

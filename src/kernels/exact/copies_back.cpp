@@ -10,7 +10,7 @@ namespace simreel::kernels {
 
 namespace {
 
-/// Returns the conversion in the other direction.
+/// Returns the inverse of a conversion; nullopt for other operations.
 std::optional<SpvOp> inverse(SpvOp op) {
   switch (op) {
     case SpvOpConvertSToF:
@@ -31,7 +31,7 @@ std::optional<SpvOp> inverse(SpvOp op) {
 }  // namespace
 
 std::vector<Mistake> copyBack(Module& module, const Files& files) {
-  std::unordered_map<Id, Instruction> made;  // conversions and loads of the function
+  std::unordered_map<Id, Instruction> made;  // conversions and loads of the current function by result id
   std::vector<Mistake> mistakes;
   std::vector<Instruction> body = std::move(module.body);
   module.body.clear();

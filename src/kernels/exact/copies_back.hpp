@@ -6,8 +6,9 @@
 
 namespace simreel::kernels {
 
-/// Repairs calls whose argument for an inout parameter has another type: glslang stores the result in the
-/// converted value instead of the argument. Returns mistakes for arguments that are more than a variable.
+/// Repairs calls in which the argument for an inout parameter has another type than the parameter. glslang
+/// stores the result in the converted value instead of the argument. Returns mistakes for arguments that
+/// are not plain variables.
 [[nodiscard]] std::vector<Mistake> copyBack(Module& module, const Files& files);
 
 }  // namespace simreel::kernels

@@ -8,7 +8,7 @@ namespace simreel::kernels {
 
 namespace {
 
-/// Types of cube maps, with and without a sampler, and their variables.
+/// The cube map types of a module, with and without a sampler, and the variables of these types.
 struct Cubes {
   std::set<Id> types, variables;
 };
@@ -32,7 +32,7 @@ bool isSize(SpvOp op) {
   return op == SpvOpImageQuerySizeLod || op == SpvOpImageQuerySize;
 }
 
-/// True if all uses of the cube maps are known ones of global variables.
+/// True if the cube maps are global variables and all their uses can be replaced.
 bool replaceable(const Module& module, const Cubes& cubes) {
   std::set<Id> values;
   for (const Instruction& one : module.body) {

@@ -5,9 +5,9 @@
 
 namespace simreel::kernels {
 
-/// Makes array textures of six layers of the cube maps of a module, in the order +x, -x, +y, -y, +z, -z.
-/// Returns their variables, whose reads filterExactly() replaces. Cube maps that are read in another way
-/// than by a direction and a level stay as they are.
+/// Converts the cube maps of a module to array textures of six layers in the order +x, -x, +y, -y, +z, -z.
+/// Returns their variables; filterExactly() replaces the reads of these. Does not change cube maps if a
+/// read uses something other than a direction and a mip level.
 std::set<Id> flattenCubes(Module& module);
 
 }  // namespace simreel::kernels

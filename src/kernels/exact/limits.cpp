@@ -49,7 +49,8 @@ std::uint64_t bytesOf(const Module& module, Id type) {
   }
 }
 
-/// The first line that has a word, and one of some others before it.
+/// Returns the place of the first line that contains `word` after one of `others`. If `others` is empty,
+/// the word must be followed by '['. Returns line `otherwise` of the first file if there is no such line.
 Mistake at(const Files& files, const std::string& word, std::initializer_list<std::string_view> others,
            int otherwise) {
   for (std::size_t file = 0; file < files.count(); ++file) {
@@ -81,7 +82,8 @@ Mistake said(Mistake mistake, std::string message) {
   return mistake;
 }
 
-/// The attribute of a function of the first file.
+/// Returns the place of the [numthreads] attribute of function `entry` in the first file, or line
+/// `otherwise`.
 Mistake attributeOf(const Files& files, const std::string& entry, int otherwise) {
   const std::string code = withoutComments(files.text(0));
   for (std::size_t found = code.find(entry); found != std::string::npos;
@@ -97,7 +99,8 @@ Mistake attributeOf(const Files& files, const std::string& entry, int otherwise)
   return {0, otherwise, {}, {}};
 }
 
-/// Mistakes of [numthreads(x, y, z)]; glslang leaves out numbers that it cannot write.
+/// Returns mistakes in [numthreads(x, y, z)], whose numbers are in `mode`. glslang leaves out numbers that
+/// it cannot represent.
 std::vector<Mistake> beyondThreads(const Instruction& mode, Mistake place) {
   std::array<std::uint32_t, 3> threads{};
   for (std::size_t i = 0; i < 3; ++i) threads[i] = i + 2 < mode.operands.size() ? mode.operands[i + 2] : 0;
@@ -113,8 +116,8 @@ std::vector<Mistake> beyondThreads(const Instruction& mode, Mistake place) {
                            mostThreads, mostAlong[0], mostAlong[2]))};
 }
 
-/// Returns the words from the last of ";", "{" and "}" to `end`, without lines of the preprocessor. The
-/// lead of a file's first words begins before the #include of the file.
+/// Returns the words from the last ";", "{" or "}" before `end` up to `end`, without preprocessor lines.
+/// For a file's first words, continues into the text before the file's #include.
 std::string leadOf(const Files& files, std::size_t file, std::size_t end) {
   const std::string code = withoutComments(files.text(file));
   const std::size_t last = code.find_last_of(";{}", end), begin = last == std::string::npos ? 0 : last + 1;
@@ -151,7 +154,7 @@ std::vector<Mistake> withoutGroups(const Files& files, const std::string& entry)
       const std::size_t behind = code.find_first_not_of(" \t\r\n", at + entry.size());
       if (!isWordAt(code, at, entry.size()) || behind == std::string::npos || code[behind] != '(') continue;
       const std::string lead = leadOf(files, file, at);
-      // A macro before "void" may have the attribute.
+      // A macro before "void" may contain the attribute.
       if (lead.find("numthreads") != std::string::npos) return {};
       if (lead == "void" && mistakes.empty())
         mistakes.push_back(

@@ -7,23 +7,26 @@
 
 namespace simreel::kernels {
 
-/// Returns what no driver takes, or takes forever: groups without threads or with too many, and arrays of
-/// an invocation that are too large. `line`: that announces the kernel `entry` in the first file.
+/// Returns mistakes for code that drivers reject or compile forever: workgroups with no or too many
+/// threads, and too large arrays in private memory. `line`: line of the first file that declares the kernel
+/// `entry`.
 [[nodiscard]] std::vector<Mistake> beyondLimits(const Module& module, const Files& files,
                                                 const std::string& entry, int line);
 
-/// Returns mistakes of an HLSL file's [numthreads(x, y, z)] that name constants, for which glslang crashes.
+/// Returns a mistake for each [numthreads(x, y, z)] of an HLSL file that contains names of constants,
+/// because glslang crashes on them.
 [[nodiscard]] std::vector<Mistake> variableGroups(const Files& files);
 
-/// Returns a mistake if a GLSL shader gives its groups no size, or a specialization constant alone.
+/// Returns a mistake if a GLSL shader does not give its workgroups a size, or gives it only by a
+/// specialization constant.
 [[nodiscard]] std::vector<Mistake> withoutLocalSize(const Files& files);
 
-/// Returns a mistake if the kernel `entry` of HLSL is a function without [numthreads(x, y, z)], for which
-/// the compiler takes groups of one thread.
+/// Returns a mistake if the HLSL kernel `entry` lacks [numthreads(x, y, z)]. glslang would silently use
+/// workgroups of one thread.
 [[nodiscard]] std::vector<Mistake> withoutGroups(const Files& files, const std::string& entry);
 
-/// Returns a mistake where the groups of a module that keeps only what it uses share more memory than
-/// OpenGL grants.
+/// Returns a mistake if a workgroup uses more shared memory than OpenGL guarantees. Unused code must have
+/// been removed from the module. `line`: line that declares the kernel.
 [[nodiscard]] std::vector<Mistake> beyondShared(const Module& module, const Files& files, int line);
 
 }  // namespace simreel::kernels

@@ -23,7 +23,7 @@ struct Library {
   Module module;
   std::map<std::string, Id> names;
   std::unordered_map<Id, Function> functions;
-  Id set = 0;  ///< id of the import of GLSL.std.450
+  Id set = 0;  ///< id of the import of the instruction set GLSL.std.450
 
   Library()
       : module(
@@ -52,7 +52,8 @@ class Linking {
  public:
   explicit Linking(Module& module) : module_(module) {}
 
-  /// Returns the module's id of a library function. The function is appended at its first use.
+  /// Returns the id in the user's module of the library function `theirs`. Appends the function at its
+  /// first use.
   Id function(Id theirs) {
     if (const auto found = ids_.find(theirs); found != ids_.end()) return found->second;
     const Id mine = ids_[theirs] = module_.fresh();

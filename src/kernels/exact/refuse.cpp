@@ -15,11 +15,13 @@ namespace {
 
 struct Refusal {
   const char* message;
-  bool whenFast;                                  ///< true if it is also rejected with fast numerics
-  std::initializer_list<std::string_view> words;  ///< possible source words for it, to place the caret
+  bool whenFast;                                  ///< true if the feature is also rejected with fast
+                                                  ///< numerics
+  std::initializer_list<std::string_view> words;  ///< words in the source that may have caused the
+                                                  ///< instruction; the caret marks one of them
 };
 
-/// True for a number that only a subgroup has.
+/// True for a built-in variable that describes a subgroup.
 bool isOfSubgroup(std::optional<std::uint32_t> builtIn) {
   return builtIn &&
          ((*builtIn >= SpvBuiltInSubgroupSize && *builtIn <= SpvBuiltInSubgroupLocalInvocationId &&
@@ -108,7 +110,7 @@ const Capability* capability(std::uint32_t number) {
   return nullptr;
 }
 
-/// Returns the longest name in the line that starts with one of the words.
+/// Returns the longest identifier in the line that starts with one of the words.
 std::string named(const Files& files, std::size_t file, int line,
                   std::initializer_list<std::string_view> words) {
   const std::string& text = files.text(file);
@@ -163,7 +165,7 @@ std::vector<Mistake> refused(const Module& module, const Files& files, bool fast
       add({file, line, named(files, file, line, found->words), found->message});
   }
   if (!mistakes.empty())
-    return mistakes;  // the capability errors would only repeat the errors of the instructions
+    return mistakes;  // The errors about capabilities would only repeat the errors about instructions.
   for (const Instruction& one : module.head) {
     if (one.op != SpvOpCapability) continue;
     const Capability* found = capability(one.operands[0]);

@@ -7,7 +7,7 @@
 namespace simreel::kernels {
 
 /// Returns errors for features that OpenGL 4.5 lacks and, unless `fast`, for operations whose results
-/// differ between drivers; each at its first occurrence.
+/// differ between drivers. Each feature is reported at its first occurrence only.
 [[nodiscard]] std::vector<Mistake> refused(const Module& module, const Files& files, bool fast);
 
 }  // namespace simreel::kernels

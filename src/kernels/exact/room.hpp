@@ -6,8 +6,8 @@
 
 namespace simreel::kernels {
 
-/// Adds an element for dropped writes to arrays in shared memory, as long as memory is left. Returns the
-/// lengths before, by variable.
+/// Adds one element to each array in shared memory while memory is left. Dropped writes go to this element.
+/// Returns the original lengths by variable.
 [[nodiscard]] std::unordered_map<Id, std::uint32_t> enlargeShared(Module& module);
 
 }  // namespace simreel::kernels

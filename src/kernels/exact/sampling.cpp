@@ -38,14 +38,14 @@ class Filtering {
 
  private:
   struct Pair {
-    Id image = 0, sampler = 0;  ///< ids of variables; sampler 0 for a combined GLSL sampler
+    Id image = 0, sampler = 0;  ///< ids of variables; sampler is 0 for a combined GLSL sampler
   };
   struct Read {
     Pair pair;
-    std::string kind;  ///< the filter, with its type code in glslang's mangled function names
+    std::string kind;  ///< type code of the texture in the mangled names of the library's filter functions
   };
 
-  /// Returns the texture of a read if the library has a filter for it.
+  /// Returns the texture that an instruction reads if the library has a filter for its type.
   std::optional<Read> filtered(const Instruction& one) const {
     if (one.op != SpvOpImageSampleExplicitLod || one.operands.size() != 4 ||
         one.operands[2] != SpvImageOperandsLodMask)
@@ -78,7 +78,7 @@ class Filtering {
     return std::nullopt;
   }
 
-  /// Returns the global variable that a value was loaded from; 0 for an array element or any other value.
+  /// Returns the global variable from which a value was loaded; 0 for an array element or any other value.
   Id variable(Id value) const {
     const auto found = loaded_.find(value);
     if (found == loaded_.end()) return 0;
@@ -86,7 +86,8 @@ class Filtering {
     return made != nullptr && made->op == SpvOpVariable ? made->result : 0;
   }
 
-  /// Declares a uniform block with one state word for each pair of texture and sampler.
+  /// Declares a uniform block with one word for each pair of texture and sampler. The word holds filter and
+  /// wrap mode.
   void declare(const std::vector<Instruction>& body) {
     std::vector<std::string> names;
     for (const Instruction& one : body) {
@@ -155,6 +156,7 @@ class Filtering {
   bool only_;
   std::unordered_map<Id, Id> loaded_;
   std::unordered_map<Id, Pair> joined_;  ///< pairs of image and sampler, by the id of the sampled image
+                                         ///< that combines them
   std::unordered_map<std::uint64_t, std::uint32_t> members_;
   Id block_ = 0, member_ = 0;
   std::vector<PlacedCall> calls_;

@@ -62,7 +62,8 @@ class Texels {
     writing_.select(among, one.type, texel, module_.globalOf(SpvOpConstantNull, one.type, {}), one.result);
   }
 
-  /// True for images with one size per coordinate that can be queried: not cube maps, not multisampled.
+  /// True for images whose size can be queried for each coordinate. Excludes cube maps and multisampled
+  /// images.
   bool sized(Id type, bool hasLod) const {
     const Instruction& image = *module_.global(type);
     return image.op == SpvOpTypeImage && image.operands[4] == 0 && image.operands[1] != SpvDimCube &&
@@ -76,7 +77,7 @@ class Texels {
     return name.empty() ? "a texture" : name;
   }
 
-  /// Emits the test whether a texel is inside the image.
+  /// Emits the test whether a texel is inside the image. Returns the id of the bool.
   Id inside(Id image, Id at, Id lod, const char* kind, Id variable) {
     static constexpr const char* axes[] = {"x", "y", "z"};
     const Instruction shape = *module_.global(module_.typeOf(at));
@@ -105,7 +106,7 @@ class Texels {
   Report* report_;
   Position at_;
   bool queries_ = false;
-  std::unordered_map<Id, Id> from_;  ///< variables that images were loaded from
+  std::unordered_map<Id, Id> from_;  ///< variables from which images were loaded, by the image's id
 };
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace simreel::kernels {
 
 namespace {
 
-/// Instructions of a block without its label, and its label.
+/// A block: its label, and the index range of its other instructions.
 struct Range {
   Id label;
   std::size_t begin, end;
@@ -80,7 +80,7 @@ class LoopCounting {
     return loop;
   }
 
-  /// True if no block except `test` branches to behind the loop.
+  /// True if only block `test` branches out of the loop.
   bool exits(std::size_t test, std::size_t header, Id after) const {
     for (std::size_t b = header; b < blocks_.size() && blocks_[b].label != after; ++b) {
       const Instruction& one = last(b);
@@ -95,7 +95,8 @@ class LoopCounting {
     return true;
   }
 
-  /// Returns the constant that the counter has at the loop's start: the last store of the block before.
+  /// Returns the constant that is the counter's initial value, from the last store in the block before the
+  /// loop.
   std::optional<std::int64_t> first(Id variable, std::size_t header) const {
     if (header == 0 || escapes_.contains(variable) || !stores_.contains(variable)) return {};
     const Range& before = blocks_[header - 1];
@@ -107,8 +108,8 @@ class LoopCounting {
     return value;
   }
 
-  /// Returns the constant that is added to the counter in the continue block, if nothing else in the loop
-  /// stores to it.
+  /// Returns the constant that the continue block adds to the counter, if nothing else in the loop stores
+  /// to the counter.
   std::optional<std::int64_t> stepOf(Id variable, std::size_t header, Id after, Id next) const {
     if (!index_.contains(after) || !index_.contains(next) || !stores_.contains(variable)) return {};
     const Range &body = blocks_[header], &behind = blocks_[index_.at(after)],
@@ -134,8 +135,8 @@ class LoopCounting {
     return static_cast<std::int32_t>(*value);
   }
 
-  /// True if `begin`, `begin + step`, ... fails the comparison after at most `most_` iterations and without
-  /// overflow.
+  /// True if the counter values `begin`, `begin + step`, ... fail the comparison after at most `most_`
+  /// iterations and without overflow.
   bool ends(std::int64_t begin, std::int64_t step, std::uint32_t endBits, SpvOp compare) const {
     const bool isUnsigned = compare == SpvOpULessThan || compare == SpvOpULessThanEqual;
     const std::int64_t end =
@@ -170,10 +171,11 @@ class LoopCounting {
   const Module& module_;
   std::uint32_t most_;
   std::vector<Range> blocks_;
-  std::unordered_map<Id, std::size_t> index_;  ///< blocks by their labels
-  std::unordered_map<Id, std::size_t> made_;   ///< instructions by their results
+  std::unordered_map<Id, std::size_t> index_;  ///< indices of blocks by label
+  std::unordered_map<Id, std::size_t> made_;   ///< indices of instructions by result id
   std::unordered_map<Id, std::vector<std::size_t>> stores_;
-  std::unordered_map<Id, bool> escapes_;  ///< ids used by more than loads and as the target of stores
+  std::unordered_map<Id, bool> escapes_;  ///< variables that are used in other ways than by loads and
+                                          ///< stores
 };
 
 }  // namespace

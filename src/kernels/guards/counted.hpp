@@ -6,16 +6,16 @@
 
 namespace simreel::kernels {
 
-/// A loop that ends by a comparison of an integer variable with a constant.
+/// A loop that ends when the comparison of an integer variable with a constant fails.
 struct CountedLoop {
-  Id variable = 0;           ///< pointer to the loop's own counter
+  Id variable = 0;           ///< pointer to the loop counter
   SpvOp compare = SpvOpNop;  ///< the loop continues while `variable compare end`
-  Id end = 0;                ///< a constant
+  Id end = 0;                ///< id of the constant
 };
 
-/// Returns the loops of a module (as glslang writes it) that count from a constant to a constant in
-/// constant steps, at most `most` iterations, by the labels of their headers. Nothing else changes the
-/// counter, and no `break` leaves the loop; a `return` may.
+/// Returns the counted loops of a module (in the form that glslang writes), by the labels of their headers.
+/// A counted loop counts from a constant to a constant in constant steps, in at most `most` iterations.
+/// Nothing else changes its counter. No `break` leaves it, but a `return` may.
 [[nodiscard]] std::unordered_map<Id, CountedLoop> countedLoops(const Module& module, std::uint32_t most);
 
 }  // namespace simreel::kernels

@@ -34,8 +34,8 @@ class Search {
   }
 
  private:
-  /// Excuses what only operand `side` of instruction `last` needs unless `condition` has the value
-  /// `needed`.
+  /// Excuses all values that only operand `side` of instruction `last` uses: they are not needed unless
+  /// `condition` has the value `needed`.
   void excuse(std::size_t last, Id condition, std::size_t side, bool needed) {
     const Instruction& one = module_.body[last];
     if (module_.signature(module_.typeOf(condition)) != "b1" || one.operands[side] == condition) return;
@@ -55,7 +55,7 @@ class Search {
       excuses_[value.result].emplace_back(condition, needed);
     }
   }
-  /// True if a value is operand `side` of an instruction and no other operand.
+  /// True if `value` is operand `side` of an instruction and is not another operand as well.
   static bool isOnly(const Instruction& one, Id value, std::size_t side) {
     for (std::size_t i = 0; i < one.operands.size(); ++i)
       if ((one.operands[i] == value) != (i == side)) return false;
@@ -64,7 +64,8 @@ class Search {
 
   const Module& module_;
   std::size_t begin_ = 0;
-  std::vector<std::size_t> begins_;  ///< where the function of an instruction begins
+  std::vector<std::size_t> begins_;  ///< for each instruction: index of the first instruction of its
+                                     ///< function
   std::unordered_map<Id, std::size_t> made_;
   std::unordered_map<Id, std::vector<std::size_t>> uses_;
   Excuses excuses_;

@@ -39,18 +39,19 @@ class Limiting {
 
  private:
   struct Loop {
-    Id counter = 0;  ///< the variable of its iterations
+    Id counter = 0;  ///< id of the variable that counts the iterations
     std::uint32_t number = 0;
     Position at;
   };
 
-  /// A loop that needs no limit.
+  /// A loop that needs no limit, because it ends after a known number of iterations.
   struct Counted {
     CountedLoop shape;
     Position at;
   };
 
-  /// Collects the loops by the labels of their headers, and counted ones by the labels behind them.
+  /// Collects the loops by the labels of their headers. Collects counted loops by the labels of their merge
+  /// blocks, the blocks after the loop.
   void findLoops() {
     const auto counted = countedLoops(module_, most_);
     Id header = 0;
@@ -97,7 +98,7 @@ class Limiting {
         if (const auto counted = counted_.find(one.operands[0]); counted != counted_.end())
           counted->second.at = at_;
         break;
-      case SpvOpUnreachable:  // behind a loop that no break leaves
+      case SpvOpUnreachable:  // the merge block of a loop that no break leaves
         return finish();
       default:
         break;
@@ -105,7 +106,7 @@ class Limiting {
     module_.body.push_back(std::move(one));
   }
 
-  /// Declares the counters of a function's loops at its start.
+  /// Declares the iteration counters of a function's loops at the function's start.
   void declare(std::vector<Instruction>& body, std::size_t i) {
     declared_ = true;
     begun_ = {label_};
@@ -120,7 +121,8 @@ class Limiting {
     }
   }
 
-  /// A branch to a loop whose header comes later begins it; the branch back comes behind the header.
+  /// Resets the iteration counter before a branch that enters a loop from outside. A branch back to a
+  /// header is not an entry; it comes after the header.
   void enter(Id target) {
     const auto loop = loops_.find(target);
     if (loop == loops_.end() || std::find(begun_.begin(), begun_.end(), target) != begun_.end()) return;
@@ -128,8 +130,9 @@ class Limiting {
     note(loop->second, module_.uintConstant(0));
   }
 
-  /// The word of memory that says that a loop has ended. Its place is no constant, or a driver would keep
-  /// it in a register: a loop that the driver ends passes none of the branches that set it.
+  /// Returns the pointer to the word in private memory that records that a loop has ended. The index is
+  /// computed at run time. With a constant index, a driver would keep the word in a register. If the driver
+  /// itself ends the loop, none of the branches that set the word run.
   Id word(Writing& writing, const Loop& loop) {
     const Id number = module_.uintType();
     if (ended_ == 0) {
@@ -157,14 +160,14 @@ class Limiting {
     writing.put(SpvOpStore, {word(writing, loop), value});
   }
 
-  /// A branch to behind a loop ends it.
+  /// Records before a branch to a loop's merge block that the loop has ended.
   void leave(Id target) {
     if (const auto header = behind_.find(target); header != behind_.end())
       note(loops_[header->second], module_.uintConstant(1));
   }
 
-  /// A branch of which one way leads behind a loop gets a block there that notes it; but not the branch
-  /// back.
+  /// Inserts a block into the branch that leaves a loop, to record that the loop ends. If the other target
+  /// is the loop header, the record is written before the branch instead.
   void branch(Instruction one) {
     Writing writing(module_, module_.body);
     const std::size_t out = behind_.contains(one.operands[1]) ? 1 : 2;
@@ -188,7 +191,7 @@ class Limiting {
     writing.put(SpvOpBranch, {target});
   }
 
-  /// Behind a loop: notes that the driver ended it.
+  /// In the merge block of a loop: reports a fault if the driver ended the loop.
   void compare() {
     const auto header = behind_.find(label_);
     if (report_ == nullptr || header == behind_.end()) return;
@@ -199,7 +202,8 @@ class Limiting {
     report_->note(module_, module_.body, fine, report_->place("loops", "", loop.at), ended, ended);
   }
 
-  /// Behind a counted loop: notes that its condition still holds, because the driver ended it.
+  /// In the merge block of a counted loop: reports a fault if the loop's condition still holds, because
+  /// then the driver ended the loop.
   void compareCount() {
     if (report_ == nullptr) return;
     const Counted& loop = counted_[label_];
@@ -252,12 +256,12 @@ class Limiting {
   Report* report_;
   Position at_;
   std::unordered_map<Id, Loop> loops_;
-  std::unordered_map<Id, Id> behind_;        ///< headers of loops by the labels behind them
-  std::unordered_map<Id, Counted> counted_;  ///< counted loops by the labels behind them
-  std::vector<Id> begun_;                    ///< labels of this function so far
-  Id ended_ = 0;                             ///< the array that says which loops have ended
-  Id left_ = 0;      ///< the variable of what any loop may still do: nothing after one at its limit
-  Id function_ = 0;  ///< the type that the function returns
+  std::unordered_map<Id, Id> behind_;        ///< headers of loops by the labels of the merge blocks
+  std::unordered_map<Id, Counted> counted_;  ///< counted loops by the labels of the merge blocks
+  std::vector<Id> begun_;                    ///< labels of the current function so far
+  Id ended_ = 0;                             ///< private array of words that record which loops have ended
+  Id left_ = 0;      ///< variable with the current iteration limit; 0 after a loop has reached the limit
+  Id function_ = 0;  ///< return type of the current function
   Id label_ = 0;
   bool declared_ = false;
 };

@@ -26,7 +26,7 @@ void repeatLines(Module& module) {
 }
 
 std::string indexedName(const Module& module, Id variable, std::span<const Id> indices) {
-  // generated suffixes start with a dot, and a user's name has none
+  // Generated suffixes start with a dot, which a user's name cannot contain.
   std::string name = plainName(module.name(variable));
   name = name.substr(0, name.find('.'));
   Id type = module.global(module.typeOf(variable))->operands[1];
@@ -37,7 +37,7 @@ std::string indexedName(const Module& module, Id variable, std::span<const Id> i
       continue;
     }
     const std::uint32_t member = module.constant(indices[i]).value_or(0);
-    // an HLSL buffer stores its elements in a member "@data"
+    // An HLSL buffer stores its elements in a member "@data".
     if (const std::string found = module.memberName(type, member); !found.empty() && found[0] != '@')
       name = found;
     type = made.operands[member];

@@ -6,11 +6,12 @@
 
 namespace simreel::kernels {
 
-/// A file of Files and a line in it; line 0 for code without a source line, such as the library's.
+/// Source position: index of a file in Files, and a line. The line is 0 for code without a source line,
+/// such as the library's.
 struct Position {
   std::size_t file = 0;
   int line = 0;
-  /// Updates the position for the next instruction of a body.
+  /// Updates the position from one instruction. Must be called for all instructions of a body in order.
   void follow(const Module& module, const Files& files, const Instruction& one);
 };
 
@@ -18,8 +19,8 @@ struct Position {
 /// the end of its block.
 void repeatLines(Module& module);
 
-/// Returns the user's name of the variable, array or member that the last index of an access chain selects
-/// from.
+/// Returns the name in the source of the variable, array or member that the last index of an access chain
+/// selects from.
 [[nodiscard]] std::string indexedName(const Module& module, Id variable, std::span<const Id> indices);
 
 }  // namespace simreel::kernels

@@ -38,7 +38,7 @@ class Previous {
   }
 
  private:
-  /// Creates a twin for each named buffer that is both read and written.
+  /// Creates a twin, the copy with the previous state, for each named buffer that is both read and written.
   void choose() {
     std::unordered_map<Id, Id> from;
     std::unordered_map<Id, unsigned> uses;  // bit 0: read, bit 1: written
@@ -62,7 +62,7 @@ class Previous {
 
   static bool isAtomic(SpvOp op) { return op >= SpvOpAtomicLoad && op <= SpvOpAtomicXor; }
 
-  /// Creates a variable of a separate block with the same members.
+  /// Creates a variable for a separate block with the same members.
   Id twin(const Instruction& variable) {
     const Instruction type = resourceType(module_, variable);
     const std::string name = bufferName(module_, variable.result, hlsl_) + previousSuffix;
@@ -118,7 +118,7 @@ class Previous {
   const Files& files_;
   bool hlsl_;
   const std::vector<std::string>& names_;
-  std::unordered_map<Id, Id> twins_;  ///< twins of variables and of access chains
+  std::unordered_map<Id, Id> twins_;  ///< twins of variables and of access chains, by the original's id
   Position at_;
   std::vector<Mistake> mistakes_;
 };

@@ -69,7 +69,7 @@ class Races {
     }
   }
 
-  /// True for images with one number per texel: not cube maps, not multisampled.
+  /// True for images with one linear index per texel. Excludes cube maps and multisampled images.
   bool sized(Id image) const {
     const Instruction& type = *module_.global(module_.typeOf(image));
     return type.operands[4] == 0 && type.operands[1] != SpvDimCube && images_.contains(image);
@@ -93,7 +93,8 @@ class Races {
     }
   }
 
-  /// Emits a bool: true if an access is to a real element of a buffer, false for a guard element.
+  /// Emits a bool that is true if an access goes to a real element of a buffer, and false for a guard
+  /// element.
   Id active(const WordsIn::Access& access, Id variable) {
     if (guards_ == 0 || access.array == 0 || module_.global(access.array)->op != SpvOpTypeRuntimeArray)
       return module_.globalOf(SpvOpConstantTrue, module_.boolType(), {});
@@ -171,7 +172,8 @@ class Races {
     call(variable, task, {inside, at, after, changed});
   }
 
-  /// Emits the test whether a texel is inside its image, and its linear index (x fastest, then y, then z).
+  /// Emits the test whether a texel is inside its image, and the texel's linear index (x fastest, then y,
+  /// then z).
   std::pair<Id, Id> texelNumber(Id image, Id at) {
     const Instruction shape = *module_.global(module_.typeOf(at));
     const std::uint32_t length = shape.op == SpvOpTypeVector ? shape.operands[1] : 1;
@@ -251,7 +253,7 @@ class Races {
                           {module_.uintConstant(0), index});
   }
 
-  /// Emits the function of a task: record(active, word, value, changed) or check(active, word, place,
+  /// Emits the function for a task: record(active, word, value, changed) or check(active, word, place,
   /// element).
   void write(Id variable, Task task, Id function) {
     const Id number = module_.uintType(), flag = module_.boolType(), one = module_.uintConstant(1);
@@ -297,12 +299,12 @@ class Races {
   Writing writing_;
   bool hlsl_;
   std::uint32_t guards_;
-  Report* report_;  ///< nullptr: the record variant
+  Report* report_;  ///< report for check(); nullptr in the record variant
   Position at_;
   Chains chains_;
-  std::map<Id, Id> shadows_;  ///< by variable
+  std::map<Id, Id> shadows_;  ///< shadow buffers by variable
   std::map<std::pair<Id, Task>, Id> functions_;
-  std::unordered_map<Id, Id> images_;  ///< variables that image values were loaded from
+  std::unordered_map<Id, Id> images_;  ///< variables from which images were loaded, by the image's id
   std::unordered_set<Id> readImages_;
   bool queries_ = false;
 };

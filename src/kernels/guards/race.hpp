@@ -3,18 +3,19 @@
 
 namespace simreel::kernels {
 
-/// Suffix of the shadow block that records which invocations changed each word of a buffer or texel of an
-/// image.
+/// Suffix of the shadow block, which records for each word of a buffer or texel of an image which
+/// invocation changed it.
 inline constexpr const char* shadowSuffix = ".shadow";
-/// Number of shadow words per word of a buffer or texel of an image: the highest invocation (counted from
-/// 1) that changed its bits; the complement of the lowest stored value; the highest stored value.
+/// Number of shadow words per word of a buffer or texel of an image. They hold the highest invocation
+/// (counted from 1) that changed the bits, the complement of the lowest stored value, and the highest
+/// stored value.
 inline constexpr std::uint32_t shadowWords = 3;
 
 /// Adds code that fills the shadows of all buffers and images that a kernel stores to, except arrays of
-/// resources. Call after layOut().
-/// `guards`: number of extra elements behind a buffer's length, which absorb dropped writes.
+/// resources. Must be called after layOut(). `guards`: number of extra elements after a buffer's end, which
+/// receive dropped writes.
 void recordWrites(Module& module, bool hlsl, std::uint32_t guards);
-/// Adds code that compares accesses with the recorded shadows and reports accesses to words that another
+/// Adds code that compares each access with the recorded shadows. It reports accesses to words that another
 /// invocation changed.
 void checkAccesses(Module& module, bool hlsl, std::uint32_t guards, Report& report);
 

@@ -171,8 +171,8 @@ Id linearInvocation(Module& module, std::vector<Instruction>& body, Id local) {
 }
 
 /// Emits the function that adds this invocation's fault to the report block. If the highest bit of a
-/// place's count is set, only the invocation in word 1 of the place counts; the runtime uses this to get
-/// the indices of that invocation.
+/// place's first word is set, only the invocation in word 1 of the place is recorded. The runtime uses this
+/// to get the indices of that invocation.
 void Report::writeTell(Module& module, Id function, const Words& kept) {
   const Id block = blockVariable(module), number = module.uintType(), flag = module.boolType();
   Writing writing(module, module.body);

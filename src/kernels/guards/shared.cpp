@@ -14,9 +14,9 @@ namespace simreel::kernels {
 
 namespace {
 
-/// A tag combines the number of barriers so far with the index of an invocation in the workgroup. Each word
-/// of shared memory has three tags: the highest invocation that changed it, and the highest and lowest
-/// invocation that read it.
+/// Constants for tags. A tag combines the number of barriers so far with the index of an invocation in the
+/// workgroup. Each word of shared memory has three tags: one for the highest invocation that changed it,
+/// and two for the highest and lowest invocation that read it.
 constexpr std::uint32_t tagsOfWord = 3, tagBits = 11, mostInvocations = 1024;
 
 class Shared {
@@ -61,7 +61,7 @@ class Shared {
     std::uint32_t length = 0;
   };
 
-  /// Allocates tags for each variable that is stored to, as long as shared memory is left.
+  /// Allocates tags for each variable that is stored to, while shared memory is left.
   void findStored() {
     constexpr std::uint32_t most = 32768 / 4;
     std::uint32_t words = 0;
@@ -118,7 +118,7 @@ class Shared {
     }
   }
 
-  /// Emits an atomic max on a tag; a value of 0 only reads it.
+  /// Emits an atomic max of a tag with `value`. With value 0, only reads the tag.
   Id raise(Id variable, Id word, std::uint32_t at, Id value) {
     const Id number = module_.uintType();
     const Id first = writing_.emit(SpvOpIMul, number, {word, module_.uintConstant(tagsOfWord)});
@@ -142,7 +142,8 @@ class Shared {
     low_ = binary(SpvOpBitwiseOr, begun, binary(SpvOpISub, number(mostInvocations), local_));
   }
 
-  /// Emits the invocation of a tag, and a bool: true if it is another invocation since the last barrier.
+  /// Emits the invocation of a tag, and a bool that is true if this is another invocation that accessed the
+  /// word since the last barrier. `low`: true for the lowest invocation.
   std::pair<Id, Id> other(Id tag, bool low) {
     const Id kept = binary(SpvOpBitwiseAnd, tag, number((1U << tagBits) - 1));
     const Id who =
@@ -227,9 +228,10 @@ class Shared {
   std::array<std::uint32_t, 3> threads_;
   Position at_;
   Chains chains_;
-  std::map<Id, Tags> tags_;                      ///< by variable
-  std::map<std::pair<Id, bool>, Id> functions_;  ///< by variable; true: store, false: load
-  Id epoch_ = 0;                                 ///< variable with the number of barriers so far
+  std::map<Id, Tags> tags_;                      ///< tags by variable
+  std::map<std::pair<Id, bool>, Id> functions_;  ///< functions by variable and type of access (true: store,
+                                                 ///< false: load)
+  Id epoch_ = 0;                                 ///< id of the variable with the number of barriers so far
   Id local_ = 0, now_ = 0, high_ = 0, low_ = 0;
 };
 

@@ -4,8 +4,8 @@
 namespace simreel::kernels {
 
 /// Adds code that reports races in shared memory: accesses to words that another invocation of the
-/// workgroup has changed, or changes to words that another one has read, without a barrier in between.
-/// Variables whose tags (three per word) do not fit into 32 KiB are skipped.
+/// workgroup has changed, and changes of words that another invocation has read, since the last barrier.
+/// Skips variables whose tags (three per word) do not fit into 32 KiB.
 void checkShared(Module& module, Report& report);
 
 }  // namespace simreel::kernels

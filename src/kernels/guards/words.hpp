@@ -10,13 +10,14 @@
 
 namespace simreel::kernels {
 
-/// A flattened access chain: a variable and all indices.
+/// A flattened access chain: a variable and the indices of all nested chains.
 struct PointerChain {
   Id variable = 0;
   Words indices;
 };
 
-/// The access chains of a body, by the id of the pointer. The chain of a variable itself has no indices.
+/// The access chains of a body, by the id of the resulting pointer. A plain variable has a chain without
+/// indices.
 class Chains {
  public:
   void follow(const Instruction& one);
@@ -26,28 +27,29 @@ class Chains {
   std::unordered_map<Id, PointerChain> chains_;
 };
 
-/// Maps values in a variable to 32-bit words.
+/// Maps the values in a variable to 32-bit words.
 class WordsIn {
  public:
-  /// `packed`: without padding, for memory without a layout.
+  /// `packed`: true to leave out padding, for memory without an explicit layout.
   WordsIn(Module& module, bool packed) : module_(module), packed_(packed) {}
 
   struct Access {
     Id type = 0;               ///< type that the pointer points to
-    Id first = 0;              ///< id of the index of its first word
-    Id element = 0;            ///< the user's index into the outermost array; 0 if none exists
-    Id array = 0;              ///< type of that array; 0 if none exists
-    std::uint32_t member = 0;  ///< index of the block member that is that array
-    std::uint32_t step = 1;    ///< words between components; differs from 1 for row-major matrices
-    std::string what, part;    ///< names of the array and of the element's member
+    Id first = 0;              ///< id of the index of the access's first word
+    Id element = 0;            ///< id of the user's index into the outermost array; 0 if there is no array
+    Id array = 0;              ///< type of the outermost array; 0 if there is no array
+    std::uint32_t member = 0;  ///< index of the block member that is the outermost array
+    std::uint32_t step = 1;    ///< words from one component to the next; more than 1 for row-major matrices
+    std::string what, part;    ///< names of the array and of the element's member, for messages
   };
   Access access(Writing& writing, const PointerChain& chain);
 
-  /// Returns the word offsets of an access relative to its first word, in the order of parts().
+  /// Returns the word offsets of an access's components relative to its first word, in the order of
+  /// parts().
   [[nodiscard]] std::vector<std::uint32_t> offsets(const Access& access);
   /// Splits a value into its words.
   void parts(Writing& writing, Id value, Id type, Words& words);
-  /// Number of words of a type, including the padding of its layout.
+  /// Returns the number of words of a type, including the padding of its layout.
   [[nodiscard]] std::uint32_t size(Id type);
 
  private:

@@ -9,13 +9,14 @@ namespace simreel::kernels {
 /// A member of a buffer, block or struct.
 struct Member {
   std::string name;
-  std::string type;                ///< HLSL: "float3", "Particle"; GLSL: "vec3"
+  std::string type;                ///< type in the source: "float3" or "Particle" in HLSL, "vec3" in GLSL
   std::size_t offset = 0;          ///< bytes from the start of the enclosing buffer, block or struct
   std::size_t bytes = 0;           ///< size of one element, without trailing padding
-  std::vector<std::size_t> array;  ///< array lengths, outermost first; 0: unsized
+  std::vector<std::size_t> array;  ///< array lengths, outermost first; 0 for an unsized array
   std::size_t stride = 0;          ///< bytes between elements of an array
   std::vector<Member> members;     ///< members of a struct
-  bool used = true;                ///< only in a block: true if the kernel reads it
+  bool used = true;                ///< true if the kernel reads the member; meaningful only in a uniform
+                                   ///< block
 };
 
 /// A storage buffer. An HLSL buffer has one member, the array of its elements.
@@ -23,31 +24,33 @@ struct Buffer {
   std::string name;
   int binding = 0;
   bool reads = false, writes = false;
-  std::string counterOf;   ///< name of the append or consume buffer whose counter this is
-  std::string previousOf;  ///< name of the buffer whose state before the dispatch the caller must copy here
-  /// Name of the buffer or image whose shadow this is. The shadow has `shadowWords` words per word of the
-  /// buffer (including its guards) or per texel of the image. The caller must fill it with zeros before the
-  /// recording run.
+  std::string counterOf;   ///< name of the append or consume buffer that uses this buffer as its counter;
+                           ///< empty for other buffers
+  std::string previousOf;  ///< name of the buffer whose state before the dispatch the caller must copy
+                           ///< here; empty for other buffers
+  /// Name of the buffer or image for which this is the shadow. The shadow has `shadowWords` words per word
+  /// of the buffer (including the guard elements) or per texel of the image. The caller must fill it with
+  /// zeros before the recording run.
   std::string shadowOf;
   int shadowWords = 0;
-  int guards = 0;  ///< number of extra elements behind the buffer's length: one of zeros, one that absorbs
-                   ///< dropped writes
+  int guards = 0;  ///< number of extra elements after the buffer's end: one that is always zero, one that
+                   ///< receives dropped writes
   std::vector<Member> members;
 };
 
-/// A texture or image with its own binding.
+/// A texture or image, which has its own binding.
 struct Texture {
   std::string name;
   std::string type;     ///< "2D", "3D", "2DArray", "Cube", "Buffer", "1D"; "2D[4]" for an array
-  std::string values;   ///< "float", "int", "uint"
+  std::string values;   ///< component type: "float", "int" or "uint"
   std::string format;   ///< format of an image, such as "rgba32f"; empty for a texture
-  std::string sampler;  ///< name of the sampler; empty if only texelFetch reads it
+  std::string sampler;  ///< name of the sampler; empty if the texture is read only by texelFetch
   std::string uniform;  ///< name in the GLSL text
   int binding = 0;      ///< image unit or texture unit
   bool reads = false, writes = false;
 };
 
-/// A uniform block. Constants outside blocks are in a block without a name.
+/// A uniform block. Constants outside blocks are collected in a block with an empty name.
 struct Block {
   std::string name;
   int binding = 0;
@@ -58,24 +61,26 @@ struct Block {
 /// Source position in a kernel at which an invocation can cause a fault. The block `Kernel::report` has
 /// four words for each place, in the order of `Kernel::places`:
 ///
-///   0  number of invocations whose first fault is here (uint)            initially 0
-///   1  the lowest of these invocations, x first, then y, then z (uint)   0xFFFFFFFF
-///   2  the lowest index (int); loops: iterations                         INT_MAX
-///   3  the highest index (int)                                           INT_MIN
+///   0  number of invocations whose first fault is at this place (uint)  initially 0
+///   1  the lowest of these invocations, x first, then y, then z (uint)  0xFFFFFFFF
+///   2  the lowest faulty index (int); for loops: number of iterations   INT_MAX
+///   3  the highest faulty index (int)                                   INT_MIN
 ///
 /// For races, word 1 is the invocation with the access, word 2 is the lowest other invocation that changed
 /// the word or stored another value, and word 3 is the highest element index (for an image x + width * (y +
 /// height * z)).
 /// No word depends on the execution order of invocations. To get the indices of the invocation in word 1,
-/// run the dispatch again from the same state with word 0 set to 0x80000000, word 1 kept, and words 2 and 3
-/// reset.
+/// the dispatch is run again from the same state with word 0 set to 0x80000000, word 1 unchanged, and words
+/// 2 and 3 reset.
 struct Place {
-  /// "read" or "write" out of bounds; "loop" at its limit; "loops" ended by the driver; "race-read" or
-  /// "race-write" of an element that another invocation changes
+  /// Kind of the fault. "read" and "write": an access out of bounds. "loop": a loop at its limit. "loops":
+  /// loops that the driver ended. "race-read" and "race-write": an access to an element that another
+  /// invocation changes.
   std::string kind;
-  /// user's name of the indexed buffer, texture, array or struct member; empty for loops
+  /// Name in the user's source of the indexed buffer, texture, array or struct member. Empty for loops.
   std::string what;
-  std::string part;  ///< texture out of bounds: the axis "x", "y" or "z"; race: the member of the element
+  std::string part;  ///< for a texture access out of bounds: the axis "x", "y" or "z"; for a race: the
+                     ///< member of the element
   std::string file;  ///< file name for messages
   int line = 0;
   bool operator==(const Place&) const = default;
@@ -85,15 +90,16 @@ struct Kernel {
   std::string name;
   int line = 0;                                 ///< line that declares the kernel
   std::array<unsigned, 3> threads = {1, 1, 1};  ///< size of a workgroup
-  /// Bit mask of the axes along which the kernel reads the index of its invocation or group: 1 x, 2 y, 4 z.
+  /// Bit mask of the axes along which the kernel reads the index of its invocation or workgroup: 1 for x, 2
+  /// for y, 4 for z.
   unsigned axes = 0;
   std::vector<Buffer> buffers;
   std::vector<Texture> textures;
   std::vector<Block> blocks;
-  int report = -1;  ///< binding of the report block; -1: none
+  int report = -1;  ///< binding of the report block; -1 if there is none
   std::vector<Place> places;
-  std::string glsl;  ///< GLSL 4.5 text with "#version"; loadShaderText() takes body() instead
-  /// Returns the text without the "#version" line, which the shader loader adds itself.
+  std::string glsl;  ///< GLSL 4.5 text with "#version"; use body() for loadShaderText()
+  /// Returns the text without the "#version" line, which the shader loader adds.
   [[nodiscard]] std::string body() const;
 };
 
@@ -104,7 +110,7 @@ struct Shader {
   std::vector<std::string> files;  ///< the user's files: the shader and its includes
 };
 
-/// Conversions to and from JSON.
+/// These functions convert a shader to and from JSON. `indent`: spaces per level; -1 for a single line.
 [[nodiscard]] std::string toJson(const Shader& shader, int indent = -1);
 [[nodiscard]] Shader fromJson(const std::string& text);
 

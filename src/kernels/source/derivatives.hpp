@@ -6,14 +6,15 @@ namespace simreel::kernels {
 /// True if a ShaderToy text calls dFdx, dFdy or fwidth.
 [[nodiscard]] bool usesDerivatives(const std::string& text);
 
-/// Returns the functions dFdx, dFdy and fwidth for an image that a compute shader draws. mainImage() runs
-/// three times for each pixel: for its neighbours of the same 2x2 pixels along x and y, then for itself.
-/// The n-th derivative is the difference of the n-th arguments, for the first 64; then 0. Differences that
-/// the neighbour does not compute are 0, too.
+/// Returns the functions dFdx, dFdy and fwidth for a ShaderToy pass that runs as a compute shader.
+/// mainImage() runs three times for each pixel: for its neighbour in x and its neighbour in y within the
+/// same 2x2 pixels, then for the pixel itself. The n-th call of a derivative function returns the
+/// difference between the arguments of the n-th calls of the runs. Calls after the 64th return 0, and so do
+/// calls that the neighbour does not make.
 [[nodiscard]] std::string derivativeFunctions();
 
-/// Returns the statements that run mainImage() three times. Global variables that the text assigns to begin
-/// each run with their first value.
+/// Returns the statements that run mainImage() three times. Global variables that the text assigns to are
+/// reset to their initial values before each run.
 [[nodiscard]] std::string threeRuns(const std::string& text);
 
 }  // namespace simreel::kernels

@@ -22,7 +22,7 @@ void shortenUnsigned(const std::vector<Token>& all, Edits& edits) {
   }
 }
 
-/// Makes structured buffers of typed buffers, "Buffer<float4>". Both read and write whole elements.
+/// Replaces typed buffers, "Buffer<float4>", by structured buffers. Both read and write whole elements.
 void restructure(const std::vector<Token>& all, Edits& edits) {
   for (std::size_t i = 0; i + 1 < all.size(); ++i)
     if ((all[i].text == "Buffer" || all[i].text == "RWBuffer") && all[i + 1].text == "<")
@@ -77,7 +77,7 @@ void takeOutShared(std::string_view code, const std::vector<Token>& all, Edits& 
   }
 }
 
-/// Blanks "interface I {...};" and ": I" behind the name of a class or struct that implements it.
+/// Blanks "interface I {...};", and ": I" after the name of a class or struct that implements I.
 void takeOutInterfaces(const std::vector<Token>& all, Edits& edits) {
   std::set<std::string_view> interfaces;
   const auto blank = [&](std::size_t first, std::size_t last) {

@@ -3,9 +3,9 @@
 
 namespace simreel::kernels {
 
-/// Returns an HLSL text with "unsigned int" replaced by "uint" and groupshared variables moved behind the
-/// constant buffer that contains them. Microsoft's compiler accepts both forms, glslang does not. Line
-/// numbers do not change.
+/// Returns an HLSL text with changes that glslang needs: "unsigned int" becomes "uint", typed buffers
+/// become structured buffers, interfaces are blanked, and groupshared variables move out of constant
+/// buffers. Microsoft's compiler accepts the original forms, glslang does not. Line numbers do not change.
 [[nodiscard]] std::string dialect(const std::string& text);
 
 }  // namespace simreel::kernels

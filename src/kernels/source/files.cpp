@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* unityFolder = "kernels/unity/";
 
-/// Returns the position of `token` as a whole word in a line, else as a substring.
+/// Returns the index of `token` in a line, preferably as a whole word, else as a substring.
 std::size_t findToken(std::string_view line, std::string_view token) {
   if (token.empty()) return std::string_view::npos;
   for (std::size_t at = line.find(token); at != std::string_view::npos; at = line.find(token, at + 1)) {
@@ -121,8 +121,8 @@ std::optional<std::size_t> Files::include(const std::string& asked, bool beside,
                                           std::string& reason) {
   std::string name = asked;
   std::replace(name.begin(), name.end(), '\\', '/');
-  name.erase(0,
-             std::min(name.find_first_not_of('/'), name.size()));  // Microsoft's compiler reads "/X" as "X"
+  name.erase(0, std::min(name.find_first_not_of('/'), name.size()));  // Microsoft's compiler treats "/X"
+                                                                      // like "X".
   std::vector<std::filesystem::path> tried;
   if (beside && !files_[from].path.empty()) tried.push_back(files_[from].path.parent_path() / name);
   for (const auto& folder : folders_) tried.push_back(folder / name);

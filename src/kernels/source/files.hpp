@@ -12,13 +12,14 @@
 
 namespace simreel::kernels {
 
-/// Limits on the size and include depth of a shader's files.
+/// Limits on the files of a shader: max bytes of one file, max bytes of all files, and max depth of
+/// includes.
 inline constexpr std::size_t maxFileBytes = std::size_t{2} << 20;
 inline constexpr std::size_t maxAllBytes = std::size_t{8} << 20;
 inline constexpr std::size_t maxIncludeDepth = 32;
 
-/// An error in a user's file. `line` starts at 1; 0 means the whole file. `token` is the text that the
-/// caret marks, if the line contains it.
+/// An error in a user's file. `file` is an index in Files. `line` starts at 1; 0 means the whole file.
+/// `token` is the text that the caret marks if the line contains it.
 struct Mistake {
   std::size_t file = 0;
   int line = 0;
@@ -26,15 +27,16 @@ struct Mistake {
   std::string message;
 };
 
-/// The files of one shader: the user's file first, then its includes. An include is searched in the
-/// including file's folder and in `folders`. It must lie below the first file's folder or one of `folders`.
+/// The files of one shader: the user's file first, then its includes. Includes are searched in the
+/// including file's folder and in `folders`. They must lie below the first file's folder or one of
+/// `folders`.
 class Files {
  public:
-  /// Throws UserError like readFile(), and if the file is not text.
+  /// Reads the first file. Throws UserError if it cannot be read or is not text.
   Files(const std::filesystem::path& file, const std::vector<std::filesystem::path>& folders);
 
-  /// Returns the number of an included file, which is read at the first request. Returns nothing on failure
-  /// and sets `reason`.
+  /// Returns the index of an included file, which is read at the first request. On failure, returns nullopt
+  /// and sets `reason`. `beside`: true to search the folder of the including file, whose index is `from`.
   std::optional<std::size_t> include(const std::string& name, bool beside, std::size_t from,
                                      std::string& reason);
 
@@ -42,20 +44,20 @@ class Files {
   /// Returns the text for the compiler: line ends, byte order mark and unsupported syntax are normalised.
   /// Each character keeps its line and column.
   [[nodiscard]] const std::string& text(std::size_t file) const { return files_[file].text; }
-  /// Returns the text with remedies applied, valid until the remedies change.
+  /// Returns the text with remedies applied. The reference is valid until the remedies change.
   [[nodiscard]] const std::string& remediedText(std::size_t file);
   Remedies remedies;
   [[nodiscard]] const std::string& name(std::size_t file) const { return files_[file].name; }
   /// Returns the paths of the user's files, without embedded files.
   [[nodiscard]] std::vector<std::filesystem::path> read() const;
 
-  /// Throws a UserError report with one "file:line:column: error: message" and a caret for each error.
+  /// Throws a UserError that contains "file:line:column: error: message" and a caret for each mistake.
   [[noreturn]] void fail(const std::vector<Mistake>& mistakes) const;
 
  private:
   struct File {
     std::string name;            ///< name for messages
-    std::filesystem::path path;  ///< empty for an embedded file
+    std::filesystem::path path;  ///< path; empty for an embedded file
     std::string original, text;
     std::string remedied;
     std::size_t remedies = 0;  ///< number of remedies applied in `remedied`

@@ -15,7 +15,7 @@ namespace simreel::kernels {
 
 namespace {
 
-/// A variable's type, with its array lengths from the outside in; length 0 stands for "[]".
+/// A variable's type and array lengths, outermost first. Length 0 stands for "[]".
 struct Variable {
   std::string_view type;
   std::vector<int> lengths;
@@ -23,7 +23,8 @@ struct Variable {
 
 using Structs = std::map<std::string, std::vector<Variable>, std::less<>>;
 
-/// Reads "[3][N]" from token `i`, which then is the token behind. Returns nothing for an unknown length.
+/// Reads array lengths "[3][N]" from token `i` and moves `i` to the token after them. Returns nullopt if a
+/// length is unknown.
 std::optional<std::vector<int>> lengthsAt(const Scan& scan, std::size_t& i, const std::deque<Scan>& all) {
   std::vector<int> lengths;
   while (i < scan.all.size() && scan.all[i].text == "[") {
@@ -40,7 +41,8 @@ std::optional<std::vector<int>> lengthsAt(const Scan& scan, std::size_t& i, cons
   return lengths;
 }
 
-/// Reads the members of "struct NAME {" whose brace is token `open`; nothing for methods and branches.
+/// Reads the members of "struct NAME {" whose brace is token `open`. Returns nullopt if the struct contains
+/// methods or preprocessor lines.
 std::optional<std::vector<Variable>> membersOf(const Scan& scan, std::size_t open,
                                                const std::deque<Scan>& all) {
   const std::size_t close = closingBracket(scan.all, open);
@@ -72,20 +74,20 @@ Structs structsOf(const std::deque<Scan>& all) {
   return found;
 }
 
-/// An item of a list; `count`: how many numbers it has, 0 if its text does not say it.
+/// An item of an initializer list. `count`: number of scalars in it; 0 if unknown from the text.
 struct Item {
   std::size_t begin, end;
   int count;
 };
 
-/// Assigns the items of a list to a type's numbers, in order.
+/// Assigns the items of an initializer list to the scalars of a type, in order.
 class Fill {
  public:
-  /// `vectors`: an item of unknown size fills a whole vector; otherwise it is one number.
+  /// `vectors`: true if an item of unknown size fills a whole vector; false if it is one scalar.
   Fill(const Structs& structs, const std::vector<Item>& items, bool vectors)
       : structs_(structs), items_(items), vectors_(vectors) {}
 
-  /// Returns nothing if the items do not fill the variable exactly.
+  /// Returns the insertions for a variable. Returns nullopt if the items do not fill the variable exactly.
   std::optional<Edits> done(const Variable& variable) {
     const bool filled = array(variable, 0, true) && next_ == items_.size();
     if (!filled || opening_.empty()) return std::nullopt;
@@ -129,7 +131,7 @@ class Fill {
     if (next_ > first + 1 && !outer) brace(first, fmt::format("{}(", type), ")");
     return true;
   }
-  /// Puts brackets around the items from `first`, outside those that are there.
+  /// Inserts brackets around the items from `first` to the current one, outside existing brackets.
   void brace(std::size_t first, std::string_view open, std::string_view close) {
     if (first == next_) return;
     opening_[items_[first].begin].insert(0, open);
@@ -144,7 +146,7 @@ class Fill {
   std::map<std::size_t, std::string> opening_, closing_;
 };
 
-/// Returns how many numbers an expression has, as far as its first token says it.
+/// Returns the number of scalars in an expression, judged by its first token. Returns 0 if unknown.
 int countOf(const Scan& scan, std::size_t begin, std::size_t end) {
   if (scan.all[begin].text == "-" || scan.all[begin].text == "+") ++begin;
   const std::string_view text = scan.all[begin].text;

@@ -5,8 +5,9 @@
 
 namespace simreel::kernels {
 
-/// Moves the declaration of a loop variable before the loop, for the last loop before a line that declares
-/// it: in Microsoft's older rules it lives on behind the loop. Empty if there is no such loop.
+/// Returns edits that move the declaration of loop variable `name` before its loop. The loop is the last
+/// one before `line` that declares the variable. In Microsoft's older rules, a loop variable still exists
+/// after its loop. Returns no edits if there is no such loop.
 [[nodiscard]] Edits declaredBeforeLoop(const Scan& scan, std::string_view name, int line);
 
 }  // namespace simreel::kernels

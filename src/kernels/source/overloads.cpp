@@ -11,14 +11,15 @@ namespace simreel::kernels {
 
 namespace {
 
-constexpr std::size_t mostShortened = 5;  // of one function; the number of overloads is 2^n - 1
+constexpr std::size_t mostShortened = 5;  // max shortened parameters of one function; n of them make 2^n -
+                                          // 1 overloads
 
 /// A parameter of a function.
 struct Parameter {
-  std::string text;    ///< "const float2 at"
-  std::string longer;  ///< the same with a shortened type; empty: not possible
+  std::string text;    ///< declaration as in the source: "const float2 at"
+  std::string longer;  ///< the same declaration with a larger type; empty if there is none
   std::string name;
-  std::string shorter;  ///< "at.x": the shortened argument
+  std::string shorter;  ///< argument shortened to the original type: "at.x"
 };
 
 std::string between(const Scan& scan, std::size_t begin, std::size_t end) {
@@ -28,7 +29,7 @@ std::string between(const Scan& scan, std::size_t begin, std::size_t end) {
   return text;
 }
 
-/// Returns nothing for a parameter with a default value.
+/// Parses a parameter. Returns nullopt if it has a default value.
 std::optional<Parameter> parameter(const Scan& scan, std::size_t begin, std::size_t end) {
   std::size_t type = begin;
   bool written = false;
@@ -49,7 +50,7 @@ std::optional<Parameter> parameter(const Scan& scan, std::size_t begin, std::siz
                   [](const Token& one) { return one.text == "=" || one.text == ":" || one.directive; }))
     return std::nullopt;
   Parameter made{between(scan, begin, end), {}, std::string(scan.all[name].text), {}};
-  if (array)  // the name stands before the first bracket
+  if (array)  // The parameter's name is before the first bracket.
     for (std::size_t i = type + 1; i < end; ++i)
       if (scan.all[i].text == "[") {
         made.name = std::string(scan.all[i - 1].text);
@@ -67,7 +68,8 @@ std::optional<Parameter> parameter(const Scan& scan, std::size_t begin, std::siz
   return made;
 }
 
-/// Returns the overloads of the function whose name is token `name` and whose body ends at token `close`.
+/// Returns the overloads of the function whose name is token `name` and whose parameter list begins with
+/// token `open`.
 std::string overloads(const Scan& scan, std::size_t name, std::size_t open) {
   std::size_t begin = name;
   const auto stops = [](const Token& one) {

@@ -7,9 +7,9 @@
 
 namespace simreel::kernels {
 
-/// Returns further functions, behind each definition of the function `name` in a file, that take a vector
-/// for a number and a 4x4 matrix for a smaller one. Microsoft's compiler shortens such arguments; glslang
-/// shortens only vectors to vectors.
+/// Returns overloads to insert after each definition of the function `name` in a file. They accept a vector
+/// in place of a scalar, and a 4x4 matrix in place of a smaller one. Microsoft's compiler truncates such
+/// arguments implicitly. glslang truncates only vectors to shorter vectors.
 [[nodiscard]] Edits shorteningOverloads(const Scan& scan, std::string_view name);
 
 }  // namespace simreel::kernels

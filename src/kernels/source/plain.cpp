@@ -23,7 +23,7 @@ void blank(std::string& text, std::size_t begin, std::size_t end) {
     if (text[i] != '\n') text[i] = ' ';
 }
 
-/// Calls `found` with the range of each whole-word occurrence in a text without comments.
+/// Calls `found` with the range of each occurrence of a whole word in a text without comments.
 template <class Found>
 void eachWord(std::string_view code, std::string_view word, Found found) {
   for (std::size_t at = code.find(word); at != std::string_view::npos; at = code.find(word, at + 1)) {
@@ -70,7 +70,7 @@ void shortenNumbers(std::string& text, std::string_view code) {
 }
 
 /// Blanks "const" in global declarations such as "const uint2 Resolution;". They are constants set by the
-/// scene, but glslang would take them for zero.
+/// scene, but glslang would treat them as zero.
 void blankConstOfGlobals(std::string& text, std::string_view code) {
   eachWord(code, "const", [&](std::size_t at, std::size_t end) {
     const auto open = std::count(code.begin(), code.begin() + static_cast<std::ptrdiff_t>(at), '{');
@@ -93,9 +93,9 @@ std::string_view wordAt(std::string_view code, std::size_t& at) {
   return code.substr(begin, at - begin);
 }
 
-/// Redeclares loop variables. In Microsoft's older rules a variable declared in a loop header lives until
-/// the end of the function, so "for (i = 0;" may follow "for (uint i = 0;". The later loop gets its own
-/// declaration.
+/// Adds declarations for loop variables. In Microsoft's older rules a variable declared in a loop header
+/// exists until the end of the function, so "for (i = 0;" may follow "for (uint i = 0;". The later loop
+/// gets a declaration of its own.
 class LoopVariables {
  public:
   static std::string declared(const std::string& text) {
@@ -126,7 +126,7 @@ class LoopVariables {
   }
 
  private:
-  /// True if the function declares the name outside loop headers before a position.
+  /// True if the function declares the name outside loop headers and before position `before`.
   static bool declaredElsewhere(std::string_view code, std::string_view name, std::size_t before) {
     bool found = false;
     const std::size_t begin = code.rfind("\n}", before);
@@ -150,7 +150,7 @@ class LoopVariables {
   }
 };
 
-/// Expands "m._m00_m10_m20" to "float3(m._m00, m._m10, m._m20)", because glslang takes only the first
+/// Expands "m._m00_m10_m20" to "float3(m._m00, m._m10, m._m20)", because glslang uses only the first
 /// element.
 std::string withMatrixElements(const std::string& text) {
   const std::string code = withoutComments(text);
@@ -174,7 +174,7 @@ std::string withMatrixElements(const std::string& text) {
     if (begin == at || (begin > 0 && (code[begin - 1] == ']' || code[begin - 1] == ')'))) continue;
     const std::size_t next = code.find_first_not_of(" \t", end);
     if (next != std::string::npos && code[next] == '=' && code.compare(next, 2, "==") != 0)
-      continue;  // a target of an assignment is left unchanged
+      continue;  // The target of an assignment is not expanded.
     const std::string matrix = code.substr(begin, at - begin);
     std::string vector = fmt::format("float{}(", elements.size());
     for (std::size_t i = 0; i < elements.size(); ++i)

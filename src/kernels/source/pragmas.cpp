@@ -11,7 +11,7 @@ namespace simreel::kernels {
 
 namespace {
 
-/// Returns the words after "#pragma"; empty for other lines.
+/// Returns the words after "#pragma", or an empty list for other lines.
 std::vector<std::string> pragmaWords(const std::string& line) {
   const std::size_t sharp = line.find_first_not_of(" \t");
   if (sharp == std::string::npos || line[sharp] != '#') return {};
@@ -35,8 +35,8 @@ Announced announced(const std::vector<std::string>& words, int line) {
   return kernel;
 }
 
-/// True if a function can be a kernel: it returns nothing, and its parameters have semantics. `open`: the
-/// bracket behind its name, which begins at `name`.
+/// True if a function can be a kernel: it returns nothing, and its parameters have semantics. The
+/// function's name begins at `name`, and `open` is the bracket after it.
 bool canBeKernel(const std::string& code, std::size_t name, std::size_t open) {
   std::size_t last = name;
   while (last > 0 && std::isspace(static_cast<unsigned char>(code[last - 1])) != 0) --last;
@@ -50,7 +50,7 @@ bool canBeKernel(const std::string& code, std::size_t name, std::size_t open) {
   return true;
 }
 
-/// The functions behind "[numthreads(x, y, z)]".
+/// Returns the functions that follow "[numthreads(x, y, z)]".
 std::vector<Announced> withThreadGroups(const std::string& code) {
   std::vector<Announced> kernels;
   for (std::size_t at = code.find("numthreads"); at != std::string::npos;
@@ -69,7 +69,8 @@ std::vector<Announced> withThreadGroups(const std::string& code) {
   return kernels;
 }
 
-/// Detects the language: GLSL has "#version", HLSL has "numthreads"; otherwise the file extension decides.
+/// Detects the language. GLSL contains "#version", HLSL contains "numthreads". For other texts the file
+/// extension decides.
 Language languageOf(const Files& files, const std::string& code) {
   if (code.find("#version") != std::string::npos) return Language::glsl;
   if (code.find("numthreads") != std::string::npos) return Language::hlsl;
@@ -120,7 +121,7 @@ Announcements announcements(const Files& files) {
       found.kernels.push_back(announced(words, number));
     if (words[0].starts_with("multi_compile") || words[0].starts_with("shader_feature")) {
       std::vector<std::string> list(words.begin() + 1, words.end());
-      // a shader_feature with a single keyword may also be off
+      // A shader_feature with a single keyword may also be off.
       if (words[0].starts_with("shader_feature") && list.size() == 1) list.insert(list.begin(), "_");
       found.keywords.push_back(std::move(list));
     }

@@ -18,7 +18,7 @@ bool assigns(std::string_view text) {
           std::string_view("+-*/%&|^").find(text[0]) != std::string_view::npos);
 }
 
-/// Returns the index of the token after the members and indices that follow a name.
+/// Returns the index of the token after the members and indices that follow a name at token `i`.
 std::size_t behindMembers(const std::vector<Token>& all, std::size_t i) {
   while (i < all.size()) {
     if (all[i].text == "." && i + 1 < all.size()) {
@@ -36,7 +36,7 @@ std::size_t behindMembers(const std::vector<Token>& all, std::size_t i) {
   return i;
 }
 
-/// If `a` is assigned to, changes "float a, b;" to "float simreel_constant_a, b; static float a =
+/// If the shader assigns to `a`, changes "float a, b;" to "float simreel_constant_a, b; static float a =
 /// simreel_constant_a;".
 void makeVariables(const Declaration& one, const Remedies& remedies, Edits& edits) {
   if (one.shared || one.constant) return;
@@ -67,7 +67,7 @@ void undefineFirst(const std::string& text, std::size_t file, const Remedies& re
   }
 }
 
-/// Writes "N_" before names of functions in the namespace N between two tokens.
+/// Inserts "N_" before names of functions of the namespace N between two tokens.
 void prefix(const std::vector<Token>& all, std::size_t first, std::size_t last, const Remedies& remedies,
             Edits& edits) {
   for (std::size_t i = first + 3; i < last; ++i)
@@ -75,7 +75,7 @@ void prefix(const std::vector<Token>& all, std::size_t first, std::size_t last, 
       edits.insert(all[i].at, std::string(all[first + 1].text) + "_");
 }
 
-/// Blanks "namespace N {" with its "}", and "N::".
+/// Blanks "namespace N {", the matching "}", and "N::".
 void dissolve(const std::vector<Token>& all, const Remedies& remedies, Edits& edits) {
   const auto blank = [&](std::size_t first, std::size_t last) {
     edits.replace(all[first].at, all[last].end(), std::string(all[last].end() - all[first].at, ' '));
@@ -145,7 +145,8 @@ std::string lengthFunction(std::string_view type, std::string_view name) {
   return {};
 }
 
-/// Textures that hold their sampler, and the functions that read them. A scene says how they are filtered.
+/// Declarations for Direct3D 9, in which a texture contains its sampler, and the functions that read such
+/// textures. The scene sets the filter.
 constexpr const char* directX9 = R"(SamplerState simreel_linear_repeat;
 #define sampler2D Texture2D<float4>
 #define sampler3D Texture3D<float4>

@@ -16,30 +16,34 @@ inline constexpr std::string_view constantPrefix = "simreel_constant_";
 /// Changes to HLSL texts that glslang rejects but Microsoft's compiler accepts. A text that glslang accepts
 /// stays unchanged.
 struct Remedies {
-  /// Constants that the shader assigns to. Each invocation gets a variable of that name, initialised with
-  /// the constant's value.
+  /// Names of constants that the shader assigns to. Each invocation gets a variable with that name,
+  /// initialised with the constant's value.
   std::set<std::string, std::less<>> assigned;
-  /// Textures and buffers whose member Length is used.
+  /// Names of textures and buffers whose member Length is used.
   std::set<std::string, std::less<>> measured;
-  /// Lines that redefine a macro, by file.
+  /// Lines that redefine a macro: index of the file, and the line.
   std::set<std::pair<std::size_t, int>> redefined;
-  /// Functions of HLSL 2021 that are used: "select", "and", "or"; "tex2D" for samplers of Direct3D 9.
+  /// Names of newer and older functions that are used: "select", "and" and "or" of HLSL 2021; "tex2D" for
+  /// samplers of Direct3D 9.
   std::set<std::string, std::less<>> functions;
-  /// Namespaces that are dissolved: methods of their structs would not find their functions.
+  /// Names of namespaces that are removed, because in glslang methods of their structs would not find the
+  /// namespace's functions.
   std::set<std::string, std::less<>> dissolved;
-  /// Functions of dissolved namespaces whose names get the namespace's name in front, because others have
-  /// them too.
+  /// Functions of removed namespaces that get the namespace's name as a prefix, because functions elsewhere
+  /// have the same name.
   std::set<std::string, std::less<>> prefixed;
-  /// Functions with overloads that shorten arguments, and loop variables that outlive their loop.
+  /// `shortened`: functions that get overloads which truncate arguments. `outliving`: loop variables that
+  /// are used after their loop.
   std::set<std::string, std::less<>> shortened, outliving;
-  /// Files whose flat initializers are nested.
+  /// Indices of files whose flat initializer lists are nested.
   std::set<std::size_t> nested;
-  /// Statements that initialize static variables by calls of functions, which glslang does not; files that
-  /// were searched for such variables; kernels that begin with the statements.
+  /// Initializers of static variables that call functions, which glslang does not support. `starts`: the
+  /// statements that replace the initializers. `searched`: indices of the files that were searched.
+  /// `started`: kernels that begin with the statements.
   std::string starts;
   std::set<std::size_t> searched;
   std::set<std::string, std::less<>> started;
-  /// Further changes to the text of files.
+  /// Further changes to the text of files, by index of the file.
   std::map<std::size_t, Edits> edits;
 
   [[nodiscard]] std::size_t count() const {
@@ -48,17 +52,17 @@ struct Remedies {
   }
 };
 
-/// Returns the text of a file with remedies applied. Line numbers do not change.
+/// Returns the text of a file with the remedies applied. Line numbers do not change.
 [[nodiscard]] std::string remedied(const std::string& text, std::size_t file, const Remedies& remedies);
 
 /// Returns the names that a text assigns to, including local variables.
 [[nodiscard]] std::set<std::string, std::less<>> assignedNames(const std::vector<Token>& tokens);
 
-/// Returns an HLSL function that returns the size of a texture or the length of a buffer; empty for other
-/// types.
+/// Returns the text of an HLSL function that returns the size of a texture or the length of a buffer.
+/// Returns an empty string for other types.
 [[nodiscard]] std::string lengthFunction(std::string_view type, std::string_view name);
 
-/// Macros for functions that remedies name.
+/// Returns the macros for Remedies::functions.
 [[nodiscard]] std::string functionMacros(const Remedies& remedies);
 
 }  // namespace simreel::kernels

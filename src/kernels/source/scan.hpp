@@ -25,18 +25,20 @@ struct Scan {
   std::vector<Declaration> declared;
 };
 
-/// Scans all files of a shader that were read.
+/// Scans all files that have been read for a shader.
 [[nodiscard]] std::deque<Scan> scans(const Files& files);
 
-/// Returns the index of the bracket that closes the bracket `open`, "(", "[" or "{"; the token count if
-/// none does.
+/// Returns the index of the bracket that closes the bracket "(", "[" or "{" at token `open`. Returns the
+/// number of tokens if there is none.
 [[nodiscard]] std::size_t closingBracket(const std::vector<Token>& all, std::size_t open);
 
-/// Splits the tokens from `begin` to `end` at commas outside brackets; each part is a pair of indices.
+/// Splits the tokens from `begin` to `end` at commas outside brackets. Each part is a pair of indices
+/// [begin, end).
 [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> parts(const std::vector<Token>& all,
                                                                      std::size_t begin, std::size_t end);
 
-/// Returns the position behind the "{" of a function's definition; 0 if the text does not define it.
+/// Returns the position after the "{" of a function's definition. Returns 0 if the text does not define the
+/// function.
 [[nodiscard]] std::size_t bodyOf(const Scan& scan, std::string_view function);
 
 /// The rows and columns of a numeric HLSL type: float has 1 and 1, float3 has 3 and 1, float3x4 has 3
@@ -47,10 +49,10 @@ struct Numeric {
   [[nodiscard]] int count() const { return rows * columns; }
 };
 
-/// Returns nothing for a type that is not numeric.
+/// Returns the size of a numeric type; nullopt for other types.
 [[nodiscard]] std::optional<Numeric> numeric(std::string_view type);
 
-/// Returns the value of a whole number, or of a macro or constant that is one.
+/// Returns the value of an integer literal, or of a macro or constant with such a value.
 [[nodiscard]] std::optional<int> wholeNumber(std::string_view word, const std::deque<Scan>& all);
 
 }  // namespace simreel::kernels

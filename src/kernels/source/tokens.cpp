@@ -15,7 +15,7 @@ bool among(std::string_view word, std::initializer_list<std::string_view> words)
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// Returns the end of a preprocessor line: a newline without a backslash before it.
+/// Returns the end of a preprocessor line: the next newline that does not follow a backslash.
 std::size_t directiveEnd(std::string_view code, std::size_t at) {
   for (; at < code.size(); ++at)
     if (code[at] == '\n' && code[at - 1] != '\\') return at;
@@ -57,7 +57,7 @@ class Depth {
   std::vector<int> atBranches_;
 };
 
-/// Parses a global declaration.
+/// Parses global declarations from tokens.
 class Reader {
  public:
   Reader(std::string_view code, const std::vector<Token>& all) : code_(code), all_(all) {}

@@ -24,15 +24,16 @@ struct Token {
 /// A name in a declaration.
 struct Declarator {
   std::string_view name;
-  std::string_view lengths;  ///< for example "[3][2]"; empty if it is no array
+  std::string_view lengths;  ///< array lengths in the source, such as "[3][2]"; empty if the variable is
+                             ///< not an array
   std::size_t at = 0;
 };
 
 /// A declaration of one or more variables outside functions, structs and constant buffers.
 struct Declaration {
-  std::string_view type;  ///< "float4", "Texture2D<float>"
-  bool shared = false;    ///< groupshared
-  bool constant = false;  ///< const or static
+  std::string_view type;  ///< type in the source: "float4" or "Texture2D<float>"
+  bool shared = false;    ///< true if the declaration has groupshared
+  bool constant = false;  ///< true if the declaration has const or static
   std::vector<Declarator> names;
   std::size_t end = 0;  ///< position after the semicolon
 };
@@ -40,7 +41,8 @@ struct Declaration {
 /// Returns the global variables of a text; `tokens` are the text's tokens.
 [[nodiscard]] std::vector<Declaration> globals(std::string_view code, const std::vector<Token>& tokens);
 
-/// A list of replacements in a text. They are applied from the end, so that positions stay valid.
+/// A list of replacements in a text. They are applied from the last to the first, so that positions stay
+/// valid.
 class Edits {
  public:
   void replace(std::size_t begin, std::size_t end, std::string with);

@@ -33,7 +33,7 @@ std::uint32_t narrow(std::uint64_t bound) {
   return bound < unknown ? static_cast<std::uint32_t>(bound) : unknown;
 }
 
-/// Returns the comparison that holds where `op` does not; OpNop for others.
+/// Returns the comparison that holds exactly if `op` does not hold; OpNop for other operations.
 SpvOp opposite(SpvOp op) {
   switch (op) {
     case SpvOpUGreaterThanEqual:
@@ -130,7 +130,7 @@ const Instruction* Facts::made(Id value) const {
   return found == made_.end() ? nullptr : &body_[found->second];
 }
 
-/// Returns the value behind changes of signedness.
+/// Returns the value before changes of signedness.
 Id Facts::plain(Id value) const {
   const Instruction* one = made(value);
   return one != nullptr && one->op == SpvOpBitcast ? plain(one->operands[0]) : value;
@@ -178,14 +178,14 @@ std::uint32_t Facts::fromParts(const Instruction& one, Id block, int depth) cons
   }
 }
 
-/// Returns the input whose value a parameter's variable holds; other variables themselves.
+/// Returns the function input that a parameter's variable holds. Returns other variables unchanged.
 Id Facts::inputOf(Id variable) const {
   const auto found = stored_.find(variable);
   const Instruction* value = found == stored_.end() ? nullptr : made(found->second);
   return value != nullptr && value->op == SpvOpLoad ? value->operands[0] : variable;
 }
 
-/// Bounds of the invocation's place in its group.
+/// Returns an upper bound of a component of the invocation's index in its workgroup.
 std::uint32_t Facts::fromBuiltIn(const Instruction& one) const {
   const auto size = groupSize(module_);
   const Instruction* from = made(one.operands[0]);
@@ -211,7 +211,7 @@ std::uint32_t Facts::fromBuiltIn(const Instruction& one) const {
   return unknown;
 }
 
-/// Bounds by the conditions of the branches that lead to a block.
+/// Returns an upper bound of a value in a block from the conditions of the branches that lead to the block.
 std::uint32_t Facts::fromBranches(Id value, Id block, int depth) const {
   std::uint32_t bound = unknown;
   for (Id at = block; at != 0 && blocks_.contains(at); at = blocks_.at(at).dominator) {
@@ -237,7 +237,7 @@ std::uint32_t Facts::fromCondition(Id condition, bool holds, Id value, Id block,
                         : fromComparison(op, value, atMost(one->operands[1], block, depth - 1), block);
 }
 
-/// Bounds by a comparison that holds in a block and the blocks that it dominates.
+/// Returns an upper bound from a comparison that holds in a block and in the blocks that it dominates.
 std::uint32_t Facts::fromComparison(SpvOp op, Id value, std::uint32_t limit, Id block) const {
   switch (op) {
     case SpvOpULessThan:
@@ -254,8 +254,8 @@ std::uint32_t Facts::fromComparison(SpvOp op, Id value, std::uint32_t limit, Id 
   }
 }
 
-/// True for a loop's counter that starts at a constant and grows by a constant only where the comparison
-/// that leads to `block` has held.
+/// True for a loop counter that starts at a constant and is increased by a constant, but only after the
+/// comparison that leads to `block` has held.
 bool Facts::countsUp(Id value, Id block) const {
   const Instruction* phi = made(value);
   if (phi == nullptr || phi->op != SpvOpPhi || phi->operands.size() != 4) return false;

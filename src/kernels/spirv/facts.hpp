@@ -7,24 +7,25 @@
 
 namespace simreel::kernels {
 
-/// Upper bounds of integers, from how they are made and from the branches that lead to a block. Keeps its
-/// own copy of the body, so a pass may change the module's while it asks.
+/// Upper bounds of integers. They are derived from the instructions that compute the integers and from the
+/// branches that lead to a block. The object copies the body, so a pass may change the module while it
+/// queries bounds.
 class Facts {
  public:
   explicit Facts(const Module& module);
 
-  /// Returns an upper bound of an integer, read as unsigned, in the block with this label; 0xffffffff if
-  /// nothing is known.
+  /// Returns an upper bound of an integer, read as unsigned, in the block with label `block`. Returns
+  /// 0xffffffff if nothing is known.
   [[nodiscard]] std::uint32_t atMost(Id value, Id block) const { return atMost(value, block, 8); }
   /// True if every path to block `b` leads through block `a`.
   [[nodiscard]] bool dominates(Id a, Id b) const;
 
  private:
   struct Node {
-    std::vector<Id> before;  ///< labels of the predecessors
-    Instruction end;         ///< the branch at its end
-    Id dominator = 0;        ///< immediate; 0 for the first block of a function
-    std::size_t order = 0;   ///< in reverse postorder
+    std::vector<Id> before;  ///< labels of the predecessor blocks
+    Instruction end;         ///< branch at the end of the block
+    Id dominator = 0;        ///< label of the immediate dominator; 0 for the first block of a function
+    std::size_t order = 0;   ///< index in reverse postorder
   };
 
   void read();
@@ -43,9 +44,9 @@ class Facts {
   const Module& module_;
   std::vector<Instruction> body_;
   std::unordered_map<Id, std::size_t> made_;
-  std::unordered_map<Id, Id> in_;  ///< the block of each instruction with a result
+  std::unordered_map<Id, Id> in_;  ///< label of the block that contains each instruction, by result id
   std::unordered_map<Id, Node> blocks_;
-  std::unordered_map<Id, Id> stored_;  ///< values of variables with a single store; 0 for several
+  std::unordered_map<Id, Id> stored_;  ///< value of each variable with a single store; 0 for several stores
 };
 
 }  // namespace simreel::kernels

@@ -53,7 +53,7 @@ class Layout {
   }
 
  private:
-  /// Returns the size of a matrix of `vectors` vectors with `numbers` components each.
+  /// Returns the size of a matrix that consists of `vectors` vectors with `numbers` components each.
   Size matrix(std::uint32_t vectors, std::uint32_t numbers) const {
     const std::uint32_t stride = std::max(numbers == 2 ? 8U : 16U, least_);
     return {stride * vectors, stride};

@@ -115,7 +115,7 @@ Module::Module(std::span<const std::uint32_t> words) {
     at += count;
     inBody = inBody || made.op == SpvOpFunction;
     if (made.op == SpvOpLabel || made.op == SpvOpFunctionEnd) ended = false;
-    if (ended) continue;  // skips dead code that glslang 12 emits after some returns
+    if (ended) continue;  // Dead code that glslang 12 emits after some returns is skipped.
     ended = inBody && endsBlock(made.op);
     if (inBody)
       body.push_back(std::move(made));

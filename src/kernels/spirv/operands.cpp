@@ -1,12 +1,12 @@
-// Tells which operands of an instruction are ids.
+// Determines which operands of an instruction are ids.
 #include "kernels/spirv/module.hpp"
 
 namespace simreel::kernels {
 
 namespace {
 
-/// Number of id operands before the literals, for instructions that end in literals; -1 if all operands are
-/// ids.
+/// Returns the number of id operands before the literals, for instructions that end in literals. Returns -1
+/// if all operands are ids.
 int idsBeforeLiterals(SpvOp op) {
   switch (op) {
     case SpvOpTypeInt:
@@ -50,7 +50,7 @@ int idsBeforeLiterals(SpvOp op) {
   }
 }
 
-/// Index of the image operands mask of an image instruction; -1 for other instructions.
+/// Returns the index of the image operands mask of an image instruction; -1 for other instructions.
 int imageMask(SpvOp op) {
   switch (op) {
     case SpvOpImageSampleImplicitLod:

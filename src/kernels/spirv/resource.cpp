@@ -15,7 +15,8 @@ Resource resourceOf(const Module& module, const Instruction& variable) {
   switch (variable.operands[0]) {
     case SpvStorageClassStorageBuffer:
       return Resource::storage;
-    case SpvStorageClassUniform:  // before SPIR-V 1.3 storage buffers use this class with BufferBlock
+    case SpvStorageClassUniform:  // Before SPIR-V 1.3, storage buffers use this storage class with the
+                                  // decoration BufferBlock.
       return module.decoration(type.result, SpvDecorationBufferBlock) ? Resource::storage : Resource::block;
     case SpvStorageClassUniformConstant:
       if (type.op == SpvOpTypeSampler) return Resource::sampler;

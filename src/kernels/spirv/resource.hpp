@@ -14,12 +14,13 @@ enum class Resource { none, storage, block, image, texture, sampler };
 
 /// True for an array of resources.
 [[nodiscard]] bool isArrayed(const Module& module, const Instruction& variable);
-/// Returns a unique name for a block. OpenGL identifies blocks by their type name, but HLSL buffers may
-/// share a type; cbuffers have no variable name.
+/// Returns a unique name for a block. OpenGL identifies blocks by the name of their type, but HLSL buffers
+/// may share a type, and cbuffers have no variable name.
 [[nodiscard]] std::string blockName(const Module& module, Id variable, bool hlsl);
-/// Returns the user's name of a buffer, without glslang's @ suffixes.
+/// Returns the name of a buffer in the user's source, without glslang's @ suffixes.
 [[nodiscard]] std::string bufferName(const Module& module, Id variable, bool hlsl);
-/// Removes glslang's @ suffixes from a name: "@data" for a buffer's elements, "_Found@count" for a counter.
+/// Removes the @ suffixes that glslang adds to names: "@data" for a buffer's elements, "_Found@count" for a
+/// counter.
 [[nodiscard]] std::string plainName(const std::string& name);
 
 }  // namespace simreel::kernels

@@ -23,8 +23,8 @@ class Writing {
   }
   void put(SpvOp op, Words operands) { to_.push_back({op, 0, 0, std::move(operands)}); }
   void label(Id id) { to_.push_back({SpvOpLabel, 0, id, {}}); }
-  /// Opens an if block: the following instructions run only if the condition is true. Returns the label for
-  /// close().
+  /// Opens an if block: the instructions that follow run only if the condition is true. Returns the label
+  /// for close().
   Id open(Id condition) {
     const Id inner = module_.fresh(), merge = module_.fresh();
     put(SpvOpSelectionMerge, {merge, SpvSelectionControlMaskNone});
@@ -36,17 +36,17 @@ class Writing {
     put(SpvOpBranch, {merge});
     label(merge);
   }
-  /// Starts a void function with these parameter types; returns the ids of its parameters.
+  /// Starts a void function with these parameter types. Returns the ids of the parameters.
   Words function(Id id, const Words& parameterTypes);
   void end() {
     put(SpvOpReturn, {});
     put(SpvOpFunctionEnd, {});
   }
 
-  /// Emits `a` if the scalar condition is true, else `b`. `result`: an existing id for the result; 0: a
-  /// fresh one.
+  /// Emits `a` if the scalar condition is true, else `b`. `result`: existing id for the result; 0 for a new
+  /// one.
   Id select(Id condition, Id type, Id a, Id b, Id result = 0);
-  /// Bitcasts an integer to unsigned (asUint) or signed (asInt).
+  /// asUint() and asInt() bitcast an integer to unsigned and signed.
   Id asUint(Id value) { return cast(value, module_.uintType()); }
   Id asInt(Id value) { return cast(value, module_.intType()); }
   Id load(Id type, Id pointer) { return emit(SpvOpLoad, type, {pointer}); }
@@ -72,7 +72,8 @@ Id builtIn(Module& module, SpvBuiltIn what, std::uint32_t length = 3);
 /// Returns the number of threads of a workgroup in x, y and z.
 [[nodiscard]] std::array<std::uint32_t, 3> groupSize(const Module& module);
 
-/// Creates a storage buffer `name` with a single unsized array `member` of `element`.
+/// Creates a storage buffer `name` that contains only an unsized array `member` with elements of type
+/// `element`.
 Id storageBuffer(Module& module, const std::string& name, const std::string& member, Id element,
                  std::uint32_t stride);
 

@@ -33,8 +33,8 @@ class Splitting {
   }
 
  private:
-  /// Collects the blocks that test whether a loop goes on, with the labels behind their loops: the header,
-  /// or the block to which the header leads.
+  /// Finds the blocks that test whether a loop continues, with the labels of the loops' merge blocks. Such
+  /// a block is the loop header or the block to which the header branches.
   void find() {
     Id label = 0, after = 0;
     for (const Instruction& one : module_.body) {
@@ -67,7 +67,7 @@ class Splitting {
     moved_[after][label] = made;
   }
 
-  /// Makes the phis name the new blocks.
+  /// Changes the phis to refer to the new blocks.
   void rename() {
     Id label = 0;
     for (Instruction& one : module_.body) {
@@ -81,9 +81,10 @@ class Splitting {
   }
 
   Module& module_;
-  std::unordered_set<Id> phis_;  ///< labels of blocks with phis
+  std::unordered_set<Id> phis_;  ///< labels of blocks that contain phis
   std::unordered_map<Id, Id> tests_;
-  std::unordered_map<Id, std::unordered_map<Id, Id>> moved_;  ///< new blocks by target and origin
+  std::unordered_map<Id, std::unordered_map<Id, Id>> moved_;  ///< labels of new blocks by target and origin
+                                                              ///< of the branch
 };
 
 }  // namespace

@@ -3,9 +3,9 @@
 
 namespace simreel::kernels {
 
-/// Puts a block between the test of a loop and the block behind it, if that block has phis. SPIRV-Cross
-/// writes such a loop as `for (; test;)` and leaves out the values that the phis have where the test fails.
-/// Undefined values become zero.
+/// Inserts a block between the test of a loop and the loop's merge block, if the merge block has phis.
+/// SPIRV-Cross writes such a loop as `for (; test;)` and leaves out the values that the phis have if the
+/// test fails. Undefined values become zero.
 void splitLoopExits(Module& module);
 
 }  // namespace simreel::kernels

@@ -14,7 +14,7 @@ namespace simreel::kernels {
 
 namespace {
 
-/// Wraps SPIRV-Cross. Its error messages are texts in its context.
+/// Wraps the C interface of SPIRV-Cross. Error messages come from its context.
 class Cross {
  public:
   explicit Cross(const Words& words) {
@@ -52,9 +52,10 @@ void setOptions(const Cross& cross) {
   cross.check(spvc_compiler_install_compiler_options(cross.compiler, options));
 }
 
-/// Tells NVIDIA's compiler, and no other, to select values without branches. The many selections of exact
-/// functions are otherwise branches: on an H200, gravity takes 1.3 times as long with them. Not for sines,
-/// whose reduction of large angles must stay behind a branch.
+/// Directive that makes NVIDIA's compiler use selections instead of branches; other compilers ignore it.
+/// Exact functions contain many selections. On an H200, gravity takes 1.3 times as long if they are
+/// branches. The directive is not used for sines, because their reduction of large angles must stay behind
+/// a branch.
 constexpr const char* selectNotBranch = "#pragma optionNV(ifcvt all)\n";
 
 Texture texture(const Module& module, Id variable) {
@@ -71,7 +72,7 @@ Texture texture(const Module& module, Id variable) {
   return made;
 }
 
-/// Orders shared memory at barriers explicitly: Mesa moves reads of it behind a bare barrier().
+/// Adds explicit memory barriers for shared memory, because Mesa moves reads of it past a bare barrier().
 void orderShared(std::string& text) {
   constexpr std::string_view bare = " barrier();",
                              ordered = " memoryBarrierShared(); barrier(); memoryBarrierShared();";
@@ -79,8 +80,8 @@ void orderShared(std::string& text) {
     text.replace(at, bare.size(), ordered);
 }
 
-/// Collects the textures: combined GLSL samplers, and pairs of separate textures and samplers, which are
-/// combined here.
+/// Collects the textures: combined GLSL samplers, and pairs of separate textures and samplers, which this
+/// function combines.
 void joinSamplers(const Module& module, const Cross& cross, Kernel& kernel) {
   const auto bind = [&](Id id, Texture made, const std::string& name) {
     made.uniform = name;

@@ -16,7 +16,7 @@ std::string_view trimmed(std::string_view text) {
 
 /// Increments of a line `for (start; test; increments)`.
 struct Increments {
-  std::size_t at = 0;  ///< position of the first one in the line
+  std::size_t at = 0;  ///< index in the line at which the first increment begins
   std::vector<std::string_view> all;
 };
 
@@ -40,16 +40,17 @@ bool beginsLoop(std::string_view text) {
   return text.starts_with("for (") || text.starts_with("while (") || text == "do";
 }
 
-/// Lines of a loop's body that matter here.
+/// Positions of lines in a loop's body.
 struct Body {
   std::size_t end = 0;                 ///< line of the closing brace
-  std::vector<std::size_t> continues;  ///< lines `continue;` of this loop, not of loops within
+  std::vector<std::size_t> continues;  ///< indices of the lines `continue;` of this loop, without those of
+                                       ///< nested loops
 };
 
-/// Returns the body that begins with a brace in line `open`.
+/// Returns the body whose opening brace is in line `open`.
 Body bodyAt(const std::vector<std::string_view>& lines, std::size_t open) {
   Body body;
-  std::vector<bool> loops;  // for each open brace: true if it belongs to a loop
+  std::vector<bool> loops;  // one entry for each open brace; true if it belongs to a loop
   for (std::size_t i = open; i < lines.size(); ++i) {
     const std::string_view text = trimmed(lines[i]);
     if (text.starts_with("{")) loops.push_back(beginsLoop(trimmed(lines[i - 1])));
@@ -73,7 +74,7 @@ void moveIncrements(std::string& glsl) {
     lines.push_back(rest.substr(0, end));
     rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
   }
-  std::vector<std::string> before(lines.size());  // statements to put before each line
+  std::vector<std::string> before(lines.size());  // statements to insert before each line
   std::string out;
   out.reserve(glsl.size());
   for (std::size_t i = 0; i < lines.size(); ++i) {

@@ -52,7 +52,7 @@ class Reflecting {
       case SpvOpTypeMatrix: {
         const std::uint32_t columns = made.operands[1],
                             rows = module_.global(made.operands[0])->operands[1];
-        // glslang represents an HLSL matrix by its transpose
+        // glslang represents an HLSL matrix by its transpose.
         if (hlsl_) return fmt::format("float{}x{}", columns, rows);
         return columns == rows ? fmt::format("mat{}", columns) : fmt::format("mat{}x{}", columns, rows);
       }
@@ -104,7 +104,7 @@ class Reflecting {
            array = module_.global(type)) {
         member.array.push_back(
             array->op == SpvOpTypeArray ? module_.constant(array->operands[1]).value_or(1) : 0);
-        // stride of the innermost array; nested arrays have no padding
+        // The stride is that of the innermost array; nested arrays have no padding.
         member.stride = module_.decoration(type, SpvDecorationArrayStride).value_or(0);
         type = array->operands[0];
       }
@@ -154,7 +154,7 @@ std::unordered_map<Id, Use> uses(const Module& module) {
       case SpvOpLoad:
         from[one.result] = one.operands[0];
         found[one.operands[0]].whole = true;
-        // a loaded image counts as read only if a later instruction reads it
+        // A loaded image counts as read only if a later instruction reads it.
         if (const Instruction* type = module.global(one.type);
             type == nullptr || (type->op != SpvOpTypeImage && type->op != SpvOpTypeSampledImage))
           found[root(one.operands[0])].reads = true;
@@ -202,7 +202,8 @@ void describeImage(const Module& module, const Instruction& image, Texture& text
 
 namespace {
 
-/// The numbers of the running invocation and its group: pointers to all three, and the three as a value.
+/// The indices of the running invocation and its workgroup in the module's code: pointers to a whole index,
+/// and loaded values of it.
 class Numbers {
  public:
   explicit Numbers(const Module& module) {
@@ -226,7 +227,7 @@ class Numbers {
   [[nodiscard]] bool has(const Instruction& one, std::size_t at) const {
     return at < one.operands.size() && isId(one, at) && ids_.contains(one.operands[at]);
   }
-  /// True where follow() knows what becomes of all numbers among the operands.
+  /// True if follow() can determine the use of each index among the operands.
   [[nodiscard]] bool follows(const Instruction& one) const {
     return one.op == SpvOpLoad || one.op == SpvOpFunctionCall ||
            (one.op == SpvOpStore && ids_.contains(one.operands[0]));

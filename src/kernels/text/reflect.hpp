@@ -5,15 +5,16 @@
 
 namespace simreel::kernels {
 
-/// Returns thread groups, buffers, images and blocks of a module after layOut(). writeGlsl() adds the
+/// Returns the workgroup size, buffers, images and blocks of a module after layOut(). writeGlsl() adds the
 /// textures, because it combines them with samplers.
 [[nodiscard]] Kernel reflected(const Module& module, Language language);
 
-/// Returns the axes along which a module's code asks for the number of its invocation or group, as
-/// Kernel::axes. Call before code that reports is added.
+/// Returns the axes along which a module reads the index of its invocation or workgroup, as in
+/// Kernel::axes. Must be called before report code is added.
 [[nodiscard]] unsigned numberedAxes(const Module& module);
 
-/// "2D", "3DArray" and so on, and "float", "int", "uint" of an image's type.
+/// Sets the type of `texture` from an image's type: "2D", "3DArray" and so on, and the component type
+/// "float", "int" or "uint".
 void describeImage(const Module& module, const Instruction& image, Texture& texture);
 
 }  // namespace simreel::kernels

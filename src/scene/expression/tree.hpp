@@ -38,14 +38,18 @@ enum class Operation : std::uint8_t {
   cos,
   tanh,
   choose,      ///< if(condition, then, else); both branches are evaluated
-  laplacian,   ///< Laplace operator on a grid, second-order accurate in the spacing
-  ddx,         ///< d/dx by central difference, second-order accurate; x grows to the right
-  ddy,         ///< d/dy by central difference, second-order accurate; y grows downwards
-  ddz,         ///< d/dz by central difference between layers of a volume, second-order accurate
-  diffuse,     ///< diffuse(D, u): div(D grad u), second-order accurate; conserves the sum of u
-  neighbours,  ///< sum of the 4 cells that share an edge; in a volume, of the 6 that share a face
-  corners,  ///< sum of the 4 cells that share only a corner; in a volume, of the 12 that share only an edge
-  around,   ///< sum of all 8 adjacent cells, 26 in a volume; on a mesh the same as `neighbours`
+  laplacian,   ///< Laplace operator on a grid; error of second order in the cell size
+  ddx,         ///< d/dx by central difference, error of second order in the cell size; x grows to the right
+  ddy,         ///< d/dy by central difference, error of second order in the cell size; y grows downwards
+  ddz,         ///< d/dz by central difference between the layers of a volume; error of second order in the
+               ///< cell size
+  diffuse,     ///< diffuse(D, u): div(D grad u), error of second order in the cell size; conserves the sum
+               ///< of u
+  neighbours,  ///< sum over the 4 cells that share an edge with the cell; in a volume, over the 6 that
+               ///< share a face
+  corners,  ///< sum over the 4 cells that share only a corner with the cell; in a volume, over the 12 that
+            ///< share only an edge
+  around,   ///< sum over all 8 adjacent cells, 26 in a volume; on a mesh the same as `neighbours`
   noise,    ///< noise(k): pseudo-random number in -1..1, new in every cell and step
   random,   ///< random(k): pseudo-random number in -1..1, new in every cell, constant in time
 };
@@ -82,7 +86,7 @@ struct ExpressionMistake {
   std::string message;
 };
 
-/// Limits that bound the memory an untrusted expression can use.
+/// Limits on an expression's size. They bound the memory that an untrusted scene can use.
 inline constexpr std::size_t maxExpressionBytes = 16384;
 inline constexpr std::size_t maxExpressionNodes = 2000;
 inline constexpr int maxExpressionDepth = 64;  ///< maximum nesting depth of parentheses, signs and powers
@@ -94,9 +98,8 @@ inline constexpr int maxExpressionDepth = 64;  ///< maximum nesting depth of par
 /// Parses an expression: sums, products, powers, comparisons, and, or, not, calls of expressionFunctions(),
 /// numbers and names. Powers associate to the right and bind tighter than the sign: -a^2 = -(a^2). Throws
 /// ExpressionMistake.
-///
-/// `lookups`: functions whose argument is a name, such as count(_Points). Each call becomes a name node
-/// "count(_Points)".
+/// `lookups`: names of functions whose argument is a name, such as count(_Points). Such a call becomes a
+/// name node with the text "count(_Points)".
 [[nodiscard]] ExpressionTree parseExpression(std::string_view text,
                                              std::span<const char* const> lookups = {});
 

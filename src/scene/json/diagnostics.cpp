@@ -19,7 +19,7 @@ bool continues(char c) {
 
 constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
 
-/// Returns the part of the line around an error and, below it, a line with a caret.
+/// Returns the part of the line around an error, followed by a second line with a caret below the error.
 std::string excerpt(std::string_view line, std::size_t begin, std::size_t end) {
   constexpr std::size_t before = 60, max = 110;
   std::size_t from = 0, to = line.size();

@@ -6,15 +6,15 @@
 
 namespace simreel::scene {
 
-/// Bytes [begin, end) of one source text. Source 0 is the scene file; other sources are further files and
-/// -D overrides.
+/// Byte range [begin, end) in one source text. Source 0 is the scene file. Other sources are further files
+/// and -D overrides.
 struct Place {
   int source = 0;
   std::size_t begin = 0;
   std::size_t end = 0;
 };
 
-/// Collects all errors of a scene and prints them in the order of their places.
+/// Collects all errors of a scene and prints them in the order of their position in the sources.
 class Diagnostics {
  public:
   /// `text` must outlive this object.
@@ -25,7 +25,7 @@ class Diagnostics {
   /// Adds another file as a source. Returns its source number. `text` must outlive this object.
   int addFile(std::string file, std::string_view text);
   void add(Place place, std::string message);
-  /// Adds a warning at a place of a source.
+  /// Adds a warning at a place in a source.
   void remark(Place place, std::string message);
   [[nodiscard]] bool isOverride(int source) const;
 
@@ -58,10 +58,10 @@ class Diagnostics {
     Place place;
     std::string message;
   };
-  /// Returns the entries sorted by place. Entries at the same place keep the order in which they were
+  /// Returns the entries sorted by place. Entries at the same place stay in the order in which they were
   /// found.
   [[nodiscard]] static std::vector<const Error*> inOrder(const std::vector<Error>& found);
-  /// Bytes [begin, end) of the line that contains a place's first byte, `at`.
+  /// Byte range [begin, end) of a line, and the index `at` of the byte in it where a place begins.
   struct Line {
     std::size_t begin, end, at;
   };

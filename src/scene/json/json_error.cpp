@@ -28,7 +28,7 @@ std::string explainWord(std::string_view word) {
   return fmt::format("unknown word {}; strings and keys need double quotes", inQuotes(word));
 }
 
-/// Explains a valid token at a place where JSON does not allow it.
+/// Explains a valid token at a position where JSON does not allow it.
 std::string explainUnexpected(std::string_view what, std::string_view text, std::size_t begin) {
   const auto says = [&](std::string_view part) { return what.find(part) != std::string_view::npos; };
   const char found = text[begin];

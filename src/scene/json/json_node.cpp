@@ -15,8 +15,8 @@ namespace simreel::scene {
 
 namespace {
 
-/// Iterator that counts the bytes that the JSON parser has consumed. The parser reports no positions, so
-/// the builder computes the place of a value from this count.
+/// Iterator that counts the bytes that the JSON parser has consumed. The parser does not report positions,
+/// so the builder computes the place of a value from this count.
 class CountingIterator {
  public:
   using iterator_category = std::input_iterator_tag;

@@ -10,7 +10,7 @@
 
 namespace simreel::scene {
 
-/// Limits that bound the memory an untrusted scene can use.
+/// Limits on a scene's text. They bound the memory that an untrusted scene can use.
 inline constexpr std::size_t maxSceneBytes = std::size_t{4} << 20;
 inline constexpr std::size_t maxDepth = 64;
 inline constexpr std::size_t maxValues = 1'000'000;
@@ -21,27 +21,28 @@ struct Node {
 
   Kind kind = Kind::null;
   bool boolean = false;
-  int source = 0;  ///< source number of the text (see Place)
+  int source = 0;  ///< number of the source (see Place)
   double number = 0.0;
   std::string text;
   std::vector<Node> children;  ///< items of a list or members of an object, in file order
-  std::string key;             ///< key of the value if it is an object's member
+  std::string key;             ///< key of the value if the value is a member of an object
   std::uint32_t begin = 0, end = 0;
-  /// Byte range of the key with its quotes; both 0 for a value without a key.
+  /// Byte range of the key including its quotes; both are 0 for a value without a key.
   std::uint32_t keyBegin = 0, keyEnd = 0;
 
   [[nodiscard]] const Node* find(std::string_view name) const;
   [[nodiscard]] Node* find(std::string_view name);
   [[nodiscard]] Place place() const { return {source, begin, end}; }
-  /// Returns the place of the key, or of the value's first byte if there is no key. Use it for messages
-  /// about a whole group.
+  /// Returns the place of the key, or of the value's first byte if there is no key. Messages about a whole
+  /// group use it.
   [[nodiscard]] Place headPlace() const;
   /// Returns the kind in words: "a number", "a string", ...
   [[nodiscard]] const char* kindText() const;
 };
 
-/// Parses `text`, which starts at byte `base` of source `source` and extends to its end. Skips `//` and `/*
-/// */` comments. Reports errors to `diagnostics`. Returns nullopt if the text cannot be parsed to its end.
+/// Parses the part of `text` from byte `base` to the end. `source` is the source number for places. Skips
+/// `//` and `/* */` comments. Reports errors to `diagnostics`. Returns nullopt if the text cannot be parsed
+/// to the end.
 [[nodiscard]] std::optional<Node> parseJson(std::string_view text, int source, std::size_t base,
                                             Diagnostics& diagnostics);
 

@@ -17,8 +17,8 @@ inline constexpr const char* plainNameText = "must be 1 to 64 letters, digits, '
 /// Returns `text` in double quotes, shortened if very long.
 [[nodiscard]] std::string inQuotes(std::string_view text);
 
-/// Returns the hint to print after an unknown name: `did you mean "x"?` if one name is similar, else the
-/// list of all names.
+/// Returns the hint to print after an unknown name: `did you mean "x"?` if a known name is similar, else
+/// the list of all known names.
 [[nodiscard]] std::string suggestion(std::string_view unknown, std::span<const std::string> names);
 
 /// Splits a camel-case name into lower-case words joined by `between`: "maxDiffRatio" with '-' becomes

@@ -33,8 +33,9 @@ class Explainer final : public Fields {
     std::string file;  ///< name of the scene file without folders
     std::vector<ExplainedValue>& values;
   };
-  /// `node`: the scene's node for these fields; null if it gives none. `standard`: the default values; null
-  /// if unknown. `derived`: origin of a value that is neither given nor the default.
+  /// `node`: the scene's node for these fields; null if the scene gives none. `standard`: the default
+  /// values; null if unknown. `derived`: origin of a value that the scene does not give and that differs
+  /// from the default.
   Explainer(Shared& shared, std::string prefix, const Node* node, const Json* standard, std::string derived)
       : shared_(shared),
         prefix_(std::move(prefix)),
@@ -98,7 +99,7 @@ class Explainer final : public Fields {
 
   [[nodiscard]] bool given(const char* name) const override { return find(name) != nullptr; }
 
-  /// Origins of sections that the scene does not give but something else, such as a stage, fills in.
+  /// Origins of sections that the scene leaves out but something else, such as a stage, fills in.
   std::map<std::string, std::string> derivedSections = {};
 
  private:
@@ -117,7 +118,8 @@ class Explainer final : public Fields {
 
   [[nodiscard]] std::string whereOf(const Node& node) const {
     if (shared_.diagnostics.isOverride(node.source)) return "command line";
-    const std::string where = shared_.diagnostics.where(node.place());  // has the form file:line:column
+    const std::string where = shared_.diagnostics.where(node.place());  // The text of `where` has the form
+                                                                        // file:line:column.
     const std::size_t column = where.rfind(':');
     const std::size_t line = where.rfind(':', column - 1);
     return shared_.file + where.substr(line, column - line);
@@ -176,7 +178,7 @@ std::vector<ExplainedValue> explainScene(Scene& scene, const std::filesystem::pa
   Diagnostics diagnostics(name.string(), text);
   std::optional<Node> root = parseJson(text, 0, 0, diagnostics);
   std::vector<ExplainedValue> values;
-  if (!root) return values;  // cannot happen: the same text was parsed before
+  if (!root) return values;  // This cannot happen, because the same text was parsed before.
   for (const Override& change : overrides) applyOverride(*root, change, diagnostics);
   Explainer::Shared shared{diagnostics, name.filename().string(), values};
 

@@ -8,16 +8,16 @@
 
 namespace simreel::scene {
 
-/// One value of a scene as it is used, with its origin.
+/// One value of a scene in effect, with its origin.
 struct ExplainedValue {
-  std::string path;       ///< path of the value as option -D takes it: "objects.flag.cloth.size"
-  std::string value;      ///< JSON; "off" for an absent group
+  std::string path;       ///< path of the value as in option -D: "objects.flag.cloth.size"
+  std::string value;      ///< value as JSON; "off" for an absent group
   std::string origin;     ///< origin of the value: "flag.json:12", "command line", "default", "stage", ...
   bool standard = false;  ///< true if the value is its plain default
 };
 
 /// Returns all values of a loaded scene in the order of their declarations. `file`, `overrides` and `kinds`
-/// must be those that the scene was loaded with.
+/// must be the same as when the scene was loaded.
 [[nodiscard]] std::vector<ExplainedValue> explainScene(Scene& scene, const std::filesystem::path& file,
                                                        std::span<const Override> overrides,
                                                        const Kinds& kinds);

@@ -43,7 +43,7 @@ std::size_t columnFor(const Items& items, Name name) {
   return widest + 4;
 }
 
-/// Returns the table of quantities that checks and charts can name.
+/// Returns the table of quantities that checks and charts can use.
 std::string quantitiesText(std::span<const Quantity> quantities, std::size_t width) {
   if (quantities.empty()) return "";
   const std::size_t column = columnFor(quantities, [](const Quantity& q) { return std::string(q.name); });
@@ -55,7 +55,7 @@ std::string quantitiesText(std::span<const Quantity> quantities, std::size_t wid
   return out;
 }
 
-/// Wraps lines that are too wide. Rows of a table wrap within their second column.
+/// Wraps lines that are too wide. Rows of a table wrap inside their second column.
 std::string appendixText(const std::string& text, std::size_t width) {
   std::string out = "\n";
   for (std::size_t at = 0; at < text.size();) {

@@ -10,20 +10,20 @@
 
 namespace simreel::scene {
 
-/// Content of the page `simreel list NAME` for one kind of object or one section of a scene.
+/// Content of the page that `simreel list NAME` prints for one kind of object or one section of a scene.
 struct HelpPage {
   std::string name, doc;
   bool isKind = false;  ///< true for a kind of object
   std::vector<HelpRow> rows;
   std::vector<Quantity> quantities;
-  std::string appendix;  ///< text after the parameters; empty: none
+  std::string appendix;  ///< text after the parameters; empty if there is none
 
   /// Returns the parameters at `path` ("pins", "pins[].rows", "pins.rows") and below it; brackets may be
   /// left out.
   [[nodiscard]] std::vector<HelpRow> rowsAt(std::string_view path) const;
 };
 
-/// A name and a sentence that describes it.
+/// Name of a help page, and a sentence that describes it.
 struct HelpTitle {
   std::string name, doc;
 };

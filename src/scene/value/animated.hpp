@@ -9,13 +9,13 @@
 
 namespace simreel::scene {
 
-/// Interpolation between two keys. linear: straight. smooth: velocity 0 at every key. spline: continuous
-/// velocity, 0 at the first and last key. hold: constant until the next key.
+/// Interpolation between two keys. linear: straight line. smooth: velocity 0 at every key. spline:
+/// continuous velocity, 0 at the first and last key. hold: constant until the next key.
 enum class Ease { linear, smooth, spline, hold };
 inline constexpr std::array<const char*, 4> easeWords = {"linear", "smooth", "spline", "hold"};
 
-/// Value that is constant or moves along keyframes. It is constant before the first key and after the last.
-/// Two keys at the same time are a jump; at that time the value is the second key's.
+/// Value that is constant or changes along keyframes. It is constant before the first key and after the
+/// last. Two keys at the same time are a jump; at that time the value is that of the second key.
 template <class T>
 class Animated {
  public:
@@ -41,9 +41,9 @@ class Animated {
         return keys_[k].time;
     return -std::numeric_limits<double>::infinity();
   }
-  /// Returns the value at `seconds`. Ease::smooth uses 3u^2 - 2u^3 between neighbouring keys, Ease::spline
-  /// a cubic with the velocities of speedAt(). Uses only basic arithmetic, so that every machine computes
-  /// the same bits.
+  /// Returns the value at `seconds`. Ease::smooth uses 3u^2 - 2u^3, where u is the fraction of the time
+  /// between two adjacent keys. Ease::spline uses a cubic with the velocities of speedAt(). Both use only
+  /// basic arithmetic, so that every machine computes the same bits.
   [[nodiscard]] T at(double seconds) const {
     if (keys_.empty()) return T{};
     const auto next =
@@ -82,7 +82,7 @@ class Animated {
     const double first = 2 * next + long_, second = next + 2 * long_;
     return (first + second) / (first / before + second / after);
   }
-  /// Returns the spline's value between keys k and k + 1, at the fraction u of their time interval.
+  /// Returns the spline's value between keys k and k + 1. u is the fraction of the time between them.
   [[nodiscard]] T splined(std::size_t k, double u) const {
     const double seconds = keys_[k + 1].time - keys_[k].time, v = 1 - u;
     const auto one = [&](int i) {

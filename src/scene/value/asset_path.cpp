@@ -19,7 +19,7 @@ bool isInside(const fs::path& file, const fs::path& root) {
   return std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first == root.end();
 }
 
-/// Asset folders of the scenes that name a file, by file.
+/// Maps each file to the asset folders of the scenes that name it.
 struct Around {
   std::mutex mutex;
   std::map<fs::path, std::set<fs::path>> folders;

@@ -7,8 +7,8 @@
 
 namespace simreel::scene {
 
-/// Resolves the file names in a scene. Scenes may be untrusted, so the files, with symbolic links resolved,
-/// must lie below the scene's own folder, a folder given by the user or the asset folder.
+/// Resolves the file names in a scene. Scenes may be untrusted, so every file, with symbolic links
+/// resolved, must lie below the scene's folder, a folder given by the user or the asset folder.
 class AssetFolders {
  public:
   /// `sceneFile` need not exist. Its folder is searched first, then `given` in order, then `shipped`. Empty

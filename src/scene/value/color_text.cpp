@@ -13,7 +13,7 @@ namespace {
 
 struct NamedColor {
   std::string_view name;
-  std::uint32_t rgb;  ///< sRGB, red in the highest byte of three
+  std::uint32_t rgb;  ///< sRGB with 8 bits per channel; red is the highest byte
 };
 
 /// Named colours of CSS Color Module Level 4, section 6.1, in alphabetical order.
@@ -175,7 +175,7 @@ glm::vec3 linearOf(std::uint32_t rgb) {
   return {channel(16), channel(8), channel(0)};
 }
 
-/// Returns the value of a hexadecimal digit, or nothing for another character.
+/// Returns the value of a hexadecimal digit, or nullopt for another character.
 std::optional<std::uint32_t> digitOf(char c) {
   if (c >= '0' && c <= '9') return c - '0';
   const int letter = std::tolower(static_cast<unsigned char>(c));

@@ -8,8 +8,8 @@
 
 namespace simreel::scene {
 
-/// Returns the linear RGB of "#rgb", "#rrggbb" (sRGB) or a named colour of CSS. Upper and lower case are
-/// equal. Returns nullopt for any other text.
+/// Returns the linear RGB of "#rgb", "#rrggbb" (sRGB) or a named colour of CSS. Ignores case. Returns
+/// nullopt for any other text.
 [[nodiscard]] std::optional<glm::vec3> colorOf(std::string_view text);
 
 /// Returns the named colours of CSS in alphabetical order.

@@ -34,17 +34,18 @@ inline constexpr Range notNegative{0.0, 1e9};
 inline constexpr Range fraction{0.0, 1.0};
 inline constexpr Range anyNumber{-1e9, 1e9};
 
-/// Pointer to the struct member that holds a field's value. With words, an int is the index of a word, or
-/// -1 for none; a std::vector<int> holds several such indices. If the first two words are "false" and
-/// "true", a scene gives them as JSON booleans.
+/// Pointer to the struct member that holds a field's value. If the field has words, an int is the index of
+/// a word, or -1 for none, and a std::vector<int> holds several such indices. If the first two words are
+/// "false" and "true", a scene gives them as JSON booleans.
 using Member =
     std::variant<bool*, int*, float*, double*, std::string*, std::filesystem::path*, glm::vec3*,
                  glm::ivec2*, Animated<float>*, Animated<glm::vec3>*, std::optional<int>*,
                  std::optional<double>*, std::vector<int>*, std::vector<glm::ivec2>*, Formula*, Formulas*>;
 
-/// Three numbers of a flat thing, which a scene may also give as two: the number of this axis is left out.
+/// Spec of a three-component value that a scene may give as two numbers if the object is flat. The number
+/// for `axis` is then left out.
 struct Flat {
-  int axis = -1;  ///< -1: three numbers are needed
+  int axis = -1;  ///< axis whose number may be left out; -1: three numbers are needed
   float value = 0;
 };
 
@@ -52,10 +53,11 @@ struct Flat {
 struct Spec {
   const char* doc = "";   ///< description in one sentence
   const char* unit = "";  ///< unit of measurement; "" for numbers without a unit
-  Range range = {};       ///< allowed range; it applies to each number of a vector
+  Range range = {};       ///< allowed range of a number, or of each component of a vector
   std::span<const char* const> words = {};
-  const char* none = nullptr;  ///< word in scenes for the empty value of a std::optional<int>
-  bool color = false;          ///< true: a vector is a linear RGB colour and may be given as text (colorOf)
+  const char* none = nullptr;  ///< word in scenes that stands for the empty value of a std::optional<int>
+  bool color = false;          ///< true if the vector is a linear RGB colour, which a scene may also give
+                               ///< as text (colorOf)
   Flat flat = {};
 
   /// True if the first two words are "false" and "true".
@@ -65,54 +67,57 @@ struct Spec {
   }
 };
 
-/// Interface through which parameters are declared. `describe(Fields&)` of a struct names each member with
-/// its default (the current value), range, unit and one sentence. Depending on the Fields it receives, the
-/// same call reads a scene, writes the JSON Schema or prints the help.
+/// Interface through which parameters are declared. `describe(Fields&)` of a struct declares each member
+/// with its default (the current value), range, unit and a one-sentence description. Depending on the
+/// Fields it receives, the same call reads a scene, writes the JSON Schema or prints the help.
 class Fields {
  public:
   virtual ~Fields() = default;
 
   virtual void field(const char* name, Member member, const Spec& spec) = 0;
-  /// Declares a group of fields. `present`: null, or set to true if the group is given, for a group that
-  /// switches a feature on.
+  /// Declares a group of fields. `present`: null, or, for a group that switches a feature on, a flag that
+  /// is set to true if the scene gives the group.
   virtual void section(const char* name, bool* present, const char* doc,
                        const std::function<void(Fields&)>& describe) = 0;
-  /// Declares a list of groups that now has `items` groups. `resize(n)` makes n fresh groups, then
-  /// `describe(fields, i)` is called for each.
+  /// Declares a list of groups, which has `items` groups before the call. `resize(n)` replaces them by n
+  /// groups with defaults. Then `describe(fields, i)` is called for each.
   virtual void listOf(const char* name, const char* doc, std::size_t maxItems, std::size_t items,
                       const std::function<void(std::size_t)>& resize,
                       const std::function<void(Fields&, std::size_t)>& describe) = 0;
-  /// Declares an object whose members are groups; the scene chooses the names of the members. `names`: the
-  /// current names. When a scene is read, `rename(n)` is called with its names and must replace the groups
-  /// by fresh ones, one for each name; then `describe(fields, i)` is called for each group. `one`: word for
-  /// one group in messages.
+  /// Declares an object whose members are groups with names that the scene chooses. `names`: the current
+  /// names. When a scene is read, `rename(n)` is called with the names in the scene and must replace the
+  /// groups by one group with defaults for each name. Then `describe(fields, i)` is called for each group.
+  /// `one`: word for one group in messages.
   virtual void namedGroups(const char* name, const char* doc, const char* one, std::size_t maxItems,
                            const std::vector<std::string>& names,
                            const std::function<void(const std::vector<std::string>&)>& rename,
                            const std::function<void(Fields&, std::size_t)>& describe) = 0;
-  /// Gives the former name of the field that is declared next. Scenes may still use it, with a warning that
-  /// says the new name.
+  /// Gives the former name of the field that is declared next. Scenes may still use the former name; a
+  /// warning then states the new name.
   virtual void formerly(const char* /*old*/, const char* /*name*/) {}
-  /// Lets the group declared next be given as one word, which sets its field `field`. In lists and named
-  /// groups, each group may be given as the value of that field: a word, a number or keyframes.
+  /// Allows the scene to give the group declared next as a single word, which sets its field `field`. In
+  /// lists and named groups, each group may be given as the value of that field: a word, a number or
+  /// keyframes.
   virtual void shorthand(const char* /*group*/, const char* /*field*/) {}
-  /// Lets the optional group declared next be given as true (the group with its defaults) or false.
+  /// Allows the scene to give the optional group declared next as true (the group with its defaults) or
+  /// false.
   virtual void switchable(const char* /*group*/) {}
-  /// Describes the value that the field just declared has if a scene leaves it out, for values that are not
-  /// constant ("the preset's"). Schema and help show it in place of the default.
+  /// Describes in words the default of the field just declared, if that default is not constant ("the
+  /// preset's"). Schema and help show these words as the default.
   virtual void leftOut(const char* /*name*/, const char* /*what*/) {}
-  /// Reports an error that involves several values, at the place of field `name`. Does nothing unless a
-  /// scene is being read.
+  /// Reports an error that involves several values, at the place of field `name`. Has an effect only while
+  /// a scene is read.
   virtual void error(const char* /*name*/, const std::string& /*message*/) {}
-  /// Does the same as error() at bytes [begin, end) of a string value, which the members in `path` lead to.
-  /// If the scene does not give that value, the place is this group.
+  /// Reports an error at bytes [begin, end) of the string value at `path`. If the scene does not give that
+  /// value, the error is reported at this group. Has an effect only while a scene is read.
   virtual void errorIn(const std::vector<std::string>& /*path*/, std::size_t /*begin*/, std::size_t /*end*/,
                        const std::string& /*message*/) {}
-  /// Warns that field `name`, which the scene gives, has no effect because of field `ruler`. It is no
+  /// Warns that field `name`, which the scene gives, has no effect because of field `ruler`. This is not an
   /// error, so that users can try one field without removing the other. Does not warn if only `ruler` comes
   /// from the command line. Both names may be paths, "group.name".
   virtual void idle(const char* /*name*/, const char* /*ruler*/, const std::string& /*message*/) {}
-  /// Calls idle() for each of `names` unless they are `used`. `what`: what the fields are for.
+  /// Calls idle() for each of `names` unless `used` is true. `what`: purpose of the fields, for the
+  /// message.
   void idleUnless(bool used, const char* ruler, std::initializer_list<const char*> names,
                   const std::string& what) {
     if (used) return;
@@ -123,7 +128,8 @@ class Fields {
   }
   /// True if the scene gives this field. False while the schema or the help is written.
   [[nodiscard]] virtual bool given(const char* /*name*/) const { return false; }
-  /// Returns the version of the scene that is read; the newest while the schema or the help is written.
+  /// Returns the version of the scene that is read. Returns the newest version while the schema or the help
+  /// is written.
   [[nodiscard]] virtual int version() const { return sceneVersion; }
 
   void boolean(const char* name, bool& value, const char* doc) { field(name, &value, {doc}); }
@@ -135,17 +141,17 @@ class Fields {
   void number(const char* name, Number& value, Range range, const char* unit, const char* doc) {
     field(name, &value, {doc, unit, range});
   }
-  /// Declares a number that is empty unless it is given.
+  /// Declares a number that is nullopt unless the scene gives it.
   void optionalNumber(const char* name, std::optional<double>& value, Range range, const char* unit,
                       const char* doc) {
     field(name, &value, {doc, unit, range});
   }
-  /// Declares three numbers, which may be Animated.
+  /// Declares a vector of three numbers, which may be Animated.
   template <class Vector>
   void vector(const char* name, Vector& value, Range range, const char* unit, const char* doc) {
     field(name, &value, {doc, unit, range});
   }
-  /// Declares three numbers of a thing that may be flat, so that two are enough.
+  /// Declares a vector of three numbers that a scene may give as two if the object is flat.
   template <class Vector>
   void flatVector(const char* name, Vector& value, Range range, const char* unit, const char* doc,
                   Flat flat) {
@@ -153,8 +159,8 @@ class Fields {
     spec.flat = flat;
     field(name, &value, spec);
   }
-  /// Declares a colour of three numbers (linear RGB), which may move if `Vector` is Animated. A scene may
-  /// also give it as "#rrggbb" or by its name.
+  /// Declares a linear RGB colour, which keyframes may change if `Vector` is Animated. A scene may also
+  /// give it as "#rrggbb" or by name.
   template <class Vector>
   void color(const char* name, Vector& value, Range range, const char* doc) {
     Spec spec{doc, "", range};
@@ -170,7 +176,7 @@ class Fields {
     field(name, &value, {doc, unit, range});
   }
   void text(const char* name, std::string& value, const char* doc) { field(name, &value, {doc}); }
-  /// Declares an integer or one word, for example 4 or "auto" (the empty value).
+  /// Declares an integer or one word, for example 4 or "auto". The word stands for nullopt.
   void integerOr(const char* name, std::optional<int>& value, const char* word, Range range,
                  const char* unit, const char* doc) {
     field(name, &value, {doc, unit, range, {}, word});
@@ -194,21 +200,21 @@ class Fields {
               const char* doc) {
     field(name, &value, {doc, "", {}, words});
   }
-  /// Declares a value of one or more components: numbers, expressions, or keyframes of numbers.
+  /// Declares a value of one or more components: numbers and expressions, or keyframes of numbers.
   void formula(const char* name, Formula& value, const char* unit, const char* doc) {
     field(name, &value, {doc, unit});
   }
-  /// Declares formulas under names that the scene chooses, or one formula without a name.
+  /// Declares several formulas with names that the scene chooses, or one formula without a name.
   void formulas(const char* name, Formulas& value, const char* doc) { field(name, &value, {doc}); }
-  /// Declares a file below the scene's folder or the asset folder. The value becomes its full path; empty:
-  /// none.
+  /// Declares a file below the scene's folder or the asset folder. The value becomes the full path, or
+  /// empty if the scene names no file.
   void asset(const char* name, std::filesystem::path& value, const char* doc) {
     field(name, &value, {doc});
   }
   void group(const char* name, const char* doc, const std::function<void(Fields&)>& describe) {
     section(name, nullptr, doc, describe);
   }
-  /// Declares a group that switches a feature on by being given.
+  /// Declares a group that switches a feature on if the scene gives it.
   void optionalGroup(const char* name, bool& present, const char* doc,
                      const std::function<void(Fields&)>& describe) {
     section(name, &present, doc, describe);
@@ -225,7 +231,7 @@ class Fields {
   void optionalGroup(const char* name, std::optional<Group>& group, const char* doc) {
     optionalGroup(name, group, doc, [](Fields& inner, Group& value) { value.describe(inner); });
   }
-  /// Declares a value that is empty unless it is given; help shows `shown` as its default.
+  /// Declares a value that is nullopt unless the scene gives it. The help shows `shown` as its default.
   template <class Value, class Declare>
   void onlyGiven(const char* name, std::optional<Value>& value, const Value& shown,
                  const Declare& declare) {
@@ -251,7 +257,7 @@ class Fields {
         },
         [&](Fields& fields, std::size_t i) { describe(fields, items[i]); });
   }
-  /// Declares a list of items with a member `name`, which is the item's key in the scene.
+  /// Declares named items. In the scene, an item's key is its name, which the member `name` holds.
   template <class Item, class Describe>
   void named(const char* name, std::vector<Item>& items, const char* doc, const char* one,
              Describe describe, std::size_t maxItems) {
@@ -271,7 +277,7 @@ class Fields {
   }
 };
 
-/// Number that a simulation measures from its state, for checks of tests.
+/// Number that a simulation measures from its state. Checks and charts use it.
 struct Quantity {
   const char* name;
   const char* unit;  ///< unit of measurement; "" for numbers without a unit
@@ -281,49 +287,54 @@ struct Quantity {
 /// Axis-aligned box.
 struct Box {
   glm::vec3 min{0}, max{0};  ///< opposite corners in metres
-  bool round = false;        ///< true if the content does not fill the corners, such as a ball
+  bool round = false;        ///< true if the content does not fill the box's corners, as for a ball
 };
 
-/// Extends the box to contain the point.
+/// Extends the box to contain the point. An empty box becomes the point.
 inline void include(std::optional<Box>& box, const glm::vec3& point) {
   if (!box) box = Box{point, point};
   box = Box{glm::min(box->min, point), glm::max(box->max, point)};
 }
 
-/// Parameters of one kind of object; each simulation derives its own.
+/// Parameters of one kind of object. Each simulation derives a class from it.
 struct Parameters {
   virtual ~Parameters() = default;
   virtual void describe(Fields& fields) = 0;
-  /// Returns the quantities that this kind of simulation measures if measures() is true.
+  /// Returns the quantities that this kind of simulation measures. They are available only if measures() is
+  /// true.
   [[nodiscard]] virtual std::span<const Quantity> quantities() const { return {}; }
   /// True if the simulation measures its quantities with the current parameters.
   [[nodiscard]] virtual bool measures() const { return !quantities().empty(); }
-  /// Returns the extent that an automatically placed camera must show; nullopt if the kind does not place
-  /// the camera. May read files that the parameters name; ignores files that cannot be read.
+  /// Returns the extent that an automatically placed camera must show. Returns nullopt if the camera need
+  /// not show the object. May read files that the parameters name; ignores files that cannot be read.
   [[nodiscard]] virtual std::optional<Box> framed() const { return std::nullopt; }
-  /// Returns the extent that the camera shows if framed() is empty for every object; nullopt: none.
+  /// Returns the extent that the camera shows if framed() is nullopt for every object. Returns nullopt if
+  /// there is none.
   [[nodiscard]] virtual std::optional<Box> framedAlone() const { return std::nullopt; }
-  /// Returns the height in metres of the ground that the object stands on or flows from, for a scene whose
-  /// ground has no height; nullopt: the lowest point of framed().
+  /// Returns the default height in metres of the ground below the object. Returns nullopt if it is the
+  /// lowest point of framed().
   [[nodiscard]] virtual std::optional<float> footing() const { return std::nullopt; }
-  /// Look of the object on a stage without a material (stage.hpp). Objects that shine need dark
+  /// Type of stage that suits the object if it has no material (stage.hpp). Shining objects need dark
   /// surroundings; a landscape needs no stage.
   enum class Looks { solid, cloth, shining, landscape };
   [[nodiscard]] virtual Looks looks() const { return Looks::solid; }
-  /// Returns in words what the object is drawn with in place of its material; null: it uses the material.
+  /// Returns a phrase for what the object is drawn with in place of its material. Returns null if the
+  /// object uses the material.
   [[nodiscard]] virtual const char* drawnWith() const { return nullptr; }
 };
 
-/// Entry of the list of simulations: name in scenes, one sentence, and factory of its parameters.
+/// Entry of the list of simulations: name in scenes, one sentence of description, and a factory for the
+/// parameters.
 struct Kind {
   const char* name;
   const char* doc;
   std::function<std::unique_ptr<Parameters>()> makeParameters;
-  /// Returns the text of a scene around a file of this kind's own format (such as a cell pattern), which
-  /// can be rendered like a scene. Returns an empty string for other files. Throws UserError if the file
-  /// cannot be read.
+  /// Returns the text of a scene that uses a file in a format of this kind (such as a cell pattern), so
+  /// that the file can be rendered like a scene. Returns an empty string for other files. Throws UserError
+  /// if the file cannot be read.
   std::function<std::string(const std::filesystem::path& file)> sceneAround = {};
-  /// Returns the text after the table of parameters on the page of `simreel list`; empty: none.
+  /// Returns text that `simreel list` prints after the kind's table of parameters. Returns an empty string
+  /// if there is none.
   std::function<std::string()> appendix = {};
 };
 

@@ -9,7 +9,8 @@
 
 namespace simreel::scene {
 
-/// Value of one or more components: numbers and expressions, or keyframes of one to four numbers.
+/// Value of one or more components. It consists of numbers and expressions, or of keyframes of one to four
+/// numbers.
 struct Formula {
   struct Part {
     double number = 0;
@@ -17,9 +18,9 @@ struct Formula {
 
     bool operator==(const Part&) const = default;
   };
-  std::vector<Part> parts;                    ///< components; matrices are in row-major order
+  std::vector<Part> parts;                    ///< components; a matrix is in row-major order
   std::optional<Animated<glm::vec4>> moving;  ///< keyframes; they replace `parts`
-  int width = 0;                              ///< number of components of `moving`
+  int width = 0;                              ///< number of components that `moving` uses
 
   [[nodiscard]] bool empty() const { return parts.empty() && !moving; }
   [[nodiscard]] std::size_t components() const {
@@ -27,7 +28,7 @@ struct Formula {
   }
 };
 
-/// Formulas under names, in the scene's order. A single formula without a name is the whole value.
+/// Formulas with names, in the scene's order. A single formula may have no name.
 struct Formulas {
   struct Named {
     std::string name;

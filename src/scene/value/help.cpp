@@ -12,7 +12,8 @@ namespace simreel::scene {
 
 namespace {
 
-/// Returns the range as "0..1", ">= 0", "> 0" or "<= 3"; "any" if no bound matters.
+/// Returns the range as "0..1", ">= 0", "> 0" or "<= 3". Returns "any" if the range has no meaningful
+/// bound.
 std::string shortRange(Range range) {
   const bool below = range.min > anyNumber.min, above = range.max < anyNumber.max;
   const std::string max = above ? fmt::format("{}", range.max) : "";
@@ -89,7 +90,7 @@ void HelpWriter::listOf(const char* name, const char* doc, std::size_t maxItems,
                         const std::function<void(std::size_t)>& resize,
                         const std::function<void(Fields&, std::size_t)>& describe) {
   const nlohmann::ordered_json standard = standardItems(items, resize, describe);
-  // Maximum characters of a default; longer defaults appear only in the schema.
+  // Max characters of a default in the table. Longer defaults appear only in the schema.
   constexpr std::size_t widest = 30;
   const std::string text = standard.dump();
   const auto value = shorthands_.find(name);

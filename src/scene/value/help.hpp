@@ -22,7 +22,7 @@ struct HelpRow {
 /// Fields that collect the rows of the help.
 class HelpWriter final : public Fields {
  public:
-  /// `expandGroups`: false shows each group or list as one row.
+  /// `expandGroups`: false to show each group or list as a single row.
   explicit HelpWriter(bool expandGroups) : expandGroups_(expandGroups) {}
   void add(const std::string& name, std::string standard, std::string range, const char* unit,
            std::string doc);

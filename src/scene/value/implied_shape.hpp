@@ -7,9 +7,10 @@
 
 namespace simreel::scene {
 
-/// Sets `shape` to `ofFile` (`name` in scenes) if the field `key` gives `file` and "shape" is left out.
-/// Reports an error if "shape" has another value, because other shapes do not read the file. `usual`:
-/// default of "shape" without a file, for the help. Call it after both fields have been declared.
+/// Handles a file that only one shape uses. Sets `shape` to `ofFile` (`name` in scenes) if the field `key`
+/// gives `file` and the scene leaves "shape" out. Reports an error if "shape" has another value, because
+/// other shapes do not read the file. `usual`: default of "shape" without a file, for the help. Must be
+/// called after both fields have been declared.
 template <class Shape>
 void implyShape(Fields& f, Shape& shape, Shape ofFile, const char* key, const std::filesystem::path& file,
                 const char* name, const char* usual) {

@@ -11,7 +11,8 @@ struct PathPlace {
   std::string object;
   Animated<float> progress = 0.0F;  ///< position on the path as a fraction of its length
   float height = 1.5F;              ///< height above the path in metres
-  float side = 0;                   ///< distance in metres to the right of the direction of travel
+  float side = 0;                   ///< distance in metres to the right of the path, seen in the direction
+                                    ///< of travel
   void describe(Fields& fields);
 };
 

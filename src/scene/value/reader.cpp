@@ -15,7 +15,7 @@ namespace simreel::scene {
 
 namespace {
 
-/// Reads one keyframe `[time, value]` that comes after the keyframes `before`. `readOne` reads the value.
+/// Reads one keyframe `[time, value]`. `before`: the keyframes read so far. `readOne` reads the value.
 template <class T, class ReadOne>
 std::optional<typename Animated<T>::Key> readKey(const Node& node,
                                                  const std::vector<typename Animated<T>::Key>& before,
@@ -40,7 +40,7 @@ std::optional<typename Animated<T>::Key> readKey(const Node& node,
   return typename Animated<T>::Key{*time, T(*value)};
 }
 
-/// Reads a field's node into a member of any type.
+/// Reads a field's value from a node into a member of any type.
 class MemberReader {
  public:
   MemberReader(const Node& node, const char* name, const Spec& spec, ReadContext context)
@@ -129,7 +129,7 @@ class MemberReader {
   }
 
  private:
-  /// Reads a formula: numbers and expressions, alone or in lists, or keyframes of up to four numbers.
+  /// Reads a formula: a number, an expression, a list of them, or keyframes of up to four numbers.
   [[nodiscard]] std::optional<Formula> formula(const Node& node) const {
     Formula value;
     if (node.kind == Node::Kind::object) {
@@ -165,7 +165,8 @@ class MemberReader {
     }
     return true;
   }
-  /// Reads a number or a list of two to four. All keyframes of one value must have the same count, `width`.
+  /// Reads a number or a list of two to four. All keyframes of a value must have the same number of
+  /// components, `width`.
   std::optional<glm::vec4> upToFour(const Node& node, int& width) const {
     const bool list = node.kind == Node::Kind::list;
     const std::size_t count = list ? node.children.size() : 1;
@@ -243,7 +244,8 @@ const Node* itemOf(const Node& list, const std::string& number) {
   return found ? &list.children[at] : &list;
 }
 
-/// Returns the index in `written` (source text with quotes and escapes) of byte `at` of the decoded string.
+/// Returns the index in `written` (source text with quotes and escapes) that corresponds to byte `at` of
+/// the decoded string.
 std::size_t byteWritten(std::string_view written, std::size_t at) {
   std::size_t i = 1, read = 0;
   while (i + 1 < written.size() && read < at) {
@@ -301,7 +303,9 @@ const Node* Reader::at(const std::string& path) const {
 
 void Reader::formerly(const char* old, const char* name) {
   if (object_ == nullptr || object_->find(old) == nullptr) return;
-  if (object_->find(name) != nullptr) return;  // if both are given, the old name is an unknown key
+  if (object_->find(name) != nullptr)
+    return;  // If the scene gives both names, the old one is an unknown
+             // key.
   formerNames_[name] = old;
   known_.emplace_back(old);
   warn("{}: \"{}\" is called \"{}\" now", context_.diagnostics.where(object_->find(old)->headPlace()), old,
@@ -323,7 +327,7 @@ void Reader::field(const char* name, Member member, const Spec& spec) {
 }
 
 void Reader::error(const char* name, const std::string& message) {
-  // After an error, values may be defaults, and a message that compares them would be misleading.
+  // After an error, some values may be defaults, so a message that compares values would be misleading.
   if (context_.diagnostics.count() != errorsBefore_) return;
   const Node* node = find(name);
   context_.diagnostics.add(node == nullptr ? place_ : node->place(), message);

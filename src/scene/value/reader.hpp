@@ -22,20 +22,22 @@ struct ReadContext {
   int version = sceneVersion;  ///< version of the scene
 };
 
-/// Fields that read one object of a scene. A value with an error is reported and keeps its default, so that
-/// one pass finds all errors.
+/// Fields that read one object of a scene. A value with an error is reported and stays at its default, so
+/// that one pass finds all errors.
 class Reader final : public Fields {
  public:
-  /// `object`: null if the scene does not give it. `place`: place of messages about the object itself.
+  /// `object`: null if the scene does not give the object. `place`: place of messages about the object
+  /// itself.
   Reader(const Node* object, Place place, ReadContext context);
 
-  /// Reads a value that must be an object with the members that `describe` declares and no others.
+  /// Reads a value that must be an object. Its members must be among those that `describe` declares.
   static void readObject(const Node& node, ReadContext context,
                          const std::function<void(Reader&)>& describe);
 
-  /// Returns the member, or null if it is not given. finish() no longer reports it as unknown.
+  /// Returns the member, or null if the scene does not give it. finish() then does not report the member as
+  /// unknown.
   [[nodiscard]] const Node* consume(const char* name);
-  /// Reports members that have not been declared as unknown keys.
+  /// Reports members that have not been declared or consumed as unknown keys.
   void finish();
 
   void field(const char* name, Member member, const Spec& spec) override;
@@ -59,7 +61,8 @@ class Reader final : public Fields {
   [[nodiscard]] int version() const override { return context_.version; }
 
  private:
-  /// Returns the member `name`, or its former name's; null if it is not given.
+  /// Returns the member `name`, or the member with its former name. Returns null if the scene gives
+  /// neither.
   [[nodiscard]] const Node* find(const std::string& name) const;
   /// Returns the node at a path "group.name"; null if it does not exist.
   [[nodiscard]] const Node* at(const std::string& path) const;
@@ -69,11 +72,11 @@ class Reader final : public Fields {
   ReadContext context_;
   std::size_t errorsBefore_;
   std::vector<std::string> known_;
-  /// New name -> old name, for members given by their old name.
+  /// New name -> old name, for members that the scene gives by their old name.
   std::map<std::string, std::string> formerNames_;
-  /// Group -> field that a value in place of the group sets.
+  /// Group -> field that is set if the scene gives a plain value in place of the group.
   std::map<std::string, std::string> shorthands_;
-  std::set<std::string> switchable_;  ///< groups that may be given as true
+  std::set<std::string> switchable_;  ///< names of groups that a scene may give as true
 };
 
 }  // namespace simreel::scene

@@ -25,7 +25,8 @@ Node emptyGroup(const Node& word) {
   return group;
 }
 
-/// Returns the group {field: value} that a value stands for. All places are the value's.
+/// Returns the group {field: value} that the value `word` stands for. All its places are the place of the
+/// value.
 Node spelledOut(const Node& word, const std::string& field) {
   Node group = emptyGroup(word);
   group.children.push_back(word);
@@ -34,7 +35,7 @@ Node spelledOut(const Node& word, const std::string& field) {
   return group;
 }
 
-/// True if the node in place of a group is the value of one of its fields.
+/// True if the node, given in place of a group, is the value of one of the group's fields.
 bool isValue(const Node& node) {
   return node.kind != Node::Kind::object || node.find("keys") != nullptr;
 }
@@ -69,7 +70,7 @@ void Reader::section(const char* name, bool* present, const char* /*doc*/,
   }
   if (node != nullptr) return readObject(*node, context_, describe);
   if (present != nullptr) return;
-  // An absent group is described, too, because its cross checks may involve values of other groups.
+  // An absent group is described as well, because its checks may involve values of other groups.
   Reader absent(nullptr, place_, context_);
   describe(absent);
 }
@@ -86,7 +87,7 @@ void Reader::listOf(const char* name, const char* /*doc*/, std::size_t maxItems,
                                                             maxItems, node->children.size()));
     return;
   }
-  // Starts from an empty list, so that given items do not inherit values of default items.
+  // The list starts empty, so that items of the scene do not inherit values of default items.
   resize(0);
   resize(node->children.size());
   const auto value = shorthands_.find(name);

@@ -30,7 +30,7 @@ Json tuple(const Json& item, int count) {
   return {{"type", "array"}, {"items", item}, {"minItems", count}, {"maxItems", count}};
 }
 
-/// Returns the schema of a plain value or keyframes of it.
+/// Returns the schema of a value that is plain or has keyframes. `plain`: schema of the plain value.
 Json animatedSchema(const Json& plain) {
   const Json key = {
       {"type", "array"},
@@ -110,7 +110,7 @@ class Types {
   const Spec& spec_;
 };
 
-/// Returns the schema of a field whose value may stand for its whole group.
+/// Returns the schema of a field whose value a scene may give in place of its whole group.
 Json shortFor(const std::string& field, const Json& properties) {
   Json schema = properties.at(field);
   schema["description"] = fmt::format("Short for {{\"{}\": ...}}.", field);

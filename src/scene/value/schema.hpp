@@ -9,12 +9,12 @@
 
 namespace simreel::scene {
 
-/// Fields that write the JSON Schema (draft 2020-12) of what is declared.
+/// Fields that write a JSON Schema (draft 2020-12) of the declared fields.
 class SchemaWriter final : public Fields {
  public:
   /// Returns the schema of the object described so far. It does not allow unknown keys.
   [[nodiscard]] nlohmann::ordered_json object() const;
-  /// Adds a property that is not declared through Fields.
+  /// Adds a property that was not declared through Fields.
   void add(const char* name, nlohmann::ordered_json schema) { properties_[name] = std::move(schema); }
 
   void field(const char* name, Member member, const Spec& spec) override;

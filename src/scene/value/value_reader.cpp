@@ -41,7 +41,8 @@ bool ValueReader::isList(const Node& node, const char* expected) const {
 
 bool ValueReader::inRange(const Node& node) const {
   if (node.number >= range_.min && node.number <= range_.max) return true;
-  // Messages normally omit bounds beyond 1e9, but a value that violates them needs them in its message.
+  // Messages normally omit bounds beyond 1e9. If the value violates such a bound, the message must state
+  // it.
   const bool tiny = range_.min == positive.min && node.number > 0 && node.number < positive.min;
   const bool beyond = tiny || std::abs(node.number) > anyNumber.max;
   const std::string unit = *unit_ == '\0' ? "" : fmt::format(" {}", unit_);
@@ -68,7 +69,8 @@ std::optional<int> ValueReader::wholeNumber(const Node& node, const char* expect
     return std::nullopt;
   }
   if (!inRange(node)) return std::nullopt;
-  if (std::abs(node.number) > std::numeric_limits<int>::max()) {  // possible only if no range is declared
+  if (std::abs(node.number) > std::numeric_limits<int>::max()) {  // This is possible only if no range is
+                                                                  // declared.
     diagnostics_.add(node.place(), fmt::format("\"{}\" must fit in 32 bits, found {}", name_, node.number));
     return std::nullopt;
   }

@@ -13,7 +13,7 @@
 
 namespace simreel::scene {
 
-/// Converts nodes to values of the field `name`. Each function reports errors and then returns nullopt.
+/// Converts nodes to values of the field `name`. Each function reports any error and then returns nullopt.
 class ValueReader {
  public:
   ValueReader(const char* name, Range range, const char* unit, Diagnostics& diagnostics)
@@ -42,7 +42,7 @@ class ValueReader {
   [[nodiscard]] bool inRange(const Node& node) const;
   [[nodiscard]] std::optional<int> wholeNumber(const Node& node, const char* expected) const;
 
-  /// Limit if no range is declared; a float can hold it.
+  /// Limit on numbers without a declared range. A float can hold it.
   static constexpr double maxMagnitude = 1e30;
 
   const char* name_;
@@ -51,8 +51,9 @@ class ValueReader {
   Diagnostics& diagnostics_;
 };
 
-/// Returns the range in words: "between 0 and 1 m", "at least 0 s", "greater than 0", "at most 3"; empty
-/// for any number. Omits bounds beyond 1e9, because they only keep the arithmetic finite.
+/// Returns the range in words: "between 0 and 1 m", "at least 0 s", "greater than 0", "at most 3". Returns
+/// an empty string for an unlimited range. Omits bounds beyond 1e9, because they only keep the arithmetic
+/// finite.
 [[nodiscard]] std::string rangeText(Range range, const char* unit);
 
 }  // namespace simreel::scene

@@ -12,10 +12,10 @@ namespace simreel::scene {
 [[nodiscard]] nlohmann::ordered_json shortest(float value);
 [[nodiscard]] nlohmann::ordered_json shortest(double value);
 
-/// Returns the value as a scene would give it; nullopt if the member is empty.
+/// Returns the value in the form that a scene would use. Returns nullopt if the member is empty.
 [[nodiscard]] std::optional<nlohmann::ordered_json> written(const Member& member, const Spec& spec);
 
-/// Fields that write the values as a scene would give them.
+/// Fields that write the values in the form that a scene would use.
 class ValueWriter final : public Fields {
  public:
   [[nodiscard]] const nlohmann::ordered_json& values() const { return values_; }
@@ -35,8 +35,8 @@ class ValueWriter final : public Fields {
   nlohmann::ordered_json values_ = nlohmann::ordered_json::object();
 };
 
-/// Returns the items that a list has if a scene leaves it out. Each item contains only members that differ
-/// from a fresh item. Leaves the list with one fresh item.
+/// Returns the default items of a list as a scene would give them. Each item contains only members that
+/// differ from a new item. Leaves the list with one new item.
 [[nodiscard]] nlohmann::ordered_json standardItems(
     std::size_t items, const std::function<void(std::size_t)>& resize,
     const std::function<void(Fields&, std::size_t)>& describe);

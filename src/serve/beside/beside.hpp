@@ -18,11 +18,11 @@
 
 namespace simreel::serve {
 
-/// Compares the shown frame with its golden baseline: draws it at the test's size and judges it like
+/// Compares the shown frame with its golden baseline. Draws the frame at the test's size and judges it like
 /// `simreel test`.
 class Beside {
  public:
-  /// `edit`: true if baselines and the list of tested frames may be written.
+  /// `edit`: true if the page may write baselines and the list of tested frames.
   Beside(SceneSource source, bool edit, const gl::Context& context, const sim::Numerics& numerics,
          Hub& hub);
 
@@ -31,21 +31,22 @@ class Beside {
   /// Selects the scene whose baselines are used. `right`: true for the scene of the right side.
   void choose(SceneSource source, bool right);
   [[nodiscard]] bool right() const { return right_; }
-  /// Draws and judges the stage's frame and sends the result to the viewers. The stage must not be
-  /// carried() over from other values.
+  /// Draws and judges the stage's frame and sends the result to the viewers. The stage must not have a
+  /// state that was carried over from other values (Stage::carried).
   void look(Stage& stage);
 
-  /// Starts `simreel test --update`, which makes the pictures of the scene file its baseline. Throws
-  /// UserError(usage) without --edit, if values differ from the file, or while another update runs.
+  /// Starts `simreel test --update`, which makes the pictures of the scene file the baseline. Throws
+  /// UserError(usage) without --edit, if shown values differ from the file, or while another update runs.
   void accept(std::span<const scene::Override> edits);
   /// Returns true once, after the process of accept() has ended.
   bool hasAccepted();
 
-  /// Returns the value of "test.frames" with the frame added. Throws UserError(usage) if it is already a
-  /// tested frame, or if the test is in the sidecar.
+  /// Returns a change of "test.frames" that adds the frame. Throws UserError(usage) if the frame is already
+  /// tested, or if the test is in the sidecar.
   [[nodiscard]] scene::Override withFrame(Stage& stage, int frame) const;
 
-  /// Returns the files besides the scene that the verdict depends on: the sidecar and the baselines.
+  /// Returns the files, in addition to the scene, that the verdict depends on: the sidecar and the
+  /// baselines.
   [[nodiscard]] std::vector<std::filesystem::path> files() const;
 
  private:

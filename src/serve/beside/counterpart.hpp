@@ -17,9 +17,9 @@ namespace simreel::serve {
 /// Settings of the right side: another scene, or the same scene with other values.
 struct CounterpartOptions {
   SceneSource source;
-  bool ownFile = false;                ///< true: the right side has its own scene file
-  bool on = false;                     ///< true: the right side is shown from the start
-  std::vector<scene::Override> edits;  ///< overrides that only the right side has
+  bool ownFile = false;                ///< true if the right side has its own scene file
+  bool on = false;                     ///< true if the right side is shown from the start
+  std::vector<scene::Override> edits;  ///< overrides that apply only to the right side
   std::vector<std::string> arguments;  ///< scene and options as command-line arguments
 };
 
@@ -39,23 +39,23 @@ class Counterpart {
   [[nodiscard]] const std::string& mistakes() const { return mistakes_; }
   /// Returns the changes that only this side has, relative to the left scene or to its own file.
   [[nodiscard]] const std::vector<scene::Override>& edits() const { return options_.edits; }
-  /// True if the own changes affect the camera's position or target.
+  /// True if the changes of this side affect the camera's position or target.
   [[nodiscard]] bool hasOwnView() const;
   void setEdits(std::vector<scene::Override> edits) { options_.edits = std::move(edits); }
 
-  /// Updates this side to match `scene`. On an error, keeps the last good version and sets mistakes(). A
-  /// new stage starts from a state of `scene` if both have the same states up to there. Returns true if the
-  /// state was carried over from other values (Stage::become).
+  /// Updates this side to match `scene`, the left side. On an error, keeps the last version without errors
+  /// and sets mistakes(). A new stage starts from a state of the left side if both sides have equal states
+  /// up to that state. Returns true if the state was carried over from other values (Stage::become).
   bool update(const Stage& scene, const sim::Numerics& numerics, std::size_t memory, bool moving,
               int frame);
   void readFile();
-  /// Returns the reason why its own file could not be read, or an empty text.
+  /// Returns the reason why this side's own file could not be read, or an empty text.
   [[nodiscard]] const std::string& unreadable() const { return unreadable_; }
-  /// True if errors in its file, or missing files that it names, have been fixed meanwhile.
+  /// True if errors in this side's file have been fixed, or files that were missing now exist.
   [[nodiscard]] bool isBetter(const Stage& scene) const;
-  /// Returns the text of its own file as it was last read.
+  /// Returns the text of this side's own file as it was last read.
   [[nodiscard]] const std::string& text() const { return text_; }
-  /// Sets the text after its own file has been written.
+  /// Sets the text after this side's own file has been written.
   void setText(std::string text) { text_ = std::move(text); }
 
  private:
@@ -63,10 +63,10 @@ class Counterpart {
 
   CounterpartOptions options_;
   bool on_;
-  std::string text_;  ///< text of its own file
+  std::string text_;  ///< text of this side's own file
   std::string unreadable_;
   std::string mistakes_;
-  bool unread_ = false;  ///< true if mistakes_ are errors in the text, or missing files
+  bool unread_ = false;  ///< true if mistakes_ contains errors in the text or missing files
   std::unique_ptr<Stage> stage_;
 };
 

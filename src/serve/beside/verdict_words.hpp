@@ -7,8 +7,8 @@
 
 namespace simreel::serve {
 
-/// Returns the comparison of a frame with its baseline in words: "1,204 of 57,600 pixels differ (2.09%), by
-/// 31 of 255 at most, at (211, 90); mean FLIP error 0.0043.", and the reason for a failure.
+/// Returns the result of comparing a frame with its baseline in words: "1,204 of 57,600 pixels differ
+/// (2.09%), by 31 of 255 at most, at (211, 90); mean FLIP error 0.0043.", and the reason for a failure.
 [[nodiscard]] std::string verdictWords(const golden::FrameResult& frame, const golden::Reference& held,
                                        const frame::Image& made);
 /// Returns the text for a frame that the test does not compare.

@@ -10,7 +10,7 @@ namespace simreel::serve {
 class ChildProcess {
  public:
   ChildProcess() = default;
-  /// Ends a running process.
+  /// Ends the process if it is running.
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
@@ -19,9 +19,11 @@ class ChildProcess {
   /// UserError(inputOutput) if the process cannot be started.
   void start(const std::vector<std::string>& arguments);
   [[nodiscard]] bool running() const { return process_ > 0; }
-  /// Returns the exit code once, after the process has ended (-1 if a signal ended it); nullopt before.
+  /// Returns the exit code once after the process has ended (-1 if a signal ended it); nullopt at all other
+  /// times.
   [[nodiscard]] std::optional<int> ended();
-  /// Return the end of the process's output and messages so far. The first line may be truncated.
+  /// output() and messages() return the end of the process's standard output and error output so far. The
+  /// first line may be incomplete.
   [[nodiscard]] std::string output() const;
   [[nodiscard]] std::string messages() const;
 

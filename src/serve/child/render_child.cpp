@@ -30,7 +30,7 @@ RenderChild::Progress RenderChild::look() {
   const std::optional<int> ended = child_.ended();
   std::istringstream lines(child_.messages());
   for (std::string line; std::getline(lines, line);) {
-    if (!nlohmann::json::accept(line)) continue;  // the first line may be truncated
+    if (!nlohmann::json::accept(line)) continue;  // The first line may be incomplete.
     const auto event = nlohmann::json::parse(line);
     if (event.value("event", "") == "start") progress_.total = event.value("frames", 0);
     if (event.value("event", "") == "frame") {

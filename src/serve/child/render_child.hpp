@@ -13,18 +13,18 @@ class RenderChild {
   struct Progress {
     enum class State { none, running, done, failed };
     State state = State::none;
-    int done = 0, total = 0;  ///< numbers of rendered frames and of all frames
+    int done = 0, total = 0;  ///< number of rendered frames, and number of all frames
     std::string output;       ///< path of the picture or folder
     std::string text;         ///< last error message of a failed render
     bool operator==(const Progress&) const = default;
   };
 
-  /// Starts a render. `arguments`: arguments of `simreel render` without output, frames and progress.
-  /// Throws UserError: `usage` while another render runs, `inputOutput` if the process cannot be started.
+  /// Starts a render. `arguments`: arguments of `simreel render` except output, frames and progress. Throws
+  /// UserError: `usage` while another render runs, `inputOutput` if the process cannot be started.
   void start(std::vector<std::string> arguments, const std::string& frames,
              const std::filesystem::path& output);
   [[nodiscard]] Progress look();
-  /// True if it renders a single picture, to the file Progress::output.
+  /// True if the process renders a single picture, to the file Progress::output.
   [[nodiscard]] bool isPicture() const { return picture_; }
 
  private:

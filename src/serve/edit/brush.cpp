@@ -19,7 +19,7 @@ namespace {
 /// Fields that read the default values of an object.
 class Standard final : public scene::Fields {
  public:
-  std::optional<double> rate;  ///< default number of simulation steps per second
+  std::optional<double> rate;  ///< number of simulation steps per second, if the scene leaves it out
   nlohmann::json strokes = nlohmann::json::array();
 
   void field(const char* name, scene::Member member, const scene::Spec& spec) override {

@@ -27,8 +27,8 @@ std::vector<std::string> segmentsOf(const std::string& path) {
   return segments;
 }
 
-/// Returns the list item with the index `segment`, or the member of that name of an object; null if it does
-/// not exist.
+/// Returns the list item with the index `segment`, or the object's member with the name `segment`. Returns
+/// null if it does not exist.
 const Node* childOf(const Node& node, const std::string& segment) {
   if (node.kind != Node::Kind::list) return node.find(segment);
   std::size_t index = 0;
@@ -47,8 +47,8 @@ std::string valueText(const std::string& value) {
   return nlohmann::json::accept(value) ? value : quoted(value);
 }
 
-/// Returns the blanks between the start of the line and byte `at`; nullopt if other characters precede it,
-/// or on the first line.
+/// Returns the blanks between the start of the line and byte `at`. Returns nullopt if other characters
+/// precede the byte, or on the first line.
 std::optional<std::string> indentAt(std::string_view text, std::size_t at) {
   const std::size_t lineEnd = text.rfind('\n', at == 0 ? 0 : at - 1);
   const std::size_t begin = lineEnd == std::string_view::npos ? 0 : lineEnd + 1;
@@ -58,7 +58,7 @@ std::optional<std::string> indentAt(std::string_view text, std::size_t at) {
   return std::string(indent);
 }
 
-/// Returns the end of the line if only blanks and comments follow byte `from`; else `from`.
+/// Returns the end of the line if only blanks and comments follow byte `from`; otherwise returns `from`.
 std::size_t endOfRemark(std::string_view text, std::size_t from) {
   std::size_t at = from;
   while (at < text.size()) {

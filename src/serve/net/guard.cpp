@@ -53,7 +53,7 @@ bool Guard::allowsHost(std::string_view host) const {
     name = host.substr(0, host.find(':'));
     host.remove_prefix(name.size());
   }
-  // Any port is allowed, because the end of a tunnel may have any port.
+  // Any port is allowed, because a tunnel may use any port on the viewer's machine.
   if (!host.empty() && (host.front() != ':' || !isPort(host.substr(1)))) return false;
   if (name == "localhost" && !bracketed) return true;
   const std::string text(name);
@@ -79,7 +79,7 @@ bool Guard::splitPath(std::string_view path, std::string_view& rest) const {
 
 namespace {
 
-/// Returns the address at which this machine reaches the server.
+/// Returns an address under which this machine itself reaches the server.
 std::string reachedAt(const std::string& address) {
   return address == "0.0.0.0" ? "127.0.0.1" : address;
 }

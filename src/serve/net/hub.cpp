@@ -73,7 +73,7 @@ bool Hub::stopping() const {
   return stop_;
 }
 
-/// Tells all viewers how many viewers there are and which one edits. The caller holds the lock.
+/// Tells all viewers how many viewers there are and which one edits. The caller must hold the lock.
 void Hub::tellViewers() {
   messages_["viewers"] = {
       ++version_, std::make_shared<const std::string>(fmt::format(

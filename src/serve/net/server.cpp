@@ -27,25 +27,26 @@ constexpr std::size_t pieceBytes = std::size_t{32} << 10;  ///< maximum bytes of
 /// Maximum number of connections whose headers are read at the same time.
 constexpr unsigned short headerRooms = 64;
 constexpr std::size_t mostStrangers = 32;
-/// Maximum number of pictures sent to a viewer that it has not confirmed as shown.
+/// Maximum number of sent pictures that a viewer has not confirmed as shown.
 constexpr int picturesUnderWay = 2;
 
-/// State of one connection. The library's callbacks create and delete it.
+/// State of one connection. The callbacks of libwebsockets create and delete it.
 struct Connection {
   std::uint64_t viewer = 0;  ///< number of the viewer; 0 for a plain HTTP connection
   std::shared_ptr<const std::string> body;
   std::size_t sent = 0;
-  // The members below are for viewers only.
+  // Only connections of viewers use the following members.
   bool binary = false;
   std::shared_ptr<const Picture> picture;    ///< picture whose message is in `body`
   std::uint64_t heard = 0;                   ///< version of the latest message that was sent
-  std::uint64_t shown = 0, sentPicture = 0;  ///< numbers of the latest shown and the latest sent picture
+  std::uint64_t shown = 0, sentPicture = 0;  ///< number of the latest picture that the viewer has shown,
+                                             ///< and of the latest that was sent
   std::deque<std::uint64_t> underWay;
   std::string asked;  ///< received parts of an incomplete message
   bool tooLong = false;
 };
 
-/// Memory per connection that the library manages for this program.
+/// Memory that libwebsockets provides for each connection.
 struct Slot {
   Connection* connection;
 };
@@ -111,8 +112,8 @@ namespace {
 
 int callback(lws* wsi, lws_callback_reasons reason, void* user, void* in, std::size_t length) {
   auto* state = static_cast<Server::State*>(lws_context_user(lws_get_context(wsi)));
-  // No exception may pass through the library, which is written in C. This connection ends; the others
-  // continue.
+  // No exception may pass through libwebsockets, which is written in C. On an exception, this connection
+  // ends and the others continue.
   try {
     return state->handle(wsi, reason, static_cast<Slot*>(user), in, length);
   } catch (...) {
@@ -215,12 +216,12 @@ int Server::State::handle(lws* wsi, lws_callback_reasons reason, Slot* slot, voi
   }
 }
 
-/// Each connection that has not shown the token occupies memory for its headers. If there are too many, the
-/// oldest one is closed, so that a viewer with the token never waits.
+/// Adds a connection that has not shown the token. Each such connection occupies memory for its headers. If
+/// there are too many, closes the oldest one, so that a viewer with the token never has to wait.
 void Server::State::welcome(lws* wsi) {
   strangers.push_back(wsi);
   if (strangers.size() <= mostStrangers) return;
-  // A timeout of the library would start again with the next received byte.
+  // A timeout of libwebsockets would restart with each received byte.
   ::shutdown(lws_get_socket_fd(strangers.front()), SHUT_RDWR);
   strangers.pop_front();
 }
@@ -306,8 +307,8 @@ int Server::State::receive(lws* wsi, Connection& from, const char* in, std::size
   return say(wsi, from);
 }
 
-/// Handles a complete message. Messages that only concern this connection do not reach the thread that
-/// makes pictures.
+/// Handles a complete message. Handles messages that concern only this connection itself and passes all
+/// others to the thread that makes pictures.
 int Server::State::say(lws* wsi, Connection& from) {
   std::string text = std::exchange(from.asked, {});
   constexpr std::string_view shows = "shown ";
@@ -341,8 +342,8 @@ bool Server::State::next(Connection& to) {
     to.body = message->text;
     return true;
   }
-  // Sends no further picture until the viewer has shown the earlier ones. Only the latest picture waits,
-  // once for all viewers.
+  // No further picture is sent until the viewer has shown enough earlier ones. Only the latest picture is
+  // stored, once for all viewers.
   const std::shared_ptr<const Picture> latest = hub.picture();
   if (!latest || latest->number == to.sentPicture || to.underWay.size() >= picturesUnderWay) return false;
   to.picture = latest;

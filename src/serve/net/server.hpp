@@ -9,7 +9,7 @@
 
 namespace simreel::serve {
 
-/// Response for a path below the token.
+/// Response for a name below the token in the path.
 struct Content {
   std::string type;  ///< media type, such as "text/css"
   std::shared_ptr<const std::string> bytes;
@@ -17,14 +17,15 @@ struct Content {
 
 /// HTTP and WebSocket server on one port, with its own thread. HTTP delivers files by name. The WebSocket
 /// "live" sends the hub's messages to viewers and receives their requests. Every request must have the
-/// token in its path and a Host header of this machine; a WebSocket must also have the page's Origin.
+/// token in its path and a Host header that names this machine. A WebSocket must also have the page's
+/// Origin.
 class Server {
  public:
   struct Options {
     std::string address = "127.0.0.1";
-    int port = 0;  ///< TCP port; 0: any free port
-    /// Returns the content for a name; null if the name is unknown. Called on the server's thread; must not
-    /// throw.
+    int port = 0;  ///< TCP port; 0 to use any free port
+    /// Returns the content for a name, or null if the name is unknown. Called on the server's thread. Must
+    /// not throw.
     std::function<std::unique_ptr<Content>(std::string_view name)> find;
   };
   static constexpr int mostConnections = 1000;
@@ -43,7 +44,7 @@ class Server {
 
   [[nodiscard]] int port() const;
 
-  struct State;  ///< data for the library's callbacks
+  struct State;  ///< members that the callbacks of libwebsockets use
 
  private:
   std::unique_ptr<State> state_;

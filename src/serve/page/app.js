@@ -131,14 +131,14 @@ function sideChosen() {
   if (compare.message.on) link.send({ do: "compare", on: true, ...pair.flag });
 }
 
-// Resets all controls to the current values after a refused request.
+// Resets all controls to the current values after the server has refused a request.
 function restore() {
   if (state.scene?.scene) parametersChanged();
   timeline.setStatus(state.status);
   screen.restore();
 }
 
-// Updates the controls to the side that changes go to.
+// Updates the controls to show the side that changes apply to.
 function parametersChanged() {
   const chosen = pair.chosen;
   byId("forget").hidden = chosen.edits.length === 0;
@@ -207,4 +207,4 @@ panel = new Panel(byId("parameters"), new Schema(await answer.json()), {
   fps: () => pair.chosen.fps,
 });
 if (state.scene?.scene) panel.update(pair.chosen);
-globalThis.simreel = { state, link, panel, screen, compare, pair }; // for debugging in the browser's console
+globalThis.simreel = { state, link, panel, screen, compare, pair }; // This is for debugging in the browser's console.

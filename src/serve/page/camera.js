@@ -1,5 +1,5 @@
-// Moves the camera by mouse. Positions and targets are in metres, y up. `height` is the height of an orthographic
-// camera's view.
+// Moves the camera with the mouse. Positions and targets are in metres; y points up. `height` is the view height of an
+// orthographic camera.
 
 const subtract = (a, b) => a.map((value, i) => value - b[i]);
 const add = (a, b, factor = 1) => a.map((value, i) => value + factor * b[i]);
@@ -8,7 +8,7 @@ const length = (a) => Math.hypot(...a);
 const unit = (a) => a.map((value) => value / (length(a) || 1));
 const round = (a) => a.map((value) => Number(value.toPrecision(6)));
 
-// Rotates the camera about its target by angles in radians, never over the poles.
+// Rotates the camera about its target by angles in radians, but not beyond the poles.
 export function orbit({ eye, target, ...lens }, turn, rise) {
   const arm = subtract(eye, target);
   const distance = length(arm);
@@ -19,8 +19,8 @@ export function orbit({ eye, target, ...lens }, turn, rise) {
   return { eye: round(add(target, next, distance)), target, ...lens };
 }
 
-// Moves the camera and its target so that the target point follows the mouse. `right` and `up` are fractions of the
-// picture's height.
+// Moves the camera and its target so that the point under the mouse follows the mouse. `right` and `up` are fractions
+// of the picture's height.
 export function pan({ eye, target, ...lens }, right, up) {
   const arm = subtract(target, eye);
   const high = lens.height ?? 2 * length(arm) * Math.tan((lens.angle * Math.PI) / 360);

@@ -1,4 +1,4 @@
-// Charts of the numbers that objects count and measure, and the times that the latest picture took.
+// Draws charts of the numbers that objects count and measure, and shows the times that the latest picture took.
 import { element, number } from "./dom.js";
 
 const svg = (name, attributes) => {
@@ -15,7 +15,7 @@ function chart(series, checks, frame, frames) {
   const bounds = boundsOf(series, checks).flatMap((check) => [check.min, check.max]).filter((value) => value !== null);
   const values = known.map(([, value]) => value);
   let [low, high] = [Math.min(...values), Math.max(...values)];
-  // Includes bounds near the curve. Distant bounds would flatten it.
+  // The chart includes bounds near the curve. Distant bounds would flatten the curve.
   const reach = high - low || Math.abs(high) || 1;
   for (const bound of bounds) {
     if (bound < low && low - bound < reach) low = bound;

@@ -20,7 +20,7 @@ export class Compare {
     byId("modes").replaceChildren(...Object.entries(modes).map(([mode, name]) =>
       element("button", { "data-mode": mode, "aria-pressed": mode === this.mode, onclick: () => this.choose(mode) }, name)));
     byId("pairs").addEventListener("pointermove", (event) => this.swipe(event));
-    // otherwise the wheel would move the camera
+    // Without this, the wheel would move the camera.
     byId("golden").addEventListener("wheel", (event) => event.stopPropagation());
     addEventListener("resize", () => this.fit());
   }
@@ -36,7 +36,7 @@ export class Compare {
     this.show();
   }
 
-  // Receives the picture that is on the screen. The comparison is shown only while it is of the same frame.
+  // Receives the picture that is on the screen. The comparison is visible only while it belongs to the same frame.
   follow(picture) {
     this.picture = picture;
     this.show();
@@ -98,7 +98,7 @@ export class Compare {
     this.fit();
   }
 
-  // Draws a ring around the worst pixel.
+  // Draws a ring around the pixel with the largest difference.
   ring(figure, worst) {
     if (figure.querySelector(".ring")) return;
     const [width, height] = this.message.size;
@@ -116,7 +116,8 @@ export class Compare {
     const [width, height] = this.message.size;
     const room = pairs.getBoundingClientRect();
     const swipes = this.mode === "swipe";
-    const places = swipes ? 1 : figures.length; // in the swipe, both pictures share one place
+    const places = swipes ? 1 : figures.length; // In the view with the movable border, both pictures are at the same
+                                                // position.
     const widest = (columns) => {
       const rows = Math.ceil(places / columns);
       return Math.min((room.width - gap * (columns + 1)) / columns, (((room.height - gap * (rows + 1)) / rows) * width) / height);

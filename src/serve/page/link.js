@@ -41,7 +41,8 @@ export class Link {
     this.on.picture?.(about, files);
   }
 
-  // Reports that a picture is on the screen, so that the server can send the next one. Then sends the waiting requests.
+  // Confirms that a picture is on the screen, so that the server can send the next one. Then sends the waiting
+  // requests.
   shown(number) {
     if (this.ready) this.socket.send(`shown ${number}`);
     this.sentAt = 0;
@@ -56,7 +57,7 @@ export class Link {
     if (this.ready) this.socket.send("edit");
   }
 
-  // Queues a request during a drag. The waiting requests are sent after the next picture, or after a tenth of a second.
+  // Queues a request during a drag. Waiting requests are sent after the next picture, or after a tenth of a second.
   move(kind, request) {
     this.waiting.set(kind, { ...request, moving: true });
     this.flush();

@@ -1,5 +1,5 @@
-// Controls for two sides in step: the side that changes go to, the values of the right side only, and the difference of
-// the pictures.
+// Controls for two sides in step: selection of the side that changes apply to, the values of the right side only, and
+// the difference of the pictures.
 import { byId, element } from "./dom.js";
 
 const nameOf = (file) => file.split("/").pop();
@@ -9,7 +9,7 @@ export class Pair {
     this.on = on;
     this.scene = null;
     this.picture = null;
-    this.right = false; // true: changes go to the right side
+    this.right = false; // true if changes apply to the right side
     byId("beside").onclick = () => {
       this.right = !this.shown && !this.scene?.beside?.ownFile;
       on.send({ do: "beside", on: !this.shown });
@@ -25,14 +25,14 @@ export class Pair {
 
   get shown() { return Boolean(this.scene?.beside); }
 
-  // Returns the scene that the panel shows and that changes go to.
+  // Returns the scene that the panel shows and that changes apply to.
   get chosen() {
     const { scene } = this;
     if (!this.right || !scene?.beside?.scene) return scene;
     return { ...scene.beside, given: [], frames: Math.min(scene.frames, scene.beside.frames) };
   }
 
-  // Returns the members to add to a request that concerns one side.
+  // Returns the members that a request about one side needs to select the side.
   get flag() { return this.shown && this.right ? { beside: true } : {}; }
 
   set(scene) {

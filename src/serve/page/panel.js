@@ -1,19 +1,19 @@
-// Panel with all parameters of the scene, built from the schema. Values that the scene gives are highlighted; others
-// show their default.
+// Panel with all parameters of the scene, built from the schema. Values that the scene gives are highlighted; other
+// parameters show their default.
 import { element } from "./dom.js";
 import { control } from "./controls.js";
 import { withKey } from "./keys.js";
 import { forms, isGroup, wordsOf } from "./schema.js";
 
 const skipped = new Set(["$schema", "version", "test", "checks"]);
-const opened = new Set(["render", "camera"]); // paths of open groups, kept while the page is open
+const opened = new Set(["render", "camera"]); // paths of groups that are open; remembered while the page is open
 
 export class Panel {
   constructor(node, schema, on) {
     this.node = node;
     this.schema = schema;
     this.on = on;
-    this.rows = new Map();  // rows by parameter path: path -> {node, control}
+    this.rows = new Map();  // rows by parameter path; each row is {node, control}
     this.edits = new Map();
     this.filter = "";
     this.shape = "";
@@ -112,7 +112,7 @@ export class Panel {
 
   refresh(path, { node, made, schema, undo }) {
     const value = valueAt(this.scene, path);
-    // Also true if only a key of the value is edited.
+    // This is also true if only a key of the value has been edited.
     const edited = [...this.edits.keys()].some((one) => one === path || one.startsWith(`${path}.`));
     node.classList.toggle("given", value !== undefined);
     node.classList.toggle("edited", edited);
@@ -128,8 +128,8 @@ export function valueAt(scene, path) {
   return value;
 }
 
-// Returns the structure of a value: which members exist and of which type, without their values. If it changes, the
-// rows are built again.
+// Returns the structure of a value: its members and their types, without the values. If the structure changes, the rows
+// are built again.
 function shapeOf(value) {
   if (Array.isArray(value)) return value.length > 0 && typeof value[0] === "object" ? `[${value.map(shapeOf)}]` : "[]";
   if (value === null || typeof value !== "object") return typeof value === "number" ? "n" : typeof value;

@@ -12,7 +12,7 @@ export class Schema {
     return found;
   }
 
-  // Returns the members of a group, including members with free names: [name, schema].
+  // Returns the members of a group as pairs [name, schema], including members whose names the scene chooses.
   membersOf(schema, value) {
     const members = Object.entries(schema.properties ?? {});
     if (schema.additionalProperties && typeof schema.additionalProperties === "object")
@@ -24,10 +24,10 @@ export class Schema {
 
 const without = (object, key) => Object.fromEntries(Object.entries(object).filter(([name]) => name !== key));
 
-// Returns the forms of a schema as one list; forms may have forms of their own.
+// Returns the alternatives of a schema as one list. Alternatives may contain further alternatives.
 const flat = (schema) => (schema.anyOf ?? schema.oneOf)?.flatMap(flat) ?? [schema];
 
-// Splits a schema with several forms into {plain, moving, group}: plain value, keyframes, group.
+// Splits a schema with several alternatives into {plain, moving, group}: plain value, keyframes, group.
 export function forms(schema) {
   const several = flat(schema);
   const all = several.some((form) => form.type || form.enum || form.const !== undefined) ? several : [schema];

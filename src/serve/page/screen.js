@@ -21,8 +21,8 @@ export class Screen {
   }
 
   show(about, files) {
-    // Draws pictures one after the other, so that none overtakes another. The pictures of both sides appear at the same
-    // time.
+    // Pictures are drawn one after the other, so that a later one cannot appear first. The pictures of both sides
+    // appear at the same time.
     this.busy = this.busy.then(async () => {
       const options = { colorSpaceConversion: "none", premultiplyAlpha: "none" };
       const images = await Promise.all(files.map((file) => createImageBitmap(file, options)));
@@ -48,7 +48,7 @@ export class Screen {
     if (this.about && !this.held) [this.about.view, this.about.beside?.view ?? null].forEach((view, side) => { this.panes[side].view = view; });
   }
 
-  // Shows as many panes as pictures have arrived. During drafts, an old difference picture stays until the next full
+  // Shows as many panes as pictures have arrived. During drafts, a difference picture stays until the next full
   // picture.
   arrange(count) {
     const quick = this.about.draft && this.about.beside && !this.panes[2].figure.hidden;
@@ -68,7 +68,8 @@ export class Screen {
     this.fit();
   }
 
-  // Scales all pictures to the same height, as large as possible: in one row, in one column, or two above one.
+  // Scales all pictures to the same height, as large as possible, in one row, in one column, or with two pictures above
+  // one.
   fit() {
     const shown = this.panes.filter(({ figure }) => !figure.hidden);
     const room = this.element.getBoundingClientRect();
@@ -159,7 +160,7 @@ export class Screen {
   roll(event) {
     event.preventDefault();
     if (!this.panes[0].view) return;
-    this.held = true;  // counts as held until the wheel is at rest
+    this.held = true;  // The camera counts as held until the wheel stops.
     const factor = Math.exp(Math.max(-200, Math.min(200, event.deltaY)) * 0.0015);
     this.move((view) => zoom(view, factor), true);
     clearTimeout(this.rolling);

@@ -1,4 +1,4 @@
-// Controls for play, step, loop and scrub. Shows where states are kept and where values have keys.
+// Controls to play, step, loop and scrub. Marks frames with kept states and frames at which values have keys.
 import { byId, element, typing } from "./dom.js";
 
 export class Timeline {
@@ -24,7 +24,7 @@ export class Timeline {
     this.on.send({ do: "loop", on: !this.status.loop });
   }
 
-  // The server adds the step to its own frame, so fast key presses need no answer in between.
+  // The server adds the step to its current frame, so fast key presses need not wait for answers.
   step(by) {
     this.on.step(by);
   }
@@ -45,19 +45,19 @@ export class Timeline {
     this.fps = scene.fps;
     this.scrub.max = this.last;
     this.clock();
-    if (this.dragging) return; // rebuilding would remove the mark under the pointer
+    if (this.dragging) return; // Rebuilding would remove the mark under the pointer.
     const times = new Map();
     keysOf(scene.scene, "", times);
     byId("keys").replaceChildren(...[...times].filter(([time]) => time >= 0 && time * this.fps < this.last + 1.5).map(([time, keys]) => {
       const mark = element("i", { title: `${time} s: ${keys.map((key) => key.path).join(", ")}; drag to move`,
         onpointerdown: (event) => this.drag(event, mark, time, keys) });
-      // A key at the very end lies after the last frame.
+      // A key at the scene's end lies after the last frame.
       mark.style.left = this.at(Math.min(this.last, time * this.fps));
       return mark;
     }));
   }
 
-  // Moves keys that share a time together, in whole frames, between their neighbouring keys.
+  // Moves all keys at one time together, in whole frames, between their neighbouring keys.
   drag(event, mark, time, keys) {
     if (event.button !== 0) return;
     event.preventDefault();
@@ -69,7 +69,7 @@ export class Timeline {
     let now = time;
     const move = (e) => {
       const frame = Math.round((this.last * (e.clientX - box.x - 6)) / (box.width - 12));
-      if (low > high) return;  // cannot move: no frame lies between the neighbouring keys
+      if (low > high) return;  // The keys cannot move, because no frame lies between the neighbouring keys.
       const next = Number((Math.min(high, Math.max(low, frame)) / this.fps).toPrecision(6));
       if (next === now || Math.abs(e.clientX - event.clientX) < 3) return;
       now = next;

@@ -17,7 +17,7 @@ namespace {
   fail(ExitCode::inputOutput, "a picture cannot be made a JPEG file: {}", text.data());
 }
 
-/// Owns the library's encoder and the memory it writes to.
+/// Owns the JPEG encoder and the memory that it writes to.
 struct Coder {
   jpeg_compress_struct jpeg{};
   jpeg_error_mgr errors{};
@@ -52,7 +52,7 @@ std::string encodeJpeg(const frame::Image& image, int quality) {
   jpeg_start_compress(&coder.jpeg, TRUE);
   const std::size_t stride = std::size_t{4} * static_cast<std::size_t>(image.width);
   while (coder.jpeg.next_scanline < coder.jpeg.image_height) {
-    // The library takes rows through non-const pointers but only reads them.
+    // The library's interface takes rows as non-const pointers but only reads them.
     auto* row = const_cast<JSAMPROW>(image.bytes.data() + stride * coder.jpeg.next_scanline);
     jpeg_write_scanlines(&coder.jpeg, &row, 1);
   }

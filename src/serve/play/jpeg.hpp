@@ -5,8 +5,8 @@
 
 namespace simreel::serve {
 
-/// Returns a JPEG file (quality 1 to 100, colour at half resolution) of a picture without its alpha, for
-/// drafts, which need not be exact. Throws UserError(inputOutput).
+/// Returns a JPEG file of a picture without its alpha channel, for drafts, which need not be exact.
+/// `quality` is 1 to 100. Colour has half the resolution. Throws UserError(inputOutput).
 [[nodiscard]] std::string encodeJpeg(const frame::Image& image, int quality);
 
 }  // namespace simreel::serve

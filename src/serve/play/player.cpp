@@ -19,13 +19,14 @@ namespace simreel::serve {
 namespace {
 
 constexpr double secondsBetweenLooks = 0.1;  ///< seconds between checks of the files
-/// Minimum seconds without a drag request before the full picture is drawn.
+/// Min and max seconds without a drag request before the full picture is drawn.
 constexpr double leastToRest = 0.25;
 constexpr double mostToRest = 2;
-constexpr double secondsToReread = 1;  ///< seconds between retries if files are missing
+constexpr double secondsToReread = 1;  ///< seconds between attempts to read missing files
 constexpr double sliceSeconds = 0.04;  ///< maximum seconds of simulation before requests are handled again
 constexpr double mostMilliseconds = 85;  ///< time limit of a picture during motion, in milliseconds
-constexpr double mostToMeasure = 6;  ///< time limit in milliseconds for measuring quantities during motion
+constexpr double mostToMeasure = 6;      ///< time limit in milliseconds for measuring quantities while
+                                         ///< something moves
 constexpr int jpegQuality = 87;
 
 }  // namespace
@@ -73,7 +74,7 @@ void Player::turn() {
   }
 }
 
-/// Reads all files again and shows them.
+/// Reads all files again and shows the scenes.
 void Player::showFiles() {
   try {
     readFile();
@@ -84,7 +85,7 @@ void Player::showFiles() {
   }
 }
 
-/// A missing file that a scene names cannot be watched. So this function checks whether it exists now.
+/// Checks whether a missing file that a scene names exists now, because missing files cannot be watched.
 void Player::tryAgain() {
   reread_ = Clock::now();
   if (!unread_) {
@@ -142,10 +143,10 @@ void Player::showOther(bool moving, bool carries) {
   tellScene();
 }
 
-/// Adjusts the target frame to states that are carried over. During a drag of a slider there is no time to
-/// simulate from the start, so the present state continues with the new values, and the frames advance to
-/// show their effect. After the drag, the target is the frame at which it began, and its state is simulated
-/// properly.
+/// Adjusts the target frame to states that are carried over. While a slider is dragged, there is no time to
+/// simulate from the start. So the current state continues with the new values, and the frames advance to
+/// show their effect. After the drag, the target is the frame at which the drag began, and its state is
+/// simulated properly.
 void Player::keepPace(bool carries) {
   if (carries) {
     if (!held_) held_ = target_;
@@ -178,7 +179,7 @@ void Player::watch() {
   files_.watch(files);
 }
 
-/// Returns the last frame that both sides have.
+/// Returns the last frame that exists on both sides.
 int Player::lastFrame() const {
   if (stage_ == nullptr) return 0;
   const int last = stage_->script().scene.frameCount() - 1;
@@ -193,8 +194,8 @@ bool Player::isCarried() const {
   return stage_->carried() || other_.carried();
 }
 
-/// Moves both sides towards the target frame. Neither is shown before both have arrived. Returns true if
-/// they have.
+/// Moves both sides towards the target frame. Neither side is shown until both have reached it. Returns
+/// true if they have.
 bool Player::approach() {
   const bool there = stage_->approach(target_);
   return (other_.stage() == nullptr || other_.stage()->approach(target_)) && there;
@@ -217,8 +218,8 @@ bool Player::isMoving() const {
 }
 
 /// Records a drag request. On a slow connection or a busy machine, drag requests arrive at long intervals.
-/// The time to rest grows with the interval, because a full picture in the middle of a drag would slow it
-/// further.
+/// The wait before the full picture grows with the interval, because a full picture during a drag would
+/// slow it further.
 void Player::hearOfMoving() {
   const double apart = secondsSince(moved_);
   toRest_ =
@@ -241,7 +242,7 @@ double Player::secondsToWait() const {
 }
 
 void Player::work() {
-  // States carried over from other values are replaced as soon as nothing moves.
+  // States carried over from other values are replaced when nothing moves.
   if (isCarried() && !isMoving()) makeGood();
   const auto begun = Clock::now();
   bool there = false;
@@ -259,7 +260,7 @@ void Player::work() {
   if (!rest_ && !isMoving()) drawPicture(false);
 }
 
-/// Advances to the next frame, at the scene's frame rate if possible.
+/// Advances to the next frame, if possible at the scene's frame rate.
 void Player::goOn() {
   const auto pace = std::chrono::duration_cast<Clock::duration>(
       std::chrono::duration<double>(1.0 / stage_->script().scene.time.fps));
@@ -314,7 +315,7 @@ void Player::drawPicture(bool draft) {
   }
   times_.push_back(Clock::now());
   while (times_.size() > 20) times_.pop_front();
-  // Restarts the wait, because the user can react only now.
+  // The wait restarts, because the user can react only now.
   if (draft && !playing_ && toRest_ > 0) moved_ = Clock::now();
   shown_ = true;
   rest_ = !draft;
@@ -339,9 +340,9 @@ Stage& Player::compared() {
   return beside_.right() && other_.stage() != nullptr ? *other_.stage() : *stage_;
 }
 
-/// Chooses the finest level whose pictures stay within the time limit. If no level does, chooses the finest
-/// one that costs little more than the cheapest, because fixed costs do not shrink with the number of
-/// pixels.
+/// Chooses the finest detail level whose pictures stay within the time limit. If no level does, chooses the
+/// finest one that costs little more than the cheapest. A coarser level would gain little, because fixed
+/// costs do not shrink with the number of pixels.
 void Player::adaptDetail(double milliseconds) {
   if (fresh_ != level_) {
     fresh_ = level_;
@@ -366,7 +367,7 @@ void Player::adaptDetail(double milliseconds) {
   std::size_t best = level_;
   for (std::size_t level = detailLevels.size(); level-- > 0;)
     if (cost(level) <= (level < level_ ? sure : 1.0) * most) best = level;
-  // Changes by one level at a time, because the costs of untried levels are estimates.
+  // The level changes by one at a time, because the costs of untried levels are estimates.
   if (best > level_) ++level_;
   quick_ = best < level_ ? quick_ + 1 : 0;
   constexpr int picturesToBelieve = 5;

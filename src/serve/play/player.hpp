@@ -29,17 +29,18 @@ struct PlayerOptions {
   SceneSource source;
   std::vector<std::string> arguments;  ///< scene and overrides as command-line arguments
   std::size_t memory = 0;              ///< memory for kept states in bytes
-  bool edit = false;                   ///< true: the scene file may be written
-  std::filesystem::path output;  ///< folder for renders started on the page; empty: renders are not allowed
-  CounterpartOptions other;      ///< settings of the right side
+  bool edit = false;                   ///< true if the scene file may be written
+  std::filesystem::path output;        ///< folder for renders started on the page; empty if renders are not
+                                       ///< allowed
+  CounterpartOptions other;            ///< settings of the right side
 };
 
-/// Makes the pictures: handles requests of viewers, watches the scene's files, simulates and draws. Runs on
+/// Makes the pictures. Handles requests of viewers, watches the scene's files, simulates and draws. Runs on
 /// the thread of the GL context.
 class Player {
  public:
-  /// Throws UserError(usage) if the scene file cannot be read. Errors in the scene are shown to the
-  /// viewers.
+  /// Reads the scene file. Throws UserError(usage) if it cannot be read. Errors in the scene are shown to
+  /// the viewers instead.
   Player(PlayerOptions options, const gl::Context& context, Hub& hub);
   ~Player();
   Player(const Player&) = delete;
@@ -71,16 +72,16 @@ class Player {
   void readFile();
   void showFiles();
   void tryAgain();
-  /// Shows the text with these edits, or reports the errors in it. Returns true on success.
+  /// Shows the scene `text` with these edits, or reports the errors in it. Returns true on success.
   bool load(const std::string& text, std::vector<scene::Override> edits, bool moving);
   /// Updates the right side after a change. `carries`: true if the left side carries over a state from
   /// other values.
   void showOther(bool moving, bool carries);
   void keepPace(bool carries);
   void makeGood();
-  /// Writes a value into the scene file. `edit`: path of the edit that the file then contains.
+  /// Writes a value into the scene file. `edit`: path of the edit that is then part of the file.
   void writeFile(const scene::Override& change, const std::string& edit);
-  /// Does the same for the right side's own file.
+  /// Does the same as writeFile() for the right side's own file.
   void writeOther(const scene::Override& change, const std::string& edit);
   void report(const std::string& text);
   void watch();
@@ -108,7 +109,7 @@ class Player {
     bool draft = false;
     frame::Image image;
     std::optional<frame::Image> other;
-    /// Number of differing pixels; only for full pictures of the same size.
+    /// Number of differing pixels. Only for full pictures of the same size.
     std::optional<std::size_t> different;
     std::vector<std::string> files;
   };
@@ -128,32 +129,33 @@ class Player {
   std::unique_ptr<Stage> stage_;
   WatchedFiles files_;
   std::string mistakes_;
-  bool unread_ = false;       ///< true if mistakes_ are errors in the text, or missing files
-  Clock::time_point reread_;  ///< time of the latest retry
-  bool failed_ = false;       ///< true: the work has failed and would fail again
+  bool unread_ = false;       ///< true if mistakes_ contains errors in the text or missing files
+  Clock::time_point reread_;  ///< time of the latest attempt to read missing files
+  bool failed_ = false;       ///< true if drawing or simulating has failed and would fail again
 
   bool playing_ = false;
   bool loop_ = true;
   int target_ = 0;
-  std::optional<int> held_;   ///< frame to return to after states that were carried over from other values
+  std::optional<int> held_;   ///< frame to return to after a drag, during which states were carried over
+                              ///< from other values
   Clock::time_point due_;     ///< time at which the next frame must be shown
   Clock::time_point moved_;   ///< time of the last drag request
   double toRest_ = 0;         ///< seconds without a drag request after which the full picture is drawn
   Clock::time_point looked_;  ///< time of the last check of the files
-  Clock::time_point told_;    ///< time at which the series were last sent
-  bool rest_ = false;         ///< true: the shown picture is a full one and up to date
-  bool shown_ = false;        ///< true: the shown picture is up to date
+  Clock::time_point told_;    ///< time at which the series of the charts were last sent
+  bool rest_ = false;         ///< true if the shown picture is a full one and up to date
+  bool shown_ = false;        ///< true if the shown picture is up to date
   std::size_t level_ = 3;
-  /// Latest level whose first picture was not measured, because it includes shader compilation.
+  /// Latest level whose first picture was not measured, because that picture includes shader compilation.
   std::size_t fresh_ = 0;
-  /// Milliseconds of a picture at each level; 0: unknown.
+  /// Milliseconds that a picture takes at each level; 0 if unknown.
   std::array<double, detailLevels.size()> costs_{};
-  int quick_ = 0;  ///< number of successive pictures that could have been finer
+  int quick_ = 0;  ///< number of successive pictures that could have been drawn at a finer level
   std::uint64_t pictures_ = 0;
   double encodeMs_ = 0, measureMs_ = 0;
   Beside beside_;
   Counterpart other_;
-  bool difference_ = false;  ///< true: the difference of both sides is shown
+  bool difference_ = false;  ///< true if the difference of both sides is shown
   RenderChild child_;
   RenderChild::Progress rendered_;       ///< progress as last sent to the viewers
   std::deque<Clock::time_point> times_;  ///< times of the latest pictures

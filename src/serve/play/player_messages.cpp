@@ -89,7 +89,8 @@ json editsJson(const std::vector<scene::Override>& edits) {
 
 namespace {
 
-/// Returns the series for the charts: at most as many values as a chart can show, always with the latest.
+/// Returns the series for the charts. Limits each to the number of values that a chart can show and always
+/// includes the latest value.
 json seriesJson(const std::vector<Series>& all) {
   constexpr std::size_t mostPoints = 240;
   json list = json::array();

@@ -97,7 +97,7 @@ void Player::obey(const Json& json) {
 
 void Player::seek(const Json& json) {
   const JsonValue request(json);
-  // Limits the step first: the sum cannot overflow.
+  // The step is clamped before it is added, so that the sum cannot overflow.
   const int wanted = request.find("by")
                          ? target_ + std::clamp(request.at("by").integer(), -lastFrame(), lastFrame())
                          : request.at("frame").integer();
@@ -121,12 +121,12 @@ nlohmann::json pointOf(const JsonValue& value) {
   nlohmann::json point = nlohmann::json::array();
   for (std::size_t i = 0; i < 3; ++i) {
     static_cast<void>(value.at(i).number());
-    point.push_back(value.at(i).json());  // keeps the request's notation of the number
+    point.push_back(value.at(i).json());  // This keeps the number as it is written in the request.
   }
   return point;
 }
 
-/// True if the camera is defined only by a constant position and a constant target.
+/// True if the camera has a constant position and a constant target, and nothing else moves it.
 bool isPlain(const nlohmann::json& camera) {
   for (const char* other : {"follow", "track", "orbit", "gltf", "damping"})
     if (camera.contains(other)) return false;
@@ -135,7 +135,8 @@ bool isPlain(const nlohmann::json& camera) {
   return true;
 }
 
-/// Camera placed by mouse: position, target and, for an orthographic one, the height of the view in metres.
+/// Camera pose set with the mouse: position, target and, for an orthographic camera, the height of the view
+/// in metres.
 struct Placed {
   nlohmann::json position, target;
   std::optional<double> height = {};
@@ -148,7 +149,7 @@ Placed placedBy(const JsonValue& view) {
   return placed;
 }
 
-/// Returns the overrides that place a scene's camera like that at the present frame.
+/// Returns the overrides that give a scene's camera this pose at the current frame.
 std::vector<scene::Override> cameraChanges(const Stage& stage, const Placed& placed) {
   const auto& [position, target, asked] = placed;
   const scene::Scene& shown = stage.script().scene;
@@ -171,8 +172,8 @@ std::vector<scene::Override> cameraChanges(const Stage& stage, const Placed& pla
   }
   std::vector<scene::Override> changes = {{"camera.position", position.dump()},
                                           {"camera.target", target.dump()}};
-  // A camera that the scene does not describe may have another angle than the default, so the angle is
-  // written, too.
+  // A camera that the scene does not describe may have an angle of view other than the default, so the
+  // angle is written as well.
   if (flat && (asked || !shown.camera.hasHeight)) changes.push_back({"camera.height", height});
   if (!flat && !shown.camera.hasAngle) changes.push_back({"camera.fieldOfView", angle});
   return changes;
@@ -198,7 +199,7 @@ void Player::moveCamera(const Json& json) {
   const auto changes = cameraChanges(*stage_, placed);
   std::vector<scene::Override> otherChanges;
   if (other_.stage() != nullptr) {
-    // The same placement, or a separate one if the right side has its own view.
+    // The right side gets the same pose, or another one if it has its own view.
     const auto own = request.find("beside");
     const Placed others = own ? placedBy(*own) : placed;
     if (other_.ownFile() || other_.hasOwnView() || !(others == placed)) {
@@ -207,7 +208,7 @@ void Player::moveCamera(const Json& json) {
     }
   }
   if (!load(text_, withEdits(edits_, changes), moving) || moving || !options_.edit) return;
-  // A camera with follow, track, orbit or the like stays an edit, so that the file keeps its definition.
+  // A camera with follow, track, orbit or similar stays an edit, so that the file keeps its definition.
   const bool right = isSet(request, "right") && other_.stage() != nullptr && other_.ownFile();
   const auto& written = right ? otherChanges : changes;
   if (written.size() < 2) return;
@@ -242,11 +243,13 @@ void Player::setValue(const Json& json) {
     }
     if (!moving && options_.edit) writeFile(change, change.path);
   }
-  if (moving) moved_ = Clock::now();  // building a world may have taken longer than the time to rest
+  if (moving)
+    moved_ = Clock::now();  // Building a world may have taken longer than the wait before the
+                            // full picture.
 }
 
-/// Sets the values that only the right side has, and turns this side on. On an error, restores the previous
-/// values and throws.
+/// Sets the values that apply only to the right side, and turns this side on. On an error, restores the
+/// previous values and throws.
 void Player::setOther(std::vector<scene::Override> edits, bool moving) {
   if (stage_ == nullptr) return;
   const bool was = other_.on();
@@ -345,7 +348,7 @@ void Player::lookAtRender() {
                           .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
-/// Returns information about a clicked pixel. All viewers may request it, not only the editor.
+/// Sends information about a clicked pixel. All viewers may request it, not only the editor.
 void Player::pick(std::uint64_t viewer, const Json& json) {
   const JsonValue request(json);
   if (!request.at("asks").is("pixel")) request.at("asks").wrong("must be \"pixel\"");

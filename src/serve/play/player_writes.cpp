@@ -39,12 +39,12 @@ std::vector<scene::Override> editsWithout(const std::vector<scene::Override>& ed
 
 /// Moves a value from the edits into the file.
 void Player::writeFile(const scene::Override& change, const std::string& edited) {
-  readFile();  // an editor may have written the file meanwhile
+  readFile();  // A text editor may have written the file in the meantime.
   const std::string text = withValue(text_, change);
   std::vector<scene::Override> left = editsWithout(edits_, edited);
-  static_cast<void>(readScript(options_.source, text, left));  // throws if the new text has errors
+  static_cast<void>(readScript(options_.source, text, left));  // This throws if the new text has errors.
   replaceText(options_.source.file, text);
-  // Records the file's new state immediately, so that later writes of others are noticed.
+  // Records the file's new version immediately, so that later writes by other programs are noticed.
   files_.know(options_.source.file);
   text_ = text;
   load(text_, std::move(left), false);
@@ -68,7 +68,7 @@ void Player::writeOther(const scene::Override& change, const std::string& edited
   showOther(false, false);
 }
 
-/// Paints a brush segment at the present frame: adds an entry to the "strokes" of the field under the
+/// Paints a brush segment at the current frame: adds an entry to the "strokes" of the field under the
 /// mouse. States before this frame stay valid.
 void Player::paint(const Json& json) {
   if (stage_ == nullptr) return;
@@ -100,8 +100,8 @@ void Player::paint(const Json& json) {
   const scene::Override written{fmt::format("{}.{}", path, strokes.size()), stroke.dump()};
   strokes.push_back(std::move(stroke));
   const scene::Override whole{path, strokes.dump()};
-  // If the file has strokes, only the new entry is written, else the whole list. The result equals the
-  // edit, so the states stay valid.
+  // If the file contains strokes, only the new entry is written, otherwise the whole list. The result
+  // equals the edit, so the states stay valid.
   const scene::Override& change = given.contains("strokes") && strokes.size() > 1 ? written : whole;
   if (right) {
     setOther(withEdit(other_.edits(), whole), false);

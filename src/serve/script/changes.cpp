@@ -20,7 +20,7 @@ using nlohmann::ordered_json;
 constexpr double always = std::numeric_limits<double>::infinity();
 constexpr double never = -always;
 
-/// Parameters of each kind of object that only affect its look.
+/// Parameters of each kind of object that affect only its appearance.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 21> showing = {{
     {"life", "display"},     {"lenia", "display"},   {"grayScott", "display"}, {"reaction", "display"},
     {"epidemic", "display"}, {"epidemic", "colors"}, {"wildfire", "display"},  {"wildfire", "colors"},
@@ -30,8 +30,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 21> showing 
     {"cave", "display"},
 }};
 
-/// Values whose keyframes are only evaluated at their time. For other values, the maximum over all keys
-/// sets the number of substeps at all times.
+/// Parameters whose keyframes affect the state only at their own time. For other parameters, the maximum
+/// over all keys sets the number of substeps at all times.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 20> timed = {{
     {"cloth", "pins"},          {"grayScott", "feed"},
     {"grayScott", "kill"},      {"epidemic", "beta"},
@@ -51,8 +51,9 @@ bool has(const std::array<std::pair<std::string_view, std::string_view>, size>& 
   return std::find(list.begin(), list.end(), std::pair(kind, member)) != list.end();
 }
 
-/// Returns the time up to which two keyframed values are equal. A value between two keys depends on both
-/// and, with a spline, on the keys next to them. Before the first key it is the first key's value.
+/// Returns the time up to which two keyframed values are equal. A value between two keys depends on both of
+/// them and, with a spline, on the keys before and after them. Before the first key, the value is that of
+/// the first key.
 double keysAlike(const ordered_json& before, const ordered_json& after) {
   const ordered_json &a = before.at("keys"), &b = after.at("keys");
   if (!a.is_array() || !b.is_array()) return never;
@@ -79,7 +80,7 @@ double strokesAlike(const ordered_json& before, const ordered_json& after) {
     return at == stroke.end() ? 0.0 : at->is_number() ? at->get<double>() : never;
   };
   double alike = always;
-  // The index of a stroke in the list selects its random numbers, so strokes are compared by index.
+  // The index of a stroke in the list seeds its random numbers, so strokes are compared by index.
   for (std::size_t i = 0; i < std::max(before.size(), after.size()); ++i) {
     if (i < before.size() && i < after.size() && before.at(i) == after.at(i)) continue;
     for (const ordered_json* list : {&before, &after})
@@ -88,7 +89,7 @@ double strokesAlike(const ordered_json& before, const ordered_json& after) {
   return alike;
 }
 
-/// Returns whether a fluid's strokes set dye, and whether they set temperature.
+/// Returns two flags: true if a fluid's strokes set dye, and true if they set temperature.
 std::array<bool, 2> carried(const ordered_json& fluid) {
   std::array<bool, 2> all{};
   const ordered_json strokes = fluid.value("strokes", ordered_json::array());
@@ -133,8 +134,8 @@ double objectsAlike(const ordered_json& before, const ordered_json& after) {
     const auto strokes = [](const ordered_json& of) { return of.value("strokes", ordered_json::array()); };
     const std::size_t strokesOfOne = a.contains("strokes") != b.contains("strokes") ? 1 : 0;
     if (a.size() + b.size() - 2 * both != strokesOfOne) return never;
-    // A fluid without strokes has default jets, and it has arrays of dye and temperature only if its
-    // strokes set them.
+    // A fluid without strokes has default jets. It has arrays for dye and temperature only if its strokes
+    // set them.
     if (kind == "fluid" && (strokesOfOne > 0 || carried(a) != carried(b))) return never;
     alike = std::min(alike, strokesAlike(strokes(a), strokes(b)));
     for (const auto& one : b.items()) {

@@ -59,7 +59,7 @@ bool isLook(const std::string& path) {
          isBelow(path, "checks");
 }
 
-/// Parameters of each kind of object that a running simulation can take over.
+/// Parameters of each kind of object that a running simulation can change.
 constexpr std::array<std::string_view, 3> retunable = {"grayScott.feed", "grayScott.kill",
                                                        "reaction.parameters"};
 
@@ -82,7 +82,7 @@ void findDifferences(const ordered_json& before, const ordered_json& after, cons
     if (!before.contains(member.key())) found.insert(prefix + member.key());
 }
 
-/// Returns the files that both scripts name and that were written in between.
+/// Returns the files that both scripts name and that were written between the two readings.
 std::vector<std::filesystem::path> writtenFiles(const std::map<std::filesystem::path, FileStamp>& before,
                                                 const std::map<std::filesystem::path, FileStamp>& after) {
   std::vector<std::filesystem::path> written;
@@ -100,7 +100,8 @@ bool namesFile(const ordered_json& value, const std::filesystem::path& file) {
          });
 }
 
-/// True if a state may depend on one of the files: not if only materials, sky, camera and the like name it.
+/// True if a state may depend on one of the files. False if only materials, sky, camera and similar members
+/// name them.
 bool simulatesFrom(const std::vector<std::filesystem::path>& files, std::string_view asRun) {
   if (files.empty()) return false;
   ordered_json scene = ordered_json::parse(withoutWhatShows(asRun));
@@ -150,8 +151,8 @@ bool standsAlike(const scene::Light& a, const scene::Light& b) {
          a.intensity.at(0) == b.intensity.at(0) && a.radius.at(0) == b.radius.at(0);
 }
 
-/// True if two objects have the same name, kind, colour, roughness and translucency. A stage may set the
-/// last three.
+/// True if two objects have the same name, kind, colour, roughness and translucency. A stage may derive the
+/// last three from the scene.
 bool dressedAlike(const scene::Object& a, const scene::Object& b) {
   const scene::Parameters &one = *a.parameters, &other = *b.parameters;
   return a.name == b.name && a.kind == b.kind && typeid(one) == typeid(other) &&
@@ -159,7 +160,7 @@ bool dressedAlike(const scene::Object& a, const scene::Object& b) {
          a.material.translucency == b.material.translucency;
 }
 
-/// True if all values are equal that the scene does not give but that are derived from its objects.
+/// True if the two scenes have equal derived values, those that follow from the objects and are not given.
 bool impliesAlike(const scene::Scene& before, const scene::Scene& after) {
   const auto alike = [](const auto& a, const auto& b, const auto& equal) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), equal);
@@ -171,7 +172,7 @@ bool impliesAlike(const scene::Scene& before, const scene::Scene& after) {
 void takeLookOf(scene::Scene& shown, scene::Scene& from) {
   const scene::Camera before = shown.camera;
   shown.camera = from.camera;
-  // A draft has neither lens nor shutter.
+  // A draft has no lens and no shutter.
   if (!before.lens) shown.camera.lens.reset();
   if (!before.shutter) shown.camera.shutter.reset();
   shown.sun.direction = from.sun.direction;
@@ -271,7 +272,7 @@ Change changeBetween(const Script& before, const Script& after) {
   for (const std::string& path : paths)
     if (isBelow(path, "objects") || isBelow(path, "lights")) return Change::dress;
   if (addsGroup(before, after)) return Change::drawing;
-  // An absent group may have had values from elsewhere, such as a picture of the sky or a stage.
+  // An absent group may have values from another source, such as a sky panorama or a stage.
   const bool whole = std::any_of(paths.begin(), paths.end(), [](const std::string& path) {
     return path == "sun" || path == "sky" || path == "ground" || path == "render" || path == "time";
   });
@@ -294,7 +295,7 @@ int firstOther(const Simulated& before, const Script& after) {
   if (simulatesFrom(writtenFiles(before.files, after.files), after.asRun)) return 0;
   if (before.simulation == after.simulation) return farFrame;
   const double seconds = secondsAlike(before.asRun, after.asRun);
-  // The state of a frame depends on what lies before its time, not on what lies exactly at its time.
+  // The state of a frame depends on what happens before its time, not on what happens exactly at its time.
   constexpr double rounding = 1e-9;
   const double frames = std::floor(seconds * after.scene.time.fps + rounding);
   return static_cast<int>(std::clamp(frames, 0.0, static_cast<double>(farFrame)));

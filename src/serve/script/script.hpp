@@ -22,19 +22,20 @@ struct SceneSource {
   std::vector<std::filesystem::path> folders;
 };
 
-/// Scene as it is shown: the file's text with the page's edits.
+/// Scene in the form that is shown: the file's text with the page's edits.
 struct Script {
   std::string text;                    ///< text of the scene file
   std::vector<scene::Override> edits;  ///< values that take precedence over the file and the command line
   scene::Scene scene;
-  scene::Scene draft;      ///< the scene without lens, shutter and ray tracing, for quick pictures
+  scene::Scene draft;      ///< the scene without lens, shutter and ray tracing, for drafts
   std::string asRun;       ///< result of scene::sceneAsRun
   std::string simulation;  ///< scene::simulationHash of asRun after withoutWhatShows()
   /// Files that the scene names, as they were when it was read.
   std::map<std::filesystem::path, FileStamp> files;
-  bool fieldsAlone = false;  ///< true: only fields are drawn
-  sim::Survey survey;        ///< extents of the moving objects, if placeCamera() needed them
-  /// Identifies the simulation of `survey`; another script's if the survey is borrowed.
+  bool fieldsAlone = false;  ///< true if only fields are drawn
+  sim::Survey survey;        ///< extents of the moving objects; set if placeCamera() needed them
+  /// Identifies the simulation from which `survey` comes. This is another script's simulation if the survey
+  /// was reused.
   std::string surveyOf;
 };
 
@@ -42,47 +43,48 @@ struct Script {
 [[nodiscard]] std::shared_ptr<Script> readScript(const SceneSource& source, const std::string& text,
                                                  std::vector<scene::Override> edits);
 
-/// Places the camera of a scene whose motion must be simulated for that (sim::surveyMotion), on the current
+/// Places the camera of a scene whose motion must be simulated to do so (sim::surveyMotion), on the current
 /// context. `known`: script whose survey is reused if its simulation is the same, or also if it is similar
-/// while a value is dragged (`moving`); null: none. Throws like the simulation.
+/// while a value is dragged (`moving`); may be null. Throws the errors of the simulation.
 void placeCamera(Script& script, const Script* known, bool moving);
 /// True if automatically placed cameras and stages are equal.
 [[nodiscard]] bool framedAlike(const Script& before, const Script& after);
 
-/// Parts of what is shown that must be built again for another script.
+/// Parts of the display that must be rebuilt when another script is shown.
 enum class Change {
   nothing,
   look,     ///< change of values that are read from the scene for each picture
   drawing,  ///< change of values that the renderer was built with
-  dress,    ///< change of values that objects were built with, but that affect no state
+  dress,    ///< change of values that objects were built with but that do not affect states
   simulation,
 };
 [[nodiscard]] Change changeBetween(const Script& before, const Script& after);
 /// True if a renderer built for one script can also draw the other's objects.
 [[nodiscard]] bool drawsAlike(const Script& before, const Script& after);
-/// Inputs that states were computed from. They are stored separately, because a shown script takes over
-/// changes of look.
+/// Inputs from which states were computed. They are stored separately, because a shown script is modified
+/// when only its look changes.
 struct Simulated {
-  std::string asRun, simulation;  ///< the same values as in Script
+  std::string asRun, simulation;  ///< copies of the members of Script
   std::map<std::filesystem::path, FileStamp> files;
 };
 [[nodiscard]] inline Simulated simulatedOf(const Script& script) {
   return {script.asRun, script.simulation, script.files};
 }
-/// Returns the first frame whose state may differ, or farFrame if all states are equal.
+/// Returns the first frame whose state may differ. Returns farFrame if all states are equal.
 [[nodiscard]] int firstOther(const Simulated& before, const Script& after);
 inline constexpr int farFrame = 1 << 30;
-/// Returns the objects that differ in values that a running world can take over (sim::Retunable). Empty if
-/// anything else differs.
+/// Returns the objects that differ in values that a running world can change (sim::Retunable). Returns an
+/// empty list if anything else differs.
 [[nodiscard]] std::vector<std::size_t> retunedObjects(const Script& before, const Script& after);
-/// Copies the values that Change::look covers from `from` into `shown`.
+/// Copies the values that Change::look covers from `from` to `shown`.
 void takeLook(Script& shown, Script& from);
 
 /// Returns the dotted paths of members that differ between two texts written by scene::sceneAsRun. Lists,
 /// and members that only one text has, count as a whole.
 [[nodiscard]] std::set<std::string> differingPaths(std::string_view before, std::string_view after);
 
-/// Returns the edits with `change` added. It replaces an edit of the same path and edits below that path.
+/// Returns the edits with `change` added. It replaces an edit of the same path and all edits below that
+/// path.
 [[nodiscard]] std::vector<scene::Override> withEdit(std::span<const scene::Override> edits,
                                                     const scene::Override& change);
 

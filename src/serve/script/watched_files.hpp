@@ -7,18 +7,18 @@
 
 namespace simreel::serve {
 
-/// Identifies a version of a file by its metadata: device, inode, size, time of modification. {} for a
+/// Identifies a version of a file by its metadata: device, inode, size, time of modification. Empty for a
 /// missing file.
 using FileStamp = std::tuple<std::uint64_t, std::uint64_t, std::int64_t, std::int64_t, std::int64_t>;
 [[nodiscard]] FileStamp stampOf(const std::filesystem::path& file);
 
-/// Detects that files were written, replaced or removed, by comparing their metadata. This also works on
-/// network file systems, which send no notifications of other machines' writes.
+/// Detects by metadata that files were written, replaced or removed. This also works on network file
+/// systems, which do not notify a machine of writes by other machines.
 class WatchedFiles {
  public:
-  /// Watches exactly these files from now on; new ones from their present version.
+  /// Watches exactly these files from now on. For new files, later calls compare with the current version.
   void watch(std::span<const std::filesystem::path> files);
-  /// Records the present version of a file that this program has just written.
+  /// Records the current version of a file that this program has just written.
   void know(const std::filesystem::path& file);
   /// Returns true if a file has changed since the last call.
   [[nodiscard]] bool changed();

@@ -25,7 +25,7 @@ PixelAnswer::Row rowOf(const std::string& name, float value) {
   return {name, static_cast<double>(value), fmt::format("{:08x}", std::bit_cast<std::uint32_t>(value))};
 }
 
-/// Adds the four words of an array's element to the answer.
+/// Adds the four 32-bit words of an array's element to the answer.
 void addElement(PixelAnswer& answer, const sim::StateArray& array, std::size_t element) {
   constexpr const char* words = "xyzw";
   if (array.integers) {
@@ -42,7 +42,7 @@ void addElement(PixelAnswer& answer, const sim::StateArray& array, std::size_t e
     answer.rows.push_back(rowOf(fmt::format("{}.{}", array.name, words[i]), all[element][i]));
 }
 
-/// Adds the element's words from all arrays that have the same number of elements.
+/// Adds the words of the element with this index from all arrays that have the same number of elements.
 void addState(PixelAnswer& answer, const sim::Simulation& object, std::size_t element, long elements) {
   for (const sim::StateArray& array : object.state())
     if (array.elements() == elements) addElement(answer, array, element);
@@ -70,7 +70,7 @@ void addNearest(PixelAnswer& answer, const sim::Simulation& object, const glm::v
   }
 }
 
-/// Adds the element that belongs to a cell, for objects that name elements by cells.
+/// Adds the element that belongs to a cell, for objects whose elements have cell coordinates.
 void addCell(PixelAnswer& answer, const sim::Simulation& object, glm::ivec2 cell) {
   constexpr long mostNames = 2'000'000;
   const std::string wanted = fmt::format("({}, {})", cell.x, cell.y);
@@ -87,13 +87,14 @@ const sim::Simulation* objectNamed(const sim::World& world, std::string name) {
   for (int rounds = 0; rounds < 2; ++rounds) {
     for (std::size_t i = 0; i < world.objectCount(); ++i)
       if (world.objectName(i) == name) return &world.object(i);
-    name = name.substr(0, name.find('.'));  // an object with several fields names them OBJECT.FIELD
+    name = name.substr(0, name.find('.'));  // The fields of an object with several fields are named
+                                            // OBJECT.FIELD.
   }
   return nullptr;
 }
 
-/// Returns the cell of the topmost field of `layer` at the pixel, with its values; nullopt if none is
-/// there.
+/// Returns the cell of the topmost field of `layer` at the pixel, with its values. Returns nullopt if there
+/// is no field.
 std::optional<PixelAnswer> cellAt(const scene::Scene& scene, sim::World& world, glm::dvec2 pixel,
                                   sim::FieldDisplay::Layer layer) {
   const sim::Drawables drawables = world.drawables();

@@ -15,24 +15,24 @@ struct PixelAnswer {
   struct Row {
     std::string name;
     std::optional<double> value;
-    std::string text;  ///< text if there is no value; else the value's bits as hexadecimal digits
+    std::string text;  ///< text of the row; if the row has a value, its bits as hexadecimal digits
   };
   std::string title;  ///< examples: "triangle 12 of flag", "cell (3, 4) of dish", "the sky"
   std::vector<Row> rows;
 };
 
-/// Field that is drawn over the picture, and a position in it in cells.
+/// Field that is drawn over the picture, and a position in the field in cells.
 struct FieldPoint {
   std::string object;
   glm::dvec2 cell{0};
 };
-/// Returns the topmost field at a place in the picture, given as fractions of the picture.
+/// Returns the topmost field at a position in the picture, given as fractions of the picture's size.
 [[nodiscard]] std::optional<FieldPoint> fieldAt(const scene::Scene& scene, const sim::World& world,
                                                 glm::dvec2 place);
 
 /// Returns information about the pixel at `place` (fractions of the picture from its top left): the object,
 /// its primitive, the position, and the state of the nearest element. Draws the picture again with the
-/// exact rasterizer. Throws UserError like Renderer.
+/// exact rasterizer. Throws the errors of Renderer.
 [[nodiscard]] PixelAnswer askPixel(const scene::Scene& scene, sim::World& world, glm::dvec2 place);
 
 }  // namespace simreel::serve

@@ -22,7 +22,7 @@ void KeptStates::thin() {
   constexpr int farthest = 1 << 20;
   while (bytes_ > mostBytes_ && states_.size() > 1 && interval_ < farthest) {
     interval_ *= 2;
-    // The state of frame 0 always stays, because all later states can be computed from it.
+    // The state of frame 0 is never removed, because all later states can be computed from it.
     std::erase_if(states_, [&](const auto& kept) {
       if (kept.first % interval_ == 0) return false;
       bytes_ -= kept.second.bytes.size();

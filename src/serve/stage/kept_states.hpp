@@ -8,18 +8,19 @@
 
 namespace simreel::serve {
 
-/// States of past frames, for going back quickly. Keeps one state per interval of frames, and doubles the
-/// interval if the states need more memory than allowed.
+/// States of past frames, which make it fast to go back. Stores one state per interval of frames, and
+/// doubles the interval when the states need more memory than allowed.
 class KeptStates {
  public:
   explicit KeptStates(std::size_t mostBytes) : mostBytes_(mostBytes) {}
 
-  /// True if the state of this frame should be kept.
+  /// True if the state of this frame should be stored.
   [[nodiscard]] bool wants(int frame) const {
     return frame >= 0 && frame % interval_ == 0 && !states_.contains(frame);
   }
   void keep(frame::WorldState state);
-  /// Returns the latest state at or before a frame, or null. It is valid until the states change.
+  /// Returns the latest stored state at or before a frame, or null. The pointer is valid until the states
+  /// change.
   [[nodiscard]] const frame::WorldState* before(int frame) const;
   /// Removes the states of `frame` and of later frames.
   void forgetFrom(int frame);

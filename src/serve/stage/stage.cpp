@@ -36,7 +36,7 @@ Stage::~Stage() {
   if (world_) world_->onFrameBefore({});
 }
 
-/// Builds a new world, which has no frame yet.
+/// Builds a new world, which has not computed a frame yet.
 void Stage::makeWorld() {
   summaries_ = nullptr;
   world_ = std::make_unique<sim::World>(script_->scene);
@@ -108,7 +108,7 @@ void Stage::step(bool seen) {
   if (seen) summaries_->start();
 }
 
-/// Makes the present frame drawable and its hash known.
+/// Prepares the current frame for drawing and computes its hash.
 void Stage::lookAt() {
   if (!seen_) {
     world_->complete();
@@ -140,15 +140,15 @@ bool Stage::approach(int frame) {
     took_.simulate = perSecond * secondsSince(begun) + std::exchange(making_, 0);
   }
   if (!carried_ && kept_.wants(world_->frame())) {
-    lookAt();  // throws if a simulation has lost its state, so that no such state is kept
+    lookAt();  // This throws if a simulation has lost its state, so that such a state is not stored.
     kept_.keep(frame::stateOf(*world_));
     if (past_ && kept_.bytes() + past_->kept.bytes() > memory_) past_.reset();
   }
   return world_->frame() == frame;
 }
 
-/// Returns false if the state does not fit the world, for example if a fluid had no dye before.
-/// Then no kept state fits, so all are removed and the world starts again.
+/// Restores a state. Returns false if the state does not fit the world, for example if a fluid had no dye
+/// before. In that case no stored state fits, so all are removed and the world starts again.
 bool Stage::putBack(const frame::WorldState& state) {
   try {
     frame::putBack(*world_, state.frame, state.parts, state.bytes, "a state that was kept");
@@ -164,7 +164,8 @@ bool Stage::putBack(const frame::WorldState& state) {
   return true;
 }
 
-/// Returns null while the state is carried over from other values.
+/// Returns the latest stored state at or before a frame, or null while the current state is carried over
+/// from other values.
 const frame::WorldState* Stage::keptBefore(int frame) const {
   return carried_ ? nullptr : kept_.before(frame);
 }
@@ -176,8 +177,8 @@ Stage::Drawer& Stage::drawerOf(std::size_t level) {
   const DetailLevel& detail = detailLevels[level];
   drawer.size = scaledSize(shown.render.size, detail.scale);
   drawer.script = script_;
-  // For scenes with only fields, the rasterizer of a software driver takes a third of the exact
-  // rasterizer's time.
+  // In scenes with only fields, the rasterizer of a software driver takes a third of the exact rasterizer's
+  // time.
   draw::RendererOptions how;
   if (level > 0 && script_->fieldsAlone && gl::memoryPath() == gl::MemoryPath::texel)
     how.rasterizer = scene::Rasterizer::driver;
@@ -187,13 +188,13 @@ Stage::Drawer& Stage::drawerOf(std::size_t level) {
   return drawer;
 }
 
-/// With motion blur, makes the frame before the present one again if the renderer does not have it.
+/// With motion blur, computes the frame before the current one again if the renderer does not have it.
 void Stage::prepareMotion(Drawer& drawer) {
   const int frame = world_->frame();
   if (!script_->scene.camera.shutter || drawer.toldBefore == frame) return;
   if (frame <= world_->firstFrame()) {
     lookAt();
-    drawer.renderer->keepBefore(world_->drawables());  // at the first frame nothing moves
+    drawer.renderer->keepBefore(world_->drawables());  // At the first frame, nothing moves.
     drawer.toldBefore = frame;
     return;
   }
@@ -228,7 +229,7 @@ frame::Image Stage::draw(std::size_t level) {
 }
 
 void Stage::setTestScene(std::unique_ptr<scene::Scene> scene) {
-  tester_ = {};  // destroys the renderer, because it reads the old scene
+  tester_ = {};  // This destroys the renderer, because it reads the old scene.
   testScene_ = std::move(scene);
 }
 

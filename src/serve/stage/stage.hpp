@@ -23,8 +23,8 @@ namespace simreel::serve {
 
 /// Quality of a picture. Level 0 is the quality of `simreel render`.
 struct DetailLevel {
-  float scale;  ///< factor on width and height
-  int samples;  ///< samples per pixel; 0: as in the scene
+  float scale;  ///< factor on the picture's width and height
+  int samples;  ///< samples per pixel; 0 to use the scene's value
 };
 inline constexpr std::array<DetailLevel, 6> detailLevels = {
     {{1.0F, 0}, {1.0F, 1}, {0.75F, 1}, {0.5F, 1}, {0.35F, 1}, {0.25F, 1}}};
@@ -41,10 +41,10 @@ struct Series {
 };
 
 /// Scene on the device: its world, which can step forward and go back, and its renderers. All functions
-/// throw UserError like World and Renderer.
+/// throw UserError as World and Renderer do.
 class Stage {
  public:
-  /// `memory`: bytes for kept states.
+  /// `memory`: max bytes of stored states.
   Stage(std::shared_ptr<Script> script, std::size_t memory);
   ~Stage();
   Stage(const Stage&) = delete;
@@ -56,7 +56,7 @@ class Stage {
   [[nodiscard]] const KeptStates& kept() const { return kept_; }
   /// Returns the number of frames simulated since the stage was created.
   [[nodiscard]] long stepped() const { return stepped_; }
-  /// True if the state was carried over from other values (become()), so that `simreel render` would give
+  /// True if the state was carried over from other values (become()). `simreel render` would then give
   /// another state.
   [[nodiscard]] bool carried() const { return carried_; }
   [[nodiscard]] const std::string& stateHash() const { return stateHash_; }
@@ -66,29 +66,30 @@ class Stage {
   /// Moves towards `frame`: one step forward, or back to the nearest kept state or to the start. Returns
   /// true if the stage is at `frame`.
   bool approach(int frame);
-  /// Draws the present frame at a detail level.
+  /// Draws the current frame at a detail level.
   [[nodiscard]] frame::Image draw(std::size_t level);
   /// Returns the scene with the size and samples of its test, for pictures that are compared with
   /// baselines. It must be set again after each change of the script.
   [[nodiscard]] const scene::Scene* testScene() const { return testScene_.get(); }
   void setTestScene(std::unique_ptr<scene::Scene> scene);
-  /// Draws the present frame of testScene(), which must exist, like golden::runScene.
+  /// Draws the current frame of testScene() in the same way as golden::runScene. testScene() must not be
+  /// null.
   [[nodiscard]] golden::RunFrame drawTested();
-  /// Records what the objects measure at the present frame. Waits for the device.
+  /// Records the quantities that the objects measure at the current frame. Waits for the device.
   void measure();
-  /// Returns information about a place in the present picture (askPixel).
+  /// Returns information about a position in the current picture (askPixel).
   [[nodiscard]] PixelAnswer ask(glm::dvec2 place);
 
   /// Shows another script and rebuilds only the parts that need it (changeBetween). If the simulations
-  /// differ only from some time on, earlier states stay and approach() continues from them. `moving`: a
-  /// value is being dragged, so the present state may continue with the new values, although `simreel
-  /// render` would give another state. Returns true if it does.
+  /// differ only after some time, earlier states remain and approach() continues from them. `moving`: true
+  /// if a value is being dragged. The current state may then continue with the new values, although
+  /// `simreel render` would give another state. Returns true if it does.
   bool become(std::shared_ptr<Script> script, bool moving);
-  /// Discards a state that was carried over from other values; approach() then simulates again.
+  /// Discards a state that was carried over from other values. approach() then simulates again.
   void makeGood();
-  /// Sets the memory for kept states in bytes.
+  /// Sets the max bytes of stored states.
   void allow(std::size_t memory);
-  /// Copies the nearest state at or before `frame` from a stage with the same states up to some time, so
+  /// Copies the nearest state at or before `frame` from a stage whose states are equal up to some time, so
   /// that a new stage need not begin at the start.
   void startLike(const Stage& other, int frame);
 
@@ -98,10 +99,10 @@ class Stage {
     std::unique_ptr<draw::Readback> readback;
     glm::ivec2 size{0};
     std::shared_ptr<Script> script;  ///< script that the renderer reads
-    std::optional<int> toldBefore;   ///< frame whose previous frame the renderer has, for motion blur
+    std::optional<int> toldBefore;   ///< frame whose preceding frame the renderer has, for motion blur
   };
 
-  /// States of an earlier simulation that may become current again.
+  /// States of an earlier simulation. They become current again if a change is undone.
   struct Past {
     Simulated of;
     KeptStates kept;
@@ -133,7 +134,7 @@ class Stage {
   std::shared_ptr<Script> made_;  ///< script that the world was built from
   std::size_t memory_;            ///< memory limit of kept_ and past_ together, in bytes
   KeptStates kept_;
-  Simulated keptOf_;  ///< simulation that the states in kept_ belong to
+  Simulated keptOf_;  ///< simulation that computed the states in kept_
   std::optional<Past> past_;
   std::unique_ptr<sim::World> world_;
   std::unique_ptr<frame::Summaries> summaries_;
@@ -143,11 +144,11 @@ class Stage {
   long stepped_ = 0;
   bool started_ = false;
   bool carried_ = false;
-  bool seen_ = false;  ///< true: the present frame can be drawn
+  bool seen_ = false;  ///< true if the current frame is ready to be drawn
   std::string stateHash_;
   std::vector<std::string> arrayHashes_;  ///< hash of each state array
   StageMilliseconds took_;
-  double making_ = 0;  ///< milliseconds for building the world that continues with other values
+  double making_ = 0;  ///< milliseconds that it took to build the world that continues with other values
   std::vector<Series> series_;
   std::size_t measured_ = 0;  ///< index of the first measured quantity in series_
 };

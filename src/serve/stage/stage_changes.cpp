@@ -32,8 +32,7 @@ bool Stage::become(std::shared_ptr<Script> script, bool moving) {
   return false;
 }
 
-/// True if the present frame can be simulated again from a kept state in so few steps that a drag stays
-/// smooth.
+/// True if so few steps lead from a stored state to the current frame that a drag stays smooth.
 bool Stage::isNear(const Script& script) const {
   constexpr int fewFrames = 2;
   const frame::WorldState* from = keptBefore(firstOther(keptOf_, script) - 1);
@@ -74,17 +73,17 @@ void Stage::drawAs(std::shared_ptr<Script> script) {
   follow();
 }
 
-/// Builds the world again with its present state.
+/// Rebuilds the world with its current state.
 void Stage::dressAs(std::shared_ptr<Script> script) {
   if (!carryOverTo(script)) {
-    kept_.clear();  // the kept states do not fit either
+    kept_.clear();  // The stored states do not fit either.
     simulateAs(std::move(script));
   }
   drawers_ = {};
 }
 
-/// Replaces the world and the script. Renderers stay, because the parts of the scene that they use have not
-/// changed.
+/// Replaces the world and the script. The renderers remain, because the parts of the scene that they use
+/// have not changed.
 void Stage::adopt(std::unique_ptr<sim::World> world, std::shared_ptr<Script> script) {
   script_ = std::move(script);
   made_ = script_;
@@ -99,7 +98,7 @@ void Stage::adopt(std::unique_ptr<sim::World> world, std::shared_ptr<Script> scr
   summaries_->start();
 }
 
-/// Continues the present state in the same world with other values. Returns false if that is not possible.
+/// Continues the current state in the same world with other values. Returns false if that is not possible.
 bool Stage::retuneTo(const std::shared_ptr<Script>& script) {
   const std::vector<std::size_t> objects = retunedObjects(*script_, *script);
   for (const std::size_t i : objects)
@@ -111,7 +110,7 @@ bool Stage::retuneTo(const std::shared_ptr<Script>& script) {
   return true;
 }
 
-/// Continues the present state in a new world for `script`. Returns false, without any change, if the state
+/// Continues the current state in a new world for `script`. Returns false, without any change, if the state
 /// does not fit.
 bool Stage::carryOverTo(std::shared_ptr<Script> script) {
   if (!started_) {
@@ -135,8 +134,8 @@ bool Stage::carryOverTo(std::shared_ptr<Script> script) {
   return true;
 }
 
-/// Builds a world for `script` and continues from a kept state that is still valid. If it throws, nothing
-/// has changed.
+/// Builds a world for `script` and continues from a stored state that is still valid. If an exception is
+/// thrown, nothing has changed.
 void Stage::simulateAs(std::shared_ptr<Script> script) {
   if (started_) summaries_->takeAll();
   const int before = started_ ? world_->frame() : -1;
@@ -151,8 +150,8 @@ void Stage::simulateAs(std::shared_ptr<Script> script) {
   if (const frame::WorldState* nearest = kept_.before(before)) static_cast<void>(putBack(*nearest));
 }
 
-/// Keeps the states from before the simulations differ. If there are no such states, sets the present ones
-/// aside in past_, because a change is often undone.
+/// Keeps the states of frames before the simulations differ. If there are none, moves all states to past_,
+/// because a change is often undone.
 void Stage::keepWhatIsAlike(const std::shared_ptr<Script>& script) {
   const int first = firstOther(keptOf_, *script);
   if (kept_.before(first - 1) != nullptr) {

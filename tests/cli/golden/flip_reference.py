@@ -6,7 +6,7 @@ A picture is a list of rows of (r, g, b), 0 to 255."""
 import math
 
 PPD = 0.7 * 3840 / 0.7 * math.pi / 180
-# Exact fractions for sRGB primaries and D65.
+# Exact fractions of the matrix for sRGB primaries and white point D65.
 TO_XYZ = [[10135552 / 24577794, 8788810 / 24577794, 4435075 / 24577794],
           [2613072 / 12288897, 8788810 / 12288897, 887015 / 12288897],
           [1425312 / 73733382, 8788810 / 73733382, 70074185 / 73733382]]

@@ -15,7 +15,7 @@ OTHER_PROCESSOR = "Testium 3, family 6 model 1 stepping 0"
 TESTED = with_values({"test": {"frames": [0, 3, 5], "size": [64, 36], "samples": 1}})
 
 RED = {"objects.flag.material": {"color": [0.9, 0.1, 0.1]}}
-# A slightly different green: pixels differ by a few units, state is equal.
+# A slightly different green. Pixels then differ by a few units, and the state is equal.
 HAIR = {"objects.flag.material": {"color": [0.8, 0.705, 0.6]}}
 
 
@@ -124,13 +124,13 @@ class GoldenCase(Case):
         self.assertEqual(text.count(old), 1, f"{old!r} stands once in glsl/{name}")
         part = folder / (name + ".part")
         part.write_text(text.replace(old, new), encoding="utf-8")
-        part.replace(folder / name)  # atomic, because the program may be reading the file
+        part.replace(folder / name)  # The rename is atomic, because the program may be reading the file.
         return {"SIMREEL_GLSL": str(folder)}
 
 
 class Readings:
     """Counts how often a file was closed after reading, with inotify."""
-    READ = 0x10  # inotify's IN_CLOSE_NOWRITE: a file opened for reading was closed
+    READ = 0x10  # inotify's IN_CLOSE_NOWRITE: a file that was open for reading has been closed
 
     def __init__(self, path):
         libc = ctypes.CDLL(None, use_errno=True)

@@ -17,7 +17,7 @@ GRAVITY = ("cloth/model.glsl", "force * here.w + vec3(stepData.gravity);",
            "force * here.w + vec3(stepData.gravity) * 1.01f;")
 PUSH = ("collide/model.glsl", "precise vec3 pushed = m.position + normal * touch.depth - slid * held;",
         "precise vec3 pushed = m.position + normal * (touch.depth * 1.01f);")
-# A sheet that falls flat except for its jitter, so particles reach the ground one after another.
+# A sheet falls flat except for its jitter, so particles reach the ground one after another.
 HEIGHT, MARGIN = 0.5, 0.01
 FALLING = with_values({"ground": {"height": HEIGHT}, "time.duration": 0.6, "objects.flag.cloth.pins": [],
                        "objects.flag.cloth.position": [0, 0.8, 0], "objects.flag.cloth.rotation": [0, 0, 0],
@@ -218,14 +218,14 @@ class Bisect(BisectCase):
         found = self.bisect(1, "--against", against)["difference"]
         self.assertGreater(found["frame"], 2)
         self.assertEqual(found["array"], "positions")
-        self.assertLess(found["arrays"][0]["differing"], 63)  # the particles reach the ground one after another
+        self.assertLess(found["arrays"][0]["differing"], 63)  # Only some particles have reached the ground.
         here = self.check_against_dumps(found, env)
         step = (found["frame"], found["step"] - 1) if found["step"] > 1 else (found["frame"] - 1, 4)
         before = self.dump(*step)
         lowest = HEIGHT + MARGIN - 1e-6
         self.assertTrue(all(as_float(y) > lowest for y in before["flag.positions"][1::4]))
         self.assertAlmostEqual(as_float(here["flag.positions"][4 * found["element"] + 1]), HEIGHT + MARGIN, 6)
-        # With fewer frames than up to the difference, both sides are equal.
+        # Both sides are equal if the number of frames ends at the differing frame.
         self.bisect(0, "--against", against, "--frames", str(found["frame"]))
         self.bisect(1, "--against", against, "--frames", str(found["frame"] + 1))
 

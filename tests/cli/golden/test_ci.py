@@ -11,7 +11,7 @@ import xml.etree.ElementTree as ElementTree
 from common import PROGRAM, SOURCE, main, png_rows
 from golden_common import RED, GoldenCase, png
 
-# Clears variables that a server running these tests sets itself.
+# Clears variables that a CI server sets when it runs these tests.
 SERVER = {"GITHUB_ACTIONS": "", "GITHUB_STEP_SUMMARY": "", "CI_PROJECT_DIR": "", "WORKSPACE": ""}
 
 
@@ -77,16 +77,16 @@ class Servers(GoldenCase):
     def test_markdown(self):
         self.pictures()
         read = lambda name: (self.folder / name).read_text(encoding="utf-8")
-        # Picture files: the page shows the report's pictures in small size.
+        # Picture files: the page shows small copies of the report's pictures.
         self.compare(1, "--markdown", "deep/s.md", "--report", "r & d")
         images = self.images(read("deep/s.md"))
         self.assertEqual([what for _, what in images], ["before", "after", "difference"])
         for address, _ in images:
             self.assertTrue((self.folder / "deep" / urllib.parse.unquote(address)).is_file(), address)
-        # Without a report, the pictures are stored beside the Markdown file.
+        # Without a report, the pictures are stored in the Markdown file's folder.
         self.compare(1, "--markdown", "s.md")
         self.assertEqual([(self.folder / address).is_file() for address, _ in self.images(read("s.md"))], [True] * 3)
-        # Pictures embedded in the text, as in a job summary; at an address; none.
+        # Pictures can be embedded in the text (as in a job summary), referred to at an address, or left out.
         summary = self.write("summary", "earlier\n")
         self.compare(1, "--report", "r", "--github", GITHUB_STEP_SUMMARY=str(summary))
         self.assertTrue(read("summary").startswith("earlier\n"))
@@ -108,7 +108,7 @@ class Servers(GoldenCase):
         self.assertEqual([path.rpartition("/")[2] for path in paths], ["actual.png", "expected.png", "difference.png"])
         for path in paths:
             self.assertTrue((self.folder / path).is_file(), path)
-        # Paths are relative to the project's folder if the server names it, else to the working folder.
+        # Paths are relative to the project's folder if the CI server names it, else to the working folder.
         for name in ("CI_PROJECT_DIR", "WORKSPACE"):
             self.compare(1, "--report", "out/r", "--junit", "j.xml", **{name: str(self.folder / "out")})
             self.assertEqual(self.attachments("j.xml")[0], paths[0].removeprefix("out/"))
@@ -168,7 +168,7 @@ class Workflows(GoldenCase):
         self.make_baselines()
         self.set_scene(RED, "b")
         package = self.write("package.deb", "the package")
-        # Stubs: curl copies the package, apt-get installs given files and known packages.
+        # Replaces programs by stubs: curl copies the package, and apt-get installs given files and known packages.
         self.tools = self.folder / "tools"
         self.machines = 0
         stubs = {"curl": f'[ "$1 $2 $4" = "-fsSL -o https://example.com/simreel_amd64.deb" ] && cp "{package}" "$3"',
@@ -196,7 +196,7 @@ class Workflows(GoldenCase):
                 own = {key: text.replace(name, value) for key, text in own.items()}
             script = script.replace("/tmp/simreel.deb", str(self.folder / "fetched.deb"))
             self.assertNotIn("${{", script + "".join(own.values()))
-            if "MESA_SHADER_CACHE_DIR=" in script:  # uses the tests' own shader cache, which is already filled
+            if "MESA_SHADER_CACHE_DIR=" in script:  # The tests' own shader cache is used, because it is already filled.
                 script = script.replace(script[script.index("export MESA"):].split("\n")[0], ":")
             done = subprocess.run(["bash", "-e", "-c", script], cwd=clone, env={**whole, **own}, capture_output=True, text=True, check=False)
             said += done.stdout + done.stderr
@@ -230,7 +230,7 @@ class Workflows(GoldenCase):
             shutil.rmtree(reports / "all")
         shutil.rmtree(reports / "3")
         code, said = self.run_job(jobs["merge"], {"${{ vars.REPORT_URL }}": ""}, reports, GITHUB_STEP_SUMMARY=str(summary))
-        self.assertIn("no report of shard 3/4", said)  # the machine that ran this shard was lost
+        self.assertIn("no report of shard 3/4", said)  # The machine that ran this shard has been lost.
 
     def test_gitlab(self):
         text = (SOURCE / "tools/ci/gitlab.yml").read_text(encoding="utf-8")

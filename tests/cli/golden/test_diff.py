@@ -166,7 +166,7 @@ class Pictures(DiffCase):
         self.assertTrue(done.out.endswith("\nequal\n"), done.out)
         for word in ("0 differ", "PSNR            infinite", "SSIM            1.000000", "FLIP mean       0.000000"):
             self.assertIn(word, done.out)
-        # Another encoder and other text chunks with the same pixels.
+        # The files come from different encoders and have different text chunks, but the same pixels.
         self.write("b.png", png(BASE, level=0, extra=chunk(b"tEXt", b"Software\0another")))
         self.diff(0, "a.png", "b.png")
         result = self.json(0, "a.png", "b.png")
@@ -267,7 +267,8 @@ class Sizes(DiffCase):
             self.assertEqual(self.json(0, "a.png", "a.png")["height"], 20000)
             metrics = self.json(1, "a.png", "b.png", "--quick")["metrics"]
             self.assertEqual((metrics["differentPixels"], metrics["worstX"], metrics["worstY"]), (1, 1, 19999))
-        # The limit applies to the number of pixels: a small file must not allocate all memory.
+        # The limit applies to the number of pixels, because a small file can declare a size that would use up all
+        # memory.
         self.write("a.png", png(None, size=(100000, 100000), raw=bytes(10000)))
         self.bad(6, ["100000x100000", "million pixels"], "diff", "a.png", "b.png")
 

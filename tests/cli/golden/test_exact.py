@@ -11,17 +11,18 @@ from common import PROGRAM, Case, main
 
 BOTH_PATHS = ["flag", "ripple", "sparks"]
 
-# (width, height, factor): both rasterizers draw pictures larger by this factor, and means over factor x factor pixels
-# are compared. At the original size, edges alone exceed the bound, because the sample positions differ.
+# The tuples are (width, height, factor). Both rasterizers draw pictures larger by this factor, and the means over
+# factor x factor pixels are compared. At the original size, edges alone would exceed the bound, because the sample
+# positions differ.
 SIZE = (150, 84, 4)
-# Scenes with details (blades, crests, darts, grains) that are narrower than the sample spacing even at that size.
+# Scenes with details (blades, crests, darts, grains) that are narrower than the sample spacing even at the larger size.
 FINE = (75, 42, 16)
 FINE_SCENES = {"cascade", "cave", "cave_map", "leather", "meadow", "raft", "sparks", "swarm", "waves"}
 FLIP = 0.01
-# Scenes with surfaces with textures, fields and glows; with SIMREEL_LONG all scenes.
+# Scenes with textured surfaces, fields and glows. With SIMREEL_LONG, all scenes are tested.
 FEW = ["contour", "flag", "sparks"]
 LONG = os.environ.get("SIMREEL_LONG") == "1"
-# Later frames for scenes whose first frame shows little.
+# Later frames of scenes whose first frame shows little.
 LATER = dict.fromkeys(("collision", "contour", "raft", "ripple", "snow", "tablecloth", "waves"), 8)
 
 

@@ -24,7 +24,7 @@ def alive(pid):
 
 class Several(GoldenCase):
     """Base class with four equal scenes that no test run modifies."""
-    made = {}  # baselines of one scene, made once for all tests
+    made = {}  # Baselines of one scene, which are made once for all tests.
 
     def setUp(self):
         super().setUp()
@@ -43,12 +43,12 @@ class Several(GoldenCase):
         """Compares two report folders. index.html is compared only through report.json, because it contains report.json
         compressed, with times and commands."""
         def told(name):
-            # A picture's bytes may contain the folder's name by chance.
+            # PNG files are excluded, because their bytes may contain the folder's name by chance.
             return {path: content if path.endswith(".png") else TIMES.sub(b"", content.replace(name.encode(), b"R"))
                     for path, content in self.tree(name).items()}
         one, other = told(one), told(other)
         self.assertEqual(sorted(one), sorted(other))
-        # Compares names instead of bytes, because printing a difference of bytes would take minutes.
+        # Names are compared instead of bytes, because printing a difference of bytes would take minutes.
         self.assertEqual([name for name in one if one[name] != other[name] and name != "index.html"], [])
 
     def workers_of(self, process):
@@ -58,7 +58,7 @@ class Several(GoldenCase):
         """Waits until the program has seen a worker end, and returns the remaining worker."""
         def only():
             found = self.workers_of(process)
-            # The kernel counts page faults of children that were waited for.
+            # The kernel counts page faults of children after the parent has waited for them.
             ended = int(pathlib.Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()[8])
             return found if len(found) == 1 and ended > 0 else None
         found = self.wait_until(only, process)
@@ -95,7 +95,7 @@ class Jobs(Several):
         shutil.rmtree(self.golden())
         self.good("test", "scenes", "--update", "--repeat", "1", "--jobs", "4")
         self.assertEqual(self.tree("scenes/golden"), one)
-        # Two new scenes look like a removed one: the first in order takes its baseline, whichever finishes first.
+        # Two new scenes look like a removed one. The first in order must take its baseline, whichever finishes first.
         (self.folder / "scenes/b.json").unlink()
         for name in ("m", "n", "o"):
             self.set_scene(RED, name)
@@ -107,7 +107,7 @@ class Jobs(Several):
         self.make_baselines()
         self.write("scenes/b.json", LONG)
         process = self.start("test", "scenes", "--jobs", "2", "--report", "r", "--repeat", "1")
-        for worker in self.wait_for_the_last(process):  # the remaining worker has the long scene
+        for worker in self.wait_for_the_last(process):  # The remaining worker has the long scene.
             os.kill(worker, signal.SIGKILL)
         process.communicate(timeout=PATIENCE)
         self.assertEqual(process.returncode, 4)

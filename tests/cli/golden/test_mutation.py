@@ -10,7 +10,7 @@ import shutil
 from common import SOURCE, main
 from golden_common import GoldenCase
 
-# kind of object: (file, text that occurs there once, the text with one constant changed by 1 %)
+# kind of object: (file, text that occurs once in the file, the text with one constant changed by 1 %)
 MUTATIONS = {
     "cloth": ("cloth/model.glsl", "precise vec3 v = (velocity + acceleration * stepData.dt) * stepData.kept;",
               "precise vec3 v = (velocity + acceleration * (stepData.dt * 1.01f)) * stepData.kept;"),
@@ -24,29 +24,29 @@ MUTATIONS = {
               "precise vec2 start = p - velocity * (stepData.dt * 1.01f);"),
     "grayScott": ("gray_scott/model.glsl", "rates.feed * (1.0f - u)", "rates.feed * (1.01f - u)"),
     "reaction": ("reaction/grid.glsl", "precise vec4 rest = raised - grain;", "precise vec4 rest = (raised - grain) * 1.01;"),
-    # Life has only integer counts, so a carry of the adder is wrong instead.
+    # Life has only integer counts, so a carry of the adder is changed instead.
     "life": ("life/model.glsl", "WORD carry = highs.low & lows.high;", "WORD carry = highs.low & ~lows.high;"),
     "epidemic": ("spread/epidemic/step.comp", "uvec4 threshold = mix(infection,",
                  "uvec4 threshold = mix(infection / 100u * 101u,"),
-    # Users' kernels: their multiplication is 1 % off.
+    # In users' kernels, multiplication is changed by 1 %.
     "kernels": ("kernels/numbers.glsl", "precise float p = a * b;", "precise float p = a * b * 1.01;"),
     "image": ("kernels/numbers.glsl", "precise float p = a * b;", "precise float p = a * b * 1.01;"),
-    # Caves: one of the nine cells is ignored.
+    # In caves, one of the nine cells is ignored.
     "cave": ("cave/model.glsl", "return three | (exactlyTwo & ones.one);", "return three | (exactlyTwo & above.one);"),
     "contour": ("contour/classify.comp", "value >= levels[i] ?", "value >= levels[i] * 1.01 ?"),
     "wildfire": ("spread/wildfire/step.comp", "uint weight = fuelWeight(byteOf(fuel, k));",
                  "uint weight = fuelWeight(byteOf(fuel, k)) * 99u / 100u;"),
 }
-# Scenes whose kind runs other shaders than usual.
+# Scenes that run other shaders than usual for their kind.
 OTHERS = {"wireworld": ("life", ("automata/step.comp", "node = child(node, cellOf(here, j + 1));", "node = child(node, cellOf(here, j));"))}
 SCENERY = {"sphere", "capsule", "plane", "box", "cylinder", "cone", "torus", "disc", "text", "chart", "colorBar", "isolines", "scaleBar", "flow", "arrows", "streamlines"}  # kinds of objects that are not simulated
 FRAMES = 3  # number of the frame that is compared, after frame 0
-LATER = {"cave_map": 24, "wireworld": 24}  # rock changes late in cave_map; electrons are far apart in wireworld
-# Simulations of particles, of cells and of a grid of numbers, with a listed mutation and a derived one; with
-# SIMREEL_LONG all scenes and kinds.
+LATER = {"cave_map": 24, "wireworld": 24}  # Rock changes late in cave_map, and electrons are far apart in wireworld.
+# Scenes with particles, with cells and with a grid of numbers. They have a listed mutation and a derived one. With
+# SIMREEL_LONG, all scenes and kinds are tested.
 FEW = {"contour", "epidemic", "flag", "rain", "sparks"}
 EVERY = os.environ.get("SIMREEL_LONG") == "1"
-# Scenes that take seconds to their first frame without a GPU; other scenes contain the same kinds.
+# Scenes whose first frame takes seconds without a GPU. Other scenes cover the same kinds.
 LONG_SCENES = set((SOURCE / "tests/long_scenes.txt").read_text(encoding="utf-8").split())
 
 
@@ -88,7 +88,7 @@ class Mutation(GoldenCase):
 
     def has_kind(self, file, kind):
         things = [thing[kind] for thing in self.read(file)["objects"].values() if kind in thing]
-        # a mesh without deformation is not simulated
+        # A mesh without deformation is not simulated.
         return any(kind != "mesh" or "deform" in thing for thing in things)
 
     def mutations(self):

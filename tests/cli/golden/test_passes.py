@@ -25,7 +25,7 @@ SCENE = with_values({
     "test": {"frames": [0, 2], "size": [WIDTH, HEIGHT], "samples": SAMPLES},
 }, TESTED)
 
-# Pass: (file, text that occurs there once, the text with another constant)
+# pass: (file, text that occurs once in the file, the text with a different constant)
 CHANGES = {
     "visibility": ("draw/exact/triangles/triangle.glsl", "v.x * perDepth * 256.0f + 0.5f", "v.x * perDepth * 256.0f + 9.5f"),
     "shadow": ("draw/exact/triangles/vertices.comp", "precise float near = 1.0f - place.z;",
@@ -82,7 +82,7 @@ class Trace(PassCase):
             self.assertEqual(list(line["passes"]), PASSES)
             for text in line["passes"].values():
                 self.assertRegex(text, r"\A[0-9a-f]{16}\Z")
-        for name in ("visibility", "light", "picture"):  # these passes differ between frames because the cloth falls
+        for name in ("visibility", "light", "picture"):  # These passes differ between frames, because the cloth falls.
             self.assertEqual(len({line["passes"][name] for line in lines}), 3, name)
         for path in ("storage", "texel"):
             self.assertEqual(self.lines("--frames=0-2", "--memory-path", path), lines)

@@ -76,7 +76,7 @@ class Kinds(PicturesCase):
         for name, data, other in (
                 ("rgb.png", picture(), changed({(3, 4): (0, 0, 0)})),
                 ("deep.png", picture(lambda x, y: (x * 2000, y * 3000, 7), depth=16),
-                 # 16-bit pictures that differ by 1 of 65535
+                 # These 16-bit pictures differ by 1 of 65535.
                  picture(lambda x, y: (x * 2000 + (x == 3), y * 3000, 7), depth=16)),
                 ("grey.png", picture(grey, kind=0), changed({(0, 0): (9,)}, grey, kind=0)),
                 ("deep grey.png", picture(lambda x, y: (x * 999,), depth=16, kind=0),
@@ -85,7 +85,7 @@ class Kinds(PicturesCase):
                 ("sub folder/alpha.png", picture(lambda x, y: (*ramp(x, y), 255), kind=6),
                  picture(lambda x, y: (*ramp(x, y), 255 - (x == 2)), kind=6)),
                 ("grey alpha.png", picture(lambda x, y: (x, 200), kind=4), picture(lambda x, y: (x, 200 - (y == 3)), kind=4)),
-                # Colours of transparent pixels are compared too.
+                # Colours of transparent pixels are compared as well.
                 ("under.png", picture(lambda x, y: (1, 2, 3, 0), kind=6), picture(lambda x, y: (9, 2, 3, 0), kind=6))):
             with self.subTest(name):
                 self.both(name, data)
@@ -144,7 +144,7 @@ class Kinds(PicturesCase):
         results, _ = self.suite(1)
         metrics = results["a.hdr"]["frames"][0]["metrics"]
         self.assertEqual((metrics["differentPixels"], metrics["worstX"], metrics["worstY"]), (1, 5, 2))
-        # Two files truncated at the same place are not equal.
+        # Two files that are truncated at the same byte do not count as equal.
         for folder in ("expected", "actual"):
             self.write(f"{folder}/a.hdr", radiance(rows)[:-3])
         results, _ = self.suite(6)
@@ -246,7 +246,7 @@ class Layers(PicturesCase):
         self.write("mask.png", picture(lambda x, y: ((255,) if (x, y) == (2, 1) else (0,)), size=self.SIZE, kind=0))
         self.suite(0, "--mask", "mask.png")
         self.write("actual/a.exr", self.exr({"Crypto00.R": {3: 2e-30}}))
-        self.suite(1, "--max-channel-diff", "254")  # a tolerance does not apply to object ids
+        self.suite(1, "--max-channel-diff", "254")  # A tolerance does not apply to object ids.
 
     def test_different_sets_of_channels_always_fail(self):
         """No tolerance allows different sets of channels."""
@@ -289,9 +289,9 @@ class Differences(PicturesCase):
         self.assertIn(f"the picture is {WIDTH - 4}x{HEIGHT + 2}, its baseline {WIDTH}x{HEIGHT}; compared as "
                       f"{WIDTH}x{HEIGHT + 2}, padded", done.out)
         frame = results["a.png"]["frames"][0]
-        # Counts 4 columns that only the baseline has, and 2 rows that only the picture has.
+        # The difference counts 4 columns that only the baseline has, and 2 rows that only the picture has.
         self.assertEqual(frame["metrics"]["differentPixels"], 4 * HEIGHT + 2 * (WIDTH - 4))
-        self.suite(1, "--max-diff-ratio", "1")  # no tolerance applies to different sizes
+        self.suite(1, "--max-diff-ratio", "1")  # No tolerance applies to different sizes.
 
     def test_missing_and_renamed(self):
         self.both("same.png", picture())
@@ -326,7 +326,7 @@ class Differences(PicturesCase):
         self.assertEqual(self.statuses(0, "--update"), {"a.png": "updated"})
         self.assertEqual([p.relative_to(self.folder).as_posix() for p in self.folder.glob("expected/**/*.png") if "report/" not in str(p)],
                          ["expected/a.png"])
-        # A folder within the other one is refused too.
+        # A folder inside the other one is also refused.
         self.usage(["actual/golden lies below actual"], "--expected", "actual/golden", "--actual", "actual", "--update")
         (self.folder / "expected/new").mkdir()
         self.usage(["expected/new lies below expected"], "--expected", "expected", "--actual", "expected/new")
@@ -351,7 +351,7 @@ class Differences(PicturesCase):
         results, _ = self.suite(0)
         self.assertIn("gamma 1", results["a.png"]["notes"][0])
         self.assertIn("note: ", self.good("diff", "expected/a.png", "actual/a.png").stdout.decode())
-        # a gAMA chunk with the value of sRGB
+        # This gAMA chunk has the value of sRGB.
         self.write("expected/a.png", with_chunk(picture(), b"gAMA", struct.pack(">I", 45455)))
         self.write("actual/a.png", with_chunk(picture(), b"sRGB", b"\0"))
         results, _ = self.suite(0)
@@ -414,7 +414,7 @@ class Allowances(PicturesCase):
         self.assertEqual((results["ui/a.png"]["status"], results["b.png"]["status"]), ("pass", "fail"))
         self.assertEqual(results["ui/a.png"]["tolerance"]["maxChannelDiff"]["origin"], 'rules.json, "ui/"')
         self.assertIn('rules.json, "none*" matches no picture', done.out)
-        self.suite(0, "--rules", "rules.json", "--max-channel-diff", "2")  # the command line overrides the rules
+        self.suite(0, "--rules", "rules.json", "--max-channel-diff", "2")  # The command line overrides the rules.
         self.write("rules.json", '{"pictures": [{"match": "b.png", "xfail": "known"}, {"match": "ui/a", "xfail": "gone"}]}')
         self.assertEqual(self.statuses(0, "--rules", "rules.json"), {"ui/a.png": "xfail", "b.png": "xfail"})
         self.write("actual/b.png", picture())
@@ -460,7 +460,7 @@ class Allowances(PicturesCase):
         self.suite(1, "--search-radius", "1")
         results, _ = self.suite(0, "--search-radius", "2")
         self.assertEqual(results["a.png"]["frames"][0]["metrics"]["movedPixels"], 20)
-        # Content that is missing entirely is not found by the search.
+        # The search radius must not excuse content that is missing entirely.
         self.write("actual/a.png", picture(lambda x, y: (0, 0, 0)))
         self.suite(1, "--search-radius", "2")
 
@@ -474,7 +474,7 @@ class Allowances(PicturesCase):
         self.suite(1)
         results, _ = self.suite(0, "--ignore-antialiased")
         self.assertGreater(results["a.png"]["frames"][0]["metrics"]["antialiasedPixels"], 0)
-        self.write("actual/a.png", slope(8, False))  # the edge is at another place
+        self.write("actual/a.png", slope(8, False))  # The edge is at another position.
         self.suite(1, "--ignore-antialiased")
 
 
@@ -506,10 +506,11 @@ class Commands(PicturesCase):
         self.assertEqual(self.statuses(0, "in/one.txt", actual=run), {"one.png": "pass"})
         self.bad(2, ["--update=prune needs all scenes, and in/one.txt is only one"], "test", "--expected", "expected", *run,
                  "in/one.txt", "--update=prune")
-        self.write("in/new.txt", baselines["two.png"])  # same pixels as a scene that is not tested here
+        # The pixels are those of a scene that is not tested in this run.
+        self.write("in/new.txt", baselines["two.png"])
         self.assertEqual(self.statuses(0, "in/new.txt", "--update", actual=run), {"new.png": "updated"})
         self.assertEqual(self.content("expected"), {**baselines, "new.png": baselines["two.png"]})
-        # The whole folder is tested, so a baseline without a scene is stale.
+        # The whole folder is tested, so a baseline without a scene counts as stale.
         (self.folder / "in/two.txt").unlink()
         (self.folder / "in/new.txt").unlink()
         self.assertEqual(self.statuses(1, "in", actual=run)["two.png"], "fail")
@@ -607,7 +608,7 @@ class Reports(PicturesCase):
         self.good("accept", "out")
         self.assertEqual((self.folder / "expected/a.png").read_bytes(), (self.folder / "actual/a.png").read_bytes())
         self.assertIn("already accepted", self.good("accept", "out").stdout.decode())
-        # Someone else changes the baseline after the test.
+        # The baseline changes after the test.
         self.write("expected/a.png", changed({(9, 9): (255, 0, 0)}))
         done = self.run_program("accept", "out")
         self.assertEqual(done.returncode, 1)

@@ -55,7 +55,7 @@ class Baselines(GoldenCase):
         report, _ = self.run_suite(1)
         self.assertEqual([s["status"] for s in report["scenes"]], ["fail", "missing"])
         kept = {f["frame"]: (self.folder / f["actualImage"]).read_bytes() for f in report["scenes"][0]["frames"]}
-        # accept renders nothing, so it works without a device.
+        # `accept` renders nothing, so it works without a device.
         done = self.good("accept", "report.json", "--only", "a", "--reason", "red is in",
                          env={"__EGL_VENDOR_LIBRARY_FILENAMES": "/nothing"})
         self.assertEqual(done.stdout.decode(), "accepted  a\n")
@@ -89,7 +89,7 @@ class Baselines(GoldenCase):
         (self.folder / "scenes/golden").symlink_to(outside)
         self.write("report.json", json.dumps(report))
         self.bad(1, ["which is not below this folder"], "accept", "report.json")
-        # A test of scenes outside prints a command that accepts them, and the command works.
+        # A test of scenes outside the current folder prints a command that accepts them. The printed command must work.
         done = self.run_program("test", str(outside), "--json", "there.json")
         words = f"simreel accept there.json --scenes {outside}"
         self.assertIn(f"To accept: {words}\n", done.stdout.decode())
@@ -106,7 +106,7 @@ class Baselines(GoldenCase):
         self.good("test", "scenes", "--update")
         self.set_scene(RED)
         self.bad(1, ["a:", "frame 0 has changed since"], "accept", "old.json")
-        # The stored picture does not belong to the report's run.
+        # The stored picture does not belong to the run of the report.
         self.set_scene(RED)
         self.run_suite(1)
         picture = next((self.folder / "report-files").rglob("candidate/any/000003.png"))
@@ -133,7 +133,7 @@ class Baselines(GoldenCase):
         report, _ = self.run_suite(3, "--update=changed")
         self.assertEqual([s["status"] for s in report["scenes"]], ["updated", "missing"])
         self.assertFalse(self.golden("b").exists())
-        # Only differing files are replaced: the state is equal, so its files stay unchanged.
+        # Only differing files are replaced. The state is equal, so its files stay unchanged.
         after = self.tree("scenes/golden")
         self.assertEqual(after["a/state.json"], before["a/state.json"])
         self.assertNotEqual(after["a/any/000000.png"], before["a/any/000000.png"])
@@ -150,7 +150,7 @@ class Baselines(GoldenCase):
         self.assertEqual({(s["path"], s["removed"]) for s in report["stale"]}, {(path, True) for path in stale})
         self.assertEqual(sorted(p.name for p in self.golden("a/any").glob("*.png")), ["000000.png", "000003.png"])
         self.assertEqual(self.run_suite(0, "--strict")[0]["stale"], [])
-        # Files written by an update replace all earlier ones.
+        # The files that an update writes replace all earlier ones.
         self.set_scene({"test.frames": [0, 4]})
         self.one(0, "--update")
         self.assertEqual(sorted(p.name for p in self.golden("a/any").glob("*.png")), ["000000.png", "000004.png"])
@@ -250,10 +250,10 @@ class Ladder(GoldenCase):
         self.assertEqual((divergence["frame"], divergence["step"], divergence["steps"]), (1, 1, 4))
         self.assertEqual(divergence["object"], "flag")
         self.assertIn("frame 1, step 1 of 4", scene["text"])
-        # Exact state is equal on every driver, so another fingerprint does not excuse a difference.
+        # Exact state is equal on every driver, so a different fingerprint does not excuse a difference.
         self.pretend_other_numerics()
         self.assertEqual(self.one(1, env=mutated)["frames"][1]["state"], "different")
-        # accept also takes state and steps.
+        # `accept` also takes over state and steps.
         self.good("accept", "report.json")
         self.assertEqual(self.one(0, env=mutated)["status"], "pass")
         self.one(1)
@@ -289,7 +289,7 @@ class Ladder(GoldenCase):
         self.change_baseline(3, 20, 10, 3)
         scene = self.one(1)
         self.assertIn("frame 3: the pixel at x 20, y 10 differs by 3 (on another machine by 2 at most)", scene["text"])
-        # State must be equal everywhere.
+        # State must be equal on all machines.
         mutated = self.mutated_glsl("cloth/model.glsl", "(1.0f - restLength * exactInverseSqrt(squared)) * stiffness;",
                                     "(1.0f - restLength * exactInverseSqrt(squared) * 1.01f) * stiffness;")
         self.assertEqual(self.one(1, env=mutated)["frames"][1]["state"], "different")
@@ -342,10 +342,10 @@ class Ladder(GoldenCase):
             self.assertEqual(scene["tolerance"][field]["origin"], "scenes/a.json")
         self.set_scene({**HAIR, "test.tolerance": {"maxChannelDiff": 0, "maxDiffRatio": 1}})
         self.one(0)
-        # The command line takes precedence over the scene, and a baseline's own tolerance over the scene's.
+        # The command line takes precedence over the baseline's own tolerance, which takes precedence over the scene.
         self.assertEqual(self.one(1, "--max-diff-ratio", "0")["tolerance"]["maxDiffRatio"],
                          {"value": 0, "origin": "--max-diff-ratio"})
-        for name in ("max_diff_ratio", "maxDiffRatio"):  # the first name is an earlier spelling of the second
+        for name in ("max_diff_ratio", "maxDiffRatio"):  # The first name is an earlier spelling of the second.
             self.edit_json(self.golden("a/any/baseline.json"), lambda b: b.update(tolerance={name: 0}))
             self.assertEqual(self.one(1)["tolerance"]["maxDiffRatio"]["origin"], "scenes/golden/a/any/baseline.json")
 
@@ -366,7 +366,7 @@ class Ladder(GoldenCase):
         self.make_baselines()
         self.pretend_other_numerics()
         self.set_scene(RED)
-        # Another driver's baseline stays unchanged; a complete baseline of this driver is added beside it.
+        # Another driver's baseline stays unchanged. A complete baseline of this driver is added next to it.
         before = self.golden("a/any/baseline.json").read_bytes()
         scene = self.one(0, "--update")
         self.assertNotEqual(scene["profile"], "any")

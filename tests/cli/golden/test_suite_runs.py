@@ -24,12 +24,12 @@ class Running(GoldenCase):
         self.assertEqual(listed("scenes", "--filter", "[ab]", "--filter", "c"), ["a", "b", "c"])
         self.assertEqual(listed("scenes/b.json", "scenes/deep"), ["b", "d"])
         self.assertEqual(listed("scenes", "--shard", "1/2") + listed("scenes", "--shard", "2/2"), ["a", "c", "b", "deep/d"])
-        # Two scenes with the same name are distinguished by their paths, and no path leads out of the report's folder.
+        # Two scenes with the same name are distinguished by their paths. No path may lead out of the report's folder.
         self.write("more/a.json", TESTED)
         self.assertEqual(listed("scenes/a.json", self.folder / "more/a.json"),
                          sorted([str(self.folder / "more/a")[1:], "scenes/a"]))
         self.bad(5, "no scene to test", "test", "scenes", "--filter", "nobody")
-        # this shard has no scenes, the other shards contain them
+        # This shard has no scenes; the other shards contain them.
         self.assertEqual(listed("scenes", "--shard", "9/9"), [])
         self.bad(2, "nowhere", "test", "nowhere")
         for shard in ("0/2", "3/2", "x", "1/", "1/2/3", ""):
@@ -80,8 +80,8 @@ class Running(GoldenCase):
         """Returns $SIMREEL_GLSL with springs longer by this factor; the file is replaced atomically, because others may
         be reading it."""
         text = "(1.0f - restLength * exactInverseSqrt(squared)) * stiffness;"
-        # With one thread no kernel is compiled ahead; compiling ahead would make the number of reads depend on the
-        # driver's cache.
+        # With one thread, no kernel is compiled in advance. Otherwise the number of reads would depend on the driver's
+        # cache.
         return self.mutated_glsl("cloth/model.glsl", text, text.replace("(squared)", f"(squared){by}")) | {"LP_NUM_THREADS": "1"}
 
     def test_nondeterministic(self):
@@ -104,7 +104,7 @@ class Running(GoldenCase):
             scene = self.one(code, "--retries", "20", *arguments, env=env)
             self.assertEqual(scene["status"], "flaky")
             self.assertGreaterEqual(len(scene["attempts"]), 1)
-            # depends on whether the shader changed within an attempt
+            # The status depends on whether the shader changed within an attempt.
             self.assertLessEqual({a["status"] for a in scene["attempts"]}, {"fail", "nondeterministic"})
 
     def test_interrupt(self):
@@ -131,7 +131,7 @@ class Outputs(GoldenCase):
         report = json.loads((self.folder / "out/report.json").read_text())
         for frame in report["scenes"][0]["frames"]:
             self.assertTrue((self.folder / "out" / frame["actualImage"]).exists())
-        # A second run replaces the report; a folder with other content is left unchanged.
+        # A second run replaces the report. A folder with other content is left unchanged.
         self.set_scene({})
         self.good("test", "scenes", "--report", "out")
         self.assertEqual(sorted(p.name for p in (self.folder / "out").iterdir()), ["index.html", "report.json"])
@@ -169,7 +169,7 @@ class Outputs(GoldenCase):
 
 
 class BadInput(GoldenCase):
-    rasterizer = "driver"  # baselines of the driver's rasterizer consist of the most files
+    rasterizer = "driver"  # Baselines of the driver's rasterizer consist of the most files.
 
     def test_pictures(self):
         """Each damaged file gives one clear line, and other scenes continue."""
@@ -231,7 +231,7 @@ class BadInput(GoldenCase):
         self.assertIn("state.json", self.one(6)["messages"][0])
         self.one(0, "--update")
         self.assertEqual(self.one(0)["status"], "pass")
-        # A damaged file is reported even if the state is equal, because it will be needed later.
+        # A damaged file is reported even if the state is equal, because a later test will need the file.
         self.golden("a/steps.bin").write_bytes(b"nonsense")
         self.assertIn("steps.bin", self.one(1)["messages"][0])
 

@@ -17,7 +17,7 @@ FIELDS = {
 
 
 class Checkpoints(Case):
-    undisturbed = {}  # files of an undisturbed run by command, rendered once for all tests
+    undisturbed = {}  # files of an undisturbed run by command; rendered once for all tests
 
     def setUp(self):
         super().setUp()
@@ -45,7 +45,7 @@ class Checkpoints(Case):
             self.good("render", *arguments, "-o", "whole/")
             self.undisturbed[arguments] = self.content("whole")
         out, whole = self.content("out"), self.undisturbed[arguments]
-        self.assertEqual(sorted(out), sorted(whole))  # a finished run removes its checkpoint
+        self.assertEqual(sorted(out), sorted(whole))  # A finished run removes its checkpoint.
         self.assertEqual([name for name in whole if out[name] != whole[name]], [])
 
     def test_a_killed_run_is_resumed(self):
@@ -108,7 +108,7 @@ class Checkpoints(Case):
         self.assertIsNotNone(self.resumed("fields.json", "-o", "out/"))
 
     def test_a_run_of_distant_frames_is_resumed(self):
-        # Frames between the rendered ones do not displace the mesh, but their stored state must be complete.
+        # The frames that are skipped do not displace the mesh, but their stored state must be complete.
         self.write("sea.json", with_values(SLOW | {"objects.sea": {"mesh": {
             "shape": "plane", "resolution": [61, 47], "deform": [{"waves": [{"length": 1.5, "amplitude": 0.05}]}]}}}))
         run = ("sea.json", "-o", "out/", "--frames", "0,59", "--checkpoint", "0.000001")

@@ -42,7 +42,7 @@ class Device(Case):
         def limited(size, hard):
             return lambda: resource.setrlimit(resource.RLIMIT_STACK, (size << 10, hard))
         self.good("render", "scene.json", "-o", "out/", "--frames", "0", preexec_fn=limited(64, resource.RLIM_INFINITY))
-        # No process may raise its limit: runs as if not root.
+        # No process may raise its limit, so the program runs without the capability of root to do so.
         done = subprocess.run(["setpriv", "--bounding-set=-sys_resource", "--inh-caps=-sys_resource", "prlimit", f"--stack={64 << 10}:{64 << 10}",
                                PROGRAM, "list"], cwd=self.folder, capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 4, done.stderr)
@@ -51,7 +51,7 @@ class Device(Case):
     def test_no_driver(self):
         for env in ({"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent"}, {"__EGL_VENDOR_LIBRARY_DIRS": str(self.folder)}):
             self.bad(4, ["install a driver", "simreel doctor"], "render", "scene.json", "-o", "out/", env=env)
-        # The message names environment variables that select the driver first.
+        # The message first names environment variables that select the driver.
         for name, value in (("GALLIUM_DRIVER", "softpipe"), ("MESA_GL_VERSION_OVERRIDE", "3.3"), ("__EGL_VENDOR_LIBRARY_FILENAMES", "/nothing")):
             words = f"{name}={value} in the environment selects another driver. Unset it first, or install a driver"
             self.bad(4, [words], "render", "scene.json", "-o", "out/", env={name: value})
@@ -157,7 +157,7 @@ class InputOutput(Case):
         out = self.folder / "out"
         out.mkdir()
         out.chmod(0o555)
-        # Root may write everywhere unless this capability is dropped (prctl 24: drop, number 1).
+        # Root may write to all files unless this capability is dropped (prctl 24: drop; capability number 1).
         preexec = (lambda: LIBC.prctl(24, 1, 0, 0, 0)) if os.geteuid() == 0 else None
         self.bad(6, ["cannot create out/"], "render", "scene.json", "-o", "out/", preexec_fn=preexec)
 
@@ -173,14 +173,14 @@ class InputOutput(Case):
         if not mounted:
             self.skipTest("a small file system can be mounted by root only")
         try:
-            # The file system has 24 pages: one is already used, eight are reserved for the manifest, and each frame
+            # The file system has 24 pages. One is already used, eight are reserved for the manifest, and each frame
             # takes one.
             self.write("disk/other", "x")
             arguments = ("render", "scene.json", "-o", "disk/", "-D", "time.duration=2")
             self.bad(6, ["disk/0000", "No space left"], *arguments)
             frames = self.assert_manifest_is_whole("disk")
             self.assertGreaterEqual(len(frames), 8)
-            # All written files are listed, and no other file remains, not even a .part file.
+            # The manifest lists all written files, and no other file remains, not even a .part file.
             listed = [frame["file"] for frame in self.manifest("disk")["frames"]]
             self.assertEqual(sorted(p.name for p in disk.iterdir()), sorted([*listed, "as-run.json", "manifest.json", "other", "run.json"]))
             times = {name: (disk / name).stat().st_mtime_ns for name in listed}
@@ -206,7 +206,7 @@ class InputOutput(Case):
         for magic, channels in ((b"P5", 1), (b"P6", 3)):
             self.write("t.png", magic + b" 64 64 65535\n" + bytes(64 * 64 * 2 * channels))
             self.bad(6, ["t.png", "PNM picture of 16 bits", "use PNG"], "render", "scene.json", "-o", "out/")
-        # A header that declares a size beyond the device's limit is refused before memory is allocated.
+        # A header with a size above the device's limit is refused before memory is allocated.
         self.write("t.png", png((20000, 10000), b"x"))
         self.bad(4, ["t.png", "20000x10000", "limit of 16384"], "render", "scene.json", "-o", "out/")
         for promise in (png((16000, 16000), bytes(16001 * 3)), b"P5 16000 16000 255 x"):
@@ -215,7 +215,7 @@ class InputOutput(Case):
         for flat in (b"P5 2 P5 255 abcd", b"P6 0 2 255 x"):
             self.write("t.png", flat)
             self.bad(6, ["t.png", "PNG or JPEG"], "render", "scene.json", "-o", "out/")
-        # The message may quote the file, but must stay on one line.
+        # The message may quote the file but must stay on one line.
         self.write("t.png", png((1, 1), bytes(4), extra=b"\n\x1bLT"))
         self.bad(6, ["t.png", "PNG or JPEG"], "render", "scene.json", "-o", "out/")
         self.assertEqual(list(self.folder.glob("out/*")), [])

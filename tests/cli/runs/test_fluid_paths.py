@@ -5,7 +5,7 @@ import json
 
 from common import Case, main
 
-# The number of dye dispatches per frame is odd, so dye ends alternately in the first and the second buffer.
+# The number of dye dispatches per frame is odd, so the dye ends alternately in the first and the second buffer.
 BATH = {
     "version": 1, "render": {"size": [64, 36], "samples": 1}, "time": {"fps": 30, "duration": 1},
     "objects": {
@@ -76,7 +76,7 @@ class FluidPaths(Case):
                            for what in (["--frames=start-3"], ["--steps-of=3"], ["--dump=3:1", "-o", "-"])]
         for texel, storage in zip(lines["texel"], lines["storage"]):
             self.assertGreater(len(texel), 100)
-            # headers are excluded, because they name the driver
+            # Headers are excluded, because they name the driver.
             self.assertEqual(texel.split(b"\n", 1)[1], storage.split(b"\n", 1)[1])
 
 

@@ -38,7 +38,8 @@ class KernelLinks(Case):
             self.good("render", "k.json", "--frames", "1", "-o", "k.png", "--overwrite")
 
     def test_velocities_of_a_kernel_are_the_wind_of_particles(self):
-        # A linear field, which interpolation does not change: exact in the whole rectangle up to half a cell from its edges.
+        # Interpolation does not change a linear field. The values are therefore exact in the whole rectangle, up to
+        # half a cell from its edges.
         self.kernel("""RWTexture2D<float2> _Velocity;
             [numthreads(8, 8, 1)] void Blow(uint3 id : SV_DispatchThreadID) {
                 float2 p = id.xy + 0.5;
@@ -51,7 +52,7 @@ class KernelLinks(Case):
                                 "wind": {"of": "_Velocity", "scale": 2, "plane": {"position": [1, 2, 3], "rotation": [0, 90, 0], "cell": 0.5}}}}})
         for before, after in zip(self.points("p", 0, 4), self.points("p", 1, 4)):
             _, up, depth = before[:3]
-            x, y = 8 - (depth - 3) / 0.5, 4 - (up - 2) / 0.5  # the turned plane's x points along -z
+            x, y = 8 - (depth - 3) / 0.5, 4 - (up - 2) / 0.5  # The x axis of the turned plane points along -z.
             wind = (0, -2 * (1 + 0.25 * x - 0.5 * y), -2 * (2 + 0.25 * x - 0.125 * y)) if 0 <= x <= 16 and 0 <= y <= 8 else (0, 0, 0)
             for found, speed in zip(after[4:7], wind):
                 self.assertAlmostEqual(found, speed * (1 - math.exp(-1 / 30)), delta=3e-4)
@@ -80,13 +81,13 @@ class KernelLinks(Case):
         see = {"file": "b.compute", "step": [{"kernel": "See", "threads": [24, 8]}], "field": {"of": "_Seen", "show": "r"},
                "textures": {"_In": {"size": [12, 8], "field": "source"}, "_Once": {"size": [12, 8], "field": "source", "taken": "start"},
                             "_Whole": {"size": [12, 8], "field": "source"}, "_Seen": [24, 8]}}
-        for order in (("source", "reader"), ("reader", "source")):  # the order of the objects does not matter
+        for order in (("source", "reader"), ("reader", "source")):  # The order of the objects must not matter.
             self.scene({name: {"kernels": make if name == "source" else see} for name in order})
             for y, row in enumerate(self.field("reader", 3)):
-                # In frame 3 it reads what frame 2 made; at the start there is what "first" made.
+                # In frame 3, the kernel reads the result of frame 2. At the start, it reads the values of "first".
                 self.assertEqual(list(row[:12]), [x + 100 * y + 20000 + 0.5 * (x + 100 * y + 10000) for x in range(12)])
                 self.assertEqual(list(row[12:]), [x + 100 * y + 20000 for x in range(12)])
-        # A texture of another size is interpolated between the middles of cells.
+        # A texture of another size is interpolated between the centres of the cells.
         see |= {"bounds": "ignore"}
         see["textures"]["_In"]["size"], see["textures"]["_Once"] = [24, 4], {"size": [12, 8]}
         self.scene({"source": {"kernels": make}, "reader": {"kernels": see}})
@@ -117,7 +118,8 @@ class KernelLinks(Case):
         self.scene({"picture": {"image": {"file": "a.frag", "size": [32, 16], "channels": {"0": {"field": "half"}}}},
                     "half": {"kernels": {"file": "a.compute", "textures": {"_Out": [32, 16]}, "first": ["Make"]}}})
         rows = self.field("picture", 0)
-        self.assertEqual([set(row) for row in rows], [{1.0}] * 8 + [{0.0}] * 8)  # y of ShaderToy points up, so the picture is as the field is shown
+        # The y axis of ShaderToy points up, as in the displayed field.
+        self.assertEqual([set(row) for row in rows], [{1.0}] * 8 + [{0.0}] * 8)
         self.scene({"picture": {"image": {"file": "a.frag", "size": [32, 16], "channels": {"0": {"field": "hal"}}}}})
         self.bad(2, 'no object is named "hal"', "validate", "k.json")
 
@@ -140,11 +142,12 @@ class KernelLinks(Case):
             self.assertGreater(len(vertices), 500)
             for at, normal in zip(vertices, normals):
                 out = [x - middle for x, middle in zip(at, (1, 2, 3))]
-                self.assertAlmostEqual(math.hypot(*out), 4, delta=0.02)  # cells of 0.5 m: radius 8 cells
+                # The cells have 0.5 m, so the radius is 8 cells.
+                self.assertAlmostEqual(math.hypot(*out), 4, delta=0.02)
                 self.assertGreater(sum(a * b for a, b in zip(out, normal)), 0.98 * 4)
             edges = {(face[i], face[(i + 1) % 3]) for face in triangles for i in range(3)}
             self.assertEqual(len(edges), 3 * len(triangles))
-            self.assertTrue(all((b, a) in edges for a, b in edges))  # it is closed
+            self.assertTrue(all((b, a) in edges for a, b in edges))  # The surface is closed.
 
     def test_a_quaternion_or_a_direction_turns_copies_of_a_mesh(self):
         self.kernel("""struct Copy { float3 position; float4 turn; float3 along; };
@@ -188,7 +191,7 @@ class KernelLinks(Case):
             wanted = {tuple(round(c, 4) for c in (0.3 + 2 * copy + 0.5 * at[0], 0.1 + 0.5 * at[1], -0.2 + 0.5 * at[2])) for copy in (0, 1) for at in map(placed, corners)}
             for at in wanted:
                 self.assertTrue(any(math.dist(at, other) < 2e-4 for other in found), (member, at, found))
-        # Two meshes with that rotation give the same pictures.
+        # Two meshes with this rotation must give the same pictures.
         look = {"stage": False, "camera": {"position": [1.2, 1, 4], "target": [1.2, 0.2, 0], "fieldOfView": 40}}
         self.scene(objects(rotation="turn"), **look)
         self.good("render", "k.json", "-o", "copies.png", "--frames", "0", "--size", "160x90")

@@ -26,11 +26,12 @@ class Kernels(Case):
 
     def test_printed_scenes_are_accepted(self):
         for shader in (
-            # Rows that write a texture and a buffer; groups of two axes that write a buffer.
+            # One kernel has rows that write a texture and a buffer. The other has groups in two axes that write a
+            # buffer.
             "RWStructuredBuffer<float> _Sum; RWTexture2D<float4> _Seen; [numthreads(64, 1, 1)] void A(uint3 id : SV_DispatchThreadID) { _Sum[id.x] = 1; _Seen[id.xy] = 1; }",
             "RWStructuredBuffer<float> _Sum; Texture2D<float4> _Seen; [numthreads(8, 8, 1)] void A(uint3 id : SV_DispatchThreadID) { _Sum[id.x] = _Seen[id.xy].x; }",
             "RWStructuredBuffer<float> _Sum; [numthreads(8, 8, 1)] void A(uint3 id : SV_DispatchThreadID) { _Sum[id.x] = 1; }",
-            # Constants in structs and arrays.
+            # The constants are in structs and arrays.
             "struct Light { float3 at; float4x4 view; }; cbuffer Given { Light light; float4 planes[6]; float deltaT; }; RWStructuredBuffer<float4> _Sum;"
             "[numthreads(8, 1, 1)] void A(uint3 id : SV_DispatchThreadID) { _Sum[id.x] = mul(light.view, float4(light.at, 1)) + planes[id.x % 6] * deltaT; }",
         ):
@@ -54,12 +55,13 @@ class Kernels(Case):
         for text in (entries[0].read_text(), "{}", "\0damaged"):
             entries[0].write_text(text)
             self.good("validate", "k.json", env=env)
-        # A changed file is compiled again.
+        # A changed file must be compiled again.
         self.scene(BLUR.replace("lerp(", "lrp("))
         self.bad(2, "a.compute:8:19: error: ", "validate", "k.json", env=env)
 
     def test_a_cube_map_is_read_by_a_direction_across_its_edges(self):
-        # Texel (x, y) of face z holds x + 10 y + 100 z. Directions: the middle of two texels; an edge of +x and +z; a place nearest to a texel.
+        # Texel (x, y) of face z has the value x + 10 y + 100 z. The directions point to the middle of two texels, to an
+        # edge between +x and +z, and near a texel's centre.
         shader = """#pragma kernel K
 TextureCube<float4> _Sky; SamplerState sampler_linear_clamp, sampler_point_clamp; RWTexture2D<float> _Out;
 [numthreads(1, 1, 1)] void K(uint3 id : SV_DispatchThreadID) {
@@ -84,7 +86,7 @@ TextureCube<float4> _Sky; SamplerState sampler_linear_clamp, sampler_point_clamp
         self.bad(2, "the faces of a cube are squares, found 4 x 8", "validate", "k.json")
 
     def test_an_array_of_textures_is_refused(self):
-        # A scene would set the first texture only.
+        # A scene would set only the first texture.
         self.scene("#pragma kernel K\nTexture2D<float4> _Seen[3]; RWStructuredBuffer<float4> _Data;\n"
                    "[numthreads(8, 1, 1)] void K(uint3 id : SV_DispatchThreadID) { _Data[id.x] = _Seen[id.x % 3][uint2(0, 0)]; }\n",
                    textures={"_Seen": [4, 4]}, constants={}, buffers={"_Data": 8})
@@ -191,7 +193,7 @@ TextureCube<float4> _Sky; SamplerState sampler_linear_clamp, sampler_point_clamp
         self.assertEqual(*pictures)
 
     def test_a_read_that_a_condition_makes_unneeded_is_no_mistake(self):
-        # HLSL computes both sides of && and ?:, so the threads behind the last element read it, too.
+        # HLSL computes both sides of && and ?:, so threads after the last element also read it.
         shader = """#pragma kernel K
 RWStructuredBuffer<float> _Data; uint _Count;
 [numthreads(64, 1, 1)] void K(uint3 id : SV_DispatchThreadID) {
@@ -208,7 +210,7 @@ RWStructuredBuffer<float> _Data; uint _Count;
     def test_a_signal_ends_a_long_frame_between_dispatches(self):
         slow = BLUR.replace("    _Data[id.x] =", "    for (int i = 0; i < 20000; i++) left = left * 0.999 + 0.001;\n    _Data[id.x] =")
         self.scene(slow, buffers={"_Data": {"size": [32, 16], "start": "i^2", "previous": True}}, step=[{"kernel": "Blur", "repeat": 100000}])
-        # Frame 0 takes no step and is written at once; frame 1 takes hours.
+        # Frame 0 takes no step and is written at once. Frame 1 takes hours.
         code, messages = self.signal_when((self.folder / "out/k_000000.npy").exists, "out", signal.SIGTERM, "bake", "k.json", "-o", "out/", "--frames", "0-9", "--format", "npy")
         self.assertEqual(code, 128 + signal.SIGTERM, messages)
         self.assertIn("interrupted; the 1 files written so far are whole", messages)
@@ -221,7 +223,7 @@ RWStructuredBuffer<float> _Data; uint _Count;
 
 
     def test_derivatives_of_an_image_are_differences_within_two_by_two_pixels(self):
-        # The global variable has its first value in each run; the branch is taken by odd columns only.
+        # The global variable has its initial value in each run. Only odd columns take the branch.
         (self.folder / "a.frag").write_text("""float seed = 2.0;
 void mainImage(out vec4 c, in vec2 at) {
     seed += 1.0;
@@ -237,7 +239,7 @@ void mainImage(out vec4 c, in vec2 at) {
         right = []
         for y in (1, 0):
             for x in range(4):
-                first = x // 2 * 2  # of the two columns
+                first = x // 2 * 2  # x of the first of the two columns
                 slope = 3 * ((first + 1.5)**2 - (first + 0.5)**2)
                 right.append(slope + 1000 * ((y + 0.5) + (x + 0.5)) + 100000)
         self.assertEqual(values, tuple(right))

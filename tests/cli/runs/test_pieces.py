@@ -27,7 +27,7 @@ class Pieces(Case):
     def test_pieces_give_the_bytes_of_one_run(self):
         """Covers pictures, fields, counts with a pre-roll, and the manifest; no other files remain."""
         done = self.good("render", "town.json", "-o", "out/", "--pieces", "4", "--device", "0,none", "--fields", "npy")
-        # the message of the second process, whose device does not exist
+        # This is the message of the second process, whose device does not exist.
         self.assertIn("no device matches --device none", done.err)
         self.assert_whole("out", "--fields", "npy")
         runs = self.runs("out")
@@ -58,7 +58,7 @@ class Pieces(Case):
         self.bad(6, "use --resume or --overwrite", "render", "slow.json", "-o", "out/", "--pieces", "3")
         self.bad(2, "cannot resume", "render", "slow.json", "-o", "out/", "--pieces", "4", "--resume")
         self.bad(3, "piece 0", "pieces", "join", folder)
-        # The simulation is stopped early and continues; a piece is stopped or killed and continues.
+        # The simulation is stopped early and continued. A piece is stopped or killed and continued.
         self.good("pieces", "simulate", folder)
         self.assertEqual(sorted(p.name for p in (self.folder / folder).glob("checkpoint*")), ["checkpoint.000020", "checkpoint.000040"])
         code, _ = self.signal_after(3, "out/pieces/0001", signal.SIGTERM, "pieces", "draw", folder, "1")
@@ -69,7 +69,7 @@ class Pieces(Case):
         self.assertEqual(done.returncode, 3)
         self.assertIn("3 pieces: 0 done, states there", done.stdout.decode())
         self.good("pieces", "draw", folder, "2", "1", "0")
-        # Files changed between the steps are detected, and no file has been moved.
+        # Files that changed between the steps are detected before any file is moved.
         picture = self.folder / folder / "0001/000023.png"
         bytes_of = picture.read_bytes()
         picture.write_bytes(bytes_of[:-20] + b"x" * 20)
@@ -87,7 +87,7 @@ class Pieces(Case):
         self.good("pieces", "join", folder)
         self.good("render", "slow.json", "-o", "whole/")
         self.assertEqual(self.content("out"), self.content("whole"))
-        # No work is left, and a message says so.
+        # No work is left, which a message must state.
         self.assertIn("joined: out/manifest.json", self.good("pieces", "status", folder).stdout.decode())
         made = (self.folder / "out/000030.png").stat().st_ino
         self.assertIn("all 60 frames are there", self.good("render", "slow.json", "-o", "out/", "--pieces", "3", "--resume").err)
@@ -108,7 +108,8 @@ class Pieces(Case):
             found, text = told("--pieces", pieces)
             self.assertEqual(found, one, pieces)
             self.assertNotIn("not judged", text)
-        # A drift's reference lies before this run's first frame: the program reports that it cannot judge the drift.
+        # The reference of a drift check is before this run's first frame. The program must report that it cannot judge
+        # the drift.
         self.good("render", "checked.json", "-o", "kept/", "--frames", "none", "--checkpoint-at", "6")
         done = self.good("render", "checked.json", "-o", "late/", "--frames", "6-14", "--from", "kept/checkpoint.000006", "--progress", "ndjson")
         self.assertIn("drift of energy of flag was not checked: this run did not begin before frame 1", done.err)
@@ -127,7 +128,7 @@ class Pieces(Case):
         self.bad(2, ["checkpoint.000009 cannot be used", "`simreel pieces simulate out/pieces` makes it again"], "pieces", "draw", "out/pieces", "1")
         self.good("pieces", "simulate", "out/pieces")
         self.assertEqual(state.read_bytes(), whole)
-        # Two processes draw the same piece, one of them on a scratch disk.
+        # Two processes draw the same piece. One of them uses a scratch disk.
         process = self.start("pieces", "draw", "out/pieces", "1", "--scratch", str(self.folder / "disk"))
         while not list(self.folder.glob("disk/*")) and process.poll() is None:
             time.sleep(0.002)
@@ -152,14 +153,14 @@ class Pieces(Case):
             while not run.exists() and process.poll() is None:
                 time.sleep(0.005)
             process.send_signal(signal.SIGSTOP)
-            if not run.exists():  # the process ended before it could be stopped
+            if not run.exists():  # The process ended before it could be stopped.
                 process.send_signal(signal.SIGCONT)
                 process.wait()
                 continue
             process.kill()
             process.wait()
             folder = f"{rasterizer}/pieces"
-            # The killed run's child ends shortly after it, and holds the lock of its piece until then.
+            # The child of the killed run ends shortly after it, and holds the lock of its piece until then.
             while (code := self.start("pieces", "draw", folder, "0", "1").wait(PATIENCE)) == 6:
                 time.sleep(0.05)
             self.assertEqual(code, 0)
@@ -179,7 +180,7 @@ class Pieces(Case):
         five, whole = self.content("from5"), self.content("from0")
         self.assertEqual(set(whole) - set(five), {f"{i:06}.png" for i in range(5)})
         self.assertEqual([name for name in five if name != "manifest.json" and five[name] != whole[name]], [])
-        # Checkpoints are equal whether pictures are drawn or not, and for another camera and size.
+        # Checkpoints must not depend on whether pictures are drawn, nor on camera and size.
         self.good("render", "town.json", "-o", "beside/", "--checkpoint-at", "5", "--frames", "0-3")
         self.assertEqual(self.content("beside")["checkpoint.000005"], self.content("keep")["checkpoint.000005"])
         small = ("--size", "32x18", "-D", "camera.position=[0,1,4]")

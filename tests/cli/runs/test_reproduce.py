@@ -11,7 +11,7 @@ class Reproduce(Case):
         self.good("render", "scene.json", "-o", "out/", "--seed", "3", "-D", "objects.flag.cloth.jitter=0.02", "-D", "title=it's")
 
     def test_frames_are_reproduced_from_the_files_beside_them(self):
-        (self.folder / "scene.json").unlink()  # reproduce does not need the scene's file
+        (self.folder / "scene.json").unlink()  # `reproduce` does not need the scene's file.
         done = self.good("reproduce", "out/000003.png")
         self.assertEqual(done.stdout, b"out/000003.png: frame 3 is the same, in state and in every pixel\n")
         self.assertIn(b"frame 5 is the same", self.good("reproduce", "out").stdout)

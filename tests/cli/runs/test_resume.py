@@ -54,7 +54,7 @@ class Interrupted(Case):
         process = self.start("render", "slow.json", "-o", output)
         try:
             process.wait(0.7)
-        except Exception:  # subprocess.TimeoutExpired: still running, as expected
+        except Exception:  # subprocess.TimeoutExpired means that the process is still running, as expected.
             process.send_signal(signal.SIGINT)
         messages = process.communicate(timeout=PATIENCE)[1].decode()
         return process.returncode, messages
@@ -214,7 +214,7 @@ class Resume(Case):
         self.assertEqual([(r["processor"], r["frames"]) for r in self.runs("out")],
                          [("Testium 3", "0-3,5"), (processor, "4")])
         self.assertEqual(self.content("out"), self.whole)
-        # Back on the first machine, its pictures are no longer reported as another machine's.
+        # On the first machine again, its pictures are no longer reported as pictures of another machine.
         self.change_run("Testium 3", processor)
         (self.folder / "out/000004.png").unlink()
         done = self.good("render", "scene.json", "-o", "out/", "--resume")
@@ -275,7 +275,7 @@ class Resume(Case):
     def test_skip_existing_keeps_readable_frames(self):
         self.damage()
         own = self.whole["000005.png"]
-        foreign = own[:33] + own[own.index(b"IDAT") - 4:]  # a foreign picture: without simreel's text chunks
+        foreign = own[:33] + own[own.index(b"IDAT") - 4:]  # This picture is foreign: it lacks simreel's text chunks.
         self.path(1).write_bytes(foreign)
         self.path(2).write_bytes(self.whole["000002.png"])
         done = self.good("render", "scene.json", "-o", "out/", "--skip-existing")

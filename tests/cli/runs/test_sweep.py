@@ -56,10 +56,12 @@ class Sweep(Case):
         self.good("sweep", "dish.json", *vary, "-o", "sw/", "--plan-only")
         self.assertEqual(self.status(3), [f"{i:04}  missing  feed={f} kill={k}" for i, (f, k) in enumerate(
             (f, k) for f in ("0.02", "0.03", "0.04") for k in ("0.055", "0.06"))] + ["6 jobs: 0 done, 6 missing"])
-        self.good("sweep", "job", "sw", "5", "2")  # runs jobs 5 and 2 one by one, as an external scheduler does
-        self.assertEqual(self.status(3)[-1], "6 jobs: 2 done, 4 missing")  # jobs 2 and 5 stay below the check's bound
+        # Jobs 5 and 2 run one by one, as an external scheduler would run them.
+        self.good("sweep", "job", "sw", "5", "2")
+        # Jobs 2 and 5 stay below the bound of the check.
+        self.assertEqual(self.status(3)[-1], "6 jobs: 2 done, 4 missing")
         done = self.run_program("sweep", "dish.json", *vary, "-o", "sw/", "--jobs", "2", "--progress", "ndjson")
-        # A check fails for a strongly grown pattern; the pictures are written all the same.
+        # A check fails for a pattern that has grown a lot. The pictures are written nevertheless.
         self.assertEqual(done.returncode, 1, done.err)
         events = [json.loads(line) for line in done.err.splitlines()]
         self.assertEqual(sorted(e["job"] for e in events if e["event"] == "job"), ["0000", "0001", "0003", "0004"])
@@ -68,7 +70,7 @@ class Sweep(Case):
         lines = self.status(1)
         self.assertRegex(lines[-1], r"^6 jobs: 6 done \(\d with failed checks\)$")
         self.assertIn("meanV of dish is 0.3", lines[0])
-        # A job equals a render with its values.
+        # A job must equal a render with the job's values.
         self.good("render", "dish.json", "-o", "alone/", "-D", f"{FEED}=0.04", "-D", f"{KILL}=0.055")
         job, alone = self.content("sw/jobs/0004"), self.content("alone")
         self.assertEqual({name: job[name] for name in alone}, alone)
@@ -112,14 +114,14 @@ class Sweep(Case):
         placed = {**ball, "camera": {"position": [0, 1, 5], "target": [0, 0, 0]}}
         self.assertEqual(cameras(placed, *radii), {})
         self.assertEqual(cameras(ball, "--vary", "camera.fieldOfView=20,40"), {})
-        # The largest ball has the camera that it has alone.
+        # All jobs use the camera that the largest ball has on its own.
         self.assertIn(shared["camera.position"], self.good("explain", "ball.json", "-D", "objects.b.sphere.radius=2", "camera.position").stdout.decode())
 
     def test_failed_aborted_and_missing(self):
         self.write("slow.json", with_values(SLOW | {"time.duration": 3000}))  # a scene that would take hours
         self.good("sweep", "slow.json", "--vary", "objects.flag.cloth.air.velocity=[1,0,0],[2,0,0],[3,0,0]", "-o", "sw/", "--plan-only",
                   "--frames", "0-89999")
-        # The first job cannot be written; the second is interrupted; the third has not started.
+        # The first job cannot be written. The second is interrupted, and the third has not started.
         self.write("sw/jobs", "a file")
         self.bad(6, "sw/jobs/0000", "sweep", "job", "sw", "0")
         (self.folder / "sw/jobs").unlink()
@@ -159,7 +161,7 @@ class Sweep(Case):
 
     def test_a_killed_process_loses_only_its_job(self):
         self.write("slow.json", with_values(SLOW | {"time.duration": 0.5}))
-        for _ in range(20):  # repeats until the run is still active when the signal arrives
+        for _ in range(20):  # Repeats until the run is still active when the signal arrives.
             process = self.start("sweep", "slow.json", "--vary", "seed=1,2", "-o", "sw/", "--overwrite")
             self.wait_until((self.folder / "sw/jobs/0000/run.json").exists, process)
             with contextlib.suppress(ProcessLookupError):
@@ -187,7 +189,7 @@ class Sweep(Case):
         job, alone = self.content("sw/jobs/0002"), self.content("alone")
         self.assertEqual({name: job[name] for name in alone}, alone)
         # A damaged shared state is made again, or the jobs run without it. The shared state of an outdated plan is
-        # removed together with its jobs.
+        # removed together with the plan's jobs.
         state = self.folder / "sw/shared/checkpoint.000000"
         whole = state.read_bytes()
         (self.folder / "sw/jobs/0002/000001.png").unlink()
@@ -222,7 +224,7 @@ class Sweep(Case):
         self.assertEqual(list(self.content("sw/jobs/0000")), ["mine.txt"])
         (self.folder / "sw/jobs/0000/mine.txt").unlink()
         drawn = pathlib.Path(disk) / "disk"
-        for _ in range(20):  # repeats until the job is still active when it is stopped
+        for _ in range(20):  # Repeats until the job is still active when it is stopped.
             process = self.start("sweep", "job", "sw", "0", *scratch, env=env)
             self.wait_until(lambda: list(drawn.glob("*/*.png")), process)
             process.send_signal(signal.SIGSTOP)
@@ -234,8 +236,8 @@ class Sweep(Case):
         self.bad(6, "sw/jobs/0000 is in use", *sweep, "-o", "sw/", "--frames", "1", "--overwrite")
         process.kill()
         process.communicate()
-        self.assertEqual(len(left := list(drawn.iterdir())), 1)  # the next attempt removes the remaining files
-        # An interrupted job copies its state back; once used, the state is removed from both places.
+        self.assertEqual(len(left := list(drawn.iterdir())), 1)  # The next attempt removes the remaining files.
+        # An interrupted job copies its state back. After the state has been used, it is removed from both folders.
         self.signal_when(lambda: [file for own in drawn.iterdir() if own not in left for file in own.glob("*.png")], "sw/jobs/0000",
                          signal.SIGTERM, "sweep", "job", "sw", "0", *scratch, env=env)
         self.assertTrue((self.folder / "sw/jobs/0000/checkpoint").exists())
@@ -254,7 +256,7 @@ class Sweep(Case):
         job = self.content("sw/jobs/0001")
         (self.folder / "sw/jobs/0001/000001.png").unlink()
         self.assertEqual(self.status(7)[0], "0001  aborted  feed=0.02  it was done, and 1 of its files is gone")
-        # Two retries at once divide the jobs between them.
+        # Two retries at the same time divide the jobs between them.
         both = [self.start("sweep", "retry", "sw") for _ in range(2)]
         for process in both:
             self.assertIn(process.wait(PATIENCE), (0, 7))

@@ -15,7 +15,7 @@ ESC = "\x1b]0;owned\x07"
 C1 = "\x9b31m"
 BIDI = "\u202e"
 HOSTILE = f"a{ESC}{C1}{BIDI}\n::error::b\r\x7f"
-# Escape sequences, C0 except newline and tab, DEL, C1 and direction marks, in unescaped form.
+# Escape sequences, C0 except newline and tab, DEL, C1 and direction marks, all unescaped.
 RAW = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]")
 
 
@@ -25,7 +25,7 @@ class Terminal(Case):
         number of message lines."""
         done = self.run_program(*arguments, **options)
         self.assertEqual(done.returncode, code, (arguments, done.err))
-        # decoding also checks that the output is valid UTF-8
+        # Decoding also checks that the output is valid UTF-8.
         for text in (done.stdout.decode("utf-8"), done.stderr.decode("utf-8")):
             self.assertIsNone(RAW.search(text), text)
         if most is not None:
@@ -132,7 +132,7 @@ class SetUp(unittest.TestCase):
             else:
                 least = middle
         long = ["x" * 100_000] * 18
-        done = run(enough + 2.5, long)  # more memory, because the arguments are on the stack
+        done = run(enough + 2.5, long)  # This needs more memory, because the arguments are on the stack.
         self.assertEqual((done.returncode, done.stderr), (4, b"simreel: error: not enough memory\n"))
         self.assertEqual(run(enough + 200, long).returncode, 2)
 

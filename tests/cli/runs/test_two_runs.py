@@ -25,7 +25,7 @@ class TwoRuns(Case):
         self.assertEqual(self.content("out"), self.content("whole"))
 
     def test_two_runs_of_the_same_frames_are_refused(self):
-        long = ("-D", "time.duration=3000")  # a duration that would take hours to render
+        long = ("-D", "time.duration=3000")  # With this duration, rendering would take hours.
         first = self.begin("--frames", "0-19,25-89999", *long)
         for more in (("--frames", "20-25"), ("--frames", "29", "--overwrite"), ("--resume",), ("--skip-existing",)):
             self.bad(6, ["being rendered into out by another simreel", "--frames"], *self.run_of_slow, *long, *more)

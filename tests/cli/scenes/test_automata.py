@@ -21,7 +21,7 @@ class Families(Case):
 
     def test_random_cells_of_every_family_equal_golly(self):
         for family in golly.FAMILIES + (golly.NEWER if golly.version() >= (4, 0) else []):
-            if not family.startswith("far"):  # the far families read thousands of cells around each cell
+            if not family.startswith("far"):  # The far families read thousands of cells around each cell.
                 self.hold(golly.soups(family, 4, 1), 40)
         far = [case for case in golly.soups("farthest", 20, 1) if max(case["size"]) < 320]
         self.hold(far[:4], 3)
@@ -59,7 +59,7 @@ class Families(Case):
                               "time": {"fps": 10, "duration": 1.1}, "objects": {"cells": {"life": life}}})
         self.good("bake", "s.json", "-o", "out", "--frames", "0,10", "--format", "rle")
         start, end = (golly.read_rle((self.folder / f"out/cells_{f:06}.rle").read_text(encoding="ascii")) for f in (0, 10))
-        self.assertEqual(start[2], "B3/S23")  # the border's notation is dropped, because Golly has no such grid
+        self.assertEqual(start[2], "B3/S23")  # The notation of the border is removed, because Golly has no such grid.
         rows = ["".join(".A"[start[3].get((x, y), 0)] for x in range(width)) for y in range(height)]
         self.write("w.rle", f"x = {width}, y = {height + 1}, rule = WalledLife:T{width},{height + 1}\n"
                    + "$\n".join([*rows, "B" * width]) + "!\n")

@@ -31,7 +31,7 @@ class Bake(Case):
         self.assertEqual(names, ["x", "y", "z", "nx", "ny", "nz", "s", "t", "vx", "vy", "vz"])
         self.assertEqual(len(rows), 9 * 7)
         self.assertIn("object flag frame 5 time 0.166667 s seed 1", comments)
-        # The sheet falls from rest: lower in each frame, with increasing speed.
+        # The sheet falls from rest, so it is lower in each frame and its speed increases.
         heights = [sum(row[1] for row in self.read(f"out/flag_{frame:06}.ply")[2]) for frame in range(6)]
         self.assertEqual(heights, sorted(heights, reverse=True))
         self.assertEqual({row[8:] for row in self.read("out/flag_000000.ply")[2]}, {(0.0, 0.0, 0.0)})
@@ -54,8 +54,8 @@ class Bake(Case):
             area += 0.5 * math.sqrt(sum(x * x for x in cross))
             for i in face:
                 self.assertGreater(sum(x * n for x, n in zip(cross, rows[i][3:6])), 0)
-        self.assertAlmostEqual(area, 0.8 * 0.6, delta=0.1)  # the tolerance allows for folds of the sheet
-        # uvs of three corners; a picture's first row is at v = 1
+        self.assertAlmostEqual(area, 0.8 * 0.6, delta=0.1)  # The tolerance allows for folds of the sheet.
+        # These are the uvs of three corners. The first row of a picture is at v = 1.
         self.assertEqual([rows[0][6:8], rows[8][6:8], rows[62][6:8]], [(0, 1), (1, 1), (1, 0)])
 
     def test_baked_files_are_read_back_as_the_same_surface(self):
@@ -136,12 +136,12 @@ class Bake(Case):
         self.assertIn(b"element face 48\nproperty list uchar uint vertex_indices\n", head)
         self.assertEqual(len(body), 35 * 8 * 4 + 48 * 13)
         vertices = [tuple(map(float, line.split()[1:])) for line in lines if line.startswith("v ")]
-        for i, vertex in enumerate(vertices):  # both files contain the same floats
+        for i, vertex in enumerate(vertices):  # Both files must contain the same floats.
             self.assertEqual(struct.pack("<3f", *vertex), body[i * 32:i * 32 + 12])
-        for x, y, z in vertices:  # compares with the ripple's formula at frame 5
+        for x, y, z in vertices:  # The positions are compared with the formula of the ripple at frame 5.
             self.assertAlmostEqual(y, 0.25 * math.sin(2 * 5 / 30 + 6 - math.hypot(x, z)), places=5)
         self.assertNotEqual(self.content("out")["sheet_000000.obj"], self.content("out")["sheet_000005.obj"])
-        # A baked mesh can be read as a mesh again.
+        # A baked mesh must be readable as a mesh.
         self.write("again.json", with_values({"objects": {"m": {"mesh": {"shape": "file", "file": "out/sheet_000005.ply"}}}}))
         self.good("render", "again.json", "-o", "again.png", "--frames", "0")
 

@@ -60,7 +60,7 @@ class BakeMaps(Case):
         self.assertGreater(max(n[0] for n in normals), 160)
         self.assertEqual({c for row in self.read("out/ball_000002_roughness.png")[2] for c in row}, {(179, 179, 179)})
         heights = {h for row in self.read("out/ball_000002_height.png")[2] for (h,) in row}
-        self.assertGreater(len(heights), 600)  # more different heights than 8 bits can hold
+        self.assertGreater(len(heights), 600)  # There are more different heights than 8 bits can represent.
 
     def test_normals_follow_the_heights_with_y_up(self):
         self.good("bake", "scene.json", "-o", "out", "--format", "maps")
@@ -73,7 +73,7 @@ class BakeMaps(Case):
                 rise_right = heights[y][(x + 1) % SIDE][0] - heights[y][x - 1][0]
                 rise_up = heights[y - 1][x][0] - heights[(y + 1) % SIDE][x][0]
                 for axis, rise in ((0, rise_right), (1, rise_up)):
-                    if abs(rise) > 3000:  # the slope is steep enough to compare its sign
+                    if abs(rise) > 3000:  # The slope is steep enough to compare its sign.
                         count[axis] += 1
                         agree[axis] += (normals[y][x][axis] < 127.5) == (rise > 0)
         for axis in (0, 1):
@@ -91,9 +91,9 @@ class BakeMaps(Case):
                 self.assertEqual((found, rows_found), (width, height))
                 across = [sorted(apart(row[x - 1], row[x]) for row in rows) for x in range(width)]
                 down = [sorted(apart(a, b) for a, b in zip(rows[y - 1], rows[y])) for y in range(height)]
-                for lines in (across, down):  # the first line is the tile's border
+                for lines in (across, down):  # The first line is the border of the tile.
                     for rank in (-1, len(lines[0]) * 99 // 100):
-                        # The maximum may occur at the border by chance: 5 % tolerance.
+                        # The maximum may occur at the border by chance, so there is a tolerance of 5 %.
                         self.assertLessEqual(lines[0][rank], 1.05 * max(line[rank] for line in lines[1:]) + 1, name)
 
     def test_a_field_with_a_look(self):

@@ -167,7 +167,7 @@ def read_cache(data):
 
 BLENDER = """
 import bpy, json, numpy, sys
-numpy.bool = bool  # Debian's Blender 3.4 still asks for what its numpy has no more
+numpy.bool = bool  # Debian's Blender 3.4 uses a name that its numpy no longer has.
 folder, frames = sys.argv[-1], {frames}
 found = {{}}
 def fresh():
@@ -214,7 +214,7 @@ class Sequence(Case):
             self.assertEqual(glb.times, [single(i / 30) for i in range(6)])
             self.assertEqual(glb.weights, [[float(i == k + 1) for k in range(5)] for i in range(6)])
             self.assertEqual(glb.columns["POSITION"], [tuple(map(single, p)) for p in frames[0]["v"]])
-            # v points down in glTF and up in OBJ
+            # v points down in glTF and up in OBJ.
             for (u, v), (x, y) in zip(glb.columns["TEXCOORD_0"], frames[0]["vt"]):
                 self.assertEqual((u, round(v, 6)), (single(x), round(1 - y, 6)))
             self.assertEqual(glb.indices, [i for face in frames[0]["f"] for i in face])
@@ -318,7 +318,7 @@ class Sequence(Case):
         self.bake("--format", "pc2")
         self.bake("--format", "mdd", "--overwrite")
         self.write("look.py", BLENDER.format(frames=list(range(6))))
-        # Blender uses the first python3 in PATH as its own, and another one may lack modules that Blender needs.
+        # Blender runs the first python3 in PATH. Another one than the system's may lack modules that Blender needs.
         system = {**os.environ, "PATH": "/usr/bin:/bin"}
         done = subprocess.run([shutil.which("blender"), "--background", "--factory-startup", "--python-exit-code", "3", "--python", self.folder / "look.py",
                                "--", self.folder / "out"], cwd=self.folder, env=system, capture_output=True, timeout=PATIENCE, check=False)
@@ -327,7 +327,7 @@ class Sequence(Case):
         for kind in ("glb", "pc2", "mdd"):
             for got, frame in zip(found[kind], self.frames("flag", range(6)), strict=True):
                 for a, (x, y, z) in zip(got, frame["v"], strict=True):
-                    self.assertLess(math.dist(a, (x, -z, y)), 1e-6, kind)  # Blender's z axis points up
+                    self.assertLess(math.dist(a, (x, -z, y)), 1e-6, kind)  # Blender's z axis points up.
 
 
 if __name__ == "__main__":

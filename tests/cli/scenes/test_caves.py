@@ -55,14 +55,14 @@ class Caves(Case):
             indices = read_accessor(document, binary, primitive["indices"])
             positions = columns["POSITION"]
             self.assertEqual({len(column) for column in columns.values()}, {len(positions)})
-            self.assertEqual(set(indices), set(range(len(positions))))  # checks that triangles use every position
+            self.assertEqual(set(indices), set(range(len(positions))))  # This checks that triangles use every position.
             accessor = document["accessors"][primitive["attributes"]["POSITION"]]
             self.assertEqual(accessor["min"], [min(axis) for axis in zip(*positions)])
             self.assertEqual(accessor["max"], [max(axis) for axis in zip(*positions)])
             for normal in columns["NORMAL"]:
                 self.assertAlmostEqual(sum(x * x for x in normal), 1, places=5)
             self.check_closed(positions, [indices[i:i + 3] for i in range(0, len(indices), 3)])
-            # A baked mesh can be read as a mesh again.
+            # A baked mesh must be readable as a mesh.
             self.write("again.json", with_values({"objects": {"m": {"mesh": {"shape": "file", "file": "out/c_000000.glb"}}}}))
             self.good("render", "again.json", "-o", f"again{ceiling}.png", "--frames", "0")
 
@@ -87,7 +87,7 @@ class Caves(Case):
         self.assertEqual(steps[at["entrance"][1] * width + at["entrance"][0]], 0)
         self.assertEqual(steps[at["exit"][1] * width + at["exit"][0]], max(steps))
         self.assertEqual(len(path), max(steps) + 1)
-        for y in range(height):  # step counts of neighbouring open cells differ by at most one
+        for y in range(height):  # The numbers of steps to adjacent open cells differ by at most one.
             for x in range(width - 1):
                 a, b = steps[y * width + x], steps[y * width + x + 1]
                 if a >= 0 and b >= 0:
@@ -111,7 +111,7 @@ class Caves(Case):
             self.assertAlmostEqual(room["area"], room["cells"] * 0.25)
             self.assertTrue(0 <= x <= 40 and -28 <= y <= 0)
         self.scene(fill=0.52, cell=0.5)
-        self.assertEqual(rooms(), separate)  # the number of rooms before corridors joined them
+        self.assertEqual(rooms(), separate)  # This is the number of rooms before corridors connected them.
 
     def test_contour_levels_follow_the_range_of_the_field(self):
         pattern = {"grayScott": {"size": [48, 32], "presteps": 50, "display": {"layer": "none", "low": 0.1, "high": 0.4}}}

@@ -63,7 +63,7 @@ class Cycles(Case):
 
     def cycles(self, samples):
         self.good("bake", "scene.json", "-o", "baked", "--format", "ply", "--frames", "3", "--overwrite")
-        # Blender uses the first python3 in PATH as its own, and another one may lack modules that Blender needs.
+        # Blender runs the first python3 in PATH. Another one than the system's may lack modules that Blender needs.
         done = subprocess.run([shutil.which("blender"), "-b", "--factory-startup", "--python-exit-code", "1", "--python", CYCLES / "scene.py", "--",
                                "scene.json", "baked", self.folder / "cycles.png", str(samples)], cwd=self.folder, env={**os.environ, "PATH": "/usr/bin:/bin"},
                               capture_output=True, timeout=PATIENCE, check=False)
@@ -90,13 +90,14 @@ class Cycles(Case):
         self.write("scene.json", scene)
         self.good("render", "scene.json", "-o", "ours.png", "--frames", "3")
         ours, theirs = self.pixels("ours.png"), self.pixels("cycles.png")
-        # the picture shows all four objects and the ground
+        # The picture shows all four objects and the ground.
         self.assertGreaterEqual(len({tuple(c // 40 for c in p) for p in ours.values()}), 5)
 
         def around(pixels, x, y):
             return [pixels[i, j] for i in (x - 1, x, x + 1) for j in (y - 1, y, y + 1) if (i, j) in pixels]
 
-        # Cycles places a sample anywhere in its pixel, simreel at the centre: at an edge, either side may be visible.
+        # Cycles places a sample at a random position in its pixel, simreel at the centre. At an edge, either side may
+        # be visible.
         apart = [at for a, b in ((ours, theirs), (theirs, ours)) for at, p in a.items()
                  if not any(max(abs(c - d) for c, d in zip(p, q)) <= 4 for q in around(b, *at))]
         self.assertLess(len(apart), 6, apart[:20])

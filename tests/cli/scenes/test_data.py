@@ -19,12 +19,12 @@ class Data(Case):
 
         def grey(x, y):
             return pixels[4 * (200 * y + x)]
-        # The bar covers x 100 to 120 and y 20 to 80: white at its top, black at its foot.
+        # The bar covers x from 100 to 120 and y from 20 to 80. It is white at the top and black at the bottom.
         shades = [grey(110, y) for y in range(21, 80)]
         self.assertEqual(shades, sorted(shades, reverse=True))
         self.assertGreater(shades[0], 245)
         self.assertLess(shades[-1], 30)
-        # Ticks stand right of the bar at 1 to 5; between them there is the panel.
+        # Ticks are to the right of the bar at the values 1 to 5. Between them, the panel is visible.
         self.assertGreater(max(grey(121, 49), grey(121, 50)), 110)
         self.assertLess(grey(121, 57), 80)
 
@@ -94,7 +94,7 @@ class Data(Case):
         rows = list(csv.DictReader((self.folder / "out/sheet.csv").read_text().splitlines()))
         self.assertEqual([row["frame"] for row in rows], ["0", "1", "2", "3"])
         self.assertEqual(list(rows[0])[:3], ["frame", "time", "population"])
-        # Free fall by semi-implicit Euler: v = g t, so E = m (g t)^2 / 2 for 25 kg.
+        # For free fall by semi-implicit Euler, v = g t, so E = m (g t)^2 / 2 with m = 25 kg.
         for row in rows:
             self.assertAlmostEqual(float(row["kineticEnergy"]), 0.5 * 25 * (10 * float(row["time"])) ** 2, 3)
         self.bad(6, "exists; use --overwrite", "bake", "a.json", "-o", "out", "--format", "csv")

@@ -36,7 +36,7 @@ class DataPictures(Case):
         ends = self.ends(said)
         for end, value in (("low", min(values)), ("high", max(values))):
             self.assertEqual(struct.pack("<f", ends[end]), struct.pack("<f", value))
-        # The ends that the line says give the same pictures, and so does one frame alone.
+        # Fixing the ends to the printed values gives the same pictures, and so does rendering a single frame.
         pinned = re.search(r"to keep them: (.*)", said)[1].replace("'", "").split()
         self.good("render", "a.json", "-o", "pinned/", "-q", *pinned)
         self.good("render", "a.json", "-o", "one/", "--frames", "1", "-q")
@@ -66,7 +66,8 @@ class DataPictures(Case):
         self.assertAlmostEqual(ends["colorTo"], max(speeds), 5)
 
     def test_the_strain_and_speed_of_cloth_are_those_of_a_closed_form(self):
-        # Scaled by 1.1 along both axes, every link has the strain 0.1. Moved by (1, 2, -2) m in a second, the speed is 3 m/s.
+        # The cloth is scaled by 1.1 along both axes, so every link has the strain 0.1. It is moved by (1, 2, -2) m in a
+        # second, which is a speed of 3 m/s.
         auto = {"colorFrom": "auto", "colorTo": "auto"}
         plane = {"mesh": {"shape": "plane", "size": [1, 0, 1], "resolution": [5, 5]}}
         whole = {"min": [-1, -1, -1], "max": [1, 1, 1]}
@@ -80,7 +81,7 @@ class DataPictures(Case):
                 ends = self.ends(self.good("render", "a.json", "-o", f"{quantity}{mesh}/", "--frames", "0", "--size", "32x18").err)
                 self.assertAlmostEqual(ends["colorFrom"], 0, 5)
                 self.assertAlmostEqual(ends["colorTo"], expected, 3)
-            # Free fall without pins: v = g t after two steps between three frames.
+            # For free fall without pins, v = g t after two steps in each of three frames.
             for fabric in ({}, {"fabric": {"material": "cotton", "stretchDamping": 0}, "substeps": 4}):
                 self.scene({"sheet": {"cloth": {**shape, **fabric, "gravity": [0, -10, 0], "damping": 0, "pins": [], "colorBy": "speed", **auto}}})
                 ends = self.ends(self.good("render", "a.json", "-o", "fall/", "--frames", "0", "--size", "32x18", "--overwrite").err)
@@ -139,7 +140,8 @@ class DataPictures(Case):
         return [[255 - pixels[4 * (size[0] * y + x)] for x in range(size[0])] for y in range(size[1])]
 
     def test_an_isoline_lies_where_the_closed_form_has_it(self):
-        # Circles of radius 10 and 17.5 cells about the corner of cell (40, 22), which is pixel (160, 88).
+        # The lines are circles with radii of 10 and 17.5 cells around the corner of cell (40, 22), which is pixel (160,
+        # 88).
         dark = self.field("sqrt((x - 40)^2 + (y - 22)^2)", {"at": [10, 17.5], "width": 2 / 180})
         for y in (90, 110, 60):
             for radius in (40, 70):
@@ -150,12 +152,12 @@ class DataPictures(Case):
                     self.assertGreater(weight, 255)
                     middle = sum(dark[y][i] * (i + 0.5) for i in near) / weight
                     self.assertLess(abs(middle - x), 0.25, (y, radius, side))
-        # The area of a line is its length times its width, here 2 pixels.
+        # The area of a line is its length times its width, which is 2 pixels here.
         area = sum(map(sum, dark)) / 255
         self.assertAlmostEqual(area, 2 * 2 * math.pi * (40 + 70), delta=0.01 * area)
 
     def test_isolines_of_reduced_fields_and_of_a_part_of_a_field(self):
-        # 4 cells in a pixel; the corner of cell 160 is pixel 40.
+        # A pixel covers 4 cells. The corner of cell 160 is at pixel 40.
         dark = self.field("x", {"at": [160, 960], "width": 1 / 45}, (80, 45), (320, 180))
         self.assertAlmostEqual(sum(d * (i + 0.5) for i, d in enumerate(dark[20])) / sum(dark[20]), 40, delta=0.1)
         # Cells 20 to 60 fill the right half of the picture.
@@ -168,7 +170,7 @@ class DataPictures(Case):
     def test_numbers_interrupt_their_lines(self):
         bare = self.field("y", {"every": 10})
         numbered = self.field("y", {"every": 10, "labels": True, "height": 0.05})
-        # Line 10 lies at pixel 40: without a number it is whole, else it has a gap as wide as the number.
+        # Line 10 is at pixel 40. Without a number it is continuous; with a number it has a gap as wide as the number.
         self.assertGreater(min(bare[39]), 30)
         gap = [x for x, shade in enumerate(numbered[39]) if shade < 30]
         self.assertGreater(len(gap), 4)
@@ -196,14 +198,14 @@ class DataPictures(Case):
 
     def test_a_scale_bar_is_as_long_as_its_number_says(self):
         flat = {"projection": "orthographic", "height": 4, "position": [0, 0, 5], "target": [0, 0, 0]}
-        # 4 m in 200 pixels: at most 0.25 of 400 pixels are 2 m.
+        # The picture shows 4 m in 200 pixels. The bar may cover at most 0.25 of 400 pixels, which is 2 m.
         self.assertEqual(self.bar({}, camera=flat), (20, 120))
         self.assertEqual(self.bar({"length": 3}, camera=flat), (20, 170))
-        # 2 * 5 m * tan(20 degrees) in 200 pixels.
+        # The picture shows 2 * 5 m * tan(20 degrees) in 200 pixels.
         deep = {"fieldOfView": 40, "position": [0, 0, 5], "target": [0, 0, 0]}
         first, last = self.bar({"length": 1}, camera=deep)
         self.assertAlmostEqual(last - first, 200 / (10 * math.tan(math.radians(20))), delta=1)
-        # A field of 5 pixels in a cell; 20 cells are 100 pixels.
+        # In this field, a cell has 5 pixels, and 20 cells have 100 pixels.
         dish = {"dish": {"reaction": {"size": [80, 40], "steps": 0, "species": {"u": {"start": "0"}}, "display": {"stops": [{"color": "black"}, {"color": "black"}]}}}}
         self.assertEqual(self.bar({"of": "dish"}, dish), (20, 120))
         self.assertEqual(self.bar({"of": "dish", "cell": 0.05, "length": 1.5}, dish), (20, 170))

@@ -90,7 +90,7 @@ class Fields(Case):
             self.assertEqual(done.err.count("is held there"), 1, done.err)
             self.assertIn("grayScott \"dish\"", done.err)
             self.assertLess(mass(29), mass(0) - 0.1)
-        # No message if no value is clamped.
+        # There must be no message if no value is clamped.
         for values in ({"diffuseV": 0.21, "dt": 0.4}, {"feed": 0.03, "kill": 0.06}):
             scene["objects"]["dish"]["grayScott"] = {**dish, **values}
             self.write("scene.json", scene)
@@ -109,7 +109,7 @@ class Fields(Case):
         self.good(*self.render("--fields", "npy", "--overwrite"))
         whole = self.content("out")
         self.assertEqual(read_npy(whole["000002.dish.npy"])[:2], (4, 5))
-        # Resuming repairs truncated or missing files, and leaves the others unchanged.
+        # Resuming repairs truncated or missing files and leaves the others unchanged.
         (self.folder / "out/000001.dish.npy").write_bytes(whole["000001.dish.npy"][:-3])
         (self.folder / "out/000003.dish.npy").unlink()
         before = (self.folder / "out/000002.dish.npy").stat().st_mtime_ns
@@ -137,7 +137,7 @@ class Fields(Case):
         self.bad(2, "no object of the scene is a field", "render", "cloth.json", "-o", "out/", "--fields", "npy")
         self.bad(2, "no object of the scene has a field", "bake", "cloth.json", "-o", "out", "--format", "pfm")
         self.bad(2, ["nobody", "dish"], "bake", "scene.json", "-o", "out", "--format", "pfm", "--object", "nobody")
-        # A folder with the file's name prevents writing.
+        # A folder with the name of the file prevents writing.
         (self.folder / "out/000001.dish.npy").mkdir(parents=True)
         self.bad(6, "000001.dish.npy", *self.render("--fields", "npy", "--overwrite"))
 

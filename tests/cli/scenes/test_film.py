@@ -31,11 +31,11 @@ class Film(Case):
             alpha = after[3]
             counts["whole" if alpha == 255 else "part" if alpha > 0 else "none"] += 1
             if alpha == 255:
-                self.assertEqual(after[:3], before)  # pixels that an object covers fully are unchanged
+                self.assertEqual(after[:3], before)  # Pixels that an object covers fully must be unchanged.
             if alpha == 0:
                 self.assertEqual(after, [0, 0, 0, 0])
         self.assertGreater(min(counts.values()), 100)
-        # Four samples per pixel give alpha in quarters.
+        # With four samples per pixel, alpha is a multiple of a quarter.
         self.assertLessEqual({pixel[3] for pixel in cut}, {0, 64, 128, 191, 255})
 
     def test_glows_look_the_same_over_black(self):
@@ -45,7 +45,7 @@ class Film(Case):
         plain, _ = pixels((self.folder / "plain.png").read_bytes())
         cut, _ = pixels((self.folder / "cut.png").read_bytes())
         self.assertGreater(len({pixel[3] for pixel in cut}), 50)
-        # Equal except for the sky, which is nearly black, and rounding.
+        # The pictures are equal except for rounding and the sky, which is nearly black.
         apart = [abs(before[i] - after[i] * after[3] / 255) for before, after in zip(plain, cut) for i in range(3)]
         self.assertLessEqual(max(apart), 6)
         self.assertLess(sum(apart) / len(apart), 1.5)
@@ -71,10 +71,11 @@ class Film(Case):
                 data = b"".join(unfiltered(rows, width * 2 * channels, 2 * channels))
                 numbers = [256 * data[i] + data[i + 1] for i in range(0, len(data), 2)]
                 shown = [value for pixel in pixels(plain)[0] for value in pixel]
-                # Equal except for the dither, which is at most half a step.
+                # The pictures are equal except for the dither, which is at most half a step.
                 self.assertLessEqual(max(abs(a / 257 - b) for a, b in zip(numbers, shown)), 1.01)
                 self.assertGreater(len(set(numbers)), 4 * len(set(shown)))
-        # Without a tone curve, 16-bit values are the light of the OpenEXR file, encoded by IEC 61966-2-1 and rounded.
+        # Without a tone curve, 16-bit values are the light of the OpenEXR file, encoded by the sRGB curve (IEC
+        # 61966-2-1) and rounded.
         dark = ("-D", "sky.ground=[0.002,0.01,0.003]", "-D", "render.tone=plain", "-D", "render.transparent=false")
         self.good(*see[:6], *dark, "-o", "deep.png", "--bits", "16")
         self.good(*see[:6], *dark, "-o", "light.exr", "--bits", "32")
@@ -104,7 +105,7 @@ class Film(Case):
         self.assertEqual([frame["file"] for frame in frames], ["0000.exr", "0003.exr"])
         self.good("render", "scene.json", "--layers", "depth,object,position,normal,albedo", "--frames", "0,3", "-o", "a/####.exr", "--resume")
         self.assertEqual(first, (self.folder / "a/0000.exr").read_bytes())
-        # Tone and exposure do not affect OpenEXR.
+        # Tone curve and exposure do not affect OpenEXR.
         self.good(*see, "--frames", "0", "-o", "c.exr", "-D", "render.tone=plain", "-D", "render.exposure=3")
         self.good("diff", "b.exr", "c.exr")
         self.assertEqual(self.run_program("diff", "b.exr", "b.exr", "-q").returncode, 0)

@@ -6,7 +6,7 @@ from common import Case, main
 
 
 class Framing(Case):
-    # A sheet that falls over a sphere, with its own sky, so there is no stage.
+    # The sheet falls over a sphere. The scene has its own sky, so there is no stage.
     SCENE = {"version": 1, "sky": {}, "time": {"duration": 0.5}, "render": {"size": [64, 36]},
              "objects": {"sheet": {"cloth": {"size": [12, 12], "pins": [], "position": [0, 1.5, 0]}}, "ball": {"sphere": {"radius": 0.4}}}}
 
@@ -36,7 +36,7 @@ class Framing(Case):
 
     def test_the_printed_override_keeps_the_camera_there(self):
         stage = {key: value for key, value in self.SCENE.items() if key != "sky"}
-        # a sheet so small that the camera would be nearer than its minimum distance
+        # The sheet is so small that the camera would be closer than its minimum distance.
         far = {"sheet": {"cloth": {"size": [12, 12], "spacing": 0.004, "pins": []}}}
         for name, scene in ("sky", self.SCENE), ("stage", stage), ("small", {**stage, "objects": far}):
             with self.subTest(name):

@@ -42,7 +42,7 @@ class Golly(Case):
         start, end = (read_rle(text) for text in texts)
         self.assertEqual(start[:3], (*size, f"{rule}:T{size[0]},{size[1]}"))
         self.assertLessEqual(max(map(len, texts[1].splitlines())), 70)
-        # The first generation gives the offset of Golly's grid; later generations use the same offset.
+        # The first generation gives the offset of Golly's grid. Later generations use the same offset.
         first = self.run_golly("out/cells_000000.rle", 0)
         left, top = (min(c[i] for c in first) - min(c[i] for c in start[3]) for i in (0, 1))
         self.assertEqual({(x - left, y - top) for x, y in first}, start[3])
@@ -82,7 +82,7 @@ class Golly(Case):
                 for frame, generations in ((0, 0), (10, 90)):
                     ours = read_rle((self.folder / f"out/cells_{frame:06}.rle").read_text(encoding="ascii"))
                     self.assertEqual(ours[2], ("B36" if "swapped" in name else "B3") + "/S23:P400,300")
-                    # bgolly reads the file with a header instead, because it requires one.
+                    # bgolly reads the file with a header instead, because it requires a header.
                     theirs = self.run_golly("gun.cells" if name == "bare.rle" else name, generations)
                     self.assertEqual(put(ours[3]), put(theirs))
 
@@ -162,10 +162,11 @@ class Life(Case):
         shutil.copy(SOURCE / "assets/patterns/gosper_gun.rle", self.folder)
         self.write("s.json", {"version": 1, "objects": {"c": {"life": {"patterns": [{"file": "gosper_gun.rle"}]}}}})
         pixels = self.bright("s.json", 320, 180)
-        self.assertEqual(len(pixels), 36 * 16)  # the gun's 36 cells have 4 x 4 pixels each; the grid has 80 x 45 cells
+        # The 36 cells of the gun have 4 x 4 pixels each. The grid has 80 x 45 cells.
+        self.assertEqual(len(pixels), 36 * 16)
         for axis, (least, most) in enumerate(((88, 231), (72, 107))):
             self.assertEqual((min(p[axis] for p in pixels), max(p[axis] for p in pixels)), (least, most))
-        # A picture of another shape shows the whole grid.
+        # A picture with another aspect ratio shows the whole grid.
         self.assertEqual(len(self.bright("s.json", 160, 160)), 36 * 4)
         listed = self.good("list", "life").stdout.decode()
         self.assertIn("[default [512,512], or fits the patterns;", " ".join(listed.split()))
@@ -199,7 +200,7 @@ class Life(Case):
         self.bad_scene("needs \"file\"", "bake", "s.json", "-o", "out")
         self.write("p.rle", "x = 3, y = 1\n2oA!")
         self.write("s.json", scene([33, 31], 10, patterns=[{"file": "p.rle"}]))
-        self.good("bake", "s.json", "-o", "two", "--frames", "0")  # letter A is state 1, a living cell
+        self.good("bake", "s.json", "-o", "two", "--frames", "0")  # The letter A is state 1, a living cell.
         self.write("p.rle", "x = 3, y = 1\n2oB!")
         self.bad(2, ["p.rle:2:3", "a cell of state 2, but the rule B3/S23 has the states 0 to 1"], "bake", "s.json", "-o", "out")
         self.write("s.json", scene([33, 31], 10, patterns=[{"file": "p.rle", "rotate": 45}]))
@@ -216,7 +217,8 @@ class Life(Case):
 
     def test_every_shipped_pattern_is_read(self):
         files = sorted((SOURCE / "assets/patterns").glob("*.rle"))
-        self.good("validate", SOURCE / "assets/patterns/parity.rle")  # the pattern's rule file is beside it
+        # The rule file of the pattern is in the same folder.
+        self.good("validate", SOURCE / "assets/patterns/parity.rle")
         files = [file for file in files if "WireWorld" not in file.read_text(encoding="ascii")]
         self.assertGreater(len(files), 4)
         patterns = [{"file": f"patterns/{file.name}", "at": [5, 45 * i]} for i, file in enumerate(files)]

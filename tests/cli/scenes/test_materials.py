@@ -63,7 +63,7 @@ class Materials(Case):
         self.write("square.gltf", gltf([glowing([1, 0, 0]), glowing([0, 0, 1])]))
         self.scene("square.gltf")
         self.assertEqual(self.picture(), ((255, 0, 0), (0, 0, 255)))
-        # the scene's own emission replaces the file's
+        # The emission in the scene replaces that of the file.
         self.scene("square.gltf", {"emission": [0, 1, 0], "color": [0, 0, 0]})
         self.assertEqual(self.picture(), ((0, 255, 0), (0, 255, 0)))
 
@@ -111,7 +111,7 @@ class Materials(Case):
         self.write("hole.png", png([(0, 0, 0, 255)]))
         left, right = self.picture()
         self.assertEqual(right, (0, 0, 0))
-        self.assertTrue(180 < left[1] < 195, left)  # the picture shows half of the light
+        self.assertTrue(180 < left[1] < 195, left)  # The picture contains half of the light.
         self.write("square.mtl", b"newmtl left\nmap_Kd gone.png\n")
         self.assertIn("gone.png (it does not exist or is not a regular file)",
                       self.good("render", "square.json", "--frames", "0", "--size", "8x8", "-o", "c/").err)
@@ -151,11 +151,11 @@ class Materials(Case):
             self.assertIn(part, self.said())
             self.square(library + b"Kd 0 0 0\n")
             self.assertEqual(self.picture(), ((0, 255, 0), (0, 255, 0)))
-        # Blender writes these values for unused features
+        # Blender writes these values for unused features.
         self.square(b"Ke 0 1 0\naniso 0\nanisor 0\nPs 0\nTf 1 1 1\nmap_d -imfchan l -cc off gone.png\n")
         self.assertIn("gone.png", self.said())
         self.assertNotIn("aniso", self.said())
-        self.square(b"map_Ke gone.png\n")  # without its picture, a light source is dark
+        self.square(b"map_Ke gone.png\n")  # Without its picture, a light source is dark.
         self.assertEqual(self.picture(), ((0, 0, 0), (0, 0, 0)))
 
     def test_usual_lighting_words_of_libraries_are_accepted(self):
@@ -176,7 +176,7 @@ class Materials(Case):
         holed = {"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}, "alphaMode": "MASK", "extensions": {"KHR_materials_unlit": {}, "KHR_materials_clearcoat": {"clearcoatFactor": 1}}}
         self.write("square.gltf", {**gltf([plain, holed], [leaf], [{"source": 0}]), "extensionsUsed": ["KHR_materials_unlit"]})
         self.scene("square.gltf")
-        # the light does not come from "emissiveFactor"; the second material is a hole
+        # The light does not come from "emissiveFactor". The second material is a hole.
         self.assertEqual(self.picture(), ((0, 0, 255), (0, 0, 0)))
         self.assertNotIn(WORDS, self.said())
         light = ("-D", "sun.intensity=9", "-D", "sun.direction=[0,0,1]")
@@ -189,7 +189,7 @@ class Materials(Case):
     def test_texture_transforms_of_gltf(self):
         red, green, blue, white = (255, 0, 0, 255), (0, 255, 0, 255), (0, 0, 255, 255), (255,) * 4
         across, down = png([red, red, green, green]), png([red, red, green, green, blue, blue, white, white], 1)
-        # picture() reads u = 0.32, v = 0.68 and then u = 0.68, v = 0.32. A quarter turn: u' = v, v' = -u.
+        # picture() reads u = 0.32, v = 0.68, and then u = 0.68, v = 0.32. A quarter turn gives u' = v and v' = -u.
         for image, transform, left, right in ((across, {}, red, green), (across, {"offset": [0.5, 0]}, green, red), (across, {"scale": [0.5, 1]}, red, red),
                                               (across, {"rotation": 1.5707963}, green, red), (down, {}, blue, green), (down, {"offset": [0, 0.25]}, white, blue),
                                               (down, {"rotation": 1.5707963}, blue, green), (down, {"rotation": 1.5707963, "offset": [0, 0.25], "scale": [2, 1]}, blue, white)):
@@ -199,13 +199,14 @@ class Materials(Case):
             self.assertEqual(self.picture(), (left[:3], right[:3]), transform)
             self.assertNotIn(WORDS, self.said())
         second = gltf([glowing([1, 1, 1], emissiveTexture={"index": 0, "texCoord": 1})], [across], [{"source": 0}])
-        for part in second["meshes"][0]["primitives"]:  # the second uv set is the positions: u = 0.32 is at x = -0.36
+        # The second uv set consists of the positions, so u = 0.32 is at x = -0.36.
+        for part in second["meshes"][0]["primitives"]:
             part["attributes"]["TEXCOORD_1"] = 4
         second["accessors"].append({"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC2"})
         second["bufferViews"][0]["byteStride"] = 12
         self.write("square.gltf", second)
         self.scene("square.gltf")
-        self.assertEqual(self.picture(), ((0, 255, 0), (255, 0, 0)))  # u = x is -0.36, which wraps to 0.64, and 0.36
+        self.assertEqual(self.picture(), ((0, 255, 0), (255, 0, 0)))  # u = x is -0.36, which wraps to 0.64, and 0.36.
         self.assertNotIn(WORDS, self.said())
 
     def test_maps_of_a_scene(self):

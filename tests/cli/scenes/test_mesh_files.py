@@ -46,7 +46,7 @@ class MeshFiles(Case):
         self.good("render", "s.json", "--size=48x27", "--turn=0.5", "--fps=8", "-o", "turn/")
         still, first, second = (png_rows((self.folder / name).read_bytes())[2] for name in ("still.png", "turn/000000.png", "turn/000001.png"))
         far = sum(abs(a - b) > 8 for a, b in zip(still, first))
-        self.assertLess(far, len(still) // 100)  # angles are rounded, so that single pixels differ
+        self.assertLess(far, len(still) // 100)  # Angles are rounded, so single pixels differ.
         self.assertGreater(sum(abs(a - b) > 8 for a, b in zip(still, second)), len(still) // 20)
 
     def test_frames_of_a_changed_file_are_not_resumed(self):

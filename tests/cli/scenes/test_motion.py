@@ -29,7 +29,7 @@ class Motion(Case):
             self.good("render", "scene.json", "-o", f"one{number}/", "--frames", str(number), "-q")
             self.assertEqual(pixels(self.frame(f"one{number}", number)), pixels(self.frame("all", number)), number)
         self.good("render", "scene.json", "-o", "sharp/", "-D", "camera.shutter=false", "-q")
-        # the first frame has no earlier state to blur from
+        # For the first frame there is no earlier state from which to blur.
         self.assertEqual(pixels(self.frame("sharp", 0)), pixels(self.frame("all", 0)))
         self.assertNotEqual(pixels(self.frame("sharp", 7)), pixels(self.frame("all", 7)))
         states = [json.loads((self.folder / name / "manifest.json").read_text())["frames"] for name in ("all", "sharp")]
@@ -38,7 +38,7 @@ class Motion(Case):
     def test_motion_blur_is_equal_in_resumed_runs_and_pieces(self):
         self.write("scene.json", FALL)
         self.good("render", "scene.json", "-o", "all/", "-q")
-        for number in (5, 6):  # the frame of a kept state, and the next one
+        for number in (5, 6):  # These are the frame of a kept state and the next one.
             with self.subTest(number):
                 self.good("render", "scene.json", "-o", "part/", "--frames", "0-5", "--checkpoint-at", "5", "-q", "--overwrite")
                 self.frame("part", number) if number == 5 else None
@@ -77,10 +77,10 @@ class Track(Case):
                 self.assertLess(max(map(abs, at)), 0.5, (frame, more))
                 if more == orbit:
                     sizes.append(size)
-        # the camera follows the object, so its size stays constant
+        # The camera follows the object, so the object's size stays constant.
         self.assertLess(max(sizes) - min(sizes), 0.01 * max(sizes))
         at, _ = self.middle("--frames", "7", "-D", "camera.track={\"object\": \"ball\", \"offset\": [0, 0.3, 0]}")
-        self.assertGreater(at[1], 3)  # the camera aims above the object, so the object is lower in the picture
+        self.assertGreater(at[1], 3)  # The camera aims above the object, so the object is lower in the picture.
 
     def test_simulated_objects_are_tracked(self):
         scene = json.loads(json.dumps(self.SCENE))
@@ -103,13 +103,14 @@ class Track(Case):
         self.assertEqual(frame("one", 7), frame("all", 7))
         for number in (0, 4, 9):
             self.assertEqual(frame("part", number), frame("all", number), number)
-        # The sheet falls and the camera lags behind, so the tracked object is below the middle.
+        # The sheet falls and the camera lags behind, so the tracked object is below the middle of the picture.
         (_, low), _ = self.middle("--frames", "7")
         (_, level), _ = self.middle("--frames", "7", "-D", "camera.track.damping=0")
         self.assertGreater(low, level + 3)
 
     def test_keyed_targets_and_paths_can_be_damped(self):
-        # With damping T, the camera's target lags by T behind an object in steady motion, after an initial phase.
+        # With damping T, the camera's target lags by the time T behind an object in steady motion, after an initial
+        # phase.
         keys = [[0, [-3, 0, 0]], [2, [3, 0, 0]]]
         scene = {**self.SCENE, "camera": {"position": [0, 0, 6], "target": {"keys": keys}, "damping": 0.2},
                  "objects": {"ball": {"sphere": {"radius": 0.3}}}, "time": {"fps": 10, "duration": 2}}
@@ -159,7 +160,7 @@ class Chart(Case):
         for frame, share in ((0, 0), (5, 0.5), (9, 0.9)):
             picture = pixels((self.folder / f"all/{frame:06}.png").read_bytes())
             red = [(at % 200, at // 200) for at, (r, g, b) in enumerate(picture) if r > 200 and g < 90 and b < 90 and 30 <= at // 200 <= 72]
-            # Half the height of the plot area, which spans 29 to 171 and 30 to 72 in chartLayout().
+            # The plot area spans 29 to 171 and 30 to 72 in chartLayout(). This is half of its height.
             rows = [y + 0.5 for _, y in red]
             self.assertAlmostEqual(sum(rows) / len(rows), 51, delta=0.6)
             self.assertAlmostEqual(max(x for x, _ in red), 29 + share * 142, delta=3)
@@ -185,7 +186,7 @@ class Text(Case):
         fire = json.loads((SOURCE / "assets/scenes/wildfire.json").read_text())
         name = next(iter(fire["objects"]))
         fire["objects"]["words"] = {"text": {"text": "{frame} {time:1}", "screen": {"height": 0.2}}}
-        # Text with another object's quantity is drawn like plain text of that number.
+        # Text with the quantity of another object must be drawn like plain text of that number.
         fire["objects"]["count"] = {"text": {"text": f"{{{name}.unburnt:0}}", "screen": {"height": 0.1, "y": 0.6}}}
         fire["test"] = {"frames": [5], "size": [161, 91]}
         fire["checks"] = [{"what": "unburnt", "max": 0}]
@@ -199,7 +200,7 @@ class Text(Case):
             drawn[frame] = [at for at, (a, b) in enumerate(zip(with_text, pixels((self.folder / "b.png").read_bytes()))) if a != b]
         self.assertGreater(min(map(len, drawn.values())), 100)
         self.assertNotEqual(drawn[0], drawn[5])
-        # The quantity equals the value measured by a check.
+        # The quantity must equal the value that a check measures.
         said = self.run_program("test", "scene.json").stdout.decode()
         count = re.search(r"unburnt[^\n]*?(\d[\d.e+]*)", said)
         self.assertIsNotNone(count, said)

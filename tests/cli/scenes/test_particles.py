@@ -37,10 +37,10 @@ class Particles(Case):
         _, names, rows = read_ply((self.folder / "out/p_000000.ply").read_bytes())
         self.assertEqual(names, ["x", "y", "z", "mass", "vx", "vy", "vz", "age"])
         self.assertEqual([row[:4] for row in rows], [(1, 0, 0, 2), (-1, 0, 0, 2), (0, 3, 0, 1)])
-        # Without forces a particle moves in a straight line, 1/30 s per frame.
+        # Without forces, a particle moves in a straight line, for 1/30 s per frame.
         _, _, rows = read_ply((self.folder / "out/p_000002.ply").read_bytes())
         self.assertAlmostEqual(rows[0][1], 0.5 * 2 / 30, places=6)
-        # Baked particles can be read as input again.
+        # Baked particles must be readable as input.
         (self.folder / "out/p_000002.ply").rename(self.folder / "b.ply")
         self.set_groups([{"shape": "file", "file": "b.ply"}], method="none")
         self.good("bake", "scene.json", "-o", "again", "--frames", "0")

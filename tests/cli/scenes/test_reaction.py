@@ -5,7 +5,7 @@ import zlib
 
 from common import SCENE, Case, main, with_values
 
-# Uses every quantity that depends on the step number, the model's time or the scene's time.
+# The rule uses every quantity that depends on the step number, the model's time or the scene's time.
 RULE = {"size": [37, 21], "steps": 5, "dt": 0.01, "presteps": 3, "method": "rk4",
         "parameters": {"p": 0.3, "q": {"keys": [[0, 1], [0.3, -1]]}}, "lets": {"w": "u - laplacian(u)"},
         "species": {"u": {"diffusion": 1, "start": "random(1)", "rate": "p*sin(t) + q*u - u^3 + noise(2)"},
@@ -40,7 +40,7 @@ class Reaction(Case):
         return ["render", "scene.json", "-o", "out/", "--fields", "npy", *more]
 
     def test_species_fields_are_equal_on_both_memory_paths_and_in_pieces(self):
-        # A second object reads this object and itself.
+        # The second object reads this object and itself.
         self.write_rule(RULE, reader={"size": [22, 30], "parameters": {"f": {"field": "r.v"}, "own": {"field": "reader"}},
                                       "show": "w + f", "species": {"w": {"rate": "f - w*own"}}})
         self.good(*self.render())
@@ -56,7 +56,7 @@ class Reaction(Case):
             self.good(*self.render("--overwrite", "--memory-path", path))
             self.assertEqual({k: v for k, v in self.content("out").items() if k.endswith("npy")},
                              {k: v for k, v in whole.items() if k.endswith("npy")}, path)
-        # Continues from a checkpoint; step numbers and times continue too.
+        # The run continues from a checkpoint. Step numbers and times must continue as well.
         self.good("render", "scene.json", "-o", "kept/", "--checkpoint-at", "4", "--frames", "0-4")
         self.good("render", "scene.json", "-o", "more/", "--from", "kept/checkpoint.000004", "--fields", "npy", "--frames", "5-9")
         for name, data in self.content("more").items():
@@ -98,7 +98,7 @@ class Reaction(Case):
                     whole = files
                 self.assertEqual(files, whole)
         self.assertNotEqual(whole["000009.r.u.npy"], whole["000008.r.u.npy"])
-        # The error names the first cell and its step, even within a pass of several steps.
+        # The error must name the first lost cell and its step, even inside a pass of several steps.
         self.write_rule({**rule, "species": {"u": {"start": "1 + 0.3*random(1)", "rate": "u^3"}}})
         said = [self.bad(4, ["\"u\" of cell ("], *self.render("--overwrite", "--memory-path", path)).stderr for path in ("texel", "storage")]
         self.assertEqual(*said)
@@ -162,7 +162,7 @@ class Reaction(Case):
                             (["a stroke paints the species \"x\""], {"species": species, "strokes": [{"species": "x"}]})):
             self.write_rule({"size": [8, 8], **rule})
             self.bad_scene(words, *self.render())
-        # An unstable setting is not an error, but causes a message.
+        # An unstable setting is not an error, but it causes a message.
         self.write_rule({"size": [8, 8], "steps": 1, "dt": 1, "species": {"u": {"diffusion": 0.5}}})
         done = self.good(*self.render())
         self.assertIn("stable up to 0.375; lower dt to 0.75", done.err)

@@ -46,7 +46,7 @@ class Overrides(Case):
         text = png_texts((self.folder / "changed/000000.png").read_bytes())["simreel:overrides"]
         self.assertEqual(text, "-D 'objects.flag.cloth.wind=[1, 0, 0]' -D seed=7 -D 'render.size=[32,18]' "
                                "-D time.fps=25 -D render.samples=1")
-        # The stored arguments render the same picture again.
+        # The stored arguments must render the same picture.
         subprocess.run(f"{PROGRAM} render scene.json -o again/ --frames 0 {text}", shell=True, cwd=self.folder, check=True)
         self.assertEqual((self.folder / "again/000000.png").read_bytes(), (self.folder / "changed/000000.png").read_bytes())
 
@@ -76,7 +76,8 @@ class Folders(Case):
             self.bad_scene([], *command) if command[0] != "validate" else self.bad(2, [], *command)
             self.good(*command, "--assets", "project", "--assets", "there")
         tested = self.run_program("test", "project", "--assets", "there")
-        self.assertEqual(tested.returncode, 3, tested.err)  # exit code 3: the scene has no baseline, but it ran
+        # Exit code 3 means that the scene has no baseline. It did run.
+        self.assertEqual(tested.returncode, 3, tested.err)
         self.write("project/scene.json", with_values({"objects.flag.material": {"texture": "../there/board.png"}}))
         self.bad_scene(["lies outside the folders a scene may read", "--assets DIR lets it read another"], "render",
                        "project/scene.json", "-o", "out/")

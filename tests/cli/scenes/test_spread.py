@@ -73,7 +73,7 @@ class Counts(SpreadCase):
         self.good("render", "town.json", "-o", "out/")
         rows = self.rows("out/counts.csv")
         self.assertEqual(rows[0], ["step", "time", "town.susceptible", "town.infected", "town.recovered"])
-        # The first row is the start; 11 frames with two steps each lie between the first picture and the last.
+        # The first row is the start. Between the first picture and the last, there are 11 frames with two steps each.
         self.assertEqual([int(row[0]) for row in rows[1:]], list(range(1 + 2 * (FRAMES - 1))))
         self.assertEqual([row[1] for row in rows[1:4]], ["0.000000", "0.016667", "0.033333"])
         for row in rows[1:]:
@@ -91,7 +91,7 @@ class Counts(SpreadCase):
             self.good("render", "flow.json", "-o", "flow.png", "--frames", "8", "--overwrite")
             self.assertEqual(self.rows("flow.counts.csv")[0][10:], ["flow.drag", "flow.lift"] if measured else [])
         drag, lift = (float(value) for value in self.rows("flow.counts.csv")[-1][10:])
-        self.assertGreater(drag, 30 * 30)  # the frontal size is 8 cells, so the drag coefficient is above 1/4
+        self.assertGreater(drag, 30 * 30)  # The frontal size is 8 cells, so the drag coefficient is above 1/4.
         self.assertLess(abs(lift), 0.2 * drag)
 
     def test_floats(self):
@@ -178,8 +178,7 @@ class Counts(SpreadCase):
             for path in ("texel", "storage"):
                 self.good("render", scene, "-o", f"{scene}.{path}/", "--memory-path", path)
             texel, storage = (self.content(f"{scene}.{path}") for path in ("texel", "storage"))
-            # For exact pictures, the memory path only appears in the fingerprint, and one path can continue the other's
-            # run.
+            # For exact pictures, only the fingerprint shows the memory path, and a run can continue on the other path.
             manifests = [json.loads(files.pop("manifest.json")) for files in (texel, storage)]
             self.assertEqual(*(manifest["frames"] for manifest in manifests))
             self.assertEqual(texel, storage)

@@ -3,7 +3,7 @@ import os
 
 from common import SOURCE, Case, main, png_rows, unfiltered
 
-# These scenes take most of the time, and other scenes and tests/gpu/draw cover the same features; only with
+# These scenes take most of the time, and other scenes and tests/gpu/draw cover the same features. They run only with
 # SIMREEL_LONG.
 LONG = {"casket", "neon"}
 
@@ -89,11 +89,11 @@ class Stage(Case):
     def test_a_bright_sky_picture_lights_the_ground_by_the_cosine_law(self):
         """A cap of 28 degrees around the zenith (sin^2 = 0.2222) gives the same irradiance as uniform light of 0.2222
         times the radiance."""
-        def sky(cap, rest):  # bytes of Radiance: 64 is 0.5 at exponent 128; exponent 129 doubles it
+        def sky(cap, rest):  # In Radiance bytes, 64 stands for 0.5 at exponent 128. Exponent 129 doubles the value.
             return b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 32 +X 64\n" + 64 * 5 * cap + 64 * 27 * rest
 
-        self.write("cap.hdr", sky(bytes((128, 128, 128, 130)), bytes(4)))  # a sky whose cap has radiance 2
-        self.write("even.hdr", sky(*2 * [bytes((114, 114, 114, 128))]))  # a uniform sky of radiance 0.445
+        self.write("cap.hdr", sky(bytes((128, 128, 128, 130)), bytes(4)))  # This is a sky whose cap has radiance 2.
+        self.write("even.hdr", sky(*2 * [bytes((114, 114, 114, 128))]))  # This is a uniform sky of radiance 0.445.
         self.write("ground.json", {
             "version": 1, "render": {"quality": "high", "raySamples": 256, "tone": "plain", "samples": 1, "size": [12, 12]}, "sky": {"picture": "even.hdr"},
             "ground": {"height": 0, "color": [0.5, 0.5, 0.5], "roughness": 1}, "camera": {"position": [0, 1, 0.01], "target": [0, 0, 0], "fieldOfView": 10},
@@ -105,7 +105,7 @@ class Stage(Case):
             step = len(rows) // height // width
             lines = unfiltered(rows, step * width, step)
             means.append(sum(sum(line[::step]) for line in lines) / width / height)
-        self.assertAlmostEqual(*means, delta=1.5)  # 1 % of the light changes the mean by 0.6
+        self.assertAlmostEqual(*means, delta=1.5)  # One percent of the light changes the mean by 0.6.
 
 
 if __name__ == "__main__":

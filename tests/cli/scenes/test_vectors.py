@@ -40,9 +40,9 @@ class Vectors(Case):
             self.assertAlmostEqual(dx, -2 * y / speed, 5)
             self.assertAlmostEqual(dy, 2 * x / speed, 5)
             self.assertAlmostEqual(dz, 0, 6)
-            # As long as the spacing at "high", and no longer.
+            # An arrow is as long as the spacing at the speed "high", and never longer.
             self.assertAlmostEqual(length, min(0.2, 0.2 * speed / 1.5), 5)
-        # The places are a square grid around the middle.
+        # The positions of the arrows form a square grid around the middle.
         self.assertEqual({round(row[0], 4) for row in rows}, {round(0.2 * i - 0.9, 4) for i in range(10)})
         self.assertEqual({round(row[1], 4) for row in rows}, {round(0.2 * i - 0.4, 4) for i in range(5)})
 
@@ -50,7 +50,8 @@ class Vectors(Case):
         self.write("p.csv", "x,y,z,vx,vy,vz\n0,0,0,3,0,0\n1,0,0,0,0,9\n2,0,0,0,0,0\n3,0,0,0,0.6,0.8\n")
         dust = {"particles": {"groups": [{"file": "p.csv"}], "method": "none"}}
         self.scene({"dust": dust, "a": {"arrows": {"of": "dust", "length": 2, "high": 4}}})
-        # The middle is half a length ahead; 9 m/s is more than "high"; a point at rest has no arrow.
+        # The middle of an arrow is half a length ahead of its point. 9 m/s is more than "high". A point at rest has no
+        # arrow.
         expected = [(0.75, 0, 0, 1, 0, 0, 1.5), (1, 0, 1, 0, 0, 1, 2), (3, 0.15, 0.2, 0, 0.6, 0.8, 0.5)]
         for row, wanted in zip(self.baked("a"), expected, strict=True):
             for value, right in zip(row, wanted):
@@ -69,17 +70,17 @@ class Vectors(Case):
         stride, turns = 4 / 80, []
         for points in lines.values():
             radii = [math.hypot(*point) for point in points]
-            # A step of the method of fourth order changes the radius r by less than r (h/r)^5 / 100; rounding adds
-            # 1e-6 a step.
+            # A step of the fourth-order method changes the radius r by less than r (h/r)^5 / 100, where h is the step
+            # length. Rounding adds 1e-6 per step.
             bound = sum(r * (stride / r) ** 5 / 100 + 1e-6 for r in radii)
             self.assertLess(max(radii) - min(radii), bound)
             turns.append(sum(math.atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]) for a, b in zip(points, points[1:])))
             for a, b in zip(points, points[1:]):
                 self.assertAlmostEqual(math.dist(a, b), stride, delta=stride * (stride / min(radii)) ** 2 / 20)
-        # Lines follow the flow, which turns from x to y (from z to x here), and closed ones end where they began.
+        # Lines follow the flow, which turns from x to y (here from z to x). Closed lines end where they began.
         self.assertLess(max(map(abs, turns)), 2 * math.pi + 2 * stride / 0.1)
         self.assertEqual(len({turn > 0 for turn in turns}), 1)
-        # No two lines come closer than half the separation.
+        # No two lines may be closer than half the separation.
         names = list(lines)
         for i, one in enumerate(names):
             for other in names[i + 1:]:
@@ -91,7 +92,7 @@ class Vectors(Case):
         lines = {}
         for x, y, z, line, color in self.baked("a"):
             self.assertAlmostEqual(z, 0.25, 5)
-            # The fastest is at a corner, at which the flow is sqrt(2) m/s.
+            # The fastest point is at a corner, where the flow is sqrt(2) m/s.
             self.assertAlmostEqual(color, min(1, math.hypot(x, y) / math.hypot(1.05, 1.025)), delta=0.03)
             lines.setdefault(line, []).append(x * y)
         self.assertGreater(len(lines), 20)
@@ -108,7 +109,7 @@ class Vectors(Case):
         self.assertNotEqual(self.baked("a"), first)
 
     def test_flows_of_files(self):
-        # u = x, v = 2 y + 1 in metres per second, at 3 x 2 points 0.5 m apart.
+        # u = x and v = 2 y + 1 in metres per second, given at 3 x 2 points that are 0.5 m apart.
         points = [(x, y, x, 2 * y + 1) for y in (1, 0.5) for x in (0.5, 0, 1)]
         self.write("w.csv", "y,x,v,u\n" + "".join(f"{y},{x},{v},{u}\n" for x, y, u, v in points))
         rows = [value for y in (1, 0.5) for x in (0, 0.5, 1) for value in (x, -(2 * y + 1))]
@@ -121,7 +122,7 @@ class Vectors(Case):
             arrows.append(self.baked("a"))
         self.assertEqual(arrows[0], arrows[1])
         self.assertEqual(arrows[0], arrows[2])
-        # An arrow is its velocity: from its tail at a point of the grid, whose middle is the plane's position.
+        # An arrow's vector is its velocity. Its tail is at a point of the grid, whose middle is the plane's position.
         for row, (x, y) in zip(arrows[0], [(x, y) for y in (1, 0.5) for x in (0, 0.5, 1)], strict=True):
             tail = [row[i] - 0.5 * row[6] * row[3 + i] for i in range(2)]
             self.assertAlmostEqual(tail[0], x - 0.5, 5)
@@ -132,7 +133,7 @@ class Vectors(Case):
     def test_a_flow_is_wind_for_particles(self):
         self.scene({"w": {"flow": {"u": "2", "v": "0"}},
                     "dust": {"particles": {"groups": [{"count": 1, "radius": 1e-4}], "method": "none", "wind": {"fluid": "w", "drag": 60}}}})
-        # After 10 frames the speed is nearly the wind's.
+        # After 10 frames, the speed is nearly that of the wind.
         self.assertAlmostEqual(self.baked("dust", 10)[0][4], 2, 4)
 
     def test_pictures_continue_from_a_checkpoint(self):
@@ -144,7 +145,7 @@ class Vectors(Case):
         self.good("render", "a.json", "-o", "rest/", "--from", "part/checkpoint.000005", "--frames", "9", "-q")
         picture = (self.folder / "one/000009.png").read_bytes()
         self.assertEqual((self.folder / "rest/000009.png").read_bytes(), picture)
-        # The other memory path and one thread give the same bytes.
+        # The other memory path, and a single thread, must give the same bytes.
         self.good("render", "a.json", "-o", "other/", "--frames", "9", "-q", "--memory-path", "storage", env={"LP_NUM_THREADS": "1"})
         self.assertEqual((self.folder / "other/000009.png").read_bytes(), picture)
 

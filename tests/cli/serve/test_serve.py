@@ -41,7 +41,8 @@ class Pictures(ServeCase):
         viewer = server.viewer()
         viewer.send(do="seek", frame=12)
         viewer.rest(12)
-        if viewer.latest["status"].get("kept", {}).get("every", 1) <= 1:  # unless the message has arrived already
+        # This is skipped if the message has arrived already.
+        if viewer.latest["status"].get("kept", {}).get("every", 1) <= 1:
             viewer.until(lambda kind, m: kind == "status" and m.get("kept", {}).get("every", 1) > 1)
         self.assertLessEqual(viewer.latest["status"]["kept"]["bytes"], 8 << 20)
         viewer.send(do="seek", frame=7)
@@ -125,7 +126,7 @@ class Files(ServeCase):
         scene = viewer.until(lambda kind, message: kind == "scene" and message["mistakes"])
         self.assertRegex(scene["mistakes"], r'scene\.json:\d+:\d+: error: .*')
         self.assertIn("^", scene["mistakes"])
-        viewer.send(do="seek", frame=2)  # the server continues with the last valid scene
+        viewer.send(do="seek", frame=2)  # The server continues with the last valid scene.
         self.assertEqual(self.pixels(viewer.rest(2)[1])[:2], (64, 36))
         self.write("scene.json", with_values({"sun.intensity": 1}))
         viewer.until(lambda kind, message: kind == "scene" and not message["mistakes"])

@@ -22,7 +22,7 @@ class TwoSides(ServeCase):
         """Waits until both sides' pictures of the frame equal those of render with these values."""
         wanted = [self.rendered(frame, *left, frames=frames), self.rendered(frame, *right, file=file, frames=frames)]
         while (found := self.sides(viewer, frame))[:2] != wanted:
-            pass  # the loop ends at the latest when rest() times out
+            pass  # The loop ends at the latest when rest() times out.
         self.assertEqual(viewer.pictures[-1][0]["beside"]["different"], self.differing(*wanted))
         return found
 
@@ -45,8 +45,8 @@ class TwoSides(ServeCase):
             viewer.send(do="seek", frame=frame)
             self.shows(viewer, frame, left, right, frames="0-5")
         self.assertGreater(viewer.pictures[-1][0]["beside"]["different"], 0)
-        # A change of a shared value, including the mouse's camera, affects both sides; values set only on the right
-        # take precedence there.
+        # A change of a common value, including the mouse's camera, affects both sides. Values that are set only on the
+        # right side take precedence there.
         viewer.send(do="camera", position=[0.5, 1, 3], target=[0, 1, 0])
         viewer.send(do="set", path="camera.fieldOfView", value=30)
         view = ["-D", "camera.position=[0.5,1,3]", "-D", "camera.target=[0,1,0]", "-D", "camera.fieldOfView=30"]
@@ -80,7 +80,7 @@ class TwoSides(ServeCase):
         for moving in (True, False):
             viewer.send(do="set", path="sun.intensity", value=9, moving=moving, beside=True)
         files = self.shows(viewer, 4, [], ["-D", "sun.intensity=9"])
-        self.assertEqual(files[2][:2], (64, 36))  # the third picture is the difference
+        self.assertEqual(files[2][:2], (64, 36))  # The third picture is the difference.
         self.assertGreater(viewer.pictures[-1][0]["beside"]["different"], 50)
         viewer.send(do="set", path=DAMPING, value=4, beside=True)
         self.shows(viewer, 4, [], ["-D", "sun.intensity=9", "-D", f"{DAMPING}=4"])
@@ -93,7 +93,7 @@ class TwoSides(ServeCase):
         viewer.send(do="beside", on=False)
         while "beside" in viewer.rest(4)[0]:
             pass
-        # changes on the right side are not written to the file
+        # Changes on the right side are not written to the file.
         self.assertEqual(json.loads((self.folder / "scene.json").read_text()), SCENE)
 
     def test_two_scenes(self):
@@ -102,7 +102,7 @@ class TwoSides(ServeCase):
         server = self.serve("other.json", "--beside", "sun.intensity=1")
         viewer = server.viewer()
         viewer.send(do="seek", frame=5)
-        # both sides run up to the shorter duration
+        # Both sides run up to the shorter duration.
         self.shows(viewer, 2, [], ["-D", "sun.intensity=1"], file="other.json")
         self.assertIsNone(viewer.pictures[-1][0]["beside"]["different"])
         viewer.send(do="camera", position=[0, 1, 4], target=[0, 1, 0], beside={"position": [2, 1, 2], "target": [0, 1, 0]})
@@ -110,7 +110,7 @@ class TwoSides(ServeCase):
         viewer.until(lambda kind, m: kind == "scene" and m["edits"])
         self.shows(viewer, 2, ["-D", "camera.position=[0,1,4]", *view],
                    ["-D", "sun.intensity=1", "-D", "camera.position=[2,1,2]", *view], file="other.json")
-        self.write("other.json", "{")  # the last valid scene stays, and the error is reported
+        self.write("other.json", "{")  # The last valid scene remains, and the error is reported.
         viewer.until(lambda kind, m: kind == "scene" and "other.json:1" in m["beside"]["mistakes"])
         self.write("other.json", {**other, "ground": {"height": 0.2}})
         viewer.until(lambda kind, m: kind == "scene" and not m["beside"]["mistakes"])

@@ -41,7 +41,7 @@ class NamedFiles(ViewerCase):
         os.replace(self.folder / "new.png", self.folder / name)
 
     def becomes_rendered(self, viewer, frame, file="scene.json"):
-        # discards cached pictures, because the cache knows scenes only by their text
+        # Cached pictures are discarded, because the cache distinguishes scenes only by their text.
         self.__dict__.pop("pictures", None)
         wanted = self.rendered(frame, file=file)
         while self.pixels(viewer.rest(frame)[1]) != wanted:
@@ -58,7 +58,7 @@ class NamedFiles(ViewerCase):
         second = self.becomes_rendered(viewer, 3)
         self.assertNotEqual(second, first)
         self.assertGreaterEqual(viewer.pictures[-1][0]["stepped"], 8)
-        # An unreadable file is reported, and the last picture stays.
+        # An unreadable file is reported, and the last picture remains.
         before = len(viewer.pictures)
         (self.folder / "start.png").write_bytes(b"no picture")
         self.assertIn("start.png", viewer.until(lambda kind, m: kind == "scene" and m["mistakes"])["mistakes"])
@@ -99,7 +99,7 @@ class Dragged(ViewerCase):
             viewer.rest(5)
             carried = self.dragged(viewer, path, value)
             self.assertTrue(carried["draft"])
-            # at the end of the drag the simulation runs again from the start
+            # At the end of the drag, the simulation runs again from the start.
             viewer.send(do="set", path=path, value=value, moving=False)
             let_go = viewer.rest(5)
             self.assertEqual(self.pixels(let_go[1]), self.rendered(5, "-D", f"{path}={value}"))
@@ -116,7 +116,7 @@ class Dragged(ViewerCase):
             viewer.send(do="set", path=path, value=value, moving=True)
             try:
                 return viewer.until(lambda kind, m: kind == "picture" and m[0]["carried"] and m[0]["frame"] == 6, 6)[0]
-            except AssertionError:  # this machine was too busy to read the picture in time
+            except AssertionError:  # This machine was too busy to read the picture in time.
                 viewer.send(do="forget")
                 viewer.rest(5)
         self.fail("no picture of a drag came")
@@ -145,7 +145,7 @@ class RightSide(ViewerCase):
         viewer.until(lambda kind, m: kind == "scene" and m["beside"]["scene"]["camera"]["position"] == [0, 1, 2] and not m["beside"]["edits"])
         written = json.loads((self.folder / "other.json").read_text().split("//")[0])
         self.assertEqual((written["camera"]["position"], written["sun"]["intensity"]), ([0, 1, 2], 4))
-        # the mouse's camera is an edit of the right file
+        # The mouse's camera is an edit of the right side's file.
         self.assertEqual((self.folder / "scene.json").read_text(), left)
         self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["other.json", "scene.json"])
         # A removed file is not created again.
@@ -165,7 +165,7 @@ class RightSide(ViewerCase):
 
     def test_the_right_side_has_its_own_charts_and_baselines(self):
         viewer = self.begin("--edit")
-        if not viewer.latest.get("series", {}).get("beside"):  # unless the message has arrived already
+        if not viewer.latest.get("series", {}).get("beside"):  # This is skipped if the message has arrived already.
             viewer.until(lambda kind, m: kind == "series" and m.get("beside"))
         self.assertEqual([one["name"] for one in viewer.latest["series"]["beside"]], [one["name"] for one in viewer.latest["series"]["series"]])
         viewer.send(do="compare", on=True, beside=True)

@@ -50,7 +50,7 @@ class Golden(ServeCase):
         viewer.send(do="set", path="sun.intensity", value=9)
         said = self.verdict(viewer, 3, "fail")
         self.assertRegex(said["words"], r"^\d+ of 1536 pixels differ \([\d.]+%\), by \d+ of 255 at most, at \(\d+, \d+\); mean FLIP error 0\.\d+, SSIM ")
-        # The verdict equals the result of `simreel test` for a scene with the value.
+        # The verdict must equal the result of `simreel test` for a scene with this value.
         self.write("other.json", json.dumps(with_values({"sun.intensity": 9}, TESTED)))
         (self.folder / "golden/other").symlink_to("scene")
         self.run_program("test", "other.json", "--report", "report")
@@ -109,7 +109,7 @@ class Golden(ServeCase):
         viewer.send(do="accept")
         done = viewer.until(lambda kind, m: kind == "golden" and m["accept"] in ("done", "failed"))
         self.assertEqual(done["accept"], "done", done["said"])
-        if done["verdict"] != "pass":  # the new baseline may have been read before its writer ended
+        if done["verdict"] != "pass":  # The new baseline may have been read before its writer ended.
             self.verdict(viewer, 0, "pass")
         self.good("test", "scene.json")
         self.assertEqual(json.loads((self.folder / "golden/scene/any/baseline.json").read_text())["reason"], "accepted in simreel serve")

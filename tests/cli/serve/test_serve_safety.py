@@ -84,7 +84,7 @@ class Safety(ServeCase):
                     while True:
                         viewer.receive(10)
             except OSError:
-                pass  # the server closed the connection before all was sent
+                pass  # The server closed the connection before all data were sent.
             viewer.close()
         raw = socket.create_connection(("127.0.0.1", server.port))
         raw.settimeout(20)
@@ -100,7 +100,7 @@ class Safety(ServeCase):
         server = self.serve("--size", "320x180")
         quick, slow = server.viewer(), server.viewer(acknowledges=False)
         quick.rest(0)
-        for _ in range(5):  # viewers that disconnect in the middle of a picture
+        for _ in range(5):  # These viewers disconnect in the middle of a picture.
             viewer = server.viewer()
             viewer.socket.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, b"\1\0\0\0\0\0\0\0")
             viewer.close()
@@ -111,7 +111,7 @@ class Safety(ServeCase):
         quick.send(do="pause")
         quick.send(do="seek", frame=3)
         last = quick.rest(3)[0]["number"]
-        # The slow viewer gets the two pictures in flight, and the latest one after acknowledging them.
+        # The slow viewer gets the two pictures in flight. After it confirms them, it gets the latest one.
         slow.send_frame(f"shown {last}".encode())
         slow.until(lambda kind, message: kind == "picture" and message[0]["number"] == last)
         self.assertLessEqual(len(slow.pictures), 3)
@@ -124,11 +124,11 @@ class Safety(ServeCase):
             try:
                 one.sendall(b"GET /")
             except OSError:
-                pass  # the server has closed the connection already
+                pass  # The server has closed the connection already.
         begin = time.monotonic()
         self.assertEqual(server.get(f"/{server.token}/app.js")[0], 200)
         held.append(server.viewer().socket)
-        # the viewer is served before the other connections time out after 10 s
+        # The viewer must be served before the other connections time out after 10 s.
         self.assertLess(time.monotonic() - begin, 8)
         for one in held:
             one.close()
@@ -158,7 +158,7 @@ class Safety(ServeCase):
             except (OSError, http.client.HTTPException):
                 self.assertLess(time.monotonic(), end)
                 time.sleep(0.2)
-        for _ in range(300):  # many connections, one after another
+        for _ in range(300):  # This opens many connections, one after another.
             self.assertEqual(server.get("/")[0], 403)
 
     def test_only_one_viewer_edits(self):

@@ -1,4 +1,4 @@
-// Tests automata of all families against the plain loops of tests/reference/states_twin.cpp, cell by cell.
+// Tests automata of all families, cell by cell, against the plain loops of tests/reference/states_twin.cpp.
 #include "base/error.hpp"
 #include "gpu/context.hpp"
 #include "reference/life_twin.hpp"
@@ -106,7 +106,7 @@ TEST_CASE("automata with wide ranges, and with sums that fill a byte, equal the 
   for (const char* rule : {"R127,C0,M1,S20000..30000,B18000..28000,NM",
                            "R60,C0,M1,S4000..6000,B3500..5500,NC", "R33,C7,M0,S700..1300,B600..1200,NN"}) {
     auto p = soupOf(rule, GridBorder::torus, {140, 129});
-    p.stepsPerSecond = 10;  // one generation per frame
+    p.stepsPerSecond = 10;  // This gives one generation per frame.
     compareStates(p, 1);
   }
   compareStates(soupOf("R10,C0,M1,S123..212,B123..170,NM", GridBorder::torus, {150, 70}), 2);
@@ -123,7 +123,7 @@ TEST_CASE("ranges too large for one loop of a software driver give correct cells
     testContext();
     auto p = soupOf(far.rule, GridBorder::torus, far.size);
     p.fill = 0.5F;
-    p.stepsPerSecond = 10;  // one generation per frame
+    p.stepsPerSecond = 10;  // This gives one generation per frame.
     CAPTURE(p.rule);
     const auto gpu = automatonOf(p, 3);
     const LifePlan plan(p, "cells", 3, 0.1);
@@ -155,7 +155,7 @@ TEST_CASE("ranges too large for one loop of a software driver give correct cells
 }
 
 TEST_CASE("neighbourhoods of any shape equal their twins") {
-  // All cases use the same counts, so that few kernels are compiled.
+  // All cases use the same neighbour counts, so that few kernels are compiled.
   int turn = 0;
   for (const char* shape :
        {"2", "+", "X", "*", "#", "B", "D", "H", "A", "3", "L", "@891ABC891891", "@891A91891891L"}) {

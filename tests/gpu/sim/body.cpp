@@ -1,4 +1,4 @@
-// Tests skinned bodies: the kernel against its CPU twin bit for bit, and against its equation in double
+// Tests skinned bodies: the kernel against its CPU twin bit for bit and against its equation in double
 // precision. Also tests cloth on bodies.
 #include "gpu/context.hpp"
 #include "gpu/sim/words.hpp"
@@ -105,7 +105,7 @@ TEST_CASE("body: skinned vertices and normals equal the equation in double preci
     farthest = std::max(farthest, glm::length(place - glm::dvec3(positions[i])));
     mostTurned = std::max(mostTurned, glm::length(normal - glm::dvec3(normals[i])));
   }
-  CHECK(farthest < 2e-6);  // in metres
+  CHECK(farthest < 2e-6);  // The distance is in metres.
   CHECK(mostTurned < 1e-5);
 }
 
@@ -121,7 +121,8 @@ TEST_CASE("body: scaled bones keep normals perpendicular to the skin") {
   surface.begin(motion.rowsAt(0), motion.rowsAt(0));
   const auto positions = surface.positions().buffer().readAll<glm::vec4>();
   const auto normals = surface.normals().buffer().readAll<glm::vec4>();
-  // The ellipse x = 0.2 cos a, z = 0.1 sin a has the normal (cos a / 0.2, sin a / 0.1).
+  // The ellipse x = 0.2 cos a, z = 0.1 sin a has the normal (cos a / 0.2, sin a / 0.1), before
+  // normalization.
   for (std::size_t i = 24; i < positions.size() - 24; ++i) {
     const glm::dvec3 expected = glm::normalize(glm::dvec3(positions[i].x / 0.04, 0, positions[i].z / 0.01));
     CHECK(glm::length(expected - glm::dvec3(normals[i])) < 2e-3);
@@ -189,7 +190,8 @@ TEST_CASE(
   sim::World world(scene);
   std::vector<std::size_t> order;
   world.advanceTo(-14, {}, [&](std::size_t object) { order.push_back(object); });
-  CHECK(order == std::vector<std::size_t>{1, 0});  // the body steps before the cloth pinned to it
+  CHECK(order == std::vector<std::size_t>{1, 0});  // The body must step before the cloth that is pinned to
+                                                   // it.
   world.advanceTo(20);
   const sim::Bones bones(scene);
   std::vector<sim::ColliderShape> colliders;
@@ -212,7 +214,7 @@ TEST_CASE(
     const glm::dvec3 expected(way * glm::dvec4(glm::dvec3(first[x]), 1));
     CHECK(glm::length(expected - glm::dvec3(twin.positions[x])) < 1e-5);
   }
-  // Free particles must not penetrate a capsule farther than one substep can pull them.
+  // No free particle may penetrate a capsule by more than the distance that gravity adds in one substep.
   double deepest = 0;
   for (const sim::ColliderShape& shape : colliders) {
     const sim::CarriedCapsule capsule = sim::carriedAt(shape, 20 / 30.0);

@@ -23,14 +23,14 @@ sim::CaveParameters cave(int width, int height) {
   return p;
 }
 
-/// Returns caves of odd sizes, of one cell, of more than one word, and with rows that fill whole words and
-/// groups of words.
+/// Returns caves of odd sizes, of one cell, of more than a word per row, and with rows that fill whole
+/// words and groups of words.
 std::vector<sim::CaveParameters> someCaves() {
   std::vector<sim::CaveParameters> all = {cave(1, 1),    cave(1, 40),  cave(77, 1),
                                           cave(3, 3),    cave(61, 43), cave(128, 33),
                                           cave(131, 97), cave(32, 64), cave(300, 7)};
   all.push_back(cave(97, 83));
-  all.back().fill = 0.5;  // many small rooms
+  all.back().fill = 0.5;  // This makes many small rooms.
   all.push_back(cave(97, 83));
   all.back().fill = 0.52;
   all.back().smallestRoom = 0;
@@ -57,7 +57,7 @@ void checkCells(const sim::CaveGrowth& growth, const CaveTwin& twin, const char*
   CHECK(got == twin.words());
 }
 
-/// Returns the min total length of connections between all rooms: Prim's spanning tree over the Manhattan
+/// Returns the minimum total distance that connects all rooms, from Prim's spanning tree over the Manhattan
 /// distances of all pairs of cells.
 long leastLength(const CaveTwin& twin, glm::ivec2 size) {
   const std::vector<int> region = twin.regions(false);

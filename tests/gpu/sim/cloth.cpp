@@ -41,7 +41,7 @@ void compare(const sim::ClothParameters& parameters, int frames,
     }
     CHECK_MESSAGE(different == 0, state[array].name, ": ", different, " of ", got.size(), " words differ");
   }
-  CHECK(travelled > 0.1);  // if nothing moves, the test proves nothing
+  CHECK(travelled > 0.1);  // The test would be useless if nothing moved.
 }
 
 sim::ClothParameters sheet(int width, int height) {
@@ -125,8 +125,8 @@ TEST_CASE("constraints of a sheet in many tiles equal their CPU twin") {
 }
 
 TEST_CASE("long lines of constraints, pinned anywhere, equal their CPU twin") {
-  // With the first two sizes, lines have several segments, and the last segment has one link. With the last
-  // size, lines are too long for one workgroup.
+  // The first two sizes have lines of several segments whose last segment has one link. The last size has
+  // lines longer than one workgroup can process.
   for (const glm::ivec2 size : {glm::ivec2(3, 130), glm::ivec2(34, 18), glm::ivec2(2, 2100)}) {
     auto p = sheet(size.x, size.y);
     p.solver = sim::ClothSolver::constraints;

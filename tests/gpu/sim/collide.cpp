@@ -1,4 +1,4 @@
-// Tests cloth and particles that touch shapes, bodies and meshes against their CPU twins, word by word.
+// Tests cloth and particles that touch shapes, bodies and meshes, word by word, against their CPU twins.
 #include "gpu/context.hpp"
 #include "gpu/sim/words.hpp"
 #include "reference/cloth_twin.hpp"
@@ -25,7 +25,7 @@ namespace {
 
 constexpr double collideSeconds = 1.0 / 60.0;
 
-/// Steps the first object of a scene and its CPU twin, and compares them after each frame.
+/// Steps the first object of a scene and its CPU twin, and compares the two after each frame.
 template <class Twin>
 void compareTouching(const scene::Scene& scene, Twin& twin, int frames) {
   testContext();
@@ -71,7 +71,7 @@ TEST_CASE("collide: particles on a walking body and shapes that move equal their
 
 namespace {
 
-/// Returns a box that falls and rotates, a torus and a ball.
+/// Returns the scene text of a box that falls and rotates, a torus and a ball.
 std::string movingMeshes(const test::TemporaryFile& box) {
   return fmt::format(
       R"("box": {{"mesh": {{"shape": "file", "file": "{}", "scale": 0.9, "collides": true, "friction": 0.4,
@@ -92,7 +92,7 @@ sim::MeshColliderPlan planOf(const scene::Scene& scene) {
 TEST_CASE("collide: distance fields equal their CPU twin, also if a search takes many rounds") {
   testContext();
   const test::TemporaryFile file("field.obj", test::boxObj({0.37, 0.21, 0.3}));
-  // The centre of a sphere is equally close to all of its faces, so the search from the centre takes many
+  // The centre of a sphere is equally close to all faces of the sphere, so a search from there takes many
   // iterations.
   const auto scene = test::parsedScene(movingMeshes(file) + R"(,
     "globe": {"mesh": {"shape": "sphere", "radius": 0.4, "resolution": [301, 203], "collides": true,

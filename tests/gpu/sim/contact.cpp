@@ -52,7 +52,7 @@ struct PlaceModel {
 #undef precise
 #undef FUNCTION
 
-/// A rigidly moved mesh on the GPU. Also provides the vertex positions for the CPU twin.
+/// A mesh in rigid motion on the GPU, which also gives the CPU twin its vertex positions.
 class MovedSolid : public sim::ContactSolid {
  public:
   using Place = glm::mat4 (*)(double time);
@@ -71,8 +71,8 @@ class MovedSolid : public sim::ContactSolid {
   void moveTo(int substep, int substeps) override { vertices_->moveTo(substep, substeps); }
   [[nodiscard]] const gl::Vec4Array& now() const override { return vertices_->now(); }
   [[nodiscard]] const gl::Vec4Array& next() const override { return vertices_->next(); }
-  /// Returns the vertices for the CPU twin, interpolated linearly between the placements at times `begin`
-  /// and `end` with the weight `share`.
+  /// Returns the vertices for the CPU twin, interpolated linearly between the positions at times `begin`
+  /// and `end` with the fraction `share`.
   [[nodiscard]] std::vector<glm::vec4> at(double begin, double end, double share) const {
     const auto rows = [&](double time) {
       const glm::mat4 m = glm::transpose(place_(time));
@@ -95,8 +95,8 @@ class MovedSolid : public sim::ContactSolid {
   std::unique_ptr<sim::MovedVertices> vertices_;
 };
 
-/// Links of a simulation outside any world. It has only a lock-step group with a fixed number of steps per
-/// frame.
+/// Links of a simulation without a world. They contain only a group of simulations that step together, with
+/// a fixed number of steps per frame.
 class GroupAlone final : public sim::Links {
  public:
   explicit GroupAlone(int steps) : steps_(steps) {}
@@ -264,8 +264,8 @@ sim::ParticleParameters fallingBalls() {
   group.totalMass = 0.05F;
   group.position = glm::vec3(0.01F, 0.3F, 0);
   group.velocity = glm::vec3(0.1F, -2, 0);
-  sim::Emitter& emitter = p.emitters.emplace_back();  // particles are born and removed between and inside
-                                                      // the sheets
+  sim::Emitter& emitter = p.emitters.emplace_back();  // The particles are born and removed between and
+                                                      // inside the sheets.
   emitter.rate = 55;
   emitter.lifetime = 0.15F;
   emitter.mass = 0.001F;
@@ -285,7 +285,7 @@ TEST_CASE("particles that collide with cloths, with births and deaths, equal the
   floor.friction = 0.3;
   auto balls = fallingBalls();
   compareContact({held, contactSheet({7, 9}, {0.02F, 0.13F, 0}, {0, 25, 0})}, 14, {floor}, {}, &balls);
-  balls.method = sim::GravityMethod::allPairs;  // the balls also attract each other
+  balls.method = sim::GravityMethod::allPairs;  // The balls also attract each other.
   balls.gravity = 1e-4F;
   MovedSolid box(sim::planeMesh({0.3F, 0, 0.3F}, {3, 2}), [](double time) {
     glm::mat4 m(1);
@@ -315,8 +315,8 @@ TEST_CASE("cloths in contact with moving and static solids equal their CPU twins
 
 namespace {
 
-/// Steps a scene whose first object is a cloth that touches the second object. Checks that the edges of one
-/// object never pass through faces of the other. Returns the min height of the cloth in the last frames.
+/// Steps a scene whose first object is a cloth that touches the second object. Checks that no edge of one
+/// object passes through a face of the other. Returns the minimum height of the cloth in the last frames.
 float stepApart(const char* text, int frames) {
   testContext();
   const scene::Scene scene = scene::parseScene(text, "test.json", {}, sim::kinds());
@@ -359,7 +359,7 @@ TEST_CASE("a sheet falls onto a waving mesh and a moving mesh without crossing i
                       "position": {"keys": [[0, [0, 0, 0]], [0.5, [0.1, 0.6, 0]]]},
                       "rotation": {"keys": [[0, [60, 0, 0]], [0.5, [90, 0, 90]]]}}}}})",
                                 30);
-  CHECK(moved > -0.2F);  // the ring lifts the sheet, which would otherwise fall to -0.9 m
+  CHECK(moved > -0.2F);  // The ring lifts the sheet, which would otherwise fall to -0.9 m.
 }
 
 TEST_CASE("a sheet falls onto a walking figure without crossing its skin") {
@@ -397,6 +397,6 @@ TEST_CASE("a mesh disc falls onto a hanging sheet without crossing it") {
     }
     CHECK(crossings(points, faces) == 0);
   }
-  CHECK(lowest > -0.6);  // the sheet holds up the disc, which would otherwise fall 1.8 m in 0.6 s
+  CHECK(lowest > -0.6);  // The sheet holds up the disc, which would otherwise fall 1.8 m in 0.6 s.
   CHECK(lowest < -0.05);
 }

@@ -1,4 +1,4 @@
-// Tests deformed meshes: every technique against the CPU twin word by word, and the pictures of all
+// Tests deformed meshes: every technique, word by word, against the CPU twin, and the pictures of all
 // techniques against each other.
 #include "draw/screen/readback.hpp"
 #include "draw/screen/renderer.hpp"
@@ -29,7 +29,7 @@ const char* const everything = R"([
   {"footprints": {"cells": [67, 51], "depth": 0.3}},
   {"push": {"softness": 0.2}}])";
 
-/// Returns a scene of one mesh, and a ball and a rod that touch the mesh.
+/// Returns a scene with one mesh, and a ball and a rod that touch the mesh.
 scene::Scene sceneOf(const std::string& mesh, const std::string& deform, const std::string& technique,
                      const std::string& more = "") {
   const std::string text = fmt::format(
@@ -55,7 +55,7 @@ Words stateAfter(const std::string& mesh, const std::string& deform, const std::
   return words;
 }
 
-/// Returns the CPU twin's positions, and the CPU twin's trail.
+/// Returns the CPU twin's positions, followed by its trail.
 std::vector<std::vector<glm::vec4>> twinAfter(const std::string& mesh, const std::string& deform,
                                               int frames) {
   const scene::Scene scene = sceneOf(mesh, deform, "compute");
@@ -117,7 +117,7 @@ TEST_CASE("deform: every technique with a state equals its CPU twin") {
     const auto expected = twinAfter(mesh, everything, 23);
     double moved = 0;
     for (const glm::vec4& cell : expected[1]) moved += cell.x;
-    CHECK(moved > 0.1);  // the footprints have changed the mesh
+    CHECK(moved > 0.1);  // This shows that there are footprints.
     for (const char* technique : {"compute", "single-thread", "jobs", "mapped"}) {
       const Words words = stateAfter(mesh, everything, technique, 23);
       REQUIRE(words.size() == 2);
@@ -201,7 +201,7 @@ TEST_CASE("deform: frames that are not drawn are not displaced and do not change
     whole.advanceTo(9);
     passed.passTo(9);
     const std::string ninth = hashOf(whole);
-    // the technique "vertex-shader" stores no positions, so its hash does not change
+    // The technique "vertex-shader" stores no positions, so the hash of its state does not change.
     if (technique != "vertex-shader") CHECK(hashOf(passed) != ninth);
     passed.complete();
     CHECK(hashOf(passed) == ninth);
@@ -227,7 +227,7 @@ TEST_CASE("deform: all five techniques draw the same picture") {
                              R"([{"footprints": {"cells": [101, 101], "depth": 0.2}}])"}}) {
     const auto expected = picture(sceneOf(c.mesh, c.deform, "single-thread", scenery), 20);
     const auto flat = picture(sceneOf(c.mesh, "[]", "compute", scenery), 20);
-    CHECK(differingFraction(flat, expected) > 0.01);  // the deformation is visible
+    CHECK(differingFraction(flat, expected) > 0.01);  // This shows that the deformation is visible.
     for (const char* technique : techniques) {
       const double fraction =
           differingFraction(picture(sceneOf(c.mesh, c.deform, technique, scenery), 20), expected);

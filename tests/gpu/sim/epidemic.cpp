@@ -34,11 +34,11 @@ void compare(const Parameters& parameters, int frames) {
     CHECK(spread::rowsOf(*gpu) == twin.counts);
   }
   const auto got = gpu->state()[0].buffer->readAll<glm::uvec4>();
-  CHECK(got == sim::packedCells(twin.cells, parameters.size));  // compares the padding, too
+  CHECK(got == sim::packedCells(twin.cells, parameters.size));  // The comparison includes the padding.
   CHECK(twin.cells != start);
 }
 
-/// Runs the simulation. Returns the susceptible, infected and recovered counts of each step.
+/// Returns the numbers of susceptible, infected and recovered cells after each step.
 std::vector<glm::uvec4> run(const Parameters& parameters, int frames, int seed = 5) {
   const auto gpu = spread::make(sim::epidemicKind(), parameters, seed);
   std::vector<glm::uvec4> rows = spread::rowsOf(*gpu);
@@ -75,9 +75,9 @@ TEST_CASE(
   compare(p, 40);
 }
 
-// Software drivers skip groups of cells that cannot change. Most of the grid consists of such groups:
-// before the outbreak arrives, even across the borders of a torus, and between the recovery of all infected
-// and the loss of immunity.
+// Software drivers skip groups of cells that cannot change. In this test, most of the grid is in such
+// groups: before the outbreak arrives (also across the borders of a torus), and after all infected cells
+// have recovered, until immunity wanes.
 TEST_CASE("epidemic equals its CPU twin on 331x211 with mostly unchanging cells") {
   for (const auto border : {Parameters::Border::torus, Parameters::Border::closed})
     for (const int frames : {7, 45, 110}) {
@@ -90,8 +90,8 @@ TEST_CASE("epidemic equals its CPU twin on 331x211 with mostly unchanging cells"
       p.waning = scene::Animated<float>({{3.0, 0.0F}, {3.5, 0.01F}}, scene::Ease::linear);
       p.strokes = {spread::dot({330, 1, 0}, 1.5F), spread::dot({200.5F, 150.5F, 0}, 2, 1, 1.0)};
       compare(p, frames);
-      // The epidemic is so slow that infected cells often do not change for some steps. It reaches the
-      // borders late.
+      // The epidemic is so slow that infected cells often do not change for several steps, and it reaches
+      // the borders late.
       p.beta = 0.06F;
       p.gamma = 0.01F;
       p.trail = 200;
@@ -150,7 +150,7 @@ TEST_CASE("epidemic: the number of people is constant; without waning S never gr
     REQUIRE(rows[i].x <= rows[i - 1].x);
     REQUIRE(rows[i].z >= rows[i - 1].z);
   }
-  CHECK(rows.back().z > 6000);  // most people have been infected
+  CHECK(rows.back().z > 6000);  // Most people have been infected.
   CHECK(run(city(131, 97), 20, 6) != run(city(131, 97), 20, 5));
 }
 
@@ -161,9 +161,9 @@ TEST_CASE("epidemic: waning immunity keeps the epidemic going") {
   CHECK(run(p, 200).back().y > 100);
 }
 
-// Tests one step from a known state. A susceptible cell with n infected neighbours becomes infected with
-// probability 1 - (1 - beta)^n. On a torus of alternating infected columns, n is 6 everywhere, and the
-// number of new infections has a binomial distribution.
+// This tests one step from a known state. A susceptible cell with n infected neighbours must become
+// infected with probability 1 - (1 - beta)^n. On a torus whose columns are alternately infected, n is 6
+// everywhere, and the number of new infections is binomial.
 TEST_CASE("epidemic: the infection probability is 1 - (1 - beta)^n, the recovery probability gamma") {
   auto p = city(510, 301);
   p.border = Parameters::Border::torus;
@@ -186,13 +186,13 @@ TEST_CASE("epidemic: the infection probability is 1 - (1 - beta)^n, the recovery
   CHECK(near(rows[1].z, 0.3));
 }
 
-// Compares with the mean field (Kermack and McKendrick). In a large mixed population of N people, S is the
-// number of susceptible and I of infected people, and s = S/N. To first order in a step dS/S = -8 beta I/N,
-// and an infection lasts 1/gamma steps on average, so ln(s_end/s_0) = -R0 (1 - s_end) with R0 = 8 beta /
-// gamma. The exact rule of a step, 1 - (1 - beta I/N)^8, adds -4 beta^2 (I/N)^2 per step; the recursion
-// below includes this term. The final size deviates from the limit with standard deviation sqrt(v/N), where
-// v = (s (1-s) + c^2 R0^2 s^2 (1-s)) / (1 - R0 s)^2 and c^2 = 1 - gamma for geometrically distributed
-// durations (von Bahr and Martin-Loef, 1980).
+// The expected value is the mean-field limit (Kermack and McKendrick). In a large mixed population, dS/S =
+// -8 beta I/N to first order in a step, where S are the susceptible and I the infected of N people. An
+// infection lasts 1/gamma steps on average, so ln(s_end/s_0) = -R0 (1 - s_end) with the susceptible
+// fraction s and R0 = 8 beta / gamma. The exact rule of a step, 1 - (1 - beta I/N)^8, adds -4 beta^2
+// (I/N)^2 per step, which the recursion below includes. The final size deviates from this limit with
+// standard deviation sqrt(v/N), where v = (s (1-s) + c^2 R0^2 s^2 (1-s)) / (1 - R0 s)^2 and c^2 = 1 - gamma
+// for geometrically distributed durations (von Bahr and Martin-Loef, 1980).
 TEST_CASE("epidemic: the final size of a mixed population is the mean-field limit") {
   auto p = city(1023, 769);
   p.mixing = Parameters::Mixing::global;

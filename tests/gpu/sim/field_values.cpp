@@ -1,4 +1,4 @@
-// Tests reading fields back: all types of cells, padded rows and gaps between cells.
+// Tests reading fields back: every cell type, padded rows, and gaps between cells.
 #include "sim/grid/field_values.hpp"
 
 #include "gpu/draw/field_stage.hpp"

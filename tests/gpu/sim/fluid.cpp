@@ -1,4 +1,4 @@
-// Tests fluids on the GPU against their CPU twin, bit for bit, with all types of sides, sizes and forces.
+// Tests fluids on the GPU, bit for bit, against their CPU twin with all types of sides, sizes and forces.
 #include "sim/fluid/fluid.hpp"
 
 #include "gpu/context.hpp"
@@ -63,7 +63,7 @@ void checkFluid(const std::vector<glm::vec4>& got, const std::vector<glm::vec4>&
   }
   CHECK_MESSAGE(different == 0, what, ": ", different, " of ", want.size(), " elements differ, first ",
                 first);
-  CHECK(most > 0.01F);  // the state must become nonzero
+  CHECK(most > 0.01F);  // The state must not stay zero.
 }
 
 /// Steps the GPU fluid and its CPU twin and compares every word of the state.
@@ -96,8 +96,8 @@ TEST_CASE("fluid equals its CPU twin between walls, on sizes that are not multip
   }
 }
 
-// Three of the solver's levels have tiles without walls or obstacles nearby. Separate kernels process these
-// tiles.
+// On three levels of the solver, some tiles have no walls or obstacles nearby. Separate kernels process
+// these tiles.
 TEST_CASE("fluid equals its CPU twin with tiles far from walls and obstacles") {
   auto p = jets(150, 133);
   setSides(p, Side::wall, Side::open, Side::slip, Side::wall);
@@ -111,12 +111,13 @@ TEST_CASE("fluid equals its CPU twin with tiles far from walls and obstacles") {
   compareFluid(p, 2);
   p.obstacles.clear();
   setSides(p, Side::periodic, Side::periodic, Side::periodic, Side::periodic);
-  p.strokes[1].from.x = p.strokes[1].to.x = 150;  // the stroke crosses the seam
+  p.strokes[1].from.x = p.strokes[1].to.x = 150;  // This is across the torus's seam.
   compareFluid(p, 2);
 }
 
-// On the storage path, one dispatch processes the levels just above the coarsest one, and each finer level
-// has a separate dispatch. On a torus, the cells that a workgroup reads extend across the seam.
+// On the storage-buffer memory path, one dispatch processes all levels just before the coarsest, and each
+// finer level has a dispatch of its own. On a torus, the cells that a workgroup reads extend across the
+// seam.
 TEST_CASE("fluid equals its CPU twin with many multigrid levels") {
   auto p = jets(1100, 41);
   setSides(p, Side::open, Side::slip, Side::open, Side::inflow);
@@ -127,7 +128,7 @@ TEST_CASE("fluid equals its CPU twin with many multigrid levels") {
   compareFluid(p, 1);
   p = jets(160, 48);
   setSides(p, Side::periodic, Side::periodic, Side::periodic, Side::periodic);
-  p.strokes[0].from.x = p.strokes[0].to.x = 0;  // the stroke crosses the seam
+  p.strokes[0].from.x = p.strokes[0].to.x = 0;  // This is across the torus's seam.
   compareFluid(p, 1);
 }
 
@@ -138,7 +139,7 @@ TEST_CASE("fluid equals its CPU twin with every side type") {
                                                scene::Ease::linear);
   p.bottom.velocity = glm::vec3(-25, 0, 0);
   compareFluid(p, 4);
-  // uses the same sides as the test of many levels, so that no more kernels are compiled
+  // The sides are the same as in the test of many levels, so that no further kernels are compiled.
   setSides(p, Side::open, Side::slip, Side::open, Side::inflow);
   p.bottom.velocity = glm::vec3(5, -25, 0);
   p.obstacles.resize(1);
@@ -161,14 +162,14 @@ TEST_CASE("fluid equals its CPU twin on a torus, also of odd size") {
     CAPTURE(size.x);
     auto p = jets(size.x, size.y);
     setSides(p, Side::periodic, Side::periodic, Side::periodic, Side::periodic);
-    p.strokes[0].from.x = p.strokes[0].to.x = 0;  // the stroke crosses the seam
+    p.strokes[0].from.x = p.strokes[0].to.x = 0;  // This is across the torus's seam.
     compareFluid(p, 4);
   }
   auto p = jets(41, 30);
-  // Uses the same sides as the test of lines across a seam, so that no more kernels are compiled.
+  // The sides are the same as in the test of lines across a seam, so that no further kernels are compiled.
   setSides(p, Side::periodic, Side::periodic, Side::wall, Side::open);
   p.obstacles.resize(1);
-  p.obstacles[0].center = glm::vec3(39, 14, 0);  // the obstacle crosses the seam
+  p.obstacles[0].center = glm::vec3(39, 14, 0);  // This is across the torus's seam.
   p.obstacles[0].radius = 4;
   compareFluid(p, 4);
 }
@@ -178,14 +179,14 @@ TEST_CASE("fluid with obstacles, heat, friction, confinement and heavy dye equal
     auto p = jets(67, 45);
     setSides(p, Side::wall, Side::wall, Side::open, Side::wall);
     p.obstaclesSlip = slip;
-    p.cycles = 80;  // many cycles are needed, because coarse grids barely resolve thin walls
+    p.cycles = 80;  // Many cycles are needed, because coarse grids barely resolve thin walls.
     p.obstacles.resize(3);
     p.obstacles[0].center = glm::vec3(40, 20, 0);
     p.obstacles[1].shape = sim::FluidObstacle::Shape::box;
     p.obstacles[1].center = glm::vec3(20, 30, 0);
     p.obstacles[1].extent = {20, 1.5F, 0};
     p.obstacles[1].turn = 20;
-    p.obstacles[2].center = glm::vec3(2, 2, 0);  // the obstacle crosses the border
+    p.obstacles[2].center = glm::vec3(2, 2, 0);  // This is across the grid's border.
     p.obstacles[2].radius = 5;
     p.viscosity = 2.5F;
     p.confinement = 4.0F;
@@ -213,9 +214,9 @@ TEST_CASE("fluid equals its CPU twin with semi-Lagrangian advection and with an 
     box.center = glm::vec3(wall.x, wall.y, 0);
     box.extent = {wall.z, wall.w, 0};
   }
-  // many cycles are needed, because coarse grids do not resolve thin walls
+  // Many cycles are needed, because coarse grids do not resolve thin walls.
   p.cycles = 60;
-  p.strokes[0].from = p.strokes[0].to = {25, 20, 0};  // the stroke is inside the enclosed pocket
+  p.strokes[0].from = p.strokes[0].to = {25, 20, 0};  // The stroke is inside the enclosed pocket.
   compareFluid(p, 6);
 }
 
@@ -247,7 +248,7 @@ TEST_CASE("fluid with moving, rotating, image and pocket-squeezing obstacles equ
     p.obstacles[1].scale = 1.3F;
     p.obstacles[1].center = glm::vec3(20, 34, 0);
     p.obstacles[1].turn = scene::Animated<float>({{0.0, 0.0F}, {1.0, 200.0F}}, scene::Ease::linear);
-    // the obstacle encloses a pocket at the right end and moves towards it
+    // This obstacle encloses a pocket at the right end and moves towards it.
     p.obstacles[2].shape = sim::FluidObstacle::Shape::box;
     p.obstacles[2].center = scene::Animated<glm::vec3>(
         {{0.0, glm::vec3(45, 21, 0)}, {1.0, glm::vec3(60, 21, 0)}}, scene::Ease::linear);
@@ -263,9 +264,9 @@ TEST_CASE("fluid with moving, rotating, image and pocket-squeezing obstacles equ
 TEST_CASE("fluid: a diverging flow reports the first step and the lowest cell") {
   testContext();
   auto p = jets(75, 59);
-  p.speed = 0.01F;  // the limit is far below the jets' speed of 60
+  p.speed = 0.01F;  // This is far below the jets' speed of 60.
   p.substeps = 1;
-  for (sim::FluidStroke& stroke : p.strokes) stroke.at = 0.05;  // the stroke is in the second step
+  for (sim::FluidStroke& stroke : p.strokes) stroke.at = 0.05;  // The strokes act in the second step.
   scene::Object object;
   object.name = "bath";
   object.kind = "fluid";

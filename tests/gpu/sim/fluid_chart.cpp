@@ -1,4 +1,5 @@
-// Tests the chart of a fluid's drag and lift: one value per frame, whether the frame is drawn or not.
+// Tests the chart of a fluid's drag and lift. It must have one value for each frame, even for frames that
+// are not drawn.
 #include "gpu/context.hpp"
 #include "sim/fluid/chart.hpp"
 #include "sim/fluid/fluid.hpp"
@@ -103,8 +104,8 @@ TEST_CASE("fluid chart: drag and lift are recorded for each frame, also for fram
   double most = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto shown = [&](int curve) { return rows[i][curve] / 16777216.0 * 8 - 3; };
-    // This inflow goes down, so the lift, which is positive upwards, is negative. The drag, to the right,
-    // is positive.
+    // The inflow goes down, so the lift, which is positive upwards, is negative. The drag, to the right, is
+    // positive.
     CHECK(shown(0) == doctest::Approx(std::clamp(measured[i][9] / 2500, -3.0, 5.0)).epsilon(1e-5));
     CHECK(shown(1) == doctest::Approx(std::clamp(measured[i][8] / 2500, -3.0, 5.0)).epsilon(1e-5));
     if (i > 0) CHECK(shown(1) > 0.1);
@@ -122,7 +123,7 @@ TEST_CASE("fluid chart: it grows during a run and continues from a checkpoint") 
   sim::FluidChart chart("a", p, 0.1);
   std::vector<double> measured(10);
   for (int i = 0; i < 1500; ++i) {
-    measured[9] = i;  // quantity 9 is the lift
+    measured[9] = i;  // Quantity 9 is the lift.
     chart.add(measured);
   }
   ChartKeeper keeper;

@@ -11,8 +11,8 @@
 
 using namespace simreel;
 
-// Reference values at 40 cells per diameter: Strouhal number 0.30, drag 3.23, lift 1.0 (Schaefer and Turek
-// 1996).
+// The reference values at 40 cells per diameter are: Strouhal number 0.30, drag 3.23, lift 1.0 (Schaefer
+// and Turek 1996).
 TEST_CASE("fluid: a cylinder ten cells wide has roughly the published shedding frequency and drag") {
   testContext();
   const flows::Cylinder cylinder = flows::schaeferTurek(10);

@@ -33,7 +33,7 @@ sim::FluidParameters stillBath(glm::ivec2 size, bool slip) {
   return p;
 }
 
-/// Returns a channel with a keyframed circle and a keyframed, rotating box.
+/// Returns a channel with a circle and a rotating box that move along keyframes.
 sim::FluidParameters movingPair(glm::ivec2 size, bool slip) {
   auto p = stillBath(size, slip);
   const auto w = static_cast<float>(size.x), h = static_cast<float>(size.y);
@@ -80,6 +80,6 @@ TEST_CASE("fluid with a keyframed circle and box equals its CPU twin, slip and n
     CHECK(slidingDifferences(gpu->state()[0].readAll<glm::vec4>(), twin.flow) == 0);
     const auto measured = gpu->measure();
     CHECK(measured[0] <= sim::maxFluidDivergence);
-    CHECK(std::abs(measured[8]) > 1);  // quantity 8 is the drag
+    CHECK(std::abs(measured[8]) > 1);  // Quantity 8 is the drag.
   }
 }

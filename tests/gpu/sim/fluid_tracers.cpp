@@ -1,4 +1,4 @@
-// Tests tracers of a fluid against their CPU twin, word by word.
+// Tests tracers of a fluid, word by word, against their CPU twin.
 #include "gpu/context.hpp"
 #include "reference/tracers_twin.hpp"
 #include "scene/load.hpp"
@@ -18,7 +18,7 @@ using namespace simreel;
 
 namespace {
 
-/// Returns the cell colours that a world displays for its fluid.
+/// Returns the colours of the cells that a world displays for its fluid.
 std::vector<glm::vec4> shownBy(const sim::World& world) {
   const sim::Field field = world.drawables().fields.at(0);
   GLint buffer = 0;
@@ -81,8 +81,8 @@ void checkTracers(const std::string& sides) {
 
 }  // namespace
 
-// Equation of the streaks, where `under` is the field's colour: over = color + (under - color) exp(-trail
-// brightness / 4096).
+// A streak is blended over a cell by: over = color + (under - color) exp(-trail brightness / 4096). `trail`
+// is the light in the cell.
 TEST_CASE("tracers: streaks are blended over the displayed field, cell by cell") {
   testContext();
   const auto worldOf = [](const std::string& more) {

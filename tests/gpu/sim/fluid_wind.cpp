@@ -1,4 +1,4 @@
-// Tests particles and cloth in the wind of a moving fluid against their CPU twins, word by word.
+// Tests particles and cloth in the wind of a moving fluid, word by word, against their CPU twins.
 #include "gpu/context.hpp"
 #include "reference/cloth_twin.hpp"
 #include "reference/garment_twin.hpp"
@@ -23,8 +23,8 @@ namespace {
 
 constexpr double windFrame = 1.0 / 60.0;
 
-/// Returns a scene with an object in a fluid's wind. The object comes before the fluid in the scene file,
-/// so that a wrong stepping order is detected.
+/// Returns a scene with an object in the wind of a fluid. The object precedes the fluid in the scene, so
+/// that a wrong order of stepping is noticed.
 scene::Scene windyScene(const std::string& blown) {
   return scene::parseScene(fmt::format(R"({{"version": 1, "seed": 5, "objects": {{"blown": {{{}}},
     "storm": {{"fluid": {{"size": [37, 22], "speed": 90, "flow": [8, 0, 0], "sides": {{"left": "open", "right": "open"}},

@@ -126,7 +126,7 @@ TEST_CASE("garment: attachments equal their CPU twin") {
   p.fabric->bending = 1e-7;
   p.substeps = 8;
   p.pins.emplace_back().vertices = {0, 36, 700};
-  for (const float damping : {0.0F, 0.1F}) {  // garments without damping use the energy-conserving solver
+  for (const float damping : {0.0F, 0.1F}) {  // Undamped garments use the energy-conserving solver.
     p.damping = damping;
     CHECK(sim::GarmentPlan("a", p, 5, 1.0 / 60, {}).arrays().attachments.size() == 37 * 31 - 3);
     compareGarment(p, 20);
@@ -156,7 +156,7 @@ TEST_CASE("garment: seams equal their CPU twin") {
   p.mesh->resolution = {15, 3};
   p.gravity = glm::vec3(0, -9.8F, 0);
   test::pinBox(p, glm::vec3(-0.1F), glm::vec3(0.1F));
-  // The seams sew vertices of the outermost ring (127 to 168). One vertex is in two seams.
+  // This sews vertices of the outermost ring (127 to 168). One vertex is in two seams.
   p.seams.push_back({{127, 130, 131, 140}, {129, 140, 150, 160}, 0.2});
   p.seams.push_back({{128}, {165}, 0.4});
   compareGarment(p, 30);

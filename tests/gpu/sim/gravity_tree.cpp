@@ -53,12 +53,13 @@ void compareWithTwin(const std::vector<glm::vec4>& bodies, const Setup& setup = 
 }
 
 struct Errors {
-  double median, max99;  ///< median and 99th percentile, relative to the body's exact acceleration
+  double median, max99;  ///< median and 99th percentile of the error relative to each body's exact
+                         ///< acceleration
 };
 
-/// Returns errors against all pairs in double precision. `relativeToMean`: errors are relative to the root
-/// mean square of all accelerations. This is needed for bodies on a line, where the forces of both sides
-/// cancel in the middle.
+/// Returns the errors relative to a sum over all pairs in double precision. `relativeToMean`: true to
+/// divide by the root mean square of all accelerations instead of each body's own. This is needed for
+/// bodies on a line, where the forces from both sides cancel in the middle.
 Errors errorsOf(const std::vector<glm::vec4>& bodies, const std::vector<glm::vec4>& got, const Setup& setup,
                 bool relativeToMean = false) {
   std::vector<int> of(bodies.size());
@@ -123,7 +124,7 @@ TEST_CASE("gravity tree errors vanish as the opening angle goes to 0") {
 }
 
 TEST_CASE("gravity tree with opening angle 0 includes every body, also with limited shader loops") {
-  // One dispatch may visit at most 32768 bodies and 8191 nodes.
+  // The number of bodies exceeds the 32768 bodies and 8191 nodes that one dispatch can visit.
   const auto bodies = bodiesOf(Cloud::plummer, 33001);
   const auto got = onDevice(bodies, {1, 0.02F, 0});
   std::vector<int> of;
@@ -171,7 +172,7 @@ TEST_CASE("the gravity tree's root holds the total mass and the centre of mass")
 
 TEST_CASE("gravity tree forces move the centre of mass only slightly") {
   // Approximating bodies by nodes violates Newton's third law for pairs, so a net force remains. It must be
-  // small compared with the sum of force magnitudes.
+  // small compared with the sum of the magnitudes of all forces.
   for (const Cloud cloud : {Cloud::plummer, Cloud::disk, Cloud::twoClusters}) {
     const auto bodies = bodiesOf(cloud, 5003);
     const auto accelerations = onDevice(bodies);

@@ -40,7 +40,7 @@ void checkSame(const std::vector<glm::vec4>& got, const std::vector<glm::vec4>& 
   const std::size_t columns = static_cast<std::size_t>(width + 1) / 2;
   CHECK_MESSAGE(different == 0, different, " of ", got.size(), " pairs of cells differ, first at column ",
                 first % columns * 2, ", row ", first / columns);
-  CHECK(max - min > 0.05);  // a pattern has formed
+  CHECK(max - min > 0.05);  // This shows that a pattern has formed.
 }
 
 /// Steps the GPU simulation and its CPU twin and compares every word of the state.
@@ -97,7 +97,7 @@ TEST_CASE("grayScott with health, strokes and presteps equals its CPU twin") {
   sim::StrokeParameters stroke;
   stroke.at = 0.1;
   stroke.until = 0.3;
-  stroke.from = {0, 10, 0};  // the stroke crosses the seam, and the width is odd
+  stroke.from = {0, 10, 0};  // This is across the seam of the torus of odd width.
   stroke.to = {72, 30, 0};
   stroke.radius = 4.5F;
   stroke.value = 0.4;
@@ -113,7 +113,7 @@ TEST_CASE("grayScott: every cut of the work into workgroups gives the same bits"
   GrayScottTwin twin(plan);
   twin.advance(plan.ratesAt(0), 61);
   using Cut = sim::GrayScottKernels::Cut;
-  // On the texel path, a strip without neighbouring strips must include its border cells.
+  // On the texel memory path, a strip without adjacent strips must include its own border cells.
   const int sides = gl::memoryPath() == gl::MemoryPath::texel ? 8 : 0;
   for (const Cut cut :
        {Cut{1, 1, 8, 8}, Cut{1, 8, 32, 4}, Cut{2, 4, 8, 8}, Cut{3, 5, 4, 4}, Cut{1, 8, 32, 4, 16},

@@ -1,4 +1,4 @@
-// Tests cloth and particles that fall onto a deformed mesh: they must equal their CPU twins word by word
+// Tests cloth and particles that fall onto a deformed mesh. They must equal their CPU twins word by word
 // and stay above the surface.
 #include "gpu/context.hpp"
 #include "gpu/sim/words.hpp"
@@ -29,8 +29,8 @@ const char* const swell = R"("shape": "plane", "size": [5, 0, 4], "resolution": 
              {"ripple": {"amplitude": 0.08, "wavelength": 1.7, "speed": 6}},
              {"push": {"softness": 0.2}}])";
 
-/// Returns a scene with a falling object above a deformed mesh. The falling object comes first in the scene
-/// file, so that a wrong stepping order is detected.
+/// Returns a scene with an object that falls onto a deformed mesh. The object comes first in the scene, so
+/// that a wrong order of stepping is noticed.
 scene::Scene sceneOf(const std::string& falling, const std::string& technique = "compute",
                      double preroll = 0) {
   return scene::parseScene(fmt::format(R"({{"version": 1, "seed": 5, "time": {{"start": {3}}}, "objects": {{
@@ -68,8 +68,8 @@ class HeightsTwin {
     return heights;
   }
 
-  /// Returns the height at the frame's end, computed independently in double precision. Returns -1e9
-  /// outside the mesh.
+  /// Returns the height of the surface at the frame's end, computed independently in double precision.
+  /// Returns -1e9 outside the mesh.
   [[nodiscard]] double heightAt(const std::vector<glm::vec4>& heights, const glm::vec4& p) const {
     const glm::dvec2 corner(0.3 - 2.5, 0.1 - 2.0);
     const glm::ivec2 size = plan.size();
@@ -97,8 +97,8 @@ class HeightsTwin {
 };
 
 struct Clearance {
-  double min = 1e9;  ///< min height (m) of the particles above the surface, over all frames
-  int touching = 0;  ///< number of particles within 1 mm of the margin in the last frame
+  double min = 1e9;  ///< minimum height above the surface in metres, over all particles and frames
+  int touching = 0;  ///< number of particles that are within 1 mm of the margin in the last frame
 };
 
 /// Steps the world and the CPU twin and compares every word of every frame. Returns the distance between
@@ -164,7 +164,7 @@ TEST_CASE("heights: cloth on a deforming mesh equals its CPU twin and stays abov
     const auto scene = sceneOf(sheetWith(solver));
     ClothTwin twin = clothTwin(scene);
     const Clearance c = fall(scene, twin, 60, 0.02);
-    CHECK(c.min > 0.02 - 1e-5);  // float and double results differ by up to 1e-5
+    CHECK(c.min > 0.02 - 1e-5);  // Results in float and double precision differ by up to 1e-5.
     CHECK(c.touching > 40);
   }
 }

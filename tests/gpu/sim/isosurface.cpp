@@ -1,4 +1,4 @@
-// Tests marching cubes on the GPU: the surface must equal the CPU twin bit for bit, be closed, and have the
+// Tests marching cubes on the GPU. The surface must equal the CPU twin bit for bit, be closed, and have the
 // area, volume and normals of a sphere.
 #include "sim/volume/isosurface.hpp"
 
@@ -23,7 +23,7 @@ namespace {
 
 using VolumeFunction = std::function<float(int, int, int)>;
 
-/// Sampled values in the layout of a simulation, and the isosurface computed from them.
+/// Sampled values in a simulation's memory layout, and the isosurface through them.
 struct SurfaceOnDevice {
   SurfaceOnDevice(const sim::IsosurfaceShape& shape, float level, const VolumeFunction& value,
                   const VolumeFunction& tint, glm::vec2 range) {
@@ -62,8 +62,8 @@ std::size_t differingItems(const std::vector<Item>& got, const std::vector<Item>
   return count;
 }
 
-/// Returns the number of directed edges that do not occur as often as their reverse. With `once`, edges
-/// that occur more than once count, too. (If two sheets meet in a cube's face, both may have a diagonal
+/// Returns the number of directed edges that do not occur as often as their reverse. `once`: true to count
+/// edges that occur more than once as well. (If two sheets meet in a cube's face, both may have a diagonal
 /// there.)
 std::size_t unevenEdges(const sim::MeshTable& mesh, bool once) {
   std::map<std::pair<unsigned, unsigned>, int> passed;
@@ -127,7 +127,7 @@ TEST_CASE("isosurface: the surface of a ball has the area, volume and normals of
   for (int fine = 0; fine < 2; ++fine) {
     const int side = fine == 0 ? 23 : 46;
     const double middle = (side - 1) / 2.0 + 0.13, spacing = 2.6 / side;
-    // The function is quadratic, so linear interpolation between samples slightly misses the level.
+    // The function is quadratic, so that linear interpolation between samples misses the level slightly.
     const auto place = [&](int i) { return (i - middle) * spacing; };
     const VolumeFunction value = [&](int x, int y, int z) {
       return static_cast<float>(1 - place(x) * place(x) - place(y) * place(y) - place(z) * place(z));
@@ -150,7 +150,7 @@ TEST_CASE("isosurface: the surface of a ball has the area, volume and normals of
           errors[1][1]);
   for (int i = 0; i < 2; ++i) {
     CHECK(errors[1][i] < 4e-3);
-    CHECK(errors[1][i] < 0.4 * errors[0][i]);  // tests second-order convergence
+    CHECK(errors[1][i] < 0.4 * errors[0][i]);  // This shows second-order convergence.
   }
 }
 

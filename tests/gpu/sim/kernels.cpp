@@ -1,5 +1,5 @@
-// Tests the shipped kernels that are written like users' kernels against their equations in double
-// precision. Also tests that an error in a kernel ends the run with a message that names the kernel.
+// Tests the shipped example kernels against their equations in double precision. Also tests that an error
+// in a kernel ends the run with a message that names the kernel.
 #include "sim/kernels/kernels.hpp"
 
 #include "base/error.hpp"
@@ -59,7 +59,7 @@ class ShaderText {
   std::string path_;
 };
 
-/// Returns the error message that ends a world's run, or an empty text if there is none.
+/// Returns the error message with which a world's run ends, or "" if it does not fail.
 std::string endOf(const scene::Scene& scene, int frames = 2) {
   try {
     sim::World world(scene);
@@ -85,7 +85,7 @@ bool has(const std::string& text, const std::string& part) {
 
 TEST_CASE("kernels: gravity of a user's shader follows its equation in double") {
   testContext();
-  constexpr int count = 100, frames = 10;  // the count is not a multiple of the workgroup size
+  constexpr int count = 100, frames = 10;  // The count is not a multiple of the workgroup size.
   sim::World world(kernelScene("Gravity.compute", R"j("buffers": {"_Bodies": {"size": 100, "start": {
       "position": ["cos(i)", "0.3*sin(3*i)", "sin(2*i)"], "velocity": ["0.1*sin(i)", 0, "0.1*cos(i)"], "mass": "0.01 + 0.001*i"
 }
@@ -312,7 +312,7 @@ RWStructuredBuffer<float> _Data;
   CHECK(has(message, R"(kernel "Go" has a loop that did not end within "iterations" (16 invocations)"));
 }
 
-TEST_CASE("kernels: iterations of loops are all made, or a run stops") {  // the test takes 1 s
+TEST_CASE("kernels: iterations of loops are all made, or a run stops") {  // This test takes 1 s.
   testContext();
   const ShaderText text(R"(#pragma kernel Go
 RWStructuredBuffer<uint> _Data;

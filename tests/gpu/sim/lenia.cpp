@@ -93,8 +93,8 @@ TEST_CASE("smooth life on the GPU equals its paper's equations in double precisi
   p.model = LeniaParameters::Model::smoothLife;
   p.radius = 9;
   p.timeScale = 5;
-  // No cell is at a distance of 7.4 cells, where the ramp of the disc is 0.5. The four limits of birth and
-  // survival are all different.
+  // For a radius of 7.4, no cell lies at the distance where the disc's ramp is 0.5. The four limits of
+  // birth and survival all differ.
   for (const double radius : {9.0, 7.4}) {
     p.radius = radius;
     p.surviveMax = 0.46;
@@ -141,7 +141,7 @@ TEST_CASE("an orbium keeps its shape and moves half its kernel's radius per unit
   for (int i = 0; i < 60; ++i) gpu->step(i / 30.0, {});
   const glm::dvec2 from = middle();
   const double mass = gpu->measure()[0];
-  for (int i = 60; i < 110; ++i) gpu->step(i / 30.0, {});  // steps through five units of time
+  for (int i = 60; i < 110; ++i) gpu->step(i / 30.0, {});  // This is five units of time.
   glm::dvec2 way = middle() - from;
   for (int c = 0; c < 2; ++c) way[c] -= 80 * std::round(way[c] / 80);
   CHECK(gpu->measure()[0] == doctest::Approx(mass).epsilon(0.02));

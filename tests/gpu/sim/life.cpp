@@ -73,7 +73,7 @@ TEST_CASE("life equals its CPU twin with several generations per pass") {
     for (const char* rule : {"B3/S23", "B03/S1238"}) {
       auto p = grid(size.x, size.y);
       p.rule = rule;
-      p.stepsPerSecond = 113;  // the number of generations per frame is not a multiple of that of a pass
+      p.stepsPerSecond = 113;  // The number of generations per frame is not a multiple of that per pass.
       compare(p, 6);
       p.border = LifeBorder::dead;
       compare(p, 6);
@@ -116,7 +116,7 @@ TEST_CASE("life: every way to split the grid into workgroups gives the same cell
   }
 }
 
-// Small grids are processed in tiles. Only tiles near changes are computed.
+// Small grids are processed in tiles, and only tiles near changes are computed.
 TEST_CASE("life equals its CPU twin with many generations per frame") {
   for (const glm::ivec2 size : {glm::ivec2(32, 32), {64, 33}, {96, 63}, {160, 77}, {512, 96}}) {
     for (const char* rule : {"B3/S23", "B03/S1238", "B2/S", "B36/S125"}) {
@@ -134,7 +134,7 @@ TEST_CASE("life equals its CPU twin with many generations per frame") {
 TEST_CASE("life equals its CPU twin after more generations than the loop limit of a dispatch") {
   for (const glm::ivec2 size : {glm::ivec2(32, 32), {256, 64}}) {
     auto p = grid(size.x, size.y);
-    p.rule = "B2/S";  // a pattern of this rule never settles
+    p.rule = "B2/S";  // With this rule, the grid never settles.
     p.stepsPerSecond = 20000;
     compare(p, 1, 1);
   }
@@ -143,8 +143,8 @@ TEST_CASE("life equals its CPU twin after more generations than the loop limit o
 TEST_CASE("life equals its CPU twin with a front that enters still regions at one cell per generation") {
   testContext();
   const simreel::test::TemporaryFile cell("cell.rle", "x = 1, y = 1\no!");
-  // At the end of a pass, the distance from the front to the next tile is exactly the distance that the
-  // front moves in the next pass, on either side.
+  // At the end of a pass, the front is exactly as far from the next tile as it moves in the next pass, once
+  // on either side.
   for (const int at : {256, 263}) {
     auto p = grid(576, 448);
     p.rule = "B12345678/S012345678";
@@ -212,7 +212,7 @@ TEST_CASE("life with strokes and a trail equals its CPU twin") {
   p.size = {16, 33};
   compare(p, 20);
   p.trail = 0;
-  p.size = {256, 90};  // runs several generations per pass, except between strokes
+  p.size = {256, 90};  // There are several generations per pass, except between strokes.
   p.stepsPerSecond = 170;
   compare(p, 15);
 }

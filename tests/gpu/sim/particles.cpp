@@ -45,7 +45,7 @@ ParticlesTwin compare(const sim::ParticleParameters& parameters, int frames, dou
   double travelled = 0;
   for (std::size_t i = 0; i < before.size(); ++i)
     travelled += glm::abs(before[i].x - twin.positions[i].x) + glm::abs(before[i].y - twin.positions[i].y);
-  CHECK(travelled > 0.01);  // if nothing moves, the test proves nothing
+  CHECK(travelled > 0.01);  // The test would be useless if nothing moved.
   CHECK(gpu->status()->readAll<unsigned>()[0] == 0xffffffffU);
   return twin;
 }
@@ -158,7 +158,8 @@ TEST_CASE("particles: a Plummer sphere of more than one chunk equals its CPU twi
 }
 
 TEST_CASE("particles: gravity of 70,001 bodies includes every body") {
-  // Some software drivers silently end loops after 65,535 iterations. The remaining bodies must count, too.
+  // Loops of more than 65,535 iterations end silently on some software drivers. Bodies beyond that number
+  // must still have an effect.
   testContext();
   constexpr int count = 70001;
   std::vector<glm::vec4> bodies;

@@ -18,8 +18,8 @@ std::uint64_t keyOf(const glm::uvec4& record, int lowBits, int highBits) {
   return ((record.y & mask(highBits)) << 32) | (record.x & mask(lowBits));
 }
 
-/// Sorts random records with key words below `max` (0: any key words) on the GPU and on the CPU, and
-/// compares the results.
+/// Sorts random records on the GPU and on the CPU and compares the results. The words of the keys are below
+/// `max`; 0 means no limit.
 void compare(int count, int capacity, int lowBits, int highBits, std::uint32_t max) {
   CAPTURE(count);
   testContext();

@@ -1,4 +1,4 @@
-// Tests reaction rules on the GPU against their evaluator on the CPU, bit for bit, for all boundaries,
+// Tests reaction rules on the GPU, bit for bit, against their evaluator on the CPU for all boundaries,
 // methods and widths.
 #include "sim/reaction/reaction.hpp"
 
@@ -70,7 +70,7 @@ void comparePlanes(const std::vector<float>& got, const std::vector<float>& want
   CHECK_MESSAGE(different == 0, different, " of ", got.size(), " cells differ, first ", first, ": ",
                 got[first], " for ", want[first]);
   CHECK(std::isfinite(most - least));
-  CHECK(most - least > 1e-3F);  // the state must not be constant
+  CHECK(most - least > 1e-3F);  // The state is not constant.
 }
 
 /// Steps the GPU simulation and the CPU evaluator and compares every bit of the state.
@@ -97,7 +97,7 @@ void compareWithTwin(const sim::ReactionParameters& p, int frames) {
   comparePlanes(planesOf(*gpu, plan.parameters().size), want);
 }
 
-/// A rule with every function and operator, numbers of all magnitudes, and nested lets.
+/// Text of a rule with every function and operator, numbers of all magnitudes, and nested lets.
 const std::string everything = R"X("dt": 0.01, "steps": 3,
   "parameters": {"p": 0.3, "q": {"keys": [[0, 1.5], [1, -2]]}, "m": {"value": 0.2, "across": 0.9}, "k": {"value": 1, "down": 2}},
   "lets": {"mu": "u^3 - u - 0.5*laplacian(u) + m", "nu": "laplacian(mu) + ddx(mu)*p", "tiny": "u*1e-20*v*1e-15"},
@@ -109,7 +109,7 @@ const std::string everything = R"X("dt": 0.01, "steps": 3,
     "w": {"start": "0.3*cos(y) + x*0.01", "rate": "abs(v)^1.3 - w^3 + w^5/(1 + u^2) + v^-2*0.001 + u^q*0.01 + 0.2*noise(3) + 0.1*random(1) + t*0.1 + x*0.001 - y*0.002 + neighbours(w)*0.1 - corners(v)*0.1 - 0.2*ddy(u*v) + diffuse(k, w)*0.1 + diffuse(m, u) + pi*0.01 + width*0.001 - 2*w"}},
   )X";
 
-/// A rule with every stencil, applied to a species and to a let.
+/// Text of a rule with every stencil, applied to a species and to a let.
 const std::string small = R"X("dt": 0.01, "steps": 3, "lets": {"w": "u*u - laplacian(u)"},
   "species": {
     "u": {"diffusion": 0.4, "start": "random(1)", "rate": "laplacian(w) + corners(w) - neighbours(u) + ddx(u)*ddy(w)"},
@@ -118,8 +118,8 @@ const std::string small = R"X("dt": 0.01, "steps": 3, "lets": {"w": "u*u - lapla
 }  // namespace
 
 // Pointwise functions use the same code for all boundaries and methods, so they are tested once with each
-// boundary and once with each method. Stencils depend on both, so they are tested with every pair. A kernel
-// with all functions takes ten times as long to compile as a kernel of stencils.
+// boundary and once with each method. Stencils depend on both, so every pair is tested. A kernel with all
+// functions takes ten times as long to compile as a kernel with stencils.
 TEST_CASE(
     "reaction: every function and every stencil equal the evaluator, on every boundary, by every method") {
   const std::array<const char*, 3> boundaries = {"torus", "no-flux", "fixed"},
@@ -158,7 +158,7 @@ TEST_CASE("reaction: every preset equals the evaluator") {
 }
 
 TEST_CASE("reaction in a volume equals the evaluator: every function, boundary and method, odd sizes") {
-  // The rule for planes, plus derivatives along z and terms that differ between layers.
+  // This is the rule for planes with derivatives along z and terms that differ between layers added.
   std::string deep = everything;
   deep.replace(deep.find("ddy(u*v)"), 8, "ddz(u*v)");
   deep.replace(deep.find("x*0.001"), 7, "z*0.003 + depth*0.001 + ddz(nu)*0.001");
@@ -166,7 +166,7 @@ TEST_CASE("reaction in a volume equals the evaluator: every function, boundary a
     for (const char* boundary : {"torus", "no-flux", "fixed"}) {
       CAPTURE(boundary);
       CAPTURE(rk4);
-      // all functions are tested once with each boundary and once with each method
+      // Each boundary and each method is tested once with all functions.
       const bool all = rk4 == (std::string(boundary) == "torus");
       auto p =
           rule((all ? deep : small) + fmt::format("\"depth\": 9, \"boundary\": \"{}\", \"method\": \"{}\"",
@@ -268,7 +268,7 @@ TEST_CASE(
     "reaction: several steps per pass give the same bits and the same report of divergence as single "
     "steps") {
   testContext();
-  // Kernels that run several steps per pass support ddy only on a torus, because ddy changes sign under
+  // Kernels that compute several steps per pass support ddy only on a torus, because ddy changes sign under
   // reflection.
   const std::string three = R"X("dt": 0.1, "steps": 11, "lets": {"all": "u + v + w"}, "species": {
     "u": {"diffusion": 0.3, "start": "abs(random(1))", "rate": "u*(1 - all - v) + 0.01*corners(w)"},
@@ -308,7 +308,7 @@ TEST_CASE(
   odd.boundary = sim::RuleBoundary::noFlux;
   const sim::ReactionPlan single(odd, "r", 5, plateFrame);
   CHECK(!sim::stripsCan(single.rule(), single.program(), odd.space(), odd.boundary, 64));
-  // The state diverges in some cell at some step.
+  // At some cell and step, the state diverges.
   auto p = rule(
       R"X("dt": 1, "species": {"u": {"start": "1 + 0.3*random(1)", "rate": "u^3"}, "v": {"diffusion": 0.1, "rate": "u"}})X");
   p.size = {64, 48};

@@ -1,5 +1,5 @@
-// Tests rules that read fields of other objects: the values must be those at the start of the frame,
-// independent of the stepping order, and equal the CPU's bit for bit.
+// Tests rules that read fields of other objects. The values must be those at the start of the frame,
+// independent of the order of stepping, and must equal the CPU's bit for bit.
 #include "gpu/context.hpp"
 #include "scene/load.hpp"
 #include "scene/scene.hpp"
@@ -44,8 +44,8 @@ std::vector<float> valuesOf(const sim::World& world, const std::string& name) {
   return sim::fieldValues(fieldOf(drawables, name));
 }
 
-/// Rules that read bits, bytes, floats and colours, two rules that read each other, and a rule that reads
-/// itself.
+/// Scene text with rules that read bits, bytes, floats and colours, two rules that read each other, and a
+/// rule that reads itself.
 const std::string manyReaders = R"X(
   "guest": {"reaction": {"size": [23, 31], "dt": 0.05, "steps": 3,
     "parameters": {"heat": {"field": "smoke.temperature"}, "dye": {"field": "smoke"}, "host": {"field": "host.w"}, "self": {"field": "guest"}, "f": {"value": 1, "down": 2}},
@@ -81,7 +81,7 @@ struct Reader {
       const sim::Field from = fieldOf(drawables, parameters[i].field);
       const std::vector<float> values = sim::fieldValues(from);
       if (plan.parameters().depth > 1 &&
-          from.display == nullptr) {  // volumes in these tests read only volumes
+          from.display == nullptr) {  // Volumes in these tests read only volumes.
         const glm::ivec3 size(field.size, field.depth);
         const glm::ivec3 sources(from.size.x, glm::ivec2(size.y, size.z) * from.size.x / size.x);
         field.weights[i] = sim::sampledInVolume(values, sources, size);
@@ -128,7 +128,7 @@ TEST_CASE("reaction reads fields of every kind with its twin's bits, also fields
   }
   const std::vector<float> shown = valuesOf(world, "host");
   sameBits(shown, sim::evaluateShown(host.plan, host.plan.valuesAt(0), 0, 0, host.field));
-  // Stepping without drawing gives the same values.
+  // Stepping without drawing must give the same values.
   sim::World passed(scene);
   passed.passTo(5);
   passed.complete();
@@ -136,9 +136,9 @@ TEST_CASE("reaction reads fields of every kind with its twin's bits, also fields
   sameBits(valuesOf(passed, "host"), shown);
 }
 
-// The rules are du/dt = v and dv/dt = -u, where each reads the other's value, which is constant during a
-// frame. With the frame duration H, a frame gives u' = u + H v and v' = v - H u. The expected values are
-// computed in double precision; both grids have 4x4 cells.
+// du/dt = v and dv/dt = -u, where each equation uses the other's value at the start of the frame. With the
+// frame duration H, this gives u' = u + H v and v' = v - H u simultaneously. The expected values are
+// computed in double precision. Both grids have 4x4 cells.
 TEST_CASE("reactions that read each other both read the state before the frame") {
   testContext();
   const auto one = [](const char* other, const char* rate, const char* start) {
@@ -163,7 +163,7 @@ TEST_CASE("reactions that read each other both read the state before the frame")
 }
 
 // Bilinear sampling reproduces a field that is linear in x and y exactly on any grid, except beyond the
-// centres of its outermost cells.
+// centres of the grid's outermost cells.
 TEST_CASE("a field on another grid is sampled at the same place of the picture") {
   testContext();
   for (const glm::ivec2 size :
@@ -186,12 +186,12 @@ TEST_CASE("a field on another grid is sampled at the same place of the picture")
         worst = std::max(
             worst, std::abs(static_cast<double>(got[static_cast<std::size_t>(y * size.x + x)]) - want));
       }
-    CHECK(worst < 4 * 0x1p-15 + 1e-5);  // weights are multiples of 2^-15
+    CHECK(worst < 4 * 0x1p-15 + 1e-5);  // Weights are multiples of 2^-15.
   }
 }
 
-// A mesh samples grids at its texture coordinates or by projection from a side ("maps"). If two objects are
-// on the same mesh, cells are read directly, independent of the positions of the objects.
+// A mesh samples grids at its texture coordinates, or by projection from one side ("maps"). Objects on the
+// same mesh are read cell by cell, whatever their positions.
 TEST_CASE("reaction on a mesh reads grids and its own mesh with its twin's bits") {
   testContext();
   const scene::Scene scene = ofObjects(R"X(
@@ -222,8 +222,8 @@ TEST_CASE("reaction on a mesh reads grids and its own mesh with its twin's bits"
   }
 }
 
-// Independent trilinear interpolation between cell centres. Positions beyond the outermost centres are
-// clamped.
+// Interpolates trilinearly between cell centres, independently of the kernels. Clamps positions beyond the
+// outermost centres.
 double trilinear(const std::vector<float>& values, glm::ivec3 sources, glm::dvec3 at) {
   double sum = 0;
   for (int corner = 0; corner < 8; ++corner) {
@@ -262,7 +262,7 @@ TEST_CASE(
     sameBits(valuesOf(world, "fine"), fine.field.stage[0]);
     sameBits(valuesOf(world, "fine.w"), fine.field.stage[1]);
   }
-  sameBits(valuesOf(world, "alike"), source);  // fields of equal size are read cell by cell
+  sameBits(valuesOf(world, "alike"), source);  // Grids of equal size are read cell by cell.
   const std::vector<float> got = valuesOf(world, "fine");
   double worst = 0;
   for (int z = 0; z < 28; ++z)
@@ -273,7 +273,7 @@ TEST_CASE(
             worst,
             std::abs(static_cast<double>(got[static_cast<std::size_t>((z * 14 + y) * 21 + x)]) - want));
       }
-  CHECK(worst < 60 * 0x1p-15);  // weights are multiples of 2^-15; neighbouring values differ by up to 15
+  CHECK(worst < 60 * 0x1p-15);  // Weights are multiples of 2^-15. Neighbouring values differ by up to 15.
 }
 
 // With one Euler step per frame, two objects that read each other equal one object with two species.
@@ -298,7 +298,8 @@ TEST_CASE(
   sameBits(valuesOf(two, "v"), valuesOf(one, "both.v"));
 }
 
-// A function that is linear on the grid is linear on the mesh, up to the centres of the outermost cells.
+// A function that is linear on the grid must be linear on the mesh, up to the centres of the outermost
+// cells.
 TEST_CASE("a mesh samples a grid where it covers it") {
   testContext();
   sim::World world(ofObjects(R"X(

@@ -59,7 +59,7 @@ std::vector<std::function<float(int, int)>> binaryMaps() {
 const std::vector<glm::ivec2> oddSizes = {{1, 1},   {1, 37}, {43, 1}, {2, 2},
                                           {13, 14}, {15, 7}, {30, 5}, {129, 33}};
 
-/// The edges and corners of a mesh after merging vertices at equal positions.
+/// The edges and corners of a mesh after vertices at equal positions are merged.
 struct Welded {
   explicit Welded(const sim::MeshTable& mesh) {
     std::map<std::tuple<float, float, float>, int> known;
@@ -93,8 +93,8 @@ struct Welded {
   }
 };
 
-/// Returns the number of connected regions of the map by flood fill. Open cells connect across edges; rock
-/// connects across edges and corners. Outside the map is rock.
+/// Returns the number of connected regions of the map by flood fill. Open cells connect across edges, and
+/// rock connects across edges and corners. There is rock outside the map.
 int regionCount(glm::ivec2 size, const std::function<float(int, int)>& value, bool rock) {
   const glm::ivec2 all = size + 2;
   const auto isRock = [&](int x, int y) {
@@ -223,8 +223,8 @@ TEST_CASE("a solid is closed and has as many parts as the map has regions") {
         const Welded welded(mesh);
         CHECK(welded.openEdges() == 0);
         const int rooms = regionCount(size, map, false);
-        // Rock that is not connected to the outside is an island in a room and adds a handle to the room's
-        // surface.
+        // Rock that is not connected to the outside is an island in a room. Each island adds a handle to
+        // the room's surface.
         const int islands = regionCount(size, map, true) - 1;
         CHECK(welded.eulerCharacteristic() == (ceiling ? 2 + 2 * rooms - 2 * islands : 2));
         // The expected volume is that of the whole block minus the open space above the floor.
@@ -237,8 +237,8 @@ TEST_CASE("a solid is closed and has as many parts as the map has regions") {
 
 TEST_CASE("the floor's area is the sum over the sixteen marching squares cases") {
   testContext();
-  // Area that low corners cover, in eighths of a cell. Two opposite low corners cover only the areas at
-  // these corners.
+  // Returns the area, in eighths of a cell, that low corners cover. Two opposite low corners cover only the
+  // areas at the corners.
   const auto eighths = [](bool a, bool b, bool c, bool d) {
     const int low = int(!a) + int(!b) + int(!c) + int(!d);
     return low == 0 ? 0 : low == 1 ? 1 : low == 3 ? 7 : low == 4 ? 8 : a == c ? 2 : 4;
@@ -320,7 +320,7 @@ TEST_CASE("a solid's memory grows to what a frame needs and is kept") {
     return count;
   };
   made.solid.make(busy.field, shape.heights);
-  // draws nothing until the memory is large enough, instead of undefined triangles
+  // The solid must draw nothing until there is enough memory, instead of undefined triangles.
   CHECK(countOf(made.solid.surface()) == 0);
   CHECK(made.solid.grow());
   CHECK(!made.solid.grow());
@@ -381,8 +381,8 @@ TEST_CASE("solids for files: uvs are neither stretched nor mirrored") {
       const glm::dvec2 b = t[2] - t[0];
       const glm::dvec3 face = glm::cross(p[1] - p[0], p[2] - p[0]);
       if (glm::length(face) > 1e-6)
-        CHECK(a.x * b.y - a.y * b.x < 0);  // the area is negative because v
-                                           // grows downwards
+        CHECK(a.x * b.y - a.y * b.x < 0);  // The sign is negative, because v
+                                           // grows downwards.
     }
     CHECK(seams > 20);
     CHECK(sloping > 100);

@@ -1,5 +1,5 @@
-// Tests strokes in every simulation that has them. A stroke that is due at the start must be in the first
-// state, and strokes must wrap around a torus.
+// Tests strokes in every simulation that supports them. A stroke at the start must be in the first state,
+// and strokes must wrap around a torus.
 #include "base/file.hpp"
 #include "frame/image.hpp"
 #include "gpu/sim/spread.hpp"
@@ -36,8 +36,8 @@ std::unique_ptr<sim::Simulation> make(const sim::SimulationKind& kind, const Par
   return kind.make(object, setting);
 }
 
-/// Returns the cells within `radius` of a point. On a torus, the nearest of the point's nine periodic
-/// images is used.
+/// Returns the cells within `radius` of a point. On a torus, uses the nearest of the point's nine periodic
+/// images.
 std::vector<bool> disk(glm::dvec2 middle, double radius, bool torus) {
   std::vector<bool> cells;
   for (int y = 0; y < size.y; ++y)
@@ -61,7 +61,7 @@ std::vector<bool> lifeCellsOf(const sim::StrokeParameters& stroke, bool torus, d
   sim::LifeParameters p;
   p.size = size;
   p.fill = 0;
-  p.rule = "B/S012345678";  // with this rule, cells never change without a stroke
+  p.rule = "B/S012345678";  // With this rule, no cell changes by itself.
   p.stepsPerSecond = 30;
   p.border = torus ? sim::LifeBorder::torus : sim::LifeBorder::dead;
   p.strokes = {stroke};
@@ -115,7 +115,7 @@ std::vector<bool> spreadCells(const sim::SimulationKind& kind, Parameters p, dou
     cells.push_back(cell >> 6 == 2);
     ++counts[(cell / 64 + 3) % 4];
   }
-  CHECK(spread::rowsOf(*gpu).back() == counts);  // the counts include painted cells
+  CHECK(spread::rowsOf(*gpu).back() == counts);  // The counts must include painted cells.
   return cells;
 }
 
@@ -173,8 +173,8 @@ TEST_CASE("strokes: a stroke appears in the first frame at or after its time, wi
 }
 
 TEST_CASE("strokes: an image stroke paints exactly its own pixels") {
-  // The image's first column and row are white. A read past a row's end returns the next row's first pixel,
-  // so it is detected.
+  // The image's first column and row are white. A read beyond a row's end returns the next row's first
+  // pixel and is therefore noticed.
   constexpr glm::ivec2 stamp(9, 5), at(20, 11);
   frame::Image picture{stamp.x, stamp.y, {}};
   std::vector<bool> expected(static_cast<std::size_t>(size.x) * size.y);

@@ -1,5 +1,5 @@
 // Tests that automatic cameras frame the motion of cloth and particles. A simulated run measures the
-// motion, and the expected motion is computed here in closed form.
+// motion, whose expected extent is known in closed form.
 #include "sim/world/survey.hpp"
 
 #include "draw/camera.hpp"
@@ -48,7 +48,7 @@ SeenExtent wayOf(const scene::Framed& framed) {
 }  // namespace
 
 TEST_CASE("survey: a falling sheet is framed from its start to its lowest position") {
-  // The sheet falls below height 0, which is beyond the extent derived from its parameters.
+  // The sheet falls below height 0, which is outside the extent derived from its parameters.
   scene::Scene scene = sceneGoing(looseSheet(1), R"("time": {"duration": 0.6}, )");
   const sim::Survey survey = sim::surveyMotion(scene);
   CHECK(survey.frames == 36);
@@ -59,8 +59,7 @@ TEST_CASE("survey: a falling sheet is framed from its start to its lowest positi
   CHECK(extent.low.y == doctest::Approx(1 - 4.9 * seconds * seconds).epsilon(0.02).scale(0));
   CHECK(extent.low.x == doctest::Approx(-0.35).epsilon(1e-4).scale(0));
   CHECK(survey.framed[0].box.min.y == extent.low.y);
-  // A sheet is excluded from the framing when it has left its expected space (1 m high) by more than its
-  // size.
+  // A sheet is no longer framed once it has left its expected extent (1 m high) by more than its size.
   scene::Scene longer = sceneGoing(looseSheet(1), R"("time": {"duration": 5}, )");
   const SeenExtent kept = wayOf(sim::surveyMotion(longer).framed[0]);
   CHECK(kept.low.y > -1.01F);
@@ -72,7 +71,7 @@ TEST_CASE("survey: a jet is framed up to its top, and one stray particle is igno
     "look": {"size": 0.001}, "emitters": [{"velocity": [0, 4, 0], "spread": 0, "speedVariation": 0, "lifetime": 1}]}}})",
                                   R"("time": {"start": 2, "duration": 1}, )");
   const SeenExtent extent = wayOf(sim::surveyMotion(scene).framed.at(0));
-  // The jet's top is at v^2 / (2 g). The pre-roll has filled the jet.
+  // The jet reaches a height of v^2 / (2 g). The pre-roll has filled it.
   CHECK(extent.high.y == doctest::Approx(1).epsilon(0.02).scale(0));
   CHECK(std::abs(extent.high.x) < 0.01F);
   scene::Scene stray =
@@ -121,7 +120,7 @@ TEST_CASE("survey: a motion fills the picture and stays inside it at every frame
     CHECK(high.y < 0.95F);
     CHECK(low.y > -0.95F);
     CHECK(std::max({high.x - low.x, high.y - low.y}) > 1.2F);
-    CHECK(sim::frameMotion(scene).remark.empty());  // the framing runs only once
+    CHECK(sim::frameMotion(scene).remark.empty());  // The framing must happen only once.
   }
 }
 
@@ -132,7 +131,7 @@ TEST_CASE("survey: fast numerics give the same camera") {
   CHECK(fast.numerics == scene::Numerics::fast);
 }
 
-// The stage needs the motion even if the scene places the camera.
+// The stage needs the extent of the motion even if the scene places the camera.
 TEST_CASE("survey: the ground lies under the moving object for any camera") {
   scene::Scene free = sceneGoing(looseSheet(1)),
                placed = sceneGoing(looseSheet(1), R"("camera": {"position": [1, 2, 6]}, )");

@@ -1,5 +1,5 @@
-// Tests the columns that fluids and water add to the table of frames: the GPU's sums must equal
-// double-precision sums over the state that is read back.
+// Tests the columns that fluids and water add to the table of frames. The GPU's sums must equal
+// double-precision sums of the state that is read back.
 #include "gpu/context.hpp"
 #include "scene/load.hpp"
 #include "sim/world/list.hpp"

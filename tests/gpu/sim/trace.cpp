@@ -1,4 +1,4 @@
-// Tests step traces of real runs: their hash sums, and the exact location of a modified element.
+// Tests step traces of real runs: their hash sums, and the exact location of a disturbance in the state.
 #include "golden/trace/trace.hpp"
 
 #include "base/error.hpp"
@@ -19,7 +19,7 @@ using namespace simreel::golden;
 
 namespace {
 
-/// Returns two cloths of odd sizes with different numbers of steps per frame, and three frames of pre-roll.
+/// Returns two cloths of odd sizes with different numbers of steps per frame and three frames of pre-roll.
 scene::Scene odd(const std::vector<scene::Override>& changes = {}) {
   return scene::parseScene(R"({"version": 1, "time": {"fps": 30, "start": 0.1, "duration": 1}, "objects": {
         "ball": {"sphere": {"position": [0, -1, 0]}},
@@ -84,7 +84,7 @@ TEST_CASE("trace: GPU hash sums equal the CPU's for every block size") {
   }
 }
 
-// On the storage path, the arrays of a fluid are stored in planes.
+// On the storage-buffer memory path, the arrays of a fluid are stored as planes.
 TEST_CASE("trace: the hash sums of a fluid equal those of its elements") {
   testContext();
   const auto scene = scene::parseScene(R"({"version": 1, "objects": {"bath": {"fluid": {"size": [37, 22],
@@ -220,7 +220,7 @@ TEST_CASE("trace: traces of frames, traces of steps and dumps agree") {
   REQUIRE(frames.size() == 7);
   sim::World second(scene);
   traceSteps(second, 2, into(steps));
-  REQUIRE(steps.size() == 7);  // five steps of a, and two of b
+  REQUIRE(steps.size() == 7);  // There are five steps of a and two of b.
   const StateLine& frame = frames[5];
   CHECK(frame.frame == 2);
   REQUIRE(frame.arrays.size() == 4);

@@ -80,8 +80,8 @@ TEST_CASE("a trail of few frames ends at the first one") {
 }
 
 TEST_CASE("a trail begins where its particle was born") {
-  // Particle 0 is always alive, particle 2 is born in frame 9 where one died, and particle 4 is never
-  // alive.
+  // Particle 0 lives all the time, particle 2 is born in frame 9 in the slot of one that died, and particle
+  // 4 does not live.
   const sim::MeshTable table = trailsAfter(11, [](int i, int frame) {
     if (i == 4) return -1.0F;
     return i == 0      ? 0.05F * static_cast<float>(frame)
@@ -93,6 +93,6 @@ TEST_CASE("a trail begins where its particle was born") {
     CHECK(glm::distance(ringOf(table, 1, 1 + back).middle, placeOf(2, std::max(9, 11 - back))) < 1e-5F);
     const Ring dead = ringOf(table, 2, 1 + back);
     CHECK(glm::distance(dead.middle, placeOf(4, 11)) < 1e-5F);
-    CHECK(dead.radius < 1e-5F);  // the tolerance covers the rounding of the centre
+    CHECK(dead.radius < 1e-5F);  // The tolerance covers rounding of the middle.
   }
 }

@@ -1,5 +1,5 @@
-// Tests cloth and particles that touch the walls of changing caves and contours against their CPU twins,
-// word by word.
+// Tests cloth and particles that touch the walls of changing caves and contours, word by word, against
+// their CPU twins.
 #include "sim/contour/walls.hpp"
 
 #include "gpu/context.hpp"
@@ -27,7 +27,7 @@ namespace {
 
 constexpr double wallsFrame = 1.0 / 60.0;
 
-/// Returns a scene whose first object falls, so that a wrong stepping order is detected.
+/// Returns a scene whose first object falls, so that a wrong order of stepping is noticed.
 scene::Scene wallsScene(const std::string& faller, const std::string& objects) {
   return scene::parseScene(
       fmt::format(R"({{"version": 1, "seed": 5, "objects": {{"faller": {{{}}}, {}}}}})", faller, objects),
@@ -58,15 +58,15 @@ std::string with(std::string text, const std::string& what, const std::string& v
   return text;
 }
 
-/// Computes the CPU twin of the solid from the field that its source object publishes.
+/// Builds the CPU twin of a solid from the field memory that the source object publishes.
 class LivingWalls {
  public:
   LivingWalls(const scene::Scene& scene, const sim::World& world)
       : world_(world), solid_(*scene.objects.at(1).parameters) {}
 
-  /// Returns the CPU twin of the solid at the world's current frame, or nothing if there is no solid.
+  /// Returns the twin of the solid at the world's current frame, or nullopt if there is no solid.
   std::optional<WallsTwin> twin() {
-    // The last object publishes the field. Its first state array holds the cells.
+    // The last object publishes the field. Its first state array contains the cells.
     const std::size_t source = world_.objectCount() - 1;
     const std::string name = world_.objectName(source);
     for (const sim::Field& field : world_.drawables().fields)
@@ -127,7 +127,7 @@ ClothTwin clothOf(const scene::Scene& scene) {
 
 TEST_CASE("walls: particles among living terraces (a changing contour) equal their CPU twin") {
   for (const char* method : {"none", "all-pairs"})
-    for (const char* margin : {"0.02", "0.1"}) {  // the margin is one or two squares wide
+    for (const char* margin : {"0.02", "0.1"}) {  // The margin spans one square or two.
       CAPTURE(method);
       CAPTURE(margin);
       const std::string grains =

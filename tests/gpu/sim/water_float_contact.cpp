@@ -1,4 +1,4 @@
-// Tests floats that touch each other: the GPU must equal the CPU twin bit for bit.
+// Tests floats that touch each other. The GPU must equal the CPU twin bit for bit.
 #include "gpu/context.hpp"
 #include "reference/water_twin.hpp"
 #include "sim/water/water.hpp"
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double crowdFrame = 1.0 / 30;
 
-/// Returns a wedge, two boxes, a ball and a sphere inside a box, all close enough to touch.
+/// Returns floats that are close enough to touch: a wedge, two boxes, a ball, and a sphere inside a box.
 sim::WaterParameters crowd(const std::filesystem::path& wedge, glm::ivec2 size) {
   sim::WaterParameters p;
   p.size = size;
@@ -93,7 +93,7 @@ TEST_CASE("water with floats in contact equals its CPU twin, also across the sea
     CHECK(crowdDiffers(gpu->state()[0].buffer->readAll<glm::vec4>(), twin.cells) == 0);
     CHECK(crowdDiffers(gpu->state()[1].buffer->readAll<glm::vec4>(), twin.floats) == 0);
     CHECK(crowdDiffers(gpu->state()[2].buffer->readAll<glm::ivec4>(), twin.displaced) == 0);
-    // The bodies have collided, so the first one was stopped.
+    // The bodies must have collided: the first one has not travelled freely.
     if (!torus) CHECK(twin.floats[2].x < 1.0F);
   }
   std::filesystem::remove(file);

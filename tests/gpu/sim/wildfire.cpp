@@ -41,7 +41,7 @@ void compare(const Parameters& parameters, int frames) {
   CHECK(twin.cells != start);
 }
 
-/// Replaces all strokes by burning rows: row `first` and every `each`-th row after that.
+/// Replaces all strokes by strokes that light row `first` and every `each`-th row after it.
 void lightRows(Parameters& p, int first, int each) {
   p.strokes.clear();
   for (int y = first; y < p.size.y; y += each) {
@@ -54,7 +54,8 @@ void lightRows(Parameters& p, int first, int each) {
 }
 
 struct Scar {
-  double x = 0, y = 0;  ///< mean position of burning and burnt cells, relative to the grid's centre
+  double x = 0, y = 0;  ///< mean position of burning and burnt cells relative to the grid's centre, in
+                        ///< cells
   int cells = 0;
   int left = 1 << 20, right = -1, top = 1 << 20, bottom = -1;
 };
@@ -105,9 +106,9 @@ TEST_CASE("wildfire equals its CPU twin on 33x7, closed, with firebreaks and emb
   compare(p, 30);
 }
 
-// Software drivers skip groups of cells that cannot change. Most of the grid consists of such groups:
-// before the fire arrives, even across the borders of a torus, behind a firebreak until a stroke lights
-// that side, and after all cells have burnt out.
+// Software drivers skip groups of cells that cannot change. In this test, most of the grid is in such
+// groups: before the fire arrives (also across the borders of a torus), behind a firebreak until a stroke
+// lights that side, and after all cells have burnt out.
 TEST_CASE("wildfire equals its CPU twin on 331x211 with mostly unchanging cells") {
   for (const auto border : {Parameters::Border::torus, Parameters::Border::closed})
     for (const int frames : {7, 45, 120}) {
@@ -151,8 +152,8 @@ TEST_CASE("wildfire: cell counts add up, fuel only shrinks, burnt area only grow
   CHECK(last.z > 12000);
 }
 
-// With a firebreak two cells wide, fire never spreads from one side to the other, and bare cells never
-// change.
+// A firebreak is two cells thick. Fire on one side must never reach the other side, and bare cells must
+// never change.
 TEST_CASE("wildfire: bare ground never burns, and a firebreak holds") {
   auto p = plain(131, 97);
   p.spread = 1.0F;
@@ -217,10 +218,10 @@ TEST_CASE("wildfire equals its CPU twin on 131x97 with hills") {
   compare(p, 20);
 }
 
-// On a slope of half a cell size per cell, in each of four directions, fire spreads further uphill than
-// downhill and equally to both sides.
+// The slope is half a cell size per cell, in each of four directions. Fire must spread further uphill than
+// downhill and equally far to both sides.
 TEST_CASE("wildfire: fire spreads further uphill than downhill") {
-  const auto rising = [](glm::ivec2 way) {  // white is 127.5 cell sizes higher than black
+  const auto rising = [](glm::ivec2 way) {  // White is 127.5 cell sizes higher than black.
     std::string pgm = "P5 255 255 255\n";
     for (int y = 0; y < 255; ++y)
       for (int x = 0; x < 255; ++x)
@@ -247,10 +248,10 @@ TEST_CASE("wildfire: fire spreads further uphill than downhill") {
   }
 }
 
-// A plane rises by `tangent` per cell towards `way`, one of eight directions. Single burning cells form a
-// lattice. After one step, the fraction of neighbours in each direction that burns must equal e^(slope *
-// tangent in that direction) times the probability on level ground. The formula is implemented
-// independently of the simulation's code.
+// A plane rises by `tangent` per cell in the direction `way`, one of eight. Single burning cells form a
+// lattice. In each direction, the fraction of neighbours that burns after one step must be the probability
+// on even ground times e^(slope * tangent in that direction). The formula is written independently of the
+// simulation's code.
 TEST_CASE("wildfire: uphill spread grows by e^(slope * tangent) in all eight directions") {
   constexpr int side = 510;
   constexpr double spreads = 0.05;
@@ -270,7 +271,7 @@ TEST_CASE("wildfire: uphill spread grows by e^(slope * tangent) in all eight dir
   const glm::ivec2 around[] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
   for (const Hill hill : {Hill{0.5, 2}, Hill{1, 2}, Hill{2, 1}, Hill{4, 0.5}})
     for (const glm::ivec2 way : around) {
-      // The map has 255 x 255 pixels with levels 0 to 254. A pixel covers two cells per side.
+      // The map has 255 x 255 pixels with levels 0 to 254. Each pixel covers two cells.
       const bool diagonal = way.x != 0 && way.y != 0;
       std::string plane = "P5 255 255 255\n";
       for (int y = 0; y < 255; ++y)
@@ -314,7 +315,7 @@ TEST_CASE("wildfire: embers cross a firebreak downwind") {
   CHECK(burn(p, 60).right > 80);
 }
 
-// A cell with full fuel next to one burning neighbour catches fire with probability `base`. For a diagonal
+// A cell with full fuel and one burning neighbour must catch fire with probability `base`. For a diagonal
 // neighbour, the probability is base / sqrt(2).
 TEST_CASE("wildfire: the probability of catching fire is `spread`, weighted by fuel and moisture") {
   for (const double moisture : {0.0, 0.5}) {
@@ -322,7 +323,7 @@ TEST_CASE("wildfire: the probability of catching fire is `spread`, weighted by f
     p.stepsPerSecond = 30;
     p.spread = 0.3F;
     p.moisture = static_cast<float>(moisture);
-    lightRows(p, 1, 3);  // each cell between the burning rows has three burning neighbours
+    lightRows(p, 1, 3);  // Each other cell has three burning neighbours.
     const auto gpu = spread::make(sim::wildfireKind(), p);
     gpu->step(0, {});
     const auto cells = spread::cellsOf(*gpu, p.size);

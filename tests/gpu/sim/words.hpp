@@ -9,7 +9,7 @@
 #include <doctest/doctest.h>
 #include <glm/vec4.hpp>
 
-/// Returns the number of words of a state whose bits differ from those of the CPU twin.
+/// Returns the number of words whose bits differ between a state and its twin.
 inline std::size_t wordsUnlike(const std::vector<std::uint32_t>& got,
                                const std::vector<glm::vec4>& expected) {
   REQUIRE(got.size() == expected.size() * 4);

@@ -46,8 +46,8 @@ TEST_CASE("the state hash differs between frames and seeds and is repeatable") {
 
 TEST_CASE("the state hash is the same on every device") {
   testContext();
-  // The hash is fixed, so that any change of the cloth's arithmetic is detected. llvmpipe and an NVIDIA
-  // H200 give the same hash.
+  // The hash is fixed, so that any change of the cloth's arithmetic is noticed. llvmpipe and an NVIDIA H200
+  // give the same hash.
   CHECK(hashAt(sheet(R"({"size": [33, 21], "jitter": 0.01})"), 60) == "871a618e330b5bbfb27a0535a89326d8");
 }
 

@@ -1,6 +1,6 @@
-// Compares glsl/common/exact.glsl and the film's curve with the C library in double precision, which is
-// exact to all digits of a float. Arguments are sampled densely; if one power of two represents all of
-// them, every float of it is tested.
+// Tests glsl/common/exact.glsl and the film's tone curve against the C library in double precision, which
+// is exact to all digits of a float. Arguments are sampled densely. Where one power of two represents all
+// others, every float in it is tested.
 #include "draw/picture_code.hpp"
 #include "sim/core/shader_code.hpp"
 
@@ -25,7 +25,7 @@ int bitsOf(float x) {
   return shader::floatBitsToInt(x);
 }
 
-/// Calls look(x) for every `step`-th float from `first` to `last`; both must be non-negative.
+/// Calls look(x) for every `step`-th float from `first` to `last`. Both bounds must be non-negative.
 template <class Look>
 void sweep(float first, float last, int step, Look look) {
   for (int bits = bitsOf(first); bits <= bitsOf(last); bits += step) look(shader::intBitsToFloat(bits));
@@ -51,7 +51,7 @@ TEST_CASE(
   CHECK(reciprocal < 3e-7);
   CHECK(inverse < 3e-7);
   CHECK(root < 3e-7);
-  // Other powers of two give the same digits, so few samples are enough.
+  // Other powers of two give the same digits, so a few samples are enough.
   int others = 0;
   for (int power = -98; power <= 98; power += 2)
     sweep(1, 4, 99991, [&](float x) {
@@ -72,7 +72,7 @@ TEST_CASE("exact arithmetic: sine, cosine and exponential are within their error
   const auto both = [&](float x) {
     const auto wide = static_cast<double>(x);
     sine = std::max(sine, std::abs(static_cast<double>(shader::exactSin(x)) - std::sin(wide)));
-    // exactCos adds a quarter turn to the argument and rounds the sum.
+    // exactCos adds a quarter turn to the argument and rounds the sum, which causes this error.
     const double rounded = 2e-7 + 6e-8 * std::abs(wide);
     cosine =
         std::max(cosine, std::abs(static_cast<double>(shader::exactCos(x)) - std::cos(wide)) / rounded);

@@ -29,7 +29,7 @@ TEST_CASE("files: writing through a /proc/self/fd link writes into the open file
   REQUIRE(::mkdtemp(folder.data()) != nullptr);
   const std::filesystem::path file = folder + "/a", other = folder + "/b";
   writeFileAtomically(file, std::string_view(""));
-  std::filesystem::create_hard_link(file, other);  // the file keeps its inode unless it is replaced
+  std::filesystem::create_hard_link(file, other);  // The file keeps its inode unless it is replaced.
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_CLOEXEC);
   REQUIRE(descriptor >= 0);
   writeFileAtomically("/proc/self/fd/" + std::to_string(descriptor), std::string_view("told"));
@@ -52,7 +52,7 @@ TEST_CASE("files: two concurrent writers of one file each write it completely") 
     PartFile first(file), second(file);
     first.append(bytes("first"));
     second.append(bytes("second one"));
-    CHECK_NOTHROW(checkWritable(file));  // does not remove another writer's part file
+    CHECK_NOTHROW(checkWritable(file));  // The check must not remove the part file of another writer.
     first.finish();
     CHECK(readFile(file, "text") == "first");
     PartFile third(file);

@@ -13,8 +13,8 @@ namespace ieee = simreel::ieee;
 
 namespace {
 
-/// Returns the maximum relative error of `ours` compared with the library in long double, over evenly
-/// spaced values.
+/// Returns the maximum relative error of `ours` with respect to the C library's long double function
+/// `theirs`, over evenly spaced values.
 template <class Ours, class Theirs>
 double worstError(double first, double last, Ours ours, Theirs theirs) {
   long double worst = 0;
@@ -85,7 +85,7 @@ TEST_CASE("elementary functions of doubles: sine, cosine and tangent agree with 
     CHECK(worstError(-last, last, ieee::cos, cosine) < unit);
     CHECK(worstError(-last, last, ieee::tan, tangent) < 2 * unit);
   }
-  // Near zeros of sine and cosine the result depends on the precision of the argument reduction.
+  // Near zeros of sine and cosine, the result depends on the precision of the argument reduction.
   for (int n = 1; n < 600000; n += n < 1000 ? 1 : 997) {
     const double x = n * 1.5707963267948966;
     const auto exact = static_cast<long double>(x);

@@ -11,7 +11,7 @@ using namespace simreel;
 
 namespace {
 
-/// Returns the message of the JsonError thrown by `action`; empty if it throws none.
+/// Returns the message of the JsonError that `action` throws, or "" if it throws none.
 template <class Action>
 std::string mistake(const Action& action) {
   try {
@@ -32,7 +32,7 @@ std::string times(int count, const std::string& text) {
   return all;
 }
 
-/// Returns the message about the member "v" with this value, read by `read`.
+/// Returns the message about a member "v" with this value that `read` reads.
 template <class Read>
 std::string reading(const std::string& value, const Read& read) {
   const auto json = parseStrictJson(R"({"v": )" + value + "}");

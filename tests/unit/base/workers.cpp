@@ -20,7 +20,8 @@ struct Heard {
   int ready = 0;
 };
 
-/// A work force that answers "item 3" etc., later for early items, unless `end` ends the process before.
+/// Returns a work force whose workers answer "item 3" etc. Early items take longer. `end` may end a
+/// worker's process before it answers.
 WorkForce force(
     std::size_t workers, std::size_t items, Heard& heard,
     const std::function<void(const Task&)>& end = [](const Task&) {}) {
@@ -136,7 +137,7 @@ TEST_CASE("workers: a worker that exceeds its time is killed with its children; 
   REQUIRE(::pipe(pipe) == 0);
   WorkForce hurried = force(2, 4, heard, [&](const Task& task) {
     if (task.item != 1) return;
-    if (::fork() == 0) ::pause();  // a child process that keeps the pipe open during its lifetime
+    if (::fork() == 0) ::pause();  // This child process keeps the pipe open while it lives.
     ::pause();
   });
   hurried.patience = 1.5;
@@ -145,7 +146,7 @@ TEST_CASE("workers: a worker that exceeds its time is killed with its children; 
                                                "item 2", "item 3"});
   ::close(pipe[1]);
   char none = 0;
-  CHECK(::read(pipe[0], &none, 1) == 0);  // end of file: no writer is left
+  CHECK(::read(pipe[0], &none, 1) == 0);  // End of file means that no writer is left.
   ::close(pipe[0]);
 }
 

@@ -99,12 +99,12 @@ TEST_CASE("sweep: results keep every digit, and distinguish missing from failed 
   result.hash = plan.jobs[0].hash;
   store(0, result);
   CHECK(statusOf(plan, 0).state ==
-        JobState::missing);  // missing, because no manifest lists the job's files
+        JobState::missing);  // The job is missing, because no manifest lists its files.
   frame::Manifest manifest;
   manifest.frames[0].file = "000000.png";
   writeFileAtomically(plan.jobFolder(0) / "manifest.json", frame::manifestText(manifest));
   CHECK(statusOf(plan, 0).state ==
-        JobState::missing);  // missing, because the picture's file does not exist
+        JobState::missing);  // The job is missing, because the picture's file does not exist.
   writeFileAtomically(plan.jobFolder(0) / "000000.png", std::string("a picture"));
   CHECK(resultText(*statusOf(plan, 0).result) == resultText(result));
   result.hash = "of an earlier plan";
@@ -127,7 +127,7 @@ TEST_CASE("sweep: results keep every digit, and distinguish missing from failed 
                         "passed energy of flag,mass of dish (kg),lost,town.ill\n"
                         "0000,done,0.03,1,0.30000000000000004,yes,1e-300,,12\n"
                         "0001,missing,0.03,4,,,,,\n"));
-  // Cells must not run as formulas in a spreadsheet, because the text comes from a scene's author.
+  // A spreadsheet must not run cells as formulas, because their text comes from the author of a scene.
   for (const auto& [value, cell] :
        {std::pair("=cmd|' /C calc'!A0", "'=cmd|' /C calc'!A0"), std::pair("@x,y", "\"'@x,y\""),
         std::pair("+x", "'+x"), std::pair("-1.5e3", "-1.5e3"), std::pair("-x", "'-x")}) {

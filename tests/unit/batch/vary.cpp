@@ -19,7 +19,7 @@ std::vector<std::string> valuesOf(const std::string& text) {
   return simreel::batch::parseVary(text).values;
 }
 
-/// Returns the jobs as text: "a=1 b=x".
+/// Returns the jobs as text, such as "a=1 b=x".
 std::vector<std::string> jobsOf(const std::vector<std::string>& texts, Combination how,
                                 std::size_t samples = 0, std::uint64_t seed = 1) {
   std::vector<Vary> varied;

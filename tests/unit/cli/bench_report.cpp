@@ -18,7 +18,7 @@ using frame::test::contains;
 
 namespace {
 
-/// A row of five frames: 10 ms each, except 50 ms for frame 33.
+/// Returns a row of five frames that take 10 ms each, except frame 33 with 50 ms.
 BenchRow row(const std::string& name, bool waited) {
   BenchRow made{{name, {{"objects.sea.mesh.technique", name}}}, {640, 360}, "abc", {}};
   made.times.frames = {31, 32, 33, 34, 35};
@@ -73,7 +73,7 @@ TEST_CASE("bench: the figures of a row are computed from its samples") {
   CHECK(f.frame.median == 10);
   CHECK(f.outliers.count == 1);
   CHECK(f.perSecond == doctest::Approx(5e3 / 90));
-  CHECK(f.processors == doctest::Approx(2.5));  // 225 ms of processor time in 90 ms
+  CHECK(f.processors == doctest::Approx(2.5));  // The processor time is 225 ms in 90 ms.
   CHECK(f.cpu == doctest::Approx(8.01));
   CHECK(f.bound == "step sea (deform), 60%");
   const auto gpu = row("jobs", false).times;
@@ -93,8 +93,8 @@ TEST_CASE("bench: tables have the expected columns and leave out minor stages") 
   CHECK(contains(text, "of it deform"));
   CHECK(contains(text, "640x360"));
   CHECK(contains(text, "processors busy"));
-  CHECK(contains(text, "62%"));           // 2.5 of 4 processors are 62%
-  CHECK_FALSE(contains(text, "shadow"));  // the stage "shadow" takes only 0.1% of the frame
+  CHECK(contains(text, "62%"));           // 2.5 of 4 processors are 62%.
+  CHECK_FALSE(contains(text, "shadow"));  // The stage "shadow" takes only 0.1% of the frame.
   CHECK_FALSE(contains(text, "GPU"));
   const std::string both = benchText(report(false));
   CHECK(contains(both, "jobs, GPU"));

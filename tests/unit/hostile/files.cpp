@@ -1,5 +1,5 @@
-// Files designed to exhaust memory, stack or time must be refused by counting, before anything is allocated
-// for them.
+// Tests files designed to exhaust memory, stack or time. They must be refused by counting, before anything
+// is allocated for them.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/hash.hpp"
@@ -67,7 +67,7 @@ std::string zeros(std::size_t count) {
   return packed;
 }
 
-/// Returns an 8-bit RGB PNG.
+/// Returns an 8-bit RGB PNG with these compressed pixels.
 std::string png(std::uint32_t width, std::uint32_t height, const std::string& pixels) {
   return "\x89PNG\r\n\x1a\n" +
          pngChunk("IHDR", bigEndian(width) + bigEndian(height) + std::string("\x08\x02\0\0\0", 5)) +
@@ -86,7 +86,7 @@ TEST_CASE(
   const std::string header = R"({"format":"simreel-checkpoint","program":"","simulation":)" + deep + "}\n";
   const TemporaryFile file("deep.checkpoint", header + hashHex(header));
   const std::string none = refusal([&] { CHECK(!frame::Checkpoint::read(file.path(), {}, 10)); });
-  CHECK(none == "nothing was refused");  // an invalid checkpoint causes a warning, and the run starts over
+  CHECK(none == "nothing was refused");  // An invalid checkpoint causes a warning, and the run starts over.
 }
 
 TEST_CASE("a checkpoint whose size does not match its header is ignored, also with a valid hash") {
@@ -191,6 +191,6 @@ TEST_CASE("pictures with many-digit numbers in any header field are refused") {
     CAPTURE(text);
     CHECK(refusal(text).find("nine digits") != std::string::npos);
   }
-  // Digits in a comment or in the pixels are not part of its numbers.
+  // Digits in a comment or in the pixels are not part of the header's numbers.
   CHECK(refusal("P5\n# 12345678901\n11 1 255\n12345678901").empty());
 }

@@ -11,7 +11,7 @@
 /// Helpers for tests with files designed to exhaust memory or time.
 namespace simreel::test {
 
-/// Returns the peak memory of this process and its children so far, in MiB.
+/// Returns the maximum memory so far of this process and its children, in MiB.
 inline long peak() {
   rusage own{}, children{};
   ::getrusage(RUSAGE_SELF, &own);
@@ -19,7 +19,7 @@ inline long peak() {
   return std::max(own.ru_maxrss, children.ru_maxrss) / 1024;
 }
 
-/// Returns the processor time of this process and its children, in s.
+/// Returns the processor time of this process and its children in seconds.
 inline double spent() {
   double seconds = 0;
   for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
@@ -32,14 +32,15 @@ inline double spent() {
 }
 
 #ifdef SIMREEL_SANITIZED
-constexpr bool measured = false;  // sanitizers are slow and keep freed memory
+constexpr bool measured = false;  // Sanitizers are slow and do not free memory immediately, so limits are
+                                  // not checked.
 #else
 constexpr bool measured = true;
 #endif
 
-/// Returns the message of the error thrown by `read`; checks that it takes less than 200 MiB and 40 s of
-/// processor time. The slowest case takes a second, three on a busy machine; input that is not refused
-/// takes minutes.
+/// Returns the message of the error that `read` throws. Checks that `read` takes less than 200 MiB and 40 s
+/// of processor time. The slowest case takes a second, or three on a busy machine; input that is not
+/// refused would take minutes.
 inline std::string refusal(const std::function<void()>& read) {
   const long before = peak();
   const double start = spent();

@@ -1,5 +1,5 @@
-// Meshes designed to crash their reader, or to exhaust memory or time; and the child process that isolates
-// the crash.
+// Tests meshes designed to crash their reader or to exhaust memory or time. Also tests the child process
+// that isolates a crash.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/isolated.hpp"
@@ -29,8 +29,8 @@ std::string refusalOf(const std::string& name, const std::string& text) {
   return refusal([&] { static_cast<void>(sim::loadMesh(file.path())); });
 }
 
-/// Returns glTF with a triangle whose 36 position bytes are zero except two; `nodes` and `count` are
-/// inserted.
+/// Returns a glTF file with a triangle whose 36 position bytes are zero except two. `nodes` and `count`
+/// (number of vertices) are inserted.
 std::string gltf(const std::string& nodes, const std::string& count = "3", const std::string& more = "") {
   return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":)" + nodes +
          R"(,"meshes":[{"primitives":[{"attributes":{"POSITION":0})" + more +
@@ -39,8 +39,8 @@ std::string gltf(const std::string& nodes, const std::string& count = "3", const
          R"("data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
 }
 
-/// Returns `count` nodes; `child` returns the children of each, given the index of the next; the last node
-/// has the mesh.
+/// Returns `count` nodes. `child` returns the children of each node from the index of the next node. The
+/// last node has the mesh.
 template <class Child>
 std::string row(std::size_t count, const Child& child) {
   std::string nodes = "[";
@@ -83,7 +83,7 @@ TEST_CASE("a glTF that declares more elements than its bytes hold is refused bef
            "byteOffset");
   checkHas(changed(R"("VEC3")", R"("VEC2")"), "vectors of 2 where 3");
   checkHas(changed("5126", "5125"), "whole numbers where vertices");
-  // One mesh of a few vertices in a million primitives: small to write, expensive to draw.
+  // A mesh of a few vertices has a million primitives. It is small to write and expensive to draw.
   checkHas(
       refusalOf("parts.gltf", gltf(R"([{"mesh":0}])", "3",
                                    "}" + times(200'000, R"(},{"attributes":{"POSITION":0})").substr(1))),
@@ -95,7 +95,8 @@ TEST_CASE("glTF strips, fans, sparse values, normalised numbers and binary files
     const TemporaryFile file(name, text);
     return sim::importMesh(file.path());
   };
-  // Four corners of a square as normalized unsigned bytes (255 is 1), and their texture coordinates.
+  // The positions are the four corners of a square as normalized unsigned bytes (255 is 1). They are also
+  // the texture coordinates.
   const std::string square("\0\0\0\0\xff\0\0\0\0\xff\0\0\xff\xff\0\0", 16);
   const auto document = [&](const std::string& mode, const std::string& buffer) {
     return R"({"asset":{"version":"2.0"},"extensionsRequired":["KHR_mesh_quantization"],"scenes":[{"nodes":[0]}],)"
@@ -119,20 +120,20 @@ TEST_CASE("glTF strips, fans, sparse values, normalised numbers and binary files
   const sim::Mesh strip = mesh("strip.glb", binary(document("5", "")));
   REQUIRE(strip.positions.size() == 4);
   CHECK(strip.positions[3] == glm::vec3(2, 2, 3));
-  CHECK(strip.uvs[1] == glm::vec2(1, 0));  // v points down in the mesh, as in the file
+  CHECK(strip.uvs[1] == glm::vec2(1, 0));  // v points down in the mesh, as in the file.
   CHECK(strip.uvs[2] == glm::vec2(0, 1));
   CHECK(strip.indices == std::vector<unsigned>{0, 1, 2, 1, 3, 2});
   for (const glm::vec3& n : strip.normals) CHECK(n == glm::vec3(0, 0, 1));
   const sim::Mesh fan = mesh("fan.glb", binary(document("6", "")));
   CHECK(fan.indices ==
-        std::vector<unsigned>{0, 1, 2, 3, 4, 5});  // its two triangles face opposite directions
+        std::vector<unsigned>{0, 1, 2, 3, 4, 5});  // The two triangles face opposite directions.
   CHECK(fan.positions[5] == strip.positions[3]);
   CHECK(fan.normals[5] == glm::vec3(0, 0, -1));
   checkHas(refusalOf("cut.glb", binary(document("5", "")).substr(0, 400)), "cut off");
   std::string draco = gltf(R"([{"mesh":0}])");
   draco.insert(1, R"("extensionsRequired":["KHR_draco_mesh_compression"],)");
   checkHas(refusalOf("draco.gltf", draco), "needs the extension KHR_draco_mesh_compression");
-  // The triangle's first corner is moved onto its second.
+  // The first corner of the triangle is moved onto the second.
   std::string sparse = gltf(R"([{"mesh":0}])");
   sparse.replace(sparse.find(R"("type":"VEC3")"), 13,
                  R"("type":"VEC3","sparse":{"count":1,"indices":{"bufferView":1,"componentType":5121},)"
@@ -186,8 +187,8 @@ TEST_CASE("pipes as companion files of a mesh do not block") {
   std::string text = gltf(R"([{"mesh":0}])");
   const std::size_t uri = text.find("data:");
   text.replace(uri, text.find('"', uri) - uri, "pipe");
-  checkHas(read("a.gltf", text), "not a regular file");
-  // A material that cannot be read does not affect the triangles.
+  checkHas(read("a.gltf", text), "no plain file");
+  // A material that cannot be read must not affect the triangles.
   CHECK(read("a.obj", "mtllib pipe\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n") == "nothing was refused");
   std::filesystem::remove_all(folder);
 }
@@ -217,7 +218,7 @@ TEST_CASE("isolated work returns bytes and errors, and its crashes do not affect
           ::kill(::getpid(), SIGKILL);
           return "";
         }) == "crashed (Killed)");
-  if (!measured) return;  // sanitizers handle these signals themselves
+  if (!measured) return;  // Sanitizers handle these signals themselves.
   CHECK(ended([]() -> std::string { std::abort(); }) == "crashed (Aborted)");
   CHECK(ended([]() -> std::string {
           std::raise(SIGSEGV);

@@ -1,5 +1,5 @@
-// Small files and short scenes that expand to gigabytes must be refused before anything is decoded or
-// built.
+// Tests small files and short scenes that expand to gigabytes. They must be refused before anything is
+// decoded or built.
 #include "base/file.hpp"
 #include "scene/load.hpp"
 #include "scene/scene.hpp"
@@ -24,7 +24,8 @@ using namespace simreel::test;
 
 namespace {
 
-/// Returns the bytes of a number, low() lowest first, high() highest first.
+/// These functions return the bytes of a number: low() with the lowest byte first, high() with the highest
+/// first.
 std::string low(std::uint32_t value, int bytes = 4) {
   std::string all;
   for (int i = 0; i < bytes; ++i) all += static_cast<char>(value >> (8 * i));
@@ -39,7 +40,7 @@ std::string attribute(const std::string& name, const std::string& type, const st
   return name + '\0' + type + '\0' + low(static_cast<std::uint32_t>(value.size())) + value;
 }
 
-/// Returns an EXR header with `more` attributes, and a few truncated pixels.
+/// Returns an EXR header with the attributes `more`, followed by a few truncated pixels.
 std::string exr(std::uint32_t shown, const std::string& more) {
   const auto window = [](std::uint32_t side) {
     return low(0) + low(0) + low(side - 1) + low(side / 2 - 1);
@@ -55,15 +56,15 @@ std::string exr(std::uint32_t shown, const std::string& more) {
          attribute("screenWindowWidth", "float", low(0x3f800000)) + more + '\0' + std::string(64, '\0');
 }
 
-/// Returns a TrueType font in which each glyph consists of two of the next one, `depth` times; the letter H
-/// is the second glyph.
+/// Returns a TrueType font in which each glyph consists of two copies of the next one, `depth` levels deep.
+/// The letter H is the second glyph.
 std::string doublingFont(unsigned depth) {
   std::string glyphs, places = high(0, 4);
   for (unsigned i = 0; i <= depth; ++i) {
     if (i < depth) {
       glyphs += high(0xffff, 2) + high(0, 2) + high(0, 2) + high(100, 2) + high(100, 2);
       glyphs += high(0x22, 2) + high(i + 1, 2) + high(0, 2) + high(0x02, 2) + high(i + 1, 2) + high(0, 2);
-    } else {  // the innermost glyph is a triangle
+    } else {  // The innermost glyph is a triangle.
       glyphs +=
           high(1, 2) + high(0, 2) + high(0, 2) + high(100, 2) + high(100, 2) + high(2, 2) + high(0, 2);
       glyphs +=

@@ -14,7 +14,7 @@ using simreel::test::loaded;
 
 namespace {
 
-/// Compiles a kernel K from declarations and a body. Line 1 of the text declares the buffer _Out.
+/// Compiles a kernel K with the given declarations and body. Line 1 of the text declares the buffer _Out.
 kernels::Kernel kernel(const std::string& declarations, const std::string& body) {
   const kernels::Shader shader = loaded(
       "dialect.hlsl", "RWStructuredBuffer<float> _Out; " + declarations +

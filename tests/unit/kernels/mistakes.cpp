@@ -18,7 +18,7 @@ using simreel::test::has;
 
 namespace {
 
-/// Returns the error report for a text, without the folder of its file.
+/// Returns the error report for a text, without the folder of the text's file.
 std::string report(const std::string& name, const std::string& text) {
   try {
     static_cast<void>(simreel::test::loaded(name, text));

@@ -22,7 +22,7 @@ namespace simreel::test {
   return kernels::loadHere(request);
 }
 
-/// True if glslangValidator accepts the text as an OpenGL compute shader; also true if it is not installed.
+/// True if glslangValidator accepts the text as an OpenGL compute shader, or if it is not installed.
 [[nodiscard]] inline bool isGlsl(const std::string& text) {
   const TemporaryFile file("check.comp", text);
   // NOLINTNEXTLINE(concurrency-mt-unsafe,cert-env33-c): the file name is our own

@@ -1,4 +1,5 @@
-// Polygons split into triangles: the areas add up to the polygon's, and no triangle is flipped.
+// Tests how polygons are split into triangles. The areas must add up to the polygon's area, and no triangle
+// may be flipped.
 #include "sim/polygons/cut.hpp"
 
 #include "sim/polygons/problem.hpp"
@@ -16,7 +17,7 @@ namespace simreel::test::polygons_cut {
 
 namespace {
 
-/// Checks every rotation of the polygon's list of corners.
+/// Checks the polygon with its list of corners rotated in every possible way.
 void checkCut(std::vector<glm::vec3> corners) {
   const double area = glm::length(sim::polygonNormal(corners)) / 2;
   const glm::dvec3 up = sim::polygonNormal(corners) / (2 * area);
@@ -37,7 +38,7 @@ void checkCut(std::vector<glm::vec3> corners) {
   }
 }
 
-/// Checks the polygon on several planes, and from behind.
+/// Checks the polygon on several planes, and from its back side.
 void checkEverywhere(const std::vector<glm::vec2>& flat) {
   std::vector<glm::vec3> across, aside, slanted;
   for (const glm::vec2& p : flat) {
@@ -79,7 +80,7 @@ TEST_CASE("triangulation of self-intersecting, zero-area and very large polygons
   cutter.cut(std::vector<glm::vec3>{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {3, 3, 0}}, triangles);
   cutter.cut(std::vector<glm::vec3>(7, glm::vec3(1)), triangles);
   CHECK(triangles.size() == 8);
-  // A comb with concave teeth.
+  // The polygon is a comb with concave teeth.
   std::vector<glm::vec3> comb;
   for (int i = 0; i < 4999; ++i) comb.emplace_back(i, i % 2 == 0 ? 100 : 0, 0);
   comb.emplace_back(2500, -1e6F, 0);

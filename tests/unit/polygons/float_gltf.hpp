@@ -12,7 +12,7 @@
 
 namespace simreel::test {
 
-/// A file made from lists of floats, each with an accessor.
+/// A glTF file that is built from lists of floats, each with an accessor.
 class FloatGltf {
  public:
   FloatGltf() {
@@ -53,7 +53,7 @@ class FloatGltf {
   }
 
   nlohmann::json json;
-  nlohmann::json fallback;  ///< a second buffer of the document
+  nlohmann::json fallback;  ///< content of the document's second buffer
 
  private:
   [[nodiscard]] std::string base64() const {

@@ -1,5 +1,5 @@
-// Requirements of glTF 2.0 for meshes: flat normals if the file has none, skins in their pose, files
-// without scenes.
+// Tests requirements of glTF 2.0 for meshes: flat normals if the file has none, skins in their pose, and
+// files without scenes.
 #include "base/error.hpp"
 #include "sim/body/figure.hpp"
 #include "sim/mesh/file/mesh_file.hpp"
@@ -23,18 +23,18 @@ namespace {
 using Json = nlohmann::json;
 using Document = FloatGltf;
 
-/// A roof of two triangles that share an edge, as a strip.
+/// Positions of a roof as a triangle strip: two triangles that share an edge.
 const std::vector<float> roof = {1, 0, 0, 0, 0, 1, 0, 1, 1, -1, 1, 0};
 const std::vector<float> triangle = {0, 0, 0, 1, 0, 0, 0, 1, 0};
 const std::vector<float> up = {0, 0, 1, 0, 0, 1, 0, 0, 1};
 
-/// A skinned triangle whose only joint is 7 m up; the node with the mesh is 100 m away.
+/// Returns a skinned triangle whose only joint is at a height of 7 m. The node with the mesh is 100 m away.
 Document skinned() {
   Document d;
   Json attributes = {{"POSITION", d.add(triangle, "VEC3", 3)}, {"NORMAL", d.add(up, "VEC3", 3)}};
   attributes["JOINTS_0"] = d.add(std::vector<float>(12, 0), "VEC4", 4);
   attributes["WEIGHTS_0"] = d.add({1, 0, 0, 0, 1, 0, 0, 0, 0.25F, 0, 0.25F, 0}, "VEC4", 4);
-  // A quarter turn about x, undone by the node.
+  // The inverse bind matrix is a quarter turn about x, which the node reverses.
   const int bind = d.add({1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1}, "MAT4", 16);
   d.json["meshes"] = {{{"primitives", {{{"attributes", attributes}}}}}};
   d.json["scenes"][0]["nodes"] = {0, 1};
@@ -78,7 +78,7 @@ TEST_CASE("a skinned glTF mesh is posed by its joints, independent of its node's
   for (const glm::vec3& n : mesh.normals) CHECK(n == glm::vec3(0, -1, 0));
   d.json["skins"][0].erase("inverseBindMatrices");
   CHECK(d.mesh().positions[2] == glm::vec3(0, 8, 0));
-  // A second set of weights counts too: equal weights for the joint and its child, 2 m further up.
+  // A second set of weights must also be used: the joint and its child, 2 m higher, have equal weights.
   d.json["nodes"][1]["children"] = {2};
   d.json["nodes"].push_back({{"translation", {0, 2, 0}}});
   d.json["skins"][0]["joints"] = {1, 2};
@@ -158,7 +158,8 @@ TEST_CASE("glTF: lines, points and unsupported image formats are reported as not
 TEST_CASE("glTF: quaternions of any length are normalized") {
   Document d;
   d.json["meshes"] = {{{"primitives", {{{"attributes", {{"POSITION", d.add(triangle, "VEC3", 3)}}}}}}}};
-  d.json["nodes"][0]["rotation"] = {0, 0, 3, 3};  // an unnormalized quaternion for a quarter turn about z
+  d.json["nodes"][0]["rotation"] = {0, 0, 3, 3};  // This quaternion for a quarter turn about z is not
+                                                  // normalized.
   const sim::Mesh turned = d.mesh();
   CHECK(glm::length(turned.positions[1] - glm::vec3(0, 1, 0)) < 1e-6F);
   CHECK(glm::length(turned.positions[2] - glm::vec3(-1, 0, 0)) < 1e-6F);
@@ -228,7 +229,7 @@ TEST_CASE("glTF morph targets have the weights of their node, or else of their m
     CHECK(mesh.ignored.empty());
     CHECK(mesh.positions[0] == (ofNode ? glm::vec3(4, 0, 4) : glm::vec3(0, 0, 1)));
     CHECK(mesh.positions[1] == (ofNode ? glm::vec3(5, 0, 0) : glm::vec3(1, 0, 0)));
-    // (0, 0, 1) + weight (0, 1, -1), normalized
+    // The normal is (0, 0, 1) + weight (0, 1, -1), normalized.
     CHECK(mesh.normals[0].y == doctest::Approx(ofNode ? 1.0 : 0.25 / std::hypot(0.25, 0.75)));
   }
 }

@@ -1,4 +1,4 @@
-// Scenes that are made around glTF files: motions and lights.
+// Tests the scenes that are generated for glTF files: motions and lights.
 #include "base/error.hpp"
 #include "scene/load.hpp"
 #include "sim/body/figure.hpp"
@@ -29,7 +29,7 @@ Json sceneAround(Document& d) {
   return Json::parse(sim::sceneAroundModel(file.path()));
 }
 
-/// A triangle whose node moves from 0 to 2 m along x within 3 s.
+/// Returns a triangle whose node moves from 0 to 2 m along x within 3 s.
 Document moving() {
   Document d;
   d.json["meshes"] = {{{"primitives", {{{"attributes", {{"POSITION", d.add(triangle, "VEC3", 3)}}}}}}}};
@@ -67,7 +67,7 @@ TEST_CASE("glTF lights shine from their nodes, and their sum is brought to 5 lx 
   d.json["accessors"][0]["max"] = {1, 1, 0};
   d.json["meshes"] = {{{"primitives", {{{"attributes", {{"POSITION", place}}}}}}}};
   const auto use = [](int light) { return Json{{"KHR_lights_punctual", {{"light", light}}}}; };
-  // The sun's node is turned by a quarter about x, so that -z becomes -y.
+  // The sun's node has a quarter turn about x, so that -z becomes -y.
   d.json["nodes"] = {{{"mesh", 0}, {"children", {1, 2}}, {"translation", {10, 0, 0}}},
                      {{"name", "lamp"}, {"translation", {0.5, 0.5, 2}}, {"extensions", use(0)}},
                      {{"rotation", {-std::sqrt(0.5), 0, 0, std::sqrt(0.5)}}, {"extensions", use(1)}}};
@@ -80,7 +80,8 @@ TEST_CASE("glTF lights shine from their nodes, and their sum is brought to 5 lx 
       {{"type", "directional"}, {"intensity", 100}}};
   const Json scene = sceneAround(d);
   const Json& lamp = scene["lights"]["lamp"];
-  // 400 cd at 2 m and 100 lx are 200 lx at the middle (10.5, 0.5, 0): a factor of 5 / 200.
+  // 400 cd at a distance of 2 m and 100 lx are together 200 lx at the middle (10.5, 0.5, 0). The scale
+  // factor is 5 / 200.
   CHECK(lamp["intensity"].get<double>() == doctest::Approx(10));
   CHECK(lamp["position"] == Json({10.5, 0.5, 2.0}));
   CHECK(lamp["spot"]["target"] == Json({10.5, 0.5, 1.0}));

@@ -1,4 +1,4 @@
-// OBJ material libraries: each line is drawn, or reported as not drawn.
+// Tests OBJ material libraries. Each line must be drawn or reported as not drawn.
 #include "scene/value/asset_path.hpp"
 #include "sim/mesh/file/mesh_file.hpp"
 #include "unit/help.hpp"
@@ -19,7 +19,7 @@ namespace {
 const std::string square =
     "mtllib polygons-materials.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl m\nf 1 2 3 4\n";
 
-/// Returns the square with this library.
+/// Returns the square with this material library.
 sim::Mesh lookOf(const std::string& library, std::string object = square) {
   const TemporaryFile materials("polygons-materials.mtl", library);
   const std::string name = materials.path().filename().string();
@@ -59,7 +59,7 @@ TEST_CASE("MTL: a repeated material name is reported, and the last definition co
   CHECK(twice.ignored == Lines{"all but the last newmtl \"m\""});
   CHECK(twice.materials.at(0).color == glm::vec3(0, 1, 0));
   CHECK(twice.materials.at(0).roughness == doctest::Approx(std::sqrt(std::sqrt(0.002))));
-  // A library named for each object is read once.
+  // A library that every object names is read only once.
   CHECK(lookOf("newmtl m\nKd 0 1 0\n", "mtllib polygons-materials.mtl\n" + square).ignored.empty());
 }
 

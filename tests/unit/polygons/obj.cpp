@@ -1,5 +1,5 @@
-// OBJ as specified in the Advanced Visualizer's manual and written by other programs: each line has its
-// specified meaning, or is refused.
+// Tests OBJ as specified in the Advanced Visualizer's manual and as other programs write it. Each line must
+// have its specified meaning or be refused.
 #include "base/error.hpp"
 #include "sim/mesh/file/mesh_file.hpp"
 #include "unit/help.hpp"
@@ -107,7 +107,7 @@ TEST_CASE("OBJ: elements that are not drawn are reported by kind and count") {
 }
 
 TEST_CASE("OBJ: smoothing groups give smooth normals, and faces outside groups are flat") {
-  // A roof: two squares that share an edge along y at a right angle.
+  // The roof consists of two squares that share an edge along y at a right angle.
   const std::string roof = "v 1 0 0\nv 1 1 0\nv 0 1 1\nv 0 0 1\nv -1 1 0\nv -1 0 0\n";
   const auto normals = [&](const std::string& first, const std::string& second) {
     const sim::Mesh mesh = meshOf(roof + first + "f 1 2 3 4\n" + second + "f 4 3 5 6\n");
@@ -128,15 +128,15 @@ TEST_CASE("OBJ: smoothing groups give smooth normals, and faces outside groups a
     const std::vector<glm::vec3> smooth = normals(group, "");
     REQUIRE(smooth.size() == 2);
     for (const glm::vec3& n : smooth)
-      CHECK(n.z > 0.9F);  // smooth normals are weighted by the areas of the triangles
+      CHECK(n.z > 0.9F);  // Smooth normals are weighted by the areas of the triangles.
   }
-  // Different texture coordinates and materials on both sides do not split the normals.
+  // Different texture coordinates and materials on both sides of an edge must not split the normals.
   const sim::Mesh seam =
       meshOf(roof + "vt 0 0\nvt 1 1\ns 1\nusemtl a\nf 1/1 2/1 3/1 4/1\nusemtl b\nf 4/2 3/2 5/2 6/2\n");
   CHECK(seam.positions.size() == 8);
   for (std::size_t i = 0; i < seam.positions.size(); ++i)
     if (seam.positions[i].z == 1.0F) CHECK(seam.normals[i].z > 0.9F);
-  // For cloth, the vertices are the file's and all normals are smooth.
+  // For cloth, the vertices are those of the file, and all normals are smooth.
   const TemporaryFile file("polygons.obj", roof + "f 1 2 3 4\nf 4 3 5 6\n");
   CHECK(sim::importMesh(file.path(), sim::MeshNormals::shared).positions.size() == 6);
   CHECK(sim::importMesh(file.path()).positions.size() == 8);
@@ -152,7 +152,7 @@ TEST_CASE("OBJ: 100,000 objects, materials and fans around one vertex are read q
   const auto before = std::chrono::steady_clock::now();
   CHECK(meshOf(objects).indices.size() == 300'000);
   CHECK(meshOf(fan).indices.size() == 300'000);
-  // time limit; an inefficient reader takes 20 s for each mesh
+  // This is a time limit. An inefficient reader takes 20 s for each mesh.
   CHECK(std::chrono::steady_clock::now() - before < std::chrono::seconds(10));
 }
 

@@ -1,4 +1,4 @@
-// Pictures that hold data keep 16 bits; BMP is read like PNG.
+// Tests that images with data keep 16 bits, and that BMP is read like PNG.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "frame/image.hpp"
@@ -22,7 +22,8 @@ std::string bytesOf(std::initializer_list<std::pair<int, int>> words) {
   return bytes;
 }
 
-/// Returns two pixels, red above blue; negative `rows` store them from the top.
+/// Returns a BMP with two pixels, red above blue. If `rows` is negative, the rows are stored from top to
+/// bottom.
 std::string bmp(int rows) {
   const std::string blue("\xff\0\0\0", 4), red("\0\0\xff\0", 4);
   return "BM" +

@@ -1,4 +1,4 @@
-// PLY as specified by Turk and written by other programs.
+// Tests PLY as specified by Turk and as other programs write it.
 #include "base/error.hpp"
 #include "sim/mesh/file/mesh_file.hpp"
 #include "unit/help.hpp"
@@ -48,7 +48,7 @@ std::string bytesOf(Value value, bool bigEndian) {
   return bytes;
 }
 
-/// Returns a triangle whose first x is `x`.
+/// Returns a binary PLY file with a triangle. `x`: x of the first vertex.
 std::string binary(bool bigEndian, float x, const std::string& lineEnd = "\n") {
   std::string header = std::string("ply\nformat binary_") + (bigEndian ? "big" : "little") +
                        "_endian 1.0\n" + threeCorners + oneFace + "end_header\n";

@@ -1,4 +1,4 @@
-// STL, binary and text, as programs of computer-aided design and 3D printing write it.
+// Tests binary and text STL as programs for computer-aided design and 3D printing write it.
 #include "base/error.hpp"
 #include "sim/mesh/file/mesh_file.hpp"
 #include "unit/help.hpp"
@@ -65,7 +65,7 @@ std::string text(const Corners& corners) {
   return all + "endsolid\n";
 }
 
-/// Returns two triangles that share the edge from (0, 0, 0) to (0, 0, 1), bent by an angle.
+/// Returns two triangles that share the edge from (0, 0, 0) to (0, 0, 1). `degrees`: angle between them.
 Corners tent(double degrees) {
   const double half = degrees / 2 * std::numbers::pi / 180;
   const auto x = static_cast<float>(std::cos(half)), y = static_cast<float>(-std::sin(half));

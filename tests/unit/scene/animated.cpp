@@ -1,4 +1,4 @@
-// Keyframes: interpolation between them.
+// Tests interpolation between keyframes.
 #include "scene/value/animated.hpp"
 
 #include <cmath>
@@ -22,11 +22,11 @@ TEST_CASE("keyframes: a spline passes through its keys with continuous speed") {
   }
   CHECK(speed(0.002) == doctest::Approx(0).scale(1).epsilon(0.02));
   CHECK(speed(1) > 0.5);
-  // Fritsch and Butland: weighted harmonic means of the slopes 1 and 2.5 over 1 and 2 s.
+  // Fritsch and Butland use weighted harmonic means. Here the slopes are 1 and 2.5 over 1 and 2 s.
   CHECK(speed(1) == doctest::Approx((5 + 4) / (5 / 1.0 + 4 / 2.5)).epsilon(0.01));
   for (int i = 0; i < 1000; ++i) {
     const double time = 5.0 * i / 1000;
-    CHECK(value.at(time) >= 1.0F);  // values stay within the range of the keys
+    CHECK(value.at(time) >= 1.0F);  // Values must stay within the range of the keys.
     CHECK(value.at(time) <= 7.5F);
     if (time < 3.5) CHECK(value.at(time + 0.005) >= value.at(time));
   }
@@ -59,7 +59,7 @@ TEST_CASE("keyframes: two keys at one time make a jump") {
     CHECK(value.at(1 - 1e-6) == doctest::Approx(2).epsilon(1e-4));
     CHECK(value.at(1 + 1e-6) == doctest::Approx(10).epsilon(1e-4));
   }
-  // A spline neither slows down before a jump nor starts at rest after it.
+  // A spline must neither slow down before a jump nor start with speed 0 after it.
   const Animated<float> cut({{0, 0.0F}, {1, 2.0F}, {1, 10.0F}, {2, 12.0F}}, Ease::spline);
   CHECK((cut.at(1 - 1e-3) - cut.at(1 - 2e-3)) / 1e-3 == doctest::Approx(2).epsilon(0.02));
   CHECK((cut.at(1 + 2e-3) - cut.at(1 + 1e-3)) / 1e-3 == doctest::Approx(2).epsilon(0.02));
@@ -70,9 +70,9 @@ TEST_CASE("keyframes: the time of a value's last jump is found") {
   const Animated<float> cut({{0, 1.0F}, {1, 2.0F}, {1, 5.0F}, {2, 5.0F}, {2, 5.0F}, {3, 0.0F}},
                             Ease::linear);
   CHECK(cut.jumpedBy(0.999) == never);
-  CHECK(cut.jumpedBy(1) == 1.0);  // at the jump's time, the value is the second key's
+  CHECK(cut.jumpedBy(1) == 1.0);  // At the time of the jump, the value is that of the second key.
   CHECK(cut.at(1) == 5.0F);
-  CHECK(cut.jumpedBy(9) == 1.0);  // equal values on both sides are no jump
+  CHECK(cut.jumpedBy(9) == 1.0);  // Two keys with equal values are not a jump.
   const Animated<float> steps({{0, 1.0F}, {1, 2.0F}, {2, 2.0F}}, Ease::hold);
   CHECK(steps.jumpedBy(0.5) == never);
   CHECK(steps.jumpedBy(1.5) == 1.0);

@@ -14,8 +14,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Creates scenes/, assets/ and outside/ in a new folder and removes them in the destructor;
-/// $SIMREEL_ASSETS is set to assets/.
+/// Creates scenes/, assets/ and outside/ in a new folder, sets $SIMREEL_ASSETS to assets/, and removes
+/// everything in the destructor.
 class Folders {
  public:
   Folders()

@@ -1,4 +1,4 @@
-// Colours as text: "#rrggbb" and the named colours of CSS.
+// Tests colours as text: "#rrggbb" and the named colours of CSS.
 #include "scene/value/color_text.hpp"
 
 #include "scene/load.hpp"

@@ -1,4 +1,4 @@
-// The defaults shown by `simreel list` and in the schema must equal the values that apply if a scene leaves
+// Tests that the defaults in `simreel list` and in the schema equal the values that apply if a scene leaves
 // them out.
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -30,7 +30,7 @@ namespace {
 
 const std::string scenes = sourceFolder() + "/assets/scenes/";
 
-/// Returns every value of a scene as parsed; nothing if it is refused.
+/// Returns every value of a scene after parsing, or nullopt if the scene is refused.
 std::optional<Json> understood(const Json& scene) {
   try {
     scene::Scene read = scene::parseScene(scene.dump(), scenes + "x.json", {}, sim::kinds());
@@ -52,7 +52,7 @@ std::optional<Json> understood(const Json& scene) {
   }
 }
 
-/// A default value that a scene leaves out.
+/// A value that a scene leaves out and whose default is tested.
 struct LeftOut {
   Json::json_pointer part;  ///< part of the scene that has no member `name`
   std::string name;
@@ -60,7 +60,7 @@ struct LeftOut {
   std::string path;  ///< path of the value, for messages
 };
 
-/// Collects all of them in a part of a scene, using its schema.
+/// Collects the values that a part of a scene leaves out, using the schema of the part.
 void collect(const Json& part, const Json& schema, const Json::json_pointer& at, const std::string& path,
              std::vector<LeftOut>& found) {
   for (const auto& [name, property] : schema.at("properties").items()) {
@@ -76,7 +76,7 @@ void collect(const Json& part, const Json& schema, const Json::json_pointer& at,
   }
 }
 
-/// Adds defaults to a scene, many at once; if the result is refused or different, tries each half
+/// Adds many defaults to a scene at once. If the result is refused or different, tries each half
 /// separately.
 class GiveDefaults {
  public:
@@ -107,7 +107,7 @@ class GiveDefaults {
   Json plain_;
 };
 
-/// Returns name -> default as shown on the page.
+/// Returns a map from each name on the page to the default shown for it.
 std::map<std::string, std::string> shownDefaults(const std::string& page) {
   std::map<std::string, std::string> shown;
   for (const scene::HelpRow& row : scene::helpPage(page, sim::kinds().list).rows)
@@ -118,7 +118,7 @@ std::map<std::string, std::string> shownDefaults(const std::string& page) {
 void comparePage(const std::map<std::string, std::string>& shown, const Json& schema,
                  const std::string& prefix, int& compared) {
   for (const auto& [key, property] : schema.at("properties").items()) {
-    const std::string name = key;  // Clang 14 captures no structured binding
+    const std::string name = key;  // Clang 14 cannot capture a structured binding.
     if (property.contains("default") && shown.contains(prefix + name)) {
       const Json& standard = property.at("default");
       const bool counted = shown.at(prefix + name) == fmt::format("{} items", standard.size());
@@ -137,8 +137,8 @@ TEST_CASE("defaults: stating the default of any parameter of a shipped scene cha
   const Json schema = Json::parse(scene::schemaText(sim::kinds().list));
   int same = 0;
   std::set<std::string> refused;
-  std::map<std::string, int> asked;  // number of scenes in which each default is tried: two, because values
-                                     // of some parameters depend on others
+  std::map<std::string, int> asked;  // number of scenes in which each default has been tried; two are
+                                     // needed, because values of some parameters depend on others
   for (const auto& entry : std::filesystem::directory_iterator(scenes)) {
     if (entry.path().extension() != ".json" || entry.path().string().ends_with(".test.json")) continue;
     CAPTURE(entry.path().string());
@@ -157,21 +157,22 @@ TEST_CASE("defaults: stating the default of any parameter of a shipped scene cha
     refused.merge(scene.refused);
   }
   CHECK(same > 800);
-  // These parameters need another parameter, and the message names it.
+  // These parameters need another parameter, which the message names.
   const std::set<std::string> allowed = {
       "mesh.grip", "mesh.distanceCells", "mesh.file", "particles.bounce", "particles.cloths",
       ".camera.position", ".camera.target", ".camera.height", "particles.margin", "grayScott.preset",
       ".checks[].object", ".checks[].of", ".test.xfail", ".test.tolerance.windowSize",
-      // A fabric replaces the following parameters.
+      // The following parameters have no effect with a fabric.
       "cloth.mass", "cloth.stiffness", "cloth.shear", "cloth.bend", "cloth.solver", "cloth.compliance",
       "cloth.shearCompliance", "cloth.bendCompliance",
-      // A mesh, or a friction coefficient, replaces the following parameters.
+      // The following parameters have no effect with a mesh, or with a friction coefficient.
       "cloth.size", "cloth.spacing", "capsule.grip", "sphere.grip",
-      // A mesh in place of a grid replaces the following parameters.
+      // The following parameters have no effect with a mesh in place of a grid.
       "reaction.size", "reaction.depth", "reaction.boundary",
       // The following parameters need an image of a terrain.
       "water.terrain.low", "water.terrain.high", "water.terrain.smooth", "water.terrain.bed",
-      // A float's shape or mass replaces the following parameters; the last needs water that collides.
+      // The following parameters have no effect if the shape or the mass of a float is given. The last one
+      // needs water that collides.
       "water.floats[].density", "water.floats[].file", "water.floats[].radius", "water.floats[].scale",
       "water.floats[].size", "water.grip",
       // The following parameters need maps, coats, sheen or opacity.
@@ -179,7 +180,7 @@ TEST_CASE("defaults: stating the default of any parameter of a shipped scene cha
       "material.clearCoatRoughness", "material.emissionMap", "material.ior", "material.thinWalled",
       "material.normalStrength", "material.occlusionStrength", "material.opacity",
       "material.sheenRoughness",
-      // The following parameters need flow lines, or skies with a picture.
+      // The following parameters need flow lines, or a sky with a panorama.
       "fluid.lineDetail", "fluid.lineRate", ".sky.strength", ".sky.turn"};
   for (const std::string& path : refused) CHECK_MESSAGE(allowed.contains(path), path);
 }

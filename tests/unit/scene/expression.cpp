@@ -1,4 +1,4 @@
-// Expressions: accepted syntax, precedence, and error messages.
+// Tests expressions: the accepted syntax, precedence, and error messages.
 #include "scene/expression/tree.hpp"
 
 #include <string>
@@ -13,7 +13,7 @@ std::string asC(const std::string& text) {
   return parseExpression(text).text();
 }
 
-/// Returns "begin-end: message".
+/// Returns the error in an expression as "begin-end: message".
 std::string mistakeIn(const std::string& text) {
   try {
     return "none: " + asC(text);

@@ -1,4 +1,4 @@
-// A camera without a position in the scene frames all objects that request it.
+// Tests that a camera without a position frames all objects that request it.
 #include "scene/framing.hpp"
 
 #include "draw/camera.hpp"
@@ -31,8 +31,8 @@ scene::Scene with(std::initializer_list<scene::Box> boxes, glm::ivec2 size) {
   return scene;
 }
 
-/// Returns the largest picture coordinate of the box's corners, with edges at 1; 100 if a corner is behind
-/// the camera or beyond its range.
+/// Returns the largest picture coordinate of the box's corners; the edges of the picture are at 1. Returns
+/// 100 if a corner is behind the camera or outside the near and far distance.
 float reach(const scene::Scene& scene, const scene::Box& box) {
   const draw::View view = draw::viewAt(scene.camera, 0, scene.render.size, {});
   float most = 0;
@@ -105,7 +105,7 @@ TEST_CASE("an orbiting camera keeps all objects in view, tightly at some angle")
         scene.camera.orbit->turn = static_cast<float>(turn);
         const float reached = reach(scene, box);
         CHECK(reached <
-              (round ? 1.75F : 0.93F));  // corners of a box around a sphere are outside the sphere
+              (round ? 1.75F : 0.93F));  // The corners of a box around a sphere are outside the sphere.
         most = std::max(most, reached);
       }
       CHECK(most > 0.85F);

@@ -1,4 +1,5 @@
-// Damaged scenes must be accepted or refused with a report, never crash. Also runs in the sanitizer build.
+// Tests damaged scenes. They must be accepted or refused with a report, and must never cause a crash. Also
+// runs in the sanitizer build.
 #include "unit/scene/toy.hpp"
 
 #include <cstdint>

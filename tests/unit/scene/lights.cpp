@@ -1,4 +1,4 @@
-// The section "lights": named groups of fields, their limits, keyframes and overrides.
+// Tests the section "lights": named groups of fields, their limits, keyframes and overrides.
 #include "scene/texts/help_page.hpp"
 #include "scene/texts/schema_text.hpp"
 #include "unit/scene/toy.hpp"
@@ -14,7 +14,7 @@ std::string withLights(const std::string& lights) {
   return R"({"version": 1, "lights": {)" + lights + "}}";
 }
 
-/// Returns `count` lights, the first `shadowed` of them with shadows.
+/// Returns `count` lights. The first `shadowed` of them have shadows.
 std::string several(int count, int shadowed) {
   std::string lights;
   for (int i = 0; i < count; ++i)

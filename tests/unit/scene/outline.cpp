@@ -1,4 +1,4 @@
-// The outermost of many points, which cameras frame.
+// Tests the outermost of many points, which cameras frame.
 #include "scene/outline.hpp"
 
 #include <algorithm>
@@ -57,9 +57,9 @@ TEST_CASE("outline: a few stray points are ignored, by an integer rule") {
   points.emplace_back(50, 0, 0);
   const glm::vec3 right(1, 0, 0);
   CHECK(farthest(scene::outermost(points, 0.0049), right) ==
-        50);  // 0.49 % of 200 points: none may be left out
+        50);  // The fraction 0.49 % of 200 points is less than one, so no point may be left out.
   CHECK(farthest(scene::outermost(points, 0.005), right) <
-        1.01F);  // 0.5 % of 200 points: one may be left out
+        1.01F);  // With 0.5 % of 200 points, one point may be left out.
   CHECK(farthest(scene::outermost(points, 0.005, 0.25F), right) > 1.2F);
   CHECK(scene::outermost({}).empty());
   CHECK(scene::outermost(std::vector<glm::vec3>{right}, 1).size() == 98);

@@ -30,7 +30,7 @@ TEST_CASE("a scene with every section is read") {
   CHECK(scene.ground);
   CHECK(scene.ground->height == -1.0F);
   REQUIRE(scene.objects.size() == 2);
-  CHECK(scene.objects[0].name == "zebra");  // objects keep the order of the file
+  CHECK(scene.objects[0].name == "zebra");  // Objects keep the order of the file.
   CHECK(scene.objects[0].kind == "cloth");
   CHECK(scene.objects[0].material.roughness == 0.1F);
   CHECK(scene.objects[1].kind == "capsule");

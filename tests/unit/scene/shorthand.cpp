@@ -1,4 +1,4 @@
-// A group that may be given as one word.
+// Tests a group that may be given as one word.
 #include "scene/load.hpp"
 #include "scene/texts/help_page.hpp"
 #include "scene/texts/schema_text.hpp"

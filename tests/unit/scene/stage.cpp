@@ -1,4 +1,4 @@
-// The stage supplies what a scene leaves out of its surroundings.
+// Tests that the stage supplies the surroundings that a scene leaves out.
 #include "draw/camera.hpp"
 #include "draw/frame_values.hpp"
 #include "scene/framing.hpp"
@@ -38,7 +38,7 @@ TEST_CASE("stage: a one-line scene gets ground, three-sided light and a colour")
   CHECK(scene.sun.diameter > 1);
   CHECK(scene.lights.size() == 1);
   CHECK(scene.objects[0].material.color != scene::Material().color);
-  // The lamp shines from behind, the sun from the camera's side.
+  // The lamp shines from behind the objects, the sun from the camera's side.
   const glm::vec3 eye = scene.camera.position.at(0);
   const glm::vec3 lamp = scene.lights[0].position.at(0);
   const glm::vec3 sun = scene.sun.direction.at(0);
@@ -80,7 +80,7 @@ TEST_CASE("stage: each value in the scene replaces only that value of the stage"
   REQUIRE(scene.lights.size() == 2);
   CHECK(scene.lights[0].name == "lamp");
   CHECK(scene.lights[1].position.at(0) == plain.lights[0].position.at(0));
-  // A lamp named "rim" takes the place of the stage's.
+  // A lamp named "rim" replaces the stage's lamp.
   CHECK(parsed(ball, R"("lights": {"rim": {"position": [0, 3, 0]}}, )").lights.size() == 1);
 }
 
@@ -158,7 +158,7 @@ TEST_CASE("stage: scenes of fields or landscapes get no stage by default") {
   CHECK_FALSE(parsed(R"({"m": {"water": {}}})").staged);
   const scene::Scene asked = parsed(R"({"m": {"water": {}}})", R"("stage": "sunset", )");
   CHECK(asked.staged);
-  CHECK_FALSE(asked.ground.has_value());  // the terrain is its floor
+  CHECK_FALSE(asked.ground.has_value());  // The terrain serves as the floor.
 }
 
 TEST_CASE("stage: neighbouring objects get different colours, and emissive objects a dark stage") {
@@ -166,7 +166,8 @@ TEST_CASE("stage: neighbouring objects get different colours, and emissive objec
   CHECK(two.objects[0].material.color != two.objects[1].material.color);
   const scene::Scene lawn = parsed(R"({"a": {"mesh": {"shape": "grass"}}, "b": {"mesh": {}}})");
   CHECK(lawn.objects[0].material.color.y >
-        2 * lawn.objects[0].material.color.x);  // the object's own green, not a colour of the palette
+        2 * lawn.objects[0].material.color.x);  // The green comes from the object itself, not from the
+                                                // palette.
   CHECK(lawn.objects[1].material.color == two.objects[1].material.color);
   const char* cloud = R"({{"a": {{"particles": {{"groups": [{{}}], "look": {{"additive": {}}}}}}}}})";
   const scene::Scene dark = parsed(fmt::format(fmt::runtime(cloud), true));
@@ -193,7 +194,7 @@ TEST_CASE("stage: the objects are centred and fill the picture") {
                fmt::format(R"("render": {{"size": {}}}, )", size));
     const draw::View view = draw::viewAt(scene.camera, 0, scene.render.size, {});
     glm::vec2 low(9), high(-9);
-    // The outline of the sphere, and the ends of the rod.
+    // The points are on the outline of the sphere and at the ends of the rod.
     for (int i = 0; i < 4000; ++i) {
       const float turn = 0.6180340F * 6.2831853F * static_cast<float>(i);
       const float y = -1 + (static_cast<float>(i) + 0.5F) / 2000;

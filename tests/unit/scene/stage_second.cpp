@@ -1,4 +1,4 @@
-// Stages of version 2 scenes: lamps of dark stages, writing on bright ones, cameras and grounds.
+// Tests stages of scenes with version 2: lamps of dark stages, text on bright ones, cameras and grounds.
 #include "scene/framing.hpp"
 #include "scene/load.hpp"
 #include "scene/scene.hpp"
@@ -59,7 +59,7 @@ TEST_CASE("stage: dark stages of version 2 have a fill and a softbox on the came
       CHECK(at.x * eye.x + at.z * eye.z > 0);
       CHECK(at.y > 0);
     }
-    CHECK(lampOf(scene, "fill")->position.at(0).z > 1);  // It lights what faces +z.
+    CHECK(lampOf(scene, "fill")->position.at(0).z > 1);  // The lamp lights surfaces that face +z.
   }
   CHECK_FALSE(has(""));
   CHECK_FALSE(has(R"("stage": "paper", )"));

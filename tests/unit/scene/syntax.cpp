@@ -8,7 +8,7 @@ using namespace simreel::scene::toy;
 
 namespace {
 
-/// Returns the first line of the report.
+/// Returns the first line of the error report.
 std::string first(std::string_view text) {
   const std::string report = mistakes(text);
   return report.substr(0, report.find('\n'));

@@ -1,4 +1,4 @@
-// "test" and "checks" of a scene, and the sidecar file beside it.
+// Tests "test" and "checks" of a scene and of its sidecar.
 #include "scene/load.hpp"
 #include "unit/scene/toy.hpp"
 
@@ -24,7 +24,8 @@ std::string checkMistakes(const std::string& check, const std::vector<std::strin
   return mistakes(sceneWith("\"checks\": [\n{" + check + "}]"), changes);
 }
 
-/// Creates a scene and possibly its sidecar in a new folder; removes them in the destructor.
+/// Creates a scene, and a sidecar if there is text for it, in a new folder. Removes the files in the
+/// destructor.
 class Files {
  public:
   Files() : root(fs::temp_directory_path() / ("simreel-sidecar-" + std::to_string(::getpid()))) {
@@ -234,7 +235,7 @@ TEST_CASE("checks of unknown quantities are refused") {
   checkHas(says(two, R"("what": "mass", "max": 1)"),
            "several objects have \"mass\": a, b; name one of them with \"object\"");
   CHECK(says(two, R"("what": "mass", "max": 1, "object": "b")").empty());
-  // an unknown object causes only one message
+  // An unknown object must cause only one message.
   CHECK(!has(says(flag, R"("what": "mass", "max": 1, "object": "flga")"), "quantity"));
   CHECK(!has(says(R"("a": {"cloht": {}})", R"("what": "enrgy", "max": 1)"), "quantity"));
 }
@@ -255,10 +256,10 @@ TEST_CASE("the sidecar's members replace the scene's members completely") {
 
   files.write("flag.test.json", R"({"test": {"size": [8, 8], "tolerance": {"maxDiffRatio": 0.5}}})");
   const Scene scene = files.load();
-  CHECK(scene.test.frames.empty());  // the sidecar's "test" replaces the scene's, without merging
+  CHECK(scene.test.frames.empty());  // The sidecar's "test" replaces the scene's without merging.
   CHECK(!scene.test.tolerance.hardFail);
   CHECK(scene.test.size == glm::ivec2(8, 8));
-  CHECK(scene.checks.size() == 1);  // kept, because the sidecar has no checks
+  CHECK(scene.checks.size() == 1);  // The scene's checks remain, because the sidecar has none.
   REQUIRE(scene.test.toleranceOrigin.size() == 1);
   CHECK(scene.test.toleranceOrigin.at("maxDiffRatio") == (files.root / "flag.test.json").string());
   CHECK(scene.hash == loadScene(files.root / "flag.json", {}, toyKinds()).hash);

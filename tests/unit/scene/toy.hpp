@@ -19,7 +19,7 @@ struct Pin {
   float weight = 1.0F;
 };
 
-/// Uses every function of Fields once.
+/// Parameters whose description uses every function of Fields once.
 struct Cloth final : Parameters {
   bool torn = false;
   int threads = 3;
@@ -98,7 +98,7 @@ inline Scene parse(std::string_view text, const std::vector<std::string>& change
   return parseScene(text, file, overrides, toyKinds());
 }
 
-/// Returns the report of a scene's errors; "" for a valid scene.
+/// Returns the report of a scene's errors, or "" for a valid scene.
 inline std::string mistakes(std::string_view text, const std::vector<std::string>& changes = {},
                             const std::filesystem::path& file = "s.json") {
   try {

@@ -16,7 +16,7 @@ simreel::scene::Scene brushedScene(const std::string& kind, const nlohmann::json
   return simreel::scene::parseScene(all.dump(), "test.json", {}, simreel::sim::kinds());
 }
 
-/// Returns the stroke made by a piece of the brush's path.
+/// Returns the stroke made by one segment of the brush's path.
 nlohmann::json brushedStroke(const std::string& kind, const nlohmann::json& given,
                              const simreel::serve::BrushPiece& piece) {
   return simreel::serve::strokeOf(brushedScene(kind, given).objects.front(), given, piece);

@@ -24,7 +24,7 @@ Json dish() {
       "ball": {"sphere": {"radius": 1, "position": {"keys": [[0, [0, 0, 0]], [2, [1, 0, 0]]]}}, "material": {"ior": 2}}}})");
 }
 
-/// Returns how long (s) the dish simulates unchanged if this value is replaced.
+/// Returns the time (s) up to which the dish simulates unchanged if the value at `pointer` is replaced.
 double alikeWith(const std::string& pointer, const Json& value) {
   Json other = dish();
   other[Json::json_pointer(pointer)] = value;
@@ -52,12 +52,13 @@ TEST_CASE("changes of strokes keep the states before the first changed stroke") 
   CHECK(alikeWith(field + "/strokes/0/radius", 3) == 0);
   CHECK(alikeWith(field + "/strokes/3", {{"at", 2.5}}) == 2.5);
   Json less = dish();
-  less[Json::json_pointer(field + "/strokes")].erase(1);  // the last stroke changes, because strokes are
-                                                          // compared by position in the list
+  less[Json::json_pointer(field + "/strokes")].erase(1);  // The last stroke counts as changed, because
+                                                          // strokes are compared by their index in the
+                                                          // list.
   CHECK(secondsAlike(dish().dump(), less.dump()) == 1.5);
   less[Json::json_pointer(field)].erase("strokes");
   CHECK(secondsAlike(dish().dump(), less.dump()) == 0);
-  // without strokes the fluid is stirred at the start
+  // Without strokes, the fluid is stirred at the start.
   const std::string still = R"({"objects": {"pool": {"fluid": {}}}})";
   const std::string one = R"({"objects": {"pool": {"fluid": {"strokes": [{"at": 1}]}}}})";
   const std::string two = R"({"objects": {"pool": {"fluid": {"strokes": [{"at": 1}, {"at": 2}]}}}})";
@@ -65,7 +66,7 @@ TEST_CASE("changes of strokes keep the states before the first changed stroke") 
   CHECK(secondsAlike(one, two) == 2);
   const std::string dyed =
       R"({"objects": {"pool": {"fluid": {"strokes": [{"at": 1}, {"at": 2, "dye": [1, 0, 0]}]}}}})";
-  CHECK(secondsAlike(two, dyed) < 0);  // no shared time, because the earlier states have no dye
+  CHECK(secondsAlike(two, dyed) < 0);  // There is no common time, because the earlier states have no dye.
 }
 
 TEST_CASE("changes of keyframes keep the states before the first changed key") {
@@ -78,7 +79,8 @@ TEST_CASE("changes of keyframes keep the states before the first changed key") {
   Json spline = dish(), other = dish();
   for (Json* one : {&spline, &other}) (*one)[Json::json_pointer(field + "/feed/ease")] = "spline";
   other[Json::json_pointer(keys + "3/1")] = 5;
-  CHECK(secondsAlike(spline.dump(), other.dump()) == 1);  // the speed at a key depends on both neighbours
+  CHECK(secondsAlike(spline.dump(), other.dump()) == 1);  // The speed at a key depends on both neighbouring
+                                                          // keys.
   CHECK(alikeWith("/objects/ball/sphere/position/keys/1/1/0", 2) == 0);
 }
 

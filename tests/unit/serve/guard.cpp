@@ -12,7 +12,7 @@ namespace {
 
 const std::string token = "0123456789abcdef0123456789abcdef";
 
-/// Returns the rest of the path after the token; "no" if the path is refused.
+/// Returns the rest of the path after the token, or "no" if the path is refused.
 std::string restOf(const Guard& guard, std::string_view path) {
   std::string_view rest;
   return guard.splitPath(path, rest) ? std::string(rest) : "no";
@@ -36,7 +36,7 @@ TEST_CASE("serve: request paths must start with the complete token") {
   CHECK_EQ(restOf(guard, "/" + token + "/"), "");
   CHECK_EQ(restOf(guard, "/" + token + "/app.js"), "app.js");
   CHECK_EQ(restOf(guard, "/" + token + "/../x"),
-           "../x");  // harmless, because names are looked up in a table
+           "../x");  // This is harmless, because names are looked up in a table.
   for (const std::string& path :
        {std::string(), std::string("/"), "/" + token, token + "/", "//" + token + "/", "/" + token + "x/",
         "/" + token.substr(1) + "/", "/" + token.substr(0, 31) + "/app.js"})

@@ -19,7 +19,7 @@ WorldState stateOfFrame(int frame) {
   return state;
 }
 
-/// Keeps the requested states frame by frame, as the stage does.
+/// Stores those states that KeptStates requests, frame by frame, as the stage does.
 void passTo(KeptStates& kept, int last) {
   for (int frame = 0; frame <= last; ++frame)
     if (kept.wants(frame)) kept.keep(stateOfFrame(frame));
@@ -78,7 +78,7 @@ TEST_CASE("serve: the nearest kept state at or before a frame is found") {
 TEST_CASE("serve: states are discarded from a given frame on, or all") {
   KeptStates kept(5 * each);
   passTo(kept, 4);
-  kept.keep(stateOfFrame(4));  // keeps the same state again
+  kept.keep(stateOfFrame(4));  // This stores the same state again.
   CHECK_EQ(kept.bytes(), 5 * each);
   kept.forgetFrom(3);
   CHECK_EQ(kept.frames(), std::vector{0, 1, 2});

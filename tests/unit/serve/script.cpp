@@ -26,15 +26,19 @@ TEST_CASE("a renderer is reused for another script only if camera, stage and mat
   const std::string ball = R"("a": {"sphere": {"radius": 0.5}})",
                     larger = R"("a": {"sphere": {"radius": 0.8}})";
   CHECK_FALSE(alike(ball, larger, ""));
-  CHECK_FALSE(alike(ball, larger, R"("stage": false, )"));  // the camera stands where the ball is seen
+  CHECK_FALSE(alike(ball, larger, R"("stage": false, )"));  // The camera is placed according to the extent
+                                                            // of the ball.
   CHECK_FALSE(
-      alike(ball, larger, R"("camera": {"position": [0, 1, 3], "target": [0, 0, 0]}, )"));  // the ground
+      alike(ball, larger,
+            R"("camera": {"position": [0, 1, 3], "target": [0, 0, 0]}, )"));  // The ground is placed
+                                                                              // according to the extent
+                                                                              // of the ball.
   CHECK(alike(ball, larger, lit));
   const auto cloth = [](const std::string& value) {
     return R"("flag": {"cloth": {"size": [8, 8], )" + value + "}}";
   };
   CHECK(alike(cloth(R"("substeps": 8)"), cloth(R"("substeps": 9)"), ""));
-  // Scenes with different objects.
+  // These scenes have different objects.
   CHECK_FALSE(alike(ball, R"("a": {"capsule": {}})", lit));
   CHECK_FALSE(alike(ball, ball + R"(, "b": {"sphere": {}})", lit));
 }

@@ -1,4 +1,4 @@
-// Notations of rules, and the rules that they describe.
+// Tests the notations of automaton rules, and the rules that they describe.
 #include "reference/states_twin.hpp"
 #include "sim/automata/file/rule_file.hpp"
 #include "sim/automata/rule/arrangements.hpp"
@@ -46,8 +46,8 @@ TEST_CASE("nine cells have 102 arrangements up to symmetry, 51 without the centr
     CHECK((lettersOf(a.count) >> a.letter & 1) == 1);
   }
   CHECK(all.size() == 51);
-  // By Burnside's lemma for the square's eight symmetries; each class is an orbit of 1, 2, 4 or 8 patterns,
-  // counted twice.
+  // There are 102 by Burnside's lemma for the eight symmetries of the square. Each class contains 1, 2, 4
+  // or 8 patterns. `cells` counts each pattern twice, with and without the centre.
   for (const auto& [count, letter] : all) CHECK(16 % cells[count][letter] == 0);
 }
 
@@ -128,7 +128,7 @@ TEST_CASE("rules of signals: bits write each cell of von Neumann's, and crossed 
   CHECK(cellAfter({1, 0, 0, 1}) == 11);
   CHECK(cellAfter({1, 1, 1, 1}) == 25);
   CHECK(cellAfter({1, 1, 1, 0}) == 20);
-  // Inputs from the west and south, outputs to the east and north.
+  // Signals enter from the west and south and leave to the east and north.
   CHECK(sim::signalOutcome(SignalRule::nobili32, 25, {9, 10, 13, 14}) == 31);
   CHECK(sim::signalOutcome(SignalRule::nobili32, 25, {9, 10, 13, 10}) == 29);
   CHECK(sim::signalOutcome(SignalRule::nobili32, 29, {9, 10, 9, 14}) == 30);
@@ -141,7 +141,8 @@ TEST_CASE("MAP rules equal the letter notation") {
       ruleOf("MAPARYXfhZofugWaH7oaIDogBZofuhogOiAaIDogIAAgAAWaH7oaIDogGiA6ICAAIAAaIDogIAAgACAAIAAAAAAAA==");
   for (unsigned i = 0; i < 512; ++i) CHECK(life.outcome(i) == CellRule().outcome(i));
   CHECK(ruleOf("MAPARYXfg/7").states == 7);
-  // Only the highest bits are set: the cell below for six neighbours, the cell above for four.
+  // In both rules only the highest bits are set. Then a cell becomes alive if only its lower neighbour
+  // lives (hexagonal neighbourhood), or only its upper neighbour (four neighbours).
   const CellRule below = ruleOf("MAPAAAAAAAAAAD//////////w"), above = ruleOf("MAPAAD//w");
   for (unsigned cell = 0; cell < 9; ++cell) {
     CHECK(below.outcome(1U << cell) == (cell == 7));
@@ -233,8 +234,8 @@ TEST_CASE("neighbourhoods of range 2 equal the drawings in Golly's help") {
 }
 
 TEST_CASE("a rule table with variables and symmetries gives the expected states") {
-  // A signal of state 2 moves along a wire of state 1 and leaves state 3 behind, which becomes wire again;
-  // rotational symmetry.
+  // A signal of state 2 moves along a wire of state 1. It leaves state 3 behind, which becomes wire again.
+  // The rule is rotationally symmetric.
   const CellRule rule = parseRuleFile(
       "@RULE Signal\n\n@TABLE\n# comment\nn_states:4\nneighborhood:vonNeumann\nsymmetries:rotate4\n"
       "var a={0,1,2,3}\nvar b={a}\nvar c={0,1,3}\nvar d={0,1,2,3}\n1,2,a,b,d,2\n2,a,b,c,d,3\n3,a,b,c,d,1\n"
@@ -258,7 +259,8 @@ TEST_CASE("Life written as a rule table with permuted neighbours and as a tree e
       "1,1,1,0,0,0,0,0,0,1\n1,1,1,1,0,0,0,0,0,1\n1,a,b,c,d,e,f,g,h,0\n",
       "r.rule");
   std::string tree = "@RULE T\n@TREE\nnum_states=2\nnum_neighbors=8\n";
-  // Node (depth, count): the number of living cells so far, from depth 1 up.
+  // There is a node for each depth and each number of living cells counted so far. The nodes are written
+  // from depth 1 up.
   std::string nodes;
   int made = 0;
   int at[10][9] = {};

@@ -1,4 +1,4 @@
-// Capsules around bones, and their motion as colliders of cloth.
+// Tests the capsules that are fitted around bones, and their motion as colliders of cloth.
 #include "scene/load.hpp"
 #include "sim/body/bones.hpp"
 #include "sim/body/capsules.hpp"
@@ -44,7 +44,8 @@ TEST_CASE("capsules fitted to a tube have its axis and radius") {
 TEST_CASE("a capsule ignores protrusions and is centred in its skin") {
   const test::TemporaryFile file("tube.gltf", test::tubeText().text());
   sim::Figure figure = sim::loadFigure(file.path());
-  // Spikes: two of the 24 vertices of each ring of the lower half, on opposite sides.
+  // Moves two opposite vertices of the 24 in each ring of the lower half outwards, so that they form
+  // spikes.
   for (std::size_t i = 0; i < 20 * 24; i += 12) figure.mesh.positions[i] *= glm::vec3(2, 1, 2);
   for (glm::vec3& p : figure.mesh.positions) p.x += 0.03F;
   const auto capsules = sim::fitCapsules(figure);
@@ -56,7 +57,7 @@ TEST_CASE("a capsule ignores protrusions and is centred in its skin") {
 }
 
 TEST_CASE("a bone without children has a capsule as long as its skin") {
-  // A sphere of radius 0.2 at the end of a neck that begins 0.3 below its centre.
+  // The head is a sphere of radius 0.2 at the end of a neck that begins 0.3 below the sphere's centre.
   sim::Figure figure;
   figure.nodes.push_back({.name = "head"});
   figure.joints.push_back({0, true, glm::dmat4(1)});
@@ -79,7 +80,8 @@ TEST_CASE("a bone without children has a capsule as long as its skin") {
     }
   const auto capsules = sim::fitCapsules(figure);
   REQUIRE(capsules.size() == 1);
-  // The bone's part of the axis ends inside, so the capsule does not stick out at the top of the sphere.
+  // The part of the axis that belongs to the bone ends inside the sphere, so the capsule does not protrude
+  // at the sphere's top.
   CHECK(std::abs(capsules[0].ends[1].y + capsules[0].radius - 0.5) < 0.005);
   CHECK(capsules[0].radius > 0.14);
   CHECK(capsules[0].radius < 0.21);
@@ -115,14 +117,15 @@ TEST_CASE("cloth steps receive positions and velocities of a moving body's capsu
   sim::ClothPlan plan(p, 1, 0.1, shapes);
   const auto steps = plan.frame(0.2);
   for (std::size_t i = 0; i < 4; ++i) {
-    // "low" moves along x at 2 m/s in the file, so 4 m/s in the scene; the capsule is twice as thick.
+    // "low" moves along x at 2 m/s in the file and therefore at 4 m/s in the scene. The capsule is twice as
+    // thick.
     const shader::Collider& low = steps[i].colliders[0];
     CHECK(low.a.x == doctest::Approx(4 * (0.2 + 0.025 * static_cast<double>(i + 1))).epsilon(1e-5));
     CHECK(low.velocityA.x == doctest::Approx(4).epsilon(1e-5));
     CHECK(std::abs(low.reach - 0.2F) < 0.002F);
     CHECK(low.perLengthSquared == doctest::Approx(1).epsilon(1e-4));
-    // The tip of "high" rotates by 180 degrees per second on a radius of 1 m: v = pi m/s, along a chord
-    // within a frame.
+    // The tip of "high" rotates by 180 degrees per second at a radius of 1 m, so v = pi m/s. Within a frame
+    // it moves along a chord.
     const shader::Collider& high = steps[i].colliders[1];
     const glm::vec3 turning = glm::vec3(high.velocityB) - glm::vec3(4, 0, 0);
     CHECK(glm::length(turning) == doctest::Approx(M_PI).epsilon(0.01));
@@ -150,8 +153,8 @@ TEST_CASE("pins follow a bone from the sheet's initial position") {
     const glm::vec4 x(at, 1);
     return glm::vec3(glm::dot(f.row0, x), glm::dot(f.row1, x), glm::dot(f.row2, x));
   };
-  // At 0.25 s "high" is at (0.5, 0.5, 0), rotated by 45 degrees; at 0.5 s at (1, 0.5, 0), rotated by 90
-  // degrees.
+  // "high" is at (0.5, 0.5, 0) with a rotation of 45 degrees at 0.25 s, and at (1, 0.5, 0) with 90 degrees
+  // at 0.5 s.
   const glm::vec3 hung(0.5F, 1.5F, 0.2F);
   double time = 0.25 - frame;
   const glm::vec3 first = follow(plan.frame(time).back(), hung);

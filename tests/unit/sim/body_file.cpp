@@ -1,4 +1,4 @@
-// Files with skeletons: supported content, and one clear line for each error.
+// Tests files with skeletons: their supported content, and a clear one-line message for each error.
 #include "base/error.hpp"
 #include "scene/load.hpp"
 #include "sim/body/figure.hpp"
@@ -40,7 +40,7 @@ std::string figureFailure(const TubeFaults& faults) {
   return figureFailure(tubeText(faults).text());
 }
 
-/// Returns the first problem of a scene with a body of this file; "none" if there is no problem.
+/// Returns the first error of a scene with a body of this file, or "none".
 std::string problemOf(const std::string& objects) {
   const scene::Scene scene =
       scene::parseScene(fmt::format(R"({{"version": 1, "objects": {{{}}}}})", objects),
@@ -178,7 +178,7 @@ TEST_CASE("body: unknown names are reported with the available names") {
     checkHas(error.what(), "no object is named \"tub\"");
     checkHas(error.what(), "did you mean \"tube\"");
     checkHas(error.what(), "pins");
-    checkHas(error.what(), "^~~~~");  // below the name, which is an item of a list
+    checkHas(error.what(), "^~~~~");  // The marks are below the name, which is an item of a list.
     CHECK(std::string(error.what()).find("^~~~~~") == std::string::npos);
   }
   std::string unknown = body + pinned;
@@ -204,7 +204,7 @@ TEST_CASE("body: the shipped walker is small, closed and walks in a loop") {
     volume +=
         (a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) + a.z * (b.x * c.y - b.y * c.x)) / 6;
   }
-  CHECK(volume > 0.05);  // m^3; positive because the outside faces out
+  CHECK(volume > 0.05);  // volume in m^3; positive because the faces point outwards
   CHECK(volume < 0.1);
   for (const sim::FigureChannel& channel : figure.animationNamed("walk", "").channels) {
     const std::size_t width = channel.path == sim::FigureChannel::Path::rotation ? 4 : 3;

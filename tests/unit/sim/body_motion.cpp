@@ -1,4 +1,4 @@
-// Compares motions of bones with closed forms.
+// Tests motions of bones against closed forms.
 #include "sim/body/motion.hpp"
 #include "sim/nodes/sample.hpp"
 #include "unit/figure_text.hpp"
@@ -21,7 +21,7 @@ sim::BodyParameters tubeBody(const test::TemporaryFile& file, const char* animat
   return p;
 }
 
-/// Returns the world position of a point in a bone's space.
+/// Returns the world position of a point that is given in the coordinates of a bone.
 glm::dvec3 pointAt(const sim::BodyMotion& motion, const char* bone, glm::dvec3 point, double time) {
   return glm::dvec3(motion.nodeAt(motion.boneNamed(bone), time) * glm::dvec4(point, 1));
 }
@@ -54,7 +54,8 @@ TEST_CASE("body: linear, stepped and cubic motions equal their closed form") {
   const test::TemporaryFile file("tube.gltf", test::tubeText().text());
   const sim::BodyMotion bend("tube", tubeBody(file, "bend"));
   for (const double t : {0.0, 0.1, 0.25, 0.5, 0.6, 1.0}) {
-    // 180 degrees per second up to 90, then back; sideways at 2 m/s, then back.
+    // The bone rotates at 180 degrees per second to 90 degrees and back, and moves sideways at 2 m/s and
+    // back.
     const double share = t < 0.5 ? 2 * t : 2 - 2 * t;
     const double angle = share * 1.5707963267948966;
     checkNear(pointAt(bend, "high", {0, 0, 0}, t), {share, 0.5, 0});
@@ -70,7 +71,7 @@ TEST_CASE("body: linear, stepped and cubic motions equal their closed form") {
     const double from = t < 0.5 ? 0.5 : 0.7;
     const double to = t < 0.5 ? 0.7 : 0.5;
     const double ease = 3 * u * u - 2 * u * u * u;
-    // both tangents are equal; the interval is half a second
+    // Both tangents are equal, and the interval is half a second.
     const double tangents = 0.5 * (u - 3 * u * u + 2 * u * u * u);
     checkNear(pointAt(curve, "high", {0, 0, 0}, t),
               {tangents, from + (to - from) * ease + 2 * tangents, 3 * tangents}, 1e-6);
@@ -102,7 +103,7 @@ TEST_CASE("body: the scene places the body and rotates bones on top of the motio
   const test::TemporaryFile file("tube.gltf", test::tubeText().text());
   auto p = tubeBody(file, "bend");
   p.position = glm::vec3(1, 2, 3);
-  p.rotation = glm::vec3(0, 90, 0);  // rotates x to -z
+  p.rotation = glm::vec3(0, 90, 0);  // This rotates x to -z.
   p.scale = 2.0F;
   checkNear(pointAt(sim::BodyMotion("tube", p), "high", {0, 0, 0}, 0.5), {1, 3, 1}, 1e-6);
   auto keyed = tubeBody(file, "");

@@ -1,4 +1,4 @@
-// Cameras of glTF files: position, rotation, and one clear line for each error.
+// Tests cameras of glTF files: position, rotation, and a clear one-line message for each error.
 #include "sim/nodes/camera_shot.hpp"
 
 #include "base/error.hpp"
@@ -24,9 +24,9 @@ namespace {
 
 constexpr double eighth = 0.70710678118654752;
 
-/// Returns a file with an arm, moved by (0, 0, 4) m and scaled by (2, 2, 3), that rotates about y by 0 to
-/// 90 degrees from 1 to 3 s; a camera "wide" at (0.5, 0, 0) on it with a vertical angle of 60 degrees; and
-/// an orthographic camera "flat".
+/// Returns the text of a glTF file. It has an arm, moved by (0, 0, 4) m and scaled by (2, 2, 3), that
+/// rotates about y from 0 to 90 degrees between 1 and 3 s. A camera "wide" with a vertical angle of 60
+/// degrees is at (0.5, 0, 0) on the arm. The file also has an orthographic camera "flat".
 test::GltfText shotText() {
   test::GltfText gltf;
   auto& d = gltf.document;
@@ -79,7 +79,7 @@ TEST_CASE("glTF cameras: a camera follows its node and its ancestors, without th
   CHECK(!shot->far());
   for (const double time : {0.0, 1.0, 1.7, 2.0, 3.0, 8.0}) {
     CAPTURE(time);
-    // The arm rotates x towards -z; the camera is a metre out along it.
+    // The arm rotates x towards -z. The camera is 1 m from the rotation axis.
     const double angle = std::min(std::max((time - 1) / 2, 0.0), 1.0) * 1.5707963267948966;
     const glm::dvec3 right(std::cos(angle), 0, -std::sin(angle)), back(std::sin(angle), 0, std::cos(angle));
     const scene::CameraPose pose = shot->at(time);
@@ -88,7 +88,8 @@ TEST_CASE("glTF cameras: a camera follows its node and its ancestors, without th
     CHECK(glm::length(pose.up - glm::dvec3(0, 1, 0)) < 1e-6);
     CHECK(glm::length(pose.back - back) < 1e-6);
   }
-  scene::CameraFile still = asked("lens");  // selected by the camera's own name instead of its node's
+  scene::CameraFile still = asked("lens");  // The camera is selected by its own name instead of the name of
+                                            // its node.
   still.animation = "other";
   CHECK(glm::length(sim::readCamera(still, shotText().text())->at(2).eye - glm::dvec3(1, 0, 4)) < 1e-6);
   scene::CameraFile fast = asked("wide");

@@ -20,7 +20,7 @@ std::vector<unsigned> cellsOf(const sim::CaveGrid& grid, const std::vector<std::
   return cells;
 }
 
-/// Flood-fills the region around a cell with rock; returns its number of cells and adds their positions to
+/// Flood-fills the region around a cell with rock. Returns the number of cells and adds their positions to
 /// `sum`.
 long filled(std::vector<std::string>& rows, std::size_t x, std::size_t y, glm::dvec2& sum) {
   std::vector<std::pair<std::size_t, std::size_t>> todo = {{x, y}};
@@ -48,12 +48,12 @@ TEST_CASE(
   const sim::CaveGrid grid{{6, 4}};
   const auto rooms = sim::caveRooms(grid, cellsOf(grid, {"#..#.#", "##.##.", ".#...#", ".#####"}), 0.5F);
   REQUIRE(rooms.size() == 4);
-  CHECK(rooms[0].cells == 6);  // the cells (1, 0), (2, 0), (2, 1), (2, 2), (3, 2), (4, 2)
+  CHECK(rooms[0].cells == 6);  // The room has the cells (1, 0), (2, 0), (2, 1), (2, 2), (3, 2) and (4, 2).
   CHECK(rooms[0].centre.x == doctest::Approx(14.0 / 6));
   CHECK(rooms[0].centre.y == doctest::Approx(7.0 / 6));
   CHECK(rooms[0].area == doctest::Approx(1.5));
   CHECK(rooms[1].centre == glm::dvec2(4, 0));
-  CHECK(rooms[2].centre == glm::dvec2(5, 1));  // touches another room only at a corner
+  CHECK(rooms[2].centre == glm::dvec2(5, 1));  // This room touches another only at a corner.
   CHECK(rooms[3].cells == 2);
   CHECK(sim::caveRooms(grid, cellsOf(grid, {"######"}), 1).empty());
 }

@@ -1,4 +1,4 @@
-// Patterns in formats of other programs, and the grid that fits them.
+// Tests patterns in formats of other programs, and the grid size that is chosen for them.
 #include "sim/life/cell_pattern.hpp"
 
 #include "base/error.hpp"
@@ -72,7 +72,7 @@ TEST_CASE("a glider in every format is the same glider") {
   }
   CHECK(cellsOf(parsePattern("!c\n\n.O\n\nO\n", "p")) == Cells{{1, 0}, {0, 2}});
   CHECK(parsePattern("#Life 1.05\n#R 23/36\n#P 0 0\n*", "p").rule->text() == "B36/S23");
-  // Golly's and XLife's own files contain rules without survival.
+  // Pattern files that come with Golly and XLife contain rules without survival.
   CHECK(parsePattern("#Life 1.05\n#R B234\n#P 0 0\n*", "p").rule->text() == "B234/S");
   CHECK(parsePattern("x = 1, y = 1, rule = b2\no!", "p").rule->text() == "B2/S");
   CHECK(parsePattern("#C one\n#r 12/34\no!", "p").rule->text() == "B34/S12");
@@ -95,7 +95,8 @@ TEST_CASE("errors in patterns have line and column") {
   checkHas(mistake("[M2]\n1 0 0 0 256\n"), "p:2:9: states go from 0 to 255");
   checkHas(mistake("[M2]\n1 0 0 0 5 6\n"), "p:2:10: ' ' after the five numbers");
   checkHas(mistake("[M2]\n#R B3/S29\n"), "p:2:9: a cell has 8 neighbours");
-  // Each level is twice as large as the previous one; one or two of its corners contain the previous level.
+  // Each level is twice as large as the previous one. One or two of its quadrants contain the previous
+  // level.
   const auto deep = [](int levels, bool twice) {
     std::string text = "[M2]\n*$\n";
     for (int level = 4; level < levels; ++level) {
@@ -121,8 +122,8 @@ TEST_CASE(
     "an unspecified grid size fits its patterns with the aspect ratio 16 to 9, and the patterns are "
     "centred") {
   const LifePlan gun(fitted("gosper_gun"), "cells", 1, 0.1);
-  CHECK(gun.parameters().size == glm::ivec2(80, 45));  // 36 x 9 cells plus a margin of 18 on every side: at
-                                                       // least 72 x 45
+  CHECK(gun.parameters().size == glm::ivec2(80, 45));  // The gun has 36 x 9 cells, with a margin of 18 on
+                                                       // every side: at least 72 x 45 cells.
   const Cells cells = living(gun);
   CHECK(cells.size() == 36);
   for (const auto& [x, y] : cells) {
@@ -132,14 +133,14 @@ TEST_CASE(
     CHECK(y < 27);
   }
   const LifePlan glider(fitted("glider"), "cells", 1, 0.1);
-  CHECK(glider.parameters().size == glm::ivec2(48, 27));  // a margin of at least 12 on every side
+  CHECK(glider.parameters().size == glm::ivec2(48, 27));  // There is a margin of at least 12 on every side.
   auto turned = fitted("gosper_gun");
   turned.patterns[0].rotate = 90;
-  // the rotated pattern is 9 x 36, so the grid is 72 high
+  // The rotated pattern is 9 x 36, so the grid needs a height of 72.
   CHECK(LifePlan(turned, "cells", 1, 0.1).parameters().size == glm::ivec2(128, 72));
   auto placed = fitted("glider");
   placed.patterns[0].at = glm::ivec2(100, 5);
-  // the placed pattern needs 115 x 20 cells
+  // The placed pattern needs 115 x 20 cells.
   CHECK(LifePlan(placed, "cells", 1, 0.1).parameters().size == glm::ivec2(128, 72));
   CHECK(living(LifePlan(placed, "cells", 1, 0.1)).contains({101, 5}));
 }
@@ -147,7 +148,7 @@ TEST_CASE(
 TEST_CASE("a pattern is placed exactly, also across words and a torus's border") {
   LifeParameters soup;
   soup.size = {131, 9};
-  soup.fill = 0.8F;  // dense, so that runs of living cells are long
+  soup.fill = 0.8F;  // The pattern is dense, so that runs of living cells are long.
   const auto words = LifePlan(soup, "cells", 5, 0.1).firstCells();
   const simreel::test::TemporaryFile file("soup.rle", writeRle({soup.size, words}, LifeRule{}, "", ""));
   for (const glm::ivec2 at : {glm::ivec2(0, 0), {13, 4}, {169, 11}, {250, -3}}) {
@@ -173,7 +174,7 @@ TEST_CASE("a pattern made for a bounded grid sets that grid") {
   CHECK(plan.parameters().size == glm::ivec2(31, 20));
   CHECK_FALSE(plan.torus());
   CHECK(living(plan) == Cells{{14, 10}, {15, 10}, {16, 10}});
-  p.borderGiven = true;  // a torus, while the file has another border
+  p.borderGiven = true;  // The scene's border is a torus, but the file has another border.
   CHECK_THROWS_AS(LifePlan(p, "cells", 1, 0.1), UserError);
 }
 
@@ -188,11 +189,11 @@ TEST_CASE("a pattern's position in its bounded grid is kept") {
     return living(plan);
   };
   const auto asIs = [](LifePattern&) {};
-  // position in the format of Golly's files
+  // This position is in the notation of Golly's files.
   const std::string rle = "#CXRLE Pos=-15,-14 Gen=7\nx = 3, y = 1, rule = B3/S23:P30,30\n2ob!";
   CHECK(placed("at.rle", "#C\n" + rle, asIs) == Cells{{0, 1}, {1, 1}});
   CHECK(placed("at.rle", rle, [](LifePattern& p) { p.at = glm::ivec2(4, 5); }) == Cells{{4, 5}, {5, 5}});
-  // The whole grid is flipped and rotated.
+  // The whole grid is flipped and rotated, not only the pattern.
   CHECK(placed("at.rle", rle, [](LifePattern& p) { p.flip = LifePattern::Flip::horizontal; }) ==
         Cells{{29, 1}, {28, 1}});
   CHECK(placed("at.rle", rle, [](LifePattern& p) { p.flip = LifePattern::Flip::vertical; }) ==
@@ -200,15 +201,15 @@ TEST_CASE("a pattern's position in its bounded grid is kept") {
   CHECK(placed("at.rle", rle, [](LifePattern& p) { p.rotate = 90; }) == Cells{{28, 0}, {28, 1}});
   CHECK(placed("at.rle", rle, [](LifePattern& p) { p.rotate = 180; }) == Cells{{29, 28}, {28, 28}});
   CHECK(placed("at.rle", rle, [](LifePattern& p) { p.rotate = 270; }) == Cells{{1, 29}, {1, 28}});
-  // Two squares of 8 x 8 in the north-west and the south-east of a square of 16 x 16, around the grid's
-  // middle.
+  // The file has two squares of 8 x 8 in the north-west and the south-east of a square of 16 x 16, which
+  // lies around the grid's middle.
   CHECK(placed("at.mc", "[M2] (golly 3.3)\n#R B3/S23:T30,30\n.*$\n4 1 0 0 1\n", asIs) ==
         Cells{{8, 8}, {16, 16}});
   checkHas(mistake("#CXRLE Pos=3\nx = 3, y = 1\n3o!"), "p:1:8: a place is expected here");
 }
 
 TEST_CASE("gzipped patterns are read; truncated ones and those of 64 MiB are refused") {
-  // Result of gzip -9 for a pattern file of two lines, "x = 3, y = 1" and "3o!".
+  // These bytes are the output of gzip -9 for a pattern file of two lines, "x = 3, y = 1" and "3o!".
   const std::string packed(
       "\x1f\x8b\x08\x00\x00\x00\x00\x00\x02\x03\xab\x50\xb0\x55\x30\xd6\x51"
       "\xa8\x04\x52\x86\x5c\xc6\xf9\x8a\x5c\x00\xa0\x80\xbc\x91\x11\x00\x00\x00",
@@ -244,7 +245,7 @@ TEST_CASE("macrocell files with two and with several states are read") {
   CHECK(many.runs[0].state == 1);
   CHECK(many.runs[1].state == 2);
   CHECK(many.size == glm::ivec2(4, 4));
-  // Nested empty squares take no time.
+  // Reading nested empty squares takes almost no time.
   std::string hollow = "[M2]\n$\n";
   for (int level = 4; level < 60; ++level) {
     const std::string child = " " + std::to_string(level - 3);

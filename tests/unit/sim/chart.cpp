@@ -1,4 +1,4 @@
-// Charts of measured quantities: round scales, and valid settings.
+// Tests charts of measured quantities: axes with round numbers, and valid settings.
 #include "base/error.hpp"
 #include "scene/load.hpp"
 #include "sim/chart/parameters.hpp"

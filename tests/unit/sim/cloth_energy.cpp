@@ -1,4 +1,4 @@
-// Energy of undamped swinging cloth over a minute; tools/bench/studies.cpp has more cases.
+// Tests the energy of undamped swinging cloth over a minute. tools/bench/studies.cpp has more cases.
 #include "reference/cloth_twin.hpp"
 #include "reference/garment_twin.hpp"
 #include "reference/swing.hpp"
@@ -34,7 +34,7 @@ TEST_CASE("energy: constraints of damped cloth conserve energy for a minute if n
   REQUIRE(!given.parameters.keepsEnergy());
   const auto course = swing::courseOfTwin(given, 60);
   CHECK(std::abs(course.drift()) < 0.01);
-  CHECK(course.rise < 4e-3);  // the energy is evaluated as in short substeps
+  CHECK(course.rise < 4e-3);  // The energy is evaluated as for short substeps.
 }
 
 TEST_CASE("energy: undamped fabrics and meshes conserve energy for a minute") {
@@ -50,7 +50,8 @@ TEST_CASE("energy: undamped fabrics and meshes conserve energy for a minute") {
 }
 
 TEST_CASE("energy: a wide swing of a fine fabric conserves energy, including the energy lost to flutter") {
-  // The cloth crumples within ten seconds. A second-order scheme loses a tenth of the energy in that time.
+  // The cloth crumples within ten seconds. A second-order method would lose a tenth of the energy in that
+  // time.
   const auto course = swing::courseOfTwin(swing::fabric(60, 0.05), 10);
   CHECK(std::abs(course.drift()) < 5e-3);
   CHECK(course.rise < 1e-3);
@@ -58,8 +59,8 @@ TEST_CASE("energy: a wide swing of a fine fabric conserves energy, including the
 
 namespace {
 
-/// Returns the maximum difference between the force of a substep on a particle and the negative gradient of
-/// the elastic energy, by finite differences, relative to the maximum force.
+/// Returns the maximum difference between the force that a substep exerts on a particle and the negative
+/// gradient of the elastic energy, by finite differences, relative to the maximum force.
 template <class Twin>
 double missedGradient(Twin twin, const std::function<double(const std::vector<glm::vec4>&)>& elastic) {
   const std::vector<glm::vec4> start = twin.positions;
@@ -86,7 +87,7 @@ double missedGradient(Twin twin, const std::function<double(const std::vector<gl
   return missed / most;
 }
 
-/// A crumpled sheet without gravity.
+/// Returns the parameters of a crumpled sheet without gravity.
 sim::ClothParameters crumpled() {
   sim::ClothParameters p;
   p.gravity = glm::vec3(0);
@@ -100,7 +101,7 @@ sim::ClothParameters crumpled() {
 }  // namespace
 
 TEST_CASE("energy: energy-conserving constraint forces are the gradient of the measured energy") {
-  // An odd size with pins; lines of two segments.
+  // The size is odd, there are pins, and lines consist of two segments.
   for (const bool fabric : {false, true}) {
     CAPTURE(fabric);
     sim::ClothParameters p = crumpled();
@@ -113,8 +114,8 @@ TEST_CASE("energy: energy-conserving constraint forces are the gradient of the m
     p.shearCompliance = 1e-3F;
     p.bendCompliance = 1e-2F;
     p.jitter = 0.012F;
-    // Covers each kind of line: with one pin, with a pin at each end, at rest or too far apart, and with
-    // two pins in between.
+    // The pins create each kind of line: with one pin; with a pin at each end, unstretched or stretched;
+    // and with two pins in between.
     p.pins.emplace_back().points = {{0, 0}, {20, 0}, {9, 2}, {13, 2}, {0, 4}, {20, 4}};
     REQUIRE(p.keepsEnergy());
     ClothTwin twin(sim::ClothPlan(p, 4, 1.0 / 60, {}));
@@ -144,7 +145,7 @@ TEST_CASE("energy: energy-conserving face and attachment forces are the gradient
 }
 
 TEST_CASE("energy: sheets between pins conserve energy") {
-  // A straight line between pins has one redundant constraint.
+  // In a straight line between two pins, one constraint is redundant.
   struct Held {
     const char* name;
     std::function<void(sim::PinGroup&)> pin;
@@ -197,7 +198,8 @@ TEST_CASE("energy: long undamped sheets hang and swing stably with substeps \"au
       return sim::measureCloth(p, twin.positions, twin.velocities, 0, twin.plan().softness());
     };
     const double first = energy()[5];
-    const double swing = energy()[1] * 9.8 * 0.5 * given.length;  // energy between lying and hanging, J
+    const double swing = energy()[1] * 9.8 * 0.5 * given.length;  // energy in J of the hanging cloth
+                                                                  // relative to the horizontal cloth
     for (int frame = 0; frame < 120; ++frame) twin.step(frame / 60.0);
     CHECK(energy()[5] == doctest::Approx(first).epsilon(5e-3 * swing / std::abs(first)).scale(0));
     CHECK(energy()[6] < 1.02);
@@ -214,8 +216,8 @@ TEST_CASE("energy: a fabric two columns wide, which cannot flutter, conserves en
 }
 
 TEST_CASE("energy: the mean energy of damped cloth over a swing does not rise") {
-  // The cloth starts to flutter with ever shorter waves, until the substeps cannot resolve them: the scheme
-  // loses that energy.
+  // The cloth flutters with ever shorter waves, until the substeps cannot resolve the waves and the method
+  // loses their energy.
   for (const bool mesh : {false, true})
     for (const double degrees : {10.0, 45.0}) {
       CAPTURE(mesh);

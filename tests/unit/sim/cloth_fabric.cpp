@@ -1,5 +1,5 @@
-// Compares fabrics with closed forms and with their energy implemented independently in double precision;
-// also tests refused settings of "fabric".
+// Tests fabrics against closed forms and against an independent implementation of their energy in double
+// precision. Also tests refused settings of "fabric".
 #include "base/error.hpp"
 #include "reference/cloth_twin.hpp"
 #include "sim/cloth/quantities.hpp"
@@ -17,7 +17,7 @@ using namespace simreel;
 
 namespace {
 
-/// A fabric without gravity, wind, damping or pins.
+/// Returns a fabric without gravity, wind, damping or pins.
 sim::ClothParameters freeFabric(glm::ivec2 size, float spacing) {
   sim::ClothParameters p;
   p.size = size;
@@ -32,8 +32,9 @@ sim::ClothParameters freeFabric(glm::ivec2 size, float spacing) {
 
 using Points = std::vector<glm::dvec3>;
 
-/// Returns a plate's energy per D / (2 L^2), term by term; `ghosts` (m) are the clamped borders left,
-/// right, top, bottom.
+/// Returns a plate's bending energy divided by D / (2 L^2), where D is the bending stiffness and L the
+/// spacing. `ghosts`: offsets (m) to the points beyond the clamped borders left, right, top and bottom;
+/// null for a free border.
 double plateEnergy(glm::ivec2 size, const Points& points, const glm::dvec3* const (&ghosts)[4] = {}) {
   const auto at = [&](int x, int y) { return points[static_cast<std::size_t>(y * size.x + x)]; };
   double sum = 0;
@@ -46,7 +47,8 @@ double plateEnergy(glm::ivec2 size, const Points& points, const glm::dvec3* cons
       const auto add = [&](double weight, const glm::dvec3& d) { sum += weight * glm::dot(d, d); };
       if (x > 0 && x < size.x - 1) add(besideX, at(x - 1, y) - 2.0 * at(x, y) + at(x + 1, y));
       if (y > 0 && y < size.y - 1) add(besideY, at(x, y - 1) - 2.0 * at(x, y) + at(x, y + 1));
-      if (ghostX) {  // clamped border: x[-1] = x[1] - 2 t, on half the area
+      if (ghostX) {  // At a clamped border, x[-1] = x[1] - 2 t with the ghost offset t. The term counts for
+                     // half the area.
         const glm::dvec3 inner = at(x == 0 ? 1 : x - 1, y);
         add(0.5 * besideX, inner - 2.0 * at(x, y) + (inner - 2.0 * *ghostX));
       }
@@ -71,7 +73,7 @@ TEST_CASE("fabric: the bending force is the gradient of a plate's energy, includ
     const glm::ivec2 size(7, 6);
     sim::ClothParameters p = freeFabric(size, 0.02F);
     p.rotation = glm::vec3(20, -35, 50);
-    p.fabric->bending = 4e-4;  // bending stiffness of 1 N/m divided by the square of the spacing
+    p.fabric->bending = 4e-4;  // bending stiffness of 1 N/m times the square of the spacing
     p.fabric->density = 0.2;
     p.fabric->weft = p.fabric->warp = 0.1;  // negligible compared with the bending stiffness
     p.fabric->shear = 1e-3;
@@ -122,7 +124,7 @@ TEST_CASE("fabric: a clamped strip bends by q L^4 / 8 D at any spacing") {
   constexpr double length = 0.2;
   constexpr double q = 0.115 * 0.098;  // weight per area, N/m^2
   constexpr double bending = 7.5e-4;
-  const double expected = q * std::pow(length, 4) / (8 * bending);  // drop of the end: 0.015 of the length
+  const double expected = q * std::pow(length, 4) / (8 * bending);  // The end drops by 0.015 of the length.
   std::vector<double> drops;
   for (const int cells : {8, 12, 16}) {
     CAPTURE(cells);
@@ -151,7 +153,7 @@ TEST_CASE(
   };
   const glm::ivec2 size(61, 45);
   sim::ClothParameters p = freeFabric(size, 0.01F);
-  p.fabric->bending = 1000;  // bending is so stiff that stretching is negligible
+  p.fabric->bending = 1000;  // Bending is so stiff that stretching is negligible.
   p.fabric->weft = p.fabric->warp = 0.1;
   p.fabric->shear = 1e-3;
   for (const Shape s :
@@ -171,7 +173,7 @@ TEST_CASE(
     const double energy = found[static_cast<std::size_t>(which - quantities.begin())];
     const double w = 0.01 * (size.x - 1);
     const double h = 0.01 * (size.y - 1);
-    // Second differences across a border do not exist.
+    // There are no second differences at the border, so the area is one cell shorter in their direction.
     const double expected =
         0.5 * 1000 * (s.a * s.a * (w - 0.01) * h + 2 * s.b * s.b * w * h + s.c * s.c * w * (h - 0.01));
     CHECK(energy == doctest::Approx(expected).epsilon(0.01).scale(0));
@@ -214,7 +216,7 @@ TEST_CASE("fabric: a hanging fabric stretches by rho g H / 2 k, at borders as in
 }
 
 TEST_CASE("fabric: a hanging grid of rubber stretches by rho g H / 2 k, for any number of substeps") {
-  // The diagonals, a third as stiff as the links, contribute to k.
+  // The diagonals, which are a third as stiff as the links, contribute to the total stiffness k.
   for (const int substeps : {6, 24}) {
     sim::ClothParameters p = freeFabric({9, 21}, 0.05F);
     p.fabric.emplace();
@@ -227,7 +229,7 @@ TEST_CASE("fabric: a hanging grid of rubber stretches by rho g H / 2 k, for any 
     ClothTwin twin(sim::ClothPlan(p, 3, 1.0 / 60, {}));
     for (int frame = 0; frame < 300; ++frame) twin.step(frame / 60.0);
     const double strain =
-        twin.positions[4].y - twin.positions[20 * 9 + 4].y - 1;  // relative to a length of 1 m
+        twin.positions[4].y - twin.positions[20 * 9 + 4].y - 1;  // elongation relative to a length of 1 m
     CAPTURE(substeps);
     CHECK(strain == doctest::Approx(0.47 * 9.8 / (2 * 750)).epsilon(0.02).scale(0));
   }

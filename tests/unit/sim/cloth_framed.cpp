@@ -1,4 +1,4 @@
-// The box of a cloth that a camera frames.
+// Tests the box that a camera without a position frames for a cloth.
 #include "sim/cloth/parameters.hpp"
 
 #include <cmath>
@@ -21,13 +21,13 @@ void checkBox(const sim::ClothParameters& cloth, const glm::vec3& min, const glm
 }  // namespace
 
 TEST_CASE("cloth: automatic framing contains the sheet at rest and where it will hang") {
-  sim::ClothParameters cloth;  // a cloth whose last row is pinned
+  sim::ClothParameters cloth;  // The cloth's last row is pinned.
   cloth.size = {11, 6};
   cloth.spacing = 0.2F;
   cloth.position = {1, 2, 3};
   checkBox(cloth, {0, 1, 2.5F}, {2, 2, 3.5F});
   cloth.pins[0] = {};
-  cloth.pins[0].corners = {0};  // pinned at one corner, it hangs by its diagonal
+  cloth.pins[0].corners = {0};  // The cloth is pinned at one corner, so it hangs by its diagonal.
   checkBox(cloth, {0, 2 - std::sqrt(5.0F), 2.5F}, {2, 2, 3.5F});
   cloth.pins[0] = {};
   cloth.pins[0].rows = {0, -1};

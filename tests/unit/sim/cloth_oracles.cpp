@@ -1,5 +1,5 @@
-// Compares cloth with closed forms of mechanics: catenaries, pendulums, falling in air. Uses the CPU twins,
-// which give the device's bits.
+// Tests cloth against closed forms of mechanics: catenaries, pendulums, and falls in air. Uses the CPU
+// twins, which equal the GPU bit for bit.
 #include "reference/cloth_twin.hpp"
 #include "reference/garment_twin.hpp"
 
@@ -18,7 +18,7 @@ namespace {
 constexpr double oracleFrame = 1.0 / 60;
 constexpr double oraclePi = 3.14159265358979;
 
-/// A sheet without wind, damping or pins.
+/// Returns a sheet without wind, damping or pins.
 sim::ClothParameters oracleSheet(int width, int height, float spacing) {
   sim::ClothParameters p;
   p.size = {width, height};
@@ -33,9 +33,9 @@ ClothTwin oracleTwin(const sim::ClothParameters& p) {
   return ClothTwin(sim::ClothPlan(p, 1, oracleFrame, {}));
 }
 
-/// The elastic catenary (Irvine, Cable Structures, 1981): s is the rest length from the lowest point, a = H
-/// / w, w the weight per length and c = w / (E A),
-///   x = a (asinh(s / a) + c s),   y = a (sqrt(1 + (s / a)^2) - 1) + c s^2 / 2.
+/// Elastic catenary (Irvine, Cable Structures, 1981): x = a (asinh(s / a) + c s) and y = a (sqrt(1 + (s /
+/// a)^2) - 1) + c s^2 / 2. s is the rest length from the lowest point, a = H / w with the horizontal
+/// tension H and the weight per length w, and c = w / (E A) with the axial stiffness E A.
 struct Catenary {
   double a = 0, c = 0;
   Catenary(double halfLength, double halfSpan, double weightPerStiffness) : c(weightPerStiffness) {
@@ -51,12 +51,12 @@ struct Catenary {
   }
 };
 
-/// Hangs two parallel rows of 40 links of 0.1 m from ends 3 m apart until they rest. Returns the maximum
-/// distance of a particle from the catenary (m).
+/// Hangs two parallel rows of 40 links of 0.1 m between supports 3 m apart until they are at rest. Returns
+/// the maximum distance of a particle from the catenary (m).
 double distanceFromCatenary(sim::ClothParameters p, double weightPerStiffness) {
   constexpr int links = 40;
   p.damping = 3;
-  // With many substeps, rounding must not make the cloth stick.
+  // With many substeps, rounding must not stop the motion too early.
   p.substeps = !p.constrained() ? 32 : p.compliance > 0 ? 8 : 64;
   p.pins.emplace_back().columns = {0};
   p.pins.emplace_back().columns = {-1};
@@ -88,7 +88,7 @@ TEST_CASE("oracle: springs hang in the elastic catenary within 4 mm") {
     p.stiffness = static_cast<float>(stiffness);
     p.shear = 0;
     p.bend = 0;
-    // A link of 0.1 m: E A = 0.1 k. Weight per metre: 10 m g.
+    // For a link of 0.1 m, E A = 0.1 k. The weight per metre is 10 m g.
     const double distance = distanceFromCatenary(p, 0.05 * 9.8 / 0.1 / (0.1 * stiffness));
     CHECK(distance < 0.004);
   }
@@ -109,8 +109,8 @@ TEST_CASE("oracle: constraints hang in the catenary within 2 mm, compliant ones 
 
 namespace {
 
-/// Returns the period of a pendulum: T = 4 sqrt(L / g) K(sin(amplitude / 2)), K = pi / (2 agm(1,
-/// cos(amplitude / 2))).
+/// Returns the period of a pendulum, T = 4 sqrt(L / g) K(sin(amplitude / 2)), with K = pi / (2 agm(1,
+/// cos(amplitude / 2))) and the arithmetic-geometric mean agm.
 double pendulumPeriod(double length, double amplitude) {
   double a = 1;
   double b = std::cos(0.5 * amplitude);
@@ -122,7 +122,7 @@ double pendulumPeriod(double length, double amplitude) {
   return 4 * std::sqrt(length / 9.8) * oraclePi / (2 * a);
 }
 
-/// Times at which a rising value crosses zero, and the maximum between successive crossings.
+/// Times at which a series crosses zero upwards, and the maximum between each two successive crossings.
 struct Crossings {
   std::vector<double> times, peaks;
   double before = 0, peak = 0;
@@ -140,11 +140,12 @@ struct Crossings {
 }  // namespace
 
 TEST_CASE("oracle: a pendulum's period equals the elliptic integral at any amplitude") {
-  for (const int kind : {0, 1, 2})  // springs, energy-conserving constraints, constraints of damped cloth
+  for (const int kind : {0, 1, 2})  // The kinds are springs, energy-conserving constraints, and constraints
+                                    // of damped cloth.
     for (const double degrees : {10.0, 60.0, 120.0}) {
       CAPTURE(degrees);
       CAPTURE(kind);
-      // Two masses side by side, 1 m below two pins.
+      // Two masses are side by side, 1 m below two pins.
       sim::ClothParameters p = oracleSheet(2, 2, 1);
       p.solver = kind > 0 ? sim::ClothSolver::constraints : sim::ClothSolver::springs;
       if (kind == 2) p.damping = 1e-6F;
@@ -190,7 +191,8 @@ TEST_CASE(
     p.rotation = glm::vec3(88, 0, 0);
     p.pins.emplace_back().rows = {0};
     ClothTwin twin = oracleTwin(p);
-    // First order in the amplitude: J0(2 w sqrt(s / g)), s from the free end.
+    // To first order in the amplitude, the mode's shape is J0(2 w sqrt(s / g)), where s is the distance
+    // from the free end.
     const double w = 0.5 * 2.404825557695773 * std::sqrt(9.8);
     for (int y = 0; y < 41; ++y)
       for (int x = 0; x < 5; ++x) {
@@ -218,7 +220,8 @@ TEST_CASE(
 
 namespace {
 
-/// Returns the maximum deviation from v = v1 tanh(g t / v1) in a second and a half, relative to v1.
+/// Returns the maximum deviation from v = v1 tanh(g t / v1) during 1.5 s, relative to the terminal speed
+/// v1.
 template <class Twin>
 double missesFall(Twin twin, double terminal) {
   double most = 0;
@@ -240,7 +243,7 @@ TEST_CASE("oracle: flat cloth falls through air at its terminal velocity") {
   p.air->velocity = glm::vec3(0);
   p.air->drag = 0.9F;
   p.air->gusts = 0;
-  // Springs: each of four masses has a quarter of a square.
+  // With springs, each of four masses has a quarter of a square's area.
   p.mass = 0.00025F;
   p.stiffness = 1;
   p.substeps = 32;

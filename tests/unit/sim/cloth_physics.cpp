@@ -1,4 +1,5 @@
-// Analytic results and conserved quantities, checked on the CPU twin, which gives the GPU's bits.
+// Tests cloth against analytic results and conservation laws on the CPU twin, which equals the GPU bit for
+// bit.
 #include "reference/cloth_twin.hpp"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace {
 
 constexpr double frameSeconds = 1.0 / 60;
 
-/// A sheet without gravity, wind, damping or pins.
+/// Returns a sheet without gravity, wind, damping or pins.
 sim::ClothParameters freeSheet(int width, int height) {
   sim::ClothParameters p;
   p.size = {width, height};
@@ -37,7 +38,7 @@ glm::dvec3 momentum(const ClothTwin& twin) {
   return sum;
 }
 
-/// Returns the sum of kinetic, elastic and gravitational energy, J.
+/// Returns the sum of kinetic, elastic and gravitational energy in J.
 double energy(ClothTwin& twin) {
   const auto& p = twin.plan().parameters();
   const glm::dvec3 g(p.gravity.at(0));
@@ -95,7 +96,7 @@ TEST_CASE("a mass on a spring swings with period 2 pi sqrt(m/k)") {
 }
 
 TEST_CASE("constraints stretch by compliance times load for any number of substeps") {
-  // Three masses of 1 kg below a pin: the first link carries 3 g, the last 1 g.
+  // Three masses of 1 kg hang below a pin. The first link carries 3 kg times g, the last 1 kg times g.
   for (const int substeps : {8, 16, 40}) {
     sim::ClothParameters p = freeSheet(2, 4);
     p.gravity = glm::vec3(0, -9.8F, 0);
@@ -118,7 +119,7 @@ TEST_CASE("constraints stretch by compliance times load for any number of subste
 
 namespace {
 
-/// Three columns of `rows` rows of cotton, 2 cm apart, without wind.
+/// Returns three columns with `rows` rows of cotton, 2 cm apart, without wind.
 sim::ClothParameters longSheet(int rows) {
   sim::ClothParameters p = freeSheet(3, rows);
   p.spacing = 0.02F;
@@ -149,8 +150,8 @@ TEST_CASE("rigid constraints hold for any number of hanging rows") {
   for (const int rows : {16, 64, 256, 1024}) {
     CAPTURE(rows);
     sim::ClothParameters p = longSheet(rows);
-    p.substeps.reset();                // no value means "auto"
-    p.rotation = glm::vec3(90, 0, 0);  // rotates the sheet so that it hangs
+    p.substeps.reset();                // Without a value, "auto" applies.
+    p.rotation = glm::vec3(90, 0, 0);  // This rotates the sheet so that it hangs.
     p.pins.emplace_back().rows = {0};
     ClothTwin twin = makeTwin(p);
     double worst = 0;
@@ -168,10 +169,10 @@ TEST_CASE("rigid constraints hold during a swing, and over a bar without pins") 
   for (const bool swinging : {true, false}) {
     CAPTURE(swinging);
     sim::ClothParameters p = longSheet(rows);
-    p.substeps = 16;  // at the lowest point the tension is three times the weight
+    p.substeps = 16;  // At the lowest point, the tension is three times the weight.
     std::vector<sim::ColliderShape> bars;
     if (swinging) {
-      p.pins.emplace_back().rows = {0};  // the sheet starts lying
+      p.pins.emplace_back().rows = {0};  // The sheet is horizontal at the start.
     } else {
       sim::ColliderShape bar;
       bar.kind = sim::ColliderShape::Kind::capsule;
@@ -222,8 +223,8 @@ TEST_CASE("a compliant line stretches by its weight: rho g H / 2k beyond its len
   sim::ClothParameters p = longSheet(rows);
   p.rotation = glm::vec3(90, 0, 0);
   p.pins.emplace_back().rows = {0};
-  p.compliance = 1.0F / 50;  // a stiffness of 50 N/m per thread
-  p.shearCompliance = 1e5F;  // so compliant that diagonals carry no load
+  p.compliance = 1.0F / 50;  // This is a stiffness of 50 N/m per thread.
+  p.shearCompliance = 1e5F;  // The compliance is so large that diagonals carry no load.
   p.bendCompliance = 1e5F;
   p.damping = 6;
   ClothTwin twin = makeTwin(p);
@@ -350,8 +351,8 @@ TEST_CASE("air drag on a flat face is half rho Cd A v^2 without lift, and an inc
   const glm::vec3 v(twin.velocities[12]);
   CHECK(v.y == doctest::Approx(0.5 * 1.2 * 1.0 * 0.01 * 9.0 * frameSeconds).epsilon(1e-4).scale(0));
   CHECK(std::abs(v.x) < 1e-6);
-  // At 45 degrees, lift is perpendicular to the flow: half rho Cl A sin cos v^2, upwards for air from
-  // below.
+  // At an angle of attack of 45 degrees, lift is perpendicular to the flow: half rho Cl A sin cos v^2,
+  // upwards for air from below.
   p.air->velocity = glm::vec3(3, 3, 0);
   p.air->drag = 0;
   ClothTwin inclined = makeTwin(p);

@@ -44,8 +44,8 @@ TEST_CASE("pins are selected by row, column, corner and point") {
 TEST_CASE("\"auto\" takes as many substeps as the springs need") {
   sim::ClothParameters p;
   p.substeps.reset();
-  // w = sqrt(4 * 500 * 2.3 / 1) = 67.8 1/s; the limit 2/w is 29.5 ms, times 0.7 = 20.6 ms, so one substep
-  // of 16.7 ms is enough.
+  // w = sqrt(4 * 500 * 2.3 / 1) = 67.8 1/s. The stability limit 2 / w is 29.5 ms. Times 0.7 it is 20.6 ms,
+  // so one substep of 16.7 ms is enough.
   CHECK(p.substepsPerFrame(1.0 / 60) == 1);
   p.stiffness = 50000;
   CHECK(p.stableSeconds() == doctest::Approx(2.0 / std::sqrt(4 * 50000 * 2.3)).epsilon(1e-6));
@@ -53,7 +53,7 @@ TEST_CASE("\"auto\" takes as many substeps as the springs need") {
 }
 
 TEST_CASE("\"auto\" for a fabric in gusts scales with 1 / L^1.5 for long lines") {
-  // flag.json at several resolutions, as in bench_studies resolution.
+  // These are parameters of flag.json at several resolutions, as in bench_studies resolution.
   const auto substeps = [](int columns, bool gusts) {
     sim::ClothParameters p;
     p.fabric.emplace();
@@ -72,7 +72,7 @@ TEST_CASE("\"auto\" for a fabric in gusts scales with 1 / L^1.5 for long lines")
     return p.substepsPerFrame(1.0 / 60);
   };
   CHECK(substeps(48, true) == 13);
-  CHECK(substeps(96, true) == 27);  // with 20 substeps the flag's corner would stretch by two thirds
+  CHECK(substeps(96, true) == 27);  // With 20 substeps, the flag's corner would stretch by two thirds.
   const double finer = static_cast<double>(substeps(768, true)) / substeps(384, true);
   CHECK(finer > 2.5);
   CHECK(finer < 2.9);
@@ -98,8 +98,8 @@ TEST_CASE("fabric: scene parameters of fabric are read, and errors are named") {
       const auto scene = scene::parseScene(text, sourceFolder() + "/assets/sheet.json", {}, sim::kinds());
       const auto& p = sim::parametersOf<sim::ClothParameters>(scene.objects.front());
       CHECK(p.constrained());
-      CHECK(!p.substeps);                   // no value means "auto"
-      CHECK(p.wind.at(0) == glm::vec3(0));  // a material has no wind unless wind is given
+      CHECK(!p.substeps);                   // Without a value, "auto" applies.
+      CHECK(p.wind.at(0) == glm::vec3(0));  // A material does not set a wind.
       CHECK(p.fabric->constants().density == 0.4F);
       CHECK(p.fabric->constants().bending == 1e-3F);
     } catch (const UserError& error) {
@@ -127,8 +127,8 @@ TEST_CASE("contact thickness is the fabric's, clamped to 1/8 to 0.35 of the vert
   p.fabric.emplace();
   p.fabric->thickness = 0.004;
   CHECK(p.contactThickness(0.02F) == doctest::Approx(0.004));
-  CHECK(p.contactThickness(0.1F) == doctest::Approx(0.0125));   // an eighth of the edge length
-  CHECK(p.contactThickness(0.01F) == doctest::Approx(0.0035));  // 0.35 of the edge length
+  CHECK(p.contactThickness(0.1F) == doctest::Approx(0.0125));   // This is an eighth of the edge length.
+  CHECK(p.contactThickness(0.01F) == doctest::Approx(0.0035));  // This is 0.35 of the edge length.
   p.contact.emplace().thickness = 0.003;
   CHECK(p.contactThickness(0.1F) == doctest::Approx(0.003));
 }

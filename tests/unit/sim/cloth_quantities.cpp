@@ -42,13 +42,14 @@ TEST_CASE("a cloth at rest has the expected quantities") {
   CHECK(named(parameters(), q, "elasticEnergy") == doctest::Approx(0).epsilon(1e-12));
   CHECK(named(parameters(), q, "stretch") == 1);
   CHECK(named(parameters(), q, "speed") == 0);
-  // The middle row is the mean height: 18 kg * 9.8 m/s^2 * 0.5 m.
+  // The middle row is at the mean height: 18 kg * 9.8 m/s^2 * 0.5 m.
   CHECK(named(parameters(), q, "potentialEnergy") == doctest::Approx(18 * 9.8 * 0.5).epsilon(1e-6));
 }
 
 TEST_CASE("a stretched cloth has the expected elastic energy") {
-  // x scaled by 3/2: 6 springs along x are 0.25 m longer, 8 diagonals have sqrt(0.75^2 + 0.5^2) instead of
-  // sqrt(0.5), 3 springs of length two are 0.5 m longer; springs along y keep their length.
+  // x is scaled by 3/2. Then 6 springs along x are 0.25 m longer, 8 diagonals have length sqrt(0.75^2 +
+  // 0.5^2) instead of sqrt(0.5), and 3 springs across two cells are 0.5 m longer. Springs along y keep
+  // their length.
   const auto q = sim::measureCloth(parameters(), sheet(1.5F), still, 0);
   const double diagonal = std::sqrt(0.8125) - std::sqrt(0.5);
   const double expected = 6 * 0.5 * 16 * 0.0625 + 8 * 0.5 * 8 * diagonal * diagonal + 3 * 0.5 * 4 * 0.25;
@@ -73,7 +74,7 @@ TEST_CASE("compliant constraints store elastic energy, rigid ones none") {
 
 TEST_CASE("a moving cloth has the expected kinetic energy and speed") {
   auto velocities = still;
-  velocities[4] = glm::vec4(3, 0, -4, 7);  // w is the pin group and must be ignored
+  velocities[4] = glm::vec4(3, 0, -4, 7);  // w is the pin group and must be ignored.
   const auto q = sim::measureCloth(parameters(), sheet(1), velocities, 0);
   CHECK(named(parameters(), q, "kineticEnergy") == 25);
   CHECK(named(parameters(), q, "speed") == 5);

@@ -1,5 +1,5 @@
-// Stability of cloth: compares the declared limit with the spectrum of the lattice, with one oscillator
-// integrated in double precision, and with simulations close to the limit.
+// Tests the stability of cloth. Compares the stated limit with the spectrum of the lattice, with one
+// oscillator integrated in double precision, and with simulations close to the limit.
 #include "base/error.hpp"
 #include "measured.hpp"
 #include "reference/cloth_twin.hpp"
@@ -20,7 +20,7 @@ using simreel::test::has;
 
 namespace {
 
-/// A sheet without gravity, wind, damping or pins.
+/// Returns a sheet without gravity, wind, damping or pins.
 sim::ClothParameters springs(glm::ivec2 size, float stiffness, float shear, float bend, float mass) {
   sim::ClothParameters p;
   p.size = size;
@@ -35,8 +35,9 @@ sim::ClothParameters springs(glm::ivec2 size, float stiffness, float shear, floa
   return p;
 }
 
-/// Returns the square of the highest angular frequency of the sheet at rest, (1/s)^2: the largest
-/// eigenvalue of its stiffness matrix (sum of k n n^T over the springs), by power iteration.
+/// Returns the square of the highest angular frequency of the sheet at rest, (1/s)^2. It is the largest
+/// eigenvalue of the stiffness matrix (sum of k n n^T over the springs, with stiffness k and direction n),
+/// found by power iteration.
 double fastestSquared(const sim::ClothParameters& p) {
   const int w = p.size.x;
   const int h = p.size.y;
@@ -72,7 +73,7 @@ double fastestSquared(const sim::ClothParameters& p) {
   return largest / p.mass;
 }
 
-/// Returns the maximum speed (m/s) after two thousand substeps of `dt`, starting from a small jitter.
+/// Returns the maximum speed (m/s) after 2,000 substeps of `dt`, starting from a small random displacement.
 double speedAfter(sim::ClothParameters p, double dt) {
   p.substeps = 1;
   p.jitter = 1e-4F;
@@ -88,7 +89,7 @@ double speedAfter(sim::ClothParameters p, double dt) {
   return fastest;
 }
 
-/// True if semi-implicit Euler of x'' = -w^2 x - c x' stays bounded.
+/// True if semi-implicit Euler for x'' = -w^2 x - c x' stays bounded.
 bool stays(double w2, double c, double dt) {
   double x = 1;
   double v = 1;
@@ -123,7 +124,7 @@ TEST_CASE("cloth is stable up to its declared limit and unstable soon beyond it"
     CAPTURE(declared / limit);
     CHECK(declared <= limit * 1.0001);
     CHECK(declared > limit * 0.7);
-    // ten times the speed of the initial jitter of 0.1 mm
+    // The bound is ten times the speed that the initial jitter of 0.1 mm causes.
     CHECK(speedAfter(p, declared * 0.98) < 10 * 1e-4 * 2 / limit);
     CHECK(speedAfter(p, limit * 1.05) == 1e3);
   }
@@ -150,7 +151,7 @@ TEST_CASE("springs and drag together are stable up to the declared limit only") 
       p.air->velocity = glm::vec3(0, static_cast<float>(speed), 0);
       p.air->gusts = 0;
       const double w2 = 4.0 * static_cast<double>(stiffness) * (1.0 + p.shear + p.bend) / p.mass;
-      // drag coefficient for the default values of the air
+      // drag coefficient for the default parameters of the air
       const double c = 1.2 * (1.0 + 0.6) * 0.1 * 0.1 * speed / p.mass;
       CAPTURE(stiffness);
       CAPTURE(speed);
@@ -176,7 +177,7 @@ TEST_CASE("stability uses the max air speed of the whole run, including gusts") 
   CHECK(p.instability(1 / 60.0) != "");
   p.air->velocity = Moving({{0, glm::vec3(0)}, {2, glm::vec3(0.1F)}}, scene::Ease::linear);
   CHECK(p.instability(1 / 60.0) == "");
-  // Each of a gust's three components is at most the given fraction, so the wind is at most (1 + 3 sqrt 3)
+  // Each of a gust's three components is at most the given fraction, so the wind is at most 1 + 3 sqrt(3)
   // times as fast.
   const double gusty = limit(glm::vec3(0, 10.0F * (1.0F + 3.0F * std::sqrt(3.0F)), 0));
   p.air->gusts = 3;
@@ -203,7 +204,7 @@ TEST_CASE("too few substeps are reported with advice") {
   p.spacing = 0.02F;
   p.wind = glm::vec3(0);
   p.gravity = glm::vec3(0, -9.8F, 0);
-  // Energy-conserving cloth needs three times as many.
+  // Energy-conserving cloth needs three times as many substeps.
   CHECK(has(p.instability(1 / 60.0), "4 substeps are fewer than the 20 that its hanging rows need"));
   p.damping = 1e-3F;
   CHECK(has(p.instability(1 / 60.0), "4 substeps are fewer than the 7 that its hanging rows need"));
@@ -222,7 +223,7 @@ TEST_CASE("\"auto\" is refused if it would need more than the max number of subs
   CHECK(p.substepsPerFrame(1 / 67.0) == 1023);
   p.solver = sim::ClothSolver::constraints;
   CHECK(refusal(p, 1 / 60.0).empty());
-  // Drag limits both solvers.
+  // Drag limits the substeps of both solvers.
   p.air.emplace();
   p.air->velocity = glm::vec3(200, 0, 0);
   p.air->density = 1e4F;
@@ -236,8 +237,8 @@ TEST_CASE("\"auto\" is refused if it would need more than the max number of subs
 }
 
 TEST_CASE("a damped sheet hanging by two corners comes to rest with speed 0") {
-  // The lines alone would need 8 substeps, but 8 never come to rest, because half of the sheet hangs from
-  // each corner.
+  // The lines alone would need 8 substeps. With 8, the sheet never comes to rest, because half of it hangs
+  // from each corner.
   sim::ClothParameters p;
   p.fabric.emplace();
   p.size = {24, 24};
@@ -269,7 +270,7 @@ TEST_CASE("a damped sheet hanging by two corners comes to rest with speed 0") {
   const auto quantity = [&](const std::vector<glm::vec4>& velocities, const char* name) {
     return named(p, sim::measureCloth(p, twin.positions, velocities, 0), name);
   };
-  // The stored velocities include half a substep of gravity: 5 mm/s.
+  // The stored velocities include half a substep of gravity, 5 mm/s.
   CHECK(quantity(twin.velocities, "speed") > 4e-3);
   const auto actual = sim::actualVelocities(twin.positions, twin.velocities, twin.trends);
   CHECK(quantity(actual, "speed") < 1e-3);

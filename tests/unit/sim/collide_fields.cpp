@@ -1,5 +1,5 @@
-// Distance fields of meshes: compared with closed forms and with an independent implementation in double
-// precision; one clear line for each error.
+// Tests distance fields of meshes against closed forms and against an independent implementation in double
+// precision. Also tests that each error gives a clear one-line message.
 #include "base/error.hpp"
 #include "reference/distance_twin.hpp"
 #include "sim/mesh/shapes.hpp"
@@ -21,7 +21,7 @@ DistanceTwin fieldOf(const std::string& mesh, double reach = 0.05) {
   return DistanceTwin(sim::MeshColliderPlan(test::parsedScene(test::meshObject(mesh)), reach));
 }
 
-/// A sphere with dents and spikes.
+/// Returns a sphere with dents and spikes.
 sim::Mesh burr() {
   sim::Mesh mesh = sim::sphereMesh(1, {41, 27});
   for (glm::vec3& p : mesh.positions)
@@ -42,8 +42,8 @@ std::string firstProblem(const std::string& objects) {
 
 TEST_CASE(
     "collide: the field of a ball and of a torus equals the closed form within the cells' resolution") {
-  // Error of chords: a mesh lies inside its circle by R (1 - cos(pi / n)); error of cells: h^2 / 8 times
-  // the curvature.
+  // The error of chords is R (1 - cos(pi / n)), by which a mesh lies inside its circle. The error of cells
+  // is h^2 / 8 times the curvature.
   test::Draws draws;
   const DistanceTwin ball = fieldOf(R"("shape": "sphere", "radius": 0.5, "resolution": [129, 65])");
   const DistanceTwin torus = fieldOf(
@@ -88,7 +88,7 @@ TEST_CASE("collide: distances and sides of a burr equal double precision") {
   }
   CHECK(inside > 200);
   CHECK(worst < 3e-6);
-  // The same mesh turned inside out.
+  // This is the same mesh with faces that point inwards.
   sim::Mesh turned = mesh;
   for (std::size_t i = 0; i < turned.indices.size(); i += 3)
     std::swap(turned.indices[i], turned.indices[i + 1]);
@@ -112,7 +112,7 @@ TEST_CASE("collide: a box's field is exact to rounding at its nodes and beside f
         glm::length(glm::max(over, 0.0)) + std::min(std::max({over.x, over.y, over.z}), 0.0);
     REQUIRE(std::abs(distanceTo(plan, glm::vec3(p)) - expected) < 2e-6);
     const double found = distanceTwinAt(twin, glm::vec3(p)).w;
-    // If two faces are equally distant, the distance has a kink inside a cell.
+    // Between two equally distant faces, the distance has a kink inside a cell.
     REQUIRE(std::abs(found - expected) < (expected > 2 * plan.cell ? 0.1 : 0.6) * plan.cell);
   }
   CHECK(distanceTwinAt(twin, glm::vec3(1.19F, 0, 0)).w == doctest::Approx(0.19).epsilon(1e-3));
@@ -128,7 +128,7 @@ TEST_CASE("collide: the cell size follows a mesh's size and thinness") {
     return plan.parts().front().plan.cell;
   };
   CHECK(cellOf({5, 5, 5}, "") == doctest::Approx(10.0 / 64));
-  CHECK(cellOf({1, 0.02, 1}, "") < 0.011F);  // a quarter of the thickness of 0.04 m
+  CHECK(cellOf({1, 0.02, 1}, "") < 0.011F);  // This is a quarter of the thickness of 0.04 m.
   CHECK(cellOf({1, 0.0005, 1}, "") == doctest::Approx(2.0 / 256));
   CHECK(cellOf({1, 1, 1}, R"(, "distanceCells": 20)") == doctest::Approx(0.1));
 }

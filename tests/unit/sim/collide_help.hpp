@@ -1,5 +1,5 @@
 #pragma once
-// Colliding meshes for tests in several files.
+// Helpers for tests of colliding meshes.
 #include "reference/distance_twin.hpp"
 #include "scene/load.hpp"
 #include "scene/scene.hpp"
@@ -40,7 +40,7 @@ namespace simreel::test {
   return R"("solid": {"mesh": {"collides": true, )" + more + "}}";
 }
 
-/// Random numbers in [-1, 1), equal on every platform.
+/// Random numbers in [-1, 1) that are the same on every platform.
 class Draws {
  public:
   double operator()() {
@@ -55,8 +55,9 @@ class Draws {
   std::uint64_t state_ = 7;
 };
 
-/// An independent implementation in double precision: distance to a triangle by its plane, edges and
-/// corners; winding number around a point by solid angles (Van Oosterom and Strackee 1983).
+/// Independent implementation in double precision. The distance to a triangle comes from its plane, edges
+/// and corners. The winding number around a point is the sum of solid angles (Van Oosterom and Strackee
+/// 1983).
 class BruteForce {
  public:
   BruteForce(const sim::Mesh& mesh, double scale) {

@@ -1,4 +1,4 @@
-// Collisions with rigid meshes: known results. The GPU gives the twins' bits.
+// Tests collisions with rigid meshes against known results. The CPU twins equal the GPU bit for bit.
 #include "reference/cloth_twin.hpp"
 #include "reference/garment_twin.hpp"
 #include "reference/particles_twin.hpp"
@@ -28,7 +28,7 @@ struct GrainSetting {
   int substeps = 8;
 };
 
-/// Returns particles beside the first mesh of a scene.
+/// Returns particles near the first mesh of a scene.
 ParticlesTwin grainsBeside(const std::string& mesh, const std::vector<Grain>& grains,
                            const GrainSetting& setting = {}) {
   sim::ParticleParameters p;
@@ -52,7 +52,8 @@ std::string boxMesh(const test::TemporaryFile& file, const std::string& more = "
   return fmt::format(R"("shape": "file", "file": "{}"{})", file.path().string(), more);
 }
 
-/// A torus of radius 0.5 m with a tube of 0.15 m below a sheet; overTorus() returns the clearance above it.
+/// Scene text of a torus below a sheet. Its radius is 0.5 m, and that of its tube is 0.15 m. overTorus()
+/// returns the clearance above it.
 constexpr const char* torusUnderCloth =
     R"("shape": "torus", "radius": 0.5, "tube": 0.15, "resolution": [97, 49], "rotation": [0, 20, 0])";
 
@@ -71,7 +72,7 @@ TEST_CASE("collide: balls bounce off a mesh box like off an analytic box and con
   std::vector<Grain> grains;
   std::vector<glm::dvec3> expected;
   while (grains.size() < 60) {
-    // Hits the middle part of a face after 0.1 s.
+    // The particle hits the middle part of a face after 0.1 s.
     const int axis = static_cast<int>(grains.size() % 3);
     const double side = grains.size() % 2 == 0 ? 1 : -1;
     glm::dvec3 target = draws.inBox(half * 0.8);
@@ -88,7 +89,7 @@ TEST_CASE("collide: balls bounce off a mesh box like off an analytic box and con
   for (std::size_t i = 0; i < grains.size(); ++i) {
     CHECK(glm::length(glm::dvec3(twin.velocities[i]) - expected[i]) < 2e-3);
     const glm::dvec3 place = grains[i].position + grains[i].velocity * 0.1 + expected[i] * 0.15;
-    // A bounce is resolved at the end of a substep instead of within it.
+    // A bounce is resolved at the end of a substep, not during it.
     CHECK(glm::length(glm::dvec3(twin.positions[i]) - place) < 2 * 2 * meshFrame / 8);
     energy += glm::dot(glm::dvec3(twin.velocities[i]), glm::dvec3(twin.velocities[i]));
     before += glm::dot(grains[i].velocity, grains[i].velocity);
@@ -105,7 +106,7 @@ TEST_CASE("collide: no particle enters a mesh at any speed") {
   auto twin = grainsBeside(boxMesh(file), grains, {.bounce = 0.2F, .margin = 0.01F, .substeps = 1});
   for (int frame = 0; frame < 20; ++frame) twin.step(frame * meshFrame);
   for (const glm::vec4& p : twin.positions) CHECK(p.y > 0.029);
-  // The plate itself moves at 40 m/s, so a substep covers more than half a metre.
+  // The plate moves at 40 m/s, more than half a metre per substep.
   auto swept = grainsBeside(
       boxMesh(file, R"(, "position": {"keys": [[0, [0, -1, 0]], [0.05, [0, 1, 0]]], "ease": "linear"})"),
       {{{0.1, 0, 0.2}, {0, 0, 0}}}, {.bounce = 0, .margin = 0.01F, .substeps = 1});
@@ -117,7 +118,8 @@ TEST_CASE("collide: no particle enters a mesh at any speed") {
 TEST_CASE("collide: a rotating mesh carries objects on it, held by Coulomb friction") {
   const test::TemporaryFile file("turn.obj", test::boxObj({0.5, 0.1, 0.5}));
   const GrainSetting weight{.bounce = 0, .margin = 0.01F, .acceleration = {0, -9.81F, 0}, .substeps = 8};
-  // At 0.4 m, a rotation of 0.9 rad/s gives a speed of 0.36 m/s and an acceleration of 0.324 m/s^2 inwards.
+  // At 0.4 m from the axis, a rotation of 0.9 rad/s gives a speed of 0.36 m/s and an inward acceleration of
+  // 0.324 m/s^2.
   const std::string turning =
       R"(, "rotation": {"keys": [[0, [0, 0, 0]], [4, [0, 206.26, 0]]], "ease": "linear"})";
   auto held = grainsBeside(boxMesh(file, turning + R"(, "friction": 0.5)"),
@@ -132,7 +134,7 @@ TEST_CASE("collide: a rotating mesh carries objects on it, held by Coulomb frict
   CHECK(glm::length(glm::dvec3(held.positions[0]) - expected) < 3e-3);
   CHECK(glm::length(glm::dvec3(held.velocities[0])) == doctest::Approx(0.36).epsilon(0.03));
   CHECK(glm::length(glm::dvec3(smooth.positions[0]) - glm::dvec3(0.4, 0.11, 0)) < 1e-3);
-  // Slopes of 20 and 35 degrees with a friction coefficient of 0.5.
+  // The slopes have 20 and 35 degrees. The friction coefficient is 0.5.
   for (const double degrees : {20.0, 35.0}) {
     CAPTURE(degrees);
     const double angle = degrees * M_PI / 180;

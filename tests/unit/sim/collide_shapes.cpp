@@ -1,4 +1,4 @@
-// Collisions of particles with shapes: known results. The GPU gives the twin's bits.
+// Tests collisions of particles with shapes against known results. The CPU twin equals the GPU bit for bit.
 #include "reference/particles_twin.hpp"
 
 #include <cmath>
@@ -13,7 +13,8 @@ namespace {
 
 constexpr double collideFrame = 1.0 / 60.0;
 
-/// Returns one particle, weightless unless `acceleration` is given, with 16 substeps per frame.
+/// Returns one particle near a shape, with 16 substeps per frame and the given acceleration (default:
+/// none).
 ParticlesTwin oneBeside(const sim::ColliderShape& shape, const glm::vec3& position,
                         const glm::vec3& velocity, const glm::vec3& acceleration, float bounce,
                         float margin) {
@@ -44,17 +45,17 @@ sim::ColliderShape smoothShape(sim::ColliderShape::Kind kind, float radius) {
 TEST_CASE("collide: a particle reflects off a capsule and loses energy by its bounce factor") {
   auto rod = smoothShape(sim::ColliderShape::Kind::capsule, 0.3F);
   rod.length = 2;
-  rod.rotation = glm::vec3(0, 0, 90);  // rotates the rod's axis to x
+  rod.rotation = glm::vec3(0, 0, 90);  // This rotates the rod's axis to x.
   for (const float bounce : {1.0F, 0.5F, 0.0F}) {
     CAPTURE(bounce);
-    // Hits at the point with the normal (0, 0.8, 0.6).
+    // The particle hits the sphere at the point with the normal (0, 0.8, 0.6).
     const glm::dvec3 n(0, 0.8, 0.6);
     const glm::dvec3 v(0.7, -3, 0.4);
     const glm::dvec3 start = n * 0.35 - v * 0.05;
     auto twin = oneBeside(rod, glm::vec3(start), glm::vec3(v), glm::vec3(0), bounce, 0.05F);
     for (int frame = 0; frame < 12; ++frame) twin.step(frame * collideFrame);
     const glm::dvec3 expected = v - (1.0 + bounce) * glm::dot(v, n) * n;
-    // The penetration in the substep before the contact rotates the normal a little.
+    // The penetration in the substep before the contact changes the direction of the normal slightly.
     CHECK(glm::length(glm::dvec3(twin.velocities[0]) - expected) < 0.03);
     if (bounce == 1) CHECK(glm::length(glm::dvec3(twin.velocities[0])) == doctest::Approx(glm::length(v)));
   }

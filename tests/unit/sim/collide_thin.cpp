@@ -1,4 +1,4 @@
-// Rods and spheres thinner than the cell width of a cloth must not pass between its vertices.
+// Tests that rods and spheres thinner than the cells of a cloth do not pass between its vertices.
 #include "reference/cloth_twin.hpp"
 #include "reference/garment_twin.hpp"
 
@@ -16,12 +16,12 @@ constexpr double thinFrame = 1.0 / 60.0;
 
 enum class ThinCloth { springs, constraints, mesh };
 
-/// A hanging sheet of 1 m in the plane z = 0, top at y = 0.5, with vertices 5 cm apart.
+/// Returns a hanging sheet of 1 m in the plane z = 0, with its top at y = 0.5 and vertices 5 cm apart.
 sim::ClothParameters hangingSheet(ThinCloth kind) {
   sim::ClothParameters p;
   p.size = {21, 21};
   p.spacing = 0.05F;
-  p.rotation = glm::vec3(90, 0, 0);  // rotated so that the rows go down
+  p.rotation = glm::vec3(90, 0, 0);  // This rotates the sheet so that the rows go down.
   p.wind = glm::vec3(0);
   p.margin = 0.005F;
   p.damping = 0.3F;
@@ -61,7 +61,8 @@ sim::ColliderShape flying(float radius, float length, const glm::vec3& turn, con
   return rod;
 }
 
-/// Returns the distance of two segments in double precision, by a search along the first segment.
+/// Returns the distance between two segments in double precision, found by a search along the first
+/// segment.
 double segmentsApart(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
   const auto toSecond = [&](double s) {
     const glm::dvec3 p = a + s * (b - a);
@@ -69,7 +70,7 @@ double segmentsApart(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3&
     const double t = squared > 0 ? std::clamp(glm::dot(p - c, d - c) / squared, 0.0, 1.0) : 0;
     return glm::length(p - c - t * (d - c));
   };
-  double low = 0, high = 1;  // ternary search, because the distance is convex in s
+  double low = 0, high = 1;  // A ternary search works because the distance is a convex function of s.
   for (int i = 0; i < 25; ++i) {
     const double first = low + (high - low) / 3;
     const double second = high - (high - low) / 3;
@@ -112,9 +113,9 @@ Triples facesOf(GarmentTwin& twin) {
 }
 
 struct Passage {
-  double nearest = 1e9;  ///< distance (m) of the nearest edge to the axis
-  bool through = false;  ///< true if the axis crossed a face
-  bool ahead = true;     ///< true if the cloth stayed in front of the middle
+  double nearest = 1e9;  ///< distance (m) from the axis to the nearest edge
+  bool through = false;  ///< true if the axis has crossed a face
+  bool ahead = true;     ///< true if the cloth has stayed in front of the rod's middle
   double fastest = 0;    ///< maximum speed of the vertices, m/s
 };
 
@@ -148,7 +149,7 @@ Passage flyInto(Twin twin, int frames) {
   return passage;
 }
 
-/// Makes both twins' substep() take the same arguments.
+/// Gives substep() of both twins the same parameters.
 struct SheetTwin : ClothTwin {
   using ClothTwin::ClothTwin;
   void substep(const shader::ClothStep& step, int index) { ClothTwin::substep(step, 1, index); }
@@ -166,7 +167,7 @@ Passage flyInto(ThinCloth kind, const sim::ColliderShape& rod, int frames) {
 TEST_CASE("collide: a 2 cm rod at 10 m/s does not pass through a sheet of 5 cm spacing") {
   for (const ThinCloth kind : {ThinCloth::springs, ThinCloth::constraints, ThinCloth::mesh}) {
     CAPTURE(static_cast<int>(kind));
-    // Midway between two rows; slanted; and a short rod whose ends are within the sheet.
+    // The rods are midway between two rows, slanted, and short with both ends within the sheet.
     for (const auto& rod : std::vector<std::pair<float, glm::vec3>>{
              {1.6F, {0, 0, 90}}, {1.6F, {0, 0, 60}}, {0.33F, {0, 0, 90}}, {0.33F, {0, 20, 75}}}) {
       const float length = rod.first;
@@ -205,7 +206,7 @@ TEST_CASE("collide: only colliders thinner than the spacing use edge and face te
   plane.kind = sim::ColliderShape::Kind::plane;
   CHECK(thinAmong({flying(0.019F, 1, {}, {}, 0), plane, flying(0.021F, 1, {}, {}, 0)}) == 1);
   CHECK(thinAmong({flying(0.029F, 0, {}, {}, 0), flying(0.031F, 0, {}, {}, 0)}) == 1);
-  // Thin shapes come last, the others keep their order.
+  // Thin shapes are last in the list. The others keep their order.
   const auto step =
       sim::ClothPlan(p, 5, thinFrame, {flying(0.01F, 1, {}, {}, 0), flying(0.3F, 1, {}, {}, 0), plane})
           .frame(0)

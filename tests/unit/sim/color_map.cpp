@@ -1,4 +1,4 @@
-// Compares the colour maps with the published tables (matplotlib's _cm_listed at 0, 1/4, 1/2, 3/4, 1).
+// Tests the colour maps against the published tables (matplotlib's _cm_listed at 0, 1/4, 1/2, 3/4, 1).
 #include "sim/grid/color_map.hpp"
 
 #include "base/hash.hpp"
@@ -65,7 +65,7 @@ TEST_CASE("colour maps are within 2/255 of the published values at their quarter
          {255, 255, 255}}}}};
   CHECK(sim::colorMapNames().size() == published.size());
   for (const auto& [key, wanted] : published) {
-    const std::string& name = key;  // Clang 14 captures no structured binding
+    const std::string& name = key;  // Clang 14 cannot capture a structured binding.
     CAPTURE(name);
     CHECK(std::count(sim::colorMapNames().begin(), sim::colorMapNames().end(), name) == 1);
     const auto stops = sim::colorMapStops(name);

@@ -66,13 +66,16 @@ TEST_CASE("closest points of vertex and face, and of two edges, equal double pre
   const auto point = [&] { return glm::vec3(unit(random), unit(random), unit(random)); };
   for (int i = 0; i < 20000; ++i) {
     glm::vec3 a = point(), b = point(), c = point(), d = point();
-    if (i % 3 == 1) c = a + (b - a) * 0.4F + point() * 0.02F;  // makes slivers, and edges that nearly meet
+    if (i % 3 == 1)
+      c = a + (b - a) * 0.4F + point() * 0.02F;  // This makes slivers, and edges that nearly
+                                                 // meet.
     if (i % 3 == 2) d = a + point() * 0.01F;
     const Near vertex = model.nearOfVertex({0, 1, 2, 3}, d, a, b, c);
     CHECK(vertex.normal.w == doctest::Approx(pointToTriangle(d, a, b, c)).epsilon(1e-4).scale(0.01));
     const Near edges = model.nearOfEdges({0, 1, 2, 3}, a, b, c, d);
     CHECK(edges.normal.w == doctest::Approx(segmentToSegment(a, b, c, d)).epsilon(1e-4).scale(0.01));
-    // The gap between them has the stated width, to 1e-3 of the edges' length if these are nearly parallel.
+    // The gap between the edges has the stated width. If the edges are nearly parallel, the tolerance is
+    // 1e-3 of their length.
     const glm::vec4 heights = model.heightsOf(edges, a, b, c, d);
     CHECK(model.gapOf(edges, heights) == doctest::Approx(edges.normal.w).epsilon(1e-3).scale(1));
   }
@@ -136,9 +139,10 @@ TEST_CASE("contact between cloths conserves momentum") {
   }
   const glm::dvec3 lowers = momentumOf(*pile.cloths[0]);
   const glm::dvec3 after = lowers + momentumOf(*pile.cloths[1]);
-  CHECK(lowers.y < 0.3 * before.y);  // much of the momentum was transferred: both values are negative
+  CHECK(lowers.y < 0.3 * before.y);  // Both values are negative, so much of the momentum has been
+                                     // transferred.
   CHECK(glm::length(after - before) <
-        8e-3 * glm::length(before));  // limiting the corrections loses some momentum
+        8e-3 * glm::length(before));  // The limits on corrections lose some momentum.
 }
 
 TEST_CASE("a stack of cloths comes to rest, one thickness apart") {
@@ -197,7 +201,7 @@ TEST_CASE("initial intersections are counted as by testing every pair") {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> unit(-1, 1);
   for (const float size :
-       {0.05F, 0.2F, 0.6F}) {  // sizes of triangles in a cube of 2 m; three of them share a corner
+       {0.05F, 0.2F, 0.6F}) {  // sizes of triangles in a cube of 2 m; three of the triangles share a corner
     sim::ContactPart part;
     std::vector<glm::dvec3> points;
     for (unsigned i = 0; i < 300; ++i) {
@@ -254,7 +258,7 @@ TEST_CASE("a ball hitting a loose sheet conserves momentum and does not pass thr
   auto sheet = silk({9, 7}, 0.05F, {0, 0, 0}, {0, 0, 0});
   sheet.damping = 0;
   sheet.gravity = glm::vec3(0);
-  for (const float mass : {0.002F, 0.05F}) {  // lighter and heavier than the sheet's 14 g
+  for (const float mass : {0.002F, 0.05F}) {  // The masses are lower and higher than the sheet's 14 g.
     const auto ball = oneBall(mass, 0.02F, {0.01F, 0.05F, 0.004F}, {0.2F, -4.0F, 0.1F});
     Pile pile({sheet}, {}, 0.005F, 0.3F, {}, &ball);
     const auto ballMomentum = [&] {
@@ -264,11 +268,11 @@ TEST_CASE("a ball hitting a loose sheet conserves momentum and does not pass thr
     for (int f = 0; f < 4; ++f) pile.step();
     const glm::dvec3 sheets = momentumOf(*pile.cloths[0]), after = sheets + ballMomentum();
     CHECK(sheets.y < 0.15 * before.y);
-    // In the hardest steps, limiting the corrections loses a hundredth of the momentum of the heavy ball
-    // and the sheet.
+    // In the hardest steps, the limits on corrections lose a hundredth of the momentum of heavy ball and
+    // sheet.
     CHECK(glm::length(after - before) < 1.5e-2 * glm::length(before));
     double highest =
-        -10;  // highest point of the sheet around the ball; the ball is above and does not touch it
+        -10;  // highest point of the sheet around the ball, which is above the sheet and does not touch it
     for (const glm::vec4& p : pile.cloths[0]->positions)
       if (glm::length(glm::dvec2(p.x - pile.balls->positions[0].x, p.z - pile.balls->positions[0].z)) <
           0.03)
@@ -290,7 +294,9 @@ TEST_CASE("a ball hangs in a strip: the tension on both sides carries its weight
   Pile pile({strip}, {}, 0.004F, 0.3F, {}, &ball);
   for (int f = 0; f < 90; ++f) pile.step();
   CHECK(std::abs(pile.balls->velocities[0].y) < 0.01);
-  // Equilibrium of the ball and half of the strip: 2 T d / l = m g, T = k w (l - L) / L, l^2 = L^2 + d^2.
+  // Equilibrium of the ball and half of the strip: 2 T d / l = m g, with T = k w (l - L) / L and l^2 = L^2
+  // + d^2. d is the drop, L and l are the rest length and the stretched length of each half, T is the
+  // tension, w the width, k the stiffness per width and m the mass.
   const double weight = 9.8 * (mass + 0.5 * density * 2 * half * width);
   double low = 0, high = half;
   for (int i = 0; i < 60; ++i) {

@@ -19,7 +19,7 @@ using namespace simreel;
 
 namespace {
 
-/// A box of twelve faces, moved by `at`.
+/// Returns a box of twelve faces whose position over time is `at`.
 PileSolid solidBox(glm::vec3 half, std::function<glm::dvec3(double)> at) {
   PileSolid box;
   box.at = [half, at = std::move(at)](double time) {
@@ -81,7 +81,7 @@ TEST_CASE("a box at 10 m/s pushes a hanging sheet and does not pass through") {
     for (const glm::vec4& p : pile.cloths[0]->positions) far = std::max(far, static_cast<double>(p.z));
   }
   CHECK(touching > 15);
-  CHECK(far > 0.2);  // the box passed through the place where the sheet was hanging
+  CHECK(far > 0.2);  // The box has passed through the position where the sheet hung.
 }
 
 TEST_CASE("a 2 cm rod at 10 m/s carries a loose sheet along") {
@@ -93,7 +93,7 @@ TEST_CASE("a 2 cm rod at 10 m/s carries a loose sheet along") {
     pile.step();
     CHECK(crossings(pile.points(), pile.faces, pile.firstSolid) == 0);
   }
-  CHECK(meanOf(pile.cloths[0]->positions).z > 0.5);  // the rod has reached z = 1.18
+  CHECK(meanOf(pile.cloths[0]->positions).z > 0.5);  // The rod has reached z = 1.18.
   CHECK(meanOf(pile.cloths[0]->velocities).z > 5);
 }
 
@@ -102,7 +102,7 @@ TEST_CASE("a rotating bar winds up a sheet without crossing it") {
   PileSolid bar = solidBox({0.2F, 0.01F, 0.02F}, [](double) { return glm::dvec3(0); });
   bar.at = [rest = bar.at(0)](double time) {
     std::vector<glm::vec4> turned;
-    const double s = std::sin(15 * time), c = std::cos(15 * time);  // the bar's tips move at 3 m/s
+    const double s = std::sin(15 * time), c = std::cos(15 * time);  // The bar's tips move at 3 m/s.
     for (const glm::vec4& p : rest) turned.emplace_back(c * p.x - s * p.y, s * p.x + c * p.y, p.z, 0);
     return turned;
   };
@@ -135,7 +135,7 @@ TEST_CASE("a cloth hangs over a ball of faces at a distance of its thickness") {
   }
   for (const glm::vec4& p : pile.cloths[0]->positions)
     nearest = std::min(nearest, glm::length(glm::dvec3(p)) - 0.15);
-  CHECK(nearest > 0.0035);  // the ball's faces are up to 0.7 mm inside the sphere
+  CHECK(nearest > 0.0035);  // The ball's faces are up to 0.7 mm inside the sphere.
   CHECK(nearest < 0.0065);
   double low = 0;
   for (const glm::vec4& p : pile.cloths[0]->positions) low = std::min<double>(low, p.y);
@@ -144,8 +144,8 @@ TEST_CASE("a cloth hangs over a ball of faces at a distance of its thickness") {
 
 TEST_CASE("a moving floor of faces accelerates a cloth by friction at mu g up to the floor's speed") {
   const double mu = 0.3, speed = 1;
-  for (const float own : {-1.0F, 0.1F}) {  // friction of the solid; with -1 the cloth's 0.3 applies,
-                                           // otherwise the mean of both
+  for (const float own : {-1.0F, 0.1F}) {  // friction coefficient of the solid; with -1 the cloth's 0.3
+                                           // applies, otherwise the mean of both
     const double expected = own < 0 ? mu : 0.5 * (mu + 0.1);
     auto sheet = silk({7, 6}, 0.04F, {0, 0.0051F, 0}, {0, 10, 0});
     sheet.damping = 0;

@@ -1,5 +1,5 @@
-// The deformation model on the CPU: heights and normals compared with their formulas, faces around
-// vertices, and one clear line for each error.
+// Tests the deformation model on the CPU. Compares heights and normals with their formulas, and checks the
+// faces around vertices and a clear one-line message for each error.
 #include "base/error.hpp"
 #include "scene/load.hpp"
 #include "sim/mesh/deform_cpu.hpp"
@@ -65,8 +65,8 @@ TEST_CASE("a ripple's heights and normals equal its formula, also after a year")
       const double r = std::hypot(rest.x, rest.z);
       const double phase = time * 2.0 + 6.0 - r;
       worstHeight = std::max(worstHeight, std::abs(0.25 * std::sin(phase) - d.cpu.positions()[i].y));
-      // For y = A sin(.. - r) the gradient is -A cos(.. - r) (x, z) / r; tested away from the centre and
-      // the border.
+      // For y = A sin(.. - r), the gradient is -A cos(.. - r) (x, z) / r. It is tested away from the centre
+      // and the border.
       if (r < 0.5 || std::max(std::abs(rest.x), std::abs(rest.z)) > 3.9) continue;
       const double slope = -0.25 * std::cos(phase) / r;
       const glm::dvec3 normal = glm::normalize(glm::dvec3(-slope * rest.x, 1, -slope * rest.z));
@@ -161,8 +161,8 @@ TEST_CASE("duplicate vertices at a seam share a normal; without usable faces the
     CHECK(torus.cpu.normals()[row * 31] == torus.cpu.normals()[row * 31 + 30]);
   for (std::size_t i = 0; i < 31; ++i) CHECK(torus.cpu.normals()[i] == torus.cpu.normals()[16 * 31 + i]);
 
-  // Two triangles that share an edge with a third and a fourth (non-manifold), one degenerate triangle, an
-  // isolated vertex.
+  // The mesh has two triangles that share an edge with a third and a fourth (non-manifold), a degenerate
+  // triangle, and an isolated vertex.
   sim::Mesh odd;
   odd.positions = {{0, 0, 0}, {1, 0, 0}, {0, 0, -1}, {0, 1, 0}, {0, -1, 0}, {5, 5, 5}, {0.5F, 0, 0}};
   odd.normals.assign(7, glm::vec3(0, 1, 0));

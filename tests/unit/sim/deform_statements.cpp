@@ -1,6 +1,6 @@
-// Compares every displacement with an independent implementation of its equation in double precision,
-// because the twin compiles the shaders and would repeat their errors. Includes points that need special
-// handling: on an axis, below a base, beside a trail.
+// Tests every displacement against an independent implementation of its equation in double precision. This
+// is needed because the twin compiles the shaders and would repeat their errors. Includes points that need
+// special handling: on an axis, below a base, next to a trail.
 #include "sim/mesh/deform_cpu.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ using glm::dvec3;
 
 namespace {
 
-/// Points around the origin, the origin itself, and a distant point.
+/// Returns points around the origin, the origin itself, and a distant point.
 sim::Mesh cloud() {
   sim::Mesh mesh;
   for (int i = 0; i < 400; ++i) {
@@ -51,7 +51,7 @@ double apart(const shader::DeformStep& step, const std::function<dvec3(dvec3 res
   double worst = 0;
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const double distance = glm::length(dvec3(cpu.positions()[i]) - expected(mesh.positions[i]));
-    worst = distance <= worst ? worst : distance;  // keeps a NaN, unlike std::max
+    worst = distance <= worst ? worst : distance;  // This form keeps a NaN, unlike std::max.
   }
   return worst;
 }
@@ -139,7 +139,7 @@ TEST_CASE(
     step.displacements[0].push.base = -0.5F;
     step.displacements[0].push.perHeight = perHeight;
     step.presserCount = 2;
-    // The first presser's axis contains the origin, which is a point of the cloud.
+    // The axis of the first presser contains the origin, which is a point of the cloud.
     step.pressers[0] = presserOf({-0.8F, 0, 0}, {0.8F, 0, 0}, 0.5F);
     step.pressers[1] = presserOf({0, 1, 1}, {0, 1, 1}, 0.6F);
     int moved = 0;
@@ -204,13 +204,13 @@ TEST_CASE("deform: footprints are as deep as the presser, have decaying rims and
   step.trail.rim = 0.4F;
   step.trail.perRimWidth = 4;
   step.presserCount = 4;
-  // a sphere that penetrates the surface by 0.15
+  // This sphere penetrates the surface by 0.15.
   step.pressers[0] = presserOf({-1, 0.35F, -1}, {-1, 0.35F, -1}, 0.4F);
-  // a sphere whose centre is below the surface
+  // This sphere has its centre below the surface.
   step.pressers[1] = presserOf({1, -0.2F, 0.5F}, {1, -0.2F, 0.5F}, 0.515F);
   step.pressers[2] =
-      presserOf({-1, 0.5F, 0.8F}, {0.4F, 0.1F, 1.2F}, 0.3F);  // a capsule that penetrates the surface
-  step.pressers[3] = presserOf({0.5F, 1.5F, -1}, {0.5F, 0.3F, -1}, 0.25F);  // a vertical capsule
+      presserOf({-1, 0.5F, 0.8F}, {0.4F, 0.1F, 1.2F}, 0.3F);  // This capsule penetrates the surface.
+  step.pressers[3] = presserOf({0.5F, 1.5F, -1}, {0.5F, 0.3F, -1}, 0.25F);  // This capsule is vertical.
   const sim::Mesh mesh = cloud();
   const sim::RestMesh rest("cloud", mesh);
   sim::DeformCpu cpu(rest, cells);

@@ -1,5 +1,5 @@
-// Compares the damping of stretch with closed forms: a vibration decays at the rate T w^2 / 2, and motion
-// without stretching is not damped.
+// Tests the damping of stretch against closed forms: a vibration of angular frequency w decays at the rate
+// T w^2 / 2, where T is the damping time, and motion without stretching is not damped.
 #include "reference/cloth_twin.hpp"
 #include "reference/garment_twin.hpp"
 #include "unit/help.hpp"
@@ -22,7 +22,7 @@ constexpr double stripStiffness = 40;
 constexpr double stripDensity = 0.1;
 constexpr double stripDamping = 0.008;  // damping time T of the strip, s
 
-/// A fabric strip along x, held at its left end.
+/// Returns a fabric strip along x that is held at its left end.
 sim::ClothParameters dampedStrip(bool mesh, int cells) {
   sim::ClothParameters p = test::freeCloth();
   p.mesh.emplace();
@@ -46,10 +46,10 @@ sim::ClothParameters dampedStrip(bool mesh, int cells) {
 }
 
 /// Returns the decay rate (1/s) of the strip's first longitudinal mode, from its energy over two periods,
-/// relative to T w^2 / 2. An implicit step adds as much damping as T = dt.
+/// relative to T w^2 / 2. An implicit step adds as much damping as a damping time T = dt.
 template <class Twin>
 double decayOf(Twin twin, double dt, int cells) {
-  // For a row of masses held at one end.
+  // This is the frequency of a row of masses that is held at one end.
   const double frequency = 2 * cells / stripLength * std::sqrt(stripStiffness / stripDensity) *
                            std::sin(0.25 * std::numbers::pi / cells);
   const std::vector<glm::vec4> rest = twin.positions;
@@ -80,7 +80,7 @@ double decayOf(Twin twin, double dt, int cells) {
   return 0.5 * std::log(first / energy()) / (steps * dt) / expected;
 }
 
-/// Checks a free sheet that spins about a tilted axis and moves, after half a second.
+/// Checks a free sheet, which moves and spins about a tilted axis, after half a second.
 template <class Twin>
 void checkSpin(Twin twin, const std::vector<double>& masses) {
   const glm::dvec3 spin(1.5, 2, -3);
@@ -104,7 +104,7 @@ void checkSpin(Twin twin, const std::vector<double>& masses) {
   const Motion before = motion();
   for (int step = 0; step < 500; ++step) twin.step(step * 1e-3);
   const Motion after = motion();
-  // tolerance for rounding errors
+  // The tolerance covers rounding errors.
   CHECK(glm::distance(after.linear, before.linear) < 3e-3 * glm::length(before.linear));
   CHECK(glm::distance(after.angular, before.angular) < 0.003 * glm::length(before.angular));
   CHECK(after.energy == doctest::Approx(before.energy).epsilon(0.004).scale(0));
@@ -123,7 +123,7 @@ TEST_CASE("fabric: vibrations of a stretched strip decay at stretchDamping w^2 /
   const ClothTwin grid(sim::ClothPlan(dampedStrip(false, 16), 1, gridStep, {}));
   CHECK(decayOf(grid, gridStep, 16) == doctest::Approx(1).epsilon(0.03));
   const double meshStep =
-      2e-4;  // a step solves the faces only once, so the damping is only complete for short steps
+      2e-4;  // A step solves the faces only once, so the damping is complete only for short steps.
   const GarmentTwin mesh(sim::GarmentPlan("strip", dampedStrip(true, 4), 1, meshStep, {}));
   CHECK(decayOf(mesh, meshStep, 4) == doctest::Approx(1).epsilon(0.03));
 }

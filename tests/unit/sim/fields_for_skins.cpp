@@ -1,4 +1,4 @@
-// Skins may refer to every object that publishes a field.
+// Tests that skins may refer to every object that publishes a field.
 #include "scene/scene.hpp"
 #include "scene/texts/help_page.hpp"
 #include "scene/texts/schema_text.hpp"
@@ -20,12 +20,12 @@ TEST_CASE("every kind that publishes a field declares it") {
     object.parameters = kind.makeParameters();
     if (sim::provides(object, sim::FieldSource::port)) fields.insert(kind.name);
   }
-  std::set<std::string> displayed;  // kinds that can be drawn over the picture publish a field
+  std::set<std::string> displayed;  // Kinds of objects that can be drawn over the picture publish a field.
   for (const scene::Kind& kind : sim::kinds().list)
     if (scene::helpText(kind.name, sim::kinds().list, 100).find("\ndisplay") != std::string::npos ||
         scene::helpText(kind.name, sim::kinds().list, 100).find("\n  display") != std::string::npos)
       displayed.insert(kind.name);
-  displayed.insert("flow");  // draws its field as a sheet in the world
+  displayed.insert("flow");  // "flow" draws its field as a sheet in the world.
   CHECK(displayed.size() >= 4);
   CHECK(fields == displayed);
 }

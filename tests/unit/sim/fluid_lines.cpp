@@ -1,4 +1,4 @@
-// Compares line integral convolution of a fluid with its equation in double precision; also tests the
+// Tests line integral convolution of a fluid against its equation in double precision. Also tests the
 // result of soft brushes.
 #include "reference/fluid_twin.hpp"
 #include "sim/core/shader_code.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int lineCells = 24, lineFine = 3;
 
-/// A fluid with the given `velocity` at the centres of its faces.
+/// Returns a fluid with the given `velocity` at the centres of its faces.
 template <class Velocity>
 FluidTwin movedBy(const Velocity& velocity) {
   sim::FluidParameters p;
@@ -63,7 +63,7 @@ double lineOf(glm::dvec2 p, double phase, const Velocity& velocity) {
 }  // namespace
 
 TEST_CASE("flow lines are weighted means of the noise along the flow, in double precision") {
-  // Rotation about a point beside the middle: linear, so interpolation is exact.
+  // The flow rotates about a point off the centre. It is linear, so interpolation is exact.
   const auto turning = [](double x, double y) {
     return glm::vec2(static_cast<float>(-3 * (y - 10.7)), static_cast<float>(3 * (x - 13.2)));
   };
@@ -79,8 +79,8 @@ TEST_CASE("flow lines are weighted means of the noise along the flow, in double 
     for (int x = 12; x < side - 12; ++x) {
       const glm::dvec2 at((x + 0.5) / lineFine, (y + 0.5) / lineFine);
       const double found = static_cast<double>(lines[static_cast<std::size_t>(y * side + x)]);
-      // Occasionally rounding moves a point of a line into the next noise cell, so that one of 53 samples
-      // differs.
+      // Occasionally, rounding moves a point of a line into the adjacent noise cell, so that one of 53
+      // samples differs.
       apart += std::abs(found - lineOf(at, phase, turning)) > 1e-3 ? 1 : 0;
       ++looked;
       least = std::min(least, found);
@@ -104,7 +104,7 @@ TEST_CASE("lines of a uniform flow are correlated along it and not across it") {
       along += std::abs(at(x, y) - at(x - 1, y));
       across += std::abs(at(x, y) - at(x, y - 1));
     }
-  CHECK(across > 2 * along);  // the lines vary faster across the flow than along it, unlike pure noise
+  CHECK(across > 2 * along);  // The image varies faster across the flow than along it, unlike pure noise.
 }
 
 TEST_CASE("a soft brush is 1 inside and fades to 0 at its rim by smoothstep of squared distance") {

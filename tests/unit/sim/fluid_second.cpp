@@ -1,5 +1,5 @@
-// Compares one step of each fluid kernel with an independent implementation of its equations in double
-// precision: u and v are functions of position between walls, without arrays with border rings.
+// Tests one step of each fluid kernel against an independent implementation of its equations in double
+// precision. In it, u and v are functions of position between walls, without arrays and border rings.
 #include "reference/fluid_twin.hpp"
 
 #include <algorithm>
@@ -16,11 +16,11 @@ namespace {
 
 using Plane = std::function<double(int, int)>;
 
-/// A flow between no-slip walls; the top wall moves.
+/// Flow between no-slip walls, of which the top one moves.
 struct Walled {
   int w, h;
   double lid;
-  Plane inU, inV;  ///< velocities of the existing faces
+  Plane inU, inV;  ///< velocities at the faces inside the grid
 
   [[nodiscard]] double u(int x, int y) const {
     if (y < 0) return 2 * lid - u(x, 0);
@@ -59,14 +59,14 @@ Spot wentTo(const Walled& f, Spot p, double dt) {
   return heldSpot(f, {p.x + v.x * dt, p.y + v.y * dt});
 }
 
-/// Returns the departure point, using the velocity at the midpoint.
+/// Returns the departure point of the fluid at p, using the velocity at the midpoint of its path.
 Spot cameFrom(const Walled& f, Spot p, double dt) {
   const Spot v = velocity(f, wentTo(f, p, -dt));
   return heldSpot(f, {p.x - v.x * dt, p.y - v.y * dt});
 }
 
-/// Returns the second difference along a line of `count` nodes, with the walls' speeds half a node beyond
-/// both ends: the parabola through the wall and two nodes.
+/// Returns the second difference along a line of `count` nodes. Half a node beyond each end is a wall with
+/// a given speed; there, the parabola through the wall and two nodes is used.
 double bend(const std::function<double(int)>& node, int i, int count, double first, double last) {
   if (i == 0) return 8.0 / 3 * first - 4 * node(0) + 4.0 / 3 * node(1);
   if (i == count - 1) return 8.0 / 3 * last - 4 * node(i) + 4.0 / 3 * node(i - 1);
@@ -81,7 +81,8 @@ double friction(const Walled& f, bool alongX, int x, int y) {
          bend([&](int i) { return f.v(i, y); }, x, f.w, 0, 0);
 }
 
-/// MacCormack with its limiter for u (`alongX`) or v; `ahead` is the flow advected once.
+/// Returns the result of MacCormack advection with its limiter for u (`alongX`) or v. `ahead`: the flow
+/// after one plain advection.
 double macCormack(const Walled& f, const Walled& ahead, bool alongX, int x, int y, double dt) {
   const Spot place = alongX ? Spot{double(x), y + 0.5} : Spot{x + 0.5, double(y)};
   const auto sample = [&](const Walled& of, Spot p) {
@@ -146,8 +147,9 @@ TEST_CASE(
     return start.v(x, y) - start.v(x - 1, y) - start.u(x, y) + start.u(x, y - 1);
   };
   int lessened = 0;
-  // Vorticity confinement epsilon (N x omega), N = grad |omega| / |grad |omega||: for a face between the
-  // corners a and b, with their neighbours before and after. Reduced above half of the expected speed.
+  // Vorticity confinement is epsilon (N x omega) with N = grad |omega| / |grad |omega||. This function
+  // computes it for a face between corners with vorticities a and b, whose neighbouring corners across the
+  // face have `before` and `after`. It is reduced above half of the expected speed.
   const auto confined = [&](double a, double b, double before, double after, int x, int y) {
     const double along = std::abs(b) - std::abs(a), across = (after - before) / 2;
     const double fastest = std::max(std::abs(start.u(x, y)), std::abs(start.v(x, y)));
@@ -159,7 +161,7 @@ TEST_CASE(
   const auto heat = [&](int x, int y) -> double {
     return flow[twin.index(std::clamp(x, 0, w - 1), std::clamp(y, 0, h - 1))].z;
   };
-  // The flow after half of the forces, and confinement.
+  // This is the flow after half of the forces, including confinement.
   Walled f = start;
   f.inU = [&](int x, int y) {
     if (!inside(y, x, w)) return start.u(x, y);
@@ -177,7 +179,7 @@ TEST_CASE(
     return start.v(x, y) +
            dt * (half - confined(curl(x, y), curl(x + 1, y), mean(y - 1), mean(y + 1), x, y));
   };
-  // Caches the values, because later stages read them many times.
+  // The values are cached, because later stages read them many times.
   const auto kept = [&](const Plane& of) {
     auto values = std::make_shared<std::vector<double>>();
     for (int y = 0; y <= h; ++y)
@@ -243,7 +245,8 @@ TEST_CASE("fluid: the projection equals a dense Poisson solution, around obstacl
   twin.paint(0, 1);
   const std::vector<glm::vec4> before = twin.flow;
   twin.project();
-  // Fraction of a face outside the circle: the chord between its ends, in double precision.
+  // Returns the fraction of a face outside the circle, with a chord in place of the arc, from the distances
+  // of the face's ends to the circle.
   const auto off = [](double x, double y) {
     return std::sqrt((x - 12) * (x - 12) + (y - 6) * (y - 6)) - 2.5;
   };
@@ -253,7 +256,8 @@ TEST_CASE("fluid: the projection equals a dense Poisson solution, around obstacl
   };
   const auto openX = [&](int x, int y) { return x == 0 ? 0 : share(off(x, y), off(x, y + 1)); };
   const auto openY = [&](int x, int y) { return y == 0 || y == h ? 0 : share(off(x, y), off(x + 1, y)); };
-  // SOR in double precision; at the open side phi = 0 half a cell outside.
+  // The expected pressure is computed by successive over-relaxation in double precision. At the open side,
+  // phi = 0 half a cell outside.
   std::vector<double> phi(static_cast<std::size_t>(w * h));
   const auto at = [&](int x, int y) -> double& { return phi[static_cast<std::size_t>(y * w + x)]; };
   const auto flowAt = [&](int x, int y) { return glm::dvec4(before[twin.index(x, y)]); };
@@ -298,7 +302,7 @@ TEST_CASE("fluid: dye transport equals van Leer's scheme in double precision") {
   const auto q = [&](int x, int y) -> double {
     return dye[twin.index(std::clamp(x, 0, w - 1), std::clamp(y, 0, h - 1))].x;
   };
-  // Downwind, local and upwind cells of the face's donor.
+  // Upwind, donor and downwind cells of the face.
   const auto flux = [](double way, double up, double here, double down) {
     const double a = here - up, b = down - here;
     const double slope =
@@ -327,5 +331,5 @@ TEST_CASE("fluid: dye transport equals van Leer's scheme in double precision") {
       change = std::max(change, std::abs(want - q(x, y)));
     }
   CHECK(change > 0.02);
-  CHECK(worst < 6e-6);  // four faces, each rounded down to 2^-20
+  CHECK(worst < 6e-6);  // Four faces are each rounded down to a multiple of 2^-20.
 }

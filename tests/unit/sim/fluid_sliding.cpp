@@ -1,4 +1,4 @@
-// Compares obstacles that move through fluid at rest, with and without slip, with known results.
+// Tests obstacles that move through fluid at rest, with and without slip, against known results.
 #include "reference/fluid_twin.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ sim::FluidParameters quietBath(glm::ivec2 size, bool slip) {
   return p;
 }
 
-/// Returns the bath after a frame.
+/// Returns the bath after one frame.
 FluidTwin bathTwin(const sim::FluidParameters& p) {
   FluidTwin twin(sim::FluidPlan(p, "bath", 1, bathFrame));
   twin.step(0);
@@ -38,8 +38,8 @@ FluidTwin bathTwin(const sim::FluidParameters& p) {
 }  // namespace
 
 TEST_CASE("fluid: a circle that starts to move creates a dipole flow, with slip and no-slip") {
-  // Potential flow: u = U R^2 (x^2 - y^2) / r^4, v = 2 U R^2 x y / r^4; other effects are negligible after
-  // one short frame.
+  // Potential flow around a circle of radius R and speed U: u = U R^2 (x^2 - y^2) / r^4, v = 2 U R^2 x y /
+  // r^4. Other effects are negligible after one short frame.
   auto p = quietBath({97, 91}, true);
   for (sim::FluidSide* side : {&p.left, &p.right, &p.top, &p.bottom}) side->kind = BathSide::open;
   p.viscosity = 0.0F;
@@ -71,7 +71,7 @@ TEST_CASE("fluid: a plate moving along itself drags the fluid with no-slip and d
     p.left.kind = p.right.kind = BathSide::periodic;
     p.obstacles.resize(1);
     p.obstacles[0].shape = sim::FluidObstacle::Shape::box;
-    p.obstacles[0].extent = {140, 5, 0};  // a bar that extends beyond both ends of the bath
+    p.obstacles[0].extent = {140, 5, 0};  // The bar extends beyond both ends of the bath.
     p.obstacles[0].center = keyedWay({30.5F, 15.5F, 0}, {50.5F, 15.5F, 0}, 1);
     p.viscosity = 60.0F;
     FluidTwin twin = bathTwin(p);

@@ -1,4 +1,5 @@
-// Obstacles in fluids: sums over cut faces, pictures, pockets, and moving obstacles.
+// Tests obstacles in fluids: sums over cut faces, obstacles from images, enclosed pockets, and moving
+// obstacles.
 #include "reference/fluid_twin.hpp"
 #include "sim/fluid/quantities.hpp"
 
@@ -40,7 +41,7 @@ scene::Animated<glm::vec3> moving(glm::vec3 from, glm::vec3 to, double seconds) 
   return {{{0.0, from}, {seconds, to}}, scene::Ease::linear};
 }
 
-/// Returns the coverage of pixels by a ring around the middle, with 8x8 samples each.
+/// Returns the coverage of pixels by a ring around the middle, from 8x8 samples per pixel.
 std::vector<double> ringPicture(int side, double inner, double outer) {
   std::vector<double> levels;
   for (int y = 0; y < side; ++y)
@@ -68,7 +69,7 @@ TEST_CASE("fluid obstacles: cut faces of an obstacle close, and a linear pressur
       p.obstacles[0].turn = 33;
       area = 21 * 9.5;
     }
-    p.obstaclesSlip = true;  // obstacles without friction
+    p.obstaclesSlip = true;  // The obstacles have no friction.
     const sim::FluidPlan plan(p, "bath", 1, 0.01);
     const auto solids = plan.solidsAt(0, 0);
     std::vector<glm::vec4> flow(static_cast<std::size_t>(plan.elements()), glm::vec4(0, 0, 0, 1));
@@ -107,7 +108,7 @@ TEST_CASE("fluid obstacles: a piston shrinks one pocket and widens the other uni
   p.obstaclesSlip = true;
   p.speed = 10;
   p.obstacles = {boxAt({0, 0, 0}, 6.5F, 30)};
-  p.obstacles[0].center = moving({20, 4.5F, 0}, {36, 4.5F, 0}, 2);  // the obstacle moves at 8 cells/s
+  p.obstacles[0].center = moving({20, 4.5F, 0}, {36, 4.5F, 0}, 2);  // The obstacle moves at 8 cells/s.
   const double dt = 0.05;
   FluidTwin twin(sim::FluidPlan(p, "bath", 1, dt));
   for (int i = 0; i < 12; ++i) {
@@ -137,7 +138,7 @@ TEST_CASE(
   p.viscosity = 9.0F;
   sim::FluidObstacle drum = ballAt(18.3F, 17.6F, 0);
   drum.shape = sim::FluidObstacle::Shape::image;
-  // the drum rotates at 1 rad/s
+  // The drum rotates at 1 rad/s.
   drum.turn = scene::Animated<float>({{0.0, 0.0F}, {100.0, 5729.578F}}, scene::Ease::linear);
   p.obstacles = {drum};
   const double dt = 0.02;
@@ -158,7 +159,7 @@ TEST_CASE(
     }
   MESSAGE("off by ", worst, " of ", radius, " cells/s");
   CHECK(worst < 0.005 * radius);
-  CHECK(pressure < 2 * radius * radius);  // checks that the mean pressure does not drift
+  CHECK(pressure < 2 * radius * radius);  // The bound shows that the mean pressure does not drift.
 }
 
 TEST_CASE("fluid tiles: each tile is in exactly one list, and open tiles have only whole faces") {

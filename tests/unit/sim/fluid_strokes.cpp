@@ -1,4 +1,4 @@
-// Brushes of fluids that move and change by keyframes, and refused settings.
+// Tests brushes of fluids that move and change by keyframes, and refused settings.
 #include "base/error.hpp"
 #include "scene/load.hpp"
 #include "sim/fluid/plan.hpp"
@@ -68,12 +68,14 @@ TEST_CASE("keyed strokes: values set by a brush follow their keys, scaled by its
   s.strength = ramp(0, 0.0F, 4, 2.0F);
   p.strokes = {s};
   const sim::FluidPlan plan(p, "it", 1, 0.5);
-  const auto brushes = plan.brushesAt(1.5, 2).brushes;  // brushes at a time of 2 s
+  const auto brushes = plan.brushesAt(1.5, 2).brushes;  // These are the brushes at a time of 2 s.
   REQUIRE(brushes.size() == 1);
   CHECK(brushes[0].flow == glm::vec4(40, -20, 2, 0));
   CHECK(brushes[0].dye == glm::vec4(0.5, 1, 2, 0));
-  CHECK(brushes[0].reach.z == 0.25F);                // a quarter of a second at strength 1
-  CHECK(brushes[0].force == glm::vec4(0, 1, 0, 0));  // a force of 4 cells/s^2 for a quarter of a second
+  CHECK(brushes[0].reach.z == 0.25F);                // The brush acts for a quarter of a second at strength
+                                                     // 1.
+  CHECK(brushes[0].force == glm::vec4(0, 1, 0, 0));  // A force of 4 cells/s^2 acts for a quarter of a
+                                                     // second.
   CHECK(plan.brushesAt(2.5, 2).brushes.at(0).reach.z == 0.375F);
 }
 

@@ -1,4 +1,4 @@
-// Compares tracers with closed forms.
+// Tests tracers against closed forms.
 #include "reference/tracers_twin.hpp"
 
 #include <cmath>
@@ -7,8 +7,9 @@
 
 using namespace simreel;
 
-// Solid-body rotation u = w x r, which bilinear sampling reproduces exactly: a tracer moves in a circle.
-// The midpoint rule leads by w^3 dt^3 / 6 per step and moves outward by w^4 dt^4 / 8 of the radius.
+// The flow is a solid-body rotation u = w x r, which bilinear sampling reproduces exactly. A tracer moves
+// in a circle. The midpoint rule is ahead by an angle of w^3 dt^3 / 6 per step and moves outwards by w^4
+// dt^4 / 8 of the radius.
 TEST_CASE("tracers: tracers in a rotating flow move in circles") {
   const glm::ivec2 size(64, 64);
   const double w = 2;
@@ -24,7 +25,7 @@ TEST_CASE("tracers: tracers in a rotating flow move in circles") {
                    1.0 / 60);
   std::vector<glm::dvec2> before;
   for (glm::vec4& tracer : twin.tracers) {
-    // Within the inscribed circle of the rectangle.
+    // This moves the tracer into the inscribed circle of the rectangle.
     tracer.x = 32 + 0.6F * (tracer.x - 32);
     tracer.y = 32 + 0.6F * (tracer.y - 32);
     before.emplace_back(tracer.x - 32.0, tracer.y - 32.0);
@@ -43,7 +44,8 @@ TEST_CASE("tracers: tracers in a rotating flow move in circles") {
   }
 }
 
-// The drawn streak is as long as the path: 4096 units per cell, minus truncation to integers.
+// The sum of a drawn streak's light is proportional to the path's length: 4096 units per cell, minus
+// truncation to integers.
 TEST_CASE("tracers: a streak's light is proportional to its length") {
   const glm::ivec2 size(90, 40);
   WindTwin wind{sim::fluidWindGrid({}, size)};
@@ -79,7 +81,8 @@ TEST_CASE("tracers: no tracer starts in an obstacle, and one that enters an obst
     for (const glm::vec4& t : twin.tracers) count += t.x >= 15 && t.x < 22 ? 1 : 0;
     return count;
   };
-  CHECK(inSolid() <= 2);  // four attempts: (7 / 40)^4 of 300 find no free cell
+  CHECK(inSolid() <= 2);  // A tracer makes four attempts. With probability (7 / 40)^4 none of them finds a
+                          // free cell, which concerns few of the 300 tracers.
   for (int i = 0; i < 30; ++i) twin.advance(wind);
   CHECK(inSolid() <= 4);
   int anew = 0;

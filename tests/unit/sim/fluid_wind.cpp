@@ -1,4 +1,4 @@
-// Compares a fluid used as wind with closed forms.
+// Tests a fluid that is used as wind against closed forms.
 #include "base/error.hpp"
 #include "reference/cloth_twin.hpp"
 #include "reference/particles_twin.hpp"
@@ -17,7 +17,7 @@ using namespace simreel;
 
 namespace {
 
-/// Makes a wind from u and v as functions of the position in the fluid (cells).
+/// Returns a wind whose velocities u and v are functions of the position in the fluid (cells).
 template <class Velocity>
 WindTwin windOf(const sim::FluidPlane& plane, glm::ivec2 size, const Velocity& velocity) {
   WindTwin wind{sim::fluidWindGrid(plane, size)};
@@ -27,7 +27,7 @@ WindTwin windOf(const sim::FluidPlane& plane, glm::ivec2 size, const Velocity& v
   return wind;
 }
 
-/// Particles at rest at these positions, affected only by the wind.
+/// Returns particles at rest at these positions that only the wind affects.
 ParticlesTwin seedsIn(const WindTwin& wind, const std::vector<glm::vec3>& places, float drag,
                       float damping) {
   sim::ParticleParameters p;
@@ -49,8 +49,8 @@ ParticlesTwin seedsIn(const WindTwin& wind, const std::vector<glm::vec3>& places
 
 }  // namespace
 
-// A particle from rest: v' = d (w - v) - c v, so v = w d / r (1 - e^(-r t)), x = w d / r (t - (1 - e^(-r
-// t)) / r), r = c + d.
+// For a particle that starts at rest, v' = d (w - v) - c v, with drag d, damping c and wind w. The solution
+// is v = w d / r (1 - e^(-r t)), x = w d / r (t - (1 - e^(-r t)) / r) with r = c + d.
 TEST_CASE("fluid wind: a particle in a uniform flow approaches its speed as the closed form does") {
   sim::FluidPlane plane;
   plane.position = {1, 2, -3};
@@ -74,11 +74,12 @@ TEST_CASE("fluid wind: a particle in a uniform flow approaches its speed as the 
   CHECK(glm::length(glm::vec3(seeds.velocities[2])) == 0);
 }
 
-// Bilinear interpolation reproduces a flow that is linear in x and y, rotated with its plane.
+// The flow is linear in x and y and rotates with its plane. Bilinear interpolation reproduces such a flow
+// exactly.
 TEST_CASE("fluid wind: a linear flow is sampled exactly on a skewed plane") {
   sim::FluidPlane plane;
   plane.position = {0.3F, -0.2F, 0.5F};
-  plane.rotation = {-90, 0, 0};  // seen from above: right is x, down is z
+  plane.rotation = {-90, 0, 0};  // The plane is seen from above: right is x, down is z.
   plane.cell = 0.5F;
   const glm::ivec2 size(12, 9);
   const auto flow = [](glm::dvec2 p) {
@@ -94,7 +95,7 @@ TEST_CASE("fluid wind: a linear flow is sampled exactly on a skewed plane") {
   for (std::size_t i = 0; i < places.size(); ++i) {
     const glm::dvec2 cell((places[i].x - 0.3) / 0.5 + 6, (places[i].z - 0.5) / 0.5 + 4.5);
     const glm::dvec2 w = flow(cell) * 0.5;
-    // The velocity follows the wind at the starting point; the tolerance covers the displacement during the
+    // The velocity follows the wind at the starting point. The tolerance covers the displacement during the
     // step.
     const glm::dvec3 expected(w.x, 0, w.y);
     const double share = 1 - std::exp(-1 / 60.0);
@@ -104,8 +105,8 @@ TEST_CASE("fluid wind: a linear flow is sampled exactly on a skewed plane") {
   }
 }
 
-// A free sheet facing a uniform wind w: m v' = rho Cd A (w - v)^2 / 2, so w - v = w / (1 + k w t), k = rho
-// Cd A / 2m.
+// A free sheet faces a uniform wind w: m v' = rho Cd A (w - v)^2 / 2. The solution is w - v = w / (1 + k w
+// t) with k = rho Cd A / (2 m).
 TEST_CASE("fluid wind: a free sheet is carried along as in the closed form") {
   sim::FluidPlane plane;
   plane.cell = 1;
@@ -123,7 +124,7 @@ TEST_CASE("fluid wind: a free sheet is carried along as in the closed form") {
   p.air->velocity = glm::vec3(0);
   p.air->fluid = "storm";
   p.pins.clear();
-  plane.rotation = {0, 90, 0};  // rotated so that the plane's x axis is the scene's -z
+  plane.rotation = {0, 90, 0};  // This rotates the plane so that its x axis is the scene's -z.
   ClothTwin twin(sim::ClothPlan(p, 1, 1.0 / 60, {}));
   twin.wind = windOf(plane, {200, 60}, [](glm::dvec2) { return glm::dvec2(3, 0); });
   for (int frame = 0; frame < 60; ++frame) twin.step(frame / 60.0);
@@ -158,8 +159,8 @@ TEST_CASE("fluid wind: names that are not fluids are reported in one line") {
             .find("is a water, which does not blow") != std::string::npos);
 }
 
-// A uniform flow at the fluid's "speed" equals a wind of that strength and direction, except for rounding
-// of the chances.
+// A uniform flow at the fluid's "speed" has the effect of a wind with that strength and direction, except
+// for rounding of the probabilities.
 TEST_CASE("fluid wind: a wildfire in a uniform flow burns as with an equal constant wind") {
   sim::WildfireParameters given;
   given.size = {90, 90};
@@ -171,7 +172,7 @@ TEST_CASE("fluid wind: a wildfire in a uniform flow burns as with an equal const
   given.strokes = {light};
   sim::WildfireParameters blown = given;
   given.windStrength = 1.2F;
-  given.windDirection = -30.0F;  // the wind blows down and to the right
+  given.windDirection = -30.0F;  // The wind blows to the right and down.
   blown.windStrength = 1.2F;
   blown.windFluid = "storm";
   const auto spreadOf = [](WildfireTwin& twin, bool blows) {

@@ -1,4 +1,4 @@
-// Boxes of meshes, bodies, spheres and cloth meshes that a camera without a position frames.
+// Tests the boxes that a camera without a position frames for meshes, bodies, spheres and cloth meshes.
 #include "sim/body/parameters.hpp"
 #include "sim/cloth/parameters.hpp"
 #include "sim/mesh/parameters.hpp"
@@ -33,7 +33,7 @@ std::filesystem::path walkerFile() {
 }  // namespace
 
 TEST_CASE("framed: framing contains a resting mesh at all keys of its position") {
-  sim::MeshParameters mesh;  // the default mesh is a plane of 4 m by 4 m
+  sim::MeshParameters mesh;  // The default mesh is a plane of 4 m by 4 m.
   mesh.scale = 0.5F;
   mesh.position = scene::Animated<glm::vec3>({{0.0, glm::vec3(0, 1, 0)}, {1.0, glm::vec3(3, 2, 0)}},
                                              scene::Ease::linear);
@@ -45,7 +45,7 @@ TEST_CASE("framed: framing contains a resting mesh at all keys of its position")
 }
 
 TEST_CASE("framed: framing contains rotating and scaling objects over their path, also before a jump") {
-  sim::MeshParameters mesh;  // the default mesh is a plane of 4 m by 4 m
+  sim::MeshParameters mesh;  // The default mesh is a plane of 4 m by 4 m.
   mesh.scale = scene::Animated<float>({{0.0, 0.5F}, {2.0, 1.5F}}, scene::Ease::linear);
   checkFramed(mesh, {-3, 0, -3}, {3, 0, 3});
   sim::ShapeParameters rod(sim::ColliderShape::Kind::capsule);
@@ -87,7 +87,7 @@ TEST_CASE("framed: framing contains a body's skin over its motion") {
   body.animation = "walk";
   const auto walks = body.framed();
   REQUIRE(walks.has_value());
-  // the walking body's box is longer by a step
+  // The box of the walking body is longer by a step.
   CHECK(walks->max.z - walks->min.z > stands->max.z - stands->min.z + 0.2F);
   body.scale = 2.0F;
   body.position = glm::vec3(10, 0, 0);
@@ -136,7 +136,7 @@ TEST_CASE("framed: framing contains particles at their start and as far as emitt
   checkFramed(cloud, {-0.5F, 1.775F, 1.5F}, {2.5F, 2.225F, 4.5F});
   cloud.groups[0].shape = sim::ParticleGroup::Shape::ball;
   cloud.acceleration = glm::vec3(0, -9.8F, 0);
-  checkFramed(cloud, {0.5F, 0, 2.5F}, {1.5F, 2.5F, 3.5F});  // the box includes the fall of the particles
+  checkFramed(cloud, {0.5F, 0, 2.5F}, {1.5F, 2.5F, 3.5F});  // The box includes the fall of the particles.
   CHECK_FALSE(cloud.framed()->round);
   sim::Emitter fountain;
   fountain.spread = 0;
@@ -146,7 +146,7 @@ TEST_CASE("framed: framing contains particles at their start and as far as emitt
   cloud.groups.clear();
   cloud.emitters = {fountain};
   cloud.acceleration = glm::vec3(1, -4, 0);
-  checkFramed(cloud, {0, 0, 0}, {2, 2, 0});  // particles rise for a second, then fall
+  checkFramed(cloud, {0, 0, 0}, {2, 2, 0});  // The particles rise for a second, then fall.
   CHECK_FALSE(cloud.framed()->round);
 }
 
@@ -161,7 +161,7 @@ TEST_CASE("framed: framing of file meshes and bodies includes their extreme poin
     CHECK(high == box->max);
   };
   sim::MeshParameters mesh;
-  CHECK(mesh.outline().empty());  // a plane has no outline, because its box is exact
+  CHECK(mesh.outline().empty());  // A plane has no outline, because its box is exact.
   mesh.shape = sim::MeshShape::file;
   mesh.file = std::filesystem::path(sourceFolder()) / "assets/meshes/boat.obj";
   mesh.rotation = glm::vec3(0, 30, 0);

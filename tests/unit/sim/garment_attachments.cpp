@@ -1,4 +1,4 @@
-// Long-range attachments: the paths to pins, and no force on unstretched cloth.
+// Tests long-range attachments: the paths to pins, and the absence of forces on unstretched cloth.
 #include "reference/garment_twin.hpp"
 #include "sim/garment/attachments.hpp"
 #include "sim/garment/quantities.hpp"
@@ -24,8 +24,8 @@ double garmentValue(const GarmentTwin& twin, std::size_t which) {
 constexpr std::size_t kineticValue = 2;
 constexpr std::size_t energyValue = 5;
 
-/// Returns how far (m) a soft square sheet reaches down that hangs by a corner, or by the corners of its
-/// upper border.
+/// Returns the distance (m) from the pins to the lowest point of a soft square sheet that hangs by one
+/// corner (`corner`) or by both upper corners.
 double dropOf(bool corner, int substeps, std::size_t& attachments) {
   sim::ClothParameters p = test::freeCloth();
   p.mesh->size = glm::vec3(0.6F, 0, 0.6F);
@@ -68,7 +68,7 @@ TEST_CASE("garment: distances to a pinned border and corner equal those on a pla
     for (std::size_t i = 0; i < row.size(); ++i) {
       const double across = cloth.points[i].x - least;
       CHECK(toRow.lengths[i] > across - 1e-9);
-      CHECK(toRow.lengths[i] < across + 0.006);  // a point between two pins is attached to one of them
+      CHECK(toRow.lengths[i] < across + 0.006);  // A point between two pins is attached to one of them.
       const double way = glm::distance(cloth.points[i], cloth.points[0]);
       CHECK(toCorner.lengths[i] > way - 1e-9);
       CHECK(toCorner.lengths[i] < 1.02 * way + 1e-9);
@@ -96,13 +96,14 @@ TEST_CASE("garment: 256 rows swing from their border and stretch by less than 1%
     if (damped) p.damping = 1e-6F;
     p.mesh->size = glm::vec3(0.012F, 0, 1);
     p.mesh->resolution = {4, 256};
-    p.fabric->bending = 1e-8;  // bending so weak that it needs no further substeps
+    p.fabric->bending = 1e-8;  // Bending is so weak that it needs no additional substeps.
     p.gravity = glm::vec3(0, -9.8F, 0);
     test::pinBox(p, glm::vec3(-9), glm::vec3(9, 9, -0.499F));
     GarmentTwin twin(sim::GarmentPlan("strip", p, 1, 1.0 / 60, {}));
     CHECK(twin.plan().substeps() < (damped ? 60 : 180));
     double before = garmentValue(twin, energyValue);
-    const double falls = 0.5 * 0.115 * 0.012 * 9.8;  // energy (J) between lying and hanging
+    const double falls = 0.5 * 0.115 * 0.012 * 9.8;  // energy in J of the hanging sheet relative to the
+                                                     // horizontal sheet
     double fastest = 0;
     double farthest = 0;
     for (int frame = 0; frame < 120; ++frame) {
@@ -128,7 +129,8 @@ TEST_CASE("garment: attachments are slack without stretch, and free cloth has no
   p.substeps = 8;
   GarmentTwin twin(sim::GarmentPlan("a", p, 1, 1.0 / 60, {}));
   REQUIRE(twin.plan().arrays().attachments.size() > 900);
-  // Rolled up from the pins: every path along the cloth keeps its length, but none is straight.
+  // The sheet is rolled up from the pins. Every path along the cloth keeps its length, but none is
+  // straight.
   for (glm::vec4& v : twin.positions) {
     const double way = 3.0 * (static_cast<double>(v.z) + 1);
     v.y = static_cast<float>((1 - std::cos(way)) / 3);

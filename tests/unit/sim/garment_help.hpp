@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-/// Meshes and parameters for tests of cloth made of triangles.
+/// Helpers that make meshes and parameters for tests of cloth from triangles.
 namespace simreel::test {
 
 enum class Kind { right, equilateral, random };
@@ -19,8 +19,8 @@ enum class Kind { right, equilateral, random };
   return 2 * (x - std::floor(x)) - 1;
 }
 
-/// Returns a rectangle of cells of size `cell` (m) around the origin, in the xz plane, facing +y. Columns
-/// at both ends are straight; the first `kept` columns and all borders are undisturbed.
+/// Returns a rectangle around the origin in the xz plane, facing +y, that consists of cells of size `cell`
+/// (m). Columns at both ends are straight. The first `kept` columns and all borders are not disturbed.
 [[nodiscard]] inline sim::Mesh rectangle(Kind kind, glm::ivec2 cells, double cell, int kept = 1) {
   sim::Mesh mesh;
   const double deep = kind == Kind::equilateral ? std::sqrt(0.75) * cell : cell;
@@ -67,7 +67,7 @@ enum class Kind { right, equilateral, random };
   return text;
 }
 
-/// Cloth of a mesh, without gravity, wind, damping or pins.
+/// Returns parameters of a cloth mesh without gravity, wind, damping or pins.
 [[nodiscard]] inline sim::ClothParameters freeCloth() {
   sim::ClothParameters p;
   p.mesh.emplace();
@@ -80,7 +80,7 @@ enum class Kind { right, equilateral, random };
   return p;
 }
 
-/// Pins all vertices in the box.
+/// Adds a pin for all vertices in the box.
 inline void pinBox(sim::ClothParameters& parameters, const glm::vec3& min, const glm::vec3& max) {
   sim::PinGroup& group = parameters.pins.emplace_back();
   group.box = sim::PinBox{min, max};

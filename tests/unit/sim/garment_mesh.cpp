@@ -1,4 +1,4 @@
-// Meshes as cloth: refused meshes with the position of the error, welding, neighbours, colours, and
+// Tests meshes as cloth: refused meshes with the position of the error, welding, neighbours, colours, and
 // generators.
 #include "base/error.hpp"
 #include "sim/cloth/mesh_source.hpp"
@@ -81,7 +81,7 @@ TEST_CASE("garment: a mesh that is not usable as cloth is refused with the place
 }
 
 TEST_CASE("garment: vertices at equal positions, or within the weld distance, are merged") {
-  sim::Mesh mesh = clothSquare();  // the second face has its own vertices
+  sim::Mesh mesh = clothSquare();  // The second face has vertices of its own.
   mesh.positions.insert(mesh.positions.end(), {{1, 0, 0}, {0, 0, 1}});
   mesh.normals.assign(6, glm::vec3(0, 1, 0));
   mesh.indices = {0, 1, 2, 4, 5, 3};
@@ -96,7 +96,7 @@ TEST_CASE("garment: vertices at equal positions, or within the weld distance, ar
   CHECK(sim::ClothTriangles("a", mesh, 1, 0).points.size() == 6);
   CHECK(sim::ClothTriangles("a", mesh, 1, 0.009).points.size() == 6);
   CHECK(sim::ClothTriangles("a", mesh, 1, 0.011).points.size() == 4);
-  // the welding distance applies to the scaled mesh
+  // The welding distance applies to the scaled mesh.
   CHECK(sim::ClothTriangles("a", mesh, 2, 0.011).points.size() == 6);
 }
 
@@ -143,7 +143,8 @@ TEST_CASE("garment: generated shapes are closed, face outwards and have the righ
     const sim::ClothTriangles cloth("a", mesh, 1, 0);
     CHECK(areaOf(cloth) == doctest::Approx(e.area).epsilon(0.005));
     CHECK(bordersOf(cloth) == e.borders);
-    std::vector<std::size_t> first(cloth.points.size());  // the mesh's first vertex at each welded point
+    std::vector<std::size_t> first(cloth.points.size());  // index in the mesh of the first vertex at each
+                                                          // welded point
     for (std::size_t v = cloth.vertexOf.size(); v-- > 0;) first[cloth.vertexOf[v]] = v;
     for (const auto& face : cloth.faces) {
       const glm::dvec3 a = cloth.points[face.corners[0]];

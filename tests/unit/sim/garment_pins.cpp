@@ -1,4 +1,4 @@
-// Pins and seams of cloth meshes: pins by number, position and picture, seams, and errors in scenes.
+// Tests pins and seams of cloth meshes: pins by number, position and image, seams, and errors in scenes.
 #include "base/error.hpp"
 #include "reference/garment_twin.hpp"
 #include "scene/load.hpp"
@@ -22,7 +22,7 @@ using namespace simreel;
 
 namespace {
 
-/// A plane of 1 x 1 m with 11 x 11 vertices.
+/// Returns a plane of 1 x 1 m with 11 x 11 vertices.
 sim::ClothParameters unitPlane() {
   sim::ClothParameters p = test::freeCloth();
   p.mesh->size = glm::vec3(1, 0, 1);
@@ -60,12 +60,12 @@ TEST_CASE("garment: pins are selected by vertex, by a box in world space and by 
   test::pinBox(p, glm::vec3(4.45F, -1, 0.35F), glm::vec3(4.65F, 1, 0.6F));
   CHECK(pinnedVertices(p) == std::set<std::size_t>{9 * 11, 9 * 11 + 1, 10 * 11, 10 * 11 + 1});
   p.pins.clear();
-  // Two rows of two pixels: only the lower right one is bright.
+  // The image has two rows of two pixels. Only the lower right pixel is bright.
   const test::TemporaryFile map("pins.pgm",
                                 std::string("P5 2 2 255\n") + '\x10' + '\x7f' + '\x20' + '\xff');
   p.pins.emplace_back().map = map.path();
   std::set<std::size_t> expected;
-  for (std::size_t z = 5; z < 10; ++z)  // the map repeats: uv 1 is 0 of the next repetition
+  for (std::size_t z = 5; z < 10; ++z)  // The image repeats, so uv 1 is uv 0 of the next repetition.
     for (std::size_t x = 5; x < 10; ++x) expected.insert(z * 11 + x);
   CHECK(pinnedVertices(p) == expected);
 }
@@ -92,11 +92,11 @@ TEST_CASE("garment: pins and seams without vertices are refused") {
   test::checkHas(refusedPins(p), "has no uv");
   p.pins[0].map.clear();
   p.pins[0].vertices = {0};
-  CHECK(refusedPins(p).empty());  // pins of a mesh with a single face are accepted
+  CHECK(refusedPins(p).empty());  // Pins of a mesh with a single face are accepted.
 }
 
 TEST_CASE("garment: a seam closes two pieces in its time without moving their centre of mass") {
-  // Two rectangles of 6 x 4 cells, 0.1 m apart.
+  // The mesh consists of two rectangles of 6 x 4 cells, 0.1 m apart.
   sim::Mesh mesh = test::rectangle(test::Kind::random, {6, 4}, 0.05);
   sim::Mesh other = test::rectangle(test::Kind::equilateral, {6, 4}, 0.05);
   const auto first = static_cast<unsigned>(mesh.positions.size());
@@ -111,7 +111,7 @@ TEST_CASE("garment: a seam closes two pieces in its time without moving their ce
   const sim::Mesh read = p.mesh->make();
   sim::Seam seam;
   seam.seconds = 0.5;
-  // compares by position, because readers may reorder vertices
+  // Vertices are compared by position, because readers may reorder them.
   for (int i = 0; i < static_cast<int>(read.positions.size()); ++i)
     for (int j = 0; j < static_cast<int>(read.positions.size()); ++j) {
       const glm::vec3 a = read.positions[static_cast<std::size_t>(i)];

@@ -1,4 +1,4 @@
-// Compares bending of meshes with closed forms of a plate.
+// Tests bending of meshes against closed forms of a plate.
 #include "reference/garment_twin.hpp"
 #include "sim/garment/plate.hpp"
 #include "unit/help.hpp"
@@ -16,7 +16,7 @@ using namespace simreel;
 namespace {
 
 struct PlateShape {
-  double a, b, c;  ///< coefficients of the quadratic surface, 1/m
+  double a, b, c;  ///< coefficients of the quadratic surface z = (a x^2 + 2 b x y + c y^2) / 2, 1/m
   [[nodiscard]] double at(const glm::dvec3& p) const {
     return 0.5 * (a * p.x * p.x + 2 * b * p.x * p.z + c * p.z * p.z);
   }
@@ -92,12 +92,12 @@ TEST_CASE("garment: a clamped strip of any mesh bends by q L^4 / 8 D") {
   constexpr double length = 0.2;
   constexpr double q = 0.115 * 0.098;  // weight per area, N/m^2
   constexpr double bending = 7.5e-4;
-  const double expected = q * std::pow(length, 4) / (8 * bending);  // drop of the end: 0.015 of the length
+  const double expected = q * std::pow(length, 4) / (8 * bending);  // The end drops by 0.015 of the length.
   for (const auto kind : meshKinds)
     for (const int cells : {8, 12, 16}) {
       CAPTURE(cells);
       CAPTURE(static_cast<int>(kind));
-      // Two columns of vertices are held, so the strip is clamped midway between them.
+      // Two columns of vertices are fixed, so the strip is clamped midway between them.
       const double cell = length / (cells - 0.5);
       const test::TemporaryFile file("strip.obj", test::objOf(test::rectangle(kind, {cells, 3}, cell, 2)));
       sim::ClothParameters p = test::freeCloth();
@@ -123,7 +123,7 @@ TEST_CASE("garment: a clamped strip of any mesh bends by q L^4 / 8 D") {
 
 TEST_CASE("garment: sliver triangles are softened until bending is stable at the given step") {
   sim::Mesh mesh = test::rectangle(test::Kind::right, {12, 12}, 0.01);
-  mesh.positions[6 * 13 + 6].x += 0.00995F;  // moves a vertex so that some faces are very thin
+  mesh.positions[6 * 13 + 6].x += 0.00995F;  // This moves a vertex so that some faces are very thin.
   const sim::ClothTriangles cloth("a", mesh, 1, 0);
   const auto elements = sim::plateElements(cloth);
   const std::vector<double> inverse(cloth.points.size(), 1e5);
@@ -179,7 +179,8 @@ TEST_CASE("garment: a clamped border bends by q L^4 / 8 D and rotates with its p
       drops.push_back(drop / ends);
       CHECK(drops.back() == doctest::Approx(expected).epsilon(0.03));
     }
-  // Clamped at an angle of two degrees and weightless, the strip continues straight in that direction.
+  // The strip is clamped at an angle of two degrees and weightless, so it continues straight in that
+  // direction.
   sim::ClothParameters p = test::freeCloth();
   p.mesh->size = glm::vec3(0.2F, 0, 0.06F);
   p.mesh->resolution = {9, 4};

@@ -1,4 +1,4 @@
-// Closed seams must bend like the cloth around them.
+// Tests that closed seams bend like the cloth around them.
 #include "reference/garment_twin.hpp"
 #include "sim/garment/plate.hpp"
 #include "unit/help.hpp"
@@ -18,7 +18,8 @@ namespace {
 constexpr int seamCells = 6;       // number of cells along each piece
 constexpr double seamGap = 0.001;  // gap between the pieces, m
 
-/// A strip of twice `seamCells` by 3 cells, made of two pieces; the second is displaced by `seamGap`.
+/// Returns a strip of twice `seamCells` by 3 cells that consists of two pieces. The second piece is
+/// displaced by `seamGap`.
 sim::Mesh twoPieces(test::Kind kind, double cell) {
   sim::Mesh mesh = test::rectangle(kind, {seamCells, 3}, cell, 2);
   const sim::Mesh other = test::rectangle(kind, {seamCells, 3}, cell);
@@ -30,7 +31,7 @@ sim::Mesh twoPieces(test::Kind kind, double cell) {
   return mesh;
 }
 
-/// Returns a seam of vertex pairs on both sides of the gap.
+/// Returns a seam of pairs of vertices, one on each side of the gap.
 sim::Seam seamOf(const sim::Mesh& mesh, double border) {
   sim::Seam seam;
   seam.seconds = 0.1;
@@ -57,7 +58,7 @@ TEST_CASE("garment: a strip sewn from two pieces bends by q L^4 / 8 D like one p
   for (const auto kind : {test::Kind::right, test::Kind::equilateral, test::Kind::random}) {
     CAPTURE(static_cast<int>(kind));
     const double cell =
-        length / (2 * seamCells - 0.5);  // the strip is clamped between the first two columns
+        length / (2 * seamCells - 0.5);  // The strip is clamped between the first two columns.
     const test::TemporaryFile file("sewn.obj", test::objOf(twoPieces(kind, cell)));
     sim::ClothParameters p = test::freeCloth();
     p.mesh->shape = sim::ClothShape::file;
@@ -95,8 +96,8 @@ TEST_CASE("garment: sewn cloth equals cloth of one mesh, to the last weight") {
     stitches.emplace_back(sewn.vertexOf[static_cast<std::size_t>(seam.from[i])],
                           sewn.vertexOf[static_cast<std::size_t>(seam.to[i])]);
   CHECK(sewn.sew(stitches) == 0);
-  // z = (a x^2 + 2 b x y + c y^2) / 2 over both pieces, ignoring the gap: the energy must be a plate's, in
-  // the faces at the seam too.
+  // Both pieces have the shape z = (a x^2 + 2 b x y + c y^2) / 2, ignoring the gap. The energy must be that
+  // of a plate, even in the faces at the seam.
   std::vector<glm::dvec3> points = sewn.points;
   for (glm::dvec3& p : points) {
     if (p.x > 0.5 * seamCells * cell + 0.5 * seamGap) p.x -= seamGap;
@@ -113,11 +114,11 @@ TEST_CASE("garment: sewn cloth equals cloth of one mesh, to the last weight") {
     within.push_back(elements[f]);
     area += elements[f].area;
   }
-  CHECK(area ==
-        doctest::Approx(44 * 0.5 * cell * cell));  // 28 of the 72 faces are at borders and do not count
+  CHECK(area == doctest::Approx(44 * 0.5 * cell * cell));  // 28 of the 72 faces are at borders and are not
+                                                           // included.
   CHECK(sim::plateEnergy(within, 3, points) ==
         doctest::Approx(0.5 * 3 * area * (0.02 * 0.02 + 2 * 0.03 * 0.03 + 0.01 * 0.01)).epsilon(1e-5));
-  // With opposite orientation, back to back, the two pieces do not bend as one.
+  // The two pieces have opposite orientations, so they are not joined smoothly.
   sim::Mesh turned = pieces;
   for (std::size_t i = turned.indices.size() / 2; i < turned.indices.size(); i += 3)
     std::swap(turned.indices[i], turned.indices[i + 1]);

@@ -1,4 +1,4 @@
-// Compares stretch of fabric meshes with closed forms; also air, masses and quantities.
+// Tests stretch of fabric meshes against closed forms. Also tests air, masses and quantities.
 #include "reference/garment_twin.hpp"
 #include "sim/core/shader_code.hpp"
 #include "sim/garment/pace.hpp"
@@ -19,7 +19,8 @@ using namespace simreel;
 
 namespace {
 
-/// Damping (1/s) too small to change a digit, but it selects the constraints of damped cloth.
+/// Damping (1/s) that is too small to change a digit of the result, but selects the constraints of damped
+/// cloth.
 constexpr float hardlyDamped = 1e-6F;
 
 double garmentQuantity(const sim::GarmentPlan& plan, const GarmentTwin& twin, const std::string& name) {
@@ -31,7 +32,7 @@ double garmentQuantity(const sim::GarmentPlan& plan, const GarmentTwin& twin, co
   return 0;
 }
 
-/// A random rectangle of 0.2 x 0.15 m as a file, with its parameters.
+/// A random rectangle of 0.2 x 0.15 m in a file, and its parameters.
 struct RandomCloth {
   test::TemporaryFile file{"random.obj", test::objOf(test::rectangle(test::Kind::random, {20, 15}, 0.01))};
   sim::ClothParameters p = test::freeCloth();
@@ -72,7 +73,7 @@ TEST_CASE("garment: a uniform strain stores A / 2 (weft e^2 + warp f^2 + shear g
   CHECK(garmentQuantity(twin.plan(), twin, "stretch") == doctest::Approx(1.02).epsilon(1e-5));
   CHECK(garmentQuantity(twin.plan(), twin, "mass") == doctest::Approx(0.115 * area).epsilon(1e-5).scale(0));
   CHECK(garmentQuantity(twin.plan(), twin, "elasticEnergy") <
-        // less than the closed form, because few substeps give only a part of it
+        // The energy is less than the closed form, because few substeps reach only part of it.
         0.5 * area * (300 * 0.02 * 0.02 + 500 * 0.03 * 0.03));
 }
 
@@ -87,7 +88,8 @@ TEST_CASE("garment: a strip swinging from its end never gains energy and hardly 
     test::pinBox(p, glm::vec3(-9), glm::vec3(9, 9, -0.499F));
     GarmentTwin twin(sim::GarmentPlan("strip", p, 1, 1.0 / 60, {}));
     double before = garmentQuantity(twin.plan(), twin, "energy");
-    const double falls = 0.5 * 0.115 * 0.25 * 9.8;  // energy (J) between lying and hanging
+    const double falls = 0.5 * 0.115 * 0.25 * 9.8;  // energy in J of the hanging cloth relative to the
+                                                    // horizontal cloth
     double fastest = 0;
     for (int frame = 0; frame < 180; ++frame) {
       twin.step(frame / 60.0);
@@ -96,8 +98,8 @@ TEST_CASE("garment: a strip swinging from its end never gains energy and hardly 
       CHECK(now < before + 0.01 * falls);
       before = now;
       fastest = std::max(fastest, garmentQuantity(twin.plan(), twin, "kineticEnergy"));
-      // Stretch of the worst face, at the pins. With energy conservation, the energy that a swing loses to
-      // flutter is in the faces.
+      // The most stretched face is at the pins. With energy conservation, the energy that a swing loses to
+      // flutter remains in the faces.
       CHECK(garmentQuantity(twin.plan(), twin, "stretch") < (damped ? 1.15 : 1.25));
     }
     CHECK(fastest > 0.5 * falls);
@@ -107,7 +109,7 @@ TEST_CASE("garment: a strip swinging from its end never gains energy and hardly 
 TEST_CASE("garment: a random mesh stretched at its ends comes to rest evenly stretched") {
   RandomCloth cloth;
   cloth.p.damping = 20;
-  cloth.p.fabric->weft = 3;  // soft, so that the compliance dominates at this substep length
+  cloth.p.fabric->weft = 3;  // The cloth is soft, so that the compliance dominates at this substep length.
   cloth.p.fabric->warp = 5;
   cloth.p.fabric->shear = 0.4;
   cloth.p.fabric->bending = 0;
@@ -142,14 +144,16 @@ TEST_CASE("garment: hanging rows, 16 to 256, stretch by rho g H / 2 k within 0.1
         p.gravity = glm::vec3(0, -9.8F, 0);
         p.damping = 6;
         p.fabric->warp = warp;
-        if (rows == 256) p.fabric->bending = 1e-8;  // bending so weak that it needs no further substeps
+        if (rows == 256)
+          p.fabric->bending = 1e-8;  // Bending is so weak that it needs no additional
+                                     // substeps.
         test::pinBox(p, glm::vec3(-9, 0.499F, -9), glm::vec3(9));
         GarmentTwin twin(sim::GarmentPlan("rows", p, 1, 1.0 / 60, {}));
         for (int frame = 0; frame < (rows == 16 ? 300 : 150); ++frame) twin.step(frame / 60.0);
         double lowest = 1;
         for (const glm::vec4& v : twin.positions) lowest = std::min(lowest, static_cast<double>(v.y));
         const double beyond = -0.5 - lowest - 0.115 * 9.8 / (2 * warp);
-        // Attachments hold exactly the load that the faces do not.
+        // Attachments carry exactly the load that the faces do not carry.
         CHECK(twin.plan().substeps() <= rows / 5 + 8);
         CHECK(std::abs(beyond) < 0.001);
       }
@@ -168,18 +172,19 @@ TEST_CASE("garment: \"auto\" takes more substeps the finer the unpinned mesh is"
   CHECK(fine == doctest::Approx(2 * coarse).epsilon(0.1));
   test::pinBox(p, glm::vec3(-9, -9, 0.49F), glm::vec3(9));
   CHECK(substeps(129) ==
-        // attachments take a part of the load
+        // Attachments carry part of the load.
         doctest::Approx(fine * std::sqrt(0.1 / 0.5 / std::sqrt(2.0))).epsilon(0.2));
   p.mesh->resolution = {65, 65};
   std::vector<bool> pinned(65 * 65, false);
   const sim::ClothTriangles cloth("a", p.mesh->make(), 1, 0);
   pinned[0] = true;
   CHECK(sim::hangingLength(cloth, pinned, {}) ==
-        doctest::Approx(2).epsilon(0.001));  // no diagonal edge shortens this path
+        doctest::Approx(2).epsilon(0.001));  // No diagonal edge shortens this path.
 }
 
 TEST_CASE("garment: the hanging length is measured for each connected piece, also across seams") {
-  // Strips of one column of cells, 1 m long, side by side; the first is pinned at its end.
+  // The mesh has strips with one column of cells, 1 m long, side by side. The first strip is pinned at its
+  // end.
   sim::Mesh mesh = test::rectangle(test::Kind::right, {10, 1}, 0.1);
   const std::size_t count = mesh.positions.size();
   for (std::size_t i = 0; i < count; ++i)
@@ -196,8 +201,8 @@ TEST_CASE("garment: the hanging length is measured for each connected piece, als
   CHECK(sim::hangingLength(cloth, pinned, {}) == doctest::Approx(free).epsilon(0.001));
   pinned[0] = pinned[11] = true;
   const unsigned end = 10;
-  const auto other =
-      static_cast<unsigned>(count);  // joins the far end of the first strip to the near end of the second
+  const auto other = static_cast<unsigned>(count);  // This seam joins the far end of the first strip to the
+                                                    // near end of the second.
   CHECK(sim::hangingLength(cloth, pinned, {{end, other}, {other, end}}) ==
         doctest::Approx(2.5 + 0.15 * (std::sqrt(2.0) - 1)).epsilon(0.05));
 }
@@ -207,7 +212,7 @@ TEST_CASE("garment: air drag on a flat sheet across the flow is rho Cd A v^2 / 2
   cloth.p.air.emplace();
   cloth.p.air->velocity = glm::vec3(0, 3, 0);
   cloth.p.air->gusts = 0;
-  cloth.p.air->lift = 0.7F;  // has no effect on a sheet perpendicular to the flow
+  cloth.p.air->lift = 0.7F;  // Lift has no effect on a sheet perpendicular to the flow.
   cloth.p.substeps = 64;
   GarmentTwin twin(sim::GarmentPlan("a", cloth.p, 1, 1.0 / 60, {}));
   twin.substep(twin.plan().frame(0).front());
@@ -235,7 +240,7 @@ TEST_CASE("garment: free in the air, cloth conserves momentum and its energy nev
       halves[frame / 60] += now / 60;
       if (damped) CHECK(now < first);
     }
-    // All energy is in vibrations that substeps barely resolve: it oscillates, but does not decay.
+    // All energy is in vibrations that substeps barely resolve. It oscillates but does not decay.
     if (!damped) CHECK(halves[1] == doctest::Approx(halves[0]).epsilon(5e-3).scale(0));
     glm::dvec3 momentum(0);
     for (std::size_t i = 0; i < twin.velocities.size(); ++i)

@@ -45,7 +45,8 @@ TEST_CASE("grayScott: the state u = 1, v = 0 is unchanged to the bit") {
 }
 
 TEST_CASE("grayScott: uniform fields end at the stable uniform solution of the equations") {
-  // u v = F + k and F (1 - u) = (F + k) v: v = (1 + sqrt(1 - 4 (F + k)^2 / F)) F / (2 (F + k)).
+  // In equilibrium, u v = F + k and F (1 - u) = (F + k) v, with feed rate F and kill rate k. So v = (1 +
+  // sqrt(1 - 4 (F + k)^2 / F)) F / (2 (F + k)).
   auto twin = twinOf({9, 7}, sim::GrayScottPreset::chaos, 0);
   auto rates = twin.plan().ratesAt(0);
   const double F = 0.06;
@@ -62,7 +63,7 @@ TEST_CASE("grayScott: uniform fields end at the stable uniform solution of the e
 }
 
 TEST_CASE("grayScott: mass changes per step as the equations say") {
-  // Sums over the torus: diffusion conserves them.
+  // Diffusion conserves the sums of u and v over the torus.
   auto twin = twinOf({61, 47}, sim::GrayScottPreset::stripes, 4);
   const auto rates = twin.plan().ratesAt(0);
   const double F = rates.feed;
@@ -84,7 +85,8 @@ TEST_CASE("grayScott: mass changes per step as the equations say") {
 }
 
 TEST_CASE("grayScott: the Laplacian converges at second order") {
-  // For cos(q x + p y) the stencil must give -0.3 (q^2 + p^2) cos(...): 0.3 is half its second moment.
+  // For cos(q x + p y), the stencil must return -0.3 (q^2 + p^2) cos(...), because half of its second
+  // moment is 0.3.
   double before = 0;
   for (const int side : {16, 32, 64}) {
     const double q = 2 * std::numbers::pi / side;
@@ -106,7 +108,7 @@ TEST_CASE("grayScott: diffusion alone is stable up to the bound and unstable bey
     auto twin = twinOf({12, 10}, sim::GrayScottPreset::stripes, 0);
     auto rates = twin.plan().ratesAt(0);
     rates = {static_cast<float>(diffusion / 20), 0, 0, 0, 0, 0, 0};
-    // The fastest mode: rows and columns alternate together, cos(pi x) + cos(pi y).
+    // In the fastest mode, rows and columns both alternate: cos(pi x) + cos(pi y).
     for (int i = 0; i < 120; ++i) {
       const int x = i % 12;
       const int y = i / 12;
@@ -134,7 +136,7 @@ TEST_CASE("grayScott: wavelength and patch size of known patterns are found") {
   CHECK(sim::dominantWavelength(waves, size) == doctest::Approx(30 / std::numbers::sqrt2).epsilon(0.05));
   CHECK(sim::dominantWavelength(std::vector<float>(waves.size(), 0.5F), size) == 0);
   const sim::Patches patches = sim::patchesOf(dots, size);
-  CHECK(patches.count == 12 * 6);  // patches across the torus's edge count once
+  CHECK(patches.count == 12 * 6);  // Patches that cross the torus's seam count once.
   CHECK(patches.largest == 12);
 }
 

@@ -14,7 +14,7 @@ using simreel::test::has;
 
 namespace {
 
-/// Returns the errors of a scene with these parameters of the field; "" for a valid scene.
+/// Returns the errors of a scene with these parameters of the field, or "" for a valid scene.
 std::string mistakes(const std::string& parameters) {
   const std::string text = R"({"version": 1, "objects": {"dish": {"grayScott": )" + parameters + "}}}";
   try {
@@ -79,10 +79,9 @@ TEST_CASE("grayScott: rates come from preset, keys, health, ramp and picture") {
   p.dt = 0.5;
   p.preset = sim::GrayScottPreset::maze;
   CHECK(sim::GrayScottPlan(p, "dish", 1, 0.1).ratesAt(3).feed == doctest::Approx(0.0125));
-  p.health =
-      sim::GrayScottHealth{.level = 0.25F,
-                           .well = sim::GrayScottPreset::stripes,   // preset with feed 0.040 and kill 0.060
-                           .ill = sim::GrayScottPreset::unstable};  // preset with feed 0.060 and kill 0.062
+  p.health = sim::GrayScottHealth{.level = 0.25F,
+                                  .well = sim::GrayScottPreset::stripes,   // feed 0.040, kill 0.060
+                                  .ill = sim::GrayScottPreset::unstable};  // feed 0.060, kill 0.062
   CHECK(p.ratesAt(0).feed == doctest::Approx(0.055));
   CHECK(p.ratesAt(0).kill == doctest::Approx(0.0615));
   p.health.reset();
@@ -97,5 +96,5 @@ TEST_CASE("grayScott: rates come from preset, keys, health, ramp and picture") {
   CHECK(weights[0].x == 0.0F);
   CHECK(weights[1].x == 0.5F);
   CHECK(weights[2].x == 1.0F);
-  CHECK(weights[2].z == 0.0F);  // the weight of cell 0, which wraps around
+  CHECK(weights[2].z == 0.0F);  // This is the weight of cell 0, because the grid wraps around.
 }

@@ -1,4 +1,4 @@
-// Falling onto a deformed mesh: known results, and one clear line for each error.
+// Tests falls onto a deformed mesh against known results, and a clear one-line message for each error.
 #include "base/error.hpp"
 #include "reference/cloth_twin.hpp"
 #include "reference/particles_twin.hpp"
@@ -69,13 +69,13 @@ std::string meshFailure(const std::string& more) {
 }  // namespace
 
 TEST_CASE("heights: without grip an object slides down a slope with g sin(angle)") {
-  // Slopes along both x and z: y falls by 0.3 per metre along x and rises by 0.4 along z, so the downhill
-  // direction is (0.3, -0.4) / 0.5 and tan(angle) = 0.5.
+  // The surface slopes along both x and z: y falls by 0.3 per metre along x and rises by 0.4 along z. So
+  // the downhill direction is (0.3, -0.4) / 0.5 and tan(angle) = 0.5.
   const auto height = [](float x, float z) { return 5.0F - 0.3F * (x - 10) + 0.4F * (z + 3); };
   auto twin = onSurface({10, 5.1F, -3}, {0, 0, 0}, 0, 0, height);
   for (int frame = 0; frame < 40; ++frame) twin.step(frame * frameSeconds);
   const double t = 40 * frameSeconds;
-  const double across = 0.5 * 10.0 * (0.5 / 1.25) * t * t;  // uses sin cos = tan / (1 + tan^2)
+  const double across = 0.5 * 10.0 * (0.5 / 1.25) * t * t;  // This uses sin cos = tan / (1 + tan^2).
   const glm::vec4 p = twin.positions[0];
   CHECK(p.x - 10 == doctest::Approx(0.6 * across).epsilon(0.01));
   CHECK(p.z + 3 == doctest::Approx(-0.8 * across).epsilon(0.01));
@@ -93,7 +93,7 @@ TEST_CASE(
     landed = landed || twin.velocities[0].y > 0;
     if (landed) highest = std::max<double>(highest, twin.positions[0].y - 3.1);
   }
-  // height of the rebound: restitution^2 times the drop of 1 m
+  // The particle rebounds to restitution^2 times the drop of 1 m.
   CHECK(highest == doctest::Approx(0.36).epsilon(0.03).scale(0));
   CHECK(twin.velocities[0].x == doctest::Approx(1));
   auto sliding = onSurface({10, 3.1F, -3}, {1, 0, 0}, 2, 0, flat);
@@ -107,7 +107,8 @@ TEST_CASE("heights: a rising surface carries objects, halfway at half of the fra
   for (glm::vec4& h : twin.heights) h.y = 3.6F;
   twin.step(0);
   CHECK(twin.positions[0].y == doctest::Approx(3.7));
-  CHECK(twin.velocities[0].y == doctest::Approx(36).epsilon(0.01));  // the surface rises by 0.6 m in 1/60 s
+  CHECK(twin.velocities[0].y == doctest::Approx(36).epsilon(0.01));  // The surface rises by 0.6 m in 1/60
+                                                                     // s.
   const auto half = twin.heightPlan->at(7, 16, 0, 0);
   CHECK(half.progress == 0.5F);
 }

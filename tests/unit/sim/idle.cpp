@@ -1,5 +1,5 @@
-// Keys without effect because of another key: each causes a message at its position, and keys with an
-// effect cause none.
+// Tests keys that have no effect because of another key. Each must cause a message at its position, and
+// keys with an effect must not.
 #include "base/error.hpp"
 #include "scene/load.hpp"
 #include "scene/scene.hpp"
@@ -23,11 +23,11 @@ std::vector<std::string> remarksOn(const std::string& members,
 }
 
 struct Pair {
-  const char *ruled, *works;  ///< a value that makes `key` ineffective, and one that does not
-  const char* key;            ///< the key with its value
+  const char *ruled, *works;  ///< member of the scene that makes `key` ineffective, and one that does not
+  const char* key;            ///< text of the key with its value
 };
 
-/// Expects one message at the key if the key has no effect, and none if it has.
+/// Expects one message, at the key, if the key has no effect, and none otherwise.
 void check(const std::string& before, const std::vector<Pair>& pairs, const std::string& after) {
   for (const Pair& pair : pairs) {
     CAPTURE(pair.key);

@@ -15,7 +15,7 @@ using namespace simreel::sim;
 
 namespace {
 
-/// Returns samples of a function of the place (pixels), one per pixel.
+/// Returns samples of a function of the position (pixels), one per pixel.
 template <class Function>
 IsoGrid sampled(glm::ivec2 size, Function function) {
   IsoGrid grid;
@@ -60,7 +60,7 @@ TEST_CASE(
       CHECK(std::abs(glm::distance(point, glm::dvec2(50, 47)) - radius) < 0.02);
     CHECK(std::abs(areaOf(isoStroke(line, 2))) == doctest::Approx(4 * 3.14159265 * radius).epsilon(0.01));
   }
-  // One orientation, so that outlines that touch add up.
+  // Both outlines have the same orientation, so that touching outlines add up.
   CHECK(areaOf(isoStroke(lines[0], 2)) * areaOf(isoStroke(lines[1], 2)) > 0);
 }
 
@@ -79,11 +79,11 @@ TEST_CASE("isolines end at the part that is shown and at missing values") {
 TEST_CASE("a saddle is cut as the mean of its corners says") {
   IsoGrid grid;
   grid.size = {2, 2};
-  grid.values = {1, 0, 0, 0.9};  // mean below 0.5: both high corners are cut off
+  grid.values = {1, 0, 0, 0.9};  // The mean is below 0.5, so the contour cuts off both high corners.
   std::vector<IsoLine> lines = isoLines(grid, std::vector<double>{0.5}, whole);
   REQUIRE(lines.size() == 2);
   CHECK(lines[0].points.front().x + lines[0].points.back().y < 1.1);
-  grid.values = {1, 0.2, 0.2, 0.9};  // mean above 0.5: both low corners
+  grid.values = {1, 0.2, 0.2, 0.9};  // The mean is above 0.5, so the contour cuts off both low corners.
   lines = isoLines(grid, std::vector<double>{0.5}, whole);
   REQUIRE(lines.size() == 2);
   for (const IsoLine& line : lines) {
@@ -99,7 +99,7 @@ TEST_CASE("samples of a magnified field follow a cubic between the middles of ce
   const IsoGrid grid = isoGrid(values, {12, 8}, {{0, 0, 120, 80}, {0, 0}, {0.1, 0.1}});
   CHECK(grid.size == glm::ivec2(61, 41));
   CHECK(grid.apart.x == doctest::Approx(2));
-  for (int x = 15; x <= 45; ++x)  // away from the edges
+  for (int x = 15; x <= 45; ++x)  // These samples are away from the edges.
     CHECK(grid.values[static_cast<std::size_t>(20 * 61 + x)] == doctest::Approx(0.04 * x * x));
 }
 

@@ -1,4 +1,4 @@
-// Compares a camera that lags behind its target with closed forms of a critically damped spring.
+// Tests a camera that lags behind its target against closed forms of a critically damped spring.
 #include "sim/world/lag.hpp"
 
 #include <array>
@@ -10,8 +10,8 @@ using namespace simreel;
 
 namespace {
 
-/// Returns y at `time` if x moves at constant `speed` and both start at 0, y at rest: v (t - T + (t + T)
-/// e^-2t/T).
+/// Returns y at `time` if x moves at constant `speed` v, both start at 0, and y starts at rest: v (t - T +
+/// (t + T) e^(-2t/T)) with the damping T.
 double ramp(double speed, double damping, double time) {
   return speed * (time - damping + (time + damping) * std::exp(-2 * time / damping));
 }
@@ -43,12 +43,12 @@ TEST_CASE("lag: the response to a step is 1 - (1 + w t) e^-wt") {
   lag.follow(glm::dvec3(0));
   for (int frame = 1; frame <= 4000; ++frame) {
     lag.follow(glm::dvec3(1, 0, 0));
-    // The target rises within one frame, which acts like a step in the middle of the frame.
+    // The target rises within one frame. This acts like a step in the middle of the frame.
     const double at = 2 / damping * (frame - 0.5) / fps;
     if (frame > 2) CHECK(std::abs(double{lag.place()->x} - (1 - (1 + at) * std::exp(-at))) < 2e-6);
   }
   CHECK(lag.place()->x > 0.999F);
-  CHECK(lag.place()->x < 1);  // the camera does not overshoot
+  CHECK(lag.place()->x < 1);  // The camera does not overshoot.
 }
 
 TEST_CASE("lag: a lost target is reacquired at rest, and a carried-over state continues unchanged") {

@@ -1,4 +1,4 @@
-// Known facts about automata, checked on the twin; and the twin compared with a plain loop over neighbours.
+// Tests known facts about automata on the CPU twin, and the twin against a plain loop over neighbours.
 #include "base/error.hpp"
 #include "reference/life_twin.hpp"
 #include "source_folder.hpp"
@@ -68,7 +68,8 @@ TEST_CASE("the bit-sliced twin equals a plain loop for random rules, both border
       for (int i = 0; i < 5; ++i) {
         twin.generation(1 + trial % 2);
         cells = nextBytes(cells, size, twin.plan().rule().counts, twin.plan().torus());
-        REQUIRE(twin.words == wordsOf(cells, size));  // also checks that bits beyond a row's end are zero
+        REQUIRE(twin.words == wordsOf(cells, size));  // This also checks that bits beyond a row's end are
+                                                      // zero.
       }
     }
   }
@@ -98,7 +99,7 @@ TEST_CASE("a glider moves one cell diagonally down in four generations") {
     twin.generation();
   }
   CHECK(twin.words == expected.words);
-  // the glider travels around the torus back to its start
+  // The glider travels around the torus back to its start.
   for (int i = 0; i < 4 * 41 * 37 - 4 * 31; ++i) twin.generation();
   CHECK(twin.words == twinOf(grid(41, 37, "glider", {3, 5})).words);
 }
@@ -138,7 +139,7 @@ TEST_CASE("a glider becomes a block at a dead border") {
 
 TEST_CASE("the acorn pattern of seven cells can be rotated and flipped") {
   auto p = grid(20, 20, "acorn", {2, 3});
-  p.rule = "B/S012345678";  // a rule in which every cell survives
+  p.rule = "B/S012345678";  // In this rule every cell survives.
   const auto cells = [&](int rotate, LifePattern::Flip flip) {
     p.patterns[0].rotate = rotate;
     p.patterns[0].flip = flip;

@@ -1,4 +1,5 @@
-// Broken mesh files, generated here: for any content, the reader gives a valid mesh or one clear line.
+// Tests broken mesh files, which are generated here. For any content, the reader must return a valid mesh
+// or a clear one-line error.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "sim/mesh/file/mesh_file.hpp"
@@ -26,7 +27,7 @@ struct Folder {
   fs::path path;
 };
 
-/// Returns "" for a valid mesh, else the error; any other result fails the test.
+/// Returns "" for a valid mesh, or the error message. Any other result fails the test.
 std::string read(const fs::path& file, const std::string& text) {
   writeFileAtomically(file, text);
   try {
@@ -56,7 +57,7 @@ const std::string squarePly =
     "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
     "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
 
-/// Returns a triangle with 16-bit indices; `uri` is its buffer of 36 + 6 bytes, `count` its number of
+/// Returns a glTF triangle with 16-bit indices. `uri`: its buffer of 36 + 6 bytes. `count`: number of
 /// vertices.
 std::string triangleGltf(const std::string& uri, const std::string& count = "3") {
   return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
@@ -86,7 +87,7 @@ TEST_CASE("whole files of the corpus are read: 16-bit glTF indices, relative OBJ
   CHECK(sim::loadMesh(folder.path / "a.gltf").positions.size() == 3);
   CHECK(read(folder.path / "b.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\n").empty());
   CHECK(sim::loadMesh(folder.path / "b.obj").indices.size() == 3);
-  // Degenerate triangles, and three triangles on one edge.
+  // The files contain degenerate triangles, and three triangles that share an edge.
   CHECK(read(folder.path / "c.obj",
              "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 2 5\nf 1 1 2\n")
             .empty());
@@ -109,7 +110,7 @@ TEST_CASE("wrong counts and names in a mesh file are refused in one line") {
   CHECK(says(read(inner / "e.gltf", triangleGltf(triangleUri, "4000000000")), "count"));
   CHECK(says(read(inner / "e.gltf", triangleGltf(triangleUri, "-3")), "count"));
   CHECK(!read(inner / "e.gltf", triangleGltf(triangleUri, "4")).empty());
-  // A buffer outside the folder, by ".." and by a link.
+  // The buffer is outside the folder. It is reached through ".." and through a link.
   const std::string bytes(42, '\0');
   writeFileAtomically(folder.path / "secret.bin", bytes);
   CHECK(says(read(inner / "f.gltf", triangleGltf("../secret.bin")), "outside its folder"));

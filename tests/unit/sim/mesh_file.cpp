@@ -1,4 +1,4 @@
-// Mesh files: supported content, and one clear line for each error.
+// Tests mesh files: their supported content, and a clear one-line message for each error.
 #include "sim/mesh/file/mesh_file.hpp"
 
 #include "base/error.hpp"
@@ -34,7 +34,7 @@ std::string failure(const std::string& name, const std::string& text) {
   return failure(file.path(), ExitCode::inputOutput);
 }
 
-/// Checks a square in the xy plane, seen from +z.
+/// Checks that the mesh is a square in the xy plane that faces +z.
 void checkSquare(const sim::Mesh& mesh) {
   REQUIRE(mesh.indices.size() == 6);
   REQUIRE(mesh.normals.size() == mesh.positions.size());
@@ -63,7 +63,7 @@ TEST_CASE("OBJ, PLY and glTF files of one square give equal meshes with computed
   CHECK(sim::loadMesh(obj.path()).uvs.empty());
   const TemporaryFile ply("square.PLY", asciiSquare);
   checkSquare(sim::loadMesh(ply.path()));
-  // Two triangles facing +z; their node mirrors along x, which must not turn them inside out.
+  // Two triangles face +z. Their node mirrors along x, which must not turn them inside out.
   const TemporaryFile gltf(
       "square.gltf",
       R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"scale":[-1,1,1]}],)"

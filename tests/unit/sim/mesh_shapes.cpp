@@ -1,4 +1,4 @@
-// Generated meshes: counts, index ranges, outward orientation, areas.
+// Tests generated meshes: counts, index ranges, outward orientation, areas.
 #include "base/hash.hpp"
 #include "scene/load.hpp"
 #include "sim/core/kind.hpp"
@@ -18,7 +18,7 @@ using namespace simreel;
 
 namespace {
 
-/// Checks the rules for every mesh; returns its area in m^2.
+/// Checks that the mesh is valid. Returns its area in m^2.
 double checkedArea(const sim::Mesh& mesh) {
   CHECK(mesh.normals.size() == mesh.positions.size());
   CHECK((mesh.uvs.empty() || mesh.uvs.size() == mesh.positions.size()));
@@ -33,7 +33,7 @@ double checkedArea(const sim::Mesh& mesh) {
         glm::cross(mesh.positions.at(mesh.indices[i + 1]) - p, mesh.positions.at(mesh.indices[i + 2]) - p);
     const float twice = glm::length(face);
     area += 0.5 * twice;
-    if (twice < 1e-6F) continue;  // skips degenerate triangles at a pole
+    if (twice < 1e-6F) continue;  // Degenerate triangles at a pole are skipped.
     glm::vec3 middle(0);
     for (std::size_t k = 0; k < 3; ++k) middle += mesh.normals[mesh.indices[i + k]];
     bad += glm::dot(face / twice, glm::normalize(middle)) > 0.9F ? 0 : 1;

@@ -10,14 +10,14 @@
 /// Helpers for tests of readers of text formats.
 namespace simreel::test {
 
-/// Returns a rule in standard notation, or the error: "CHARACTER: MESSAGE".
+/// Returns a rule in standard notation, or the error as "CHARACTER: MESSAGE".
 [[nodiscard]] inline std::string written(std::string_view text) {
   sim::CellRule rule;
   const sim::RuleProblem problem = sim::parseCellRule(text, rule);
   return problem.message.empty() ? rule.text() : std::to_string(problem.at) + ": " + problem.message;
 }
 
-/// Returns the error with which `read` refuses its input; "no mistake" if it accepts.
+/// Returns the error with which `read` refuses its input, or "no mistake" if `read` accepts it.
 template <class Read>
 [[nodiscard]] std::string mistakeIn(const Read& read) {
   try {

@@ -1,5 +1,5 @@
-// Compares emitted particles with closed forms and with their equation of motion solved independently in
-// double precision, for births at any moment of a step.
+// Tests emitted particles against closed forms and against their equation of motion, solved independently
+// in double precision, for births at any moment of a step.
 #include "reference/particles_twin.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using glm::dvec3;
 
 namespace {
 
-/// A jet without spread: `rate` births per second; no particle dies within 9 s.
+/// Returns a jet without spread, with `rate` births per second. No particle dies within 9 s.
 sim::ParticleParameters jet(double rate) {
   sim::ParticleParameters p;
   p.method = sim::GravityMethod::none;
@@ -35,8 +35,8 @@ struct Emitted {
   dvec3 position, velocity;
 };
 
-/// Returns the jet after `seconds`, oldest particles first. Particle n (zero-based) is born at (n + 1) /
-/// rate.
+/// Returns the jet after `seconds`, oldest particles first. Particle n (zero-based) is born at time (n + 1)
+/// / rate.
 std::vector<Emitted> emitted(const sim::ParticleParameters& p, double fps, double seconds,
                              const std::function<void(ParticlesTwin&)>& prepare = {}) {
   ParticlesTwin twin(sim::ParticlePlan(p, 1, 1 / fps));
@@ -54,7 +54,7 @@ std::vector<Emitted> emitted(const sim::ParticleParameters& p, double fps, doubl
   return found;
 }
 
-/// Solves x'' = a(x, t) from a birth on, by the Runge-Kutta method.
+/// Solves x'' = a(x, t) from a birth on by the Runge-Kutta method.
 Emitted solved(dvec3 position, dvec3 velocity, double birth, double end,
                const std::function<dvec3(dvec3, double)>& acceleration) {
   constexpr int steps = 2000;
@@ -93,7 +93,7 @@ Errors errors(const sim::ParticleParameters& p, double fps,
   return worst;
 }
 
-/// Checks that both errors are small and fall to a quarter if the step is halved.
+/// Checks that both errors are small and fall to a quarter when the step is halved.
 void checkSecondOrder(const sim::ParticleParameters& p, double max,
                       const std::function<dvec3(dvec3, double)>& acceleration,
                       const std::function<void(ParticlesTwin&)>& prepare = {}) {
@@ -107,7 +107,7 @@ void checkSecondOrder(const sim::ParticleParameters& p, double max,
   CHECK(coarse.velocity / fine.velocity == doctest::Approx(4).epsilon(0.25));
 }
 
-/// Plummer's attraction by a mass G M at `from`.
+/// Returns Plummer's acceleration at `here` by a body at `from`, where `mass` is G M.
 dvec3 pull(dvec3 from, dvec3 here, double mass, double softening) {
   const dvec3 d = from - here;
   return d * (mass / std::pow(glm::dot(d, d) + softening * softening, 1.5));
@@ -131,8 +131,8 @@ TEST_CASE("emitted particles follow the closed form of a damped fall at any step
         double worst = 0;
         for (const Emitted& particle : emitted(p, fps, 2)) {
           const double t = 2 - particle.birth;
-          // Solution of v' = a - r v: v = v0 e^-rt + a (1 - e^-rt) / r, x = v0 s + a (t - s) / r with s =
-          // (1 - e^-rt) / r.
+          // The solution of v' = a - r v is v = v0 e^(-rt) + a (1 - e^(-rt)) / r and x = v0 s + a (t - s) /
+          // r with s = (1 - e^(-rt)) / r.
           const double r = damping;
           const double kept = std::exp(-r * t);
           const double s = r > 0 ? (1 - kept) / r : t;
@@ -174,7 +174,7 @@ TEST_CASE("a moving, rotating emitter emits from its place at each birth, with t
       worst = std::max(worst, glm::length(particle.position - position));
     }
     CHECK(worstVelocity < 1e-4);
-    // Leapfrog omits jerk dt^3 / 6 in each step's displacement.
+    // Leapfrog neglects jerk * dt^3 / 6 in each step's displacement.
     CHECK(worst < glm::length(jerk) * 2 / (6 * fps * fps) + 1e-4);
   }
 }
@@ -211,7 +211,7 @@ TEST_CASE("new particles near a heavy particle are as accurate as leapfrog") {
   checkSecondOrder(
       p, 1e-2,
       [](dvec3 x, double t) {
-        return pull({2, 2 - t * t, 0.5}, x, 12, 0.5) + dvec3(0, -2, 0);  // the attractor falls too
+        return pull({2, 2 - t * t, 0.5}, x, 12, 0.5) + dvec3(0, -2, 0);  // The attractor also falls.
       },
       [](ParticlesTwin& twin) {
         twin.positions[0] = glm::vec4(2, 2, 0.5, 12);
@@ -228,8 +228,7 @@ TEST_CASE("a jet without spread is an evenly spaced line") {
   p.turbulence.strength = 3;
   p.turbulence.size = 3;
   const auto line = emitted(p, 60, 1);
-  // Sixteen or seventeen births per step, five millimetres apart: the step boundaries must not show in the
-  // distances.
+  // A step has 16 or 17 births, 5 mm apart. The step boundaries must not be visible in the distances.
   double worst = 0;
   for (std::size_t i = 2; i < line.size(); ++i) {
     const double before = glm::length(line[i - 1].position - line[i - 2].position);
@@ -241,7 +240,7 @@ TEST_CASE("a jet without spread is an evenly spaced line") {
 
 TEST_CASE("particles that live shorter than a step die within it, and no births are owed later") {
   auto p = jet(1000);
-  p.emitters[0].lifetime = 4e-3F;  // the lifetime is a quarter of a frame
+  p.emitters[0].lifetime = 4e-3F;  // The lifetime is a quarter of a frame.
   p.emitters[0].until = 0.5F;
   ParticlesTwin twin(sim::ParticlePlan(p, 1, 1 / 60.0));
   for (int frame = 0; frame < 33; ++frame) {

@@ -1,4 +1,5 @@
-// Known orbits and conserved quantities, checked on the CPU twin, which gives the GPU's bits.
+// Tests particles on known orbits, and conserved quantities, on the CPU twin, which equals the GPU bit for
+// bit.
 #include "reference/particles_twin.hpp"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ struct Start {
   float mass;
 };
 
-/// Returns a twin of given bodies with one substep per frame.
+/// Returns a twin of the given bodies with one substep per frame.
 ParticlesTwin bodies(const std::vector<Start>& starts, double gravity, double softening, double dt) {
   sim::ParticleParameters p;
   p.gravity = static_cast<float>(gravity);
@@ -83,7 +84,8 @@ glm::dvec3 angularMomentum(const ParticlesTwin& twin) {
   return sum;
 }
 
-/// Two bodies of masses 3 and 1 about their common centre, G = 1, semi-major axis 1, starting at apoapsis.
+/// Returns two bodies with masses 3 and 1 that orbit their common centre, with G = 1 and semi-major axis 1,
+/// starting at apoapsis.
 std::vector<Start> ellipse(double eccentricity) {
   const double reach = 1 + eccentricity;
   const double speed = std::sqrt(4.0 * (2 / reach - 1));
@@ -99,7 +101,7 @@ std::vector<Start> ellipse(double eccentricity) {
 
 constexpr double ellipsePeriod = pi;  // orbital period, 2 pi sqrt(a^3 / (G (m1 + m2)))
 
-/// Returns the angle (rad) by which the two bodies miss the apoapsis after some periods.
+/// Returns the angle (rad) between the bodies and the apoapsis after some periods.
 double phaseError(int stepsPerPeriod, int periods) {
   auto twin = bodies(ellipse(0.3), 1, 1e-5, ellipsePeriod / stepsPerPeriod);
   for (int i = 0; i < stepsPerPeriod * periods; ++i) twin.step(i * ellipsePeriod / stepsPerPeriod);
@@ -113,7 +115,7 @@ TEST_CASE("two bodies keep period and eccentricity over 100 periods") {
   constexpr int steps = 2000;
   const double dt = ellipsePeriod / steps;
   auto twin = bodies(ellipse(0.3), 1, 1e-5, dt);
-  std::vector<double> passages;  // upward crossings of the x axis on the far side
+  std::vector<double> passages;  // upward crossings of the x axis on the side opposite to the start
   double min = 1e9;
   double max = 0;
   double before = 0;
@@ -143,7 +145,8 @@ TEST_CASE("the phase error of leapfrog falls four times when the step is halved"
 }
 
 TEST_CASE("three bodies return to their start on the figure-eight orbit") {
-  // A. Chenciner and R. Montgomery, Annals of Mathematics 152 (2000), with C. Simo's numbers: G = m = 1.
+  // The orbit is that of A. Chenciner and R. Montgomery, Annals of Mathematics 152 (2000), with C. Simo's
+  // numbers and G = m = 1.
   const glm::vec3 x(0.97000436, -0.24308753, 0);
   const glm::vec3 v(-0.93240737, -0.86473146, 0);
   constexpr double period = 6.32591398;
@@ -154,7 +157,7 @@ TEST_CASE("three bodies return to their start on the figure-eight orbit") {
   for (int i = 0; i < 3 * steps; ++i) {
     twin.step(i * period / steps);
     if (i + 1 == steps / 3) {
-      // After a third of the period each body is at another body's initial position.
+      // After a third of the period, each body is at another body's initial position.
       for (const auto& p : twin.positions) {
         double nearest = 1e9;
         for (const auto& q : first) nearest = std::min<double>(nearest, glm::length(glm::vec3(p - q)));
@@ -167,7 +170,8 @@ TEST_CASE("three bodies return to their start on the figure-eight orbit") {
 }
 
 TEST_CASE("a Plummer sphere is in equilibrium and keeps its energy") {
-  // Crossing time in model units: M^(5/2) / (2 |E|)^(3/2), E = -3 pi / 64 G M^2 / a.
+  // The crossing time in model units is M^(5/2) / (2 |E|)^(3/2), where M is the total mass and E = -3 pi /
+  // 64 G M^2 / a the energy.
   const double crossing = 1 / std::pow(2 * 3 * pi / 64, 1.5);
   constexpr int steps = 100;
   auto twin = sphere(501, crossing / steps);
@@ -198,7 +202,8 @@ TEST_CASE("momentum and angular momentum are conserved") {
 }
 
 TEST_CASE("permuted bodies give the permuted result") {
-  // Bits differ because sums are taken in the order of the bodies. The difference must be only rounding.
+  // The bits differ, because sums are computed in the order of the bodies. The difference must be only
+  // rounding.
   auto twin = sphere(257, 0.02);
   auto other = sphere(257, 0.02);
   const auto place = [](std::size_t i) { return i * 100 % 257; };
@@ -274,7 +279,8 @@ TEST_CASE("turbulence is divergence-free with mean zero and unit strength") {
   double slope = 0;
   int count = 0;
   for (int i = 0; i < 4000; ++i) {
-    // A low-discrepancy sequence in 40^3 cells (powers of the inverse of a generalized golden ratio).
+    // The points are a low-discrepancy sequence in 40^3 cells (powers of the inverse of a generalized
+    // golden ratio).
     const glm::dvec3 at =
         glm::fract(glm::dvec3(0.8191725, 0.6710436, 0.5497005) * static_cast<double>(i)) * 40.0;
     const glm::vec3 p(at);

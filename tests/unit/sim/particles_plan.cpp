@@ -81,7 +81,8 @@ TEST_CASE("particle CSV files are read by column name") {
 }
 
 TEST_CASE("particles of a file without masses share the group's mass") {
-  // As spreadsheets write it: a byte-order mark, capitals, quotes, commas inside quotes.
+  // The file is in the form that spreadsheets write: with a byte order mark, capitals, quotes, and commas
+  // inside quotes.
   const TemporaryFile sheet(
       "sheet.csv", "\xEF\xBB\xBF\"X\",\"Y\", \"Z\",\"Name, first\",Mass\r\n1,2,\"3\",\"a, b\",4\r\n");
   CHECK(sim::readParticles(sheet.path(), 1, 10).positions.at(0) == glm::vec4(1, 2, 3, 4));
@@ -171,7 +172,7 @@ TEST_CASE("emitters emit at their rate and never overwrite living particles") {
     for (std::size_t i = 0; i < before.size(); ++i) {
       const float age = twin.velocities[i].w;
       alive += age >= 0 ? 1 : 0;
-      // Counts slots that are reborn although the last particle had more than a substep to live.
+      // `early` counts slots that are reborn although the last particle had more than a substep to live.
       if (age >= 0 && age < before[i] && before[i] < 0.9F) ++early;
       CHECK((age < 0) == (twin.positions[i].w == 0));
       before[i] = age;
@@ -213,7 +214,8 @@ TEST_CASE("newborn particles lie in the given cone and ball") {
     const float speed = glm::length(v);
     CHECK(speed == doctest::Approx(4).epsilon(0.301));
     widest = std::max(widest, std::acos(glm::dot(v / speed, glm::vec3(0, 0, -1))));
-    // Reverses the flight over the age, which is a fraction of the slot's lifetime of 0.3 to 0.7 s.
+    // This reverses the flight over the particle's age, which is a fraction of the slot's lifetime of 0.3
+    // to 0.7 s.
     const glm::vec3 fromMiddle = glm::vec3(twin.positions[i]) - glm::vec3(1, 2, 3);
     const glm::vec3 across = fromMiddle - glm::dot(fromMiddle, v) / glm::dot(v, v) * v;
     farthest = std::max(farthest, glm::length(across));
@@ -256,7 +258,7 @@ TEST_CASE("groups have the given shape, mass and motion") {
   auto half = sim::ParticlePlan(p, 1, 1).firstCloud().positions;
   inner = 0;
   for (const auto& position : half) inner += glm::length(glm::vec3(position)) < 2 * 1.3048F ? 1 : 0;
-  // the half-mass radius of a Plummer sphere is 1.305 a
+  // The half-mass radius of a Plummer sphere with scale a is 1.305 a.
   CHECK(inner / 5001.0 == doctest::Approx(0.5).epsilon(0.05).scale(0));
   CHECK(glm::length(middleOf(half)) < 1e-5);
 
@@ -274,9 +276,10 @@ TEST_CASE("groups have the given shape, mass and motion") {
     radius += std::hypot(disk.positions[i].x, disk.positions[i].z);
     spin += glm::cross(glm::vec3(disk.positions[i]), glm::vec3(disk.velocities[i])).y;
   }
-  // the mean radius of an exponential disc, with density R e^(-R/2), is 2 Rd
+  // The mean radius of an exponential disc with scale Rd, whose density is proportional to R e^(-R / Rd),
+  // is 2 Rd.
   CHECK(radius / 5001 == doctest::Approx(2 * 2).epsilon(0.05).scale(0));
-  // the mean height for a sech^2 profile is z0 ln 2
+  // The mean height for a sech^2 profile with scale z0 is z0 ln 2.
   CHECK(height / 5001 == doctest::Approx(0.1 * 0.693).epsilon(0.1).scale(0));
   CHECK(spin > 0);
 }
@@ -297,7 +300,7 @@ TEST_CASE("a disk turns steadily: its size is constant over two rotations") {
     return sum / static_cast<double>(twin.positions.size());
   };
   const double first = meanRadius();
-  for (int i = 0; i < 500; ++i) {  // simulates 20 s; a rotation at R = 2 takes about 9 s
+  for (int i = 0; i < 500; ++i) {  // This simulates 20 s. An orbit at R = 2 takes about 9 s.
     twin.step(i * 0.04, 0);
     if (i % 100 == 99) CHECK(meanRadius() == doctest::Approx(first).epsilon(0.08));
   }

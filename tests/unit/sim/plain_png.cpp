@@ -1,4 +1,4 @@
-// Compares the fast decoder of plain PNG files with the encoded pictures; also tests files that it must
+// Tests the fast decoder of plain PNG files against the original images. Also tests files that it must
 // leave to the general decoder.
 #include "sim/grid/plain_png.hpp"
 
@@ -30,7 +30,7 @@ std::string chunk(std::string_view type, const std::string& data) {
   return number(std::uint32_t(data.size())) + body + number(crc32_gzip_refl(0, bytes, body.size()));
 }
 
-/// Returns a zlib stream of stored (uncompressed) blocks (RFC 1950, 1951).
+/// Returns a zlib stream that consists of stored (uncompressed) blocks (RFC 1950, 1951).
 std::string stored(const std::string& bytes) {
   std::string text("\x78\x01\x01", 3);
   const auto size = static_cast<unsigned>(bytes.size());
@@ -65,7 +65,8 @@ std::optional<sim::Picture> decode(const std::string& file) {
   return sim::decodePlainPng(file, maxSide);
 }
 
-/// Filters rows as in the specification's table 9.1, each row with the next filter.
+/// Filters the rows of an image as in table 9.1 of the PNG specification. Each row uses the next filter
+/// type.
 Png filtered(const frame::Image& image, int channels) {
   Png png;
   png.width = image.width;

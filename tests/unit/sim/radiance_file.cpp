@@ -1,4 +1,4 @@
-// The values of bytes in a Radiance picture, compared with the truncation by Radiance's own writer.
+// Tests the values of bytes in a Radiance image against the truncation by Radiance's own writer.
 #include "base/error.hpp"
 #include "sim/light/light_file.hpp"
 
@@ -12,7 +12,7 @@ using namespace simreel;  // NOLINT
 
 namespace {
 
-/// Stores light as in "Real Pixels": truncated mantissas below 256 with a shared power of two.
+/// Encodes light as in "Real Pixels": truncated mantissas below 256 with a common power of two.
 std::string stored(double red, double green, double blue) {
   int exponent = 0;
   static_cast<void>(std::frexp(std::max({red, green, blue}), &exponent));
@@ -32,11 +32,11 @@ sim::LightFile readBack(const std::string& pixels) {
 
 TEST_CASE("Radiance: a mantissa is decoded to the middle of its quantization interval") {
   const sim::LightFile ones = readBack(stored(1, 1, 1) + stored(0.25, 0, 0.125));
-  CHECK(ones.values[0] == 128.5F / 128);  // byte 128 stands for 1.004, as in Radiance
+  CHECK(ones.values[0] == 128.5F / 128);  // Byte 128 stands for 1.004, as in Radiance.
   CHECK(ones.values[4] == 0.25F * 128.5F / 128);
   CHECK(ones.values[5] == 0.25F * 0.5F / 128);
   CHECK(readBack(std::string("\x80\x80\x80\x00", 4)).values[0] == 0.0F);
-  // Stored light keeps its mean brightness; without the added half, about 0.3 % would be lost.
+  // The mean brightness must survive encoding. Without the added half, about 0.3 % would be lost.
   constexpr int count = 5000;
   std::string pixels;
   double light = 0, read = 0;

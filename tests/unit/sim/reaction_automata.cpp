@@ -1,4 +1,4 @@
-// Automata as rules for a cell's next state, in volumes and on meshes, compared with plain loops.
+// Tests automata as rules for a cell's next state, in volumes and on meshes, against plain loops.
 #include "base/error.hpp"
 #include "scene/load.hpp"
 #include "scene/scene.hpp"
@@ -23,9 +23,9 @@ sim::ReactionParameters automaton(const std::string& members) {
   return dynamic_cast<const sim::ReactionParameters&>(*scene.objects.at(0).parameters);
 }
 
-/// Bays' notation: a living cell survives with an environment from low to high, and a cell is born with a
-/// fertility from low to high. With more than two states, a cell goes from 1 to 2, 3, ... and back to 0
-/// (Generations).
+/// Rule in Bays' notation. A living cell survives if its number of living neighbours is within the survival
+/// bounds. A cell is born if the number is within the birth bounds. With more than two states, other cells
+/// age through the states 2, 3, ... back to 0 (Generations).
 struct Bays {
   int surviveLow, surviveHigh, bornLow, bornHigh, states = 2;
 
@@ -83,7 +83,8 @@ TEST_CASE("automata in a volume: Bays' rules and Generations equal a plain loop 
       p.size = {13, 9};
       p.depth = 7;
       // With fixed boundaries, only a stencil applied directly to a species treats cells outside as dead. A
-      // stencil over a let repeats the border cell, so rules with more than two states are skipped.
+      // stencil over a let repeats the border cell. Rules with more than two states use such a let, so they
+      // are skipped.
       if (!torus && rule.states > 2) continue;
       if (!torus) p.lets = {{"n", "around(u)"}};
       const sim::ReactionPlan plan(p, "r", 3, 1.0);

@@ -1,5 +1,5 @@
-// Strokes in volumes and on meshes must paint the cells within reach of their path, by distances in double
-// precision.
+// Tests that strokes in volumes and on meshes paint the cells within the brush's radius of their path, with
+// distances in double precision.
 #include "base/error.hpp"
 #include "scene/load.hpp"
 #include "scene/scene.hpp"
@@ -39,7 +39,7 @@ std::string brushRefusal(const std::string& members) {
   }
 }
 
-/// Returns the values painted on "v" after a frame's step.
+/// Returns the values of "v" that the strokes paint in one frame.
 std::vector<float> paintedAfter(const sim::ReactionPlan& plan, double time) {
   sim::RuleField field = plan.firstField();
   for (const auto& painted : plan.strokesAt(time, 1)) sim::evaluateBrush(painted, field);
@@ -63,7 +63,7 @@ TEST_CASE("a stroke in a volume paints the cells around its path, across the bor
         brushed(stroke + (torus ? R"("boundary": "torus")" : R"("boundary": "no-flux")")), "r", 1,
         brushFrame);
     const std::vector<float> got = paintedAfter(plan, 0);
-    // From 0 to the frame's end at 0.5 s the brush covers half of its path.
+    // From time 0 to the frame's end at 0.5 s, the brush covers half of its path.
     const glm::dvec3 from(1.3, 9.2, 7.9), to = 0.5 * (from + glm::dvec3(9.1, 12.4, 10.2));
     std::size_t cell = 0, reached = 0;
     for (int z = 0; z < size.z; ++z)

@@ -1,5 +1,6 @@
-// Compares equations on meshes with theory: a sphere's harmonics decay with l (l + 1), a grid of right
-// triangles has the five-point Laplacian, diffusion conserves the sum, and seams have no effect.
+// Tests equations on meshes against theory. A sphere's harmonics decay at a rate proportional to l (l + 1),
+// a grid of right triangles has the five-point Laplacian, diffusion conserves the sum, and seams have no
+// effect.
 #include "base/error.hpp"
 #include "scene/load.hpp"
 #include "scene/scene.hpp"
@@ -38,7 +39,7 @@ struct OnMesh {
       : plan(meshRule(members), "r", 1, 1.0), field(plan.firstField()) {
     for (int i = 0; i < steps; ++i) sim::evaluateStep(plan, plan.valuesAt(0), i, 0, field);
   }
-  /// Returns the sum over cells of area times the product of two species.
+  /// Returns the sum over all cells of area times the product of two species.
   [[nodiscard]] double product(std::size_t a, std::size_t b) const {
     double sum = 0;
     for (std::size_t i = 0; i < plan.cells().areas.size(); ++i)
@@ -67,7 +68,7 @@ std::string meshRefusal(const std::string& members) {
 
 const std::string ballMesh =
     R"X("mesh": {"shape": "sphere", "radius": 1.7, "resolution": [81, 41]}, "spacing": 1, )X";
-/// Legendre polynomials of c, the height above the equator.
+/// Expressions of the Legendre polynomials of c, the height above the equator.
 const std::string harmonics[] = {"", "c", "1.5*c^2 - 0.5", "2.5*c^3 - 1.5*c",
                                  "4.375*c^4 - 3.75*c^2 + 0.375"};
 
@@ -92,10 +93,10 @@ TEST_CASE(
                 harmonicStart(l)),
         1);
     const double radius =
-        1.7 / made.plan.cells().meanEdge;  // scales the radius, because the spacing of the cells is 1
+        1.7 / made.plan.cells().meanEdge;  // The radius is scaled, because the spacing of the cells is 1.
     const double found = -made.product(0, 1) / made.product(0, 0) * radius * radius;
     CHECK_MESSAGE(std::abs(found / (l * (l + 1)) - 1) < 0.02, (found));
-    // Checks the function itself, not only its mean.
+    // This checks the function itself, not only its mean.
     CHECK(made.product(1, 1) * std::pow(radius, 4) / made.product(0, 0) ==
           doctest::Approx(std::pow(l * (l + 1), 2)).epsilon(0.05));
   }
@@ -127,15 +128,15 @@ TEST_CASE("reaction on a grid of right triangles uses the five-point stencil") {
       1);
   const sim::MeshCells& cells = made.plan.cells();
   REQUIRE(cells.count() == 17 * 13);
-  const auto at =
-      [&](int x, int z) {  // finds a cell by position, because cells are numbered in the order of the faces
-        for (std::size_t i = 0; i < cells.places.size(); ++i)
-          if (std::abs(cells.places[i].x + 4 - 0.5 * x) < 1e-6 &&
-              std::abs(cells.places[i].z + 3 - 0.5 * z) < 1e-6)
-            return i;
-        return cells.places.size();
-      };
-  // The mean edge of such a mesh is longer than the sides of its squares.
+  const auto at = [&](int x, int z) {  // The cell is found by position, because cells are numbered in the
+                                       // order of the faces.
+    for (std::size_t i = 0; i < cells.places.size(); ++i)
+      if (std::abs(cells.places[i].x + 4 - 0.5 * x) < 1e-6 &&
+          std::abs(cells.places[i].z + 3 - 0.5 * z) < 1e-6)
+        return i;
+    return cells.places.size();
+  };
+  // The mean edge of this mesh is longer than the sides of its squares.
   const double side = 0.5 / cells.meanEdge;
   for (int z = 1; z < 12; ++z)
     for (int x = 1; x < 16; ++x) {
@@ -173,7 +174,7 @@ TEST_CASE("reaction on meshes: presets are as stable as on a grid, with or witho
                            R"X({"shape": "plane", "size": [4, 0, 1], "resolution": [21, 17]})X"})
     for (const sim::ReactionPreset& preset : sim::reactionPresets()) {
       if (std::string(preset.name) == "kuramotoSivashinsky")
-        continue;  // uses gradients, which do not exist on meshes
+        continue;  // Rules with gradients are skipped, because gradients do not exist on meshes.
       CAPTURE(std::string(mesh));
       CAPTURE(std::string(preset.name));
       const OnMesh made(fmt::format(R"X("preset": "{}", "mesh": {})X", preset.name, mesh), 150);
@@ -197,12 +198,12 @@ TEST_CASE("mesh cells: seams are merged, and Loop subdivision makes four faces o
   CHECK(sim::cellsOf(ball, "it").count() == 32 * 15 + 2);
   const sim::Mesh finer = sim::refined(ball);
   CHECK(finer.indices.size() == 4 * 3 * std::size_t{32 * 14 * 2 + 2 * 32});
-  // Euler's formula for a closed surface: V - E + F = 2.
+  // For a closed surface, Euler's formula is V - E + F = 2, with V vertices, E edges and F faces.
   const sim::MeshCells cells = sim::cellsOf(finer, "it");
   CHECK(cells.count() - static_cast<int>(cells.links.size()) / 2 +
             static_cast<int>(finer.indices.size()) / 3 ==
         2);
-  // A flat sheet stays flat, and so does its border.
+  // A flat sheet and its border must stay flat.
   const sim::Mesh sheet = sim::refined(sim::planeMesh({4, 0, 2}, {5, 4}));
   double most = 0;
   for (const glm::vec3& place : sheet.positions) {
@@ -243,7 +244,7 @@ TEST_CASE(
     double spread = 0;
     for (std::size_t i = 0; i < made.field.stage[0].size(); ++i) {
       const glm::dvec2 uv = place(made.plan.cells().places[i]);
-      // A position in a picture is accurate to 1/65536.
+      // A position in an image is accurate to 1/65536.
       const double want = 2 + 3 * level(uv.x, uv.y) / 255,
                    got = static_cast<double>(made.field.stage[0][i]);
       CHECK(std::abs(got - want) < 3.0 * picture.size.x / 65536);
@@ -255,7 +256,7 @@ TEST_CASE(
   const auto above = [](const glm::dvec3& p) { return glm::dvec2(p.x / 3 + 0.5, p.z / 2 + 0.5); };
   holds(mapped(sheet + "}"), above);
   holds(mapped(sheet + R"X(, "maps": "top"})X"), above);
-  // A subdivided sheet has no texture coordinates; seen from the front it is a line.
+  // A subdivided sheet has no texture coordinates. Seen from the front, it is a line.
   holds(mapped(sheet + R"X(, "refine": 1, "maps": "top"})X"), above);
   holds(mapped(R"X({"shape": "sphere", "radius": 2, "resolution": [33, 17], "maps": "front"})X"),
         [](const glm::dvec3& p) { return glm::dvec2(p.x / 4 + 0.5, 0.5 - p.y / 4); });

@@ -1,4 +1,4 @@
-// Compares presets with theory. Expected values are computed here in double precision from the equations of
+// Tests presets against theory. Expected values are computed here in double precision from the equations of
 // the papers: Jacobians of homogeneous states, the symbol of the nine-point stencil, exact solutions.
 #include "scene/load.hpp"
 #include "scene/scene.hpp"
@@ -29,7 +29,7 @@ sim::ReactionParameters equations(const std::string& members) {
   return dynamic_cast<const sim::ReactionParameters&>(*scene.objects.at(0).parameters);
 }
 
-/// Returns the state after `steps`.
+/// Returns the state after `steps` steps.
 sim::RuleField after(const sim::ReactionParameters& parameters, int steps) {
   const sim::ReactionPlan plan(parameters, "r", 1, second);
   sim::RuleField field = plan.firstField();
@@ -44,25 +44,26 @@ double meanOf(const std::vector<float>& cells) {
 using Matrix = std::array<std::array<double, 2>, 2>;
 using Amplitudes = std::array<double, 2>;
 
-/// A preset at a homogeneous state: the state, and the rates of a small wave whose Laplacian is L times the
-/// wave.
+/// A preset in a homogeneous state. The struct has the state and the growth rates of a small wave, as a
+/// function of the factor L by which the Laplacian multiplies the wave.
 struct Homogeneous {
   const char* preset;
   Amplitudes state;
   std::function<Matrix(double L)> rates;
-  double wave = 1e-3;  ///< amplitude, small enough for linear behaviour
+  double wave = 1e-3;  ///< amplitude of the wave, small enough for linear behaviour
 };
 
 std::vector<Homogeneous> homogeneousStates() {
-  const double e = 0.05, a1 = 2, a0 = -0.1;  // FitzHugh-Nagumo: u = a1 v + a0, v = u - u^3
+  const double e = 0.05, a1 = 2, a0 = -0.1;  // FitzHugh-Nagumo: in equilibrium, u = a1 v + a0 and v = u -
+                                             // u^3.
   double v = 0;
   for (int i = 0; i < 100; ++i) {
     const double u = a1 * v + a0;
     v -= (u - u * u * u - v) / (a1 - 3 * u * u * a1 - 1);
   }
   const double u = a1 * v + a0;
-  const double ga = 1.52, gh = ga * ga / 1.5;  // Gierer-Meinhardt: mu 1, nu 1.5, s 0.02
-  // Oregonator: u = v, u (1 - u) (u + q) = f u (u - q)
+  const double ga = 1.52, gh = ga * ga / 1.5;  // Gierer-Meinhardt: mu = 1, nu = 1.5 and s = 0.02.
+  // Oregonator: in equilibrium, u = v and u (1 - u) (u + q) = f u (u - q).
   const double q = 0.002, f = 3, half = (1 - f - q) / 2, o = half + std::sqrt(half * half + q * (1 + f));
   const double d = (o + q) * (o + q);
   return {
@@ -131,7 +132,8 @@ std::vector<Homogeneous> homogeneousStates() {
   };
 }
 
-/// Performs one step of a' = M a by the method, in double precision.
+/// Returns the amplitudes after one step of a' = M a by the method, in double precision. `m` is the matrix
+/// M.
 Amplitudes stepped(const Matrix& m, const Amplitudes& a, double dt, sim::RuleMethod method) {
   const auto times = [&](const Amplitudes& b) {
     return Amplitudes{m[0][0] * b[0] + m[0][1] * b[1], m[1][0] * b[0] + m[1][1] * b[1]};
@@ -146,7 +148,7 @@ Amplitudes stepped(const Matrix& m, const Amplitudes& a, double dt, sim::RuleMet
   return sum;
 }
 
-/// Returns twice the mean of a plane's product with the wave.
+/// Returns twice the mean over the plane of the cells' deviation from `mean`, times the wave.
 double amplitude(const std::vector<float>& cells, double mean, glm::ivec2 size, const glm::dvec2& k) {
   double sum = 0;
   for (int y = 0; y < size.y; ++y)
@@ -173,7 +175,7 @@ TEST_CASE("reaction: a small wave on each preset's uniform state grows at the an
       const Matrix rates = at.rates(L);
       const Amplitudes start = {at.wave, -0.4 * at.wave};
       std::erase_if(p.parameters,
-                    // removes the parameter that only the start uses
+                    // This removes the parameter that only the start uses.
                     [](const auto& parameter) { return parameter.name == "mean"; });
       for (std::size_t i = 0; i < p.species.size(); ++i)
         p.species[i].start = fmt::format("{:.9g} + {:.9g}*cos({:.9g}*x + {:.9g}*y)", at.state[i], start[i],
@@ -182,7 +184,7 @@ TEST_CASE("reaction: a small wave on each preset's uniform state grows at the an
       Amplitudes want = start;
       if (!two) want[1] = 0;
       const Amplitudes begun = want;
-      // Until the wave has changed by a factor of about e.
+      // The simulation runs until the wave has changed by a factor of about e.
       double fastest = 0;
       for (const auto& row : rates) fastest = std::max(fastest, std::abs(row[0]) + std::abs(row[1]));
       const int steps = std::clamp(static_cast<int>(1 / (fastest * p.dt)), 4, 400);
@@ -223,8 +225,8 @@ TEST_CASE("reaction: Euler, Heun and Runge-Kutta converge with order 1, 2 and 4 
 }
 
 TEST_CASE("reaction: time, keys and animated rates are evaluated at the right moment") {
-  // du/dt = t^3: order 4 is exact except for rounding; Euler's sum of 8 steps of 1/8 is (28/64)^2... of
-  // integers.
+  // For du/dt = t^3, a method of order 4 is exact except for rounding. Euler's method with 8 steps of 1/8
+  // returns the sum of (i/8)^3 / 8 for i = 0 to 7, which is 28^2 / 4096.
   auto p = equations(R"X("species": {"u": {"rate": "t^3"}}, "method": "rk4")X");
   p.size = {4, 4};
   p.dt = 0.125;

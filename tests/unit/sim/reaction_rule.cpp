@@ -1,4 +1,4 @@
-// Rules: refused equations of a scene, and the marked position of the error.
+// Tests refused equations of rules in a scene, and the marked position of the error.
 #include "base/error.hpp"
 #include "scene/load.hpp"
 #include "scene/scene.hpp"
@@ -27,13 +27,13 @@ std::string refusal(const std::string& members) {
   }
 }
 
-/// Returns the error of a rule with one species u and this rate.
+/// Returns the error of a rule that has one species u with this rate.
 std::string rate(const std::string& expression, const std::string& more = "") {
   return refusal(more + R"X("species": {"u": {"rate": ")X" + expression + "\"}}");
 }
 
 bool shows(const std::string& refused, const std::string& message, const std::string& marked) {
-  // The caret line has as many carets as the marked text, which is directly above.
+  // The caret line has as many carets as the marked text, which is directly above them.
   const std::size_t caret = refused.rfind('\n') + 1;
   const std::size_t line = refused.rfind('\n', caret - 2) + 1;
   const std::size_t at = refused.find_first_of('^', caret) - caret;
@@ -100,7 +100,7 @@ TEST_CASE("reaction: errors of a rule as a whole are reported") {
   std::string dear = "u";
   for (int i = 0; i < 100; ++i) dear += fmt::format("+tanh(u+{})", i);
   CHECK(rate(dear).find("the rates cost") != std::string::npos);
-  // Lets that double each other: 2^30 operations when expanded, 30 as a graph.
+  // Each let doubles the previous one. Expanded, this would be 2^30 operations; as a graph it is 30.
   std::string lets = "\"l0\": \"u\"";
   for (int i = 1; i < 31; ++i) lets += fmt::format(", \"l{0}\": \"l{1}*l{1} + l{1}\"", i, i - 1);
   CHECK(rate("l30", "\"lets\": {" + lets + "}, ") == "none");
@@ -139,7 +139,8 @@ TEST_CASE(
   CHECK(refused(with(R"({"field": "smoke", "down": 2})")).find("leave out \"down\"") != std::string::npos);
   CHECK(refused(with(R"({"field": "smoke"})", R"("presteps": 3, )")).find("leave out \"presteps\"") !=
         std::string::npos);
-  // On a mesh: fields of grids, and of the same mesh at any position; grids cannot use fields of meshes.
+  // A rule on a mesh may read fields of grids, and of the same mesh at any position. A rule on a grid
+  // cannot read fields of meshes.
   const auto onMesh = [](const char* name, const char* mesh, const char* field) {
     return fmt::format(
         R"X("{}": {{"reaction": {{"mesh": {}, "parameters": {{"f": {{"field": "{}"}}}}, "species": {{"u": {{"rate": "f"}}}}}}}}, )X",
@@ -159,7 +160,8 @@ TEST_CASE(
         std::string::npos);
   CHECK(refused(onMesh("n", R"({"shape": "torus"})", "m.v") + other + with(R"({"field": "smoke"})"))
             .find("object \"m\" has no field \"m.v\"; did you mean") != std::string::npos);
-  // In a volume: fields of grids, equal in all layers, and of volumes with the same proportions.
+  // A rule in a volume may read fields of grids, whose values are equal in all layers, and of volumes with
+  // the same proportions.
   const auto inVolume = [](const char* name, const char* size, const char* field) {
     return fmt::format(
         R"X("{}": {{"reaction": {{"size": {}, "parameters": {{"f": {{"field": "{}"}}}}, "species": {{"u": {{"rate": "f"}}}}}}}}, )X",

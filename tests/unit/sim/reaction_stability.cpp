@@ -1,4 +1,4 @@
-// Time steps that are too long for the expressions, by the stability limits of the methods.
+// Tests time steps that are too long for the expressions, by the stability limits of the methods.
 #include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "sim/reaction/presets.hpp"
@@ -34,7 +34,7 @@ std::optional<sim::StepGrowth> growthOf(const char* rate, double dt, const char*
 }  // namespace
 
 TEST_CASE("reaction: time steps that amplify small waves are detected, and stable ones are not reported") {
-  // The fastest wave of the Laplacian has the eigenvalue -16/3.
+  // The Laplacian of the fastest wave has the eigenvalue -16/3.
   CHECK_FALSE(growthOf("laplacian(u)", 0.37, "euler"));
   CHECK_FALSE(growthOf("laplacian(u)", 0.51, "rk4"));
   CHECK(growthOf("laplacian(u)", 0.54, "rk4"));
@@ -48,12 +48,12 @@ TEST_CASE("reaction: time steps that amplify small waves are detected, and stabl
   const auto decay = growthOf("-100*u", 0.1, "euler");
   REQUIRE(decay);
   CHECK(decay->step == doctest::Approx(9).epsilon(0.01));
-  // With Euler, oscillations grow; a wave of four cells moves by one cell in a time of 1.
+  // With Euler's method, oscillations grow. A wave of four cells moves by one cell in a time of 1.
   const auto moved = growthOf("ddx(u)", 0.5, "euler");
   REQUIRE(moved);
   CHECK(moved->step == doctest::Approx(std::sqrt(1.25)).epsilon(0.01));
   CHECK_FALSE(growthOf("ddx(u)", 0.5, "rk4"));
-  // Growth that belongs to the equation itself is allowed.
+  // Growth that is part of the equation itself is allowed.
   CHECK_FALSE(growthOf("3*u", 0.2, "euler"));
   CHECK_FALSE(growthOf("-laplacian(u)", 0.1, "euler"));
 }

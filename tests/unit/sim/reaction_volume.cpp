@@ -1,4 +1,4 @@
-// Compares equations in volumes with theory: small waves grow by the symbol of the 19-point stencil,
+// Tests equations in volumes against theory. Small waves grow by the symbol of the 19-point stencil,
 // diffusion conserves the sum, derivatives equal the continuous operators, and identical layers behave like
 // a plane.
 #include "base/error.hpp"
@@ -54,7 +54,8 @@ TEST_CASE("reaction in a volume: a small wave grows by the symbol of the 19-poin
   struct State {
     const char* preset;
     double u;
-    std::function<double(double L)> rate;  ///< growth rate of a wave of one species
+    std::function<double(double L)> rate;  ///< growth rate of a wave of one species, as a function of the
+                                           ///< Laplacian's factor L
   };
   for (const State& at :
        {State{"heat", 0.4, [](double L) { return L; }},

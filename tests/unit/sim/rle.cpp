@@ -27,14 +27,14 @@ TEST_CASE("life rules are read in both notations") {
   CHECK(written("B0/S8") == "B0/S8");
   CHECK(written("23/3") == "B3/S23");
   CHECK(written("/2") == "B2/S");
-  CHECK(written("B8763/S5443") != "B3678/S345");  // invalid, because the digit 4 occurs twice
+  CHECK(written("B8763/S5443") != "B3678/S345");  // The text is invalid, because the digit 4 occurs twice.
   CHECK(written("b3s23") == "B3/S23");
   CHECK(written("B36S23") == "B36/S23");
   CHECK(written("S23/B36") == "B36/S23");
   CHECK(written("s/b2") == "B2/S");
   CHECK(written("SB2") == "B2/S");
   CHECK(written("life") == "B3/S23");
-  CHECK(written("B87/S54") == "B78/S45");  // counts are written in ascending order
+  CHECK(written("B87/S54") == "B78/S45");  // The counts are written in ascending order.
   CellRule rule;
   CHECK(parseCellRule("B36/S23", rule).message.empty());
   CHECK(rule.counts == LifeRule{1 << 3 | 1 << 6, 1 << 2 | 1 << 3});

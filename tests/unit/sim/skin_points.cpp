@@ -1,4 +1,4 @@
-// Points attached to a skin: they follow rigid bodies exactly, and stay close to the skin.
+// Tests points attached to a skin. They must follow rigid bodies exactly, and stay close to the skin.
 #include "sim/body/skin_points.hpp"
 
 #include "base/error.hpp"
@@ -69,7 +69,7 @@ TEST_CASE(
     "skin points: points on the skin of a walking figure stay on it, points off it keep their distance") {
   const auto motion = walkerMotion(true);
   const sim::Figure& figure = motion->figure();
-  // The skin's own vertices, transformed by the nodes' matrices in double precision.
+  // Returns a vertex of the skin, transformed by the nodes' matrices in double precision.
   const auto vertexAt = [&](std::size_t i, double time) {
     glm::dvec3 sum(0);
     for (int k = 0; k < 4; ++k) {
@@ -97,7 +97,8 @@ TEST_CASE(
     CHECK(glm::distance(later[i], vertexAt(vertices[i], 0.4)) < 1e-5);
     moved = std::max(moved, glm::distance(later[i], start[i]));
     CHECK(glm::distance(start[on + i], points[on + i]) < 1e-9);
-    double nearest = 1e9;  // to the vertices, which are closer together than the tolerance
+    double nearest = 1e9;  // distance to the nearest vertex; the tolerance exceeds the distance between
+                           // vertices
     for (std::size_t k = 0; k < figure.mesh.positions.size(); ++k)
       nearest = std::min(nearest, glm::distance(later[on + i], vertexAt(k, 0.4)));
     CHECK(nearest < 0.08);

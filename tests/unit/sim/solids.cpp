@@ -1,4 +1,4 @@
-// Boxes, cylinders, cones and discs as meshes.
+// Tests boxes, cylinders, cones and discs as meshes.
 #include "sim/mesh/shapes.hpp"
 #include "sim/world/list.hpp"
 
@@ -14,7 +14,7 @@ using namespace simreel;
 
 namespace {
 
-/// Returns the volume by the divergence theorem; positive if the triangles face outwards.
+/// Returns the volume by the divergence theorem. It is positive if the triangles face outwards.
 double enclosedVolume(const sim::Mesh& mesh) {
   double volume = 0;
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -25,8 +25,8 @@ double enclosedVolume(const sim::Mesh& mesh) {
   return volume;
 }
 
-/// True if each edge, by the positions of its ends, belongs to two triangles that run along it in opposite
-/// directions.
+/// True if each edge, identified by the positions of its ends, belongs to two triangles that traverse it in
+/// opposite directions.
 bool isWatertight(const sim::Mesh& mesh) {
   using Point = std::tuple<float, float, float>;
   std::map<std::pair<Point, Point>, int> edges;
@@ -37,7 +37,7 @@ bool isWatertight(const sim::Mesh& mesh) {
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
     for (std::size_t k = 0; k < 3; ++k) {
       const Point a = point(i + k), b = point(i + (k + 1) % 3);
-      if (a == b) continue;  // the tip of a cone
+      if (a == b) continue;  // At the tip of a cone, the edge has length 0.
       edges[{a, b}] += 1;
       edges[{b, a}] -= 1;
     }
@@ -46,7 +46,7 @@ bool isWatertight(const sim::Mesh& mesh) {
   return true;
 }
 
-/// Returns the least cosine between a triangle and the normals of its corners.
+/// Returns the minimum cosine between a triangle's normal and the normals of its corners.
 double normalAgreement(const sim::Mesh& mesh) {
   double least = 1;
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -61,7 +61,7 @@ double normalAgreement(const sim::Mesh& mesh) {
   return least;
 }
 
-// Area of a regular polygon of 64 corners with circumradius 1.
+// This is the area of a regular polygon with 64 corners and circumradius 1.
 const double polygon = 32 * std::sin(std::numbers::pi / 32);
 
 }  // namespace
@@ -71,7 +71,7 @@ TEST_CASE("solids: volumes are those of the polyhedra, and faces look outwards")
   CHECK(enclosedVolume(sim::cylinderMesh(0.7F, 0.7F, 2)) ==
         doctest::Approx(polygon * 0.49 * 2).epsilon(1e-6));
   CHECK(enclosedVolume(sim::cylinderMesh(0, 0.7F, 3)) == doctest::Approx(polygon * 0.49).epsilon(1e-6));
-  // A frustum: h / 3 (A + B + sqrt(A B)).
+  // The volume of a frustum of height h with end areas A and B is h / 3 (A + B + sqrt(A B)).
   CHECK(enclosedVolume(sim::cylinderMesh(1, 2, 3)) == doctest::Approx(polygon * 7).epsilon(1e-6));
   for (const sim::Mesh& mesh : {sim::boxMesh({2, 3, 0.5F}), sim::cylinderMesh(0.7F, 0.7F, 2),
                                 sim::cylinderMesh(0, 0.7F, 3), sim::discMesh(2)})

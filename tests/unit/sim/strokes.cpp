@@ -29,7 +29,7 @@ StrokeParameters stroke(StrokeShape shape, glm::vec3 from, glm::vec3 to, float r
 constexpr glm::ivec2 strokeGrid(61, 47);
 const StrokeGrid bounded{strokeGrid, false, "field \"f\""};
 
-/// Returns the painted cells of the first step; checks that all are inside the box.
+/// Returns the painted cells of the first step. Checks that all are inside the stroke's box.
 std::vector<glm::ivec2> painted(const Strokes& strokes, const shader::Stroke& s) {
   const glm::ivec4 box = Strokes::box(s, strokeGrid);
   CHECK(box.x >= 0);
@@ -89,8 +89,8 @@ TEST_CASE("a circle and a line paint the cells whose centre is within the radius
   }
 }
 
-// Expects the cells within the radius of a segment on the unrolled torus, testing every image of every cell
-// in double precision.
+// The expected cells are those within the radius of a segment on the unrolled torus. Every image of every
+// cell is tested in double precision.
 TEST_CASE("a stroke on a torus continues at the opposite border") {
   struct {
     glm::ivec2 size;
@@ -117,7 +117,7 @@ TEST_CASE("a stroke on a torus continues at the opposite border") {
     const Strokes strokes({p}, 1, {c.size, true, "field"});
     const auto images = strokes.into(0, 0.1, 0);
     CHECK(images.size() <= 60);
-    // Enough images in each direction to include the nearest one.
+    // This is enough images in each direction to include the nearest one.
     const int around = 2 + static_cast<int>((600 + c.radius) / std::min(c.size.x, c.size.y));
     for (int y = 0; y < c.size.y; ++y)
       for (int x = 0; x < c.size.x; ++x) {

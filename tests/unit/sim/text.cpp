@@ -1,4 +1,4 @@
-// Text: its content, layout, and the solids made from its outlines.
+// Tests text: its content, its layout, and the solids made from its outlines.
 #include "base/file.hpp"
 #include "sim/text/content.hpp"
 #include "sim/text/letters/layout.hpp"
@@ -57,7 +57,7 @@ double volumeOf(const Mesh& mesh) {
   return volume;
 }
 
-/// Returns the number of edges without exactly one triangle on each side; edges are compared by position,
+/// Returns the number of edges without exactly one triangle on each side. Edges are compared by position,
 /// not by vertex.
 int openEdges(const Mesh& mesh) {
   using Place = std::array<float, 3>;
@@ -115,7 +115,7 @@ TEST_CASE("text: sizes are in cap heights, and lines are aligned as requested") 
   CHECK(top == doctest::Approx(1));
   CHECK(font.has(U'é'));
   CHECK_FALSE(font.has(U'雪'));
-  CHECK(font.kerning(U'A', U'V') < -0.01);  // kerning moves A and V closer together
+  CHECK(font.kerning(U'A', U'V') < -0.01);  // Kerning moves A and V closer together.
   CHECK(font.kerning(U'H', U'H') == 0);
   const auto box = [&](const TextAnchor& anchor) {
     std::pair<glm::dvec2, glm::dvec2> found{glm::dvec2(1e9), glm::dvec2(-1e9)};
@@ -133,7 +133,7 @@ TEST_CASE("text: sizes are in cap heights, and lines are aligned as requested") 
   CHECK(box({Across::left, Down::bottom}).first.y == doctest::Approx(0).scale(1));
   const auto middle = box({Across::center, Down::middle});
   CHECK(middle.first.y == doctest::Approx(-middle.second.y));
-  // equal except for the side bearings of the letters
+  // Both sides are equal except for the side bearings of the letters.
   CHECK(middle.first.x == doctest::Approx(-middle.second.x).epsilon(0.02));
   CHECK(box({Across::left, Down::top}).first.x > 0);
   CHECK(box({Across::right, Down::top}).second.x < 0);
@@ -153,7 +153,7 @@ TEST_CASE("text: trapezoids fill the inside of outlines exactly once") {
   CHECK(areaOf(trapezoids(squares)) == doctest::Approx(7));
   const TextOutlines ring = {{{0, 0}, {3, 0}, {3, 3}, {0, 3}}, {{1, 1}, {1, 2}, {2, 2}, {2, 1}}};
   CHECK(areaOf(trapezoids(ring)) == doctest::Approx(8));
-  // A bow tie: its sides cross away from corners.
+  // The sides of a bow tie cross away from its corners.
   CHECK(areaOf(trapezoids({{{0, 0}, {2, 2}, {2, 0}, {0, 2}}})) == doctest::Approx(2));
 }
 
@@ -168,7 +168,7 @@ TEST_CASE("text: letters are closed solids with volume area times depth, facing 
       CHECK(volumeOf(mesh) == doctest::Approx(0.3 * 0.49 * areaOf(outlines)).epsilon(1e-4));
       for (std::size_t i = 0; i < mesh.normals.size(); ++i)
         CHECK(glm::length(mesh.normals[i]) == doctest::Approx(1).epsilon(1e-5));
-      // Normals agree with the triangles' orientation.
+      // Normals agree with the orientation of the triangles.
       for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
         const auto at = [&](std::size_t k) { return glm::dvec3(mesh.positions[mesh.indices[i + k]]); };
         const glm::dvec3 way = glm::cross(at(1) - at(0), at(2) - at(0));

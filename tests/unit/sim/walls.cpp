@@ -1,5 +1,5 @@
-// Collisions with caves and contours: known results, comparison with the drawn contours in double
-// precision, and one clear line for each error.
+// Tests collisions with caves and contours against known results and against the drawn contours in double
+// precision. Also tests a clear one-line message for each error.
 #include "base/error.hpp"
 #include "reference/cloth_twin.hpp"
 #include "reference/particles_twin.hpp"
@@ -24,7 +24,7 @@ namespace {
 using FieldValue = std::function<float(int, int)>;
 constexpr double wallsFrame = 1.0 / 60.0;
 
-/// A block of cells with one level at the middle of [0, 1]; rock is 1 m high.
+/// Returns a block of cells with one level in the middle of [0, 1]. Its rock is 1 m high.
 sim::SolidShape block(glm::ivec2 size, float spacing, int outside = 1) {
   sim::SolidShape shape;
   shape.size = size;
@@ -37,7 +37,7 @@ sim::SolidShape block(glm::ivec2 size, float spacing, int outside = 1) {
 struct Ball {
   glm::vec3 position, velocity;
 };
-/// Spheres with that margin beside a solid around the origin, with or without weight.
+/// Returns spheres with the given margin near a solid around the origin, with or without weight.
 ParticlesTwin ballsBeside(const sim::SolidShape& shape, const FieldValue& value,
                           const std::vector<Ball>& balls, float margin, float bounce, float weight,
                           float grip = 0, int substeps = 4) {
@@ -58,7 +58,7 @@ ParticlesTwin ballsBeside(const sim::SolidShape& shape, const FieldValue& value,
   return twin;
 }
 
-/// The drawn contours and their interior, in double precision and without squares.
+/// The drawn contours and their interior, in double precision and independent of grid squares.
 class Outlines {
  public:
   Outlines(const sim::SolidShape& shape, const FieldValue& value) : shape_(shape), twin_(shape, value) {
@@ -66,8 +66,8 @@ class Outlines {
     for (std::size_t i = 0; i < lines.points.size(); ++i)
       walls_.push_back({placeOf(lines.points[i]), placeOf(lines.points[lines.next[i]]), lines.levels[i]});
   }
-  /// True if level `k` is reached at `at`: a ray from there crosses the contours and the block's edge an
-  /// odd number of times.
+  /// True if the field reaches level `k` at point `at`: a ray from the point crosses the contours and the
+  /// block's edge an odd number of times.
   [[nodiscard]] bool reaches(int k, glm::dvec2 at) const {
     const glm::dvec2 half = 0.5 * static_cast<double>(shape_.spacing) * glm::dvec2(shape_.size + 1);
     if (std::abs(at.x) > half.x || std::abs(at.y) > half.y) return false;
@@ -88,8 +88,8 @@ class Outlines {
     }
     return least;
   }
-  /// Returns the distance (m) of an outside point from the solid: from the tops below it and the walls
-  /// beside it.
+  /// Returns the distance (m) of an outside point from the solid: the minimum distance to the tops below
+  /// the point and to the walls.
   [[nodiscard]] double clearance(glm::dvec3 p) const {
     double least = p.y;
     for (std::size_t k = 1; k < shape_.heights.size(); ++k) {
@@ -99,7 +99,7 @@ class Outlines {
     }
     return least;
   }
-  /// Returns the depth (m) of a point inside rock; 0 outside.
+  /// Returns the depth (m) of a point inside rock, or 0 outside.
   [[nodiscard]] double depth(glm::dvec3 p) const {
     double deepest = 0;
     for (std::size_t k = 1; k < shape_.heights.size(); ++k) {
@@ -150,7 +150,7 @@ std::string wallsFailure(const std::string& objects) {
 }  // namespace
 
 TEST_CASE("walls: a ball reflects off a straight wall") {
-  // Rock for x > 0.13 m, at any z.
+  // There is rock for x > 0.13 m, at any z.
   const FieldValue slope = [](int x, int) { return 0.5F + 0.1F * (static_cast<float>(x) - 20.6F); };
   const float wall = 0.1F * (20.6F - 20.0F);
   for (const float bounce : {1.0F, 0.6F, 0.0F})
@@ -173,7 +173,7 @@ TEST_CASE("walls: a ball reflects off a straight wall") {
 TEST_CASE("walls: a particle along a wall loses tangential speed at the rate of grip") {
   const FieldValue slope = [](int x, int) { return 0.5F + 0.1F * (static_cast<float>(x) - 20.6F); };
   auto twin = ballsBeside(block({41, 41}, 0.1F), slope, {{{0.05F, 0.0F, 0}, {0, 0, 1}}}, 0.02F, 0, 10, 3);
-  twin.positions[0].y = 0.02F;  // moves the sphere to the floor, away from the wall
+  twin.positions[0].y = 0.02F;  // This moves the sphere to the floor, away from the wall.
   twin.positions[0].x = -0.5F;
   for (int frame = 0; frame < 30; ++frame) twin.step(frame * wallsFrame);
   CHECK(twin.positions[0].y == doctest::Approx(0.02));
@@ -186,7 +186,7 @@ TEST_CASE(
   for (const int fine : {0, 1}) {
     const int count = fine == 0 ? 24 : 96;
     const float spacing = 2.4F / static_cast<float>(count + 1);
-    // A nonlinear field, so that crossings have second-order errors.
+    // The field is nonlinear, so that the positions of crossings have second-order errors.
     const FieldValue bowl = [&](int x, int y) {
       const float half = 0.5F * static_cast<float>(count - 1);
       const float dx = spacing * (static_cast<float>(x) - half),
@@ -206,9 +206,10 @@ TEST_CASE(
       twin.step(frame * wallsFrame);
       for (std::size_t i = 0; i < balls.size(); ++i) {
         const double radius = std::hypot<double>(twin.positions[i].x, twin.positions[i].z);
-        CHECK(radius < 1.0);  // the contour's chords are inside the circle
+        CHECK(radius < 1.0);  // The chords of the contour are inside the circle.
         if (twin.velocities[i] == before[i]) continue;
-        ++bounces;  // it is at the wall, except for the minimum distance of a thousandth of a square
+        ++bounces;  // The sphere is at the wall, except for the minimum distance of a thousandth of a
+                    // square.
         error[fine] = std::max(error[fine], std::abs(radius + 1e-3 * static_cast<double>(spacing) - 1.0));
       }
     }
@@ -217,7 +218,8 @@ TEST_CASE(
     CHECK(bounces > 300);
   }
   CHECK(error[0] < 0.01);
-  CHECK(error[0] / error[1] > 10);  // second order would give 15, because the squares are 97/25 as wide
+  CHECK(error[0] / error[1] > 10);  // Second order would give a factor of 15, because the squares are 97/25
+                                    // times as wide.
   MESSAGE("off the circle by " << error[0] << " m and " << error[1] << " m");
 }
 
@@ -232,9 +234,10 @@ TEST_CASE("walls: particles land on top of rock, and beside it on the floor") {
   for (int frame = 0; frame < 120; ++frame) twin.step(frame * wallsFrame);
   CHECK(twin.positions[0].y == doctest::Approx(1.05));
   CHECK(twin.positions[1].y == doctest::Approx(0.05));
-  CHECK(twin.positions[2].y == doctest::Approx(0.05));  // the sphere fell over the edge
+  CHECK(twin.positions[2].y == doctest::Approx(0.05));  // The sphere has fallen over the edge.
   CHECK(twin.positions[2].x > 0.449);
-  CHECK(twin.positions[3].y < -10);  // the sphere keeps falling, because there is no floor beside the block
+  CHECK(twin.positions[3].y < -10);  // The sphere keeps falling, because there is no floor outside the
+                                     // block.
 }
 
 TEST_CASE("walls: with a ceiling nothing leaves, and objects on the roof stay there") {
@@ -280,8 +283,8 @@ TEST_CASE("walls: on random terraces nothing is ever in rock, judged by the draw
     shape.heights = {0, 0.1F, 0.15F, 0.4F, 0.5F};
     const FieldValue noise = [seed](int x, int y) {
       const float value = noiseAt(x, y, seed);
-      return seed < 3 ? value
-                      : std::floor(value * 5) / 5;  // flat terraces: saddles, and values exactly on a level
+      return seed < 3 ? value : std::floor(value * 5) / 5;  // These are flat terraces, with saddles and
+                                                            // with values exactly at a level.
     };
     std::vector<Ball> balls;
     for (int i = 0; i < 200; ++i)
@@ -295,7 +298,7 @@ TEST_CASE("walls: on random terraces nothing is ever in rock, judged by the draw
     for (int frame = 0; frame < 120; ++frame) {
       twin.step(frame * wallsFrame);
       for (const glm::vec4& p : twin.positions) {
-        // skips spheres that fell off the block
+        // Spheres that have fallen off the block are skipped.
         if (p.y < -0.001F || std::abs(p.x) > 0.9F || std::abs(p.z) > 0.7F) continue;
         ++inside;
         low += p.y < 0.4F ? 1 : 0;
@@ -307,7 +310,7 @@ TEST_CASE("walls: on random terraces nothing is ever in rock, judged by the draw
     CHECK(low > 1000);
     CHECK(deepest < 2e-6);
     CAPTURE(close);
-    CHECK(close <= inside / 200);  // a few spheres may be stuck in clefts narrower than a sphere
+    CHECK(close <= inside / 200);  // A few spheres may be stuck in clefts narrower than a sphere.
   }
 }
 
@@ -361,7 +364,7 @@ TEST_CASE("walls: particles enclosed by growing rock come out, and a rising top 
   auto twin = ballsBeside(shape, wall, {{{0.25F, 0.1F, 0}, {0, 0, 0}}, {{1.5F, 1.0F, 0}, {0, 0, 0}}}, 0.02F,
                           0, 10, 10);
   for (int frame = 0; frame < 120; ++frame) {
-    edge = 24.0F - 0.1F * static_cast<float>(frame);  // the wall's edge moves at 0.6 m/s to the left
+    edge = 24.0F - 0.1F * static_cast<float>(frame);  // The edge of the wall moves to the left at 0.6 m/s.
     twin.walls->cut();
     twin.walls->setHeights({0, 1.0F + 0.002F * static_cast<float>(frame)});
     twin.step(frame * wallsFrame);

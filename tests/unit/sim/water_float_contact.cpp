@@ -1,4 +1,4 @@
-// Collisions between floats: contact shapes, bouncing, friction and penetration, compared with closed
+// Tests collisions between floats: contact shapes, bouncing, friction and penetration, against closed
 // forms.
 #include "reference/water_twin.hpp"
 
@@ -29,7 +29,7 @@ double longOf(const glm::dvec3& v) {
   return std::sqrt(along(v, v));
 }
 
-/// Returns the distance to a box around the origin, negative inside.
+/// Returns the distance to a box around the origin. It is negative inside.
 double boxDistance(const glm::dvec3& p, const glm::dvec3& half) {
   const glm::dvec3 q = glm::abs(p) - half;
   return longOf(glm::max(q, glm::dvec3(0))) + std::min(std::max({q.x, q.y, q.z}), 0.0);
@@ -87,8 +87,8 @@ glm::dvec3 meetTurned(const glm::dvec4& q, const glm::dvec3& v) {
   return v + 2.0 * crossOf(u, crossOf(u, v) + q.w * v);
 }
 
-/// Returns how deep (m) a vertex or edge midpoint of one body's mesh is inside the other's mesh, testing
-/// all faces.
+/// Returns the maximum depth (m) of a vertex or an edge midpoint of one body's mesh inside the other body's
+/// mesh. Tests all faces.
 double overlap(const WaterTwin& twin, std::size_t one, std::size_t other, const sim::ClosedMesh& mesh) {
   const sim::Hull& hull = twin.plan().floats().hulls()[other];
   double deepest = 0;
@@ -143,7 +143,7 @@ TEST_CASE("water floats: contact with a box uses its surface") {
 }
 
 TEST_CASE("water floats: two floats that collide in the air do not bounce and conserve momentum") {
-  // Along the line of their centres: both continue at the mean speed.
+  // The bodies collide along the line between their centres, and both continue at the mean speed.
   auto box = meetBox({0.8F, 0.8F, 0.8F}, {-0.6F, 30, 0});
   box.velocity = {1, 0, 0};
   auto heavy = meetBox({0.8F, 0.8F, 0.8F}, {0.6F, 30, 0});
@@ -155,7 +155,7 @@ TEST_CASE("water floats: two floats that collide in the air do not bounce and co
   CHECK((meetSpeed(flat, 0).x + 3 * meetSpeed(flat, 1).x) / 4 == doctest::Approx(-0.5).epsilon(1e-4));
   CHECK(longOf(glm::dvec3(flat.floats[3])) < 0.02 * meetMass(flat, 0));
   CHECK(flat.floats[5].x - flat.floats[0].x > 0.76);
-  // Off-centre and rotating: linear and angular momentum.
+  // The collision is off-centre and with rotation. It must conserve linear and angular momentum.
   box.rotation = {20, 30, 10};
   box.spin = {90, 40, -100};
   heavy.position += glm::vec3(0, 0.3F, 0.35F);
@@ -171,13 +171,14 @@ TEST_CASE("water floats: two floats that collide in the air do not bounce and co
   MESSAGE("momentum off by ", longOf(after[0] - before[0] - fallen), " of ", meetMass(askew, 0), " kg m/s");
   CHECK(longOf(after[0] - before[0] - fallen) < 1e-3 * meetMass(askew, 0));
   CHECK(longOf(glm::dvec3(askew.floats[3]) - glm::dvec3(0)) > 1);
-  // Angular momentum about the vertical, which gravity does not change.
+  // Gravity does not change the angular momentum about the vertical.
   CHECK(std::abs(after[1].y - before[1].y) < 1e-3 * longOf(before[1]));
   CHECK(std::abs(middle.x - askew.floats[0].x) < 2);
 }
 
 TEST_CASE("water floats: sliding floats have Coulomb friction, and slower contacts stick") {
-  // Equal spheres: mu times the normal impulse; or 2/7 of the tangential speed and no slip at the contact.
+  // The spheres are equal. The tangential impulse must be mu times the normal impulse. With strong
+  // friction, it must instead change the tangential speed by 2/7, so that the contact does not slip.
   for (const float friction : {0.1F, 5.0F}) {
     CAPTURE(friction);
     auto left = meetBall(0.4F, {-0.5F, 30, -0.06F}, {1, 0, 0.6F});
@@ -233,7 +234,7 @@ TEST_CASE("water floats: driven boats do not pass through each other") {
     off = std::max({off, std::abs(all().x - before.x), std::abs(all().y - before.y)});
   }
   MESSAGE("deepest ", deepest, " m, nearest ", nearest, " m, momentum off by ", off, " kg m/s");
-  CHECK(nearest < 5.2);  // the floats meet bow to bow or alongside
+  CHECK(nearest < 5.2);  // The floats meet bow to bow or side to side.
   CHECK(nearest > 1.2);
   CHECK(deepest < 0.1);
   CHECK(off < 1e-4 * 3200 * 1.5);

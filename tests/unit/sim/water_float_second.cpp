@@ -1,5 +1,5 @@
-// A step of a float implemented independently in double precision, with rotation matrices and plain
-// division; and exchange between water and float.
+// Tests a step of a float against an independent implementation in double precision, with rotation matrices
+// and plain division. Also tests the exchange of momentum between water and float.
 #include "reference/water_twin.hpp"
 #include "sim/core/collider.hpp"
 
@@ -38,7 +38,7 @@ glm::dvec3 back(const Axes& r, const glm::dvec3& v) {
   return {inner(r[0], v), inner(r[1], v), inner(r[2], v)};
 }
 
-/// Water with a constant slope and velocity.
+/// Water with a constant slope and velocity. `u` and `w` are the velocity along x and z.
 struct Stream {
   double level, slopeX, slopeZ, u, w, bed;
   [[nodiscard]] double at(double x, double z) const { return level + slopeX * x + slopeZ * z; }
@@ -53,12 +53,12 @@ struct Drifting {
 
 struct Drift {
   Drifting next;
-  glm::dvec3 push{0};  ///< force (N) on the float, taken from the water
+  glm::dvec3 push{0};  ///< force (N) of the water on the float, which acts in reverse on the water
   double displaced = 0;
   double wet = 0;  ///< submerged volume, m^3
 };
 
-/// Performs the step as src/sim/water/README.md describes it.
+/// Performs a step as described in src/sim/water/README.md.
 Drift stepped(const sim::WaterParameters& p, const sim::Hull& hull, const Stream& stream,
               const Drifting& now, double under, double dt, double share, double time) {
   constexpr double rho = 1000;
@@ -74,7 +74,7 @@ Drift stepped(const sim::WaterParameters& p, const sim::Hull& hull, const Stream
   const double tall = std::abs(now.axes[0].y) * hull.grain.x + std::abs(now.axes[1].y) * hull.grain.y +
                       std::abs(now.axes[2].y) * hull.grain.z;
   const double lighter = rho * hull.volume / hull.mass;
-  // Moment of the steering: pushes perpendicular and proportional to the distance from the mast.
+  // The steering moment is made of sideways forces proportional to the distance from the mast.
   double spread = 0;
   for (const glm::vec4& point : hull.points)
     spread += static_cast<double>(point.w) *
@@ -88,7 +88,7 @@ Drift stepped(const sim::WaterParameters& p, const sim::Hull& hull, const Stream
     const double volume = point.w, level = stream.at(place.x, place.z);
     const double wet = std::clamp((level - place.y) / tall + 0.5, 0.0, 1.0);
     glm::dvec3 own = rho * g * volume * wet * glm::dvec3(-stream.slopeX, 1, -stream.slopeZ);
-    // The keel increases the resistance of the sideways part of the motion.
+    // The keel increases the resistance to the sideways part of the motion.
     glm::dvec3 past = now.velocity + outer(turning, arm) - glm::dvec3(stream.u, 0, stream.w);
     past += (body.keel - 1.0) * inner(past, now.axes[0]) * now.axes[0];
     const double pace = (body.drag * lighter + 0.5 * body.resistance * 0.25 * hull.area / hull.volume *
@@ -117,7 +117,8 @@ Drift stepped(const sim::WaterParameters& p, const sim::Hull& hull, const Stream
     };
     force += glm::dvec3(pulled(0), 0, pulled(2));
     const double length = std::sqrt(pace.x * pace.x + pace.z * pace.z);
-    // Sine of the angle from the bow to the motion, about y; 1 if the motion is backwards.
+    // sine of the angle from the bow to the direction of motion, about y; its magnitude is 1 for backward
+    // motion
     double off = (now.axes[2].z * pace.x - now.axes[2].x * pace.z) / length;
     if (now.axes[2].z * pace.z + now.axes[2].x * pace.x < 0) off = off < 0 ? -1 : 1;
     moment.y += hull.inertia[1] * (k * k * off - 2 * k * turning.y);
@@ -130,7 +131,7 @@ Drift stepped(const sim::WaterParameters& p, const sim::Hull& hull, const Stream
   const double over = now.level + risen / hull.volume;
   next.stages = now.stages + share * (glm::dvec2(over, now.stages.x) - now.stages);
   next.level = now.level + share * (now.stages.y - now.level);
-  // Rotates by the angle of the new angular momentum over dt (Rodrigues).
+  // The body rotates by the angular velocity of the new angular momentum for the time dt (Rodrigues).
   const auto m = hull.inverseInertia();
   const glm::dvec3 own = back(now.axes, next.spin);
   const glm::dvec3 rate =
@@ -214,7 +215,7 @@ TEST_CASE("water floats: a step equals its equations in double precision") {
     now.axes = axesOf(glm::dvec4(twin.floats[1]));
     now.velocity = glm::dvec3(twin.floats[2]);
     now.spin = glm::dvec3(twin.floats[3]);
-    // Different filter stages, so that each step of the filter matters.
+    // The filter stages differ, so that an error in any of them is noticed.
     twin.floats[4].x = 0.3F;
     twin.floats[4].y = -0.2F;
     now.stages = {0.3, -0.2};
@@ -246,7 +247,7 @@ TEST_CASE("water floats: a step equals its equations in double precision") {
     CHECK(twin.floats[2].w == doctest::Approx(want.displaced).epsilon(1e-5));
     for (int i = 0; i < 2; ++i) CHECK(std::abs(twin.floats[4][i] - want.next.stages[i]) < 1e-6);
     CHECK(twin.floats[4].w == doctest::Approx(want.wet).epsilon(1e-5));
-    // The tow's force does not act on the water.
+    // The towing force does not act on the water.
     const glm::dvec2 given = waterMomentum(twin) - before;
     CHECK(given.x == doctest::Approx(-want.push.x * dt).epsilon(1e-3));
     CHECK(given.y == doctest::Approx(-want.push.z * dt).epsilon(1e-3));
@@ -258,8 +259,9 @@ TEST_CASE("water floats: a step equals its equations in double precision") {
 }
 
 TEST_CASE("water floats: a heeled box is righted by the wall-sided formula") {
-  // GZ = sin a (GM + BM tan^2 a / 2), BM = b^2 / 12 T, GM = T / 2 + BM - KG, while no corner enters or
-  // leaves the water.
+  // The righting lever is GZ = sin a (GM + BM tan^2 a / 2) at the heel angle a, while no corner enters or
+  // leaves the water. BM = b^2 / (12 T) and GM = T / 2 + BM - KG, with breadth b, draft T and height KG of
+  // the centre of mass above the keel.
   auto p = driftTank(40, 0.2F, 3);
   for (const float low : {0.0F, -0.12F})
     for (const float angle : {4.0F, 10.0F, 18.0F, -10.0F}) {
@@ -267,9 +269,10 @@ TEST_CASE("water floats: a heeled box is righted by the wall-sided formula") {
       auto body = driftBox({1.6F, 0.8F, 1.2F}, 450);
       body.ballast = {0, low, 0};
       const double draft = 0.8 * 0.45, a = angle * std::numbers::pi / 180;
-      const double heavy = 0.4 + low - draft;  // height of the centre of mass above the water, upright
-      // The shape's origin, so that it heels about the middle of its waterline: displaced volumes are
-      // equal.
+      const double heavy = 0.4 + low - draft;  // height of the centre of mass above the water when the box
+                                               // is upright
+      // The origin of the shape is placed so that the box heels about the middle of its waterline. The
+      // displaced volumes are then equal.
       const double middle = 0.4 - draft;
       body.position = {static_cast<float>(-middle * std::sin(a)), static_cast<float>(middle * std::cos(a)),
                        0};
@@ -289,7 +292,8 @@ TEST_CASE("water floats: a heeled box is righted by the wall-sided formula") {
 }
 
 TEST_CASE("water floats: a freely tumbling body conserves momentum and energy") {
-  // In the air: Euler's equations conserve L and L.w / 2.
+  // The body rotates in air. By Euler's equations, the angular momentum L and the energy L.w / 2 are
+  // constant.
   auto p = driftTank(12, 0.5F, 1);
   auto body = driftBox({0.3F, 0.5F, 1.1F}, 300);
   body.position = {0, 60, 0};
@@ -349,7 +353,7 @@ TEST_CASE("water floats: steering torque on a body acts oppositely on the water"
   p.floats = {body};
   WaterTwin twin(sim::WaterPlan(p, "tank", 1, driftFrame));
   const double mass = twin.plan().floats().hulls()[0].mass;
-  // About the y axis through the grid's middle: z p_x - x p_z.
+  // angular momentum z p_x - x p_z about the y axis through the grid's middle
   const auto ofWater = [&] {
     double sum = 0;
     for (int y = 0, i = 0; y < p.size.y; ++y)

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double floatFrame = 1.0 / 30;
 
-/// A pool with walls, 3 m deep, and one body.
+/// Returns a pool with walls, 3 m deep, that contains one body.
 sim::WaterParameters poolWith(const sim::WaterFloat& body, int cells = 40, float cell = 0.1F) {
   sim::WaterParameters p;
   p.size = {cells, cells};
@@ -47,7 +47,8 @@ sim::WaterFloat boxOf(const glm::vec3& size, float density) {
   return body;
 }
 
-/// Returns the draft of a sphere with the fraction `under` of its volume submerged: pi d^2 (3 R - d) / 3.
+/// Returns the draft d of a sphere with radius R and the fraction `under` of its volume submerged, from the
+/// submerged volume pi d^2 (3 R - d) / 3.
 double ballDraft(double radius, double under) {
   double low = 0;
   double high = 2 * radius;
@@ -81,7 +82,7 @@ TEST_CASE("water floats: a hull has the volume, centre and inertia of its shape"
 TEST_CASE("water floats: drafts at rest satisfy Archimedes' principle") {
   for (const float density : {300.0F, 700.0F}) {
     auto body = boxOf({0.8F, 0.5F, 1}, density);
-    body.position.y = 0.3F - 0.5F * density / 1000;  // starts 5 cm above its equilibrium
+    body.position.y = 0.3F - 0.5F * density / 1000;  // The body starts 5 cm above its equilibrium.
     auto p = poolWith(body, 24, 0.2F);
     p.drag = 0.5F;
     WaterTwin twin = twinOf(p);
@@ -105,17 +106,17 @@ TEST_CASE("water floats: drafts at rest satisfy Archimedes' principle") {
 }
 
 TEST_CASE("water floats: a box and the water in a closed basin only lose energy") {
-  // Half the slowest wave of a 6 m basin is much longer than the box, so an instantaneous reference level
-  // would amplify it.
+  // Half the wavelength of the slowest wave in a 6 m basin is much longer than the box, so an instantaneous
+  // reference level would amplify the wave.
   for (const float density : {250.0F, 500.0F}) {
     auto body = boxOf({1, 0.4F, 1}, density);
     body.drag = 0;
     body.resistance = 0;
-    body.position.y = 0.2F - 0.4F * density / 1000 + 0.03F;  // starts 3 cm above its equilibrium
+    body.position.y = 0.2F - 0.4F * density / 1000 + 0.03F;  // The body starts 3 cm above its equilibrium.
     WaterTwin twin = twinOf(poolWith(body, 20, 0.3F));
     const double mass = twin.plan().floats().hulls()[0].mass;
     const double given =
-        0.5 * 1000 * 9.81 * 0.03 * 0.03;  // potential energy (J) of the start: rho g A d^2 / 2
+        0.5 * 1000 * 9.81 * 0.03 * 0.03;  // potential energy (J) at the start, rho g A d^2 / 2
     const auto moving = [&] {
       const double speed = floatOf(twin, "floatSpeed");
       return floatOf(twin, "kineticEnergy") + 0.5 * mass * speed * speed;
@@ -134,12 +135,12 @@ TEST_CASE("water floats: a box and the water in a closed basin only lose energy"
 }
 
 TEST_CASE("water floats: a box heaves with the period given by its draft") {
-  // T = 2 pi sqrt(M / (rho g A)) = 2 pi sqrt(draft / g) without added mass: the water's added mass comes
-  // from flow below the body, which shallow water does not contain.
+  // The period is T = 2 pi sqrt(M / (rho g A)) = 2 pi sqrt(draft / g), without added mass. The water's
+  // added mass comes from flow below the body, which shallow water does not have.
   auto body = boxOf({0.6F, 0.5F, 0.6F}, 400);
   body.drag = 0;
   body.resistance = 0;
-  body.position.y = 0.12F;  // equilibrium at 0.05, plus 0.07
+  body.position.y = 0.12F;  // The equilibrium is at 0.05; the body starts 0.07 higher.
   auto p = poolWith(body, 60, 0.1F);
   p.bed = -8;
   p.sides.fill(sim::WaterBorder::open);
@@ -159,8 +160,8 @@ TEST_CASE("water floats: a box heaves with the period given by its draft") {
 }
 
 TEST_CASE("water floats: a wide box returns upright, a tall box capsizes") {
-  // Metacentric height GM = I / V - (distance from buoyancy to mass): (b^2 / 12 d) - (H - d) / 2 with draft
-  // d and height H.
+  // The metacentric height is GM = I / V minus the distance from the centre of buoyancy to the centre of
+  // mass: b^2 / (12 d) - (H - d) / 2 with breadth b, draft d and height H.
   for (const bool wide : {true, false}) {
     auto body = wide ? boxOf({1.2F, 0.5F, 1}, 500) : boxOf({0.5F, 1.2F, 1}, 500);
     body.rotation = {0, 0, 12};
@@ -196,8 +197,8 @@ TEST_CASE("water floats: a ball that plunges in and out conserves the water's vo
     CHECK(sum - displaced == doctest::Approx(before).epsilon(1e-6));
     highest = std::max<double>(highest, twin.cells[40 * 20 + 36].x);
   }
-  CHECK(most > 0.1);       // m^3, of the float's 0.268 m^3
-  CHECK(highest > 0.005);  // height of the wave 1.6 m from the point of impact
+  CHECK(most > 0.1);       // The unit is m^3. The float has 0.268 m^3.
+  CHECK(highest > 0.005);  // This is the height of the wave 1.6 m from the point of impact.
 }
 
 TEST_CASE("water floats: momentum lost to drag goes to the water") {
@@ -220,7 +221,8 @@ TEST_CASE("water floats: momentum lost to drag goes to the water") {
 }
 
 TEST_CASE("water floats: a body slides down sloping water as fast as the water") {
-  // The pressure's gradient over its draft: dv/dt = -g w_x. Also a free fall.
+  // The gradient of the pressure over the body's draft accelerates the body: dv/dt = -g w_x, with the slope
+  // w_x of the water. The test also includes a free fall.
   auto body = boxOf({0.8F, 0.5F, 1}, 500);
   body.drag = 0;
   body.resistance = 0;
@@ -239,7 +241,7 @@ TEST_CASE("water floats: a body slides down sloping water as fast as the water")
 }
 
 TEST_CASE("water floats: bodies rest on the ground, keep apart and follow a tow") {
-  // A sphere that lands on a dry beach.
+  // This sphere lands on a dry beach.
   sim::WaterFloat ball;
   ball.radius = 0.3F;
   ball.position = {0, 1.5F, 0};
@@ -273,7 +275,7 @@ TEST_CASE("water floats: bodies rest on the ground, keep apart and follow a tow"
   WaterTwin towed = twinOf(poolWith(boat, 30, 0.2F));
   run(towed, 3);
   CHECK(std::abs(towed.floats[0].x - 0.75) < 0.35);
-  // z points along x: a quarter turn about y.
+  // The body's z axis points along x, which is a quarter turn about y.
   CHECK(std::abs(towed.floats[1].y) == doctest::Approx(0.7071).epsilon(0.03));
 }
 

@@ -1,4 +1,4 @@
-// Drawing of water: shores, and the ground's colours.
+// Tests the drawing of water: shores, and the ground's colours.
 #include "reference/water_twin.hpp"
 #include "sim/water/ground.hpp"
 
@@ -12,7 +12,7 @@ using namespace simreel;
 
 namespace {
 
-/// A lake at level 0 on a beach that rises by `slope` along x and by half of it along z.
+/// Returns a lake at level 0 on a beach that rises by `slope` along x and by half of `slope` along z.
 WaterTwin beach(double slope) {
   sim::WaterParameters p;
   p.size = {65, 9};
@@ -52,7 +52,7 @@ TEST_CASE("a lake's shore on a plane beach is a straight line within a third of 
     for (int y = 0; y < 9; ++y)
       worst =
           std::max(worst, std::abs(shore[static_cast<std::size_t>(y)] - (first + (last - first) * y / 8)));
-    CHECK(std::abs(last - first + 4) < 0.5);  // the beach rises half as steeply in this direction
+    CHECK(std::abs(last - first + 4) < 0.5);  // In this direction, the beach is half as steep.
     CHECK(worst < (slope < 0.1 ? 0.33 : 0.15));
   }
 }

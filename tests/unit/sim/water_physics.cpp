@@ -15,7 +15,7 @@ namespace {
 
 constexpr double earth = 9.81;
 
-/// A channel of 10 m around 0: cells along x, two rows.
+/// Returns a channel of 10 m around x = 0, with `cells` cells along x and two rows.
 sim::WaterParameters channel(int cells, float left, float right) {
   sim::WaterParameters p;
   p.size = {cells, 2};
@@ -35,7 +35,7 @@ double ritter(double x, double time, double h) {
 }
 
 /// Returns the depth for a dam break over water of depth `low` (Stoker 1957): a rarefaction, a constant
-/// middle, a shock.
+/// middle part, and a shock.
 double stoker(double x, double time, double high, double low) {
   const double c = std::sqrt(earth * high);
   double a = low;
@@ -107,7 +107,7 @@ TEST_CASE("water: dam breaks follow Ritter and Stoker and converge with more cel
   CHECK(fittedOrder({100, 200, 400}, 1, 0.2F, wetDam) > 0.9);
 }
 
-// Skipped by default; runs with: test_unit -ns -tc='water: long*'
+// This test is skipped by default. Run it with: test_unit -ns -tc='water: long*'
 TEST_CASE("water: long: dam breaks with 100 to 3200 cells converge" * doctest::skip()) {
   const std::vector<int> cells = {100, 200, 400, 800, 1600, 3200};
   const double dry = fittedOrder(cells, 1, 0, dryDam);
@@ -131,7 +131,7 @@ TEST_CASE("water: a lake with islands stays at rest to the bit") {
     p.sides = {border, border, border, border};
     WaterTwin twin(sim::WaterPlan(p, "lake", 1, 1.0 / 30));
     const auto before = twin.cells;
-    CHECK(waterOf(twin, "wetArea") < 0.99 * 23 * 17 * 0.37 * 0.37);  // the islands are dry
+    CHECK(waterOf(twin, "wetArea") < 0.99 * 23 * 17 * 0.37 * 0.37);  // The islands are dry.
     const shader::WaterStep step = twin.plan().stepAt(0);
     for (int i = 0; i < 10000; ++i) twin.advance(step);
     CHECK(twin.cells == before);
@@ -175,12 +175,12 @@ TEST_CASE("water: rain, sources and drops add the stated volume") {
   source.until = 0.5;
   source.from = source.to = {10, 10, 0};
   source.radius = 2;
-  source.value = 0.3;  // source of 0.3 m/s for 0.4 s
+  source.value = 0.3;  // The source adds 0.3 m/s for 0.4 s.
   p.strokes = {source};
   p.substeps = 100;
   WaterTwin fed(sim::WaterPlan(p, "pond", 1, 1.0));
   fed.step(0);
-  const double cells = 12;  // number of cells with centres within 2 of a corner
+  const double cells = 12;  // number of cells whose centres are within a distance of 2 from a grid corner
   CHECK(waterOf(fed, "volume") == doctest::Approx(150 + cells * 0.25 * 0.3 * 0.4).epsilon(2e-4));
 
   // The integral of (1 - r^2 / R^2)^2 over the disc is pi R^2 / 3.
@@ -216,7 +216,8 @@ TEST_CASE("water: a drain removes the stated volume, and never more than there i
 }
 
 TEST_CASE("water: a stream decelerates by Manning's law") {
-  // dv/dt = -g n^2 v^2 / h^(4/3): at h = 1 the inverse of the speed grows by g n^2 per second.
+  // The friction is dv/dt = -g n^2 v^2 / h^(4/3) with roughness n. At h = 1, the inverse of the speed grows
+  // by g n^2 per second.
   sim::WaterParameters p;
   p.size = {4, 4};
   p.cell = 10;
@@ -239,7 +240,7 @@ TEST_CASE("water: incoming waves have the given shape, travel at sqrt(g h) and l
   p.cell = 0.25F;
   p.bed = -2;
   p.sides = {sim::WaterBorder::sea, sim::WaterBorder::sea, sim::WaterBorder::wall, sim::WaterBorder::wall};
-  // Three crests, then the sea is still.
+  // Three crests enter, then the sea is still.
   p.swell = {{0, scene::Animated<float>({{0, 0.04F}, {6, 0.04F}, {6.001, 0}}, scene::Ease::linear), 2, 0}};
   WaterTwin twin(sim::WaterPlan(p, "channel", 1, 1.0 / 20));
   const double c = std::sqrt(earth * 2);
@@ -248,7 +249,7 @@ TEST_CASE("water: incoming waves have the given shape, travel at sqrt(g h) and l
   for (int frame = 0; frame < 600; ++frame) {
     twin.step(frame / 20.0);
     const double seconds = (frame + 1) / 20.0;
-    const double level = twin.cells[80].x;  // level at 20.1 m from the sea
+    const double level = twin.cells[80].x;  // water level 20.1 m from the sea
     if (seconds > 5 && seconds < 9) {
       const double phase = 2 * 3.14159265358979 * (seconds - 20.125 / c) / 2;
       CHECK(std::abs(level - 0.02 * std::sin(phase)) < 3e-3);

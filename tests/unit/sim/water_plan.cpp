@@ -33,7 +33,7 @@ TEST_CASE("water: \"auto\" substeps limit motion to a quarter cell per step") {
   p.cell = 0.1F;
   p.bed = 0;
   p.level = 1;
-  // sqrt(9.81) + sqrt(9.81) = 6.264 m/s: 0.2088 m per frame, 8.35 quarters of a cell.
+  // sqrt(9.81) + sqrt(9.81) = 6.264 m/s. This is 0.2088 m per frame, which is 8.35 quarters of a cell.
   CHECK(sim::WaterPlan(p, "w", 1, 1.0 / 30).substeps() == 9);
   p.greatestSpeed = 0;
   CHECK(sim::WaterPlan(p, "w", 1, 1.0 / 30).substeps() == 5);
@@ -60,7 +60,7 @@ TEST_CASE("water: each drop falls into one state, in any frame") {
       drops += falls.drops.size();
       for (const shader::WaterDrop& drop : falls.drops) CHECK(plan.box(drop).z > 0);
     }
-  CHECK(drops == 2 + 67);  // drops fall at 0.2 s and every 1/37 s from then on, up to 2 s
+  CHECK(drops == 2 + 67);  // Drops fall at 0.2 s and then every 1/37 s up to 2 s.
 }
 
 TEST_CASE("water: errors are reported at their place") {

@@ -9,9 +9,9 @@
 
 using namespace simreel;
 
-// One step of the water implemented independently in double precision, in the notation of the papers:
-// hydrostatic reconstruction with its sources at both sides of each face and in the cell's middle (Audusse
-// et al. 2004, equations 2.16 to 4.7).
+// Tests one step of the water against an independent implementation in double precision, in the notation of
+// the papers: hydrostatic reconstruction with source terms at both sides of each face and in the middle of
+// the cell (Audusse et al. 2004, equations 2.16 to 4.7).
 
 namespace {
 
@@ -26,7 +26,7 @@ struct Lake {
   }
 };
 
-/// Depth, velocities, bed; level is depth + bed.
+/// Depth h, velocities u and v, and bed height z. The water level is depth plus bed.
 struct Primitive {
   double h, u, v, z;
 };
@@ -59,8 +59,8 @@ double mc(double a, double b) {
   return a > 0 ? size : -size;
 }
 
-/// Returns the limited slopes of h, u, v and of the level; the bed's slope is the difference of level and
-/// h.
+/// Returns the limited slopes of h, u, v and of the level. The slope of the bed is that of the level minus
+/// that of h.
 Primitive slope(const Lake& lake, const Primitive& a, const Primitive& b, const Primitive& c) {
   if (std::min({a.h, b.h, c.h}) <= lake.dry) return {0, 0, 0, 0};
   const double h = mc(b.h - a.h, c.h - b.h);
@@ -76,7 +76,7 @@ CellSides sidesOf(const Lake& lake, int x, int y) {
   const Primitive c = beyond(lake, x, y);
   const Primitive sx = slope(lake, beyond(lake, x - 1, y), c, beyond(lake, x + 1, y));
   const Primitive sy = slope(lake, beyond(lake, x, y - 1), c, beyond(lake, x, y + 1));
-  // Half a step of the equations of h, u and v in non-conservative form.
+  // This is half a step of the equations of h, u and v in non-conservative form.
   const double k = 0.5 * lake.ratio;
   const Primitive moved{-k * (c.u * sx.h + c.h * sx.u + c.v * sy.h + c.h * sy.v),
                         -k * (c.u * sx.u + lake.g * (sx.h + sx.z) + c.v * sy.u),
@@ -85,7 +85,7 @@ CellSides sidesOf(const Lake& lake, int x, int y) {
   return {m, m + -0.5 * sx, m + 0.5 * sx, m + -0.5 * sy, m + 0.5 * sy};
 }
 
-using Conserved = std::array<double, 3>;  // depth h, momenta hu and hv; u is the speed through the face
+using Conserved = std::array<double, 3>;  // depth h, and momenta hu and hv; u is the speed through the face
 
 Conserved hll(const Primitive& a, const Primitive& b, double g) {
   const double ca = std::sqrt(g * a.h);
@@ -109,7 +109,8 @@ Conserved hll(const Primitive& a, const Primitive& b, double g) {
   return f;
 }
 
-/// The flux that leaves the first cell and the flux that enters the second one, at one face.
+/// The flux out of the first cell and the flux into the second cell at one face. They differ by source
+/// terms.
 struct FacePair {
   Conserved out, in;
 };
@@ -170,7 +171,7 @@ TEST_CASE("water: a step equals the papers' equations in double precision") {
     Lake lake{p.size.x, p.size.y, torus, told.gravity, told.ratio, told.dry, {}, {}, {}, {}};
     int i = 0;
     for (glm::vec4& c : twin.cells) {
-      // Rough, so that every limiter acts; supercritical in places.
+      // The state is rough, so that every limiter acts, and partly supercritical.
       const double bed = -1 + 0.3 * swing(i, 1);
       const double depth = 1 + 0.3 * swing(i, 2) - bed - 1;
       c = {static_cast<float>(bed + depth), static_cast<float>(depth * 4.5 * swing(i, 3)),

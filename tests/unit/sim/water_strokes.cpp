@@ -1,4 +1,4 @@
-// Sources of water that move and change by keyframes.
+// Tests sources of water that move and change by keyframes.
 #include "scene/load.hpp"
 #include "sim/water/plan.hpp"
 #include "sim/world/list.hpp"
@@ -16,9 +16,9 @@ TEST_CASE("keyed strokes: a water source follows its keyframed strength") {
                                        "test.json", {}, sim::kinds());
   const auto& p = dynamic_cast<const sim::WaterParameters&>(*scene.objects.at(0).parameters);
   const sim::WaterPlan plan(p, "it", 1, 0.5);
-  const auto falls = plan.fallsAt(0.5, 4);  // sources at a time of 1 s
+  const auto falls = plan.fallsAt(0.5, 4);  // These are the sources at a time of 1 s.
   REQUIRE(falls.strokes.size() == 1);
   CHECK(std::abs(falls.strokes[0].value - 0.5F * 2 * 0.125F) <
-        1e-7F);  // amount added in an eighth of a second
+        1e-7F);  // The amount is what the source adds in an eighth of a second.
   CHECK(falls.strokes[0].to == glm::vec2(15, 5));
 }

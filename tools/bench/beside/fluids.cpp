@@ -1,4 +1,5 @@
-// Compares a fluid with a plain loop: its buffers, the bytes that a step moves, and the time of its parts.
+// Compares a fluid with a plain loop. Prints the fluid's buffers, the bytes that a step moves, and the
+// times of its parts.
 #include "beside/memory.hpp"
 #include "beside/subject.hpp"
 #include "gl/context.hpp"
@@ -76,7 +77,7 @@ std::function<void()> stepsOf(const std::shared_ptr<sim::FluidPlan>& plan,
   };
 }
 
-/// Prints the time that a step saves without one of its parts, on the device only.
+/// Prints the time that a step saves if one of its parts is left out. Runs only on the device.
 void printShares(double whole) {
   const std::pair<const char*, std::function<void(sim::FluidParameters&)>> without[] = {
       {"all cycles but one", [](auto& p) { p.cycles = 1; }},

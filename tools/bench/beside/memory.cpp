@@ -74,7 +74,8 @@ void printBytes(double bytes, double cellsPerProcessorSecond) {
 
 namespace {
 
-/// Compiles a kernel that copies `from` to `to`, or fills `to` with noise. `value` is the GLSL expression.
+/// Compiles a kernel that copies `from` to `to`, or fills `to` with noise. `value`: GLSL expression of the
+/// written value.
 GLuint copier(const char* value) {
   const std::string text = fmt::format(
       "#version 450\nlayout(local_size_x = 256) in;\n"
@@ -91,8 +92,8 @@ GLuint copier(const char* value) {
 
 }  // namespace
 
-// Copies between buffers with a kernel, because graphics drivers also have slow ways to copy between
-// buffers; copies noise, because cards have fast paths for zeros.
+// The copying uses a kernel, because graphics drivers also have slow ways to copy between buffers. It
+// copies noise, because graphics cards have fast paths for zeros.
 double copiedBySecond() {
   const std::size_t bytes = std::size_t{1} << (gl::softwareDriver() ? 27U : 30U);
   const gl::Buffer from("copied", bytes), to("copy", bytes);

@@ -14,7 +14,7 @@ namespace simreel::bench {
 namespace {
 
 struct Turn {
-  double wall = 0, processor = 0;  ///< wall-clock and processor time, s
+  double wall = 0, processor = 0;  ///< wall-clock and processor time in seconds
 };
 
 Turn timed(const std::function<void()>& work) {
@@ -29,9 +29,9 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// Returns the items per second that one processor could do if it did only the minimum work: the lower of
-/// the rate of a loop of such operations, measured now, and the rate of copying the same bytes within the
-/// cache level that holds them.
+/// Returns the items per second that one processor could process if it did only the minimum work. This is
+/// the lower of two rates: that of a loop of such operations, measured now, and that of copying the same
+/// bytes in the cache level that they fit into.
 double limit(const Least& least) {
   const auto rate = [](auto work) {
     std::vector<double> rates;

@@ -1,4 +1,4 @@
-// Measurements of bench_plain: a kernel compared with a plain loop and a CPU twin.
+// Declares the measurements of bench_plain, which compare a kernel with a plain loop and a CPU twin.
 #pragma once
 #include "sim/world/list.hpp"
 
@@ -12,34 +12,37 @@ inline constexpr double frameSeconds = 1.0 / 60;
 
 /// Minimum work per item, counted from the model's equations.
 struct Least {
-  double operations = 0;  ///< additions, multiplications, divisions, square roots; 0: not counted
-  double bytes = 0;       ///< bytes of memory read and written
-  double pass = 0;        ///< number of items between two uses of an item's memory
+  double operations = 0;  ///< number of additions, multiplications, divisions and square roots; 0 if not
+                          ///< counted
+  double bytes = 0;       ///< bytes of memory that are read and written
+  double pass = 0;        ///< number of items that are processed between two uses of an item's memory
 };
 
-/// One comparison, run in turns. `items` is the number of items per turn.
+/// One comparison, whose implementations run alternately. `items` is the number of items per turn.
 struct Subject {
   const char* name;
   const char* unit;
   double items;
-  std::function<void()> plain, twin, device;  ///< the implementations; twin may be empty
+  std::function<void()> plain, twin, device;  ///< functions that run a turn of each implementation; twin
+                                              ///< may be empty
   Least least{};
-  std::function<void()> after = {};  ///< prints further results after the line; may be empty
+  std::function<void()> after = {};  ///< function that prints further results after the line; may be empty
 };
 
-/// Runs the implementations in turns and prints a line.
+/// Runs the implementations alternately and prints a line of results.
 void print(const Subject& subject);
 /// Prints the column headings.
 void printHeads();
-/// Runs only the kernel for some seconds, for profilers.
+/// Runs only the kernel for some seconds, for use with profilers.
 void keepBusy(const Subject& subject, double seconds);
 
-/// Cloth: a sheet of fabric, a cloth mesh, cloths stacked on one another.
+/// Cloth cases: a sheet of fabric, a cloth mesh, and cloths stacked on one another.
 [[nodiscard]] Subject fabricSheet();
 [[nodiscard]] Subject meshCloth();
 [[nodiscard]] Subject clothsInContact();
 
-/// A tank of 512x512 cells with dye in three colours, temperature and an obstacle; a basin with islands.
+/// Fluid cases: a tank of 512x512 cells with dye in three colours, temperature and an obstacle; and a basin
+/// of water with islands.
 [[nodiscard]] Subject fluidTank();
 [[nodiscard]] Subject waterBasin();
 

@@ -1,5 +1,5 @@
-// Compares water with a plain loop. Separate from fluids.cpp, because both models define names such as
-// `wallSide`.
+// Compares water with a plain loop. The file is separate from fluids.cpp, because both models define names
+// such as `wallSide`.
 #include "beside/memory.hpp"
 #include "beside/subject.hpp"
 #include "plain/plain.hpp"
@@ -12,10 +12,11 @@ namespace simreel::bench {
 namespace {
 
 constexpr int basinSide = 512, basinSteps = 16;
-constexpr double basinBytes = 32;  // per cell and step: level, two discharges and bed, read and written
+constexpr double basinBytes = 32;  // bytes per cell and step: level, two discharges and bed are read and
+                                   // written
 constexpr double basinCells = double(basinSide) * basinSide;
 
-/// Returns a basin with the given number of cells per side; the hills scale with the size.
+/// Returns a basin with the given number of cells per side. The hills scale with the size.
 sim::WaterParameters basin(int side) {
   sim::WaterParameters p;
   p.size = {side, side};

@@ -1,4 +1,4 @@
-// A plain CUDA kernel for comparison: one target per thread, bodies in tiles of shared memory.
+// A plain CUDA kernel for comparison. Each thread computes one target, and bodies are loaded in tiles of shared memory.
 #include <algorithm>
 #include <cuda_runtime.h>
 
@@ -44,7 +44,7 @@ double cudaPairs(const float* bodies, float* accelerations, int count, float gra
   cudaEventCreate(&begin);
   cudaEventCreate(&end);
   double best = 1e300;
-  for (int run = 0; run <= runs; ++run) {  // the first run is a warm-up
+  for (int run = 0; run <= runs; ++run) {  // The first run is a warm-up.
     cudaEventRecord(begin);
     pairsKernel<<<(count - 1) / tileBodies + 1, tileBodies>>>(in, out, count, gravity, softening * softening);
     cudaEventRecord(end);

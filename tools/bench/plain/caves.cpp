@@ -15,8 +15,8 @@ Walls::Walls(int width, int height) : rock(std::size_t(width) * height), width_(
     }
 }
 
-/// Adds the four vertices (floor, foot, top, rim) of a wall that crosses an edge. Returns the index of the
-/// first.
+/// Adds the four vertices (floor, foot, top, rim) of a wall that crosses an edge of the grid. Returns the
+/// index of the first vertex.
 int Walls::crossing(int x, int y, bool along) {
   const auto at = [&](int cx, int cy) {
     cx = cx < 0 ? 0 : cx >= width_ ? width_ - 1 : cx;

@@ -124,7 +124,7 @@ void Contact::push(const std::vector<Vec3>& now, std::vector<Vec3>& next,
         const std::size_t f = entries_[k];
         const std::uint32_t* c = &indices_[3 * f];
         if (apart(box, boxes_[f]) || c[0] == v || c[1] == v || c[2] == v) continue;
-        // A pair that shares several cells is handled in the first of them.
+        // A pair that shares several cells is handled only in the first of them.
         const Vec3 low = most(box.low, boxes_[f].low);
         if (cellOf(low.x, cell_) == x && cellOf(low.y, cell_) == y && cellOf(low.z, cell_) == z)
           addVertex(now, int(v), f);
@@ -152,7 +152,9 @@ void Contact::push(const std::vector<Vec3>& now, std::vector<Vec3>& next,
 void Contact::addVertex(const std::vector<Vec3>& now, int v, std::size_t face) {
   const std::uint32_t* c = &indices_[3 * face];
   const Vec3 s = closest(now[v], now[c[0]], now[c[1]], now[c[2]]);
-  if (s.x == 0 || s.y == 0 || s.z == 0) return;  // the closest point is on an edge, handled by edge pairs
+  if (s.x == 0 || s.y == 0 || s.z == 0)
+    return;  // The closest point is on an edge. Edge pairs handle this
+             // case.
   const int corner[4] = {v, int(c[0]), int(c[1]), int(c[2])};
   const float share[4] = {1, -s.x, -s.y, -s.z};
   addTouch(corner, share, now[v] - now[c[0]] * s.x - now[c[1]] * s.y - now[c[2]] * s.z);
@@ -169,7 +171,7 @@ void Contact::addEdges(const std::vector<Vec3>& now, std::size_t i, std::size_t 
   const float s = (ab * dot(other, apart) - dot(along, apart) * ee) / slope;
   const float t = (ab * s + dot(other, apart)) / ee;
   if (s <= 0 || s >= 1 || t <= 0 || t >= 1)
-    return;  // the closest point is at a vertex, handled by vertex-face pairs
+    return;  // The closest point is at a vertex. Vertex-face pairs handle this case.
   const float share[4] = {1 - s, s, t - 1, -t};
   addTouch(corner, share, apart + along * s - other * t);
 }
@@ -195,7 +197,7 @@ void Contact::solve(const std::vector<Vec3>& now, std::vector<Vec3>& next,
       slide = slide + (next[c] - now[c]) * t.share[k];
       weight += inverseMass[c] * t.share[k] * t.share[k];
     }
-    // A pair that is already too near separates by only a twentieth of the missing distance, so that it
+    // A pair that is already too near is separated by only a twentieth of the missing distance, so that it
     // gains no speed.
     const float missing = std::max(thickness_ - t.distance, 0.0F);
     const float push = thickness_ - 0.95F * missing - dot(gap, t.normal);

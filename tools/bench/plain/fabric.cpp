@@ -38,8 +38,7 @@ Fabric::Fabric(int width, int height, const Numbers& numbers)
     }
 }
 
-/// Adds the bending forces of a plate: each second difference of positions scatters a force to its
-/// vertices.
+/// Adds the bending forces of a plate. Each second difference of positions adds forces to its vertices.
 void Fabric::bend() {
   force_.assign(position.size(), Vec3{0, 0, 0});
   const float k = n_.bending / (n_.spacing * n_.spacing);
@@ -97,7 +96,7 @@ void Fabric::pull(std::size_t a, std::size_t b, float rest, float give) {
   add(next[b], d, -lambda * inverseMass[b]);
 }
 
-/// Solves all links of a line together; their matrix is tridiagonal.
+/// Solves all links of a line together. Their matrix is tridiagonal.
 void Fabric::line(std::size_t first, std::size_t pace, int count, float stiffness) {
   const float give = 1 / (stiffness * n_.dt * n_.dt);
   along_.resize(std::size_t(count));

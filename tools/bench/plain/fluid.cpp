@@ -62,7 +62,7 @@ std::vector<Fluid::Jet> Fluid::jetsOf(int width, int height) {
           {0.5F * w, 0.92F * h, 0.04F * h, 10, -105, {1.1F, 0.8F, 0.1F}}};
 }
 
-/// Interpolates bilinearly on a grid of w x h; clamps to the nearest value outside.
+/// Interpolates bilinearly on a grid of w x h values. Outside, uses the nearest value of the border.
 static float sample(const std::vector<float>& f, int w, int h, float x, float y) {
   x = std::clamp(x, 0.0F, static_cast<float>(w - 1));
   y = std::clamp(y, 0.0F, static_cast<float>(h - 1));
@@ -86,8 +86,8 @@ void Fluid::trace(float& x, float& y, float dt) const {
   y = std::clamp(y + dt * b, 0.0F, static_cast<float>(height_));
 }
 
-// MacCormack advection: forward, back again, and half the error as a correction, clamped to the four source
-// values.
+// MacCormack advection advects forwards and backwards and adds half of the error as a correction, clamped
+// to the four source values.
 void Fluid::carry(const std::vector<float>& from, std::vector<float>& forth, std::vector<float>& to, int w,
                   int h, float ox, float oy) const {
   for (int y = 0; y < h; ++y)
@@ -144,7 +144,7 @@ void Fluid::paint() {
       }
 }
 
-// Red-black relaxation, one sweep down and one up.
+// Relaxes the cells of one colour, 0 or 1, of a red-black checkerboard.
 void Fluid::sweep(Level& l, int color) {
   const int w = l.width;
   for (int y = 0; y < l.height; ++y)

@@ -25,10 +25,10 @@ void pairs(const std::vector<Body>& bodies, std::vector<Vec3>& acceleration, flo
 namespace {
 
 struct Node {
-  std::array<int, 8> child;  ///< indices of the child nodes; 0: no child
+  std::array<int, 8> child;  ///< indices of the child nodes; 0 for no child
   float x, y, z, half;       ///< centre and half width of the node's cube
-  float mass, cx, cy, cz;    ///< mass and centre of mass of the bodies inside
-  int body;                  ///< index of the body in a leaf; -1: no body
+  float mass, cx, cy, cz;    ///< total mass and centre of mass of the bodies inside
+  int body;                  ///< index of the body in a leaf; -1 for no body
 };
 
 class Octree {

@@ -14,7 +14,7 @@ struct Rates {
   float diffuseU, diffuseV, feed, kill, dt;
 };
 
-/// Updates a row except its first and last cell, from three rows of u and of v. Without `__restrict` no
+/// Updates a row, except its first and last cell, from three rows of u and of v. Without `__restrict`, no
 /// compiler vectorises the loop.
 void inner(const float* __restrict ua, const float* __restrict u, const float* __restrict ub,
            const float* __restrict va, const float* __restrict v, const float* __restrict vb,
@@ -43,7 +43,7 @@ GrayScott::GrayScott(int width, int height)
 
 void GrayScott::step(float diffuseU, float diffuseV, float feed, float kill, float dt) {
   const Rates rates{diffuseU, diffuseV, feed, kill, dt};
-  // Updates the two border cells; the x of the neighbours wraps around.
+  // Updates the two border cells. The x coordinates of their neighbours wrap around.
   const auto border = [&](std::size_t above, std::size_t here, std::size_t below, int x) {
     const int l = (x + width_ - 1) % width_, r = (x + 1) % width_;
     const auto lap = [&](const std::vector<float>& f) {

@@ -6,7 +6,7 @@ namespace plain {
 
 namespace {
 
-/// Updates the cells of a row except its first and last.
+/// Updates the cells of a row, except the first and the last.
 void inner(const std::uint8_t* __restrict a, const std::uint8_t* __restrict h,
            const std::uint8_t* __restrict b, std::uint8_t* __restrict to, int width) {
   for (int x = 1; x < width - 1; ++x) {

@@ -9,8 +9,8 @@ namespace {
 using Eight = float __attribute__((vector_size(32)));
 volatile float sink;
 
-// Ten independent chains, so that latency is hidden; separate products and sums, as in exact arithmetic
-// without FMA.
+// Ten independent chains of operations hide their latency. Products and sums are separate, as in exact
+// arithmetic without FMA.
 #if defined(__x86_64__)
 __attribute__((target("avx2")))
 #endif
@@ -29,7 +29,7 @@ double arithmetic() {
   constexpr int rounds = 2'000'000;
   Eight sums[10] = {};
 #if defined(__x86_64__)
-  if (!__builtin_cpu_supports("avx2")) {  // without AVX2: four lanes at a time
+  if (!__builtin_cpu_supports("avx2")) {  // Without AVX2, there are four lanes instead of eight.
     float four[40] = {};
     for (int i = 0; i < rounds; ++i)
       for (float& s : four) s = s * 0.999F + 0.001F;

@@ -1,6 +1,6 @@
-// Straightforward single-threaded versions of the simulations, the comparison in bench_plain. Compiled with
-// -O3 for any x86-64 (no -march, no -ffast-math), with the standard library's functions and the compiler's
-// own arithmetic.
+// Straightforward single-threaded versions of the simulations, with which bench_plain compares. They are
+// compiled with -O3 for any x86-64 (no -march, no -ffast-math), with the standard library's functions and
+// the compiler's own arithmetic.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -17,19 +17,20 @@ class GrayScott {
  public:
   GrayScott(int width, int height);
   void step(float diffuseU, float diffuseV, float feed, float kill, float dt);
-  std::vector<float> u, v;  ///< one value per cell, x varies fastest
+  std::vector<float> u, v;  ///< one value per cell; x varies fastest
 
  private:
   int width_, height_;
   std::vector<float> nextU_, nextV_;
 };
 
-/// Gray-Scott in a volume; the Laplacian uses six faces with weight two and twelve edges.
+/// Gray-Scott in a volume. The Laplacian uses six face neighbours with weight two and twelve edge
+/// neighbours.
 class GrayScottVolume {
  public:
   explicit GrayScottVolume(int side);
   void step(float diffuseU, float diffuseV, float feed, float kill, float dt);
-  std::vector<float> u, v;  ///< one value per cell, x varies fastest, then y
+  std::vector<float> u, v;  ///< one value per cell; x varies fastest, then y
 
  private:
   int side_;
@@ -55,19 +56,21 @@ class Cloth {
   std::vector<Vec3> before_;
 };
 
-/// A woven sheet: all links of a line solved together (XPBD), diagonals pair by pair, bending as a plate.
+/// A woven sheet. All links of a line are solved together (XPBD), diagonals pair by pair, and bending is
+/// that of a plate.
 class Fabric {
  public:
   struct Numbers {
     float spacing, density, weft, warp, shear, bending, gravity, kept, dt;
   };
-  /// The held particles stay at their initial positions.
+  /// The pinned particles stay at their initial positions.
   Fabric(int width, int height, const Numbers& numbers);
-  /// Moves `position` to `next`. Call settle() afterwards; other code may change `next` in between.
+  /// Computes `next` from `position`. settle() must be called afterwards. Other code may change `next` in
+  /// between.
   void predict();
   void settle();
   std::vector<Vec3> position, velocity, next;
-  std::vector<float> inverseMass;  ///< one value per particle; 0: the particle is held
+  std::vector<float> inverseMass;  ///< one value per particle; 0 for a pinned particle
 
  private:
   [[nodiscard]] std::size_t at(int x, int y) const { return std::size_t(y) * width_ + x; }
@@ -80,13 +83,13 @@ class Fabric {
   std::vector<float> upper_, lambda_;
 };
 
-/// Cloth of triangles: weft, warp and shear of a face solved together (XPBD), face after face; bending by
-/// rows of a matrix.
+/// Cloth of triangles. Weft, warp and shear of a face are solved together (XPBD), face after face. Bending
+/// uses rows of a matrix.
 class Garment {
  public:
   struct Face {
     int a, b, c;
-    float p, q, r, s;         ///< inverse of the 2x2 matrix of the face's rest positions
+    float p, q, r, s;         ///< elements of the inverse of the 2x2 matrix of the face's rest positions
     float weft, warp, shear;  ///< compliances of the fabric divided by dt^2
   };
   struct Bend {
@@ -96,7 +99,8 @@ class Garment {
   std::vector<Vec3> position, velocity;
   std::vector<float> inverseMass;
   std::vector<Face> faces;
-  std::vector<int> firstBend;  ///< index of each vertex's first entry in `bends`, then the total count
+  std::vector<int> firstBend;  ///< index of each vertex's first entry in `bends`, followed by the total
+                               ///< count
   std::vector<Bend> bends;
   float gravity, kept, dt;
   void step();
@@ -105,8 +109,8 @@ class Garment {
   std::vector<Vec3> next_;
 };
 
-/// Keeps faces and edges apart: a hash grid of cubes finds vertex-face and edge-edge pairs in every
-/// substep; two rounds of impulses with friction.
+/// Prevents faces and edges from passing through each other. A hash grid of cubes finds vertex-face and
+/// edge-edge pairs in every substep. Two rounds of impulses with friction follow.
 class Contact {
  public:
   Contact(std::vector<std::uint32_t> indices, std::size_t vertices, float cell, float thickness,
@@ -117,7 +121,8 @@ class Contact {
  private:
   struct Touch {
     int corner[4];
-    float share[4];  ///< barycentric weights, positive on the first side, negative on the other
+    float share[4];  ///< barycentric weights of the four vertices, positive on the first side, negative on
+                     ///< the other
     Vec3 normal;
     float distance;
   };
@@ -139,8 +144,9 @@ class Contact {
   std::vector<Touch> touches_;
 };
 
-/// Incompressible flow on a staggered grid, closed on all sides, with an obstacle and three jets:
-/// MacCormack advection, buoyancy, multigrid until max|div u| is 1e-5 of max|u|, dye by monotone fluxes.
+/// Incompressible flow on a staggered grid that is closed on all sides, with an obstacle and three jets.
+/// Uses MacCormack advection, buoyancy, multigrid until max|div u| is 1e-5 of max|u|, and monotone fluxes
+/// of dye.
 class Fluid {
  public:
   struct Numbers {
@@ -179,7 +185,7 @@ class Fluid {
   std::vector<Level> levels_;
 };
 
-/// Shallow water within walls: MUSCL-Hancock and HLL over hydrostatic reconstruction.
+/// Shallow water with walls. Uses MUSCL-Hancock and HLL with hydrostatic reconstruction.
 class Water {
  public:
   struct Numbers {
@@ -203,14 +209,14 @@ class Water {
   std::vector<Cell> slopesX_, slopesY_, halves_;
 };
 
-/// Runs as many float operations as one thread can; returns their number.
+/// Performs as many float operations per second as one thread can. Returns their number.
 double arithmetic();
-/// Copies a buffer repeatedly on one thread; buffer and copy together take `bytes`. Returns the number of
-/// bytes read and written.
+/// Copies a buffer repeatedly on one thread. Buffer and copy together take `bytes` bytes. Returns the
+/// number of bytes read and written.
 double copying(std::size_t bytes);
 
-/// Epidemic with one byte per cell: 1 susceptible, 2 infected, 3 immune; chances in thousandths, with the
-/// same hash as simreel's kernels.
+/// Epidemic with one byte per cell: 1 susceptible, 2 infected, 3 immune. Probabilities are in thousandths.
+/// The random hash is that of simreel's kernels.
 class Epidemic {
  public:
   Epidemic(int side, std::vector<std::uint8_t> cells);
@@ -223,8 +229,8 @@ class Epidemic {
   std::vector<std::uint8_t> next_;
 };
 
-/// Wildfire with one byte per cell: 0 bare, 1 fuel, 2 and above burning with the number of steps left, 255
-/// burnt. Eight chances depend on the wind.
+/// Wildfire with one byte per cell: 0 bare, 1 fuel, 2 and above burning, with the number of steps left, 255
+/// burnt. Eight probabilities, one per direction, depend on the wind.
 class Wildfire {
  public:
   Wildfire(int side, std::vector<std::uint8_t> cells, const float* chances, int burnSteps);
@@ -237,7 +243,7 @@ class Wildfire {
   std::vector<std::uint8_t> next_;
 };
 
-/// B3/S23 on a torus, one byte per cell.
+/// B3/S23 on a torus with one byte per cell.
 class Life {
  public:
   Life(int width, int height);
@@ -255,11 +261,11 @@ struct Body {
 /// Computes gravity by all pairs.
 void pairs(const std::vector<Body>& bodies, std::vector<Vec3>& acceleration, float gravity,
            float softening);
-/// Computes gravity by a Barnes-Hut octree: builds it, then walks it for each body.
+/// Computes gravity with a Barnes-Hut octree, which is built and then walked for each body.
 void tree(const std::vector<Body>& bodies, std::vector<Vec3>& acceleration, float gravity, float softening,
           float opening);
 
-/// A grid of vertices with a ripple from the middle, and its normals from the faces.
+/// A grid of vertices with a ripple from the middle. Its normals are computed from the faces.
 class Ripple {
  public:
   Ripple(int width, int height, float size);
@@ -272,8 +278,8 @@ class Ripple {
   std::vector<std::uint32_t> indices_;
 };
 
-/// Floor, walls and rock from a map of bytes (1 is rock): marching squares with shared vertices, in vectors
-/// that keep their memory.
+/// Floor, walls and rock from a map of bytes (1 is rock). Uses marching squares with shared vertices. The
+/// vectors keep their memory from frame to frame.
 class Walls {
  public:
   Walls(int width, int height);

@@ -23,7 +23,7 @@ float limited(float a, float b) {
 
 }  // namespace
 
-/// Returns a cell, or its mirror image beyond the border.
+/// Returns a cell. Beyond the border, returns the cell's mirror image.
 Water::Cell Water::cell(int x, int y) const {
   const int i = x < 0 ? -1 - x : x >= width_ ? 2 * width_ - 1 - x : x;
   const int j = y < 0 ? -1 - y : y >= height_ ? 2 * height_ - 1 - y : y;
@@ -36,7 +36,8 @@ Water::Cell Water::cell(int x, int y) const {
   return c;
 }
 
-// Slopes, half a step in each cell, then HLL between reconstructed depths, as in simreel's equations.
+// The step computes slopes, half a step in each cell, and then HLL fluxes between reconstructed depths, as
+// in simreel's equations.
 void Water::step() {
   const float k = 0.5F * n_.ratio;
   const int w = width_ + 2;

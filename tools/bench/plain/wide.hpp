@@ -1,21 +1,22 @@
-// A straightforward single-threaded version of Larger than Life, the comparison in bench_wide.
+// A straightforward single-threaded version of Larger than Life, with which bench_wide compares.
 #pragma once
 #include <cstdint>
 #include <vector>
 
 namespace plain {
 
-/// Bosco's rule or another rule on a torus, one byte per cell.
+/// Bosco's rule or another rule on a torus, with one byte per cell.
 class Wide {
  public:
   struct Rule {
-    std::vector<int> half;  ///< columns to either side in each of the 2 range + 1 rows around a cell
-    int surviveMin, surviveMax, bornMin, bornMax;  ///< limits of neighbour counts; a cell counts itself
+    std::vector<int> half;  ///< number of columns to either side in each of the 2 range + 1 rows around a
+                            ///< cell
+    int surviveMin, surviveMax, bornMin, bornMax;  ///< limits of neighbour counts, which include the cell
+                                                   ///< itself
   };
   Wide(int width, int height, const Rule& rule);
-  void stepDirect();  ///< each cell adds up all cells around it
-  void direct(
-      int rows);  ///< runs stepDirect() for the first rows only and discards the result; for measurements
+  void stepDirect();      ///< computes the sum over all neighbours for each cell
+  void direct(int rows);  ///< number of rows to compute; the result is discarded, for measurements
   /// uses running sums: for squares down the columns, then along the rows; for other shapes row by row
   void stepRunning();
   std::vector<std::uint8_t> cells;

@@ -1,4 +1,4 @@
-// Loaded before the C library (LD_PRELOAD), so that files are written as usual and never synced.
+// Replaces fsync() and similar calls (LD_PRELOAD), so that files are written as usual but never synced.
 extern "C" int fsync(int /*descriptor*/) {
   return 0;
 }

@@ -7,14 +7,15 @@ const make = (parent, name, text) => {
   parent.append(element);
   return element;
 };
-// Distinct values of each parameter, sorted if they are numbers.
+// distinct values of each parameter; numbers are sorted
 const values = data.names.map((_, p) => {
   const all = [...new Set(data.jobs.map((job) => job.values[p]))];
   return all.every((v) => v.trim() !== "" && isFinite(v)) ? all.sort((a, b) => a - b) : all;
 });
 let chosen = 0;
 
-// Returns the index of the job with this value of the parameter that shares the most other values with the chosen job.
+// Returns the index of the job that has this value of the parameter and agrees with the chosen job in the most other
+// values.
 function nearest(parameter, value) {
   const now = data.jobs[chosen].values;
   let best = -1, found = chosen;
@@ -71,7 +72,7 @@ function show(i) {
     output.textContent = job.values[p];
   });
   tiles.forEach((tile, k) => tile.setAttribute("aria-pressed", k === i));
-  // Shows the full picture if it lies beside the page, else the small copy inside the page.
+  // Shows the full picture if it exists next to the page, else the small copy inside the page.
   $("picture").onerror = () => { $("picture").onerror = null; $("picture").src = job.picture; };
   $("picture").src = job.file || job.picture;
   $("caption").textContent = `${job.name}: ${job.state}${job.message ? ": " + job.message : ""}`;
@@ -79,7 +80,7 @@ function show(i) {
   $("numbers").textContent = "";
   make($("numbers"), "caption", "At the last frame");
   data.columns.forEach((name, c) => {
-    if (name.startsWith("passed ")) return;  // shown in the row of its check
+    if (name.startsWith("passed ")) return;  // The row of the check shows this value.
     const passed = name.startsWith("check ") ? job.cells[data.columns.indexOf("passed " + name.slice(6))] : undefined;
     if (job.cells[c] === "" && !passed) return;
     const row = make($("numbers"), "tr");
@@ -91,7 +92,8 @@ function show(i) {
   });
 }
 
-// Returns a colour from blue over grey to orange, which color-blind readers can tell apart on light and dark paper.
+// Returns a colour from blue through grey to orange, which color-blind readers can tell apart on light and dark
+// backgrounds. `share` is 0 to 1.
 const color = (share) => share < 0.5 ? `hsl(215 ${90 - 160 * share}% ${50 + 20 * share}%)` : `hsl(28 ${160 * share - 70}% ${70 - 20 * share}%)`;
 
 function paint() {
