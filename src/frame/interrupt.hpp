@@ -18,6 +18,8 @@ void catchInterrupts();
 /// and exit with 128 + the signal.
 [[nodiscard]] int interruptSignal();
 void throwIfInterrupted();
+/// Makes throwIfInterrupted() throw as if the signal had arrived; 0: no longer. Safe in any thread.
+void setInterrupt(int signal);
 /// Makes long frames end with Interrupted after a signal, where they call checkFrame(); catchInterrupts()
 /// must have been called.
 void interruptFrames();

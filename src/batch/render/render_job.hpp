@@ -20,6 +20,8 @@ namespace simreel::batch {
 /// Input of one run: of `simreel render`, of a sweep's job, or of a piece of a sequence.
 struct RenderRequest {
   std::filesystem::path scene;  ///< path of the scene; "-": standard input
+  /// Text of the scene, which `scene` names in messages; nullopt: the text of that file.
+  std::optional<std::string> text = std::nullopt;
   std::vector<scene::Override> overrides;
   std::vector<std::filesystem::path> assets;  ///< additional folders for assets
   std::string output;
