@@ -181,6 +181,18 @@ if(SYSTEM_PYTHON AND TARGET simreel)
                        ENVIRONMENT "SIMREEL=$<TARGET_FILE:simreel>;PYTHONDONTWRITEBYTECODE=1")
 endif()
 
+# The Python module; skipped with a message if it was not built, never in CI.
+if(SYSTEM_PYTHON AND TARGET simreel)
+  set(PYTHON_ENVIRONMENT "SIMREEL=$<TARGET_FILE:simreel>;PYTHONPATH=${CMAKE_BINARY_DIR}/python;PYTHONDONTWRITEBYTECODE=1")
+  foreach(module module processes tools)
+    add_test(NAME "python: ${module}" COMMAND ${SYSTEM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/python/test_${module}.py)
+    set_tests_properties("python: ${module}" PROPERTIES LABELS python TIMEOUT ${PATIENCE} SKIP_RETURN_CODE 77 ENVIRONMENT "${PYTHON_ENVIRONMENT}")
+  endforeach()
+  add_test(NAME "long: a thousand scenes" COMMAND ${SYSTEM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/python/test_processes.py
+           Processes.test_opened_and_closed_scenes_leave_no_memory)
+  set_tests_properties("long: a thousand scenes" PROPERTIES LABELS long TIMEOUT ${PATIENCE} SKIP_RETURN_CODE 77 ENVIRONMENT "${PYTHON_ENVIRONMENT};SIMREEL_LONG=1")
+endif()
+
 # Compares every shipped scene with its baselines; the long scenes have an entry of their own.
 if(TARGET simreel)
   file(GLOB SCENES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/assets/scenes/*.json)

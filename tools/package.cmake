@@ -1,5 +1,6 @@
-# Rules of `cmake --install`. The installed folder can be moved, because the program finds share/simreel relative to its
-# own folder and contains its shaders. `cpack` in the build folder makes a .deb.
+# Rules of `cmake --install`. The installed tree can be moved, because the program finds share/simreel relative to
+# itself and has its shaders built in. `cpack` in the build folder makes a .deb of each component: the program with the
+# assets, the library, its headers, and the Python module.
 include(GNUInstallDirs)
 install(TARGETS simreel)
 install(DIRECTORY glsl DESTINATION ${CMAKE_INSTALL_DATADIR}/simreel)
@@ -8,6 +9,9 @@ install(DIRECTORY assets DESTINATION ${CMAKE_INSTALL_DATADIR}/simreel PATTERN ga
 # Installs the guide, cookbook and reference, with their pictures.
 install(DIRECTORY assets/guide DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
+if(TARGET simreel_python)
+  math(EXPR NEXT_PYTHON "${Python_VERSION_MINOR} + 1")
+endif()
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "simreel <simreel@localhost>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "renderer of GPU simulations that needs no display")
@@ -21,4 +25,22 @@ set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libegl1, libopengl0 | libgl1, libegl-mesa0, libgl1-mesa-dri")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS ffmpeg)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_GROUPING IGNORE)
+set(CPACK_COMPONENTS_ALL program library development)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME simreel)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libsimreel)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "simreel (= ${PROJECT_VERSION}), ${CPACK_DEBIAN_PACKAGE_DEPENDS}")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libsimreel-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libsimreel (= ${PROJECT_VERSION})")
+if(TARGET simreel_python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-simreel)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "libsimreel (= ${PROJECT_VERSION}), python3-numpy, python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}), python3 (<< ${Python_VERSION_MAJOR}.${NEXT_PYTHON})")
+endif()
+# The module links libsimreel, which belongs to no installed package yet.
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR})
 include(CPack)

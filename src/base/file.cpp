@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <link.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -292,17 +293,42 @@ bool liesBelow(const std::filesystem::path& path, const std::filesystem::path& f
   return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
 }
 
-std::filesystem::path programFolder() {
+namespace {
+
+/// Sets `data`, a path, to the name of the loaded file that holds this function; empty for the program.
+int findOwnFile(dl_phdr_info* info, std::size_t /*size*/, void* data) {
+  const auto here = reinterpret_cast<ElfW(Addr)>(&findOwnFile);
+  for (int i = 0; i < info->dlpi_phnum; ++i) {
+    const ElfW(Phdr)& part = info->dlpi_phdr[i];
+    const ElfW(Addr) begin = info->dlpi_addr + part.p_vaddr;
+    if (part.p_type != PT_LOAD || here < begin || here >= begin + part.p_memsz) continue;
+    *static_cast<std::filesystem::path*>(data) = info->dlpi_name;
+    return 1;
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::filesystem::path programFile() {
   std::error_code error;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
-  return error ? std::filesystem::path() : program.parent_path();
+  std::filesystem::path library;
+  ::dl_iterate_phdr(findOwnFile, &library);
+  const auto file = library.empty() ? std::filesystem::read_symlink("/proc/self/exe", error)
+                                    : std::filesystem::canonical(library, error);
+  return error ? std::filesystem::path() : file;
+}
+
+std::filesystem::path programFolder() {
+  return programFile().parent_path();
 }
 
 std::filesystem::path assetFolder() {
   // NOLINTNEXTLINE(concurrency-mt-unsafe): the environment is only read.
   if (const char* chosen = std::getenv("SIMREEL_ASSETS")) return chosen;
   // The last path is absolute, so operator/ ignores the program's folder.
-  for (const char* place : {"../share/simreel/assets", "../assets", SIMREEL_SOURCE_ASSETS}) {
+  for (const char* place :
+       {"../share/simreel/assets", "../../share/simreel/assets", "../assets", SIMREEL_SOURCE_ASSETS}) {
     std::error_code error;
     auto folder = std::filesystem::weakly_canonical(programFolder() / place, error);
     if (!error && std::filesystem::is_directory(folder, error)) return folder;

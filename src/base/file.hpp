@@ -88,7 +88,9 @@ void makeFolders(const std::filesystem::path& folder);
 /// if none exists.
 [[nodiscard]] std::filesystem::path assetFolder();
 
-/// Returns the folder of the running program.
+/// Returns the file that holds this code: the running program, or the shared library in it.
+[[nodiscard]] std::filesystem::path programFile();
+/// Returns the folder of programFile().
 [[nodiscard]] std::filesystem::path programFolder();
 
 }  // namespace simreel

@@ -1,5 +1,6 @@
 #include "base/log.hpp"
 
+#include "base/message_taker.hpp"
 #include "base/text.hpp"
 
 #include <atomic>
@@ -9,6 +10,7 @@
 #include <set>
 #include <string_view>
 #include <unistd.h>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -26,17 +28,30 @@ void put(std::FILE* where, const std::string& text) {
   static_cast<void>(std::fwrite(plain.data(), 1, plain.size(), where));
 }
 
-/// Writes a message to standard error: as plain text, or as a JSON object without `prefix`.
+std::string_view withoutPrefix(std::string_view text, std::string_view prefix) {
+  return text.starts_with(prefix) ? text.substr(prefix.size()) : text;
+}
+
+std::mutex takerMutex;
+MessageTaker taker;
+
+/// Passes a message to the taker, or writes it to standard error: as plain text, or as a JSON object
+/// without `prefix`.
 void say(const char* kind, std::string_view prefix, const std::string& text) {
+  if (const std::scoped_lock lock(takerMutex); taker)
+    return taker(kind, std::string(withoutPrefix(text, prefix)));
   if (!json) return put(stderr, text + "\n");
   using Json = nlohmann::ordered_json;
-  const Json object = {{"event", "message"},
-                       {"level", kind},
-                       {"text", text.starts_with(prefix) ? text.substr(prefix.size()) : text}};
+  const Json object = {{"event", "message"}, {"level", kind}, {"text", withoutPrefix(text, prefix)}};
   put(stderr, object.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace
+
+void setMessageTaker(MessageTaker take) {
+  const std::scoped_lock lock(takerMutex);
+  taker = std::move(take);
+}
 
 void logAsJson() {
   json = true;

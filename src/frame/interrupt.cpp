@@ -86,6 +86,10 @@ void throwIfInterrupted() {
   if (const int signal = interruptSignal()) throw Interrupted{signal};
 }
 
+void setInterrupt(int signal) {
+  arrived = signal;
+}
+
 void interruptFrames() {
   setFrameCheck(throwIfInterrupted);
 }

@@ -17,8 +17,10 @@ void catchInterrupts();
 /// the sink and exit with 128 + the signal.
 [[nodiscard]] int interruptSignal();
 void throwIfInterrupted();
-/// After a signal, makes long frames throw Interrupted where they call checkFrame(). catchInterrupts() must
-/// have been called.
+/// Makes throwIfInterrupted() throw as if the signal had arrived; 0: no longer. Safe in any thread.
+void setInterrupt(int signal);
+/// Makes long frames end with Interrupted after a signal, where they call checkFrame(); catchInterrupts()
+/// must have been called.
 void interruptFrames();
 
 /// Ignores SIGPIPE, so that writing to a closed pipe fails with EPIPE instead of ending the process.

@@ -42,8 +42,8 @@ fs::path folder() {
 /// different GLSL.
 std::string program() {
   std::error_code error;
-  const fs::path file = fs::canonical("/proc/self/exe", error);
-  if (error) return version();
+  const fs::path file = programFile();
+  if (file.empty()) return version();
   return fmt::format("{} {} {} {}", version(), file.string(), fs::file_size(file, error),
                      fs::last_write_time(file, error).time_since_epoch().count());
 }

@@ -6,6 +6,7 @@
 #include "scene/framing.hpp"
 #include "scene/hidden.hpp"
 #include "scene/json/json_node.hpp"
+#include "scene/json/scene_error.hpp"
 #include "scene/json/words.hpp"
 #include "scene/kind_hint.hpp"
 #include "scene/override.hpp"
@@ -365,7 +366,8 @@ Scene parse(std::string_view text, const std::filesystem::path& file, const std:
   Diagnostics diagnostics(sources.file, text);
   const AssetFolders assets(file, with.folders, assetFolder());
   Scene scene;
-  if (std::optional<Node> root = parseJson(text, 0, 0, diagnostics)) {
+  std::optional<Node> root = parseJson(text, 0, 0, diagnostics);
+  if (root) {
     if (sidecar != nullptr) {
       sources.sidecarNumber = diagnostics.addFile(sources.sidecar, *sidecar);
       if (std::optional<Node> beside = parseJson(*sidecar, sources.sidecarNumber, 0, diagnostics))
@@ -375,7 +377,7 @@ Scene parse(std::string_view text, const std::filesystem::path& file, const std:
     readScene(*root, {diagnostics, assets}, with.kinds, heldToLength, scene);
     scene.test.toleranceOrigin = toleranceOrigin(*root, sources);
   }
-  if (!diagnostics.empty()) throw UserError(ExitCode::usage, diagnostics.report(), UserError::Form::report);
+  if (!diagnostics.empty()) throw SceneError(diagnostics, root ? &*root : nullptr);
 
   scene.remarks = diagnostics.remarks();
   scene.files.assign(assets.found().begin(), assets.found().end());

@@ -125,11 +125,40 @@ class Installed(Case):
         script = self.installed() / "share/zsh/site-functions/_simreel"
         run("zsh", "-n", str(script))
 
+    def test_a_program_builds_against_the_library_and_runs(self):
+        build = self.folder / "example"
+        environment = {k: v for k, v in os.environ.items() if k != "SIMREEL_ASSETS"}
+        run("cmake", "-S", str(common.SOURCE / "examples/cpp"), "-B", str(build), f"-DCMAKE_PREFIX_PATH={self.installed()}")
+        run("cmake", "--build", str(build))
+        text = run(str(build / "fall"), cwd=self.work, env=environment)
+        self.assertIn('line 1, column 44, objects.a.cloth.fabrik: "fabric" is meant', text)
+        self.assertEqual(png_rows((self.work / "fall.png").read_bytes())[:2], (320, 180))
+
+    @unittest.skipUnless(shutil.which("pkg-config"), "no pkg-config")
+    def test_pkg_config_finds_the_library(self):
+        (folder,) = {file.parent for file in self.installed().glob("lib/**/simreel.pc")}
+        words = run("pkg-config", "--cflags", "--libs", "simreel", env={**os.environ, "PKG_CONFIG_PATH": str(folder)})
+        self.assertIn("-lsimreel", words)
+        include = pathlib.Path(re.search(r"-I((?:\\.|\S)+)", words)[1].replace("\\", ""))
+        self.assertTrue((include / "simreel/simreel.hpp").exists(), words)
+
+    @unittest.skipUnless((BUILD / "python/simreel").exists() and os.access("/usr/bin/python3", os.X_OK), "no Python module")
+    def test_the_python_module_works_where_it_is_installed(self):
+        environment = {k: v for k, v in os.environ.items() if k not in ("SIMREEL_ASSETS", "SIMREEL")}
+        environment["PYTHONPATH"] = str(self.installed() / "lib/python3/dist-packages")
+        self.write("elsewhere/scene.json", common.SCENE)
+        text = run("/usr/bin/python3", "-c", "import simreel\nscene = simreel.load('scene.json')\n"
+                   "print(simreel.__file__, simreel.program(), scene.step(2)['flag'].positions.shape)", cwd=self.work, env=environment)
+        self.assertEqual(text.replace(str(self.installed()), "").strip(),
+                         "/lib/python3/dist-packages/simreel/__init__.py /bin/simreel (7, 9, 3)")
+
     @unittest.skipUnless(shutil.which("cpack") and shutil.which("dpkg-shlibdeps"), "no cpack or dpkg-dev")
     def test_the_package_renders_and_names_its_libraries(self):
         run("cpack", "--config", str(BUILD / "CPackConfig.cmake"), "-B", str(self.folder / "package"),
             "-D", "CPACK_DEBIAN_COMPRESSION_TYPE=gzip", cwd=self.folder)
-        (package,) = (self.folder / "package").glob("*.deb")
+        (package,) = (self.folder / "package").glob("simreel_*.deb")
+        names = {file.name.partition("_")[0] for file in (self.folder / "package").glob("*.deb")}
+        self.assertLessEqual({"simreel", "libsimreel", "libsimreel-dev"}, names)
         depends = run("dpkg-deb", "-f", str(package), "Depends")
         for library in ("libepoxy0", "libisal2", "libegl1", "libopengl0", "libgl1-mesa-dri"):
             self.assertIn(library, depends)

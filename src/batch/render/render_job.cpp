@@ -22,10 +22,23 @@ namespace simreel::batch {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+scene::Scene sceneOf(const RenderRequest& request) {
+  if (request.text)
+    return scene::parseScene(*request.text, request.scene, request.overrides, sim::kinds(), request.assets);
+  return scene::loadScene(request.scene, request.overrides, sim::kinds(), request.assets);
+}
+
+std::string asRunOf(const RenderRequest& request) {
+  if (request.text) return scene::textAsRun(*request.text, request.scene, request.overrides);
+  return scene::sceneAsRun(request.scene, request.overrides, sim::kinds());
+}
+
+}  // namespace
+
 RenderJob::RenderJob(RenderRequest request)
-    : request_(std::move(request)),
-      scene_(scene::loadScene(request_.scene, request_.overrides, sim::kinds(), request_.assets)),
-      asRun_(scene::sceneAsRun(request_.scene, request_.overrides, sim::kinds())) {
+    : request_(std::move(request)), scene_(sceneOf(request_)), asRun_(asRunOf(request_)) {
   chooseFrames();
   output_ = frame::parseOutput(request_.output, frames_.size());
   chooseManifest();

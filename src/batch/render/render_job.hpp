@@ -19,7 +19,9 @@ namespace simreel::batch {
 
 /// Input of one run. A run is a `simreel render`, a sweep's job, or a piece of a sequence.
 struct RenderRequest {
-  std::filesystem::path scene;  ///< path of the scene; "-" for standard input
+  std::filesystem::path scene;  ///< path of the scene; "-": standard input
+  /// Text of the scene, which `scene` names in messages; nullopt: the text of that file.
+  std::optional<std::string> text = std::nullopt;
   std::vector<scene::Override> overrides;
   std::vector<std::filesystem::path> assets;  ///< additional folders for assets
   std::string output;

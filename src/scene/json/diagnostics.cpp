@@ -110,7 +110,7 @@ Diagnostics::Line Diagnostics::lineOf(Place place) const {
   return {begin, std::max({end, begin, at}), at};
 }
 
-std::string Diagnostics::where(Place place) const {
+Diagnostics::Position Diagnostics::positionOf(Place place) const {
   const std::string_view text = sourceText(place.source);
   const Line line = lineOf(place);
   const std::string_view head = text.substr(line.begin, line.at - line.begin);
@@ -118,9 +118,15 @@ std::string Diagnostics::where(Place place) const {
       head.size() - static_cast<std::size_t>(std::count_if(head.begin(), head.end(), continues)) + 1;
   const auto number =
       std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(line.at), '\n') + 1;
+  return {static_cast<int>(number), static_cast<int>(column)};
+}
+
+std::string Diagnostics::where(Place place) const {
   const Source& source = sources_[static_cast<std::size_t>(place.source)];
   const std::string name = oneLine(source.name);
-  return source.isFile ? fmt::format("{}:{}:{}", name, number, column) : name;
+  if (!source.isFile) return name;
+  const Position position = positionOf(place);
+  return fmt::format("{}:{}:{}", name, position.line, position.column);
 }
 
 std::string Diagnostics::describe(const Error& error, const char* kind) const {
@@ -138,6 +144,24 @@ std::vector<const Diagnostics::Error*> Diagnostics::inOrder(const std::vector<Er
     return std::tie(a->place.source, a->place.begin) < std::tie(b->place.source, b->place.begin);
   });
   return ordered;
+}
+
+std::vector<Problem> Diagnostics::problems(const std::function<std::string(Place)>& pathOf) const {
+  std::vector<Problem> found;
+  for (const Error* error : inOrder(errors_)) {
+    Problem problem{{}, 0, 0, pathOf(error->place), error->message};
+    const Source& source = sources_[static_cast<std::size_t>(error->place.source)];
+    if (source.isFile) {
+      const Position position = positionOf(error->place);
+      problem.file = source.name;
+      problem.line = position.line;
+      problem.column = position.column;
+    } else if (problem.path.empty()) {
+      problem.path = source.owned.substr(0, source.owned.find('='));
+    }
+    found.push_back(std::move(problem));
+  }
+  return found;
 }
 
 std::vector<std::string> Diagnostics::remarks() const {

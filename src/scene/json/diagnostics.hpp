@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,7 +15,15 @@ struct Place {
   std::size_t end = 0;
 };
 
-/// Collects all errors of a scene and prints them in the order of their position in the sources.
+/// One error of a scene, for programs that use the library.
+struct Problem {
+  std::string file;          ///< name of the file; empty for an override
+  int line = 0, column = 0;  ///< counted from 1, columns in code points; 0 for an override
+  std::string path;          ///< dotted path of the value: "objects.flag.cloth.fabric"; empty if unknown
+  std::string message;
+};
+
+/// Collects all errors of a scene and prints them in the order of their places.
 class Diagnostics {
  public:
   /// `text` must outlive this object.
@@ -42,6 +51,8 @@ class Diagnostics {
   /// Returns all errors as text. Each error is "file:line:column: error: message", the source line and a
   /// caret. Prints at most 50, then "and N more". Columns count code points from 1.
   [[nodiscard]] std::string report() const;
+  /// Returns the errors in the order of report(). `pathOf` returns the path of the value at a place.
+  [[nodiscard]] std::vector<Problem> problems(const std::function<std::string(Place)>& pathOf) const;
   /// Returns the warnings in the order of their places. Each is "file:line:column: warning: message", the
   /// source line and a caret.
   [[nodiscard]] std::vector<std::string> remarks() const;
@@ -67,6 +78,11 @@ class Diagnostics {
   };
   [[nodiscard]] std::string_view sourceText(int source) const;
   [[nodiscard]] Line lineOf(Place place) const;
+  /// Position from 1, the column in code points.
+  struct Position {
+    int line, column;
+  };
+  [[nodiscard]] Position positionOf(Place place) const;
   [[nodiscard]] std::string describe(const Error& error, const char* kind) const;
 
   std::vector<Source> sources_;

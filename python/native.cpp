@@ -1,0 +1,334 @@
+// The module simreel._native: libsimreel for Python. The classes of the package simreel wrap it.
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <simreel/simreel.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace py = pybind11;
+
+namespace {
+
+/// The device of the process. Never destroyed by the C++ runtime, because the driver ends first; close()
+/// does it.
+std::optional<simreel::Device>& device() {
+  static auto* held = new std::optional<simreel::Device>();
+  return *held;
+}
+
+py::dtype typeOf(simreel::NumberType type) {
+  switch (type) {
+    case simreel::NumberType::uint32:
+      return py::dtype::of<std::uint32_t>();
+    case simreel::NumberType::uint8:
+      return py::dtype::of<std::uint8_t>();
+    case simreel::NumberType::float32:
+      break;
+  }
+  return py::dtype::of<float>();
+}
+
+/// Hands bytes over to a numpy array without a copy.
+template <class Bytes>
+py::array handOver(simreel::NumberType type, const std::vector<std::size_t>& shape,
+                   const std::vector<std::size_t>& strides, Bytes&& bytes) {
+  auto* owned = new std::decay_t<Bytes>(std::forward<Bytes>(bytes));
+  const py::capsule owner(owned, [](void* data) { delete static_cast<std::decay_t<Bytes>*>(data); });
+  return py::array(typeOf(type), shape, strides, owned->data(), owner);
+}
+
+py::array toNumpy(simreel::Array&& array) {
+  return handOver(array.type, array.shape, array.strides, std::move(array.bytes));
+}
+
+py::array toNumpy(simreel::Picture&& picture) {
+  const std::vector<std::size_t> shape = {static_cast<std::size_t>(picture.height),
+                                          static_cast<std::size_t>(picture.width),
+                                          static_cast<std::size_t>(picture.channels)};
+  return handOver(simreel::NumberType::uint8, shape, {shape[1] * shape[2], shape[2], 1},
+                  std::move(picture.bytes));
+}
+
+/// Runs work without the interpreter's lock. A signal such as Ctrl-C ends it between two frames.
+template <class Work>
+auto unlocked(const Work& work) {
+  const py::gil_scoped_release release;
+  return work();
+}
+
+/// True if a signal handler raised, so that the running call must end.
+bool signalled() {
+  const py::gil_scoped_acquire acquire;
+  return PyErr_CheckSignals() != 0;
+}
+
+const char* nameOf(simreel::ErrorKind kind) {
+  using Kind = simreel::ErrorKind;
+  switch (kind) {
+    case Kind::scene:
+      return "scene";
+    case Kind::usage:
+      return "usage";
+    case Kind::device:
+      return "device";
+    case Kind::inputOutput:
+      return "inputOutput";
+    case Kind::process:
+      return "process";
+    case Kind::interrupted:
+      return "interrupted";
+    case Kind::internal:
+      break;
+  }
+  return "internal";
+}
+
+/// Raises simreel.Error, or leaves the exception of a signal handler as it is.
+void raise(const simreel::Error& error) {
+  if (error.kind() == simreel::ErrorKind::interrupted) {
+    if (PyErr_Occurred() == nullptr) PyErr_SetNone(PyExc_KeyboardInterrupt);
+    return;
+  }
+  py::list mistakes;
+  for (const simreel::Mistake& one : error.mistakes())
+    mistakes.append(py::make_tuple(one.file, one.line, one.column, one.path, one.message, one.suggestion));
+  const py::object type = py::module_::import("simreel._errors").attr("Error");
+  const py::object made = type(error.what(), nameOf(error.kind()), mistakes);
+  PyErr_SetObject(type.ptr(), made.ptr());
+}
+
+simreel::Device& openDevice(const std::string& name, const std::string& path) {
+  auto opened = unlocked([&] { return simreel::Device::open({name, path}); });
+  if (!device()) opened.whileWaiting(signalled);
+  device() = std::move(opened);
+  return *device();
+}
+
+simreel::Device& presentDevice() {
+  return device() ? *device() : openDevice("", "");
+}
+
+simreel::LoadOptions optionsOf(const std::vector<std::pair<std::string, std::string>>& changes,
+                               std::vector<std::string> assets, bool motion) {
+  simreel::LoadOptions options;
+  for (const auto& [path, value] : changes) options.changes.push_back({path, value});
+  options.assets = std::move(assets);
+  options.motion = motion;
+  return options;
+}
+
+/// A scene that close() can release before Python forgets it.
+class Held {
+ public:
+  explicit Held(simreel::Scene scene) : scene_(std::make_shared<simreel::Scene>(std::move(scene))) {}
+  ~Held() { close(); }
+  Held(Held&&) = default;
+  Held& operator=(Held&&) = default;
+  Held(const Held&) = delete;
+  Held& operator=(const Held&) = delete;
+
+  /// Returns the scene; the caller's copy keeps it alive while another thread closes it.
+  [[nodiscard]] std::shared_ptr<simreel::Scene> get() const {
+    if (!scene_) throw simreel::Error(simreel::ErrorKind::usage, "the scene is closed");
+    return scene_;
+  }
+  void close() {
+    std::shared_ptr<simreel::Scene> scene = std::move(scene_);
+    if (scene) unlocked([&] { scene.reset(); });
+  }
+
+ private:
+  std::shared_ptr<simreel::Scene> scene_;
+};
+
+void write(const Held& held, const std::string& object, const std::string& array, const py::array& values) {
+  const auto scene = held.get();
+  if (values.dtype().kind() == 'u') {
+    const auto dense = py::array_t<std::uint32_t, py::array::c_style | py::array::forcecast>(values);
+    const std::span<const std::uint32_t> all(dense.data(), static_cast<std::size_t>(dense.size()));
+    return unlocked([&] { scene->write(object, array, all); });
+  }
+  const auto dense = py::array_t<float, py::array::c_style | py::array::forcecast>(values);
+  const std::span<const float> all(dense.data(), static_cast<std::size_t>(dense.size()));
+  unlocked([&] { scene->write(object, array, all); });
+}
+
+py::list describeArrays(const Held& held) {
+  const auto scene = held.get();
+  py::list all;
+  for (const simreel::ArrayInfo& one : unlocked([&] { return scene->arrays(); }))
+    all.append(py::make_tuple(one.object, one.name, one.unit, typeOf(one.type),
+                              py::tuple(py::cast(one.shape)), one.writable));
+  return all;
+}
+
+py::dict layers(const Held& held, const std::vector<std::string>& names) {
+  const auto scene = held.get();
+  py::dict all;
+  for (simreel::Array& array : unlocked([&] { return scene->layers(names); })) {
+    const py::str name(array.name);
+    all[name] = toNumpy(std::move(array));
+  }
+  return all;
+}
+
+py::dict meshOf(const Held& held, const std::string& object) {
+  const auto scene = held.get();
+  simreel::Mesh mesh = unlocked([&] { return scene->mesh(object); });
+  py::dict parts;
+  for (simreel::Array* part : {&mesh.positions, &mesh.normals, &mesh.uvs, &mesh.triangles})
+    parts[py::str(part->name)] = toNumpy(std::move(*part));
+  return parts;
+}
+
+py::list check(const Held& held, const std::vector<int>& frames) {
+  const auto scene = held.get();
+  py::list all;
+  for (const simreel::CheckResult& one : unlocked([&] { return scene->check(frames); }))
+    all.append(py::make_tuple(one.what, one.frame, one.value, one.passed, one.problem));
+  return all;
+}
+
+void addScene(py::module_& module) {
+  using simreel::Scene;
+  py::class_<simreel::Snapshot>(module, "Snapshot")
+      .def_property_readonly("frame", &simreel::Snapshot::frame)
+      .def_property_readonly("nbytes", &simreel::Snapshot::bytes);
+  // Returns a function that calls a function of the scene without the interpreter's lock.
+  const auto call = [](auto function) {
+    return [function](const Held& held) {
+      const auto scene = held.get();
+      return unlocked([&] { return ((*scene).*function)(); });
+    };
+  };
+  py::class_<Held>(module, "Scene")
+      .def("close", &Held::close)
+      .def("title", call(&Scene::title))
+      .def("fps", call(&Scene::fps))
+      .def("frame_count", call(&Scene::frameCount))
+      .def("size",
+           [](const Held& held) { return py::make_tuple(held.get()->width(), held.get()->height()); })
+      .def("remarks", call(&Scene::remarks))
+      .def("is_changed", call(&Scene::isChanged))
+      .def("restart", call(&Scene::restart))
+      .def("state_hash", call(&Scene::stateHash))
+      .def("fields", call(&Scene::fields))
+      .def("layer_objects", call(&Scene::layerObjects))
+      .def("snapshot", call(&Scene::snapshot))
+      .def("objects",
+           [](const Held& held) {
+             py::dict kinds;
+             for (const simreel::ObjectInfo& one : held.get()->objects())
+               kinds[py::str(one.name)] = one.kind;
+             return kinds;
+           })
+      .def("frame",
+           [](const Held& held) {
+             const auto scene = held.get();
+             const simreel::Frame frame = unlocked([&] { return scene->frame(); });
+             return py::make_tuple(frame.number, frame.time);
+           })
+      .def("advance_to",
+           [](const Held& held, int number) {
+             const auto scene = held.get();
+             const simreel::Frame frame = unlocked([&] { return scene->advanceTo(number); });
+             return py::make_tuple(frame.number, frame.time);
+           })
+      .def("arrays", describeArrays)
+      .def("read",
+           [](const Held& held, const std::string& object, const std::string& array) {
+             const auto scene = held.get();
+             return toNumpy(unlocked([&] { return scene->read(object, array); }));
+           })
+      .def("write", write)
+      .def("field",
+           [](const Held& held, const std::string& name) {
+             const auto scene = held.get();
+             return toNumpy(unlocked([&] { return scene->field(name); }));
+           })
+      .def("measure",
+           [](const Held& held, const std::string& object) {
+             const auto scene = held.get();
+             py::dict values;
+             for (const simreel::Quantity& one : unlocked([&] { return scene->measure(object); }))
+               values[py::str(one.name)] = one.value;
+             return values;
+           })
+      .def("mesh", meshOf)
+      .def("restore",
+           [](const Held& held, const simreel::Snapshot& snapshot) {
+             const auto scene = held.get();
+             unlocked([&] { scene->restore(snapshot); });
+           })
+      .def("picture",
+           [](const Held& held) {
+             const auto scene = held.get();
+             return toNumpy(unlocked([&] { return scene->picture(); }));
+           })
+      .def("layers", layers)
+      .def("check", check)
+      .def("render", [](const Held& held, const std::string& output, std::optional<std::string> frames,
+                        bool overwrite, bool manifest) {
+        const auto scene = held.get();
+        return unlocked([&] { return scene->render(output, {std::move(frames), overwrite, manifest}); });
+      });
+}
+
+py::bytes encodePng(const py::array_t<std::uint8_t, py::array::c_style>& pixels) {
+  if (pixels.ndim() != 3)
+    throw simreel::Error(simreel::ErrorKind::usage,
+                         "a picture is an array of (height, width, 3 or 4) uint8");
+  const auto extent = [&](int axis) { return static_cast<int>(pixels.shape(axis)); };
+  simreel::Picture picture{extent(1), extent(0), extent(2), {}};
+  picture.bytes.assign(pixels.data(), pixels.data() + pixels.size());
+  const auto file = unlocked([&] { return simreel::encodePng(picture); });
+  return {reinterpret_cast<const char*>(file.data()), file.size()};
+}
+
+}  // namespace
+
+PYBIND11_MODULE(_native, module) {
+  py::register_exception_translator([](std::exception_ptr failure) {
+    try {
+      if (failure) std::rethrow_exception(failure);
+    } catch (const simreel::Error& error) {
+      raise(error);
+    }
+  });
+  module.def("prepare", simreel::prepareEnvironment);
+  module.def("version", simreel::libraryVersion);
+  module.def("schema", simreel::sceneSchema);
+  module.def("open", [](const std::string& name, const std::string& path) {
+    const simreel::Device& opened = openDevice(name, path);
+    return py::make_tuple(opened.name(), opened.driver(), opened.isSoftware());
+  });
+  module.def("close", [] { unlocked([] { device().reset(); }); });
+  module.def("messages", [] {
+    py::list all;
+    if (device())
+      for (const simreel::Message& one : device()->takeMessages())
+        all.append(py::make_tuple(one.level, one.text));
+    return all;
+  });
+  module.def("load",
+             [](const std::string& file, const std::vector<std::pair<std::string, std::string>>& changes,
+                std::vector<std::string> assets, bool motion) {
+               const simreel::Device on = presentDevice();
+               const simreel::LoadOptions options = optionsOf(changes, std::move(assets), motion);
+               return Held(unlocked([&] { return simreel::Scene::load(on, file, options); }));
+             });
+  module.def("parse", [](const std::string& text, const std::string& name,
+                         const std::vector<std::pair<std::string, std::string>>& changes,
+                         std::vector<std::string> assets, bool motion) {
+    const simreel::Device on = presentDevice();
+    const simreel::LoadOptions options = optionsOf(changes, std::move(assets), motion);
+    return Held(unlocked([&] { return simreel::Scene::parse(on, text, name, options); }));
+  });
+  module.def("encode_png", encodePng);
+  addScene(module);
+}

@@ -1,0 +1,47 @@
+"""The exception of the package, and warnings for messages of the library."""
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterable
+from typing import Any, NamedTuple
+
+
+class Mistake(NamedTuple):
+    """One mistake in a scene or a kernel. Members are None if unknown; `line` and `column` count from 1."""
+
+    file: str | None
+    line: int | None
+    column: int | None
+    path: str | None
+    message: str
+    suggestion: str | None
+
+
+class Warning(UserWarning):  # noqa: A001  (simreel.Warning)
+    """A message that the command line would print as a warning."""
+
+
+class Error(Exception):
+    """Raised by all functions of simreel.
+
+    `kind` is "scene", "usage", "device", "inputOutput", "process", "interrupted" or "internal". Errors about the text
+    of a scene or a kernel have every mistake in `mistakes`; file, line, column, path and suggestion are those of the
+    first one, and None if unknown.
+    """
+
+    def __init__(self, message: str, kind: str = "usage", mistakes: Iterable[Any] = ()) -> None:
+        super().__init__(message)
+        self.kind = kind
+        self.mistakes = [Mistake(file or None, line or None, column or None, path or None, text, suggestion or None)
+                         for file, line, column, path, text, suggestion in mistakes]
+        first = self.mistakes[0] if self.mistakes else Mistake(None, None, None, None, message, None)
+        self.file, self.line, self.column = first.file, first.line, first.column
+        self.path, self.suggestion = first.path, first.suggestion
+
+    def __reduce__(self):  # so that an error of a worker process arrives whole
+        return Error, (str(self), self.kind, [tuple(one) for one in self.mistakes])
+
+
+def warn(text: str, level: int = 3) -> None:
+    """Passes a message on to Python's warnings."""
+    warnings.warn(text, Warning, stacklevel=level)

@@ -1,0 +1,121 @@
+"""Frames and objects: what a scene has at one moment."""
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+import numpy
+
+from ._errors import Error
+from ._pictures import Image
+
+if TYPE_CHECKING:
+    from ._scene import Scene
+
+
+class Frame:
+    """Moment of a run. Its data can be read until the scene is stepped, written or closed."""
+
+    def __init__(self, scene: Scene, number: int, seconds: float) -> None:
+        self._scene, self._steps = scene, scene._steps
+        self.number, self.time = number, seconds
+
+    def _valid(self) -> Scene:
+        if self._scene._steps != self._steps:
+            raise Error(f"frame {self.number} has passed: read a frame before the scene goes on, and copy what you keep")
+        return self._scene
+
+    def __getitem__(self, name: str) -> Object:
+        return self._valid()[name]
+
+    def __repr__(self):
+        return f"<simreel.Frame {self.number} at {self.time:g} s>"
+
+    @property
+    def state_hash(self) -> str:
+        """Hash of all state arrays."""
+        return self._valid().state_hash
+
+    def image(self) -> Image:
+        """Draws the frame: (height, width, 3) uint8, the bytes of `simreel render`."""
+        return self._valid().image()
+
+    def layers(self, names: str | Iterable[str]) -> dict[str, numpy.ndarray]:
+        """Draws layers of the frame, see Scene.layers()."""
+        return self._valid().layers(names)
+
+    def field(self, name: str) -> numpy.ndarray:
+        """Returns the values of a field: (rows, columns), float32."""
+        return self._valid().field(name)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes the picture as PNG."""
+        self.image().save(path)
+
+    def _repr_png_(self):
+        return self.image()._repr_png_()
+
+
+class Object:
+    """Object of a scene at the present frame.
+
+    Its state arrays are attributes: `scene["flag"].positions`. Reading copies from the device, assigning writes the
+    state back, and the scene goes on from there.
+    """
+
+    def __init__(self, scene: Scene, name: str) -> None:
+        object.__setattr__(self, "_scene", scene)
+        object.__setattr__(self, "name", name)
+
+    @property
+    def kind(self) -> str:
+        """Kind of the object, such as "cloth"."""
+        return self._scene._kinds[self.name]
+
+    @property
+    def arrays(self):
+        """Description of the state arrays: name: (unit, dtype, shape, writable)."""
+        return self._scene._table().get(self.name, {})
+
+    def __getattr__(self, array: str) -> numpy.ndarray:
+        if array.startswith("_"):
+            raise AttributeError(array)
+        if array not in self.arrays:
+            known = ", ".join(self.arrays) or "none"
+            raise AttributeError(f'{self.kind} "{self.name}" has no array "{array}"; it has {known}')
+        return self._scene._native.read(self.name, array)
+
+    def __setattr__(self, array: str, values: Any) -> None:
+        if array not in self.arrays:
+            known = ", ".join(self.arrays) or "none"
+            raise AttributeError(f'{self.kind} "{self.name}" has no array "{array}"; it has {known}')
+        unit, dtype, shape, writable = self.arrays[array]
+        values = numpy.asarray(values)
+        if values.shape != shape:
+            values = numpy.broadcast_to(values, shape) if values.ndim == 0 else values
+            if values.shape != shape:
+                raise Error(f"{self.name}.{array} has the shape {shape}, not {values.shape}")
+        if dtype.kind == "f" and values.dtype.kind not in "fiub" or dtype.kind == "u" and values.dtype.kind not in "iub":
+            raise Error(f"{self.name}.{array} holds {dtype}, not {values.dtype}")
+        self._scene._steps += 1
+        self._scene._native.write(self.name, array, numpy.ascontiguousarray(values, dtype))
+
+    def __dir__(self):
+        return [*super().__dir__(), *self.arrays]
+
+    def measure(self) -> dict[str, float]:
+        """Returns what the object measures, such as energies, as a dict."""
+        return self._scene._native.measure(self.name)
+
+    def mesh(self) -> dict[str, numpy.ndarray]:
+        """Returns the object's triangles in the world: a dict of positions, normals, uvs and triangles."""
+        return self._scene._native.mesh(self.name)
+
+    def field(self, part: str | None = None) -> numpy.ndarray:
+        """Returns the values of the object's field, or of a part of it: (rows, columns), float32."""
+        return self._scene.field(self.name if part is None else f"{self.name}.{part}")
+
+    def __repr__(self):
+        inside = ", ".join(f"{name} {shape}" for name, (_, _, shape, _) in self.arrays.items())
+        return f"<{self.kind} {self.name!r}: {inside or 'no state'}>"

@@ -1,0 +1,302 @@
+"""Scenes: loading, stepping, state, pictures."""
+from __future__ import annotations
+
+import json
+import os
+import pathlib
+import tempfile
+from collections.abc import Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy
+
+from . import _native
+from ._errors import Error, warn
+from ._folder import folder_of
+from ._frame import Frame, Object
+from ._pictures import Image, Video
+from ._progress import Bar
+
+if TYPE_CHECKING:
+    from ._types import SceneDict
+    Source = SceneDict | str | os.PathLike[str]
+    Numbers = str | int | Iterable[int] | None
+
+
+def _plain(value):
+    """Converts numpy's numbers and paths for JSON."""
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
+    raise TypeError(f"a scene cannot hold a {type(value).__name__}")
+
+
+def _pairs(changes):
+    return [(path, json.dumps(value, default=_plain)) for path, value in (changes or {}).items()]
+
+
+def _frames_text(frames):
+    """Returns frames as --frames takes them; None: all."""
+    if frames is None or isinstance(frames, str):
+        return frames
+    if isinstance(frames, int):
+        return str(frames)
+    return ",".join(str(int(frame)) for frame in frames)
+
+
+def _file_suffix(source):
+    return ".glsl" if "gl_GlobalInvocationID" in source or "#version" in source else ".compute"
+
+
+class _Kernels:
+    """Folder with the kernels that a scene gives as text."""
+
+    def __init__(self):
+        self.folder = None
+
+    def write(self, sections):
+        """Returns the scene with a file in place of each "source"."""
+        objects = sections.get("objects")
+        if not isinstance(objects, dict):
+            return sections
+        changed = {}
+        for name, thing in objects.items():
+            kernels = thing.get("kernels") if isinstance(thing, dict) else None
+            if isinstance(kernels, dict) and "source" in kernels:
+                if "file" in kernels:
+                    raise Error(f'objects.{name}.kernels: give "file" or "source", not both')
+                if self.folder is None:
+                    self.folder = folder_of(self, "kernels")
+                file = pathlib.Path(self.folder) / (name + _file_suffix(kernels["source"]))
+                file.write_text(kernels["source"], encoding="utf-8")
+                kernels = {**{key: value for key, value in kernels.items() if key != "source"}, "file": file.name}
+                changed[name] = {**thing, "kernels": kernels}
+        return {**sections, "objects": {**objects, **changed}} if changed else sections
+
+
+def _report(level=4):
+    """Turns the library's warnings into Python's."""
+    for kind, text in _native.messages():
+        if kind == "warning":
+            warn(text, level)
+
+
+class Scene:
+    """A scene on the device, at frame 0 at first.
+
+    Built from keyword arguments, which are the sections of a scene file: `Scene(objects={...}, time={...})`. load()
+    reads files. All functions may be called from any thread; one runs at a time. Arrays and pictures are copies in
+    host memory, so numpy, PyTorch (`torch.from_numpy`) and JAX read them through the CPU.
+    """
+
+    def __init__(self, *, changes: Mapping[str, Any] | None = None, assets: Iterable[str | os.PathLike[str]] = (),
+                 motion: bool = False, **sections: Any) -> None:
+        self._start(sections, changes, assets, motion, 4)
+
+    @classmethod
+    def _from(cls, source: Source, changes: Mapping[str, Any] | None, assets: Iterable[str | os.PathLike[str]],
+              motion: bool) -> Scene:
+        scene = cls.__new__(cls)
+        scene._start(source, changes, assets, motion, 5)
+        return scene
+
+    def _start(self, source, changes, assets, motion, level):
+        self._kernels = _Kernels()
+        self._changes = _pairs(changes)
+        self._assets = [os.fspath(folder) for folder in assets]
+        if isinstance(source, dict):
+            given = self._kernels.write({"version": 2, **source})
+            if self._kernels.folder is not None:
+                self._assets.append(self._kernels.folder)
+            self._source, self._text = None, json.dumps(given, default=_plain, indent=1)
+            self._native = _native.parse(self._text, "<scene>", self._changes, self._assets, motion)
+        else:
+            self._source, self._text = os.fspath(source), None
+            self._native = _native.load(self._source, self._changes, self._assets, motion)
+        self._kinds = self._native.objects()
+        self._arrays = None
+        self._steps = 0  # counts what makes earlier frames invalid
+        for remark in self._native.remarks():
+            warn(remark, level)
+        _report(level + 1)
+
+    # Description
+
+    @property
+    def title(self) -> str:
+        """Title of the scene."""
+        return self._native.title()
+
+    @property
+    def fps(self) -> float:
+        """Frames per second of scene time."""
+        return self._native.fps()
+
+    @property
+    def frame_count(self) -> int:
+        """Number of frames of the scene's duration. A scene can be stepped beyond."""
+        return self._native.frame_count()
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height of pictures in pixels."""
+        return self._native.size()
+
+    @property
+    def objects(self) -> dict[str, str]:
+        """The objects' kinds by name."""
+        return dict(self._kinds)
+
+    def __repr__(self):
+        inside = ", ".join(f"{name} ({kind})" for name, kind in self._kinds.items())
+        return f"<simreel.Scene {self.title or self._source or ''!r}: {inside}>"
+
+    # Stepping
+
+    @property
+    def frame(self) -> Frame:
+        """The present frame."""
+        number, seconds = self._native.frame()
+        return Frame(self, number, seconds)
+
+    def step(self, frames: int = 1) -> Frame:
+        """Simulates a number of frames and returns the present one."""
+        return self.advance_to(self._native.frame()[0] + frames)
+
+    def advance_to(self, number: int) -> Frame:
+        """Simulates up to a frame, which must not be an earlier one, and returns it."""
+        self._steps += 1
+        number, seconds = self._native.advance_to(number)
+        _report()
+        return Frame(self, number, seconds)
+
+    def restart(self) -> None:
+        """Goes back to frame 0 of the scene as it was read."""
+        self._steps += 1
+        self._native.restart()
+
+    def frames(self, first: int = 0, last: int | None = None, step: int = 1,
+               progress: bool | None = None) -> Iterator[Frame]:
+        """Yields the frames first, first + step, ... below `last` (default: the scene's end).
+
+        A frame is valid until the next one. The scene is restarted if it is beyond `first`. `progress`: shows a bar;
+        None: on a terminal and in a notebook.
+        """
+        numbers = range(first, self.frame_count if last is None else last, step)
+        present = self._native.frame()[0]
+        if present > first:
+            if self._native.is_changed():
+                raise Error(f"the state was written at or before frame {present}, and frame {first} lies before; begin "
+                            f"at {present}, or restart() the scene")
+            self.restart()
+        bar = Bar(len(numbers), progress)
+        try:
+            for number in numbers:
+                yield self.advance_to(number)
+                bar.advance()
+        finally:
+            bar.end()
+
+    @property
+    def state_hash(self) -> str:
+        """Hash of all state arrays, as `simreel trace` and manifest.json have it."""
+        return self._native.state_hash()
+
+    def snapshot(self) -> Any:
+        """Returns a copy of the state between frames, for restore()."""
+        return self._native.snapshot()
+
+    def restore(self, snapshot: Any) -> None:
+        """Goes on from the state of a scene with the same simulations."""
+        self._steps += 1
+        self._native.restore(snapshot)
+
+    # State and pictures of the present frame
+
+    def _table(self):
+        if self._arrays is None:
+            self._arrays = {}
+            for name, array, unit, dtype, shape, writable in self._native.arrays():
+                self._arrays.setdefault(name, {})[array] = (unit, dtype, shape, writable)
+        return self._arrays
+
+    def __getitem__(self, name: str) -> Object:
+        if name not in self._kinds:
+            known = ", ".join(self._kinds) or "none"
+            raise Error(f'the scene has no object "{name}"; it has {known}')
+        return Object(self, name)
+
+    def __iter__(self):
+        return iter(self._kinds)
+
+    def __len__(self):
+        return len(self._kinds)
+
+    def image(self) -> Image:
+        """Draws the present frame: the bytes of `simreel render`."""
+        picture = self._native.picture().view(Image)
+        _report()
+        return picture
+
+    def layers(self, names: str | Iterable[str]) -> dict[str, numpy.ndarray]:
+        """Draws layers of the present frame: a dict of arrays.
+
+        Names: depth (m), position (m), normal, albedo, velocity (m/s), vector (pixels), object (index into
+        layer_objects), primitive, and light (linear RGBA). velocity and vector need load(..., motion=True).
+        """
+        return self._native.layers([names] if isinstance(names, str) else list(names))
+
+    @property
+    def layer_objects(self) -> list[str]:
+        """Names of the objects that the layer "object" numbers."""
+        return self._native.layer_objects()
+
+    @property
+    def fields(self) -> list[str]:
+        """Names of the scene's fields."""
+        return self._native.fields()
+
+    def field(self, name: str) -> numpy.ndarray:
+        """Returns the values of a field: (rows, columns), float32."""
+        return self._native.field(name)
+
+    # Whole runs
+
+    def check(self, frames: Iterable[int] = (0,)) -> list[dict[str, Any]]:
+        """Runs the scene from its start and returns the results of its checks, one dict for each check and frame."""
+        keys = ("what", "frame", "value", "passed", "problem")
+        return [dict(zip(keys, one)) for one in self._native.check(list(frames))]
+
+    def save(self, output: str | os.PathLike[str], frames: Numbers = None, *, overwrite: bool = True,
+             manifest: bool | None = None) -> str:
+        """Renders the scene from its start to a folder ("out/"), pictures ("out/####.png") or a video ("run.mp4").
+
+        The files are those of `simreel render`. `manifest`: writes manifest.json and run.json beside the pictures;
+        None: for folders.
+        """
+        output = os.fspath(output) + ("/" if isinstance(output, pathlib.Path) and not output.suffix else "")
+        if manifest is None:
+            manifest = output.endswith("/")
+        return self._native.render(output, _frames_text(frames), overwrite, manifest)
+
+    def video(self, frames: Numbers = None) -> Video:
+        """Renders a video that a notebook shows. Needs ffmpeg."""
+        with tempfile.TemporaryDirectory(prefix="simreel-video-") as folder:
+            file = pathlib.Path(folder) / "run.mp4"
+            self.save(file, frames, manifest=False)
+            return Video(file)
+
+    def close(self) -> None:
+        """Releases the memory on the device now, instead of when Python forgets the scene."""
+        self._steps += 1
+        self._native.close()
+
+    def __enter__(self) -> Scene:
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def _repr_html_(self):
+        return self.video()._repr_html_()

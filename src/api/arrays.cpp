@@ -1,0 +1,165 @@
+#include "api/arrays.hpp"
+
+#include "api/failure.hpp"
+#include "api/scene_state.hpp"
+#include "sim/core/carry_over.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace simreel {
+
+namespace {
+
+constexpr std::size_t wordBytes = 4, elementWords = 4;
+
+/// Words of an array's elements that its name describes, and their unit.
+struct Meaning {
+  std::string_view name, unit;
+  std::size_t components;
+};
+constexpr Meaning meanings[] = {{"positions", "m", 3}, {"velocities", "m/s", 3}, {"trends", "m/s", 3}};
+
+/// Returns the meaning of an array. Users' kernels choose the names of their arrays.
+Meaning meaningOf(std::string_view kind, std::string_view array) {
+  if (kind != "kernels")
+    for (const Meaning& one : meanings)
+      if (one.name == array) return one;
+  return {array, "", elementWords};
+}
+
+NumberType typeOf(const sim::StateArray& array) {
+  return array.integers ? NumberType::uint32 : NumberType::float32;
+}
+
+/// Finds the buffers that a simulation carries over from frame to frame, and may write into one of them.
+class ArrayVisitor final : public sim::CarryOver {
+ public:
+  explicit ArrayVisitor(std::string_view object) : object_(object) {}
+  void begin(const std::string& object) { present_ = object; }
+  void array(const char* /*name*/, gl::Buffer& buffer) override {
+    if (present_ == object_) buffers_.push_back(&buffer);
+  }
+  /// Returns the buffer of a state array; null if the simulation computes it anew.
+  [[nodiscard]] gl::Buffer* of(const sim::StateArray& array) const {
+    const gl::Buffer* buffer = array.planes.count > 0 ? array.planes.part.buffer : array.buffer;
+    const auto found = std::find(buffers_.begin(), buffers_.end(), buffer);
+    return found == buffers_.end() ? nullptr : *found;
+  }
+
+ private:
+  void word(const char* /*name*/, std::int64_t& /*bits*/) override {}
+  std::string object_, present_;
+  std::vector<gl::Buffer*> buffers_;
+};
+
+ArrayVisitor visit(sim::World& world, std::string_view object) {
+  ArrayVisitor visitor(object);
+  world.carryOver(visitor, [&](const std::string& name) { visitor.begin(name); });
+  return visitor;
+}
+
+/// Writes elements of four words, in the array's layout.
+void store(const sim::StateArray& array, gl::Buffer& buffer, const std::vector<std::uint32_t>& words) {
+  if (array.planes.count == 0) return buffer.write(0, std::as_bytes(std::span(words)));
+  const auto each = static_cast<std::size_t>(array.planes.elements);
+  std::vector<std::uint32_t> apart(each * static_cast<std::size_t>(array.planes.count));
+  for (std::size_t i = 0; i < apart.size(); ++i) apart[i] = words[elementWords * (i % each) + i / each];
+  buffer.write(array.planes.part.offset, std::as_bytes(std::span(apart)));
+}
+
+}  // namespace
+
+namespace api {
+
+std::vector<std::size_t> denseStrides(const std::vector<std::size_t>& shape, std::size_t numberBytes) {
+  std::vector<std::size_t> strides(shape.size(), numberBytes);
+  for (std::size_t i = shape.size(); i-- > 1;) strides[i - 1] = strides[i] * shape[i];
+  return strides;
+}
+
+Array toArray(const sim::StateArray& state, const ArrayInfo& info) {
+  Array array{info.name, info.unit, info.type, info.shape, {}, {}};
+  array.strides = denseStrides(array.shape, wordBytes);
+  // The last axis shows the described words of elements that all have four words.
+  std::size_t stride = elementWords * wordBytes;
+  for (std::size_t i = array.shape.size() - 1; i-- > 0;) {
+    array.strides[i] = stride;
+    stride *= array.shape[i];
+  }
+  array.bytes = state.readAll<std::byte>();
+  return array;
+}
+
+}  // namespace api
+
+ArrayInfo Scene::State::infoOf(std::size_t object, const sim::StateArray& array) const {
+  const Meaning meaning = meaningOf(scene->objects[object].kind, array.name);
+  const auto elements = static_cast<std::size_t>(array.elements());
+  ArrayInfo info{
+      world->objectName(object), array.name, std::string(meaning.unit), typeOf(array), {elements}, false};
+  // A cloth of a grid is drawn as a grid of the same elements.
+  const sim::Drawables drawables = world->drawables();
+  for (const sim::Surface& surface : drawables.surfaces) {
+    const auto columns = static_cast<std::size_t>(surface.grid.x),
+               rows = static_cast<std::size_t>(surface.grid.y);
+    if (meaning.components == 3 && sim::objectName(surface) == info.object && columns * rows == elements)
+      info.shape = {rows, columns};
+  }
+  info.shape.push_back(meaning.components);
+  return info;
+}
+
+std::vector<ArrayInfo> Scene::State::arrays() {
+  complete();
+  std::vector<ArrayInfo> found;
+  for (std::size_t i = 0; i < world->objectCount(); ++i) {
+    const ArrayVisitor visitor = visit(*world, world->objectName(i));
+    for (const sim::StateArray& array : world->object(i).state()) {
+      found.push_back(infoOf(i, array));
+      found.back().writable = visitor.of(array) != nullptr;
+    }
+  }
+  return found;
+}
+
+void Scene::State::write(std::string_view object, std::string_view array, std::span<const std::byte> values,
+                         bool integers) {
+  complete();
+  const sim::StateArray state = arrayOf(object, array);
+  const std::vector<std::size_t> shape = infoOf(indexOf(object), state).shape;
+  std::size_t count = 1;
+  for (const std::size_t extent : shape) count *= extent;
+  if (integers != state.integers)
+    api::fail(ErrorKind::usage,
+              fmt::format("{}.{} holds {} numbers", object, array, state.integers ? "uint32" : "float32"));
+  if (values.size() != count * wordBytes)
+    api::fail(ErrorKind::usage, fmt::format("{}.{} takes {} numbers, not {}", object, array, count,
+                                            values.size() / wordBytes));
+  gl::Buffer* buffer = visit(*world, object).of(state);
+  if (buffer == nullptr)
+    api::fail(ErrorKind::usage,
+              fmt::format("{}.{} is computed anew in each frame from other arrays, so it cannot be written",
+                          object, array));
+  const std::size_t components = shape.back();
+  std::vector<std::uint32_t> words;
+  if (components < elementWords)
+    words = state.readAll<std::uint32_t>();
+  else
+    words.resize(count);
+  for (std::size_t i = 0; i < count; ++i)
+    std::memcpy(&words[elementWords * (i / components) + i % components], values.data() + i * wordBytes,
+                wordBytes);
+  gl::beforeWrites();  // kernels that read the present state may still be running
+  store(state, *buffer, words);
+  world->resumeAt(world->frame());
+  changed = true;
+  movedTo_.reset();
+  summaries->start();
+}
+
+}  // namespace simreel

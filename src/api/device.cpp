@@ -1,0 +1,172 @@
+#include "api/simreel/device.hpp"
+
+#include "api/device_state.hpp"
+#include "api/failure.hpp"
+#include "base/log.hpp"
+#include "base/message_taker.hpp"
+#include "base/version.hpp"
+#include "frame/interrupt.hpp"
+#include "gl/driver_threads.hpp"
+#include "scene/texts/schema_text.hpp"
+#include "sim/world/list.hpp"
+
+#include <csignal>
+#include <optional>
+#include <unistd.h>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace simreel {
+
+namespace {
+
+std::mutex openMutex;
+std::weak_ptr<Device::State> opened;
+/// Process that opened the device; it stays set after the device is closed. 0: none yet.
+pid_t openedBy = 0;
+
+constexpr std::size_t mostMessages = 1000;
+
+[[noreturn]] void refuseFork() {
+  api::fail(
+      ErrorKind::process,
+      "this process is a fork of one that uses simreel, and a device does not survive a fork; start "
+      "processes anew (Python: multiprocessing.get_context(\"spawn\")), or open the device after the fork");
+}
+
+}  // namespace
+
+Device::State::State(const DeviceOptions& wanted)
+    : options(wanted), process(::getpid()), worker(std::make_unique<api::Worker>()) {
+  setMessageTaker([this](const char* level, const std::string& text) {
+    const std::scoped_lock lock(mutex);
+    if (messages.size() < mostMessages) messages.push_back({level, text});
+  });
+  try {
+    run([this] {
+      gl::ContextOptions how;
+      how.device = options.device;
+      how.memoryPath = options.memoryPath;
+      context = std::make_unique<gl::Context>(how);
+      numerics = sim::probeNumerics();
+    });
+  } catch (...) {
+    release([this] { context.reset(); });
+    setMessageTaker({});
+    throw;
+  }
+}
+
+Device::State::~State() {
+  if (isForked()) {  // neither the thread nor the driver's threads exist here
+    static_cast<void>(worker.release());
+    static_cast<void>(context.release());
+    return;
+  }
+  release([this] { context.reset(); });
+  worker.reset();
+  setMessageTaker({});
+}
+
+bool Device::State::isForked() const {
+  return ::getpid() != process;
+}
+
+void Device::State::runTask(const std::function<void()>& task) {
+  if (isForked()) refuseFork();
+  std::function<bool()> asks;
+  {
+    const std::scoped_lock lock(mutex);
+    asks = hook;
+  }
+  bool ended = false;
+  const auto ask = [&] {
+    if (ended || !asks()) return;
+    ended = true;
+    frame::setInterrupt(SIGINT);
+  };
+  std::exception_ptr failure;
+  const auto work = [&task] {
+    frame::setInterrupt(0);  // of an earlier call
+    task();
+  };
+  try {
+    worker->run(work, asks ? std::function<void()>(ask) : std::function<void()>());
+  } catch (...) {
+    failure = std::current_exception();
+  }
+  if (failure) api::rethrowAsError(failure);
+  if (ended) api::fail(ErrorKind::interrupted, "interrupted");
+}
+
+void Device::State::release(const std::function<void()>& work) noexcept {
+  if (isForked()) return;
+  try {
+    worker->run(work, {});
+  } catch (...) {  // NOLINT(bugprone-empty-catch): nothing can be done about memory that is not released
+  }
+}
+
+Device::Device(std::shared_ptr<State> state) : state_(std::move(state)) {}
+Device::~Device() = default;
+Device::Device(const Device&) = default;
+Device::Device(Device&&) noexcept = default;
+Device& Device::operator=(const Device&) = default;
+Device& Device::operator=(Device&&) noexcept = default;
+
+Device Device::open(const DeviceOptions& options) {
+  const std::scoped_lock lock(openMutex);
+  if (openedBy != 0 && openedBy != ::getpid()) refuseFork();
+  if (std::shared_ptr<State> present = opened.lock()) {
+    if (present->options.device != options.device || present->options.memoryPath != options.memoryPath)
+      api::fail(ErrorKind::usage,
+                fmt::format(
+                    "device \"{}\" ({}) is open, and a process has one device; close its scenes first, or "
+                    "open it with the same options",
+                    present->options.device, present->context->device().name));
+    return Device(std::move(present));
+  }
+  auto made = std::make_shared<State>(options);
+  opened = made;
+  openedBy = ::getpid();
+  return Device(std::move(made));
+}
+
+std::string Device::name() const {
+  return state_->context->device().name;
+}
+std::string Device::driver() const {
+  return state_->context->device().version;
+}
+bool Device::isSoftware() const {
+  return state_->context->device().software;
+}
+void Device::interrupt() {
+  frame::setInterrupt(SIGINT);
+}
+void Device::whileWaiting(std::function<bool()> hook) {
+  const std::scoped_lock lock(state_->mutex);
+  state_->hook = std::move(hook);
+}
+std::vector<Message> Device::takeMessages() {
+  const std::scoped_lock lock(state_->mutex);
+  return std::exchange(state_->messages, {});
+}
+const std::shared_ptr<Device::State>& Device::state() const {
+  return state_;
+}
+
+void prepareEnvironment() {
+  gl::chooseDriverThreads();
+}
+
+const char* libraryVersion() {
+  return version();
+}
+
+std::string sceneSchema() {
+  return scene::schemaText(sim::kinds().list);
+}
+
+}  // namespace simreel

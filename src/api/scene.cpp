@@ -1,0 +1,236 @@
+#include "api/simreel/scene.hpp"
+
+#include "api/arrays.hpp"
+#include "api/failure.hpp"
+#include "api/scene_state.hpp"
+#include "batch/render/render_job.hpp"
+#include "frame/image.hpp"
+#include "golden/suite/scene_run.hpp"
+#include "sim/grid/field_values.hpp"
+#include "sim/world/survey.hpp"
+
+#include <algorithm>
+#include <csignal>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace simreel {
+
+Snapshot::Snapshot(std::shared_ptr<const State> state) : state_(std::move(state)) {}
+Snapshot::~Snapshot() = default;
+Snapshot::Snapshot(const Snapshot&) = default;
+Snapshot::Snapshot(Snapshot&&) noexcept = default;
+Snapshot& Snapshot::operator=(const Snapshot&) = default;
+Snapshot& Snapshot::operator=(Snapshot&&) noexcept = default;
+int Snapshot::frame() const {
+  return state_->world.frame;
+}
+std::size_t Snapshot::bytes() const {
+  return state_->world.bytes.size();
+}
+
+Scene::Scene(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Scene::~Scene() = default;
+Scene::Scene(Scene&&) noexcept = default;
+Scene& Scene::operator=(Scene&&) noexcept = default;
+
+Scene Scene::load(const Device& device, const std::string& file, const LoadOptions& options) {
+  return Scene(std::make_unique<State>(device.state(), file, nullptr, options));
+}
+Scene Scene::parse(const Device& device, const std::string& text, const std::string& name,
+                   const LoadOptions& options) {
+  return Scene(std::make_unique<State>(device.state(), name, &text, options));
+}
+
+std::string Scene::title() const {
+  return state_->scene->title;
+}
+double Scene::fps() const {
+  return state_->scene->time.fps;
+}
+int Scene::frameCount() const {
+  return state_->scene->frameCount();
+}
+int Scene::width() const {
+  return state_->scene->render.size.x;
+}
+int Scene::height() const {
+  return state_->scene->render.size.y;
+}
+std::vector<std::string> Scene::remarks() const {
+  return state_->scene->remarks;
+}
+std::vector<ObjectInfo> Scene::objects() const {
+  std::vector<ObjectInfo> objects;
+  for (const scene::Object& object : state_->scene->objects) objects.push_back({object.name, object.kind});
+  return objects;
+}
+bool Scene::isChanged() const {
+  return state_->changed;
+}
+
+Frame Scene::frame() const {
+  return state_->device->run([this] { return Frame{state_->world->frame(), state_->world->time()}; });
+}
+Frame Scene::advanceTo(int frame) {
+  return state_->device->run([&] {
+    state_->advanceTo(frame);
+    return Frame{state_->world->frame(), state_->world->time()};
+  });
+}
+void Scene::restart() {
+  state_->device->run([this] { state_->restart(); });
+}
+std::string Scene::stateHash() {
+  return state_->device->run([this] {
+    state_->complete();
+    return state_->stateHash;
+  });
+}
+
+std::vector<ArrayInfo> Scene::arrays() {
+  return state_->device->run([this] { return state_->arrays(); });
+}
+Array Scene::read(std::string_view object, std::string_view array) {
+  return state_->device->run([&] {
+    state_->complete();
+    const sim::StateArray state = state_->arrayOf(object, array);
+    return api::toArray(state, state_->infoOf(state_->indexOf(object), state));
+  });
+}
+void Scene::write(std::string_view object, std::string_view array, std::span<const float> values) {
+  state_->device->run([&] { state_->write(object, array, std::as_bytes(values), false); });
+}
+void Scene::write(std::string_view object, std::string_view array, std::span<const std::uint32_t> values) {
+  state_->device->run([&] { state_->write(object, array, std::as_bytes(values), true); });
+}
+
+std::vector<std::string> Scene::fields() {
+  return state_->device->run([this] {
+    state_->complete();
+    std::vector<std::string> names;
+    for (const sim::Field& field : state_->world->drawables().fields)
+      if (!field.decoration) names.push_back(*field.name);
+    return names;
+  });
+}
+
+Array Scene::field(std::string_view name) {
+  return state_->device->run([&] {
+    state_->complete();
+    std::string known;
+    const sim::Drawables drawables = state_->world->drawables();
+    for (const sim::Field& field : drawables.fields) {
+      if (field.decoration) continue;
+      if (*field.name == name)
+        return api::denseArray(
+            *field.name, "", NumberType::float32,
+            {static_cast<std::size_t>(field.size.y), static_cast<std::size_t>(field.size.x)},
+            sim::fieldValues(field));
+      known += (known.empty() ? "" : ", ") + *field.name;
+    }
+    api::fail(ErrorKind::usage, fmt::format("the scene has no field \"{}\"; it has {}", name,
+                                            known.empty() ? "none" : known));
+  });
+}
+
+std::vector<Quantity> Scene::measure(std::string_view object) {
+  return state_->device->run([&] {
+    state_->complete();
+    const std::size_t index = state_->indexOf(object);
+    std::vector<Quantity> quantities;
+    const scene::Parameters& parameters = *state_->scene->objects[index].parameters;
+    if (!parameters.measures()) return quantities;
+    const std::vector<double> values = state_->world->object(index).measure();
+    const auto names = parameters.quantities();
+    for (std::size_t i = 0; i < std::min(names.size(), values.size()); ++i)
+      quantities.push_back({names[i].name, names[i].unit, values[i]});
+    return quantities;
+  });
+}
+
+Mesh Scene::mesh(std::string_view object) {
+  return state_->device->run([&] {
+    state_->complete();
+    const std::optional<sim::MeshTable> table = state_->world->object(state_->indexOf(object)).mesh();
+    if (!table) api::fail(ErrorKind::usage, fmt::format("object \"{}\" has no mesh", object));
+    const std::size_t vertices = table->positions.size();
+    constexpr auto real = NumberType::float32;
+    return Mesh{api::denseArray("positions", "m", real, {vertices, 3}, table->positions),
+                api::denseArray("normals", "", real, {table->normals.size(), 3}, table->normals),
+                api::denseArray("uvs", "", real, {table->uvs.size(), 2}, table->uvs),
+                api::denseArray("triangles", "", NumberType::uint32, {table->indices.size() / 3, 3},
+                                table->indices)};
+  });
+}
+
+Snapshot Scene::snapshot() {
+  return state_->device->run([this] {
+    state_->complete();
+    auto made = std::make_shared<Snapshot::State>();
+    made->simulation = state_->simulationHash();
+    made->world = frame::stateOf(*state_->world);
+    made->changed = state_->changed;
+    return Snapshot(std::move(made));
+  });
+}
+void Scene::restore(const Snapshot& snapshot) {
+  state_->device->run([&] { state_->restore(*snapshot.state_); });
+}
+
+Picture Scene::picture() {
+  return state_->device->run([this] { return state_->picture(); });
+}
+
+std::vector<CheckResult> Scene::check(const std::vector<int>& frames) {
+  return state_->device->run([&] {
+    const std::unique_ptr<scene::Scene> tested = state_->read(true);
+    static_cast<void>(sim::frameMotion(*tested));
+    std::vector<CheckResult> results;
+    for (const golden::CheckResult& one : golden::runScene(*tested, frames).checks)
+      results.push_back({one.what, one.frame, one.value.value_or(std::numeric_limits<double>::quiet_NaN()),
+                         one.passed, one.message});
+    return results;
+  });
+}
+
+std::string Scene::render(const std::string& output, const RenderOptions& options) {
+  return state_->device->run([&] {
+    if (state_->changed)
+      api::fail(
+          ErrorKind::usage,
+          "the state was written, and a rendering begins at the scene's start; draw frame by frame, or "
+          "restart() the scene");
+    const auto began = Clock::now();
+    batch::RenderRequest request;
+    request.scene = state_->source.name;
+    request.text = state_->source.text;
+    request.overrides = state_->source.changes;
+    request.assets = state_->source.assets;
+    request.output = output;
+    request.frames = options.frames;
+    request.existing = options.overwrite ? frame::Existing::overwrite : frame::Existing::error;
+    request.manifest = options.manifest;
+    batch::RenderJob job(std::move(request));
+    frame::Progress progress(frame::Progress::Mode::none);
+    if (job.run(*state_->device->context, progress, began).signal != 0) throw frame::Interrupted{SIGINT};
+    return job.summary();
+  });
+}
+
+std::vector<std::byte> encodePng(const Picture& picture) {
+  const auto pixels = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+  const auto channels = static_cast<std::size_t>(picture.channels);
+  if (picture.width < 1 || picture.height < 1 || channels < 3 || channels > 4 ||
+      picture.bytes.size() != channels * pixels)
+    api::fail(ErrorKind::usage, "a picture has width * height * channels bytes, and 3 or 4 channels");
+  try {
+    return frame::encodePng({{picture.width, picture.height}, picture.channels, 8, picture.bytes}, {});
+  } catch (...) {
+    api::rethrowAsError(std::current_exception());
+  }
+}
+
+}  // namespace simreel

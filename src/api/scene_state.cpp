@@ -1,0 +1,263 @@
+#include "api/scene_state.hpp"
+
+#include "api/failure.hpp"
+#include "frame/draw_world.hpp"
+#include "frame/interrupt.hpp"
+#include "scene/as_run.hpp"
+#include "scene/load.hpp"
+#include "sim/core/numerics.hpp"
+#include "sim/world/list.hpp"
+#include "sim/world/survey.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace simreel {
+
+Scene::State::State(std::shared_ptr<Device::State> on, std::string name, const std::string* text,
+                    const LoadOptions& how)
+    : device(std::move(on)) {
+  source.name = std::move(name);
+  if (text != nullptr) source.text = *text;
+  for (const Change& change : how.changes) source.changes.push_back({change.path, change.value});
+  for (const std::string& folder : how.assets) source.assets.emplace_back(folder);
+  source.motion = how.motion;
+  device->run([this] {
+    scene = read(false);
+    sim::requireExact(*scene, device->numerics);
+    if (source.motion && scene->render.rasterizer != scene::Rasterizer::exact)
+      api::fail(ErrorKind::usage,
+                "motion: only the exact rasterizer has layers; leave render.rasterizer out");
+    makeWorld();
+  });
+}
+
+Scene::State::~State() {
+  if (device->isForked()) {
+    static_cast<void>(layerRenderer_.release());
+    static_cast<void>(renderer_.release());
+    static_cast<void>(readback_.release());
+    static_cast<void>(summaries.release());
+    static_cast<void>(world.release());
+    return;
+  }
+  device->release([this] {
+    layerRenderer_.reset();
+    renderer_.reset();
+    readback_.reset();
+    summaries.reset();
+    world.reset();
+    scene.reset();
+  });
+}
+
+std::unique_ptr<scene::Scene> Scene::State::read(bool tested) const {
+  const auto& kinds = sim::kinds();
+  if (source.text)
+    return std::make_unique<scene::Scene>(
+        scene::parseScene(*source.text, source.name, source.changes, kinds, source.assets));
+  return std::make_unique<scene::Scene>(
+      tested ? scene::loadTestScene(source.name, source.changes, kinds, source.assets)
+             : scene::loadScene(source.name, source.changes, kinds, source.assets));
+}
+
+std::string Scene::State::simulationHash() const {
+  const std::string asRun = source.text ? scene::textAsRun(*source.text, source.name, source.changes)
+                                        : scene::sceneAsRun(source.name, source.changes, sim::kinds());
+  return scene::simulationHash(asRun) + scene->filesHash;
+}
+
+/// Builds the world and simulates the pre-roll.
+void Scene::State::makeWorld() {
+  const bool moves = scene->camera.shutter || source.motion;
+  if (moves && !std::exchange(placed_, true))
+    static_cast<void>(sim::frameMotion(*scene, frame::throwIfInterrupted));
+  summaries.reset();
+  world.reset();
+  sim::compileWorldAhead(*scene);
+  world = std::make_unique<sim::World>(*scene);
+  summaries = std::make_unique<frame::Summaries>(
+      *world, [this](const sim::World::Summary& summary) { stateHash = summary.stateHash; });
+  seen = true;
+  lost = changed = false;
+  movedTo_.reset();
+  if (moves) {  // new renderers, because those before remember earlier motion
+    renderer_.reset();
+    layerRenderer_.reset();
+    if (scene->camera.shutter) makeRenderer();
+    if (source.motion) makeLayerRenderer();
+    follow();
+  }
+  if (world->firstFrame() < 0)
+    advanceTo(0);
+  else
+    summaries->start();
+}
+
+/// Passes the frame before each frame to the renderers that need it for motion.
+void Scene::State::follow() {
+  world->onFrameBefore([this](const sim::Drawables& before) {
+    for (draw::Renderer* renderer : {renderer_.get(), layerRenderer_.get()})
+      if (renderer != nullptr && renderer->hearsBefore()) renderer->keepBefore(before);
+    movedTo_ = world->frame() + 1;
+  });
+}
+
+void Scene::State::restart() {
+  makeWorld();
+}
+
+void Scene::State::advanceTo(int frame) {
+  if (lost)
+    api::fail(ErrorKind::usage,
+              "an earlier error ended a frame of this scene midway; restart() it, or load it again");
+  if (frame < world->frame())
+    api::fail(ErrorKind::usage,
+              fmt::format("frame {} lies before the present one, {}; restart() the scene first", frame,
+                          world->frame()));
+  try {
+    while (world->frame() < frame) {
+      frame::throwIfInterrupted();
+      const int next = world->frame() + 1;
+      seen = next == frame;
+      if (seen)
+        world->advanceTo(next);
+      else
+        world->passTo(next);
+      if (seen) summaries->start();
+    }
+  } catch (...) {
+    lost = !world->isWhole();
+    throw;
+  }
+}
+
+void Scene::State::complete() {
+  if (lost) advanceTo(world->frame());  // throws
+  if (!seen) {
+    world->show();
+    seen = true;
+    summaries->start();
+  }
+  summaries->takeAll();
+}
+
+std::size_t Scene::State::indexOf(std::string_view object) const {
+  std::string known;
+  for (std::size_t i = 0; i < world->objectCount(); ++i) {
+    if (world->objectName(i) == object) return i;
+    known += (known.empty() ? "" : ", ") + world->objectName(i);
+  }
+  api::fail(ErrorKind::usage, fmt::format("the scene has no object \"{}\"; it has {}", object,
+                                          known.empty() ? "none" : known));
+}
+
+sim::StateArray Scene::State::arrayOf(std::string_view object, std::string_view array) const {
+  std::string known;
+  for (const sim::StateArray& one : world->object(indexOf(object)).state()) {
+    if (one.name == array) return one;
+    known += (known.empty() ? "" : ", ") + std::string(one.name);
+  }
+  api::fail(ErrorKind::usage, fmt::format("object \"{}\" has no array \"{}\"; it has {}", object, array,
+                                          known.empty() ? "none" : known));
+}
+
+void Scene::State::restore(const Snapshot::State& from) {
+  if (from.simulation != simulationHash())
+    api::fail(ErrorKind::usage, "the snapshot belongs to a scene with other simulations");
+  summaries->takeAll();
+  frame::putBack(*world, from.world.frame, from.world.parts, from.world.bytes, "the snapshot");
+  seen = true;
+  lost = false;
+  changed = from.changed;
+  movedTo_.reset();
+  summaries->start();
+}
+
+/// Places camera and colours as `simreel render` does. A simulation may hold the ranges of its colours, so
+/// it is made anew with the present state.
+void Scene::State::placeCamera() {
+  if (std::exchange(placed_, true)) return;
+  if (!sim::needsSurvey(*scene) && !sim::needsRanges(*scene)) return;
+  complete();
+  const bool begun = world->frame() > 0 || changed;
+  std::optional<frame::WorldState> state;
+  if (begun) state = frame::stateOf(*world);
+  try {
+    static_cast<void>(sim::frameMotion(*scene, frame::throwIfInterrupted));
+  } catch (...) {
+    placed_ = false;
+    throw;
+  }
+  const bool was = changed;
+  makeWorld();
+  changed = was;
+  if (state) {
+    summaries->takeAll();
+    frame::putBack(*world, state->frame, state->parts, state->bytes, "the present state");
+    summaries->start();
+  }
+}
+
+void Scene::State::makeRenderer() {
+  if (renderer_) return;
+  const glm::ivec2 size = scene->render.size;
+  renderer_ = std::make_unique<draw::Renderer>(*scene, size, scene->render.samples);
+  readback_ = std::make_unique<draw::Readback>(size);
+  draw::compileAhead(*scene, size, scene->render.samples, world->time(), world->drawables());
+}
+
+void Scene::State::makeLayerRenderer() {
+  if (!layerRenderer_)
+    layerRenderer_ = std::make_unique<draw::Renderer>(*scene, scene->render.size, scene->render.samples);
+  if (source.motion)
+    layerRenderer_->keepLayers({{draw::Layer::velocity, draw::Layer::vector}, false, 32, true});
+}
+
+/// Frame 0 has no frame before, and nothing moves in it.
+void Scene::State::requireMotion(const draw::Renderer& renderer, const char* what) const {
+  if (renderer.hearsBefore() && world->frame() > world->firstFrame() && movedTo_ != world->frame())
+    api::fail(ErrorKind::usage,
+              fmt::format(
+                  "{} needs the frame before frame {}, which this scene did not simulate; go one frame on",
+                  what, world->frame()));
+}
+
+Picture Scene::State::picture() {
+  placeCamera();
+  complete();
+  makeRenderer();
+  requireMotion(*renderer_, "motion blur");
+  frame::drawWorld(*renderer_, *world);
+  readback_->start(renderer_->target(), world->frame());
+  const std::vector<std::uint8_t> all = readback_->take(true)->second;
+  Picture picture{scene->render.size.x, scene->render.size.y, scene->render.transparent ? 4 : 3, {}};
+  if (picture.channels == 4) {
+    picture.bytes = all;
+    return picture;
+  }
+  const std::size_t pixels = all.size() / 4;
+  picture.bytes.resize(3 * pixels);
+  for (std::size_t i = 0; i < pixels; ++i)
+    for (std::size_t c = 0; c < 3; ++c) picture.bytes[3 * i + c] = all[4 * i + c];
+  return picture;
+}
+
+draw::PictureLayers Scene::State::layers(const std::vector<draw::Layer>& wanted) {
+  if (scene->render.rasterizer != scene::Rasterizer::exact)
+    api::fail(ErrorKind::usage, "only the exact rasterizer has layers; leave render.rasterizer out");
+  placeCamera();
+  complete();
+  makeLayerRenderer();
+  layerRenderer_->keepLayers({wanted, false, 32, true});
+  requireMotion(*layerRenderer_, "the layer");
+  frame::drawWorld(*layerRenderer_, *world);
+  draw::PictureLayers layers = layerRenderer_->takeLayers();
+  layerObjects = layers.objects;
+  if (source.motion)  // so that the next step keeps the frame before
+    layerRenderer_->keepLayers({{draw::Layer::velocity, draw::Layer::vector}, false, 32, true});
+  return layers;
+}
+
+}  // namespace simreel

@@ -1,0 +1,86 @@
+#pragma once
+#include "api/device_state.hpp"
+#include "api/simreel/scene.hpp"
+#include "draw/screen/readback.hpp"
+#include "draw/screen/renderer.hpp"
+#include "frame/file/world_state.hpp"
+#include "frame/summaries.hpp"
+#include "scene/scene.hpp"
+#include "sim/world/world.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace simreel {
+
+struct Snapshot::State {
+  std::string simulation;  ///< hash of what the state depends on
+  frame::WorldState world;
+  bool changed = false;  ///< true if the state was written
+};
+
+/// A scene on the device. All functions but the constructor run on the device's thread.
+struct Scene::State {
+  /// Reads the scene. `text` null: from the file.
+  State(std::shared_ptr<Device::State> on, std::string name, const std::string* text,
+        const LoadOptions& how);
+  ~State();
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+
+  /// Source of the scene, from which it can be read again.
+  struct Source {
+    std::string name;
+    std::optional<std::string> text;
+    std::vector<scene::Override> changes;
+    std::vector<std::filesystem::path> assets;
+    bool motion = false;
+  };
+  /// Reads the scene again; `tested`: with the test settings beside a file.
+  [[nodiscard]] std::unique_ptr<scene::Scene> read(bool tested) const;
+
+  void restart();
+  void advanceTo(int frame);
+  /// Completes the present frame, waits for its state hash, and throws if a simulation lost its state.
+  void complete();
+  [[nodiscard]] std::size_t indexOf(std::string_view object) const;
+  [[nodiscard]] sim::StateArray arrayOf(std::string_view object, std::string_view array) const;
+  /// Describes a state array of the object with this index, except `writable`.
+  [[nodiscard]] ArrayInfo infoOf(std::size_t object, const sim::StateArray& array) const;
+  [[nodiscard]] std::vector<ArrayInfo> arrays();
+  void write(std::string_view object, std::string_view array, std::span<const std::byte> values,
+             bool integers);
+  [[nodiscard]] Picture picture();
+  [[nodiscard]] draw::PictureLayers layers(const std::vector<draw::Layer>& wanted);
+  void restore(const Snapshot::State& from);
+  [[nodiscard]] std::string simulationHash() const;
+
+  std::shared_ptr<Device::State> device;
+  Source source;
+  std::unique_ptr<scene::Scene> scene;
+  std::unique_ptr<sim::World> world;
+  std::unique_ptr<frame::Summaries> summaries;
+  std::string stateHash;
+  bool seen = true;      ///< false: the present frame was passed and must be completed
+  bool changed = false;  ///< true after write()
+  bool lost = false;     ///< true after an error within a frame
+  std::vector<std::string> layerObjects;
+
+ private:
+  void makeWorld();
+  void follow();
+  void placeCamera();
+  void makeRenderer();
+  void makeLayerRenderer();
+  void requireMotion(const draw::Renderer& renderer, const char* what) const;
+
+  bool placed_ = false;
+  std::unique_ptr<draw::Renderer> renderer_, layerRenderer_;
+  std::unique_ptr<draw::Readback> readback_;
+  std::optional<int> movedTo_;  ///< frame whose frame before the renderers have, for motion
+};
+
+}  // namespace simreel

@@ -1,0 +1,87 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace simreel {
+
+/// Type of an array's numbers, in the byte order of the machine.
+enum class NumberType { float32, uint32, uint8 };
+
+/// Array of numbers in CPU memory, which the caller owns. Axes run from slowest to fastest. An element may
+/// occupy more bytes than its axis describes, so use `strides`.
+struct Array {
+  std::string name;  ///< "positions", or the name of a field or layer
+  std::string unit;  ///< "m", "m/s" or empty if unknown or mixed
+  NumberType type = NumberType::float32;
+  std::vector<std::size_t> shape;    ///< for example rows, columns, 3
+  std::vector<std::size_t> strides;  ///< bytes from one entry of each axis to the next
+  std::vector<std::byte> bytes;
+
+  /// Returns the number at an index of each axis. The type T must be the one that `type` names.
+  template <class T>
+  [[nodiscard]] const T& at(const std::vector<std::size_t>& index) const {
+    std::size_t offset = 0;
+    for (std::size_t i = 0; i < index.size(); ++i) offset += index[i] * strides[i];
+    return *reinterpret_cast<const T*>(bytes.data() + offset);
+  }
+};
+
+/// Description of a state array.
+struct ArrayInfo {
+  std::string object, name, unit;
+  NumberType type = NumberType::float32;
+  std::vector<std::size_t> shape;
+  bool writable = false;  ///< false if the simulation computes the array anew from others
+};
+
+/// Picture of 8 bits per channel, sRGB encoded, rows from the top.
+struct Picture {
+  int width = 0, height = 0;
+  int channels = 3;                 ///< 3, or 4 with straight alpha if the scene has render.transparent
+  std::vector<std::uint8_t> bytes;  ///< width * height * channels
+};
+
+/// Moment of a run.
+struct Frame {
+  int number = 0;
+  double time = 0;  ///< seconds of scene time
+};
+
+/// Object of a scene.
+struct ObjectInfo {
+  std::string name;
+  std::string kind;  ///< as in the scene: "cloth", "particles"
+};
+
+/// Number that an object measures, such as an energy.
+struct Quantity {
+  std::string name, unit;
+  double value = 0;
+};
+
+/// Result of one of the scene's checks at one frame.
+struct CheckResult {
+  std::string what;  ///< for example "max of flag positions.y"
+  int frame = 0;
+  double value = 0;  ///< measured value; NaN if the check measures none
+  bool passed = false;
+  std::string problem;  ///< one line; empty if the check passed
+};
+
+/// Triangle mesh in the world, with the object's placement applied.
+struct Mesh {
+  Array positions;  ///< (n, 3), metres
+  Array normals;    ///< (n, 3)
+  Array uvs;        ///< (n, 2), v = 0 is the top row; no numbers if the mesh has none
+  Array triangles;  ///< (m, 3), uint32
+};
+
+/// Message that the command line would print.
+struct Message {
+  std::string level;  ///< "warning", "info" or "detail"
+  std::string text;
+};
+
+}  // namespace simreel

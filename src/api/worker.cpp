@@ -1,0 +1,56 @@
+#include "api/worker.hpp"
+
+#include <chrono>
+#include <utility>
+
+namespace simreel::api {
+
+Worker::Worker() : thread_([this] { loop(); }) {}
+
+Worker::~Worker() {
+  {
+    const std::scoped_lock lock(mutex_);
+    ends_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+void Worker::run(const std::function<void()>& task, const std::function<void()>& hook) {
+  constexpr std::chrono::milliseconds pause(100);
+  std::unique_lock mine(turn_, std::defer_lock);
+  while (!mine.try_lock_for(pause))
+    if (hook) hook();
+  std::unique_lock lock(mutex_);
+  task_ = &task;
+  changed_.notify_all();
+  const auto done = [this] { return task_ == nullptr; };
+  while (!changed_.wait_for(lock, pause, done)) {
+    if (!hook) continue;
+    lock.unlock();
+    hook();
+    lock.lock();
+  }
+  if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+}
+
+void Worker::loop() {
+  std::unique_lock lock(mutex_);
+  while (true) {
+    changed_.wait(lock, [this] { return task_ != nullptr || ends_; });
+    if (ends_) return;
+    lock.unlock();
+    std::exception_ptr failure;
+    try {
+      (*task_)();
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    lock.lock();
+    failure_ = failure;
+    task_ = nullptr;
+    changed_.notify_all();
+  }
+}
+
+}  // namespace simreel::api

@@ -1,0 +1,34 @@
+#pragma once
+#include <condition_variable>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+namespace simreel::api {
+
+/// Thread that holds the OpenGL context. It runs one task at a time.
+class Worker {
+ public:
+  Worker();
+  ~Worker();
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+
+  /// Runs a task on the thread and waits for it. Runs `hook` on the calling thread about ten times a
+  /// second. Rethrows the task's exception.
+  void run(const std::function<void()>& task, const std::function<void()>& hook);
+
+ private:
+  void loop();
+
+  std::timed_mutex turn_;  ///< held by the caller whose task runs
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  const std::function<void()>* task_ = nullptr;
+  std::exception_ptr failure_;
+  bool ends_ = false;
+  std::thread thread_;
+};
+
+}  // namespace simreel::api

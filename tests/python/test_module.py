@@ -1,0 +1,202 @@
+"""Tests the Python module: state and pictures against the command line's, writing state, errors, several scenes."""
+import unittest
+import warnings
+
+from module_case import CLOTH, DISH, SPARKS, ModuleCase, numpy, picture_of, simreel, with_values
+
+
+class Pictures(ModuleCase):
+    def test_pictures_and_states_are_those_of_render(self):
+        states, files = self.rendered()
+        scene = self.scene()
+        for frame in scene.frames():
+            self.assertEqual(frame.state_hash, states[frame.number])
+            image = frame.image()
+            self.assertEqual((image.shape, image.dtype), ((36, 64, 3), numpy.uint8))
+            self.assert_same(numpy.asarray(image), picture_of(files[frame.number]))
+        self.assertEqual(frame.number, 5)
+
+    def test_a_camera_that_the_scene_leaves_out_is_placed_as_by_render(self):
+        self.write("scene.json", {key: value for key, value in with_values({"version": 2}).items() if key != "camera"})
+        states, files = self.rendered()
+        scene = self.scene()
+        for frame in scene.frames(0, 3):
+            pass
+        self.assert_same(numpy.asarray(frame.image()), picture_of(files[2]))
+        self.assertEqual(scene.step().state_hash, states[3])
+        self.assert_same(numpy.asarray(scene.image()), picture_of(files[3]))
+
+    def test_motion_blur_is_that_of_render(self):
+        self.write("scene.json", with_values({"camera.shutter": {"samples": 2}}))
+        _, files = self.rendered("--frames", "0,3")
+        scene = self.scene()
+        for number in (0, 3):
+            self.assert_same(numpy.asarray(scene.advance_to(number).image()), picture_of(files[number]))
+
+    def test_saved_files_are_those_of_render(self):
+        self.good("-q", "render", "scene.json", "-o", "rendered/")
+        self.scene().save(self.folder / "saved")
+        self.assertEqual(self.content("saved"), self.content("rendered"))
+        scene = simreel.Scene(objects={"flag": {"cloth": CLOTH}}, render={"size": [64, 36], "samples": 1})
+        self.addCleanup(scene.close)
+        scene.save(self.folder / "one.png", 0)
+        self.assert_same(picture_of((self.folder / "one.png").read_bytes()), numpy.asarray(scene.image()))
+
+    def test_layers_are_arrays_of_the_picture_s_size(self):
+        scene = self.scene(motion=True)
+        scene.step(2)
+        layers = scene.layers(["depth", "normal", "object", "velocity", "light"])
+        self.assertEqual({name: one.shape for name, one in layers.items()},
+                         {"depth": (36, 64), "normal": (36, 64, 3), "object": (36, 64), "velocity": (36, 64, 3),
+                          "light": (36, 64, 4)})
+        seen = layers["object"] == scene.layer_objects.index("flag")
+        self.assertTrue(seen.any())
+        self.assertTrue(numpy.isfinite(layers["depth"][seen]).all())
+        self.assertTrue(numpy.allclose(numpy.linalg.norm(layers["normal"][seen], axis=1), 1, atol=0.1))
+        self.assertLess(layers["velocity"][seen][:, 1].mean(), 0)
+        with self.assertRaisesRegex(simreel.Error, "there is no layer \"deep\""):
+            scene.layers("deep")
+        with self.assertRaisesRegex(simreel.Error, "load the scene with motion"):
+            self.scene().layers("velocity")
+
+    def test_a_notebook_shows_a_picture(self):
+        image = self.scene().image()
+        self.assert_same(picture_of(image._repr_png_()), numpy.asarray(image))
+
+
+class State(ModuleCase):
+    def test_arrays_have_natural_shapes_and_units(self):
+        flag = self.scene()["flag"]
+        self.assertEqual(flag.kind, "cloth")
+        self.assertEqual(flag.arrays["positions"], ("m", numpy.dtype("float32"), (7, 9, 3), True))
+        self.assertEqual(flag.positions.shape, (7, 9, 3))
+        self.assertTrue(numpy.allclose(numpy.diff(flag.positions, axis=1)[..., 0], 0.1, atol=0.05))
+        self.write("scene.json", SPARKS)
+        self.assertEqual(self.scene()["sparks"].positions.shape[1:], (3,))
+
+    def test_a_field_is_that_of_render(self):
+        self.write("scene.json", DISH)
+        self.good("-q", "render", "scene.json", "-o", "rendered/", "--fields", "npy", "--frames", "3")
+        scene = self.scene()
+        scene.advance_to(3)
+        self.assertIn("dish", scene.fields)
+        for name in scene.fields:
+            self.assert_same(scene.field(name), numpy.load(self.folder / f"rendered/000003.{name}.npy"))
+
+    def test_a_run_goes_on_identically_from_a_written_state(self):
+        scene, other = self.scene(), self.scene()
+        kept = {name: getattr(scene.step(3)["flag"], name) if i == 0 else getattr(scene["flag"], name)
+                for i, name in enumerate(scene["flag"].arrays)}
+        snapshot, here = scene.snapshot(), scene.state_hash
+        after = scene.step(2).state_hash
+        other.step(3)
+        for name, values in kept.items():
+            setattr(other["flag"], name, values)
+        self.assertEqual(other.state_hash, here)
+        self.assertEqual(other.step(2).state_hash, after)
+        third = self.scene()
+        third.restore(snapshot)
+        self.assertEqual(third.step(2).state_hash, after)
+
+    def test_written_positions_count(self):
+        scene = self.scene()
+        flag = scene.step()["flag"]
+        raised = flag.positions + numpy.float32([0, 1, 0])
+        flag.positions = raised
+        self.assert_same(flag.positions, raised)
+        before = numpy.array(scene["flag"].positions[0])
+        self.assertGreater(scene.step()["flag"].positions[..., 1].mean(), 1)
+        self.assertFalse(numpy.array_equal(before, scene["flag"].positions[0]))
+        with self.assertRaisesRegex(simreel.Error, "the state was written"):
+            next(scene.frames(0, 2))
+        with self.assertRaisesRegex(simreel.Error, "begins at the scene's start"):
+            scene.save(self.folder / "out")
+        scene.restart()
+        self.assertEqual(scene.state_hash, self.scene().state_hash)
+
+    def test_fields_and_particles_can_be_written(self):
+        self.write("scene.json", SPARKS)
+        sparks = self.scene()["sparks"]
+        sparks.velocities = 0
+        self.assertFalse(sparks.velocities.any())
+        self.write("scene.json", DISH)
+        dish = self.scene()["dish"]
+        cells = dish.cells
+        dish.cells = cells
+        self.assert_same(dish.cells, cells)
+
+    def test_two_scenes_at_once_go_on_as_each_alone(self):
+        self.write("scene.json", DISH)
+        dish = self.scene()
+        states = [frame.state_hash for frame in dish.frames()]
+        pictures = [numpy.asarray(frame.image()) for frame in dish.frames()]
+        self.write("scene.json", with_values({}))
+        alone = [(frame.state_hash, numpy.asarray(frame.image())) for frame in self.scene().frames()]
+        flag = self.scene()
+        for i, (one, other) in enumerate(zip(flag.frames(), dish.frames())):
+            self.assertEqual((one.state_hash, other.state_hash), (alone[i][0], states[i]))
+            self.assert_same(numpy.asarray(one.image()), alone[i][1])
+            self.assert_same(numpy.asarray(other.image()), pictures[i])
+
+    def test_a_frame_that_has_passed_is_refused(self):
+        first = next(self.scene().frames())
+        first._scene.step()
+        with self.assertRaisesRegex(simreel.Error, "frame 0 has passed"):
+            first["flag"]
+
+    def test_kernels_may_be_text(self):
+        scene = simreel.Scene(objects={"life": {"kernels": {
+            "source": "#pragma kernel Step\nRWTexture2D<float> _Cells;\n[numthreads(8, 8, 1)]\n"
+                      "void Step(uint3 id : SV_DispatchThreadID) { _Cells[id.xy] = _Cells[id.xy] + 1; }\n",
+            "textures": {"_Cells": {"size": [16, 8], "format": "r32f"}}, "step": ["Step"],
+            "field": {"of": "_Cells", "show": "r"}}}})
+        self.addCleanup(scene.close)
+        scene.step(3)
+        self.assertEqual(set(scene["life"].field().ravel()), {3.0})
+
+
+class Errors(ModuleCase):
+    def test_an_error_has_its_place_and_a_suggestion(self):
+        self.write("scene.json", '{"version": 2,\n "objects": {"flag": {"cloth": {"fabrik": "silk"}}}}')
+        with self.assertRaises(simreel.Error) as raised:
+            self.scene()
+        error = raised.exception
+        self.assertEqual((error.kind, error.line, error.column), ("scene", 2, 33))
+        self.assertEqual(error.file, str(self.folder / "scene.json"))
+        self.assertEqual((error.path, error.suggestion), ("objects.flag.cloth.fabrik", "fabric"))
+        self.assertIn("^", str(error))
+
+    def test_an_error_of_a_change_has_its_path(self):
+        with self.assertRaises(simreel.Error) as raised:
+            self.scene({"objects.flag.cloth.size": [0, 7], "render.sise": [1, 1]})
+        self.assertEqual([one.path for one in raised.exception.mistakes], ["objects.flag.cloth.size.0", "render.sise"])
+        self.assertIsNone(raised.exception.line)
+
+    def test_wrong_calls_say_what_there_is(self):
+        scene = self.scene()
+        for words, wrong in (('no object "flog"', lambda: scene["flog"]),
+                             ("lies before", lambda: scene.step(2) and scene.advance_to(1)),
+                             ("has the shape", lambda: setattr(scene["flag"], "positions", numpy.zeros((2, 3)))),
+                             ("not complex", lambda: setattr(scene["flag"], "positions", numpy.zeros((7, 9, 3), complex))),
+                             ("cannot be read|No such file", lambda: simreel.load(self.folder / "none.json"))):
+            with self.assertRaisesRegex(simreel.Error, words):
+                wrong()
+        with self.assertRaisesRegex(AttributeError, 'no array "places"; it has positions, velocities'):
+            scene["flag"].places
+        scene.close()
+        with self.assertRaisesRegex(simreel.Error, "closed"):
+            scene.image()
+        with self.assertRaisesRegex(simreel.Error, "one device"):
+            simreel.device("1000")
+
+    def test_warnings_are_python_s(self):
+        self.write("scene.json", {"version": 2, "objects": {}})
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            self.scene()
+        self.assertIs(caught[0].category, simreel.Warning)
+        self.assertIn("no objects", str(caught[0].message))
+
+
+if __name__ == "__main__":
+    unittest.main()
