@@ -187,7 +187,7 @@ TEST_CASE("pipes as companion files of a mesh do not block") {
   std::string text = gltf(R"([{"mesh":0}])");
   const std::size_t uri = text.find("data:");
   text.replace(uri, text.find('"', uri) - uri, "pipe");
-  checkHas(read("a.gltf", text), "no plain file");
+  checkHas(read("a.gltf", text), "not a regular file");
   // A material that cannot be read must not affect the triangles.
   CHECK(read("a.obj", "mtllib pipe\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n") == "nothing was refused");
   std::filesystem::remove_all(folder);
