@@ -72,8 +72,7 @@ class CountsReader {
                                  : shape_ == NeighbourShape::hexagonal ? " with H"
                                                                        : "",
                                  digit, countsAdvice)};
-      if ((seen >> digit & 1U) != 0)
-        return {at_, fmt::format("{} occurs twice; {}", digit, countsAdvice)};
+      if ((seen >> digit & 1U) != 0) return {at_, fmt::format("{} occurs twice; {}", digit, countsAdvice)};
       seen |= 1U << digit;
       ++at_;
       if (RuleProblem problem = letters(digit, counts); !problem.message.empty()) return problem;
