@@ -80,7 +80,8 @@ int main(int argc, char** argv) {
     limits.half.push_back(around.wide.span(dy).last);
     n += 2 * limits.half.back() + 1;
   }
-  // These are the limits of Bosco's rule (range 5), as fractions of the neighbourhood.
+  // share() scales the limits of Bosco's rule (range 5), which are fractions of the neighbourhood of 121
+  // cells.
   const auto share = [&](int of121) { return static_cast<int>(std::int64_t{n} * of121 / 121); };
   limits.surviveMin = limits.bornMin = share(34);
   limits.surviveMax = share(58);
