@@ -1,7 +1,8 @@
 // Measures Larger than Life on a torus, for any range: two plain loops on one thread, the kernels, and the
-// limit of memory bandwidth. Figures are cells/s; ratios are relative to the direct loop.
+// limit of memory bandwidth. Figures are cells/s. Ratios are relative to the plain loop that adds up all
+// neighbours of each cell.
 //   bench_wide [WIDTH HEIGHT [RANGE [STEPS]]] [M|N|C] [plain]     defaults 2048 2048 5 8 M
-// N: diamonds, C: circles; "plain": no loops on the CPU
+// M: squares, N: diamonds, C: circles; "plain": no loops on the CPU
 #include "plain/wide.hpp"
 
 #include "beside/memory.hpp"
