@@ -4,8 +4,7 @@
 //
 //   bench_reaction [SIDE]     8192 on a GPU, 512 on a software driver
 //
-// The lines "volume" measure the same in a volume with 64 cells per side, or 256 on a GPU, but at most as
-// many cells as the plane has.
+// The lines "volume" measure the same in a volume with 64 cells per side, or 256 on a GPU.
 //
 // Before the measurements, prints the time of each preset's kernels from their text to their first steps;
 // set MESA_SHADER_CACHE_DISABLE=1 to exclude the driver's cache.
