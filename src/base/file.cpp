@@ -165,7 +165,7 @@ PartFile::PartFile(std::filesystem::path path) : path_(std::move(path)) {
 }
 
 PartFile::~PartFile() {
-  if (open_) ::unlink(part_.c_str());  // This removes the file before close() releases the lock.
+  if (open_) ::unlink(part_.c_str());  // unlink() removes the file before close() releases the lock.
   if (file_ >= 0) ::close(file_);
 }
 
@@ -229,8 +229,7 @@ void syncFolder(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder.empty() ? std::filesystem::path(".") : folder;
   const Descriptor opened(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (opened.get() < 0 && errno == EACCES)
-    return;  // This is not an error: the folder may be writable but
-             // not readable.
+    return;  // EACCES is not an error: the folder may be writable but not readable.
   if (opened.get() >= 0 && synced(opened.get())) return;
   const int reason = errno;
   fail(ExitCode::inputOutput, "cannot sync folder {}: {}", path.string(), std::strerror(reason));
@@ -265,7 +264,7 @@ std::string lowerExtension(const std::filesystem::path& path) {
 void makeFolders(const std::filesystem::path& folder) {
   if (folder.empty()) return;
   std::error_code error;
-  // This is retried, because another run may remove an empty output folder at the same moment.
+  // The loop retries, because another run may remove an empty output folder at the same moment.
   for (int attempt = 0; attempt < 10; ++attempt) {
     std::filesystem::create_directories(folder, error);
     // create_directories() also reports an error for a symbolic link to a folder, which is acceptable.

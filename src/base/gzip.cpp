@@ -40,7 +40,9 @@ std::string unpackedGzip(std::string_view bytes, const std::string& name, std::s
       all.append(reinterpret_cast<const char*>(buffer.data()), made);
     }
     bytes.remove_prefix(bytes.size() - state->avail_in);
-    if (!isGzip(bytes)) break;  // This may be, for example, zeros that pad the file to a whole block.
+    if (!isGzip(bytes))
+      break;  // The remaining bytes may be, for example, zeros that pad the file to a
+              // whole block.
   }
   return all;
 }

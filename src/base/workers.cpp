@@ -103,8 +103,7 @@ class Employer {
     }
     if (force_.interrupted() != 0) {
       while (!waiting_.empty())
-        handOn();  // This delivers the remaining results, although some items have
-                   // none.
+        handOn();  // handOn() delivers the remaining results, although some items have none.
       return;
     }
     if (!everReady_ && firstMistake_) throw UserError(*firstMistake_, firstFailure_);

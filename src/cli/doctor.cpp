@@ -65,7 +65,7 @@ void doctor(const std::string& device) {
   if (const std::string variables = gl::driverVariables(); !variables.empty())
     print("Environment: {} selects another driver\n", variables);
   printDevices(gl::listDevices());
-  // This throws UserError with advice on what to install if no device works.
+  // The constructor throws UserError with advice on what to install if no device works.
   const gl::Context context({.device = device, .debug = false, .memoryPath = ""});
   print("Chosen: {}: {}, because {}\n", context.device().index, context.device().name, context.reason());
   print("Memory path: {}\n", gl::memoryPath() == gl::MemoryPath::texel

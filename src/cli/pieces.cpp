@@ -66,7 +66,7 @@ void refuseExisting(const batch::PiecePlan& plan, const frame::OutputName& outpu
 }
 
 batch::PiecePlan planOf(const PiecesRequest& request) {
-  batch::RenderJob job(request.render);  // This throws on any error before something is written.
+  batch::RenderJob job(request.render);  // The constructor throws on any error before something is written.
   checkRequest(request, job.output());
   const batch::RenderRequest& render = request.render;
   batch::PiecePlan plan;

@@ -130,7 +130,7 @@ void render(const RenderOptions& o) {
   if (o.cluster.slurm || !o.cluster.scratch.empty())
     fail(ExitCode::usage, "--slurm and --scratch go with --pieces");
   frame::Progress progress(frame::parseProgressMode(o.progress));
-  // This throws for an invalid output name before a device starts.
+  // The constructor throws for an invalid output name before a device starts.
   batch::RenderJob job(requestOf(o));
   frame::catchInterrupts();
   frame::interruptFrames();

@@ -145,7 +145,7 @@ std::string simulationHash(std::string_view asRun) {
 
 bool touchesSimulation(std::string_view path) {
   if (path == "time.duration") return false;
-  // These paths can add, remove or change the lag of a damped camera.
+  // Changes at these paths can add, remove or change the lag of a damped camera.
   for (const std::string_view whole : {"camera", "camera.track", "camera.track.object",
                                        "camera.track.damping", "camera.follow", "camera.damping"})
     if (path == whole) return true;

@@ -17,8 +17,8 @@ namespace simreel::scene {
                                std::span<const Override> overrides, const Kinds& kinds,
                                std::span<const std::filesystem::path> folders = {});
 
-/// Returns the path of the sidecar, a file beside a scene that can hold its tests: flag.test.json for
-/// flag.json.
+/// Returns the path of the sidecar, a file in the folder of a scene that can contain the scene's tests:
+/// flag.test.json for flag.json.
 [[nodiscard]] std::filesystem::path sidecarOf(const std::filesystem::path& sceneFile);
 /// Loads a scene for testing, like loadScene(). If the sidecar exists, its "test" and "checks" replace
 /// those of the scene, each as a whole. Overrides are applied after that. Errors in the sidecar are

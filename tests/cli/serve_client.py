@@ -147,7 +147,8 @@ class Viewer:
         self.taken = b""
         try:
             return self._receive()
-        except TimeoutError:  # This may be in the middle of a message. The next call continues with the received bytes.
+        except TimeoutError:
+            # The time may end in the middle of a message. The next call continues with the received bytes.
             self.buffer = self.taken + self.buffer
             raise
 

@@ -4,8 +4,8 @@
 //     FAULTS=write:3          the third write fails; "none": nothing fails
 //     FAULTS_LOG=FILE         file for the failed call and, at the end, the number of calls of each class
 //
-// Only calls of simreel's own code count. Calls that the driver makes inside a GL call do not count,
-// although the driver's libraries share functions of the C++ library with the program.
+// Only calls by simreel's own code are counted. Calls that the driver makes inside a GL call are not,
+// although the driver's libraries use the same functions of the C++ library as the program.
 #include "calls.hpp"
 
 #include <atomic>

@@ -216,8 +216,8 @@ std::vector<int> CaveTwin::distancesFrom(glm::ivec2 start) const {
 }
 
 glm::ivec2 CaveTwin::farthest(const std::vector<int>& distances) const {
-  const auto found = std::max_element(distances.begin(), distances.end());  // This is the first of equal
-                                                                            // maxima.
+  const auto found = std::max_element(distances.begin(), distances.end());  // max_element() returns the
+                                                                            // first of equal maxima.
   const int cell = static_cast<int>(found - distances.begin());
   return {cell % size_.x, cell / size_.x};
 }

@@ -32,8 +32,8 @@ T texelFetch(const std::vector<T>& texels, int i) {
 #include "glsl/draw/overlay/pixel.glsl"
 
 struct FieldModel : FieldInputs {
-  static constexpr bool magnified = false;  // This setting tests the loops that kernels omit with the
-                                            // define.
+  static constexpr bool magnified = false;  // The value `false` selects the loops that kernels with the
+                                            // define omit.
   const std::vector<vec4>& reduced;
 
   [[nodiscard]] vec4 reducedAt(ivec2 at) const {

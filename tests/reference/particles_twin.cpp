@@ -31,7 +31,7 @@ struct Kernel : WindKernel {
   [[nodiscard]] int loadWallClass(int x, int y) const { return walls->classAt(x, y); }
   [[nodiscard]] float loadWallValue(int x, int y) const { return walls->valueAt(x, y); }
 #include "glsl/contour/model.glsl"
-// This is the variant for graphics cards. The twin of cloth tests the variant for software drivers.
+// BRANCHES selects the variant for graphics cards. The twin of cloth uses the variant for software drivers.
 #define BRANCHES
 #include "glsl/contour/wall_model.glsl"
 #undef BRANCHES

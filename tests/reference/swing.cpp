@@ -48,10 +48,10 @@ double energyOf(const std::vector<double>& measured) {
 Case springs(double degrees, double spacing) {
   Case made = sheet(degrees, spacing);
   made.name = "springs";
-  made.parameters.mass = static_cast<float>(spacing * spacing);  // This is 1 kg/m^2.
-  made.parameters.substeps = spacing < 0.03 ? 64 : 32;           // This limits w dt, with the highest
-                                                                 // angular frequency w of the lattice, to
-                                                                 // 0.7.
+  made.parameters.mass = static_cast<float>(spacing * spacing);  // The mass per area is 1 kg/m^2.
+  made.parameters.substeps = spacing < 0.03 ? 64 : 32;           // These substeps limit w dt, with the
+                                                                 // highest angular frequency w of the
+                                                                 // lattice, to 0.7.
   return made;
 }
 
@@ -76,7 +76,7 @@ Case strip(double degrees, double spacing) {
   p.mesh->size = glm::vec3(0.5F, 0, 1);
   p.mesh->resolution = {(rows + 1) / 2, rows};
   sim::PinGroup& top = p.pins.emplace_back();
-  // This is the position of the sheet's upper border after the rotation by `degrees`.
+  // x and y are the position of the sheet's upper border after the rotation by `degrees`.
   const double angle = degrees * 3.14159265358979 / 180;
   const auto y = static_cast<float>(0.5 * std::cos(angle)), z = static_cast<float>(-0.5 * std::sin(angle));
   top.box = sim::PinBox{glm::vec3(-1, y - 1e-3F, z - 1e-3F), glm::vec3(1, y + 1e-3F, z + 1e-3F)};

@@ -45,7 +45,7 @@ int main(int argc, char** argv) {
     solid.make(field, {0.0F, height});
     return solid.settle();
   };
-  while (make(0.1F)) {  // This repeats until the buffers are large enough.
+  while (make(0.1F)) {  // The loop repeats until the buffers are large enough.
   }
   std::vector<double> took;
   for (int frame = 0; frame < frames; ++frame) {

@@ -1,6 +1,6 @@
-// Compares fluids with flows that others have computed or measured.
+// Compares fluids with published flows, which were computed or measured.
 //
-//   bench_fluid cylinder [CELLS [SECONDS]]   2D-2 of Schaefer and Turek, CELLS per diameter (40)
+//   bench_fluid cylinder [CELLS [SECONDS]]   case 2D-2 of Schaefer and Turek, CELLS per diameter (40)
 //   bench_fluid wide [CELLS [SECONDS]]       a cylinder at Re 100 in a channel of 30 diameters (12)
 //   bench_fluid cavity [CELLS [RE]]          Ghia, Ghia and Shin, 128 cells, Re 1000; and Botella and
 //                                            Peyret at Re 1000
@@ -14,7 +14,7 @@
 //                                            of empty cycles; PATH: memory path "storage" or "texel"
 //   bench_fluid water [SIDE]                 water, SIDE 8192 on a GPU, 1024 on a software driver
 //
-// The exit code is 1 if a figure is beyond its bar.
+// The exit code is 1 if a figure misses the required value.
 #include "beside/memory.hpp"
 #include "beside/subject.hpp"
 #include "gl/context.hpp"

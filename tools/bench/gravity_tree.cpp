@@ -3,8 +3,8 @@
 //
 //     bench_gravity_tree [N...]     default 16384 on software drivers, 1048576 on GPUs
 //
-// Also counts the work of a step: operations and bytes of the walk as src/sim/particles/gravity_tree.cpp
-// states them; sorting moves 12 passes of 48 bytes per body, building about 100 bytes per body.
+// Also counts the work of a step. src/sim/particles/gravity_tree.cpp states the operations and bytes of the
+// walk. Sorting moves 48 bytes per body in each of 12 passes, and building moves about 100 bytes per body.
 #include "sim/particles/gravity_tree.hpp"
 
 #include "gl/context.hpp"

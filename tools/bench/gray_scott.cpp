@@ -1,13 +1,13 @@
 // Measures Gray-Scott steps on the device with several partitions of the work, compared with the CPU twin
 // on one thread and on all. Items are cell-steps. A pass reads and writes u and v of every cell, 16 bytes.
 // A step is 35 operations: 16 for two Laplacians with shared side sums (8 each: about 4 additions and 3
-// multiplications), 3 for the reaction, 12 for the two sums and 4 for the bounds. Several steps per pass
-// divide the bytes and repeat the border of a strip.
+// multiplications), 3 for the reaction, 12 for the two sums and 4 for the bounds. With several steps per
+// pass, there are fewer bytes per step, but the border of a strip is computed repeatedly.
 //
 //   bench_gray_scott [SIDE]     8192 on a GPU, 512 on a software driver
 //
-// Measure one line at a time with --benchmark_filter: on NVIDIA's driver, large arrays that are created
-// after others were freed are up to a half slower.
+// Use --benchmark_filter to measure one line at a time, because on NVIDIA's driver, large arrays that are
+// created after others were freed are up to a half slower.
 //
 // With --patterns, prints the result of each preset after 10,000 steps on 129x127, as in the table of
 // src/sim/gray_scott/README.md.

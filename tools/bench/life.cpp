@@ -2,8 +2,7 @@
 // on all, and the kernel with several partitions of the work, all on the same grid. Figures are cells/s;
 // the ratio is relative to the plain loop.
 //   bench_life [WIDTH HEIGHT [STEPS [plain]]]     defaults 4096 4096 64; "plain": no CPU loops
-// A grid takes 2 bits per cell; a pass reads and writes 2 bits per cell, whatever its number of
-// generations.
+// A grid has 2 bits per cell. A pass reads and writes 2 bits per cell, whatever its number of generations.
 #include "gl/context.hpp"
 #include "gl/element_array.hpp"
 #include "plain/plain.hpp"

@@ -1,9 +1,9 @@
 // Compares every simulation with a straightforward loop (tools/bench/plain/, one thread, -O3, not exact)
 // and with its CPU twin on one thread: rates by wall-clock time and per processor second, and the ratios of
-// both to the plain loop. The three run in turns, so that other load affects all alike; figures are medians
-// over the rounds. For software drivers; other benchmarks give the figures of a GPU. If the minimum work
-// per item is counted, the last columns show the limit that this implies for one processor, and the
-// fraction of it that the kernel reaches.
+// both to the plain loop. The three run alternately, so that other load affects all alike. Figures are
+// medians over the rounds. This benchmark is for software drivers; other benchmarks give the figures of a
+// GPU. If the minimum work per item is counted, the last columns show the rate to which this work limits
+// one processor, and the fraction of that rate that the kernel reaches.
 //
 //   bench_plain [NAME [SECONDS]]     only cases whose name contains NAME; SECONDS: runs only the kernel,
 //                                    for profilers

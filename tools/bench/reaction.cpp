@@ -1,13 +1,13 @@
 // Compares steps of a rule that a scene defines (Gray-Scott's equations as expressions) with the
 // hand-written kernels of the same stencil, the expression evaluator on the CPU, a plain loop, and the
-// limit of memory bandwidth. Items are cell-steps; a pass reads and writes two floats per cell, 16 bytes.
+// limit of memory bandwidth. Items are cell-steps. A pass reads and writes two floats per cell, 16 bytes.
 //
 //   bench_reaction [SIDE]     8192 on a GPU, 512 on a software driver
 //
-// "volume": the same in a volume of at most as many cells, 64 per side, or 256 on a GPU.
+// The lines "volume" measure the same in a volume with 64 cells per side, or 256 on a GPU.
 //
-// Before that, prints the time of each preset's kernels from their text to their first steps; set
-// MESA_SHADER_CACHE_DISABLE=1 to exclude the driver's cache.
+// Before the measurements, prints the time of each preset's kernels from their text to their first steps;
+// set MESA_SHADER_CACHE_DISABLE=1 to exclude the driver's cache.
 #include "gl/context.hpp"
 #include "plain/plain.hpp"
 #include "sim/gray_scott/kernels.hpp"

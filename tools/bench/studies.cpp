@@ -4,7 +4,7 @@
 //   bench_studies resolution [SECONDS]   flag.json with 48, 96 and 192 columns: folds, stretch
 //   bench_studies energy [SECONDS]       swings without damping: drift, and rise of the mean
 //
-// The exit code is 1 if a figure is beyond its bar.
+// The exit code is 1 if a figure misses the required value.
 #include "beside/subject.hpp"
 #include "gl/context.hpp"
 #include "reference/swing.hpp"

@@ -1,7 +1,8 @@
 // Measures Larger than Life on a torus, for any range: two plain loops on one thread, the kernels, and the
-// limit of memory bandwidth. Figures are cells/s; ratios are relative to the direct loop.
+// limit of memory bandwidth. Figures are cells/s. Ratios are relative to the plain loop that adds up all
+// neighbours of each cell.
 //   bench_wide [WIDTH HEIGHT [RANGE [STEPS]]] [M|N|C] [plain]     defaults 2048 2048 5 8 M
-// N: diamonds, C: circles; "plain": no loops on the CPU
+// M: squares, N: diamonds, C: circles; "plain": no loops on the CPU
 #include "plain/wide.hpp"
 
 #include "beside/memory.hpp"
@@ -80,7 +81,8 @@ int main(int argc, char** argv) {
     limits.half.push_back(around.wide.span(dy).last);
     n += 2 * limits.half.back() + 1;
   }
-  // These are the limits of Bosco's rule (range 5), as fractions of the neighbourhood.
+  // share() scales the limits of Bosco's rule (range 5), which are fractions of the neighbourhood of 121
+  // cells.
   const auto share = [&](int of121) { return static_cast<int>(std::int64_t{n} * of121 / 121); };
   limits.surviveMin = limits.bornMin = share(34);
   limits.surviveMax = share(58);

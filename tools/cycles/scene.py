@@ -78,7 +78,7 @@ def material(name, given, folder):
         return made
     facing = nodes.new("ShaderNodeLayerWeight")
     facing.inputs["Blend"].default_value = 0.5
-    # This is ambientLobe() of glsl/draw/surface/shading.glsl: 1 - (0.04 x + y).
+    # ambientLobe() of glsl/draw/surface/shading.glsl is 1 - (0.04 x + y).
     alpha = r * r
 
     def node(operation, first, second=None, clamp=False):

@@ -74,7 +74,7 @@ def looked_through(folder, program, scene, frame):
     sources.mkdir()
     files = [file for file in copy.rglob("*") if file.is_file()]
     for file in files:
-        # This sets the access time to 0, so that a read is visible even if the file system rarely updates access times.
+        # The access time is set to 0, so that a read is visible even if the file system rarely updates access times.
         os.utime(file, (0, time.time()))
     begin = time.monotonic()
     entry = exact_pictures.drawn(program, scene, frame, *ARGUMENTS,

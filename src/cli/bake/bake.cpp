@@ -165,7 +165,7 @@ void bake(BakeOptions o) {
   frame::interruptFrames();
   const gl::Context context(o.on);
   sim::World world(scene);
-  static_cast<void>(world.grow());  // This allocates whole meshes, so that each object reports everything
+  static_cast<void>(world.grow());  // grow() allocates whole meshes, so that each object reports everything
                                     // that it can write.
   if (o.format == "csv") return bakeSeries(scene, world, o.output, o.object, frames, o.overwrite);
   auto all = bakedFiles(world, o);

@@ -49,7 +49,7 @@ std::uint64_t bytesOf(const Module& module, Id type) {
   }
 }
 
-/// Returns the place of the first line that contains `word` after one of `others`. If `others` is empty,
+/// Returns the position of the first line that contains `word` after one of `others`. If `others` is empty,
 /// the word must be followed by '['. Returns line `otherwise` of the first file if there is no such line.
 Mistake at(const Files& files, const std::string& word, std::initializer_list<std::string_view> others,
            int otherwise) {
@@ -82,7 +82,7 @@ Mistake said(Mistake mistake, std::string message) {
   return mistake;
 }
 
-/// Returns the place of the [numthreads] attribute of function `entry` in the first file, or line
+/// Returns the position of the [numthreads] attribute of function `entry` in the first file, or line
 /// `otherwise`.
 Mistake attributeOf(const Files& files, const std::string& entry, int otherwise) {
   const std::string code = withoutComments(files.text(0));

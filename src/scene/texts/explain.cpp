@@ -178,7 +178,7 @@ std::vector<ExplainedValue> explainScene(Scene& scene, const std::filesystem::pa
   Diagnostics diagnostics(name.string(), text);
   std::optional<Node> root = parseJson(text, 0, 0, diagnostics);
   std::vector<ExplainedValue> values;
-  if (!root) return values;  // This cannot happen, because the same text was parsed before.
+  if (!root) return values;  // The root always exists, because the same text was parsed before.
   for (const Override& change : overrides) applyOverride(*root, change, diagnostics);
   Explainer::Shared shared{diagnostics, name.filename().string(), values};
 

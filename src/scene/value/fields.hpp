@@ -49,7 +49,7 @@ struct Flat {
   float value = 0;
 };
 
-/// Properties of a field besides its name.
+/// Properties of a field, in addition to its name.
 struct Spec {
   const char* doc = "";   ///< description in one sentence
   const char* unit = "";  ///< unit of measurement; "" for numbers without a unit

@@ -25,8 +25,8 @@ Node emptyGroup(const Node& word) {
   return group;
 }
 
-/// Returns the group {field: value} that the value `word` stands for. All its places are the place of the
-/// value.
+/// Returns the group {field: value} that the value stands for. `word`: node of the value, whose place
+/// becomes the place of all parts of the group.
 Node spelledOut(const Node& word, const std::string& field) {
   Node group = emptyGroup(word);
   group.children.push_back(word);

@@ -69,8 +69,8 @@ std::optional<int> ValueReader::wholeNumber(const Node& node, const char* expect
     return std::nullopt;
   }
   if (!inRange(node)) return std::nullopt;
-  if (std::abs(node.number) > std::numeric_limits<int>::max()) {  // This is possible only if no range is
-                                                                  // declared.
+  if (std::abs(node.number) > std::numeric_limits<int>::max()) {  // Such a number is possible only if no
+                                                                  // range is declared.
     diagnostics_.add(node.place(), fmt::format("\"{}\" must fit in 32 bits, found {}", name_, node.number));
     return std::nullopt;
   }

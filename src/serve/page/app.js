@@ -207,4 +207,5 @@ panel = new Panel(byId("parameters"), new Schema(await answer.json()), {
   fps: () => pair.chosen.fps,
 });
 if (state.scene?.scene) panel.update(pair.chosen);
-globalThis.simreel = { state, link, panel, screen, compare, pair }; // This is for debugging in the browser's console.
+globalThis.simreel = { state, link, panel, screen, compare, pair }; // The global object is for debugging in the
+                                                                    // browser's console.

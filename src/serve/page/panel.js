@@ -112,7 +112,7 @@ export class Panel {
 
   refresh(path, { node, made, schema, undo }) {
     const value = valueAt(this.scene, path);
-    // This is also true if only a key of the value has been edited.
+    // The value also counts as edited if only a key of it has been edited.
     const edited = [...this.edits.keys()].some((one) => one === path || one.startsWith(`${path}.`));
     node.classList.toggle("given", value !== undefined);
     node.classList.toggle("edited", edited);

@@ -121,7 +121,7 @@ nlohmann::json pointOf(const JsonValue& value) {
   nlohmann::json point = nlohmann::json::array();
   for (std::size_t i = 0; i < 3; ++i) {
     static_cast<void>(value.at(i).number());
-    point.push_back(value.at(i).json());  // This keeps the number as it is written in the request.
+    point.push_back(value.at(i).json());  // json() keeps the number as it is written in the request.
   }
   return point;
 }

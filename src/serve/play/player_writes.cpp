@@ -42,7 +42,8 @@ void Player::writeFile(const scene::Override& change, const std::string& edited)
   readFile();  // A text editor may have written the file in the meantime.
   const std::string text = withValue(text_, change);
   std::vector<scene::Override> left = editsWithout(edits_, edited);
-  static_cast<void>(readScript(options_.source, text, left));  // This throws if the new text has errors.
+  static_cast<void>(readScript(options_.source, text, left));  // readScript() throws if the new text has
+                                                               // errors.
   replaceText(options_.source.file, text);
   // Records the file's new version immediately, so that later writes by other programs are noticed.
   files_.know(options_.source.file);

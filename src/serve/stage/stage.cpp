@@ -140,7 +140,7 @@ bool Stage::approach(int frame) {
     took_.simulate = perSecond * secondsSince(begun) + std::exchange(making_, 0);
   }
   if (!carried_ && kept_.wants(world_->frame())) {
-    lookAt();  // This throws if a simulation has lost its state, so that such a state is not stored.
+    lookAt();  // lookAt() throws if a simulation has lost its state, so that such a state is not stored.
     kept_.keep(frame::stateOf(*world_));
     if (past_ && kept_.bytes() + past_->kept.bytes() > memory_) past_.reset();
   }
@@ -229,7 +229,7 @@ frame::Image Stage::draw(std::size_t level) {
 }
 
 void Stage::setTestScene(std::unique_ptr<scene::Scene> scene) {
-  tester_ = {};  // This destroys the renderer, because it reads the old scene.
+  tester_ = {};  // The assignment destroys the renderer, because it reads the old scene.
   testScene_ = std::move(scene);
 }
 

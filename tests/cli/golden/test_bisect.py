@@ -225,7 +225,7 @@ class Bisect(BisectCase):
         lowest = HEIGHT + MARGIN - 1e-6
         self.assertTrue(all(as_float(y) > lowest for y in before["flag.positions"][1::4]))
         self.assertAlmostEqual(as_float(here["flag.positions"][4 * found["element"] + 1]), HEIGHT + MARGIN, 6)
-        # Both sides are equal if the number of frames ends at the differing frame.
+        # With only the frames before the difference, both sides are equal.
         self.bisect(0, "--against", against, "--frames", str(found["frame"]))
         self.bisect(1, "--against", against, "--frames", str(found["frame"] + 1))
 

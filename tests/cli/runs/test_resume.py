@@ -275,7 +275,7 @@ class Resume(Case):
     def test_skip_existing_keeps_readable_frames(self):
         self.damage()
         own = self.whole["000005.png"]
-        foreign = own[:33] + own[own.index(b"IDAT") - 4:]  # This picture is foreign: it lacks simreel's text chunks.
+        foreign = own[:33] + own[own.index(b"IDAT") - 4:]  # foreign picture without simreel's text chunks
         self.path(1).write_bytes(foreign)
         self.path(2).write_bytes(self.whole["000002.png"])
         done = self.good("render", "scene.json", "-o", "out/", "--skip-existing")

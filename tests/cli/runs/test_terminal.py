@@ -132,7 +132,7 @@ class SetUp(unittest.TestCase):
             else:
                 least = middle
         long = ["x" * 100_000] * 18
-        done = run(enough + 2.5, long)  # This needs more memory, because the arguments are on the stack.
+        done = run(enough + 2.5, long)  # The long arguments need more memory, because they are on the stack.
         self.assertEqual((done.returncode, done.stderr), (4, b"simreel: error: not enough memory\n"))
         self.assertEqual(run(enough + 200, long).returncode, 2)
 

@@ -55,7 +55,7 @@ class Caves(Case):
             indices = read_accessor(document, binary, primitive["indices"])
             positions = columns["POSITION"]
             self.assertEqual({len(column) for column in columns.values()}, {len(positions)})
-            self.assertEqual(set(indices), set(range(len(positions))))  # This checks that triangles use every position.
+            self.assertEqual(set(indices), set(range(len(positions))))  # The triangles must use every position.
             accessor = document["accessors"][primitive["attributes"]["POSITION"]]
             self.assertEqual(accessor["min"], [min(axis) for axis in zip(*positions)])
             self.assertEqual(accessor["max"], [max(axis) for axis in zip(*positions)])
@@ -111,7 +111,7 @@ class Caves(Case):
             self.assertAlmostEqual(room["area"], room["cells"] * 0.25)
             self.assertTrue(0 <= x <= 40 and -28 <= y <= 0)
         self.scene(fill=0.52, cell=0.5)
-        self.assertEqual(rooms(), separate)  # This is the number of rooms before corridors connected them.
+        self.assertEqual(rooms(), separate)  # number of rooms before corridors connected them
 
     def test_contour_levels_follow_the_range_of_the_field(self):
         pattern = {"grayScott": {"size": [48, 32], "presteps": 50, "display": {"layer": "none", "low": 0.1, "high": 0.4}}}

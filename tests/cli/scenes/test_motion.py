@@ -38,7 +38,7 @@ class Motion(Case):
     def test_motion_blur_is_equal_in_resumed_runs_and_pieces(self):
         self.write("scene.json", FALL)
         self.good("render", "scene.json", "-o", "all/", "-q")
-        for number in (5, 6):  # These are the frame of a kept state and the next one.
+        for number in (5, 6):  # the frame of a kept state, and the next one
             with self.subTest(number):
                 self.good("render", "scene.json", "-o", "part/", "--frames", "0-5", "--checkpoint-at", "5", "-q", "--overwrite")
                 self.frame("part", number) if number == 5 else None

@@ -92,8 +92,8 @@ class Stage(Case):
         def sky(cap, rest):  # In Radiance bytes, 64 stands for 0.5 at exponent 128. Exponent 129 doubles the value.
             return b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 32 +X 64\n" + 64 * 5 * cap + 64 * 27 * rest
 
-        self.write("cap.hdr", sky(bytes((128, 128, 128, 130)), bytes(4)))  # This is a sky whose cap has radiance 2.
-        self.write("even.hdr", sky(*2 * [bytes((114, 114, 114, 128))]))  # This is a uniform sky of radiance 0.445.
+        self.write("cap.hdr", sky(bytes((128, 128, 128, 130)), bytes(4)))  # sky whose cap has radiance 2
+        self.write("even.hdr", sky(*2 * [bytes((114, 114, 114, 128))]))  # uniform sky of radiance 0.445
         self.write("ground.json", {
             "version": 1, "render": {"quality": "high", "raySamples": 256, "tone": "plain", "samples": 1, "size": [12, 12]}, "sky": {"picture": "even.hdr"},
             "ground": {"height": 0, "color": [0.5, 0.5, 0.5], "roughness": 1}, "camera": {"position": [0, 1, 0.01], "target": [0, 0, 0], "fieldOfView": 10},

@@ -41,7 +41,7 @@ class Pictures(ServeCase):
         viewer = server.viewer()
         viewer.send(do="seek", frame=12)
         viewer.rest(12)
-        # This is skipped if the message has arrived already.
+        # The message may have arrived already.
         if viewer.latest["status"].get("kept", {}).get("every", 1) <= 1:
             viewer.until(lambda kind, m: kind == "status" and m.get("kept", {}).get("every", 1) > 1)
         self.assertLessEqual(viewer.latest["status"]["kept"]["bytes"], 8 << 20)

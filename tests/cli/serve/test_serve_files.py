@@ -165,7 +165,7 @@ class RightSide(ViewerCase):
 
     def test_the_right_side_has_its_own_charts_and_baselines(self):
         viewer = self.begin("--edit")
-        if not viewer.latest.get("series", {}).get("beside"):  # This is skipped if the message has arrived already.
+        if not viewer.latest.get("series", {}).get("beside"):  # The message may have arrived already.
             viewer.until(lambda kind, m: kind == "series" and m.get("beside"))
         self.assertEqual([one["name"] for one in viewer.latest["series"]["beside"]], [one["name"] for one in viewer.latest["series"]["series"]])
         viewer.send(do="compare", on=True, beside=True)

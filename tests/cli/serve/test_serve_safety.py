@@ -158,7 +158,7 @@ class Safety(ServeCase):
             except (OSError, http.client.HTTPException):
                 self.assertLess(time.monotonic(), end)
                 time.sleep(0.2)
-        for _ in range(300):  # This opens many connections, one after another.
+        for _ in range(300):  # opens many connections, one after another
             self.assertEqual(server.get("/")[0], 403)
 
     def test_only_one_viewer_edits(self):

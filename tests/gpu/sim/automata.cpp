@@ -106,7 +106,7 @@ TEST_CASE("automata with wide ranges, and with sums that fill a byte, equal the 
   for (const char* rule : {"R127,C0,M1,S20000..30000,B18000..28000,NM",
                            "R60,C0,M1,S4000..6000,B3500..5500,NC", "R33,C7,M0,S700..1300,B600..1200,NN"}) {
     auto p = soupOf(rule, GridBorder::torus, {140, 129});
-    p.stepsPerSecond = 10;  // This gives one generation per frame.
+    p.stepsPerSecond = 10;  // This rate gives one generation per frame.
     compareStates(p, 1);
   }
   compareStates(soupOf("R10,C0,M1,S123..212,B123..170,NM", GridBorder::torus, {150, 70}), 2);
@@ -123,7 +123,7 @@ TEST_CASE("ranges too large for one loop of a software driver give correct cells
     testContext();
     auto p = soupOf(far.rule, GridBorder::torus, far.size);
     p.fill = 0.5F;
-    p.stepsPerSecond = 10;  // This gives one generation per frame.
+    p.stepsPerSecond = 10;  // This rate gives one generation per frame.
     CAPTURE(p.rule);
     const auto gpu = automatonOf(p, 3);
     const LifePlan plan(p, "cells", 3, 0.1);

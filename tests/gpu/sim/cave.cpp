@@ -30,7 +30,7 @@ std::vector<sim::CaveParameters> someCaves() {
                                           cave(3, 3),    cave(61, 43), cave(128, 33),
                                           cave(131, 97), cave(32, 64), cave(300, 7)};
   all.push_back(cave(97, 83));
-  all.back().fill = 0.5;  // This makes many small rooms.
+  all.back().fill = 0.5;  // This fraction makes many small rooms.
   all.push_back(cave(97, 83));
   all.back().fill = 0.52;
   all.back().smallestRoom = 0;

@@ -117,7 +117,7 @@ TEST_CASE("deform: every technique with a state equals its CPU twin") {
     const auto expected = twinAfter(mesh, everything, 23);
     double moved = 0;
     for (const glm::vec4& cell : expected[1]) moved += cell.x;
-    CHECK(moved > 0.1);  // This shows that there are footprints.
+    CHECK(moved > 0.1);  // The displacement shows that there are footprints.
     for (const char* technique : {"compute", "single-thread", "jobs", "mapped"}) {
       const Words words = stateAfter(mesh, everything, technique, 23);
       REQUIRE(words.size() == 2);
@@ -227,7 +227,8 @@ TEST_CASE("deform: all five techniques draw the same picture") {
                              R"([{"footprints": {"cells": [101, 101], "depth": 0.2}}])"}}) {
     const auto expected = picture(sceneOf(c.mesh, c.deform, "single-thread", scenery), 20);
     const auto flat = picture(sceneOf(c.mesh, "[]", "compute", scenery), 20);
-    CHECK(differingFraction(flat, expected) > 0.01);  // This shows that the deformation is visible.
+    CHECK(differingFraction(flat, expected) > 0.01);  // The difference shows that the deformation is
+                                                      // visible.
     for (const char* technique : techniques) {
       const double fraction =
           differingFraction(picture(sceneOf(c.mesh, c.deform, technique, scenery), 20), expected);

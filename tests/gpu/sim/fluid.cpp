@@ -111,7 +111,7 @@ TEST_CASE("fluid equals its CPU twin with tiles far from walls and obstacles") {
   compareFluid(p, 2);
   p.obstacles.clear();
   setSides(p, Side::periodic, Side::periodic, Side::periodic, Side::periodic);
-  p.strokes[1].from.x = p.strokes[1].to.x = 150;  // This is across the torus's seam.
+  p.strokes[1].from.x = p.strokes[1].to.x = 150;  // The stroke crosses the seam.
   compareFluid(p, 2);
 }
 
@@ -128,7 +128,7 @@ TEST_CASE("fluid equals its CPU twin with many multigrid levels") {
   compareFluid(p, 1);
   p = jets(160, 48);
   setSides(p, Side::periodic, Side::periodic, Side::periodic, Side::periodic);
-  p.strokes[0].from.x = p.strokes[0].to.x = 0;  // This is across the torus's seam.
+  p.strokes[0].from.x = p.strokes[0].to.x = 0;  // The stroke crosses the seam.
   compareFluid(p, 1);
 }
 
@@ -162,14 +162,14 @@ TEST_CASE("fluid equals its CPU twin on a torus, also of odd size") {
     CAPTURE(size.x);
     auto p = jets(size.x, size.y);
     setSides(p, Side::periodic, Side::periodic, Side::periodic, Side::periodic);
-    p.strokes[0].from.x = p.strokes[0].to.x = 0;  // This is across the torus's seam.
+    p.strokes[0].from.x = p.strokes[0].to.x = 0;  // The stroke crosses the seam.
     compareFluid(p, 4);
   }
   auto p = jets(41, 30);
   // The sides are the same as in the test of lines across a seam, so that no further kernels are compiled.
   setSides(p, Side::periodic, Side::periodic, Side::wall, Side::open);
   p.obstacles.resize(1);
-  p.obstacles[0].center = glm::vec3(39, 14, 0);  // This is across the torus's seam.
+  p.obstacles[0].center = glm::vec3(39, 14, 0);  // The obstacle crosses the seam.
   p.obstacles[0].radius = 4;
   compareFluid(p, 4);
 }
@@ -186,7 +186,7 @@ TEST_CASE("fluid with obstacles, heat, friction, confinement and heavy dye equal
     p.obstacles[1].center = glm::vec3(20, 30, 0);
     p.obstacles[1].extent = {20, 1.5F, 0};
     p.obstacles[1].turn = 20;
-    p.obstacles[2].center = glm::vec3(2, 2, 0);  // This is across the grid's border.
+    p.obstacles[2].center = glm::vec3(2, 2, 0);  // The obstacle crosses the grid's border.
     p.obstacles[2].radius = 5;
     p.viscosity = 2.5F;
     p.confinement = 4.0F;
@@ -264,7 +264,7 @@ TEST_CASE("fluid with moving, rotating, image and pocket-squeezing obstacles equ
 TEST_CASE("fluid: a diverging flow reports the first step and the lowest cell") {
   testContext();
   auto p = jets(75, 59);
-  p.speed = 0.01F;  // This is far below the jets' speed of 60.
+  p.speed = 0.01F;  // The parameter "speed" is far below the jets' speed of 60.
   p.substeps = 1;
   for (sim::FluidStroke& stroke : p.strokes) stroke.at = 0.05;  // The strokes act in the second step.
   scene::Object object;

@@ -156,7 +156,7 @@ TEST_CASE("garment: seams equal their CPU twin") {
   p.mesh->resolution = {15, 3};
   p.gravity = glm::vec3(0, -9.8F, 0);
   test::pinBox(p, glm::vec3(-0.1F), glm::vec3(0.1F));
-  // This sews vertices of the outermost ring (127 to 168). One vertex is in two seams.
+  // The seams join vertices of the outermost ring (127 to 168). One vertex is in two seams.
   p.seams.push_back({{127, 130, 131, 140}, {129, 140, 150, 160}, 0.2});
   p.seams.push_back({{128}, {165}, 0.4});
   compareGarment(p, 30);

@@ -40,7 +40,7 @@ void checkSame(const std::vector<glm::vec4>& got, const std::vector<glm::vec4>& 
   const std::size_t columns = static_cast<std::size_t>(width + 1) / 2;
   CHECK_MESSAGE(different == 0, different, " of ", got.size(), " pairs of cells differ, first at column ",
                 first % columns * 2, ", row ", first / columns);
-  CHECK(max - min > 0.05);  // This shows that a pattern has formed.
+  CHECK(max - min > 0.05);  // The range of values shows that a pattern has formed.
 }
 
 /// Steps the GPU simulation and its CPU twin and compares every word of the state.
@@ -97,7 +97,7 @@ TEST_CASE("grayScott with health, strokes and presteps equals its CPU twin") {
   sim::StrokeParameters stroke;
   stroke.at = 0.1;
   stroke.until = 0.3;
-  stroke.from = {0, 10, 0};  // This is across the seam of the torus of odd width.
+  stroke.from = {0, 10, 0};  // The stroke crosses the seam of the torus, whose width is odd.
   stroke.to = {72, 30, 0};
   stroke.radius = 4.5F;
   stroke.value = 0.4;

@@ -150,7 +150,7 @@ TEST_CASE("isosurface: the surface of a ball has the area, volume and normals of
           errors[1][1]);
   for (int i = 0; i < 2; ++i) {
     CHECK(errors[1][i] < 4e-3);
-    CHECK(errors[1][i] < 0.4 * errors[0][i]);  // This shows second-order convergence.
+    CHECK(errors[1][i] < 0.4 * errors[0][i]);  // The errors show second-order convergence.
   }
 }
 

@@ -141,7 +141,7 @@ TEST_CASE("an orbium keeps its shape and moves half its kernel's radius per unit
   for (int i = 0; i < 60; ++i) gpu->step(i / 30.0, {});
   const glm::dvec2 from = middle();
   const double mass = gpu->measure()[0];
-  for (int i = 60; i < 110; ++i) gpu->step(i / 30.0, {});  // This is five units of time.
+  for (int i = 60; i < 110; ++i) gpu->step(i / 30.0, {});  // The 50 frames are five units of time.
   glm::dvec2 way = middle() - from;
   for (int c = 0; c < 2; ++c) way[c] -= 80 * std::round(way[c] / 80);
   CHECK(gpu->measure()[0] == doctest::Approx(mass).epsilon(0.02));

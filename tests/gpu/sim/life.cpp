@@ -212,7 +212,7 @@ TEST_CASE("life with strokes and a trail equals its CPU twin") {
   p.size = {16, 33};
   compare(p, 20);
   p.trail = 0;
-  p.size = {256, 90};  // There are several generations per pass, except between strokes.
+  p.size = {256, 90};  // The kernel computes several generations per pass, except between strokes.
   p.stepsPerSecond = 170;
   compare(p, 15);
 }

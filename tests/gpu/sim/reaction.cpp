@@ -158,7 +158,7 @@ TEST_CASE("reaction: every preset equals the evaluator") {
 }
 
 TEST_CASE("reaction in a volume equals the evaluator: every function, boundary and method, odd sizes") {
-  // This is the rule for planes with derivatives along z and terms that differ between layers added.
+  // The rule for planes gets derivatives along z and terms that differ between layers.
   std::string deep = everything;
   deep.replace(deep.find("ddy(u*v)"), 8, "ddz(u*v)");
   deep.replace(deep.find("x*0.001"), 7, "z*0.003 + depth*0.001 + ddz(nu)*0.001");

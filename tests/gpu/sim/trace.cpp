@@ -220,7 +220,7 @@ TEST_CASE("trace: traces of frames, traces of steps and dumps agree") {
   REQUIRE(frames.size() == 7);
   sim::World second(scene);
   traceSteps(second, 2, into(steps));
-  REQUIRE(steps.size() == 7);  // There are five steps of a and two of b.
+  REQUIRE(steps.size() == 7);  // Object a makes five steps, and object b two.
   const StateLine& frame = frames[5];
   CHECK(frame.frame == 2);
   REQUIRE(frame.arrays.size() == 4);

@@ -66,7 +66,8 @@ TEST_CASE("changes of strokes keep the states before the first changed stroke") 
   CHECK(secondsAlike(one, two) == 2);
   const std::string dyed =
       R"({"objects": {"pool": {"fluid": {"strokes": [{"at": 1}, {"at": 2, "dye": [1, 0, 0]}]}}}})";
-  CHECK(secondsAlike(two, dyed) < 0);  // There is no common time, because the earlier states have no dye.
+  CHECK(secondsAlike(two, dyed) < 0);  // The two scenes have no time in common, because the earlier states
+                                       // have no dye.
 }
 
 TEST_CASE("changes of keyframes keep the states before the first changed key") {

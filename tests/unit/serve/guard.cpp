@@ -36,7 +36,7 @@ TEST_CASE("serve: request paths must start with the complete token") {
   CHECK_EQ(restOf(guard, "/" + token + "/"), "");
   CHECK_EQ(restOf(guard, "/" + token + "/app.js"), "app.js");
   CHECK_EQ(restOf(guard, "/" + token + "/../x"),
-           "../x");  // This is harmless, because names are looked up in a table.
+           "../x");  // The path "../x" is harmless, because names are looked up in a table.
   for (const std::string& path :
        {std::string(), std::string("/"), "/" + token, token + "/", "//" + token + "/", "/" + token + "x/",
         "/" + token.substr(1) + "/", "/" + token.substr(0, 31) + "/app.js"})

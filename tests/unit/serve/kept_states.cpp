@@ -78,7 +78,7 @@ TEST_CASE("serve: the nearest kept state at or before a frame is found") {
 TEST_CASE("serve: states are discarded from a given frame on, or all") {
   KeptStates kept(5 * each);
   passTo(kept, 4);
-  kept.keep(stateOfFrame(4));  // This stores the same state again.
+  kept.keep(stateOfFrame(4));  // The second call stores the same state again.
   CHECK_EQ(kept.bytes(), 5 * each);
   kept.forgetFrom(3);
   CHECK_EQ(kept.frames(), std::vector{0, 1, 2});

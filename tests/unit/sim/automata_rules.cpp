@@ -46,8 +46,8 @@ TEST_CASE("nine cells have 102 arrangements up to symmetry, 51 without the centr
     CHECK((lettersOf(a.count) >> a.letter & 1) == 1);
   }
   CHECK(all.size() == 51);
-  // There are 102 by Burnside's lemma for the eight symmetries of the square. Each class contains 1, 2, 4
-  // or 8 patterns. `cells` counts each pattern twice, with and without the centre.
+  // By Burnside's lemma for the eight symmetries of the square, there are 102 classes. Each contains 1, 2,
+  // 4 or 8 patterns, which `cells` counts twice, with and without the centre.
   for (const auto& [count, letter] : all) CHECK(16 % cells[count][letter] == 0);
 }
 
@@ -259,8 +259,8 @@ TEST_CASE("Life written as a rule table with permuted neighbours and as a tree e
       "1,1,1,0,0,0,0,0,0,1\n1,1,1,1,0,0,0,0,0,1\n1,a,b,c,d,e,f,g,h,0\n",
       "r.rule");
   std::string tree = "@RULE T\n@TREE\nnum_states=2\nnum_neighbors=8\n";
-  // There is a node for each depth and each number of living cells counted so far. The nodes are written
-  // from depth 1 up.
+  // The tree has a node for each depth and each number of living cells counted so far. The nodes are
+  // written from depth 1 up.
   std::string nodes;
   int made = 0;
   int at[10][9] = {};

@@ -103,7 +103,7 @@ TEST_CASE("body: the scene places the body and rotates bones on top of the motio
   const test::TemporaryFile file("tube.gltf", test::tubeText().text());
   auto p = tubeBody(file, "bend");
   p.position = glm::vec3(1, 2, 3);
-  p.rotation = glm::vec3(0, 90, 0);  // This rotates x to -z.
+  p.rotation = glm::vec3(0, 90, 0);  // The rotation turns x to -z.
   p.scale = 2.0F;
   checkNear(pointAt(sim::BodyMotion("tube", p), "high", {0, 0, 0}, 0.5), {1, 3, 1}, 1e-6);
   auto keyed = tubeBody(file, "");

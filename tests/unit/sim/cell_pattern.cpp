@@ -133,7 +133,7 @@ TEST_CASE(
     CHECK(y < 27);
   }
   const LifePlan glider(fitted("glider"), "cells", 1, 0.1);
-  CHECK(glider.parameters().size == glm::ivec2(48, 27));  // There is a margin of at least 12 on every side.
+  CHECK(glider.parameters().size == glm::ivec2(48, 27));  // The margin is at least 12 on every side.
   auto turned = fitted("gosper_gun");
   turned.patterns[0].rotate = 90;
   // The rotated pattern is 9 x 36, so the grid needs a height of 72.

@@ -151,7 +151,7 @@ TEST_CASE("rigid constraints hold for any number of hanging rows") {
     CAPTURE(rows);
     sim::ClothParameters p = longSheet(rows);
     p.substeps.reset();                // Without a value, "auto" applies.
-    p.rotation = glm::vec3(90, 0, 0);  // This rotates the sheet so that it hangs.
+    p.rotation = glm::vec3(90, 0, 0);  // The rotation makes the sheet hang.
     p.pins.emplace_back().rows = {0};
     ClothTwin twin = makeTwin(p);
     double worst = 0;
@@ -223,7 +223,7 @@ TEST_CASE("a compliant line stretches by its weight: rho g H / 2k beyond its len
   sim::ClothParameters p = longSheet(rows);
   p.rotation = glm::vec3(90, 0, 0);
   p.pins.emplace_back().rows = {0};
-  p.compliance = 1.0F / 50;  // This is a stiffness of 50 N/m per thread.
+  p.compliance = 1.0F / 50;  // The stiffness is 50 N/m per thread.
   p.shearCompliance = 1e5F;  // The compliance is so large that diagonals carry no load.
   p.bendCompliance = 1e5F;
   p.damping = 6;

@@ -53,7 +53,7 @@ TEST_CASE("\"auto\" takes as many substeps as the springs need") {
 }
 
 TEST_CASE("\"auto\" for a fabric in gusts scales with 1 / L^1.5 for long lines") {
-  // These are parameters of flag.json at several resolutions, as in bench_studies resolution.
+  // The cloth has the parameters of flag.json at several resolutions, as in bench_studies resolution.
   const auto substeps = [](int columns, bool gusts) {
     sim::ClothParameters p;
     p.fabric.emplace();
@@ -127,8 +127,9 @@ TEST_CASE("contact thickness is the fabric's, clamped to 1/8 to 0.35 of the vert
   p.fabric.emplace();
   p.fabric->thickness = 0.004;
   CHECK(p.contactThickness(0.02F) == doctest::Approx(0.004));
-  CHECK(p.contactThickness(0.1F) == doctest::Approx(0.0125));   // This is an eighth of the edge length.
-  CHECK(p.contactThickness(0.01F) == doctest::Approx(0.0035));  // This is 0.35 of the edge length.
+  CHECK(p.contactThickness(0.1F) == doctest::Approx(0.0125));   // The thickness is an eighth of the edge
+                                                                // length.
+  CHECK(p.contactThickness(0.01F) == doctest::Approx(0.0035));  // The thickness is 0.35 of the edge length.
   p.contact.emplace().thickness = 0.003;
   CHECK(p.contactThickness(0.1F) == doctest::Approx(0.003));
 }

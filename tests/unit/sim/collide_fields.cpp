@@ -88,7 +88,7 @@ TEST_CASE("collide: distances and sides of a burr equal double precision") {
   }
   CHECK(inside > 200);
   CHECK(worst < 3e-6);
-  // This is the same mesh with faces that point inwards.
+  // The mesh `turned` has faces that point inwards.
   sim::Mesh turned = mesh;
   for (std::size_t i = 0; i < turned.indices.size(); i += 3)
     std::swap(turned.indices[i], turned.indices[i + 1]);
@@ -128,7 +128,7 @@ TEST_CASE("collide: the cell size follows a mesh's size and thinness") {
     return plan.parts().front().plan.cell;
   };
   CHECK(cellOf({5, 5, 5}, "") == doctest::Approx(10.0 / 64));
-  CHECK(cellOf({1, 0.02, 1}, "") < 0.011F);  // This is a quarter of the thickness of 0.04 m.
+  CHECK(cellOf({1, 0.02, 1}, "") < 0.011F);  // The bound is about a quarter of the thickness of 0.04 m.
   CHECK(cellOf({1, 0.0005, 1}, "") == doctest::Approx(2.0 / 256));
   CHECK(cellOf({1, 1, 1}, R"(, "distanceCells": 20)") == doctest::Approx(0.1));
 }

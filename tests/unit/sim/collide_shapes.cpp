@@ -45,7 +45,7 @@ sim::ColliderShape smoothShape(sim::ColliderShape::Kind kind, float radius) {
 TEST_CASE("collide: a particle reflects off a capsule and loses energy by its bounce factor") {
   auto rod = smoothShape(sim::ColliderShape::Kind::capsule, 0.3F);
   rod.length = 2;
-  rod.rotation = glm::vec3(0, 0, 90);  // This rotates the rod's axis to x.
+  rod.rotation = glm::vec3(0, 0, 90);  // The rotation turns the rod's axis to x.
   for (const float bounce : {1.0F, 0.5F, 0.0F}) {
     CAPTURE(bounce);
     // The particle hits the sphere at the point with the normal (0, 0.8, 0.6).

@@ -21,7 +21,7 @@ sim::ClothParameters hangingSheet(ThinCloth kind) {
   sim::ClothParameters p;
   p.size = {21, 21};
   p.spacing = 0.05F;
-  p.rotation = glm::vec3(90, 0, 0);  // This rotates the sheet so that the rows go down.
+  p.rotation = glm::vec3(90, 0, 0);  // The rotation makes the rows go down.
   p.wind = glm::vec3(0);
   p.margin = 0.005F;
   p.damping = 0.3F;

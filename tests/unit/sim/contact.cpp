@@ -67,7 +67,7 @@ TEST_CASE("closest points of vertex and face, and of two edges, equal double pre
   for (int i = 0; i < 20000; ++i) {
     glm::vec3 a = point(), b = point(), c = point(), d = point();
     if (i % 3 == 1)
-      c = a + (b - a) * 0.4F + point() * 0.02F;  // This makes slivers, and edges that nearly
+      c = a + (b - a) * 0.4F + point() * 0.02F;  // This choice of c makes slivers, and edges that nearly
                                                  // meet.
     if (i % 3 == 2) d = a + point() * 0.01F;
     const Near vertex = model.nearOfVertex({0, 1, 2, 3}, d, a, b, c);

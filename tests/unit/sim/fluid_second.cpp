@@ -161,7 +161,7 @@ TEST_CASE(
   const auto heat = [&](int x, int y) -> double {
     return flow[twin.index(std::clamp(x, 0, w - 1), std::clamp(y, 0, h - 1))].z;
   };
-  // This is the flow after half of the forces, including confinement.
+  // `f` is the flow after half of the forces, including confinement.
   Walled f = start;
   f.inU = [&](int x, int y) {
     if (!inside(y, x, w)) return start.u(x, y);

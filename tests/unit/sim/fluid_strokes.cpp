@@ -68,7 +68,7 @@ TEST_CASE("keyed strokes: values set by a brush follow their keys, scaled by its
   s.strength = ramp(0, 0.0F, 4, 2.0F);
   p.strokes = {s};
   const sim::FluidPlan plan(p, "it", 1, 0.5);
-  const auto brushes = plan.brushesAt(1.5, 2).brushes;  // These are the brushes at a time of 2 s.
+  const auto brushes = plan.brushesAt(1.5, 2).brushes;  // brushes at the time 2 s
   REQUIRE(brushes.size() == 1);
   CHECK(brushes[0].flow == glm::vec4(40, -20, 2, 0));
   CHECK(brushes[0].dye == glm::vec4(0.5, 1, 2, 0));

@@ -25,7 +25,7 @@ TEST_CASE("tracers: tracers in a rotating flow move in circles") {
                    1.0 / 60);
   std::vector<glm::dvec2> before;
   for (glm::vec4& tracer : twin.tracers) {
-    // This moves the tracer into the inscribed circle of the rectangle.
+    // The tracer is moved into the inscribed circle of the rectangle.
     tracer.x = 32 + 0.6F * (tracer.x - 32);
     tracer.y = 32 + 0.6F * (tracer.y - 32);
     before.emplace_back(tracer.x - 32.0, tracer.y - 32.0);

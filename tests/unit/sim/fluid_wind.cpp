@@ -124,7 +124,7 @@ TEST_CASE("fluid wind: a free sheet is carried along as in the closed form") {
   p.air->velocity = glm::vec3(0);
   p.air->fluid = "storm";
   p.pins.clear();
-  plane.rotation = {0, 90, 0};  // This rotates the plane so that its x axis is the scene's -z.
+  plane.rotation = {0, 90, 0};  // The rotation makes the plane's x axis the scene's -z.
   ClothTwin twin(sim::ClothPlan(p, 1, 1.0 / 60, {}));
   twin.wind = windOf(plane, {200, 60}, [](glm::dvec2) { return glm::dvec2(3, 0); });
   for (int frame = 0; frame < 60; ++frame) twin.step(frame / 60.0);

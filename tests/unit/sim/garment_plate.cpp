@@ -123,7 +123,7 @@ TEST_CASE("garment: a clamped strip of any mesh bends by q L^4 / 8 D") {
 
 TEST_CASE("garment: sliver triangles are softened until bending is stable at the given step") {
   sim::Mesh mesh = test::rectangle(test::Kind::right, {12, 12}, 0.01);
-  mesh.positions[6 * 13 + 6].x += 0.00995F;  // This moves a vertex so that some faces are very thin.
+  mesh.positions[6 * 13 + 6].x += 0.00995F;  // The displacement of one vertex makes some faces very thin.
   const sim::ClothTriangles cloth("a", mesh, 1, 0);
   const auto elements = sim::plateElements(cloth);
   const std::vector<double> inverse(cloth.points.size(), 1e5);

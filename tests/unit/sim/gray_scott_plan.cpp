@@ -96,5 +96,5 @@ TEST_CASE("grayScott: rates come from preset, keys, health, ramp and picture") {
   CHECK(weights[0].x == 0.0F);
   CHECK(weights[1].x == 0.5F);
   CHECK(weights[2].x == 1.0F);
-  CHECK(weights[2].z == 0.0F);  // This is the weight of cell 0, because the grid wraps around.
+  CHECK(weights[2].z == 0.0F);  // The value is the weight of cell 0, because the grid wraps around.
 }

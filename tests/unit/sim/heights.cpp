@@ -75,7 +75,7 @@ TEST_CASE("heights: without grip an object slides down a slope with g sin(angle)
   auto twin = onSurface({10, 5.1F, -3}, {0, 0, 0}, 0, 0, height);
   for (int frame = 0; frame < 40; ++frame) twin.step(frame * frameSeconds);
   const double t = 40 * frameSeconds;
-  const double across = 0.5 * 10.0 * (0.5 / 1.25) * t * t;  // This uses sin cos = tan / (1 + tan^2).
+  const double across = 0.5 * 10.0 * (0.5 / 1.25) * t * t;  // sin cos is computed as tan / (1 + tan^2).
   const glm::vec4 p = twin.positions[0];
   CHECK(p.x - 10 == doctest::Approx(0.6 * across).epsilon(0.01));
   CHECK(p.z + 3 == doctest::Approx(-0.8 * across).epsilon(0.01));

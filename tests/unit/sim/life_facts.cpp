@@ -68,8 +68,8 @@ TEST_CASE("the bit-sliced twin equals a plain loop for random rules, both border
       for (int i = 0; i < 5; ++i) {
         twin.generation(1 + trial % 2);
         cells = nextBytes(cells, size, twin.plan().rule().counts, twin.plan().torus());
-        REQUIRE(twin.words == wordsOf(cells, size));  // This also checks that bits beyond a row's end are
-                                                      // zero.
+        REQUIRE(twin.words == wordsOf(cells, size));  // The comparison also checks that bits beyond a row's
+                                                      // end are zero.
       }
     }
   }

@@ -214,8 +214,8 @@ TEST_CASE("newborn particles lie in the given cone and ball") {
     const float speed = glm::length(v);
     CHECK(speed == doctest::Approx(4).epsilon(0.301));
     widest = std::max(widest, std::acos(glm::dot(v / speed, glm::vec3(0, 0, -1))));
-    // This reverses the flight over the particle's age, which is a fraction of the slot's lifetime of 0.3
-    // to 0.7 s.
+    // The flight is reversed over the particle's age, which is a fraction of the slot's lifetime of 0.3 to
+    // 0.7 s.
     const glm::vec3 fromMiddle = glm::vec3(twin.positions[i]) - glm::vec3(1, 2, 3);
     const glm::vec3 across = fromMiddle - glm::dot(fromMiddle, v) / glm::dot(v, v) * v;
     farthest = std::max(farthest, glm::length(across));
@@ -300,7 +300,7 @@ TEST_CASE("a disk turns steadily: its size is constant over two rotations") {
     return sum / static_cast<double>(twin.positions.size());
   };
   const double first = meanRadius();
-  for (int i = 0; i < 500; ++i) {  // This simulates 20 s. An orbit at R = 2 takes about 9 s.
+  for (int i = 0; i < 500; ++i) {  // The loop simulates 20 s. An orbit at R = 2 takes about 9 s.
     twin.step(i * 0.04, 0);
     if (i % 100 == 99) CHECK(meanRadius() == doctest::Approx(first).epsilon(0.08));
   }

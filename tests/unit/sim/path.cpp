@@ -11,15 +11,15 @@ TEST_CASE("an object beside a path is to the right of its direction, at its heig
   scene::PathPlace place;
   place.height = 2;
   place.side = 0.25F;
-  place.progress = 0.25F;  // This is on the part along +x, where +z is to the right.
+  place.progress = 0.25F;  // The place is on the part along +x, where +z is to the right.
   sim::Standing standing = sim::standingBy(path, place, 0);
   CHECK(standing.position == glm::vec3(2, 2, 0.25F));
   CHECK(standing.ahead == glm::vec3(1, 0, 0));
   place.side = -1;
-  place.progress = 0.75F;  // This is on the part along +z, where +x is to the left.
+  place.progress = 0.75F;  // The place is on the part along +z, where +x is to the left.
   standing = sim::standingBy(path, place, 0);
   CHECK(standing.position == glm::vec3(5, 2, 2));
-  place.progress = 0.5F;  // This is at the corner between both parts.
+  place.progress = 0.5F;  // The place is at the corner between both parts.
   standing = sim::standingBy(path, place, 0);
   CHECK(standing.ahead.x == doctest::Approx(std::sqrt(0.5)));
   CHECK(standing.ahead.z == doctest::Approx(std::sqrt(0.5)));

@@ -96,7 +96,7 @@ TEST_CASE(
         1.7 / made.plan.cells().meanEdge;  // The radius is scaled, because the spacing of the cells is 1.
     const double found = -made.product(0, 1) / made.product(0, 0) * radius * radius;
     CHECK_MESSAGE(std::abs(found / (l * (l + 1)) - 1) < 0.02, (found));
-    // This checks the function itself, not only its mean.
+    // The second check is of the function itself, not only of its mean.
     CHECK(made.product(1, 1) * std::pow(radius, 4) / made.product(0, 0) ==
           doctest::Approx(std::pow(l * (l + 1), 2)).epsilon(0.05));
   }

@@ -175,7 +175,7 @@ TEST_CASE("reaction: a small wave on each preset's uniform state grows at the an
       const Matrix rates = at.rates(L);
       const Amplitudes start = {at.wave, -0.4 * at.wave};
       std::erase_if(p.parameters,
-                    // This removes the parameter that only the start uses.
+                    // The parameter "mean" is removed, because only the start uses it.
                     [](const auto& parameter) { return parameter.name == "mean"; });
       for (std::size_t i = 0; i < p.species.size(); ++i)
         p.species[i].start = fmt::format("{:.9g} + {:.9g}*cos({:.9g}*x + {:.9g}*y)", at.state[i], start[i],

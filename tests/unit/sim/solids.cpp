@@ -61,7 +61,7 @@ double normalAgreement(const sim::Mesh& mesh) {
   return least;
 }
 
-// This is the area of a regular polygon with 64 corners and circumradius 1.
+// area of a regular polygon with 64 corners and circumradius 1
 const double polygon = 32 * std::sin(std::numbers::pi / 32);
 
 }  // namespace

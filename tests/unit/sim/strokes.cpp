@@ -117,7 +117,7 @@ TEST_CASE("a stroke on a torus continues at the opposite border") {
     const Strokes strokes({p}, 1, {c.size, true, "field"});
     const auto images = strokes.into(0, 0.1, 0);
     CHECK(images.size() <= 60);
-    // This is enough images in each direction to include the nearest one.
+    // number of images in each direction, enough to include the nearest one
     const int around = 2 + static_cast<int>((600 + c.radius) / std::min(c.size.x, c.size.y));
     for (int y = 0; y < c.size.y; ++y)
       for (int x = 0; x < c.size.x; ++x) {

@@ -133,7 +133,7 @@ TEST_CASE("text: sizes are in cap heights, and lines are aligned as requested") 
   CHECK(box({Across::left, Down::bottom}).first.y == doctest::Approx(0).scale(1));
   const auto middle = box({Across::center, Down::middle});
   CHECK(middle.first.y == doctest::Approx(-middle.second.y));
-  // Both sides are equal except for the side bearings of the letters.
+  // The box is centred, except for the side bearings of the letters.
   CHECK(middle.first.x == doctest::Approx(-middle.second.x).epsilon(0.02));
   CHECK(box({Across::left, Down::top}).first.x > 0);
   CHECK(box({Across::right, Down::top}).second.x < 0);

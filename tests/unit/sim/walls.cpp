@@ -150,7 +150,7 @@ std::string wallsFailure(const std::string& objects) {
 }  // namespace
 
 TEST_CASE("walls: a ball reflects off a straight wall") {
-  // There is rock for x > 0.13 m, at any z.
+  // The rock is at x > 0.13 m, at any z.
   const FieldValue slope = [](int x, int) { return 0.5F + 0.1F * (static_cast<float>(x) - 20.6F); };
   const float wall = 0.1F * (20.6F - 20.0F);
   for (const float bounce : {1.0F, 0.6F, 0.0F})
@@ -173,7 +173,7 @@ TEST_CASE("walls: a ball reflects off a straight wall") {
 TEST_CASE("walls: a particle along a wall loses tangential speed at the rate of grip") {
   const FieldValue slope = [](int x, int) { return 0.5F + 0.1F * (static_cast<float>(x) - 20.6F); };
   auto twin = ballsBeside(block({41, 41}, 0.1F), slope, {{{0.05F, 0.0F, 0}, {0, 0, 1}}}, 0.02F, 0, 10, 3);
-  twin.positions[0].y = 0.02F;  // This moves the sphere to the floor, away from the wall.
+  twin.positions[0].y = 0.02F;  // The new height puts the sphere on the floor, away from the wall.
   twin.positions[0].x = -0.5F;
   for (int frame = 0; frame < 30; ++frame) twin.step(frame * wallsFrame);
   CHECK(twin.positions[0].y == doctest::Approx(0.02));
@@ -283,8 +283,8 @@ TEST_CASE("walls: on random terraces nothing is ever in rock, judged by the draw
     shape.heights = {0, 0.1F, 0.15F, 0.4F, 0.5F};
     const FieldValue noise = [seed](int x, int y) {
       const float value = noiseAt(x, y, seed);
-      return seed < 3 ? value : std::floor(value * 5) / 5;  // These are flat terraces, with saddles and
-                                                            // with values exactly at a level.
+      return seed < 3 ? value : std::floor(value * 5) / 5;  // The values form flat terraces, with saddles
+                                                            // and with values exactly at a level.
     };
     std::vector<Ball> balls;
     for (int i = 0; i < 200; ++i)

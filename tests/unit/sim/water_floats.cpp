@@ -198,7 +198,7 @@ TEST_CASE("water floats: a ball that plunges in and out conserves the water's vo
     highest = std::max<double>(highest, twin.cells[40 * 20 + 36].x);
   }
   CHECK(most > 0.1);       // The unit is m^3. The float has 0.268 m^3.
-  CHECK(highest > 0.005);  // This is the height of the wave 1.6 m from the point of impact.
+  CHECK(highest > 0.005);  // The height of the wave is measured 1.6 m from the point of impact.
 }
 
 TEST_CASE("water floats: momentum lost to drag goes to the water") {

@@ -76,7 +76,7 @@ CellSides sidesOf(const Lake& lake, int x, int y) {
   const Primitive c = beyond(lake, x, y);
   const Primitive sx = slope(lake, beyond(lake, x - 1, y), c, beyond(lake, x + 1, y));
   const Primitive sy = slope(lake, beyond(lake, x, y - 1), c, beyond(lake, x, y + 1));
-  // This is half a step of the equations of h, u and v in non-conservative form.
+  // `moved` is the state after half a step of the equations of h, u and v in non-conservative form.
   const double k = 0.5 * lake.ratio;
   const Primitive moved{-k * (c.u * sx.h + c.h * sx.u + c.v * sy.h + c.h * sy.v),
                         -k * (c.u * sx.u + lake.g * (sx.h + sx.z) + c.v * sy.u),

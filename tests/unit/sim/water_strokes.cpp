@@ -16,7 +16,7 @@ TEST_CASE("keyed strokes: a water source follows its keyframed strength") {
                                        "test.json", {}, sim::kinds());
   const auto& p = dynamic_cast<const sim::WaterParameters&>(*scene.objects.at(0).parameters);
   const sim::WaterPlan plan(p, "it", 1, 0.5);
-  const auto falls = plan.fallsAt(0.5, 4);  // These are the sources at a time of 1 s.
+  const auto falls = plan.fallsAt(0.5, 4);  // sources at the time 1 s
   REQUIRE(falls.strokes.size() == 1);
   CHECK(std::abs(falls.strokes[0].value - 0.5F * 2 * 0.125F) <
         1e-7F);  // The amount is what the source adds in an eighth of a second.

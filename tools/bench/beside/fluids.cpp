@@ -19,20 +19,22 @@ namespace {
 constexpr int tankSide = 512;
 constexpr double cells = double(tankSide) * tankSide;
 
-// Bytes that a whole step moves per cell if every kernel reads and writes each of its elements once. On the
-// texel path flow and dye take 16 bytes per element, on graphics cards 4 bytes per float; openings take 4,
-// a correction, a residual or a right-hand side 4. Not counted: brushes, which touch few cells here, and
-// tiles near walls, where the solver, the projection and dye also read openings.
+// Bytes per cell that a multigrid cycle moves if every kernel reads and writes each of its elements once.
+// movedBytes() adds the bytes of the other kernels of a step. On the texel path, flow and dye have 16 bytes
+// per element; on graphics cards, 4 bytes per float. Openings, corrections, residuals and right-hand sides
+// have 4 bytes each. Brushes, which touch few cells here, are not counted, nor are tiles near walls, where
+// the solver, the projection and dye also read openings. Below, the numbers are bytes read and then, after
+// "and", bytes written.
 //
-// Texel path: push 16 + 16 + 4, carry 16 + 16 + 4, correct 16 + 16 + 16 + 4, divergence 16 + 4 and 12
-// written, projection 16 + 8 + 16, a pass of dye 16 + 16 + 16.
+// Texel path: push 16 + 4 and 16, carry 16 + 4 and 16, correct 16 + 16 + 4 and 16, divergence 16 + 4 and
+// 12, projection 16 + 8 and 16, each pass of dye 16 + 16 and 16.
 //
-// Graphics cards: push 16 + 4 and 12 written, carry 12 + 4 and 12, correct 12 + 12 + 4 + 4 and 12,
-// divergence 8 + 4 and 12, projection 12 + 8 and 12, its check with paths for dye 12 + 4 and 8, two passes
+// Graphics cards: push 16 + 4 and 12, carry 12 + 4 and 12, correct 12 + 12 + 4 + 4 and 12, divergence 8 + 4
+// and 12, projection 12 + 8 and 12, the projection's check with paths for dye 12 + 4 and 8, each two passes
 // of dye 12 + 8 and 12.
 //
-// A cycle: descent 4 and 5 written, ascent 4 + 1 + 4 and 4 written, on all levels together 4/3 of the
-// finest; on the finest level also the sum with its rounding error, 16 and 12 written.
+// Cycle: descent 4 and 5, ascent 4 + 1 + 4 and 4; all levels together move 4/3 of the finest level's bytes.
+// The finest level also moves the sum with its rounding error, 16 and 12.
 constexpr double cycleBytes = 22 * 4.0 / 3 + 28;
 
 double movedBytes(const sim::FluidPlan& plan, double cycles) {

@@ -6,9 +6,9 @@
 
 namespace simreel::bench {
 
-/// Print the results of `bench_fluid speed` and `bench_fluid water`, for a square field with `side` cells
-/// per side that runs alone on the device. `mostCycles`: maximum number of cycles dispatched per
-/// projection; 0 for the default.
+/// These functions print the results of `bench_fluid speed` and `bench_fluid water`, for a square field
+/// with `side` cells per side that runs alone on the device. `mostCycles`: maximum number of cycles
+/// dispatched per projection; 0 for the default.
 void printFluidSpeed(int side, int mostCycles);
 void printWaterSpeed(int side);
 
