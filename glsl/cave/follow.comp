@@ -1,4 +1,5 @@
-// Pointer jumping: replaces each room's link by its link's link, which halves the distance to the tree that remains.
+// Pointer jumping: replaces each room's link by the link of the linked room, which halves the distance to the tree that
+// remains. One invocation per word of cells.
 #include "cave/trees.glsl"
 
 void main() {
