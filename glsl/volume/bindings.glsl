@@ -7,7 +7,8 @@ const int valuesUnit = 0;
 const int tintsUnit = 1;
 // Storage buffers, or texel buffers where memory.glsl uses them.
 const int cubesBinding = 2;      // Triangles of each kind of cube
-const int classesBinding = 3;    // x: one bit for each of 32 samples
+const int classesBinding = 3;    // x: one bit for each of 32 samples along a row, set if the sample is at or above the
+                                 // level
 const int talliesBinding = 4;
 const int masksBinding = 5;      // For each 32 samples: bit masks of crossed edges along x, y and z, and of cubes with
                                  // triangles
