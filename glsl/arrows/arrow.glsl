@@ -1,20 +1,22 @@
-// One arrow of a velocity: an instance of a mesh of length 1 along z, whose middle is the origin. Its length is |v|
-// times `scale`, at most `longest`; arrows shorter than a fiftieth of that are left out, because they are no more than
-// dots.
+// Arrow that shows a velocity v: an instance of a mesh of length 1 along z, whose middle is the origin. The length of
+// the arrow is |v| times `scale`, at most `longest`. Arrows shorter than 1/50 of `longest` are left out, because they
+// would only be dots.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 layout(local_size_x = 64) in;
-STATE_ARRAY(0, PlaceBlock, places)  // x, y, z: middle, m; w: length, m
-STATE_ARRAY(1, SpeedBlock, speeds)  // x, y, z: velocity of the arrow itself, m/s; w: colour, 0 to 1; -1: no arrow
-STATE_ARRAY(2, TurnBlock, turns)    // x, y, z: unit vector along the arrow
+STATE_ARRAY(0, PlaceBlock, places)  // xyz: middle of the arrow, m; w: length, m
+STATE_ARRAY(1, SpeedBlock, speeds)  // xyz: velocity of the arrow itself, m/s; w: position in the colour map, 0 to 1, or
+                                    // -1 for no arrow
+STATE_ARRAY(2, TurnBlock, turns)    // xyz: unit vector along the arrow
 uniform int count;
 uniform float scale;     // s
 uniform float longest;   // m
 uniform float low;       // speed of the first colour, m/s
 uniform float perRange;  // 1 / (speed of the last colour - low), s/m
-uniform float ahead;     // distance from the place to the arrow's middle, in lengths of the arrow
+uniform float ahead;     // Distance from the point to the arrow's middle, as a fraction of the arrow's length
 
-// Stores arrow `i` of the velocity v at `place`. `motion`: velocity of the place. `drawn`: false for none.
+// Stores arrow `i`, which shows the velocity v at `place`. `motion` is the velocity of the point itself. If `drawn` is
+// false, stores no arrow.
 void storeArrow(int i, vec3 place, vec3 v, vec3 motion, bool drawn) {
   float squared = exactDot(v, v);
   float speed = exactSqrt(squared);

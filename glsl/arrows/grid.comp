@@ -1,12 +1,12 @@
-// Arrows at the places of a regular grid in the plane of a flow. One invocation per arrow.
+// Computes the arrows at the points of a regular grid in the plane of a flow. One invocation per arrow.
 #define WIND
 #include "arrows/arrow.glsl"
 #include "fluid/wind_array.glsl"
 uniform int columns;
-uniform vec3 first;   // top left place in the plane, m
-uniform vec3 across;  // from a place to the next on the right, m
-uniform vec3 down;    // from a place to the next below, m
-uniform vec3 above;   // from the plane to the arrows, m
+uniform vec3 first;   // Position of the top left grid point in the plane, m
+uniform vec3 across;  // Vector from a grid point to its right neighbour, m
+uniform vec3 down;    // Vector from a grid point to the neighbour below, m
+uniform vec3 above;   // Vector from the plane to the arrows, m
 
 void main() {
   int i = int(gl_GlobalInvocationID.x);

@@ -1,7 +1,7 @@
-// Arrows along the velocities of every n-th point. One invocation per arrow.
+// Computes the arrows along the velocities of every n-th point. One invocation per arrow.
 #include "arrows/arrow.glsl"
-INPUT_ARRAY(3, PositionBlock, positions)   // x, y, z: m
-INPUT_ARRAY(4, VelocityBlock, velocities)  // x, y, z: m/s; w < 0: the point does not live
+INPUT_ARRAY(3, PositionBlock, positions)   // xyz: position, m
+INPUT_ARRAY(4, VelocityBlock, velocities)  // xyz: velocity, m/s; w is negative if the point is not alive
 uniform int every;
 
 void main() {

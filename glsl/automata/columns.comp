@@ -1,6 +1,6 @@
-// Larger than Life with squares, first pass: counts the living cells among the 2 RANGE + 1 cells of a column around
-// each cell. An invocation walks down ROWS rows of 16 columns, one byte each, and adds and subtracts one row per step.
-// A sum is at most 255, so it fits in a byte. Defines: STATES, RANGE, ROWS.
+// Larger than Life with squares, first pass: counts the live cells among the 2 RANGE + 1 cells of a column around each
+// cell. An invocation moves down ROWS rows of 16 columns, one byte per column, and in each step adds one row and
+// subtracts one row. A sum is at most 255, so it fits in a byte. Defines: STATES, RANGE, ROWS.
 #include "common/words.glsl"
 #include "automata/bindings.glsl"
 layout(local_size_x = 8, local_size_y = 4) in;
@@ -22,7 +22,7 @@ void main() {
   ivec2 at = ivec2(gl_GlobalInvocationID.xy);
   int top = at.y * ROWS;
   if (at.x >= paddedItems || top >= height) return;
-  // Row y of the grid is padded row y + RANGE.
+  // Row y of the grid is row y + RANGE of the padded cells.
   uvec4 sum = uvec4(0u);
   for (int i = 0; i < 2 * RANGE; ++i) sum += living(top + i, at.x);
   int end = min(top + ROWS, height);

@@ -1,6 +1,6 @@
-// One generation of a cyclic automaton: a cell takes the next state if at least THRESHOLD of its neighbours have this
-// state. Defines: STATES, RANGE, THRESHOLD; DIAMOND for the neighbourhood |dx| + |dy| <= RANGE, otherwise the square of
-// radius RANGE.
+// Computes one generation of a cyclic automaton: a cell takes the next state if at least THRESHOLD of its neighbours
+// have that state. Defines: STATES, RANGE, THRESHOLD; DIAMOND for the neighbourhood |dx| + |dy| <= RANGE, otherwise it
+// is the square of radius RANGE.
 #include "common/words.glsl"
 #include "automata/bindings.glsl"
 layout(local_size_x = 8, local_size_y = 4) in;

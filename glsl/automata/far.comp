@@ -1,7 +1,7 @@
 // Larger than Life with wide ranges, last pass: computes the sum over each row around a cell as a difference of prefix
-// sums from row_sums.comp or window_sums.comp. The running sums of spans.comp would not work here: they start with a
-// loop over the whole neighbourhood, which exceeds a software driver's iteration limit. Defines: as wide.glsl; ROWS,
-// the number of rows around a cell; LEFTS and RIGHTS, the column offsets of each row's first and last cell.
+// sums from row_sums.comp or window_sums.comp. The running sums of spans.comp cannot be used, because they start with a
+// loop over the whole neighbourhood, which exceeds a software driver's iteration limit. Defines: those of wide.glsl;
+// ROWS, the number of rows around a cell; LEFTS and RIGHTS, the column offsets of the first and last cell of each row.
 #include "common/words.glsl"
 #include "automata/bindings.glsl"
 layout(local_size_x = 8, local_size_y = 4) in;
@@ -12,7 +12,7 @@ uniform ivec2 size;
 uniform int rowItems;
 uniform int rowWords;
 uniform int marginX;
-uniform int range;  // Padded rows above the grid
+uniform int range;  // Number of padded rows above the grid
 #include "automata/wide.glsl"
 #include "automata/sixteen.glsl"
 const int lefts[ROWS] = int[](LEFTS);

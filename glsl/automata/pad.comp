@@ -1,5 +1,6 @@
-// Expands cells to bytes in rows with a margin, filled according to the topology of the grid, so that later kernels
-// need no edge cases. An invocation writes 16 cells. Define BITS if the cells are stored as bits.
+// Expands cells to bytes in rows with a margin, which is filled according to the topology of the grid, so that later
+// kernels need no special cases at edges. An invocation writes 16 cells. BITS is defined if the cells are stored as
+// bits.
 #include "common/words.glsl"
 #include "automata/bindings.glsl"
 #include "automata/shape.glsl"
@@ -7,10 +8,10 @@ layout(local_size_x = 8, local_size_y = 4) in;
 INPUT_WORDS(cellsBinding, CellBlock, cells)
 STATE_WORDS(paddedBinding, PaddedBlock, padded)
 uniform GridJoin grid;
-uniform int rowItems;  // Elements of 16 bytes per row of cells
-uniform int paddedItems;  // Elements per padded row
+uniform int rowItems;  // Number of elements of 16 bytes per row of cells
+uniform int paddedItems;  // Number of elements per padded row
 uniform int marginX;  // Margin in cells, a multiple of 16
-uniform int range;  // Number of padded rows above and below
+uniform int range;  // Number of padded rows above the grid, and number below
 
 #ifdef BITS
 const int CELLS = 128;
@@ -27,7 +28,7 @@ uint cellNumbered(int number) {
 #endif
 }
 
-// Returns 16 cells that lie in one element.
+// Returns 16 cells of one element.
 uvec4 cellsFrom(int number) {
   uvec4 item = LOAD_INPUT_WORDS(cells, number / CELLS);
 #ifdef BITS

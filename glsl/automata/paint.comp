@@ -7,7 +7,7 @@ INPUT_WORDS(stampsBinding, StampBlock, stamps)
 STATE_WORDS(cellsBinding, CellBlock, cells)
 #include "grid/stroke_paint.glsl"
 uniform int rowItems;
-uniform int highest;  // Highest state
+uniform int highest;  // Maximum state
 
 void main() {
   int left = strokeBox.x >> 4;

@@ -1,7 +1,7 @@
 // Larger than Life with an arbitrary weighted neighbourhood, given as a list of offsets. An invocation processes
-// sixteen cells together. A list item has two words: the offset (column + 512, and from bit 10 on row + 512), then the
-// weight. Defines: as wide.glsl; FLIPPED, the row offset is negated in cells with odd column + row; STATE_WEIGHTS, a
-// weight per state follows the list, otherwise state 1 counts once.
+// sixteen cells together. A list item has two words: the offset (column + 512 in the lower ten bits, row + 512 above),
+// then the weight. Defines: those of wide.glsl; FLIPPED negates the row offset in cells with odd column + row;
+// STATE_WEIGHTS means that a weight per state follows the list, otherwise only state 1 counts, with weight 1.
 #include "common/words.glsl"
 #include "automata/bindings.glsl"
 layout(local_size_x = 8, local_size_y = 4) in;
@@ -12,7 +12,7 @@ uniform ivec2 size;
 uniform int rowItems;
 uniform int rowWords;
 uniform int marginX;
-uniform int range;  // Padded rows above the grid
+uniform int range;  // Number of padded rows above the grid
 uniform int places;  // Number of list items
 #include "automata/wide.glsl"
 #include "automata/sixteen.glsl"
@@ -32,7 +32,7 @@ ivec4 counted(uint bytes) {
 }
 #endif
 
-// Returns sixteen bytes starting at byte `from`.
+// Returns sixteen consecutive bytes, starting at byte `from`.
 uvec4 sixteenFrom(int from) {
   uint shift = uint(from & 3) * 8u;
   int word = from >> 2;
@@ -57,7 +57,7 @@ void main() {
       int dx = (where & 1023) - 512, dy = (where >> 10) - 512;
       uvec4 around = sixteenFrom(first + dy * row + dx);
 #ifdef FLIPPED
-      uint even = (at.y & 1) == 0 ? 0x00ff00ffu : 0xff00ff00u;  // Mask of the cells with even x + y
+      uint even = (at.y & 1) == 0 ? 0x00ff00ffu : 0xff00ff00u;  // Mask of those of the four cells that have even x + y
       around = around & even | sixteenFrom(first - dy * row + dx) & ~even;
 #endif
       total0 += weight * counted(around.x);

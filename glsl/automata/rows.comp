@@ -1,5 +1,5 @@
-// Larger than Life with squares, second pass: running sums along a row of the column sums, then the rule. Defines: as
-// columns.comp and wide.glsl; ITEMS, the number of elements that an invocation writes.
+// Larger than Life with squares, second pass: computes running sums of the column sums along a row, then applies the
+// rule. Defines: those of columns.comp and wide.glsl; ITEMS, the number of elements that an invocation writes.
 #include "common/words.glsl"
 #include "automata/bindings.glsl"
 layout(local_size_x = 8, local_size_y = 4) in;
@@ -13,7 +13,7 @@ uniform int marginX;
 #include "automata/wide.glsl"
 #include "automata/output.glsl"
 
-// Returns four bytes that begin `shift` bits into the first word.
+// Returns the four bytes that begin at bit `shift` of the first word.
 uint fourBytes(uint first, uint second, uint shift) {
   return shift == 0u ? first : first >> shift | second << (32u - shift);
 }
@@ -32,7 +32,7 @@ void main() {
     int byte = column + dx;
     total += int(columnsAt(row + (byte >> 2)) >> uint((byte & 3) * 8) & 255u);
   }
-  // Column sums that enter at the right for the next cell, and that leave at the left of this cell.
+  // Columns whose sum is added for the next cell (in_), and whose sum is subtracted after this cell (out_).
   int in_ = column + RANGE + 1;
   int out_ = column - RANGE;
   uint inWord = columnsAt(row + (in_ >> 2));

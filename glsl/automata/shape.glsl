@@ -1,16 +1,19 @@
-// Topology of a grid: how its edges are joined. Compiles as GLSL and as C++ (src/sim/automata/engine/grid_shape.hpp).
+// Topology of a grid, that is, the connections of its edges. Compiles as GLSL and as C++
+// (src/sim/automata/engine/grid_shape.hpp).
 
 struct GridJoin {
   int width, height;
-  int across, down;    // Left-right and top-bottom edges: 0 not joined, 1 joined, 2 joined with reversal, 3 sphere
+  int across, down;    // Connection of left and right edge, and of top and bottom edge: 0 none, 1 connected, 2
+                       // connected with reversal, 3 sphere
   int shiftX, shiftY;  // Shift along the lower edge and along the right edge, in cells
 };
 
-// Returns the index of the cell at (x, y), which may lie outside by up to a width and a height, in rows of `rowCells`.
-// Returns -1 if there is no cell.
+// Returns the index of the cell at (x, y), in rows of `rowCells`. The position may be outside the grid by up to a width
+// and a height. Returns -1 if there is no cell.
 FUNCTION int joinedCell(GridJoin grid, int x, int y, int rowCells) {
   if (grid.down == 3) {
-    // Sphere: the top edge is joined to the left edge, the bottom edge to the right edge. A corner neighbours itself.
+    // On a sphere, the top edge is connected to the left edge and the bottom edge to the right edge. A corner is a
+    // neighbour of itself.
     bool beyondX = x < 0 || x >= grid.width;
     bool beyondY = y < 0 || y >= grid.height;
     int nearX = x < 0 ? 0 : (x >= grid.width ? grid.width - 1 : x);
@@ -18,8 +21,8 @@ FUNCTION int joinedCell(GridJoin grid, int x, int y, int rowCells) {
     if (beyondX != beyondY) {
       int along = beyondY ? nearX : nearY;
       bool low = beyondY ? y < 0 : x < 0;
-      // The left column lies above the top row, and the top row beyond the left column. The bottom row lies beyond the
-      // right column, and the right column below the bottom row.
+      // The left column is the row above the top row, and the top row is the column beyond the left column. The bottom
+      // row is the column beyond the right column, and the right column is the row below the bottom row.
       nearX = beyondY ? (low ? 0 : grid.width - 1) : along;
       nearY = beyondY ? along : (low ? 0 : grid.height - 1);
     }
@@ -37,7 +40,7 @@ FUNCTION int joinedCell(GridJoin grid, int x, int y, int rowCells) {
     x = right ? x - grid.width : x + grid.width;
     y = grid.across == 2 ? grid.height - 1 - y + grid.shiftY : (right ? y + grid.shiftY : y - grid.shiftY);
   }
-  // The column shift can lead beyond a row once more, if there is no shift along rows.
+  // If there is no shift along rows, the shift along columns can leave the grid once more.
   y = y < 0 ? y + grid.height : (y >= grid.height ? y - grid.height : y);
   return y * rowCells + x;
 }

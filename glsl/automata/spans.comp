@@ -1,7 +1,8 @@
-// Larger than Life with circles and diamonds: running sums, which add the right end and subtract the left end of each
-// row of the neighbourhood. An invocation walks along a row; adjacent invocations process the rows below, because a row
-// has few elements and a software driver runs eight invocations along x at once. Defines: as rows.comp; LEFTS and
-// RIGHTS, the column offsets of each row's first and last cell, from the top.
+// Larger than Life with circles and diamonds, computed by running sums: for each row of the neighbourhood, the cell at
+// the right end is added and the cell at the left end is subtracted. An invocation moves along a row. Adjacent
+// invocations process consecutive rows, because a row has few elements and a software driver runs eight invocations
+// along x together. Defines: those of rows.comp; LEFTS and RIGHTS, the column offsets of the first and last cell of
+// each row, from the top.
 #include "common/words.glsl"
 #include "automata/bindings.glsl"
 layout(local_size_x = 32) in;

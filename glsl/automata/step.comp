@@ -1,14 +1,14 @@
-// One generation of a rule of nine cells. The rows are padded (automata/pad.comp), so edges need no special case.
-// Defines: STATES; BITS if cells are stored as bits; MAP, where `map` has a bit for every neighbourhood of living cells
-// (state 1) and other states age; otherwise a decision diagram over NEIGHBOURS neighbours.
+// Computes one generation of a rule on nine cells. The rows are padded (automata/pad.comp), so edges need no special
+// case. Defines: STATES; BITS if cells are stored as bits; MAP if `map` has a bit for every neighbourhood of live cells
+// (state 1) and other states age; otherwise, the rule is a decision diagram over NEIGHBOURS neighbours.
 #include "common/words.glsl"
 #include "automata/bindings.glsl"
 layout(local_size_x = 8, local_size_y = 4) in;
 layout(binding = wordsBinding) uniform usamplerBuffer paddedWords;
 STATE_WORDS(nextCellsBinding, NextBlock, newCells)
 uniform ivec2 size;  // Number of cells per axis
-uniform int rowItems;  // Elements per row of the next cells
-uniform int rowWords;  // Words per padded row
+uniform int rowItems;  // Number of elements per row of the next cells
+uniform int rowWords;  // Number of words per padded row
 uniform int marginX;
 #include "automata/next.glsl"
 #include "automata/output.glsl"
@@ -16,7 +16,8 @@ uniform int marginX;
 #ifdef MAP
 uniform ivec4 map[4];
 
-// Returns the living cells among the cell before a word, its four cells and the cell after it, as six bits.
+// Returns six bits that tell which cells are alive: the cell before a word, the four cells of the word, and the cell
+// after it.
 uint aliveSix(uvec3 words) {
   uint before = bytesOfOne(words.x) >> 24u;
   uint here = bytesOfOne(words.y) * 0x01020408u >> 24u & 15u;
@@ -41,7 +42,7 @@ uint nextFour(uvec3 above, uvec3 here, uvec3 below) {
 layout(binding = treeBinding) uniform usamplerBuffer tree;
 uniform int root;
 
-// Returns the cell at `column` relative to the first cell of a word, -1 to 4.
+// Returns the cell at the offset `column` (-1 to 4) from the first cell of a word.
 uint cellOf(uvec3 words, int column) {
   return column < 0 ? words.x >> 24u : (column > 3 ? words.z & 255u : words.y >> uint(8 * column) & 255u);
 }
@@ -77,7 +78,8 @@ void main() {
   ivec2 at = ivec2(gl_GlobalInvocationID.xy);
   if (at.x >= rowItems || at.y >= size.y) return;
   int place = at.y * rowWords + (marginX + at.x * CELLS) / 4;
-  // For the rows above, here and below: the previous, the current and the next word.
+  // Each variable holds the previous, the current and the next word of the row above, of this row, and of the row
+  // below.
   uvec3 above = uvec3(0u, wordAt(place - 1), wordAt(place));
   uvec3 here = uvec3(0u, wordAt(place + rowWords - 1), wordAt(place + rowWords));
   uvec3 below = uvec3(0u, wordAt(place + 2 * rowWords - 1), wordAt(place + 2 * rowWords));

@@ -1,5 +1,5 @@
-// Rule of Larger than Life, applied to a count. Defines: STATES; MIDDLE, 1 if a cell counts itself; SURVIVES and BORN,
-// conditions on `count` for cells of state 1 and 0.
+// Rule of Larger than Life, applied to a count. Defines: STATES; MIDDLE is 1 if a cell counts itself; SURVIVES and BORN
+// are conditions on `count` for cells of state 1 and of state 0.
 #include "automata/next.glsl"
 
 uint wideNext(uint state, int total) {

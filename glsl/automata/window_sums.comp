@@ -1,5 +1,5 @@
 // Larger than Life with wide squares, second pass: sums the prefix sums of row_sums.comp over the 2 RANGE + 1 rows
-// around each row, as running sums down ROWS rows of four columns. Defines: RANGE, ROWS.
+// around each row. An invocation computes running sums down ROWS rows of four columns. Defines: RANGE, ROWS.
 #include "common/words.glsl"
 #include "automata/bindings.glsl"
 layout(local_size_x = 8, local_size_y = 4) in;

@@ -1,13 +1,14 @@
-// Linear blend skinning: p' = sum w_i M_i p over the joints i of a vertex. The normal is transformed by the cofactor
-// matrix of sum w_i M_i. Compiles as GLSL and as C++ (tests/reference/body_twin.hpp). Needs loadPose(i), a row of a
-// joint's matrix: three rows per joint, first all joints at the frame's begin, then all at its end.
+// Linear blend skinning: p' = sum w_i M_i p over the joints i of a vertex p, with the weights w_i and matrices M_i. The
+// normal is transformed by the cofactor matrix of sum w_i M_i. Compiles as GLSL and as C++
+// (tests/reference/body_twin.hpp). Needs loadPose(i), which returns a row of a joint's matrix. There are three rows per
+// joint: first those of all joints at the start of the frame, then those of all joints at its end.
 struct Moment {
   int joints;
-  float before;  // Weight of the frame's begin, 1 - now
-  float now;     // Weight of the frame's end
+  float before;  // Weight of the pose at the start of the frame, 1 - now
+  float now;     // Weight of the pose at the end of the frame
 };
 
-// Sets tiny numbers to zero, because drivers disagree on subnormal numbers.
+// Replaces tiny numbers by zero, because drivers disagree on subnormal numbers.
 FUNCTION vec3 flushed(vec3 v) {
   return vec3(exactFlush(v.x), exactFlush(v.y), exactFlush(v.z));
 }
@@ -29,7 +30,7 @@ FUNCTION vec4 blendedRow(uvec4 follow, vec4 weights, int row, Moment moment) {
   return vec4(flushed(vec3(sum)), exactFlush(sum.w));
 }
 
-// Blended matrix of a vertex.
+// Blended matrix of a vertex, as rows.
 struct Blend {
   vec4 row0;
   vec4 row1;

@@ -1,4 +1,5 @@
-// Skins the vertices at a moment of the frame, one per invocation. NORMALS: also their normals.
+// Computes the skinned vertices at a time within the frame. One invocation per vertex. If NORMALS is defined, also
+// computes the normals.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "common/words.glsl"
@@ -15,7 +16,7 @@ STATE_ARRAY(normalsBinding, NormalBlock, normals)
 #endif
 uniform int count;
 uniform int joints;
-uniform float before;  // Weight of the frame's begin
+uniform float before;  // Weight of the pose at the start of the frame
 uniform float now;
 
 vec4 loadPose(int i) {

@@ -4,16 +4,16 @@
 
 const int cellsBinding = 0;      // Words of cells (see cells.glsl)
 const int nextCellsBinding = 1;
-const int labelsBinding = 1;     // Per run: lowest cell of its region
-const int tallyBinding = 2;      // Per region: number of cells. Per room: the tree it belongs to
+const int labelsBinding = 1;     // For each run: lowest cell of its region
+const int tallyBinding = 2;      // For each region: number of cells. For each room: the tree that it belongs to
 const int flagsBinding = 3;
-const int sourcesBinding = 4;    // Per cell: nearest open cell
+const int sourcesBinding = 4;    // For each cell: nearest open cell
 const int nextSourcesBinding = 5;
-const int weightsBinding = 5;    // Per tree: length of the shortest connection to another tree
-const int edgesBinding = 6;      // Per tree: the edge at which this connection crosses
-const int linksBinding = 7;      // Per tree: the tree that it joins
-const int dugBinding = 7;        // Words of cells with the dug corridors
-const int distancesBinding = 4;  // Per cell: steps from the start of the waves
+const int weightsBinding = 5;    // For each tree: length of the shortest connection to another tree
+const int edgesBinding = 6;      // For each tree: index of the edge that this connection crosses
+const int linksBinding = 7;      // For each tree: the tree to which it is joined
+const int dugBinding = 7;        // Words of the cells into which corridors are dug
+const int distancesBinding = 4;  // For each cell: number of steps from the start of the waves
 const int queueBinding = 5;
 
 #endif

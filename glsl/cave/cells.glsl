@@ -1,13 +1,13 @@
-// Cells of the cave, 32 per word. A row is a multiple of four words; its unused bits are rock. A cell's index is its
-// bit's index: 32 rowWords y + x for cell (x, y), so indices increase along rows and from row to row.
+// Cells of the cave, 32 per word. A row has a multiple of four words; its unused bits are rock. A cell's index is the
+// index of its bit, 32 rowWords y + x for cell (x, y), so indices increase along rows and from row to row.
 #include "cave/bindings.glsl"
 #include "common/hash.glsl"
 #include "cave/model.glsl"
 layout(std430, binding = cellsBinding) restrict buffer CellBlock { uint cells[]; };
 uniform ivec2 size;    // Number of cells per axis
-uniform int rowWords;  // Words per row
+uniform int rowWords;  // Number of words per row
 
-// Returns a word of cells; outside the grid all cells are rock.
+// Returns a word of cells. Outside the grid, all cells are rock.
 uint rockAt(int column, int y) {
   if (column < 0 || column >= rowWords || y < 0 || y >= size.y) return ~0u;
   return cells[y * rowWords + column];

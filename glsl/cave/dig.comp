@@ -1,12 +1,13 @@
-// Digs the corridors that the trees of this round have chosen, into a copy of the cells. The border remains rock. One
-// word of cells per invocation.
+// Digs the corridors that the trees have chosen in this round into a copy of the cells. The border remains rock. One
+// invocation per word of cells.
 #define NO_LINKS  // dugBinding takes the binding point of the links
 #include "common/exact.glsl"
 #include "cave/trees.glsl"
 #include "cave/corridor.glsl"
 layout(std430, binding = dugBinding) restrict buffer DugBlock { uint dug[]; };
 uniform int width;
-uniform int firstStep;  // First step of this dispatch; `steps` is limited because software drivers end long loops
+uniform int firstStep;  // First step of this dispatch; the number of steps is limited because software drivers end long
+                        // loops
 uniform int steps;
 
 void digCell(ivec2 at) {

@@ -1,4 +1,4 @@
-// Fills the cells randomly: a hash of position and seed. One word of cells per invocation.
+// Fills the cells randomly, by a hash of position and seed. One invocation per word of cells.
 #include "common/hash.glsl"
 #include "cave/cells.glsl"
 layout(local_size_x = 64) in;

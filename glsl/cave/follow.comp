@@ -1,4 +1,5 @@
-// Pointer jumping: replaces each room's link by its link's link, which halves the distance to the tree that remains.
+// Pointer jumping. Replaces each room's link by the link of the linked room, which halves the number of links between
+// the room and the end of its chain. One invocation per word of 32 cells.
 #include "cave/trees.glsl"
 
 void main() {

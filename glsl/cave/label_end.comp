@@ -1,4 +1,5 @@
-// Finishes the labelling after it has converged: each run's label becomes its region, and each region counts its cells.
+// Completes the labelling after convergence: each run's label becomes the run's region, and the cells of each region
+// are counted.
 #include "cave/runs.glsl"
 layout(local_size_x = 64) in;
 

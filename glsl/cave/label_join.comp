@@ -1,6 +1,6 @@
-// Joins runs that touch: both get the lower region. A label never increases and never leaves its region. So repeating
-// this kernel until nothing changes ends with the lowest cell of each region, in any order of the atomics (Shiloach and
-// Vishkin, "An O(log n) parallel connectivity algorithm", 1982, with minima instead of stars).
+// Joins runs that touch: both get the lower of their regions. A label never increases and never leaves its region. If
+// this kernel is repeated until nothing changes, each label is the lowest cell of its region, whatever the order of the
+// atomics (Shiloach and Vishkin, "An O(log n) parallel connectivity algorithm", 1982, with minima instead of stars).
 #include "cave/runs.glsl"
 layout(local_size_x = 64) in;
 
@@ -22,7 +22,7 @@ void main() {
   for (uint starts = startsOf(here); starts != 0u; starts &= starts - 1u) {
     int begin = findLSB(starts), end = endOf(here, begin);
     uint run = uint(32 * i + begin);
-    // Atomic, because a plain store could overwrite another invocation's result in every round
+    // This is atomic, because a plain store could overwrite another invocation's result in every round
     atomicMin(labels[run], labels[labels[run]]);
     if (begin == 0 && (left >> 31u) != 0u) join(run, uint(32 * (i - 1) + startOf(left, 31)));
     uint reach = bitsOf(begin, end);

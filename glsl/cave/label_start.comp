@@ -1,4 +1,4 @@
-// Starts the labelling: every run is a region of its own.
+// Starts the labelling: every run becomes a separate region.
 #include "cave/runs.glsl"
 layout(local_size_x = 64) in;
 

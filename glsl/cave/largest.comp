@@ -1,5 +1,5 @@
-// Finds the region with the most cells. Pass 0 finds the count; pass 1 finds, among the regions with this count, the
-// one with the lowest first cell.
+// Finds the region with the most cells. Pass 0 finds the number of cells. Pass 1 finds, among the regions with this
+// number, the one with the lowest first cell.
 #include "cave/runs.glsl"
 layout(local_size_x = 64) in;
 uniform int pass;

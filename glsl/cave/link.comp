@@ -1,5 +1,5 @@
 // Links each tree to the tree at the other end of its shortest connection. If two trees choose the same connection, the
-// lower one remains.
+// lower tree remains. One invocation per word of cells.
 #include "cave/trees.glsl"
 
 uint treeAt(uint cell) {

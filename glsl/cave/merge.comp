@@ -1,4 +1,5 @@
-// Assigns every room to the tree that its tree has joined, and clears the trees' connections for the next round.
+// Assigns every room to the tree that the room's tree has joined, and clears the trees' connections for the next round.
+// One invocation per word of cells.
 #include "cave/trees.glsl"
 
 void main() {

@@ -1,7 +1,7 @@
-// One pass of a search for the nearest open cell (L1 distance; of equally near ones, the lowest). Each cell takes the
-// best of its own candidate and the candidates of the cells `reach` away. Passes use the reaches 1, 2, 4, ... along
-// rows, then along columns. The result is the nearest cell: if an intermediate cell has
-// kept another candidate, that candidate is at least as near.
+// Computes one pass of a search for the nearest open cell (in L1 distance; among equal distances, the lowest cell).
+// Each cell takes the best among its candidate and the candidates of the cells that are `reach` cells away. The passes
+// use the distances 1, 2, 4, ... along rows, then along columns. The result is the nearest cell, because if an
+// intermediate cell has kept another candidate, that candidate is at least as near.
 #include "cave/cells.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = sourcesBinding) restrict readonly buffer SourceBlock { uint sources[]; };

@@ -1,4 +1,4 @@
-// Converts regions of fewer than `fewest` cells to the other kind, except the region whose lowest cell is `kept`.
+// Converts regions with fewer than `fewest` cells to the other kind, except for the region whose lowest cell is `kept`.
 #include "cave/runs.glsl"
 layout(local_size_x = 64) in;
 uniform uint fewest;

@@ -1,5 +1,5 @@
-// Initializes the search for connections. Each cell: the nearest open cell so far, itself or none. Each room: its tree,
-// initially itself, and no connection.
+// Initializes the search for connections. The nearest open cell of each cell is the cell itself or none. The tree of
+// each room is the room itself, without a connection.
 #include "cave/runs.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = sourcesBinding) restrict writeonly buffer SourceBlock { uint sources[]; };

@@ -1,4 +1,4 @@
-// Converts distances to a field of floats; -1 for cells that no wave has reached.
+// Converts distances to a field of floats, with -1 for cells that no wave has reached. One invocation per cell.
 #include "cave/wave.glsl"
 layout(std430, binding = labelsBinding) restrict writeonly buffer ShownBlock { float shown[]; };
 

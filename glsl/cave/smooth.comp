@@ -1,4 +1,4 @@
-// One smoothing step of the automaton, 32 cells per invocation.
+// Computes one smoothing step of the automaton. One invocation per word of 32 cells.
 #include "cave/cells.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = nextCellsBinding) restrict writeonly buffer NextBlock { uint nextCells[]; };

@@ -1,4 +1,4 @@
-// Common part of the kernels that loop over rooms: one word of cells per invocation.
+// Part common to the kernels that loop over rooms. One invocation per word of cells.
 #include "cave/ways.glsl"
 layout(local_size_x = 64) in;
 
@@ -6,7 +6,7 @@ uint openStarts(int i) {
   uint open = ~cells[i] & validBits(i % rowWords);
   return open & ~(open << 1u);
 }
-// True if the cell identifies a room.
+// Returns true if the cell identifies a room.
 bool isRoom(uint cell) {
   return labels[cell] == cell;
 }

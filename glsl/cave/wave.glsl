@@ -1,13 +1,13 @@
-// Breadth-first waves over the open cells, connected over edges. The cells of a wave are contiguous in the queue, in
-// any order.
+// Breadth-first waves over the open cells, which are connected over edges. In the queue, the cells of a wave are
+// contiguous, in any order.
 #include "cave/cells.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = distancesBinding) coherent restrict buffer DistanceBlock { uint distances[]; };
 layout(std430, binding = queueBinding) coherent restrict buffer QueueBlock { uint queue[]; };
 layout(std430, binding = flagsBinding) coherent restrict buffer WaveBlock {
   uint begin, end;  // Range of the current wave in the queue
-  uint steps;       // Distance of its cells from the start
+  uint steps;       // Distance of the current wave's cells from the start
   uint farthest;    // Lowest cell of the last wave
   uint tail;        // End of the queue
-  uint over;        // Not 0 if the last wave is finished
+  uint over;        // Nonzero if the last wave is finished
 } wave;

@@ -1,4 +1,4 @@
-// Marks all cells as not reached. The start cell is written afterwards.
+// Marks all cells as not reached. The start cell is set afterwards. One invocation per cell.
 #include "cave/wave.glsl"
 
 void main() {

@@ -1,4 +1,4 @@
-// Runs several waves in one workgroup, because a wave has few cells and a dispatch of its own would cost more.
+// Runs several waves in one workgroup, because a wave has few cells and a separate dispatch for each would cost more.
 #include "cave/wave.glsl"
 uniform int waves;
 shared uint first, last, step_;

@@ -1,5 +1,5 @@
-// Finds each tree's shortest connection to another tree. Pass 0 finds the length; pass 1 finds, among the connections
-// of this length, the one with the lowest edge index.
+// Finds the shortest connection of each tree to another tree. Pass 0 finds the length. Pass 1 finds, among the
+// connections of this length, the one with the lowest edge index.
 #include "cave/ways.glsl"
 layout(local_size_x = 64) in;
 uniform int pass;

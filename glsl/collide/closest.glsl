@@ -1,11 +1,12 @@
 // Closest points of triangles and segments. Compiles as GLSL and as C++, after common/exact.glsl.
 
-// Closest point of a triangle to a point p (Ericson 2005, 5.1.5).
+// Closest point on a triangle a, b, c to a point p (Ericson 2005, 5.1.5).
 struct Closest {
   vec3 offset;   // Vector from the closest point to p, m
   float squared;
   float v, w;    // Barycentric weights of b and c
-  int feature;   // 0 inside, 1 2 3 on the edges ab, bc, ca, 4 5 6 at the corners a, b, c
+  int feature;   // Location of the closest point: 0 inside; 1, 2, 3 on the edges ab, bc, ca; 4, 5, 6 at the corners a,
+                 // b, c
 };
 
 FUNCTION Closest closestOf(vec3 p, vec3 a, vec3 b, vec3 c) {
@@ -51,8 +52,8 @@ FUNCTION Closest closestOf(vec3 p, vec3 a, vec3 b, vec3 c) {
   return closest;
 }
 
-// Parameters of the closest points of the segments a-b and c-d (Ericson 2005, 5.1.9). `perSquared` is 1/|d-c|^2, or 0
-// if c-d is a point. For parallel segments the search starts at the middle of a-b.
+// Parameters of the closest points of the segments a-b and c-d (Ericson 2005, 5.1.9). The argument `perSquared` is
+// 1/|d-c|^2, or 0 if c-d is a point. For parallel segments, the search starts at the middle of a-b.
 struct Crossing {
   float onFirst, onSecond;
 };

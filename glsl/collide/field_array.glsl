@@ -1,4 +1,4 @@
-// Data of the MESHES rigid meshes that cloth and particles touch. With MESHES 0, nothing is bound or read.
+// Data of the MESHES rigid meshes with which cloth and particles collide. If MESHES is 0, nothing is bound or read.
 #ifndef MESHES
 #define MESHES 0
 #endif

@@ -4,8 +4,8 @@
 
 // Value of a distance field at a point in the mesh's object space.
 struct FieldPoint {
-  bool there;       // True if the point is inside the field's grid
-  float distance_;  // Metres, negative inside the mesh; outside the grid a lower bound
+  bool there;       // True if the point is inside the grid of the field
+  float distance_;  // Distance in metres, negative inside the mesh; outside the grid, a lower bound
   vec3 slope;       // Gradient of the distance
 };
 
@@ -71,9 +71,9 @@ FUNCTION vec3 mapped(vec4 x, vec4 y, vec4 z, vec3 p) {
   return vec3(first, second, third);
 }
 
-// Moves a particle out of mesh k, to the distance `margin`. If the particle moved more than half a cell relative to the
-// mesh since `before`, its path is traced in steps of the distance (at least half a cell), and ends where the point is
-// a quarter cell inside.
+// Moves a particle out of mesh k, to the distance `margin`. If the particle has moved more than half a cell relative to
+// the mesh since `before`, its path is traced in steps of the current distance (at least half a cell). The trace ends
+// at the first point that is a quarter cell inside the mesh.
 FUNCTION Motion outOfMesh(int k, Motion m, vec3 before, float margin, float bounce) {
   vec4 x = meshData.meshes[k].into[0], y = meshData.meshes[k].into[1], z = meshData.meshes[k].into[2];
   float cell = meshData.meshes[k].cell;
@@ -88,7 +88,8 @@ FUNCTION Motion outOfMesh(int k, Motion m, vec3 before, float margin, float boun
   precise float within = -0.5f * half_;
   precise float far = float(meshData.meshes[k].cells.x + meshData.meshes[k].cells.y + meshData.meshes[k].cells.z) * cell;
   precise float farther = p.distance_ * p.distance_;
-  bool near = p.there || farther < squared;  // Otherwise the end point is farther from the grid than the path is long
+  bool near = p.there || farther < squared;  // In other cases, the end point is farther from the grid than the path is
+                                             // long
   precise float farSquared = 1e4f * far * far;
   if (squared > short_ && squared < farSquared && near) {
     float inverse = exactInverseSqrt(squared);

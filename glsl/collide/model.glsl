@@ -5,8 +5,8 @@ struct Motion {
   vec3 velocity;
 };
 
-// Returns the fraction of the sliding vector that remains if friction removes at most the length `most`: max(0, 1 -
-// most / |slide|).
+// Returns the fraction of the sliding vector that remains if friction removes at most the length `most` from it: max(0,
+// 1 - most / |slide|).
 FUNCTION float leftByFriction(vec3 slide, float most) {
   precise float part = most * exactInverseSqrt(max(exactDot(slide, slide), 1e-24f));
   precise float left = 1.0f - min(part, 1.0f);
@@ -15,18 +15,18 @@ FUNCTION float leftByFriction(vec3 slide, float most) {
 
 // Contact with a surface.
 struct Touch {
-  float depth;     // Depth below the surface plus margin, m; no contact if not positive
+  float depth;     // Depth below the surface plus margin, m; there is no contact unless it is positive
   vec3 normal;     // Outward unit normal
   vec3 surface;    // Velocity of the surface, m/s
-  float grip;      // Fraction of tangential velocity kept
-  float friction;  // Coulomb coefficient; if negative, `grip` applies instead
-  float bounce;    // Fraction of the impact speed that is returned
+  float grip;      // Fraction of the tangential velocity that remains
+  float friction;  // Coulomb friction coefficient; if negative, `grip` applies instead
+  float bounce;    // Fraction e of the impact speed that remains after the bounce
 };
 
-// Moves the particle out along the normal. Relative to the surface, the inward velocity vanishes, or is reversed by the
-// fraction `bounce`. The tangential velocity is multiplied by `grip`, or reduced by Coulomb's law: by at most mu (1 +
-// e) |v_n|, mu times the change along the normal. Coulomb friction also acts on the displacement since `before`, so
-// that a particle at rest does not creep.
+// Moves the particle out along the normal. Relative to the surface, the inward velocity v_n becomes zero, or is
+// reversed and multiplied by the fraction e (`bounce`). The tangential velocity is either multiplied by `grip`, or
+// reduced by Coulomb's law by at most mu (1 + e) |v_n|, which is the friction coefficient mu times the change along the
+// normal. Coulomb friction also acts on the displacement since `before`, so that a particle at rest does not creep.
 FUNCTION Motion pushedOut(Motion m, vec3 before, Touch touch) {
   bool touching = touch.depth > 0.0f;
   vec3 normal = touch.normal, surface = touch.surface;
@@ -80,7 +80,8 @@ FUNCTION Motion outOf(int i, Motion m, vec3 before, float margin, float bounce) 
   return pushedOut(m, before, touch);
 }
 
-// Moves the particle out of all shapes in turn. Kernels for software drivers have the number as a constant (COLLIDERS).
+// Moves the particle out of all shapes, one after another. Kernels for software drivers have the number of shapes as a
+// constant (COLLIDERS).
 FUNCTION Motion outOfShapes(Motion m, vec3 before, float margin, float bounce) {
 #ifdef COLLIDERS
 #define TIMES COLLIDERS
@@ -99,8 +100,8 @@ FUNCTION Motion outOfMeshes(Motion m, vec3 before, float margin, float bounce) {
 #else
 #include "collide/field_model.glsl"
 
-// Moves the particle out of all rigid meshes in turn. For software drivers the index into the uniform block is a
-// constant (common/repeat.glsl).
+// Moves the particle out of all rigid meshes, one after another. For software drivers, the index into the uniform block
+// is a constant (common/repeat.glsl).
 FUNCTION Motion outOfMeshes(Motion m, vec3 before, float margin, float bounce) {
 #ifdef COLLIDERS
 #define AND_MESH(k) m = outOfMesh(k, m, before, margin, bounce);

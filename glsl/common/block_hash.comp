@@ -1,16 +1,16 @@
-// Hashes each element of a state array and adds the integer hashes up block by block, plus one weighted sum over the
-// whole array: each hash times its 1-based element index. If two arrays differ in a single element, the sums give the
-// index of that element. Integer sums do not depend on the order of addition. One invocation hashes `perInvocation`
-// elements.
+// Hashes each element of a state array. The integer hashes are added up block by block, and also in one weighted sum
+// over the whole array, in which each hash is multiplied by its 1-based element index. If two arrays differ in a single
+// element, the sums give the index of that element. Integer sums do not depend on the order of addition. An invocation
+// hashes `perInvocation` elements.
 #include "common/bindings.glsl"
 #include "common/hash.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = sumsBinding) restrict buffer SumBlock { uint sums[]; };
 uniform int texels;
 #include "common/state_words.glsl"
-uniform int perInvocation;  // number of elements that one invocation hashes; divides perBlock
+uniform int perInvocation;  // number of elements that an invocation hashes; divides perBlock
 uniform int perBlock;
-uniform int place;  // index of this array's first sum; one sum for each block, then the weighted sum
+uniform int place;  // index of this array's first sum; there is one sum per block, followed by the weighted sum
 
 void main() {
   int first = int(gl_GlobalInvocationID.x) * perInvocation;

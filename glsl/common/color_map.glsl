@@ -1,6 +1,7 @@
-// Colour map. Include after `stops` is declared.
+// Lookup in a colour map. Include after `stops` is declared.
 uniform int stopCount;
-uniform float low, perRange;  // Value of the first colour, and 1 / (value of the last colour - value of the first)
+uniform float low, perRange;  // Value of the first colour, and 1 / (value of the last colour - value of the first
+                              // colour)
 
 vec4 mappedColor(float value) {
   precise float share = (value - low) * perRange;

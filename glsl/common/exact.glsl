@@ -1,7 +1,7 @@
 // Arithmetic with the same bits on every driver. Compiles as GLSL and, through common/cpp.hpp, as C++. The functions
 // use only operations that IEEE 754 defines exactly (add, subtract, multiply, floor, integer operations); `precise`
-// rounds each operation separately. Divisions and roots are Newton iterations from an integer start value. Float
-// literals need the suffix f because a bare 0.5 is a double in C++.
+// makes the compiler round each operation separately. Divisions and roots are Newton iterations from an integer start
+// value. Float literals need the suffix f, because in C++ a number without it, such as 0.5, is a double.
 #ifndef EXACT_ARITHMETIC
 #define EXACT_ARITHMETIC
 #ifdef FAST_NUMERICS
@@ -13,13 +13,14 @@ FUNCTION float exactFlush(float x) {
   return abs(x) < 1e-30f ? 0.0f : x;
 }
 
-// True if x is neither infinite nor NaN. Tests the bits because compilers may assume that comparisons never meet NaN.
+// Returns true if x is neither infinite nor NaN. Tests the bits, because compilers may assume that comparisons never
+// involve NaN.
 FUNCTION bool isNumber(float x) {
   return (floatBitsToInt(x) & 0x7f800000) != 0x7f800000;
 }
 
-// Returns 1/sqrt(x) for x >= 1e-30, relative error below 3e-7. Newton step y' = y (3/2 - x y^2 / 2), three times. The
-// result for x = 0 is large but finite. Works on each component of a vector.
+// Returns 1/sqrt(x) for x >= 1e-30 with a relative error below 3e-7. Uses three Newton steps y' = y (3/2 - x y^2 / 2).
+// The result for x = 0 is large but finite. Works on each component of a vector.
 #ifdef FAST_NUMERICS
 #define EXACT_INVERSE_SQRT(T) \
   T exactInverseSqrt(T x) { return inversesqrt(max(x, T(1e-30f))); }
@@ -36,13 +37,13 @@ FUNCTION bool isNumber(float x) {
 #endif
 EXACT_INVERSE_SQRT(float)
 
-// Returns sqrt(x) for x >= 0; zero below 1e-30.
+// Returns sqrt(x) for x >= 0; the result is zero for x below 1e-30.
 FUNCTION float exactSqrt(float x) {
   precise float root = x * exactInverseSqrt(x);
   return x < 1e-30f ? 0.0f : root;
 }
 
-// Returns 1/x for 1e-30 <= |x| <= 1e30, relative error below 3e-7. Newton step y' = y (2 - x y), three times.
+// Returns 1/x for 1e-30 <= |x| <= 1e30 with a relative error below 3e-7. Uses three Newton steps y' = y (2 - x y).
 FUNCTION float exactReciprocal(float x) {
 #ifdef FAST_NUMERICS
   return 1.0f / x;
@@ -56,8 +57,8 @@ FUNCTION float exactReciprocal(float x) {
 #endif
 }
 
-// Returns sin(x) for |x| <= 1e4. Subtracts 2 pi n in three parts (Cody and Waite), folds the rest into [-pi/2, pi/2]
-// and evaluates the odd Taylor polynomial of degree 11 (error below 6e-8 in that interval).
+// Returns sin(x) for |x| <= 1e4. Subtracts 2 pi n in three parts (Cody and Waite), folds the remainder into [-pi/2,
+// pi/2] and evaluates the odd Taylor polynomial of degree 11 (error below 6e-8 in that interval).
 FUNCTION float exactSin(float x) {
   precise float turns = x * 0.15915494f + 0.5f;
   precise float n = floor(turns);
@@ -76,8 +77,8 @@ FUNCTION float exactCos(float x) {
   return exactSin(shifted);
 }
 
-// Returns exp(x); zero for x < -69, exp(69) for x > 69. Splits x = n ln 2 + r, |r| <= ln2/2, and evaluates the Taylor
-// polynomial of degree 7 in r.
+// Returns exp(x); the result is zero for x < -69, and exp(69) for x > 69. Splits x = n ln 2 + r with |r| <= ln2/2, and
+// evaluates the Taylor polynomial of degree 7 in r.
 FUNCTION float exactExp(float x) {
 #if defined FAST_NUMERICS && defined EXACT_PICTURE
   return x < -69.0f ? 0.0f : exp(min(x, 69.0f));  // inexact: rounding depends on the driver
@@ -93,8 +94,8 @@ FUNCTION float exactExp(float x) {
 #endif
 }
 
-// Returns log(x) for x >= 1e-30, relative error below 3e-7. Splits x = 2^n m with m from sqrt(1/2) to sqrt(2) and
-// evaluates the polynomial of Cephes (logf.c) for log(1 + t), |t| < 0.42.
+// Returns log(x) for x >= 1e-30 with a relative error below 3e-7. Splits x = 2^n m with m between sqrt(1/2) and
+// sqrt(2), and evaluates the polynomial of Cephes (logf.c) for log(1 + t) with t = m - 1.
 FUNCTION float exactLog(float x) {
 #if defined FAST_NUMERICS && defined EXACT_PICTURE
   return log(x);  // inexact: rounding depends on the driver
@@ -111,8 +112,8 @@ FUNCTION float exactLog(float x) {
 #endif
 }
 
-// Returns x^y for y >= 0 and results between exp(-69) and exp(69), relative error below 4e-7 (1 + |y log x|); zero for
-// x < 1e-30 and y > 0. y = 0 gives exp(0).
+// Returns x^y for y >= 0 and results between exp(-69) and exp(69), with a relative error below 4e-7 (1 + |y log x|).
+// The result is zero for x < 1e-30 and y > 0, and exp(0) for y = 0.
 FUNCTION float exactPow(float x, float y) {
   precise float power = y * exactLog(max(x, 1e-30f));
   return x < 1e-30f && y > 0.0f ? 0.0f : exactExp(power);

@@ -3,7 +3,7 @@
 #define EXACT_ACOS
 #include "common/exact.glsl"
 
-// Returns acos(x) for |x| <= 1, error below 1e-6. For x >= 0 it is sqrt(1 - x) times a polynomial of degree 7
+// Returns acos(x) for |x| <= 1 with an error below 1e-6. For x >= 0 it is sqrt(1 - x) times a polynomial of degree 7
 // (Abramowitz and Stegun, 4.4.46); for x < 0 it is pi - acos(-x).
 FUNCTION float exactAcos(float x) {
   precise float a = abs(x);

@@ -1,4 +1,4 @@
-// Random numbers as integer hashes of position and time, without other state (PCG family; Jarzynski and Olano, "Hash
+// Random numbers as integer hashes of position and time, without stored state (PCG family; Jarzynski and Olano, "Hash
 // Functions for GPU Rendering", JCGT 9(3), 2020). Compiles as GLSL and as C++.
 
 // Hashes three words to three well-mixed words.

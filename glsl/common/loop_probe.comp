@@ -1,5 +1,5 @@
-// Counts to `rounds` in a loop and stores the count. The test detects software drivers that silently stop a loop after
-// 65,535 iterations.
+// Counts to `rounds` in a loop and stores the number, to detect software drivers that silently end a loop after 65,535
+// iterations. One invocation in total.
 #include "common/bindings.glsl"
 layout(local_size_x = 1) in;
 layout(std430, binding = outputsBinding) writeonly restrict buffer OutputBlock { uint reached; };

@@ -1,10 +1,10 @@
-// Macros that give one kernel source two memory paths. On a GPU all arrays are storage blocks. On a software driver
-// (TEXEL_PATH) loads go through texel views of the same buffers, because a texel fetch costs a tenth of a storage block
-// load there, and stores go through storage blocks. src/gl/element_array.hpp binds the arrays accordingly. Inputs and
-// states share the binding numbers of the storage path, so each array of a kernel needs its own number.
-// A compiler may move a texel fetch past a store to the same element. Therefore LOAD_ONCE (a texel fetch) is allowed
-// only if the kernel uses the value for the last time before or in that store. LOAD_STATE serves all other loads: it is
-// an image load, which the compiler does not move but which costs three times as much.
+// Macros that give one kernel source two memory paths. On a GPU, all arrays are storage blocks. On a software driver
+// (TEXEL_PATH), loads use texel views of the same buffers, because there a texel fetch costs a tenth of a storage block
+// load, and stores use storage blocks. src/gl/element_array.hpp binds the arrays accordingly. Inputs and states use the
+// binding numbers of the storage path, so each array of a kernel needs a different number. A compiler may move a texel
+// fetch to after a store to the same element. Therefore, LOAD_ONCE (a texel fetch) is allowed only if the kernel uses
+// the loaded value for the last time before or in that store. LOAD_STATE is for all other loads: it is an image load,
+// which the compiler does not move but which costs three times as much.
 #ifdef TEXEL_PATH
 #define INPUT_ARRAY(unit, block, name) layout(binding = unit) uniform samplerBuffer name;
 #define LOAD_INPUT(name, i) texelFetch(name, i)

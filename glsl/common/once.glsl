@@ -1,7 +1,7 @@
-// Reads the value of a uniform once, at the start of the kernel. Software drivers read uniforms lane by lane inside
-// loops, about 25 instructions for each number. A plain copy in a variable does not help because compilers replace the
-// variable by the uniform. Therefore once() copies through a bit cast, or through a clamp that never takes effect.
-// Usage, for global variables: T name_ = once(name).
+// Reads the value of a uniform once, at the start of the kernel. Inside loops, software drivers read uniforms lane by
+// lane, with about 25 instructions for each number. Copying the uniform to a variable does not help, because compilers
+// replace the variable by the uniform. Therefore, once() copies through a bit cast, or through a clamp that never takes
+// effect. Usage, for global variables: T name_ = once(name).
 #ifndef COMMON_ONCE
 #define COMMON_ONCE
 float once(float x) {

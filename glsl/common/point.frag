@@ -1,2 +1,2 @@
-// Writes no colour: only the fact that the point is rasterized matters (src/gl/condition.cpp).
+// Writes no colour, because only the fact that the point is rasterized matters (src/gl/condition.cpp).
 void main() {}

@@ -1,6 +1,6 @@
-// Unrolls a loop: expands to REPEATED(0) ... REPEATED(TIMES - 1) for TIMES <= 32, so the counter is a constant in each
-// round. Software drivers read a uniform block lane by lane if the index is not constant, and they execute both sides
-// of every branch.
+// Unrolls a loop: expands to REPEATED(0) ... REPEATED(TIMES - 1) for TIMES <= 32, so that the counter is a constant in
+// each round. Software drivers read a uniform block lane by lane if the index is not constant, and they execute both
+// sides of every branch.
 #ifndef REPEAT_MACROS
 #define REPEAT_MACROS
 #define REPEAT_2(i) REPEATED(i) REPEATED((i) + 1)

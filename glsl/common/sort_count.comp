@@ -1,5 +1,5 @@
-// First kernel of a radix sort pass: counts the records of each tile by digit (0 to 15). TEXEL_PATH: one invocation
-// counts one tile; else one workgroup does.
+// First kernel of a radix sort pass: counts the records of each tile by digit (0 to 15). With TEXEL_PATH, one
+// invocation counts one tile; otherwise, one workgroup counts one tile.
 #include "common/sort_tile.glsl"
 #ifdef TEXEL_PATH
 layout(local_size_x = 16) in;
@@ -9,7 +9,7 @@ void main() {
   if (tile >= tiles) return;
   int first = tile * tileRecords;
   int last = min(first + tileRecords, count);
-  // Sixteen 8-bit counters in the bytes of four words.
+  // Sixteen 8-bit counters, packed into the bytes of four words.
   uvec4 packed_ = uvec4(0u);
   for (int i = first; i < last; ++i) {
     uint digit = digitOf(LOAD_INPUT_WORDS(records, i));
@@ -21,7 +21,7 @@ void main() {
 }
 #else
 layout(local_size_x = threads) in;
-const int copies = 32;  // copies of each counter, so that few invocations share one
+const int copies = 32;  // number of copies of each counter, so that few invocations use the same copy
 shared uint counters[16 * copies];
 shared uint sums[16];
 

@@ -1,5 +1,5 @@
-// Second kernel of a radix sort pass: replaces each tile's digit counts by the exclusive prefix sums over the tiles.
-// The totals follow after the last tile.
+// Second kernel of a radix sort pass: replaces the digit counts of each tile by their exclusive prefix sums over the
+// tiles. The totals are stored after the last tile.
 #include "common/sort_tile.glsl"
 #ifdef TEXEL_PATH
 layout(local_size_x = 4) in;  // each invocation sums the counts of four digits

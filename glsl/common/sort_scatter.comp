@@ -16,7 +16,7 @@ layout(local_size_x = 16) in;
 void main() {
   int tile = int(gl_GlobalInvocationID.x);
   if (tile >= tiles) return;
-  // Destination index of the next record of each digit.
+  // Destination index of the next record for each digit.
   uvec4 total0 = LOAD_WORDS(digits, tiles * 4);
   uvec4 total1 = LOAD_WORDS(digits, tiles * 4 + 1);
   uvec4 total2 = LOAD_WORDS(digits, tiles * 4 + 2);
@@ -48,7 +48,7 @@ void main() {
 }
 #else
 layout(local_size_x = threads) in;
-shared uint ranks[16 * threads];  // rank counters, indexed by digit, then by invocation
+shared uint ranks[16 * threads];  // rank counters; the index is the digit, then the invocation
 shared uint sums[threads];
 shared uint places[16];
 
@@ -88,7 +88,7 @@ void main() {
     }
   barrier();
   scanRanks(thread);
-  // Destination index of this tile's first record of each digit, minus the rank of that record in the tile.
+  // For each digit, destination index of this tile's first record minus the rank of that record in the tile.
   if (thread < 16) {
     uint lower = 0u;
     for (int digit = 0; digit < thread; ++digit) lower += digits[tiles * 4 + digit / 4][digit % 4];

@@ -1,8 +1,8 @@
-// Sort keys along a space-filling curve: positions that are close in space get places that are close in the sorted
-// list. Compiles as GLSL and as C++, after common/exact.glsl.
+// Sort keys along a space-filling curve: positions that are close in space are close in the sorted list. Compiles as
+// GLSL and as C++, after common/exact.glsl.
 
-// Returns the cell of a position in a grid of 65536 cells along each axis. The grid covers a cube: the box from `low`
-// to `high`, extended to its longest side.
+// Returns the cell of a position in a grid of 65536 cells along each axis. The grid covers a cube with the side of the
+// box from `low` to `high` that is longest.
 FUNCTION uvec3 cellOf(vec3 position, vec3 low, vec3 high) {
   precise vec3 size = high - low;
   float side = max(size.x, max(size.y, size.z));
@@ -12,7 +12,7 @@ FUNCTION uvec3 cellOf(vec3 position, vec3 low, vec3 high) {
   return uvec3(uint(at.x), uint(at.y), uint(at.z));
 }
 
-// Moves bit i of the lower eight bits to bit 3i.
+// Moves bit i of the lower eight bits to bit 3 i.
 FUNCTION uint spread(uint bits) {
   uint b = bits & 0xffu;
   b = (b | (b << 8u)) & 0x00f00fu;
@@ -22,8 +22,8 @@ FUNCTION uint spread(uint bits) {
 }
 
 // Returns the index of a cell along a Hilbert curve through 65536^3 cells: x holds the lower 24 bits, y the upper 24.
-// The curve has no jumps, so every run of consecutive sorted bodies is compact in space. From the top level down, the
-// loop reflects or exchanges the lower bits to match the orientation of the curve in the octant; a Gray code then
+// The curve has no jumps, so every sequence of consecutive sorted bodies is compact in space. From the top level down,
+// the loop reflects or exchanges the lower bits to match the orientation of the curve in the octant; a Gray code then
 // orders the octants (J. Skilling, "Programming the Hilbert curve", AIP Conf. Proc. 707, 2004).
 FUNCTION uvec3 hilbertKey(uvec3 cell) {
   uint x = cell.x;

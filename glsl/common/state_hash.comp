@@ -1,7 +1,7 @@
 // Adds a position-dependent hash of each element (four words) to a 128-bit sum. Integer sums do not depend on the order
-// of addition, so the result is the same on every driver and for every number of workgroups. GROUPED (for GPUs):
-// neighbouring invocations read neighbouring elements, and a workgroup sums its hashes before it adds them to the
-// total.
+// of addition, so the result is the same on every driver and for every number of workgroups. If GROUPED is defined (for
+// GPUs), neighbouring invocations read neighbouring elements, and a workgroup sums its hashes before it adds them to
+// the total.
 #include "common/bindings.glsl"
 #include "common/hash.glsl"
 layout(std430, binding = sumsBinding) restrict buffer SumBlock { uint sums[]; };

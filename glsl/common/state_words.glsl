@@ -1,10 +1,10 @@
-// Returns the elements of a state array, four words each. The words are stored element by element or, with PLANES, as
-// all first words, then all second words and so on (src/sim/core/state_array.hpp). The including file must declare
-// `texels`, the number of elements, before the include.
+// Access to the elements of a state array, four words per element. The words are stored element by element or, if
+// PLANES is defined, as all first words, then all second words and so on (src/sim/core/state_array.hpp). The including
+// file must declare `texels`, the number of elements, before the include.
 #include "common/bindings.glsl"
 #ifdef PLANES
 layout(std430, binding = planesBinding) readonly restrict buffer PlaneBlock { uint planeWords[]; };
-uniform int planes;  // number of stored planes; the words of missing planes are 0
+uniform int planes;  // number of stored planes; the words of all other planes read as 0
 
 uint wordIn(int plane, int i) {
   return plane < planes ? planeWords[plane * texels + i] : 0u;

@@ -2,8 +2,8 @@
 #include "common/bindings.glsl"
 layout(std430, binding = statusBinding) restrict buffer StatusBlock {
   uint firstStep;     // step of the first non-finite state; 0xffffffff until one occurs
-  uint firstElement;  // lowest index of a non-finite element in that first step
-  uint remark;        // non-zero if the simulation has a remark for the user (Simulation::remark)
+  uint firstElement;  // lowest index of all non-finite elements in that first step
+  uint remark;        // nonzero if the simulation has a remark for the user (Simulation::remark)
   uint spare1;
 } status;
 

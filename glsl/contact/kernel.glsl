@@ -12,7 +12,7 @@ layout(std430, binding = controlBinding) restrict buffer ControlBlock {
   uint pairCounts[2];  // Number of vertex-face pairs, number of edge-edge pairs
   uint nearCount;
   uint stale;          // 1 if a vertex has left its box, so that pairs must be found again
-  uint stopped;        // 1 if all vertices must use the limits for planes at rest
+  uint stopped;        // 1 if all vertices must use the limits for planes that stand still
   uint mostPairs;      // Maximum number of pairs of one kind since the start
   uint candidateCounts[2];
   // Maximum path length of all ball and solid vertices in this substep, in metres as float bits; gather.comp

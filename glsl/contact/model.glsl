@@ -95,7 +95,7 @@ FUNCTION float roamOf(vec3 now, vec3 next, float stir, float beside) {
   precise float roam = stir + lengthOf(now, next);
   return beside == 1.0f ? roam : 0.0f;
 }
-// Returns the value of `stir` (metres) that a pair search allows for: the present value plus 1/8.
+// Returns the value of `stir` (metres) that a pair search allows for: the current value plus 1/8.
 FUNCTION float foreseen(float stir) {
   precise float more = 1.125f * stir;
   return more;

@@ -4,7 +4,7 @@
 #define CONTACT_TYPES
 
 struct STD140 ContactStep {
-  float perDt;        // in 1/s
+  float perDt;        // 1 / duration of the substep, in 1/s
   float recovery;     // Fraction of the missing distance that a substep restores
   float mostRecovery; // Maximum distance in metres that a substep restores
   float horizon;      // Number of substeps that a pair search looks ahead

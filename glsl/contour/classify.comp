@@ -1,10 +1,10 @@
-// Computes the class of each sample: the number of levels that its value reaches. Sixteen samples per invocation.
+// Computes the class of each sample: the number of levels at or below its value. One invocation per sixteen samples.
 #include "common/words.glsl"
 #include "contour/samples.glsl"
 #include "grid/field.glsl"
 layout(local_size_x = 64) in;
 STATE_WORDS(classesBinding, ClassBlock, classes)
-uniform float levels[LEVELS];  // In ascending order
+uniform float levels[LEVELS];  // Values of the levels in ascending order
 
 uint classAt(int x, int y) {
   if (x < 1 || y < 1 || x > fieldSize.x || y > fieldSize.y) return uint(outside);

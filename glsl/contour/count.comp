@@ -1,6 +1,7 @@
-// Counts what sixteen samples and the squares that begin at them contribute. x: crossings of the edges to the right and
-// down. y: uniform squares (four corners of the same class). z: triangles of the other squares. w: a bit per square,
-// uniform squares in the lower half, squares crossed by contours in the upper half.
+// Counts the contributions of sixteen samples and of the squares that begin at them. x: number of crossings of the
+// edges to the right and down. y: number of uniform squares (four corners of the same class). z: number of triangles in
+// the other squares. w: one bit per square, uniform squares in the lower half and squares crossed by contours in the
+// upper half. One invocation per sixteen samples.
 #include "common/words.glsl"
 #include "contour/samples.glsl"
 layout(local_size_x = 64) in;

@@ -7,7 +7,7 @@ void putTriangle(uint place, uint a, uint b, uint c) {
   indices[place + 2u] = c;
 }
 
-// Writes the wall from a point to the next point of its contour. The wall faces the lower ground beside it.
+// Writes the wall from a point to the next point of its contour. The wall faces the lower ground.
 void putWall(uint place, uint point, uint next) {
   if (point < pointRoom) nextPoints[point] = next;
   uint right = firstPoint + 4u * point, left = firstPoint + 4u * next;
@@ -16,7 +16,7 @@ void putWall(uint place, uint point, uint next) {
 }
 
 // Returns the point at which a contour leaves the square. The contour enters through `side`, where the walk around the
-// square falls below the level; it leaves through the side where the walk next rises above the level.
+// square falls below the level. It leaves through the side at which the walk next rises above the level.
 uint nextPoint(Corners q, Ranks ranks, int level, int side) {
   uint found = 0u;
   for (int step_ = 3; step_ >= 1; --step_) {
@@ -27,10 +27,10 @@ uint nextPoint(Corners q, Ranks ranks, int level, int side) {
   return found;
 }
 
-// A face as a triangle fan, with its corners in walking order; the triangles are oriented to be visible from above.
-// They are recorded first and stored together, because a software driver would execute each store instruction for every
-// square. A triangle takes twelve bits, four per corner: 0 to 3 a corner of the square, 4 to 7 a point of the higher
-// level on an edge, 8 to 11 a point of the lower level.
+// A face as a triangle fan, with its corners in walking order. The triangles are oriented to be visible from above.
+// They are first recorded and then stored together, because a software driver would execute each store instruction for
+// every square. A triangle takes twelve bits, four per corner: 0 to 3 is a corner of the square, 4 to 7 a point of the
+// higher level on an edge, 8 to 11 a point of the lower level.
 struct Fan {
   uint first, previous;
   int corners;
@@ -50,8 +50,8 @@ void addCorner(inout Fan fan, uint corner_) {
   ++fan.corners;
 }
 
-// Returns the vertex of a recorded corner. For a point, the index is the edge's first point plus the number of levels
-// on the edge below the point's level.
+// Returns the vertex of a recorded corner. For a point, the index is that of the edge's first point plus the number of
+// levels on the edge below the point's level.
 uint vertexOf(uint corner_, int class_, Corners q, Ranks ranks, uvec4 vertices) {
   int i = int(corner_ & 3u);
   uint vertex = i == 0 ? vertices.x : i == 1 ? vertices.y : i == 2 ? vertices.z : vertices.w;
@@ -61,9 +61,9 @@ uint vertexOf(uint corner_, int class_, Corners q, Ranks ranks, uvec4 vertices) 
   return corner_ < 4u ? vertex : point;
 }
 
-// Writes the faces of one class. A face's corners are the square's corners of this class and the points of the two
-// levels that bound it, in walking order. If the higher level is a saddle, there are two faces, each around a low
-// corner, and the walk begins at a high corner.
+// Writes the faces of one class. The corners of a face are the square's corners of this class and the points of the two
+// levels that bound the class, in walking order. If the higher level is a saddle, there are two faces, each around a
+// low corner, and the walk begins at a high corner.
 void facesOf(int class_, Corners q, Ranks ranks, uvec4 vertices, inout uint place) {
   bool split = isSaddle(q, class_ + 1);
   if (split && q.a <= class_) {
@@ -76,7 +76,7 @@ void facesOf(int class_, Corners q, Ranks ranks, uvec4 vertices, inout uint plac
     int here = cornerClass(q, i), next = cornerClass(q, (i + 1) & 3);
     int low = min(here, next), high = max(here, next);
     if (here == class_) addCorner(fan, uint(i));
-    // A rising walk meets the lower level first.
+    // If the walk rises, it meets the lower level first.
     int level = here < next ? class_ : class_ + 1;
     for (int side = 0; side < 2; ++side) {
       if (level > low && level <= high) {

@@ -1,8 +1,8 @@
-// Lists the squares that contours cross, one entry per contour point: the square in which the contour continues from
-// the point. x: the square's first sample. y: index of that sample's first point. z: index of the first point of the
-// sample below. w: start of the square's triangles for one of its points, otherwise `nowhere`. An invocation processes
-// sixteen samples and counts the points on their edges. A point is a crossing of a contour and an edge; a sample's
-// points are ordered: the edge to the right before the edge down, levels ascending.
+// Lists the squares that contours cross, with one entry per contour point: the square in which the contour continues
+// from the point. x: index of the square's first sample. y: index of that sample's first point. z: index of the first
+// point of the sample below. w: for one of the square's points, start of the square's triangles; for the others,
+// `nowhere`. An invocation processes sixteen samples and counts the points on their edges. A point is a crossing of a
+// contour and an edge. The points of a sample are ordered by edge (to the right, then down) and by ascending level.
 #include "common/words.glsl"
 #include "contour/samples.glsl"
 #include "contour/types.glsl"

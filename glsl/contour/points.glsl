@@ -1,7 +1,7 @@
 // Contour points on an edge between two samples.
 
-// Returns the change of the field along the edge (x) and perpendicular to it (y), from the six cells around. The
-// differences are weighted 1, 2, 1 across, so that walls of binary fields also have smooth normals.
+// Returns the change of the field along the edge (x) and perpendicular to it (y), from the six cells around the edge.
+// Across the edge, the differences are weighted 1, 2, 1, so that walls of binary fields also have smooth normals.
 vec2 slopeAt(ivec2 cell, ivec2 along, float from, float to) {
   ivec2 side = along.yx;
   float fromBefore = valueAt(cell - side), fromAfter = valueAt(cell + side);
@@ -11,10 +11,10 @@ vec2 slopeAt(ivec2 cell, ivec2 along, float from, float to) {
   return vec2(rise, turn);
 }
 
-// Returns the outward unit vector (x, z), from high to low.
+// Returns the outward unit vector (x, z), which points from high to low.
 vec2 outward(ivec2 along, vec2 slope, bool rises) {
   precise float square = slope.x * slope.x + slope.y * slope.y;
-  // If the slope is too small or too large to be squared, uses the direction of the edge.
+  // If the square of the slope would be too small or too large, the direction of the edge is used.
   bool flat_ = square < 1e-20 || square > 1e30;
   float straight = rises ? -1.0 : 1.0;
   precise vec2 unit = slope * -exactInverseSqrt(flat_ ? 1.0 : square);

@@ -1,5 +1,5 @@
-// Builds the geometry of contour points, one point per invocation: its four vertices, the wall to the next point, and,
-// for one point of each square, the faces into which contours cut the square.
+// Builds the geometry of contour points: the four vertices of a point, the wall to the next point and, for one point of
+// each square, the faces into which contours divide the square. One invocation per point.
 #include "common/words.glsl"
 #include "contour/samples.glsl"
 #include "grid/field.glsl"
@@ -12,7 +12,7 @@ layout(std430, binding = normalsBinding) restrict writeonly buffer NormalBlock {
 layout(std430, binding = indicesBinding) restrict writeonly buffer IndexBlock { uint indices[]; };
 layout(std430, binding = nextPointsBinding) restrict writeonly buffer NextBlock { uint nextPoints[]; };
 uniform float levels[LEVELS];
-uniform uint firstPoint;    // First vertex of the first point
+uniform uint firstPoint;    // Index of the first vertex of the first point
 uniform uint pointRoom;
 uniform uint sheetIndices;  // Number of indices per uniform square (four corners of one class)
 #include "contour/points.glsl"
@@ -34,7 +34,7 @@ void main() {
   ranks.left = ranks.top + uint(crossingsBetween(q.a, q.b));
   ranks.right = ranks.left + uint(crossingsBetween(q.a, q.d) + crossingsBetween(q.b, classAt(at + ivec2(2, 0))));
   ranks.bottom = square.z;
-  // Finds the edge that the point is on; the walk falls across the level there.
+  // Finds the edge on which the point is. On that edge, the walk falls across the level.
   int side = 3, low = q.a;
   for (int i = 0; i < 3; ++i) {
     int here = cornerClass(q, i), next = cornerClass(q, i + 1);
@@ -46,7 +46,7 @@ void main() {
   int level = int(me - edgeRank(ranks, side)) + low + 1;
   bool across = (side & 1) == 0;
   ivec2 start = at + ivec2(side == 1 ? 1 : 0, side == 2 ? 1 : 0);
-  // Edges run from left to right and from top to bottom; the walk passes the third and fourth side in the opposite
+  // Edges run from left to right and from top to bottom. The walk passes the third and fourth side in the opposite
   // direction.
   putPoint(me, start, across ? ivec2(1, 0) : ivec2(0, 1), level, side >= 2);
   putWall(fixedIndices + sheetIndices * draw.sheets, me, nextPoint(q, ranks, level, side));

@@ -1,5 +1,5 @@
-// Writes the vertices of the samples, and two triangles for each uniform square (all corners of one class). FRESH: also
-// writes the samples' normals, which do not change afterwards. One sample per invocation.
+// Writes the vertices of the samples, and two triangles for each uniform square (four corners of one class). If FRESH
+// is defined, also writes the samples' normals, which do not change afterwards. One invocation per sample.
 #include "common/words.glsl"
 #include "contour/samples.glsl"
 #include "contour/squares.glsl"

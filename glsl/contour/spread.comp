@@ -1,12 +1,12 @@
-// Prefix sum, step 3 of 3: replaces x, y and z of every tally by the sums of the tallies before it; w does not change.
-// One tile per invocation.
+// Prefix sum, step 3 of 3: replaces x, y and z of every tally by the sums over all tallies before it; w does not
+// change. One invocation per tile.
 #include "common/words.glsl"
 #include "contour/bindings.glsl"
 layout(local_size_x = 64) in;
 STATE_WORDS(talliesBinding, TallyBlock, tallies)
 INPUT_WORDS(tileSumsBinding, TileBlock, tileSums)
 uniform int count;
-uniform int tile;  // Tallies per tile
+uniform int tile;  // Number of tallies per tile
 
 void main() {
   int t = int(gl_GlobalInvocationID.x), begin = t * tile;

@@ -1,4 +1,4 @@
-// Helpers for a square that contours cross and for the points on its edges.
+// Helper functions for a square that contours cross and for the points on its edges.
 const uint nowhere = 0xffffffffu;
 
 // Index of the first point on each edge of a square.

@@ -1,5 +1,5 @@
-// Prefix sum, step 2 of 3: replaces each tile sum by the sum of the tiles before it, and writes the draw arguments from
-// the total. A single workgroup, whose invocations share the tiles.
+// Prefix sum, step 2 of 3: replaces each tile sum by the sum of all tiles before it, and writes the draw arguments from
+// the total. A single workgroup, each of whose invocations processes some of the tiles.
 #include "common/words.glsl"
 #include "contour/bindings.glsl"
 #include "contour/types.glsl"
@@ -9,8 +9,8 @@ layout(std430, binding = drawBinding) restrict writeonly buffer DrawBlock { Cont
 uniform int tiles;
 uniform uint fixedIndices;   // Number of indices that do not change
 uniform uint sheetIndices;   // Number of indices per uniform square
-uniform uint pointIndices;   // Number of indices per contour point, besides triangles
-uniform uint pointRoom;      // Capacity for points; `indexRoom`: capacity for indices
+uniform uint pointIndices;   // Number of indices per contour point, not counting triangles
+uniform uint pointRoom;      // Capacity in points; `indexRoom` is the capacity in indices
 uniform uint indexRoom;
 shared uvec4 sums[256];
 

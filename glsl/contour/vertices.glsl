@@ -1,8 +1,9 @@
-// Memory layout of a solid's vertices: the samples' vertices (with a ceiling, followed by the ceiling's vertices above
-// them), the vertices that never change, then four vertices per contour point. A position's w is the colour index.
+// Memory layout of a solid's vertices: the vertices of the samples (if there is a ceiling, followed by the ceiling's
+// vertices above them), the vertices that never change, then four vertices per contour point. w of a position is the
+// colour index.
 #include "contour/types.glsl"
-const uint rimBelow = 0u, wallBottom = 1u, wallTop = 2u, rimAbove = 3u;  // The four vertices of a point
-// Colours of a class: face, face beside a rising wall, face beside a falling wall, the wall's foot and top.
+const uint rimBelow = 0u, wallBottom = 1u, wallTop = 2u, rimAbove = 3u;  // Indices of the four vertices of a point
+// Colours of a class: face, face beside a rising wall, face beside a falling wall, foot of the wall, top of the wall.
 const int faceColor = 0, footColor = 1, edgeColor = 2, wallFootColor = 3, wallTopColor = 4, classColors = 5;
 layout(std430, binding = drawBinding) restrict readonly buffer DrawBlock { ContourDraw draw; };
 layout(std430, binding = positionsBinding) restrict writeonly buffer PositionBlock { vec4 positions[]; };

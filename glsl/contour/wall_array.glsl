@@ -1,4 +1,4 @@
-// Data of the solid that cloth and particles collide with, if WALLS is 1. Otherwise nothing is bound or read.
+// Data of the solid with which cloth and particles collide, if WALLS is 1. Otherwise, nothing is bound or read.
 #ifndef WALLS
 #define WALLS 0
 #endif
@@ -8,7 +8,7 @@
 const int fieldUnit = wallFieldUnit;
 #include "grid/field.glsl"
 uniform WallGrid wallGrid;
-uniform int rowElements;  // Elements of sixteen classes per row
+uniform int rowElements;  // Number of elements of sixteen classes per row
 INPUT_WORDS(wallClassesBinding, WallClassBlock, wallClasses)
 
 int loadWallClass(int x, int y) {

@@ -1,30 +1,30 @@
-// Contact with a solid in the shape that raise.comp draws: ground at the height of each class, vertical walls along the
-// contours. Level k defines a prism: the region where the field reaches the level, from the bottom to the height of
-// class k. Level 0 is the whole block, bounded by the outermost samples. Compiles as GLSL and as C++. The including
-// file provides `wallGrid` (WallGrid), loadWallClass(int, int) for a sample, loadWallValue(int, int) for a cell of the
-// field, and includes before this file: wall_types.glsl, contour/model.glsl, common/exact.glsl. BRANCHES: skip squares
-// without a wall, which is useful on GPUs but not on software drivers.
+// Contact with a solid in the shape that raise.comp draws: ground at the height of each class, and vertical walls along
+// the contours. Level k defines a prism: the region where the field is at or above the level, from the bottom to the
+// height of class k. Level 0 is the whole block, bounded by the outermost samples. Compiles as GLSL and as C++. The
+// including file provides `wallGrid` (WallGrid), loadWallClass(int, int) for a sample and loadWallValue(int, int) for a
+// cell of the field, and first includes wall_types.glsl, contour/model.glsl and common/exact.glsl. If BRANCHES is
+// defined, squares without a wall are skipped, which saves time on GPUs but not on software drivers.
 
 struct WallMotion {
   vec3 position;
   vec3 velocity;
 };
 
-// A corner of a square. Samples outside the block have class -1. `inField` is false outside the field, and so also on
-// the ring of samples.
+// Corner of a square. Samples outside the block have class -1. `inField` is false outside the field, which includes the
+// ring of samples.
 struct WallSample {
   int class_;
   float value;
   bool inField;
 };
 struct WallSquare {
-  WallSample a, b, c, d;  // Same order as in Corners
+  WallSample a, b, c, d;  // Corners in the same order as in Corners
 };
 
-// Positions are in squares, relative to sample (0, 0).
+// Returns a position in squares, relative to sample (0, 0).
 FUNCTION vec2 wallPlace(vec3 p) {
   precise vec2 place = (vec2(p.x, p.z) - wallGrid.corner) * wallGrid.perSpacing;
-  // A far position, or NaN, cannot be converted to int.
+  // A position far away, or NaN, cannot be converted to int.
   bool near = abs(place.x) < 1e6f && abs(place.y) < 1e6f;
   return near ? place : vec2(-1e6f);
 }
@@ -43,8 +43,8 @@ FUNCTION WallSample wallSample(int x, int y) {
   return s;
 }
 
-// Returns the position of the contour on an edge, 0 to 1. The contour around the block passes through the outermost
-// samples.
+// Returns the position of the contour on an edge as a fraction, 0 to 1. The contour around the block passes through the
+// outermost samples.
 FUNCTION float wallCrossing(WallSample first, WallSample second, float level) {
   bool linear = first.inField && second.inField;
   float part = linear ? crossingPlace(first.value, second.value, level) : 0.5f;
@@ -52,7 +52,7 @@ FUNCTION float wallCrossing(WallSample first, WallSample second, float level) {
   return first.class_ < 0 ? 1.0f : part;
 }
 
-// A piece of a contour within a square, in the square's coordinates. The low side is to the left of the direction from
+// Piece of a contour within a square, in the square's coordinates. The low side is to the left of the direction from
 // `to` to `from`. `wide` is true if the square has two or three low corners.
 struct WallChord {
   vec2 from, to;
@@ -64,8 +64,8 @@ FUNCTION vec2 ofFour(vec2 a, vec2 b, vec2 c, vec2 d, int i) {
   return place == 0 ? a : place == 1 ? b : place == 2 ? c : d;
 }
 
-// Returns the contour's first piece in a square, or the second, which only a saddle has. A piece enters on the side
-// where the walk falls below the level and leaves where the walk next rises.
+// Returns the contour's first piece in a square, or the second piece, which only a saddle has. A piece enters on the
+// side where the walk falls below the level, and leaves where the walk next rises above it.
 FUNCTION WallChord wallChord(WallSquare s, int region, float level, bool second) {
   bool a = s.a.class_ >= region;
   bool b = s.b.class_ >= region;
@@ -90,8 +90,8 @@ FUNCTION WallChord wallChord(WallSquare s, int region, float level, bool second)
   return chord;
 }
 
-// True if the point is on the low side of the piece. A piece of length zero cuts off a corner of size zero: the result
-// is then true only if the other corners are low.
+// Returns true if the point is on the low side of the piece. A piece of length zero cuts off a corner of size zero; the
+// result is then true only if the other corners are low.
 FUNCTION bool isBelow(WallChord chord, vec2 at) {
   precise vec2 along = chord.from - chord.to;
   precise vec2 away = at - chord.to;
@@ -109,7 +109,7 @@ FUNCTION WallSquare wallSquare(int x, int y) {
 }
 
 FUNCTION float wallLevel(int region) {
-  return wallGrid.levels[max(region, 1) - 1];  // Region 0 does not use the level
+  return wallGrid.levels[max(region, 1) - 1];  // The value is not used for region 0
 }
 
 #ifdef BRANCHES
@@ -136,15 +136,15 @@ FUNCTION bool isWithin(WallSquare s, vec2 at, int region) {
   return even ? s.a.class_ >= region : !low;
 }
 
-// Returns the lowest class whose ground is higher than y.
+// Returns the lowest class whose ground is above y.
 FUNCTION int levelOver(float y) {
   int level = 0;
   for (int k = 0; k <= wallGrid.levelCount; ++k) level += wallGrid.heights[k] <= y ? 1 : 0;
   return level;
 }
 
-// True if the point is inside the solid. The prisms are nested, so testing the lowest prism that is high enough is
-// sufficient.
+// Returns true if the point is inside the solid. The prisms are nested, so it is enough to test the lowest prism that
+// is high enough.
 FUNCTION bool isRock(vec3 p) {
   vec2 place = wallPlace(p);
   precise vec2 base = floor(place);
@@ -155,13 +155,13 @@ FUNCTION bool isRock(vec3 p) {
   return p.y > wallGrid.bottom && isWithin(wallSquare(int(base.x), int(base.y)), at, region);
 }
 
-// Nearest point on the walls of a level.
+// Nearest point on the walls of a level, relative to a given point.
 struct WallNear {
-  vec2 offset;    // Vector from the wall's point, in squares
-  vec2 outward;   // Outward direction of the wall, any length
+  vec2 offset;    // Vector from the nearest wall point to the given point, in squares
+  vec2 outward;   // Outward direction of the wall, of any length
   float squared;  // |offset|^2, or 1e9 if there is no wall nearby
-  bool beside;    // True if the nearest point is not an end of a piece
-  bool within;    // True if the point is inside the level's region
+  bool beside;    // True if the nearest wall point is not an end of a piece
+  bool within;    // True if the given point is inside the level's region
 };
 
 FUNCTION WallNear nearerOf(WallNear n, WallChord chord, vec2 at) {
@@ -181,7 +181,8 @@ FUNCTION WallNear nearerOf(WallNear n, WallChord chord, vec2 at) {
   return n;
 }
 
-// Returns the nearest wall point among rows x rows squares around the position; `rows` is 0 if there is no wall.
+// Returns the nearest wall point among rows x rows squares around the position. If `rows` is 0, returns that there is
+// no wall.
 FUNCTION WallNear nearestWall(vec2 place, int region, int rows) {
   precise vec2 base = floor(place);
   float level = wallLevel(region);
@@ -205,7 +206,7 @@ FUNCTION WallNear nearestWall(vec2 place, int region, int rows) {
       s.c = wallSample(x + i + 1, y + 1);
       precise vec2 at = place - vec2(float(x + i), float(y));
 #ifdef BRANCHES
-      if (isEven(s, region)) {  // No wall: the most frequent case, in which GPUs skip the rest
+      if (isEven(s, region)) {  // A square without a wall is the most frequent case; GPUs then skip the remaining work
         if (i == half_ && j == half_) n.within = s.a.class_ >= region;
         continue;
       }
@@ -221,8 +222,8 @@ FUNCTION WallNear nearestWall(vec2 place, int region, int rows) {
   return n;
 }
 
-// Returns the lowest (x) and highest (y) class of the samples around the position. If `asks` is false, no sample is
-// read.
+// Returns the lowest class (x) and the highest class (y) of the samples around the position. If `asks` is false, no
+// sample is read.
 FUNCTION ivec2 classesAround(vec2 place, bool asks) {
   precise vec2 base = floor(place);
   int x = int(base.x) - wallGrid.squares;
@@ -237,8 +238,8 @@ FUNCTION ivec2 classesAround(vec2 place, bool asks) {
   return range;
 }
 
-// Returns the velocity after contact: the inward velocity is reversed by the bounce fraction, the tangential velocity
-// is multiplied by `kept`. A velocity that already leads away does not change.
+// Returns the velocity after contact. The inward velocity is reversed and multiplied by the bounce fraction; the
+// tangential velocity is multiplied by `kept`. A velocity that already points away does not change.
 FUNCTION vec3 thrownBack(vec3 velocity, vec3 normal) {
   float inward = exactDot(velocity, normal);
   precise float back = -inward * wallGrid.bounce;
@@ -246,15 +247,15 @@ FUNCTION vec3 thrownBack(vec3 velocity, vec3 normal) {
   return inward < 0.0f ? thrown : velocity;
 }
 
-// Correction of a point that must leave a prism between `low` and `high`.
+// Correction for a point that must leave a prism between the heights `low` and `high`.
 struct WallPush {
   vec3 position;
   vec3 normal;
   bool touches, byWall;
 };
 
-// Returns the horizontal normal of a wall. Beside a wall it is the wall's own direction, which is accurate at any
-// distance. Near a corner it is the direction to the point, unless the distance is too short.
+// Returns the horizontal normal of a wall. Beside a wall, it is the outward direction of the wall, which is accurate at
+// any distance. Near a corner, it is the direction to the point, unless the distance is too short.
 FUNCTION vec3 wallNormal(WallNear wall) {
   bool straight = wall.beside || wall.squared < 1e-4f;
   precise vec2 direction = straight ? wall.outward : wall.within ? -wall.offset : wall.offset;
@@ -263,8 +264,8 @@ FUNCTION vec3 wallNormal(WallNear wall) {
   return vec3(unit.x, 0.0f, unit.y);
 }
 
-// Pushes a point out of a wall: from inside to the other side, from outside to the minimum distance. For points above,
-// the wall's upper edge acts as rounded.
+// Pushes a point out of a wall: a point inside to the other side, a point outside to the minimum distance. For points
+// above it, the upper edge of the wall acts as rounded.
 FUNCTION WallPush byWall(vec3 p, WallNear wall, float low, float high) {
   precise float over = p.y > high ? p.y - high : p.y < low ? p.y - low : 0.0f;
   precise float across = exactSqrt(wall.squared) * wallGrid.spacing;
@@ -286,7 +287,7 @@ FUNCTION WallPush byWall(vec3 p, WallNear wall, float low, float high) {
 }
 
 // Pushes a point out of a prism, back to the side that it came from: up if it was above, down if it was below,
-// otherwise through the nearest wall. A point that the solid has just enclosed (`caught`) takes the shorter way.
+// otherwise through the nearest wall. A point that the solid has just enclosed (`caught`) takes the shortest path.
 FUNCTION WallPush outOfPrism(vec3 p, WallNear wall, float low, float high, vec3 before, bool caught) {
   precise float rise = high - p.y;
   precise float riseInSquares = rise * wallGrid.perSpacing;
@@ -307,7 +308,8 @@ FUNCTION WallPush outOfPrism(vec3 p, WallNear wall, float low, float high, vec3 
   return push;
 }
 
-// Position where a path first enters rock, tested in steps of half a square, at most sixteen; otherwise the path's end.
+// Position at which a path first enters rock, tested in steps of half a square, at most sixteen; if it enters none, the
+// path's end.
 struct WallWay {
   vec3 before, at;
 };
@@ -331,7 +333,7 @@ FUNCTION WallWay wayUntilRock(vec3 from, vec3 to, bool near, bool caught) {
   return w;
 }
 
-// True if the bounding box of a path comes within `reach` of the solid.
+// Returns true if the bounding box of a path comes within the distance `reach` of the solid.
 FUNCTION bool isNearSolid(vec3 from, vec3 to) {
   float last = wallGrid.ceiling == 1 ? wallGrid.roof : wallGrid.heights[wallGrid.levelCount];
   precise float high = last + wallGrid.reach;
@@ -342,10 +344,11 @@ FUNCTION bool isNearSolid(vec3 from, vec3 to) {
          max(from.x, to.x) > first.x && min(from.z, to.z) < end.y && max(from.z, to.z) > first.y;
 }
 
-// Pushes a point out of all prisms around it, lowest first. With a ceiling, the third prism is the rock above it.
+// Pushes a point out of all prisms around it, starting with the lowest. With a ceiling, the third prism is the rock
+// above it.
 struct WallRound {
   WallMotion motion;
-  bool again;  // True if the point touched a wall, so that another wall may follow
+  bool again;  // True if the point touched a wall, so that another wall may have to be tested
 };
 FUNCTION WallRound outOfPrisms(WallMotion m, vec3 before, bool caught) {
   ivec2 classes = classesAround(wallPlace(m.position), true);
@@ -373,9 +376,9 @@ FUNCTION WallRound outOfPrisms(WallMotion m, vec3 before, bool caught) {
   return round_;
 }
 
-// Moves a point from `from` to `to` in the presence of the solid: stops it where the path enters the solid and keeps
-// the minimum distance. If it is still in rock afterwards, it returns to its previous position. A point that the solid
-// has enclosed is moved to the top.
+// Moves a point from `from` to `to` in the presence of the solid: stops it where the path enters the solid, and keeps
+// the minimum distance. If the point is still in rock afterwards, it returns to its previous position. A point that the
+// solid has enclosed is moved to the top.
 FUNCTION WallMotion outOfWalls(vec3 from, vec3 to, vec3 velocity) {
   bool near = isNearSolid(from, to);
   bool caught = near && isRock(from);

@@ -1,5 +1,5 @@
-// A solid that cloth and particles collide with (wall_model.glsl). Compiles as GLSL and as C++
-// (src/sim/contour/wall_plan.hpp). Set as plain uniforms, one member at a time.
+// Uniform data of a solid with which cloth and particles collide (wall_model.glsl). Compiles as GLSL and as C++
+// (src/sim/contour/wall_plan.hpp). The members are set as plain uniforms, one at a time.
 #ifndef WALL_TYPES
 #define WALL_TYPES
 
@@ -11,16 +11,17 @@ const int maxWallLevels = 16;
 struct WallGrid {
   vec2 corner;       // x and z of sample (0, 0), m
   float spacing;     // Distance between samples, m
-  float perSpacing;  // in 1/m
-  float bottom;      // in metres
+  float perSpacing;  // 1 / spacing, in 1/m
+  float bottom;      // Height of the bottom in metres
   float roof;        // Top of the rock above a ceiling, m
   float reach;       // Distance kept from the solid, m
-  float kept;        // Fraction of the tangential velocity kept
-  float bounce;      // Fraction of the impact speed that is returned
+  float kept;        // Fraction of the tangential velocity that remains
+  float bounce;      // Fraction of the impact speed that remains after the bounce
   int levelCount;
   int ceiling;       // 1 if the solid has a ceiling
-  int squares;       // Number of squares on each side of a point's own square that `reach` can extend over
-  ivec2 samples;     // Size of the field + 2
+  int squares;       // Number of squares on each side of the square with the point that must be searched for walls
+                     // within the distance `reach`
+  ivec2 samples;     // Size of the field plus 2
   float heights[maxWallLevels + 1];  // Height of each class, m
   float levels[maxWallLevels];
 };

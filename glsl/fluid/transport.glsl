@@ -341,7 +341,8 @@ FUNCTION vec4 carriedCell(int x, int y) {
   return vec4(beyondTopBottom(u, y), beyondLeftRight(v, x), heat, 0.0f);
 }
 
-// pushedCell() returns them after the first half of the forces, with the remaining fraction `kept` of the pressure.
+// Returns a cell after the first half of the forces: its velocities, its temperature, and the pressure multiplied by
+// the remaining fraction `kept`.
 FUNCTION vec4 pushedCell(float kept, int x, int y) {
   int ix = insideX(x), iy = insideY(y);
   float u = pushedU(kept, faceX(x), iy);

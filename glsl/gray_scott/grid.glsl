@@ -1,27 +1,27 @@
-// Memory layout of the cells: rows of `columns` elements with two cells each (u, v, u, v), x fastest. If the width is
-// odd (ODD_WIDTH), the second half of a row's last element is a copy of cell 0, computed from the same numbers. So the
-// torus needs no special case in the arithmetic.
+// Memory layout of the cells: rows of `columns` elements with two cells per element (u, v, u, v), x fastest. If the
+// width is odd (ODD_WIDTH), the second half of a row's last element is a copy of cell 0, computed from the same
+// numbers, so that the torus needs no special case in the arithmetic.
 #include "common/bindings.glsl"
 #include "common/memory.glsl"
 #include "gray_scott/bindings.glsl"
 #include "gray_scott/model.glsl"
 
 INPUT_ARRAY(cellsBinding, CellBlock, cells)
-uniform ivec2 size;      // in cells
-uniform int columns;     // Elements per row
-uniform ivec2 rowRange;  // First row and number of rows of this pass; rows may lie beyond the border
+uniform ivec2 size;      // Size of the grid in cells
+uniform int columns;     // Number of elements per row
+uniform ivec2 rowRange;  // First row and number of rows of this pass; rows may be beyond the border
 layout(std140, binding = stepBinding) uniform RatesBlock { GrayScottRates rates; };
 
 #ifdef MAPPED
 INPUT_ARRAY(weightsBinding, WeightBlock, weights)
 #endif
 
-// Wraps a row index up to twice the size. The result for larger indices is arbitrary.
+// Wraps a row index that is beyond the border by up to the height. The result for other indices is arbitrary.
 int wrappedRow(int y) {
   return y < 0 ? y + size.y : y >= size.y ? min(y - size.y, size.y - 1) : y;
 }
 
-// Returns element x of a row, -1 <= x <= columns. Beyond the border it returns the wrapped cells of the torus.
+// Returns element x of a row, for -1 <= x <= columns. Beyond the border, it returns the wrapped cells of the torus.
 vec4 cellPair(int x, int row) {
   int inside = x < 0 ? columns - 1 : x >= columns ? 0 : x;
   vec4 pair = LOAD_INPUT(cells, row * columns + inside);
@@ -32,7 +32,7 @@ vec4 cellPair(int x, int row) {
   return pair;
 }
 
-// Returns the sums of the left and right neighbours for both cells of an element.
+// Returns the sum of the left and the right neighbour, for both cells of an element.
 vec4 sideSums(vec4 left, vec4 here, vec4 right) {
   precise vec4 sums = vec4(left.zw, here.xy) + vec4(here.zw, right.xy);
   return sums;
@@ -56,7 +56,8 @@ GrayScottRates cellRates(vec2 feedKill) {
   return cell;
 }
 
-// Returns the two cells of an element one step later. `edges` and `corners` are sums of four neighbours, per component.
+// Returns the two cells of an element one step later. `edges` and `corners` are the sums of the four neighbours of each
+// kind, per component.
 vec4 steppedPair(vec4 here, vec4 edges, vec4 corners, vec4 local) {
   GrayScottRates a = cellRates(local.xy), b = cellRates(local.zw);
   float reactedA = reaction(here.x, here.y, rates.dt);

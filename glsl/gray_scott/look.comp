@@ -1,5 +1,6 @@
-// Notes if the next step would clamp a cell that is outside [0, 1] by more than rounding. It writes no cells. It is a
-// separate kernel, because the test would make the arithmetic-bound stepping kernels a quarter slower.
+// Records whether the next step would clamp a cell that is outside [0, 1] by more than rounding. Writes no cells. This
+// is a separate kernel, because the test would make the arithmetic-bound stepping kernels a quarter slower. One
+// invocation per element.
 #include "gray_scott/grid.glsl"
 #include "common/status.glsl"
 layout(local_size_x = 32, local_size_y = 4) in;

@@ -1,5 +1,5 @@
-// Applies a brush stroke: v becomes the stroke's value, u becomes 1 - v. One element per invocation, over the full rows
-// of the stroke's box, so that the copy of cell 0 in rows of odd width is also painted.
+// Applies a brush stroke: v becomes the stroke's value, u becomes 1 - v. One invocation per element, over the complete
+// rows of the stroke's box, so that the copy of cell 0 in rows of odd width is also painted.
 #include "common/memory.glsl"
 #include "common/words.glsl"
 #include "gray_scott/bindings.glsl"

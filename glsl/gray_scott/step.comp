@@ -1,5 +1,5 @@
-// One step. An invocation processes ACROSS elements (two cells each) in each of ROWS rows, from top to bottom. The sums
-// of three rows stay in registers, so each element is loaded once per column.
+// Computes one step. An invocation processes ACROSS elements (two cells each) in each of ROWS rows, from top to bottom.
+// The sums of three rows stay in registers, so each element is loaded once per column.
 #include "gray_scott/grid.glsl"
 layout(local_size_x = GROUP_X, local_size_y = GROUP_Y) in;
 STATE_ARRAY(nextCellsBinding, NextBlock, nextCells)

@@ -1,10 +1,10 @@
-// Computes STEPS steps in one pass. An invocation walks down STRIP_ROWS rows of a strip with ELEMENTS elements per row.
-// Each loaded row completes the row above it one step later, which in turn completes the row above that one another
-// step later, and so on. So a pass keeps two rows per step in registers. It recomputes only the strip's sides and its
-// first and last 2 * STEPS rows. The operations have the same order as in step.comp, so the bits are the same.
+// Computes STEPS steps in one pass. An invocation moves down STRIP_ROWS rows of a strip with ELEMENTS elements per row.
+// Each loaded row completes the row above it one step later, which in turn completes the row above that another step
+// later, and so on. A pass therefore keeps only two rows per step in registers. It recomputes only the strip's sides
+// and its first and last 2 * STEPS rows. The operations have the same order as in step.comp, so the bits are the same.
 //
-// On GPUs a strip consists of the 32 invocations of a workgroup, which exchange values. On the texel path each
-// invocation has its own strip, which includes the strip's sides.
+// On GPUs, a strip is processed by the 32 invocations of a workgroup, which exchange values. On the texel path, each
+// invocation processes a separate strip, including the strip's sides.
 #ifdef SUBGROUPS
 #extension GL_KHR_shader_subgroup_shuffle_relative : require
 #endif
@@ -20,21 +20,21 @@ layout(local_size_x = 32) in;
 const int neighbours = 32;
 int lane = int(gl_LocalInvocationID.x);
 #endif
-const int border = (STEPS + 1) / 2;                     // Border of a strip, in elements
+const int border = (STEPS + 1) / 2;                     // Width of the border of a strip, in elements
 const int inside = neighbours * ELEMENTS - 2 * border;  // Number of elements of a strip that are stored
 
-// Elements of an invocation in a row.
+// Elements of one row that an invocation processes.
 struct Row {
   vec4 element[ELEMENTS];
 };
 
-// Last two rows of one step, with the sums of their side neighbours.
+// Last two rows of one step, with the sums of the left and right neighbours.
 struct Level {
   Row above, aboveSides, here, hereSides;
 };
 
-// Returns the last cell of the invocation to the left and the first cell of the invocation to the right. At the ends of
-// the strip the results are arbitrary.
+// Gets the last cell of the invocation to the left and the first cell of the invocation to the right. At the ends of
+// the strip, the results are arbitrary.
 #ifdef TEXEL_PATH
 void exchange(vec2 first, vec2 last, out vec2 left, out vec2 right) {
   left = first;
@@ -48,7 +48,7 @@ void exchange(vec2 first, vec2 last, out vec2 left, out vec2 right) {
 #else
 shared vec2 firsts[2][32];
 shared vec2 lasts[2][32];
-int turn = 0;  // Double buffer index, so that one barrier is enough
+int turn = 0;  // Index of the double buffer, which makes one barrier enough
 
 void exchange(vec2 first, vec2 last, out vec2 left, out vec2 right) {
   firsts[turn][lane] = first;
@@ -71,7 +71,7 @@ Row sidesOf(Row row) {
   return sides;
 }
 
-// Takes the row below and returns the row `here` one step later.
+// Adds the row below and returns the row `here` one step later.
 Row advanced(inout Level level, Row below) {
   Row belowSides = sidesOf(below);
   Row next;
@@ -87,16 +87,17 @@ Row advanced(inout Level level, Row below) {
   return next;
 }
 
-// Wraps i >= -16 count. The offset is needed because % of a negative number is undefined in GLSL.
+// Returns i wrapped to 0 .. count - 1, for i >= -16 count. The offset is needed because % of a negative number is
+// undefined in GLSL.
 int wrapped(int i, int count) {
   return (i + 16 * count) % count;
 }
 
-// Location of the two cells of an element that can lie far beyond the border: elements of a row, and the half within
-// each.
+// Location of the two cells of an element that may be far beyond the border: the elements within a row, and which half
+// of the element each cell is.
 struct Source {
   int first, second;
-  bool firstHalf, secondHalf;  // True for the element's second cell
+  bool firstHalf, secondHalf;  // True if the cell is the first of its element
 };
 
 Source sourceOf(int x) {
@@ -109,7 +110,7 @@ Source sourceOf(int x) {
 vec4 loadPair(Source source, int start) {
   vec4 pair = LOAD_INPUT(cells, start + source.first);
 #ifdef ODD_WIDTH
-  // The two cells of an element beyond the border lie in two elements.
+  // The two cells of an element beyond the border may be in two different elements.
   vec4 other = pair;
   if (source.second != source.first) other = LOAD_INPUT(cells, start + source.second);
   pair = vec4(source.firstHalf ? pair.zw : pair.xy, source.secondHalf ? other.zw : other.xy);
@@ -176,7 +177,7 @@ void main() {
   }
   EACH(MAKE)
   Row pending = loadRow(sources, row);
-  // Three rows per iteration, so that the roles of the registers rotate without copies.
+  // Each iteration processes three rows, so that the roles of the registers rotate without copies.
   for (int i = 0; i < count; i += 3) {
     ROW(i)
     ROW(i + 1)

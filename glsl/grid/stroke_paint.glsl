@@ -1,11 +1,11 @@
-// Common part of the paint kernels: one dispatch over the bounding box of one stroke. The including kernel first
-// declares `stamps` with INPUT_WORDS, with a binding point of its own.
+// Part common to the paint kernels: one dispatch over the bounding box of one stroke. The including kernel first
+// declares `stamps` with INPUT_WORDS, with a binding point that it chooses.
 #include "common/hash.glsl"
 #include "grid/stroke.glsl"
 uniform Stroke stroke;
-uniform ivec4 strokeBox;  // First column, first row, number of columns, number of rows
+uniform ivec4 strokeBox;  // Bounding box of the stroke: first column, first row, number of columns, number of rows
 
-// Computes the cell of this invocation. Returns false outside the box.
+// Computes the cell that this invocation processes. Returns false if it is outside the box.
 bool strokeCell(uvec2 invocation, out ivec2 cell) {
   cell = strokeBox.xy + ivec2(invocation);
   return all(lessThan(ivec2(invocation), strokeBox.zw));

@@ -1,6 +1,6 @@
 // Sums quantities over all cells of a field in a fixed order: lane i sums the cells i, i + tallyLanes, and so on. The
-// including file provides cellCount() and tallied(int cell); the members `sums` are added, the members `most` are
-// reduced by max.
+// including file provides cellCount() and tallied(int cell). The members `sums` are added, and the members `most` are
+// combined by max.
 #include "grid/tally_types.glsl"
 STATE_ARRAY(sumsOutBinding, SumBlock, laneSums)
 

@@ -1,5 +1,5 @@
-// Joins the partial sums of a tally. Each of the `lanes` results joins the tallyJoined inputs lane, lane + lanes, and
-// so on. The last round has one lane and multiplies by the factors.
+// Combines the partial sums of a tally. Each of the `lanes` results combines the tallyJoined inputs lane, lane + lanes,
+// and so on. The last round has one lane and multiplies by the factors. One invocation per lane.
 #include "common/memory.glsl"
 #include "grid/tally_types.glsl"
 layout(local_size_x = 64) in;

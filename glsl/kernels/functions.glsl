@@ -1,9 +1,9 @@
-// Trigonometric and exponential functions of users' kernels, and their inverses. They use common/exact.glsl
-// within its range and extend the range beyond it.
+// Trigonometric and exponential functions for users' kernels, and their inverses. They use common/exact.glsl within its
+// valid range and extend that range.
 #include "kernels/numbers.glsl"
 #include "common/exact_acos.glsl"
 
-// Bits of 1 / (2 pi), 32 per word, after one word of zeros.
+// Bits of 1 / (2 pi), 32 bits per word, after one word of zeros.
 const uint xTurn[8] =
     uint[8](0u, 0x28be60dbu, 0x9391054au, 0x7f09d5f4u, 0x7d4d3770u, 0x36d8a566u, 0x4f10e410u, 0x7f9458eau);
 
@@ -12,9 +12,9 @@ uint xTurnBits(const uint at) {
   return mix(xTurn[word], (xTurn[word] << shift) | (xTurn[word + 1u] >> ((32u - shift) & 31u)), shift != 0u);
 }
 
-// Reduces x modulo 2 pi to -pi .. pi, for any |x| above 1: integer products with the relevant bits of 1 / (2
-// pi) (Payne and Hanek 1983). With x = m 2^e, the upper bits of the product are whole turns and the next 32
-// bits are the fraction of a turn.
+// Reduces x modulo 2 pi to -pi .. pi, for any |x| above 1, with integer products of the relevant bits of 1 / (2 pi)
+// (Payne and Hanek 1983). With x = m 2^e, the upper bits of the product are whole turns, and the next 32 bits are the
+// fraction of a turn.
 float xFarAngle(const float x) {
   int bits = xMagnitude(x);
   uint m = uint((bits & 0x007fffff) | 0x00800000);
@@ -45,7 +45,7 @@ float xTan(const float x) {
   return xDiv(xSin(x), xCos(x));
 }
 
-// exactExp is valid up to 69; above that, squares e^(x / 2).
+// exactExp is valid up to 69. For larger x, squares e^(x / 2).
 float xExp(const float x) {
   precise float half_ = 0.5 * x;
   int bits = floatBitsToInt(x);
@@ -53,10 +53,10 @@ float xExp(const float x) {
   float e = exactExp(mix(x, half_, far));
   precise float square = e * e;
   e = mix(e, square, far);
-  e = mix(e, intBitsToFloat(xInfinity), bits > 0x42b17218);  // 88.7228394
+  e = mix(e, intBitsToFloat(xInfinity), bits > 0x42b17218);  // bits of 88.7228394, above which e^x is infinite
   return mix(e, x, xIsNan(x));
 }
-// 2^x = 2^n e^(r ln 2) with integer n; exact for integer x.
+// 2^x = 2^n e^(r ln 2) with x = n + r and an integer n, so that the result is exact for integer x.
 float xExp2(const float x) {
   float held = clamp(mix(x, 0.0, xIsNan(x)), -127.0, 129.0);
   precise float middle = held + 0.5;
@@ -79,7 +79,7 @@ float xLog(const float x) {
   float l = exactLog(intBitsToFloat(max(xMagnitude(x), xTiny)));
   return xLogEnds(xFlush(l), x);
 }
-// Works like exactLog but adds the integer exponent last, so powers of two are exact.
+// Like exactLog, but the integer exponent is added last, so that powers of two are exact.
 float xLog2(const float x) {
   int bits = max(xMagnitude(x), xTiny);
   int n = (bits - 0x3f3504f3) >> 23;
@@ -93,7 +93,7 @@ float xLog2(const float x) {
   part = part + float(n);
   return xLogEnds(xFlush(part), x);
 }
-// exactPow with the range extended above e^69; 1 for y = 0, NaN for negative x.
+// Like exactPow, but the range extends above e^69. Returns 1 for y = 0 and NaN for negative x.
 float xPow(const float x, const float y) {
   float l = exactLog(intBitsToFloat(max(xMagnitude(x), xTiny)));
   precise float power = y * l;
@@ -106,10 +106,10 @@ float xPow(const float x, const float y) {
   return mix(mix(p, xNan(), m > xInfinity), xNan(), xIsNan(y));
 }
 
-// atanf of the Cephes library: argument reduction in three ranges.
+// Like atanf of the Cephes library, with argument reduction in three ranges.
 float xAtan(const float x) {
   float a = abs(x);
-  bool far = xMagnitude(x) > 0x401a827a, middle = xMagnitude(x) > 0x3ed413cd;  // 1 + sqrt(2), sqrt(2) - 1
+  bool far = xMagnitude(x) > 0x401a827a, middle = xMagnitude(x) > 0x3ed413cd;  // bits of 1 + sqrt(2) and of sqrt(2) - 1
   precise float less = a - 1.0, more = a + 1.0;
   float t = xDiv(mix(mix(a, less, middle), -1.0, far), mix(mix(1.0, more, middle), a, far));
   precise float z = t * t;
@@ -119,7 +119,7 @@ float xAtan(const float x) {
   q = xFlush(q);
   return mix(mix(q, -q, floatBitsToInt(x) < 0), x, xIsNan(x));
 }
-// Returns zero if both arguments are zero.
+// Returns atan2(y, x), or zero if both arguments are zero.
 float xAtan2(const float y, const float x) {
   float a = xAtan(xDiv(y, x));
   float half_ = mix(3.14159265, -3.14159265, floatBitsToInt(y) < 0);
@@ -137,7 +137,7 @@ float xAcos(const float x) {
   return mix(xFlush(a), xNan(), xMagnitude(x) > 0x3f800000);
 }
 
-// Uses a series near zero, and e^x elsewhere.
+// Uses a series near zero, and e^x for larger |x|.
 float xSinh(const float x) {
   precise float s = x * x;
   precise float near = ((s * 1.9841270e-4 + 8.3333333e-3) * s + 0.16666667) * s;

@@ -5,8 +5,8 @@
 #include "kernels/packing.glsl"
 #include "kernels/sampling.glsl"
 
-// Defines overloads of F for vectors of length 2 to 4, with 1, 2 or 3 arguments. R, A and B are the prefixes of
-// the result type and of the argument types.
+// Defines overloads of F for vectors of length 2 to 4, with 1, 2 or 3 arguments. R is the prefix of the result type; A
+// and B are prefixes of the argument types.
 #define EACH_1(F, R, A) \
   R##2 F(const A##2 a) { return R##2(F(a.x), F(a.y)); } \
   R##3 F(const A##3 a) { return R##3(F(a.x), F(a.y), F(a.z)); } \
@@ -32,7 +32,7 @@ EACH_1(xToInt, ivec, vec) EACH_1(xToUint, uvec, vec) EACH_1(xIsNan, bvec, vec) E
 EACH_2(xUdiv, uvec, uvec, uvec) EACH_2(xUmod, uvec, uvec, uvec) EACH_2(xSdiv, ivec, ivec, ivec)
 EACH_2(xSrem, ivec, ivec, ivec) EACH_2(xSmod, ivec, ivec, ivec) EACH_2(xLdexp, vec, vec, ivec)
 
-// Sums of products are flushed once: a product that is subnormal changes no sum above 1e-30.
+// Sums of products are flushed only once, because a product that is subnormal does not change a sum above 1e-30.
 float xDot(const float a, const float b) {
   return xMul(a, b);
 }
@@ -63,7 +63,7 @@ float xDistance(const float a, const float b) {
 float xNormalize(const float v) {
   return xSign(v);
 }
-// Normalizing a zero vector gives zero; a vector shorter than 1e-15 gives a result shorter than 1.
+// Normalizing a zero vector gives zero. For a vector shorter than 1e-15, the result is shorter than 1.
 #define GEOMETRY(T) \
   float xLength(const T v) { return xSqrt(xDot(v, v)); } \
   float xDistance(const T a, const T b) { precise T d = a - b; return xLength(d); } \
@@ -86,7 +86,7 @@ GEOMETRY(vec2) GEOMETRY(vec3) GEOMETRY(vec4)
   T xFaceForward(const T n, const T i, const T reference) { return xDot(reference, i) < 0.0 ? n : -n; }
 REFLECTION(float) REFLECTION(vec2) REFLECTION(vec3) REFLECTION(vec4)
 
-// Matrices with C columns and R rows, stored by columns.
+// Matrices with C columns and R rows, stored column by column.
 #define MATRIX(M, R, C) \
   R xTimes(const M m, const vec##C v) { \
     precise R sum = m[0] * R(v[0]) + m[1] * R(v[1]); \

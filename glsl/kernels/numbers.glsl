@@ -1,12 +1,12 @@
-// Arithmetic of users' kernels (products, quotients, roots, conversions) with the same bits on every driver.
-// Each function replaces one SPIR-V operation (src/kernels/exact/calls.cpp). Parameters are const, because
-// glslang then passes them by value. `mix` with a bool selects without a branch. NaN and infinities are
-// detected by their bits, because compilers may assume that comparisons never involve NaN. Magnitudes are
-// compared as integers, too: NVIDIA's compiler converts the result of a comparison of floats before it selects by it.
+// Arithmetic for users' kernels (products, quotients, roots, conversions) with the same bits on every driver. Each
+// function replaces one SPIR-V operation (src/kernels/exact/calls.cpp). Parameters are const, because glslang then
+// passes them by value. `mix` with a bool selects without a branch. NaN and infinities are detected by their bits,
+// because compilers may assume that comparisons never involve NaN. Magnitudes are also compared as integers, because
+// NVIDIA's compiler converts the result of a comparison of floats before it uses it for a selection.
 #include "common/exact.glsl"
 
 const int xTiny = 0x0da24260;      // bits of 1e-30
-const int xInfinity = 0x7f800000;  // bits of infinity; greater magnitudes are NaN
+const int xInfinity = 0x7f800000;  // bits of infinity; larger magnitudes are NaN
 
 int xMagnitude(const float x) {
   return floatBitsToInt(x) & 0x7fffffff;
@@ -21,7 +21,7 @@ float xNan() {
   return intBitsToFloat(0x7fc00000);
 }
 
-// Flushes magnitudes below 1e-30 to zero, because drivers disagree on subnormal numbers.
+// Replaces magnitudes below 1e-30 by zero, because drivers disagree on subnormal numbers.
 float xFlush(const float x) {
   return mix(x, 0.0, xMagnitude(x) < xTiny);
 }
@@ -52,11 +52,11 @@ vec4 xMul(const vec4 a, const vec4 b) {
   return xFlush(p);
 }
 
-// Returns a / b with a relative error below 3e-7, as a times exactReciprocal(b). Zeros, infinities and NaN
-// follow IEEE 754; |b| below 1e-30 counts as zero. The Newton steps keep the sign of b, and NaN.
+// Returns a / b with a relative error below 3e-7, as a times exactReciprocal(b). Zeros, infinities and NaN follow IEEE
+// 754, but |b| below 1e-30 counts as zero. The Newton steps preserve the sign of b, and NaN.
 float xDiv(const float a, const float b) {
   int m = xMagnitude(b);
-  float scale = mix(1.0, 5.42101086e-20, m > 0x7149f2ca);  // 2^-64 if |b| > 1e30: 1 / b may be subnormal
+  float scale = mix(1.0, 5.42101086e-20, m > 0x7149f2ca);  // 2^-64 if |b| > 1e30, because 1 / b could be subnormal
   precise float c = b * scale;
   precise float y = intBitsToFloat(0x7ef311c7 - floatBitsToInt(c));
   y = y * (2.0 - c * y);
@@ -69,25 +69,25 @@ float xDiv(const float a, const float b) {
   return xFlush(q);
 }
 
-// Returns NaN for x <= -1e-30, `zero` for |x| < 1e-30, else `root`.
+// Returns NaN for x <= -1e-30, `zero` for |x| < 1e-30, otherwise `root`.
 float xRootEnds(const float x, const float root, const float zero) {
   float r = mix(root, zero, floatBitsToInt(x) < xTiny);
   return mix(r, xNan(), floatBitsToUint(x) >= 0x8da24260u);
 }
-// Returns 1 / sqrt(x): infinity for zero, NaN for negative x.
+// Returns 1 / sqrt(x), which is infinity for zero and NaN for negative x.
 float xInverseSqrt(const float x) {
   float y = exactInverseSqrt(x);
   y = mix(y, 0.0, floatBitsToInt(x) == xInfinity);
   return xRootEnds(x, y, intBitsToFloat(xInfinity));
 }
-// The Newton steps make -infinity of infinity.
+// The Newton steps turn infinity into -infinity.
 float xSqrt(const float x) {
   precise float root = x * exactInverseSqrt(x);
   return xRootEnds(x, abs(root), 0.0);
 }
 
-// xMod: a - b floor(a / b), with the sign of b. xRem: a - b trunc(a / b), with the sign of a. If rounding moves
-// the quotient to another integer, the result is corrected so that its magnitude stays below |b|.
+// xMod() returns a - b floor(a / b), with the sign of b. xRem() returns a - b trunc(a / b), with the sign of a. If
+// rounding moves the quotient to another integer, the result is corrected so that its magnitude stays below |b|.
 float xMod(const float a, const float b) {
   float q = floor(xDiv(a, b));
   precise float r = a - xMul(b, q);
@@ -114,7 +114,8 @@ float xMix(const float a, const float b, const float t) {
   return sum;
 }
 
-// Integer key for min and max: -0 sorts below +0. If one operand is NaN, min and max return the other one.
+// Returns an integer key for min and max, for which -0 is below +0. If one operand is NaN, min and max return the other
+// operand.
 int xOrder(const float x) {
   int bits = floatBitsToInt(x);
   return bits ^ ((bits >> 31) & 0x7fffffff);
@@ -162,7 +163,7 @@ float xLdexp(const float x, const int n) {
   return xFlush(r);
 }
 
-// Converts with saturation: NaN becomes 0, values out of range become the nearest limit.
+// Converts with saturation: NaN becomes 0, and values out of range become the nearest limit.
 int xToInt(const float x) {
   int i = int(mix(x, 0.0, xMagnitude(x) >= 0x4f000000));
   int end = 0x7fffffff ^ (floatBitsToInt(x) >> 31);
@@ -173,7 +174,8 @@ uint xToUint(const float x) {
   return mix(i, 0xffffffffu, uint(floatBitsToInt(x) - 0x4f800000) <= uint(xInfinity - 0x4f800000));
 }
 
-// Division by zero gives all bits set, as in Direct3D. The lowest integer divided by -1 gives itself.
+// Division by zero gives a result with all bits set, as in Direct3D. The lowest integer divided by -1 gives the lowest
+// integer.
 uint xUdiv(const uint a, const uint b) {
   return mix(a / mix(b, 1u, b == 0u), 0xffffffffu, b == 0u);
 }
@@ -184,7 +186,7 @@ int xSdiv(const int a, const int b) {
   uint q = uint(abs(a)) / mix(uint(abs(b)), 1u, b == 0);
   return mix(mix(int(q), -int(q), (a ^ b) < 0), -1, b == 0);
 }
-// Remainders: xSrem has the sign of a, xSmod the sign of b.
+// Remainders of integers: xSrem() has the sign of a, xSmod() the sign of b.
 int xSrem(const int a, const int b) {
   uint r = uint(abs(a)) % mix(uint(abs(b)), 1u, b == 0);
   return mix(mix(int(r), -int(r), a < 0), -1, b == 0);

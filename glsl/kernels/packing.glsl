@@ -1,13 +1,13 @@
-// Packing functions of users' kernels: half floats and normalized integers, rounded to nearest, ties to even.
+// Packing functions for users' kernels: half floats and normalized integers, rounded to nearest, ties to even.
 #include "kernels/numbers.glsl"
 
 uint xToHalf(const float x) {
   uint bits = floatBitsToUint(x), sign = (bits >> 16) & 0x8000u;
   int m = int(bits & 0x7fffffffu);
-  // normal half: exponent reduced by 112, mantissa rounded to 10 bits
+  // normal half float: exponent reduced by 112, mantissa rounded to 10 bits
   uint rounded = uint(m) + 0xfffu + ((uint(m) >> 13) & 1u);
   uint normal = (rounded - 0x38000000u) >> 13;
-  // subnormal half: multiple of 2^-24
+  // subnormal half float: multiple of 2^-24
   int shift = clamp(126 - (m >> 23), 14, 31);
   uint whole = uint(m & 0x007fffff) | 0x00800000u;
   uint part = whole >> uint(shift), left = whole & ((1u << uint(shift)) - 1u), middle = 1u << uint(shift - 1);

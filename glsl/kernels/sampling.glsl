@@ -1,5 +1,5 @@
-// Filtered texture sampling of users' kernels, with the same bits on every driver: full-precision weights,
-// nearest mip level. Sampler state: bit 0 linear filter; bits 2-3, 4-5 and 6-7 wrap mode in x, y and z (0
+// Filtered texture sampling for users' kernels, with the same bits on every driver: full-precision weights, nearest mip
+// level. Sampler state: bit 0 is set for a linear filter; bits 2-3, 4-5 and 6-7 are the wrap modes in x, y and z (0
 // repeat, 1 clamp, 2 mirror).
 #include "kernels/numbers.glsl"
 
@@ -67,8 +67,8 @@ SAMPLE_LAYER(texture2DArray) SAMPLE_LAYER(sampler2DArray)
   }
 SAMPLE_3D(texture3D) SAMPLE_3D(sampler3D)
 
-// Cube maps as array textures of the faces +x, -x, +y, -y, +z, -z, with the places and directions of OpenGL and
-// Direct3D. Returns the place on a face, from 0 to 1, and the face.
+// Cube maps are array textures of the faces +x, -x, +y, -y, +z, -z, with the positions and directions of OpenGL and
+// Direct3D. Returns the position on a face, from 0 to 1, and the index of the face.
 vec3 xFace(const vec3 d) {
   vec3 size = abs(d);
   bool alongX = size.x >= size.y && size.x >= size.z, alongY = !alongX && size.y >= size.z;
@@ -78,7 +78,7 @@ vec3 xFace(const vec3 d) {
   precise float s = 0.5 * xDiv(face.x, face.z) + 0.5, t = 0.5 * xDiv(face.y, face.z) + 0.5;
   return vec3(s, t, face.w);
 }
-// Returns the direction of a place on a face.
+// Returns the direction that belongs to a position on a face.
 vec3 xDirection(const int face, const float s, const float t) {
   precise float x = 2.0 * s - 1.0, y = 2.0 * t - 1.0;
   return face == 0   ? vec3(1.0, -y, -x)
@@ -88,7 +88,7 @@ vec3 xDirection(const int face, const float s, const float t) {
          : face == 4 ? vec3(x, -y, 1.0)
                      : vec3(-x, -y, -1.0);
 }
-// Returns the texel at (x, y) of a face; outside the face, the nearest one of its neighbour.
+// Returns the texel at (x, y) of a face. Outside the face, returns the nearest texel of the neighbouring face.
 ivec3 xCubeTexel(const int face, const int x, const int y, const int n) {
   if (min(x, y) >= 0 && max(x, y) < n) return ivec3(x, y, face);
   precise float s = xDiv(float(x) + 0.5, float(n)), t = xDiv(float(y) + 0.5, float(n));

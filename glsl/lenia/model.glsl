@@ -1,8 +1,8 @@
-// Lenia and SmoothLife: change of a cell from weighted sums over its neighbourhood. Compiles as GLSL and as C++
-// (tests/reference/lenia_twin.cpp).
+// Lenia and SmoothLife: the change of a cell, computed from weighted sums over its neighbourhood. Compiles as GLSL and
+// as C++ (tests/reference/lenia_twin.cpp).
 
-// Growth function of a kernel, centred at mu with width sigma. `kind` is 0 polynomial, 1 Gaussian, 2 step; `weight` is
-// the kernel's weight.
+// Growth function of a kernel, centred at mu with the width sigma. `kind` is 0 for polynomial, 1 for Gaussian, 2 for
+// step; `weight` is the kernel's weight.
 struct LeniaGrowth {
   float mu;
   float perSigma2;  // 1 / (9 sigma^2) for the polynomial, 1 / (2 sigma^2) for the Gaussian, sigma for the step
@@ -10,8 +10,8 @@ struct LeniaGrowth {
   int kind;
 };
 
-// Returns the growth, -1 to 1, with d = u - mu. Polynomial: 2 max(0, 1 - d^2 / (9 sigma^2))^4 - 1. Gaussian: 2 exp(-d^2
-// / (2 sigma^2)) - 1. Step: 1 if |d| <= sigma, otherwise -1.
+// Returns the growth, -1 to 1, of the weighted sum u, with d = u - mu. Polynomial: 2 max(0, 1 - d^2 / (9 sigma^2))^4 -
+// 1. Gaussian: 2 exp(-d^2 / (2 sigma^2)) - 1. Step: 1 if |d| <= sigma, otherwise -1.
 FUNCTION float leniaGrowth(LeniaGrowth g, float u) {
   precise float d = u - g.mu;
   precise float part = d * d * g.perSigma2;
@@ -34,8 +34,9 @@ FUNCTION float smoothStepAt(float x, float a, float slope) {
   return exactReciprocal(under);
 }
 
-// Returns SmoothLife's transition. A cell is born for a ring filling n between b.x and b.y, and survives between b.z
-// and b.w; the disc filling m interpolates between the two intervals. The slopes are 4 / alpha of n and of m.
+// Returns SmoothLife's transition from the fillings n of the ring and m of the disc (0 to 1). A cell is born if n is
+// between b.x and b.y, and survives if n is between b.z and b.w; m interpolates between the two intervals. slopeN and
+// slopeM are the slopes 4 / alpha for n and for m.
 FUNCTION float smoothLifeNext(float n, float m, vec4 b, float slopeN, float slopeM) {
   float alive = smoothStepAt(m, 0.5f, slopeM);
   precise float low = b.x + (b.z - b.x) * alive;

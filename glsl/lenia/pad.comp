@@ -1,13 +1,13 @@
-// Copies the cells into rows with a margin, filled with the opposite side of the torus. One element of four cells per
-// invocation.
+// Copies the cells into rows with a margin, which is filled from the opposite side of the torus. One invocation per
+// element of four cells.
 #include "common/memory.glsl"
 #include "lenia/bindings.glsl"
 layout(local_size_x = 8, local_size_y = 4) in;
 INPUT_ARRAY(cellsBinding, CellBlock, cells)
 STATE_ARRAY(paddedBinding, PaddedBlock, padded)
 uniform ivec2 size;  // Number of cells per axis
-uniform int rowItems;  // Elements per row of cells
-uniform int paddedItems;  // Elements per padded row
+uniform int rowItems;  // Number of elements per row of cells
+uniform int paddedItems;  // Number of elements per padded row
 uniform int margin;  // Margin in cells, a multiple of 4
 uniform int range;
 

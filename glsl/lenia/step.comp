@@ -1,9 +1,8 @@
-// One step of a continuous automaton. Sums the neighbourhood of each cell with the weights of each kernel, row by row
-// from the upper left in a fixed order, then applies the growth. An invocation processes four adjacent cells: a loaded
-// cell contributes to each of them with the weight of its own offset, so the weights are stored as (w[c], w[c-1],
-// w[c-2], w[c-3]).
-// Defines: RANGE, KERNELS; REACHES, the half width of the widest kernel in each row; SMOOTH_LIFE, with kernel 0 as ring
-// and kernel 1 as disc.
+// Computes one step of a continuous automaton. Sums the neighbourhood of each cell with the weights of each kernel, row
+// by row from the upper left in a fixed order, then applies the growth. An invocation processes four adjacent cells. A
+// loaded cell contributes to all four with different weights, so the weights are stored as (w[c], w[c-1], w[c-2],
+// w[c-3]). Defines: RANGE, KERNELS; REACHES, the half-width of the widest kernel in each row; SMOOTH_LIFE, with which
+// kernel 0 is the ring and kernel 1 the disc.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "lenia/bindings.glsl"
@@ -16,7 +15,7 @@ uniform int rowItems;
 uniform int paddedItems;
 uniform int margin;
 uniform float dt;
-uniform vec4 growth[KERNELS];  // Per kernel: mu, 1 / sigma^2 term, weight, kind
+uniform vec4 growth[KERNELS];  // For each kernel: mu, the member perSigma2 of LeniaGrowth, weight, kind
 uniform vec4 limits;  // Birth and survival limits of SmoothLife
 uniform vec2 slopes;
 #include "lenia/model.glsl"
@@ -32,7 +31,7 @@ void main() {
   for (int row = 0; row <= 2 * RANGE; ++row) {
     int reach = reaches[row];
     int start = (at.y + row) * paddedItems + place;
-    // Elements that contain the cells from -reach to 3 + reach.
+    // The loop covers the elements that contain the cells from -reach to 3 + reach.
     for (int e = -reach >> 2; e <= 3 + reach >> 2; ++e) {
       vec4 four = LOAD_INPUT(padded, start + e);
       for (int i = 0; i < 4; ++i) {

@@ -1,11 +1,11 @@
 // Computes many generations in one dispatch of one workgroup, only in active tiles. A pass is STEPS generations; a tile
-// is TILE_WORDS * 32 cells wide and TILE_ROWS high. A cell depends on cells at most STEPS <= 16 away in a pass. So a
-// tile whose neighbouring tiles did not change in the last pass does not change in this pass: both halves of `cells`
-// already hold its state. A tile that changes marks the tiles near it for the next pass.
+// is TILE_WORDS * 32 cells wide and TILE_ROWS high. In a pass, a cell depends only on cells at most STEPS <= 16 away.
+// Therefore, a tile whose neighbouring tiles did not change in the last pass does not change in this pass, and both
+// halves of `cells` already hold its state. A tile that changes marks the tiles near it for the next pass.
 //
-// For software drivers, where a dispatch is expensive (60 to 90 us), a workgroup of 8 is one SIMD vector, and loops end
-// without error after 65,535 iterations. LifeActive in src/sim/life counts the iterations, and the end of the kernel
-// reports a loop that was cut off.
+// It is made for software drivers, where a dispatch is expensive (60 to 90 us), a workgroup of 8 is one SIMD vector,
+// and loops silently end after 65,535 iterations. LifeActive in src/sim/life counts the iterations, and the end of the
+// kernel reports a loop that was cut off.
 //
 // Defines: BORN and SURVIVE, or FORMULA; TORUS for a torus; STEPS, TILE_WORDS, TILE_ROWS, TILES; OVERLAP if the height
 // is not a multiple of TILE_ROWS.
@@ -13,12 +13,12 @@
 layout(local_size_x = 8) in;
 layout(r32ui, binding = cellsBinding) uniform coherent readonly uimageBuffer cellTexels;
 layout(std430, binding = cellsBinding) coherent writeonly buffer CellBlock { uint cells[]; };
-// Pass in which each tile must be computed.
+// For each tile: the pass in which it must be computed.
 layout(std430, binding = marksBinding) coherent buffer MarkBlock { uint marks[]; };
-// Cells per axis; the width is a multiple of TILE_WORDS * 32, the height at least TILE_ROWS and STEPS
+// Number of cells per axis; the width is a multiple of TILE_WORDS * 32, the height at least TILE_ROWS and STEPS
 uniform ivec2 size;
-uniform int rowWords;  // Words per row
-uniform uint firstPass;  // Reads half (firstPass & 1) of `cells`, writes the other half
+uniform int rowWords;  // Number of words per row
+uniform uint firstPass;  // Number of the first pass: it reads half (firstPass & 1) of `cells` and writes the other half
 uniform int passes;
 uniform bool all;  // True if the first pass computes every tile
 
@@ -33,7 +33,7 @@ uniform bool all;  // True if the first pass computes every tile
 shared uint list[TILES];
 shared uint listed;
 
-// A row of a tile with 16 more cells on each side.
+// Row of a tile with 16 additional cells on each side.
 const int WORDS = TILE_WORDS + 1;
 struct Row {
   uint word[WORDS];
@@ -42,12 +42,12 @@ struct RowSums {
   RowSum word[WORDS];
 };
 struct Strip {
-  RowSums above[STEPS];  // For generation t: sums of the row two rows back
-  RowSums here[STEPS];   // Sums of the row one row back
-  Row alive[STEPS];      // Cells of the row one row back
+  RowSums above[STEPS];  // For generation t: sums of the row two rows above
+  RowSums here[STEPS];   // Sums of the row above
+  Row alive[STEPS];      // Cells of the row above
 };
-// A tile: its first word in a row, its top row, masks of existing cells beside it, and masks of its changed cells: in
-// all rows, in the first STEPS rows, in the last STEPS rows.
+// Tile: index of its first word in a row, its top row, masks of the cells that exist beside it, and masks of its
+// changed cells: in all rows, in the first STEPS rows, and in the last STEPS rows.
 struct Tile {
   int first, top;
   uint leftCells, rightCells;
@@ -104,11 +104,11 @@ RowSums sumsOf(Row row) {
   return sums;
 }
 
-// Reads row `y` of generation 0 and, once available, stores row y - STEPS of generation STEPS.
+// Reads row `y` of generation 0. When it is complete, also stores row y - STEPS of generation STEPS.
 void advance(inout Strip strip, inout Tile tile, int y, int from, int to) {
   Row row = loadRow(tile, y, from);
   for (int t = 0; t < STEPS; ++t) {
-    // `row` is row y - t of generation t. It completes the neighbourhood of the row above it.
+    // `row` is row y - t of generation t. With it, the neighbourhood of the row above is complete.
     RowSums below = sumsOf(row);
     Row next;
     for (int k = 0; k < WORDS; ++k)
@@ -136,7 +136,7 @@ Tile computed(uint index, int from, int to) {
   int across = tilesAcross();
   int column = int(index) % across;
   tile.first = column * TILE_WORDS;
-  // The last row of tiles may overlap the row before
+  // The last row of tiles may overlap the row of tiles before it
   tile.top = min(int(index) / across * TILE_ROWS, size.y - TILE_ROWS);
   tile.leftCells = column == 0 ? 0xffff0000u : 0xffffffffu;
   tile.rightCells = column == across - 1 ? 0xffffu : 0xffffffffu;
@@ -148,7 +148,7 @@ Tile computed(uint index, int from, int to) {
       strip.here[t].word[k] = rowSum(0u, 0u, 0u);
       strip.alive[t].word[k] = 0u;
     }
-  // Two rows per iteration, to reduce the cost of loop-carried values.
+  // Each iteration processes two rows, to reduce the cost of values carried over the loop.
   for (int y = tile.top - STEPS; y < tile.top + TILE_ROWS + STEPS; y += 2) {
     advance(strip, tile, y, from, to);
     advance(strip, tile, y + 1, from, to);
@@ -156,7 +156,8 @@ Tile computed(uint index, int from, int to) {
   return tile;
 }
 
-// Marks for the next pass the tiles of one tile row, at and beside `place`, that read cells changed here.
+// In the row of tiles of `place`, marks for the next pass the tile at `place` and its neighbours if they read cells
+// that have changed here.
 void markRow(ivec2 place, uint changed[TILE_WORDS], uint pass) {
   ivec2 count = ivec2(tilesAcross(), tilesDown());
   uint some = 0u;
@@ -200,8 +201,8 @@ void main() {
     memoryBarrier();
     barrier();
   }
-  // Detects a loop that the driver cut off: the limit of 65,535 iterations applies to all loops of an invocation
-  // together, so this loop then ends early too.
+  // Detects a loop that the driver has cut off. The limit of 65,535 iterations applies to the sum over all loops of an
+  // invocation, so in that case this loop also ends early.
   int reached = 0;
   for (int i = 0; i <= passes; ++i) ++reached;
   if (reached <= passes) noteLost(firstPass, lane);

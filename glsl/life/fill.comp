@@ -1,5 +1,5 @@
 // Fills the grid randomly: a cell is alive if the hash of (x, y, seed) is below the fraction. An invocation writes a
-// whole block of 128 cells, so that no two invocations share a word.
+// block of 128 cells, so that no two invocations write to the same word.
 #include "common/hash.glsl"
 #include "common/words.glsl"
 #include "life/bindings.glsl"
@@ -8,7 +8,7 @@ STATE_WORDS(cellsBinding, CellBlock, cells)
 uniform ivec2 size;
 uniform int rowBlocks;
 uniform int seed;
-uniform int fraction;  // 2^24 times the fraction of living cells
+uniform int fraction;  // Fraction of live cells, multiplied by 2^24
 uniform int firstBlock;
 
 #include "life/fill.glsl"

@@ -1,7 +1,8 @@
-// Any rule of nine cells, computed on bits like the counting rules of model.glsl. FORMULA is the generated body of
-// nextCells, built from bitwise selections (src/sim/automata/engine/bit_formula.hpp).
+// Any rule on nine cells, computed on bits like the counting rules of model.glsl. FORMULA is the generated body of
+// nextCells(), which consists of bitwise selections (src/sim/automata/engine/bit_formula.hpp).
 
-// A row's cells, shifted so that each bit position sees its west neighbour, itself and its east neighbour.
+// Cells of a row, shifted so that at each bit position there are the west neighbour, the cell itself and the east
+// neighbour.
 struct RowSum {
   WORD west;
   WORD here;

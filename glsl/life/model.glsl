@@ -1,8 +1,8 @@
 // Outer-totalistic automata on bits: a WORD holds one cell per bit, and bitwise logic counts the neighbours of all
-// cells at once. Compiles as GLSL and as C++ (tests/reference/life_twin.cpp). The rule is BORN and SURVIVE: bit n for n
-// living neighbours.
+// cells in parallel. Compiles as GLSL and as C++ (tests/reference/life_twin.cpp). The rule is given by BORN and
+// SURVIVE, whose bit n stands for n live neighbours.
 
-// Sum west + here + east of every cell, as two bits: low + 2 high.
+// Sum of west, here and east for every cell, as two bits: low + 2 high.
 struct RowSum {
   WORD low;
   WORD high;
@@ -21,9 +21,9 @@ FUNCTION WORD choose(WORD bit, WORD ifZero, WORD ifOne) {
   return (ifZero & ~bit) | (ifOne & bit);
 }
 
-// Returns the next state of cells for which the cell and its neighbours together have `total` living cells; a living
-// cell then has total - 1 living neighbours. Total 0 with a living cell, and total 9 with a dead cell, cannot occur;
-// for them the simpler result is returned.
+// Returns the next state of cells for which the cell and its neighbours together have `total` live cells. If the cell
+// is alive, it therefore has total - 1 live neighbours. Total 0 with a live cell, and total 9 with a dead cell, cannot
+// occur; for them, the simpler result is returned.
 FUNCTION WORD outcome(int total, WORD alive) {
   int born = BORN >> (total < 9 ? total : 8) & 1;
   int survives = SURVIVE >> (total > 0 ? total - 1 : 0) & 1;
@@ -33,7 +33,7 @@ FUNCTION WORD outcome(int total, WORD alive) {
   return survives == 1 ? alive : ~alive;
 }
 
-// True if totals 8 and 9 have the same outcome as 0 and 1, for living and dead cells.
+// Returns true if the totals 8 and 9 have the same outcome as 0 and 1, for live and for dead cells.
 FUNCTION bool lastAsFirst() {
   int born0 = BORN & 1;
   int born1 = BORN >> 1 & 1;

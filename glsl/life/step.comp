@@ -1,7 +1,8 @@
-// Computes STEPS generations in one pass. An invocation processes BLOCKS * 128 cells of a row and walks down ROWS rows.
-// For each generation it keeps the sums of the two rows above in registers, so every cell is read once; only the rows
-// at both ends of its strip, and a word to the left and right, are also read by neighbours. Generation t + 1 is correct
-// except for t + 1 bits at the far ends of both words, so STEPS can be up to 32.
+// Computes STEPS generations in one pass. An invocation processes BLOCKS * 128 cells of a row and moves down ROWS rows.
+// For each generation, it keeps the sums of the two rows above in registers, so every cell is read only once. Only the
+// rows at both ends of its strip, and one word to the left and one to the right, are also read by neighbours.
+// Generation t + 1 is correct except for t + 1 bits at the outer ends of both additional words, so STEPS can be up to
+// 32.
 //
 // Defines: BORN and SURVIVE, or FORMULA; TORUS for a torus; WHOLE if rows are multiples of BLOCKS * 128 cells (required
 // for STEPS > 1, with at least STEPS rows); GROUP_X, GROUP_Y.
@@ -11,7 +12,7 @@ layout(local_size_x = GROUP_X, local_size_y = GROUP_Y) in;
 INPUT_WORDS(cellsBinding, CellBlock, cells)
 STATE_WORDS(nextCellsBinding, NextBlock, newCells)
 uniform ivec2 size;  // Number of cells per axis
-uniform int rowBlocks;  // Blocks of 128 cells per row
+uniform int rowBlocks;  // Number of blocks of 128 cells per row
 
 #define WORD uint
 #ifdef FORMULA
@@ -20,7 +21,7 @@ uniform int rowBlocks;  // Blocks of 128 cells per row
 #include "life/model.glsl"
 #endif
 
-const int WORDS = BLOCKS * 4 + 2;  // Including one word on each side
+const int WORDS = BLOCKS * 4 + 2;  // Number of words, including one additional word on each side
 
 struct Row {
   uint word[WORDS];
@@ -34,7 +35,7 @@ int wrappedRow(int y) {
   return min(y, size.y - 1);  // Rows far below the last row are loaded but not used
 }
 
-// Loads row y of the strip with the words beside it; y may lie STEPS rows outside the grid.
+// Loads row y of the strip with the adjacent words. y may be up to STEPS rows outside the grid.
 Row loadRow(int y, int first) {
   Row row;
   int start = wrappedRow(y) * rowBlocks;
@@ -122,9 +123,9 @@ void main() {
 #endif
   if (first >= rowBlocks || top >= size.y) return;
   int rows = min(ROWS, size.y - top);
-  RowSums above[STEPS];  // For generation t: sums of the row two rows back
-  RowSums here[STEPS];   // Sums of the row one row back
-  Row alive[STEPS];      // Cells of the row one row back
+  RowSums above[STEPS];  // For generation t: sums of the row two rows above
+  RowSums here[STEPS];   // Sums of the row above
+  Row alive[STEPS];      // Cells of the row above
   for (int t = 0; t < STEPS; ++t)
     for (int k = 0; k < WORDS; ++k) {
       above[t].word[k] = rowSum(0u, 0u, 0u);
@@ -134,7 +135,7 @@ void main() {
   for (int i = -STEPS; i < rows + STEPS; ++i) {
     Row row = loadRow(top + i, first);
     for (int t = 0; t < STEPS; ++t) {
-      // `row` is row top + i - t of generation t. It completes the neighbourhood of the row above it.
+      // `row` is row top + i - t of generation t. With it, the neighbourhood of the row above is complete.
       RowSums below = sumsOf(row);
       Row next;
       for (int k = 0; k < WORDS; ++k)

@@ -6,7 +6,7 @@ INPUT_WORDS(cellsBinding, CellBlock, cells)
 STATE_WORDS(trailsBinding, TrailBlock, trails)
 uniform ivec2 size;
 uniform int rowBlocks;
-uniform int rowQuads;  // Elements of 16 bytes per row of trails
+uniform int rowQuads;  // Number of elements of 16 bytes per row of trails
 uniform uint bright;
 uniform uint drop;
 

@@ -1,4 +1,4 @@
-// Binding points of the mesh kernels. heightsBinding of height_types.glsl is also in use.
+// Binding points of the mesh kernels, which also use heightsBinding of height_types.glsl.
 #ifndef MESH_BINDINGS
 #define MESH_BINDINGS
 

@@ -1,4 +1,4 @@
-// Computes the deformed positions from the rest positions. One vertex per invocation.
+// Computes the deformed positions from the rest positions. One invocation per vertex.
 #include "mesh/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_ARRAY(restPositionsBinding, RestBlock, restPositions)

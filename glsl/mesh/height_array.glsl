@@ -1,4 +1,4 @@
-// Heights of the mesh that cloth and particles fall onto, if HEIGHTS is 1. Otherwise nothing is bound or read.
+// Heights of the mesh onto which cloth and particles fall, if HEIGHTS is 1. Otherwise, nothing is bound or read.
 #ifndef HEIGHTS
 #define HEIGHTS 0
 #endif

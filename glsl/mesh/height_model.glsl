@@ -1,12 +1,12 @@
-// Contact with a deformed plane as a height field. A vertex counts at its rest position, displaced vertically only;
+// Contact with a deformed plane as a height field. Vertices are only displaced vertically from their rest positions;
 // horizontal displacement by waves is ignored. Compiles as GLSL and as C++. The including file provides `heightGrid`
-// (HeightGrid), loadHeights(int) (x height at the frame's begin, y at its end, m), and includes before this file:
-// height_types.glsl, common/exact.glsl.
+// (HeightGrid) and loadHeights(int), which returns the height at the start of the frame in x and at its end in y
+// (metres), and first includes height_types.glsl and common/exact.glsl.
 
-// Surface at (x, z) at one moment.
+// Surface at (x, z) at a given time.
 struct SurfacePoint {
   vec3 normal;   // Unit normal with y > 0
-  float height;  // in metres
+  float height;  // Height in metres
   float speed;   // Vertical velocity, m/s
   bool there;    // False if the point is outside the mesh
 };
@@ -16,14 +16,15 @@ FUNCTION vec2 mixedHeights(vec2 a, vec2 b, float t) {
   return mixed;
 }
 
-// Interpolates between the values at the frame's begin and end, at the current progress.
+// Interpolates between the values at the start and the end of the frame, at the current progress.
 FUNCTION float heightWithin(vec2 values) {
   precise float value = (values.y - values.x) * heightGrid.progress + values.x;
   return value;
 }
 
-// Interpolates bilinearly between the four vertices around: h = mix(mix(a, b, u), mix(c, d, u), v), with the slopes
-// dh/dx = mix(b - a, d - c, v) / cell and dh/dz = (lower - upper) / cell, and n = (-dh/dx, 1, -dh/dz) / |...|.
+// Interpolates bilinearly between the four surrounding vertices a, b, c and d at the fractions u and v: h = mix(mix(a,
+// b, u), mix(c, d, u), v). The slopes are dh/dx = mix(b - a, d - c, v) / cell and dh/dz = (lower - upper) / cell, and
+// the normal is n = (-dh/dx, 1, -dh/dz) / |(-dh/dx, 1, -dh/dz)|.
 FUNCTION SurfacePoint surfaceUnder(float px, float pz) {
   precise float x = (px - heightGrid.corner.x) * heightGrid.perCell.x;
   precise float z = (pz - heightGrid.corner.y) * heightGrid.perCell.y;
@@ -31,7 +32,7 @@ FUNCTION SurfacePoint surfaceUnder(float px, float pz) {
   float maxZ = float(heightGrid.size.y - 1);
   SurfacePoint s;
   s.there = x >= 0.0f && z >= 0.0f && x <= maxX && z <= maxZ;
-  x = s.there ? x : 0.0f;  // The position of a lost particle can be NaN
+  x = s.there ? x : 0.0f;  // The position of a lost particle may be NaN
   z = s.there ? z : 0.0f;
   int column = min(int(floor(x)), heightGrid.size.x - 2);
   int row = min(int(floor(z)), heightGrid.size.y - 2);
@@ -64,8 +65,8 @@ struct Landing {
   vec3 velocity;
 };
 
-// Moves a point vertically up to the margin above the surface. Relative to the surface's vertical velocity, the impact
-// velocity is reversed by the bounce fraction, and a fraction of the tangential velocity remains.
+// Moves a point vertically up to the margin above the surface. The impact velocity, relative to the vertical velocity
+// of the surface, is reversed and multiplied by the bounce fraction. A fraction of the tangential velocity remains.
 FUNCTION Landing landed(vec3 position, vec3 velocity) {
   SurfacePoint s = surfaceUnder(position.x, position.z);
   precise float lowest = s.height + heightGrid.margin;

@@ -1,5 +1,5 @@
-// Shifts the heights by a frame: the present heights become the last ones, and the new heights are stored beside them.
-// One vertex per invocation.
+// Advances the heights by one frame: the current heights become those at the start of the frame, and the new heights
+// become those at its end. One invocation per vertex.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "mesh/bindings.glsl"

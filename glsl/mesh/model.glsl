@@ -1,8 +1,9 @@
-// Displacements of a vertex, shared by all techniques. Compiles as GLSL and as C++ (src/sim/mesh/deform_cpu.cpp). The
-// including file provides `deformStep` (DeformStep) and loadTrail(int), and includes before this file: types.glsl,
+// Displacements of a vertex, used by all techniques. Compiles as GLSL and as C++ (src/sim/mesh/deform_cpu.cpp). The
+// including file provides `deformStep` (DeformStep) and loadTrail(int), and first includes types.glsl and
 // common/exact.glsl. Phases are reduced to one turn on the CPU, so that they do not lose precision over time.
 
-// Ripple: y += sin(phase - k r) amplitude e^(-decay r), r the distance from the centre in the rest pose.
+// Ripple: y += sin(phase - k r) amplitude e^(-decay r), where k is the wavenumber and r the distance from the centre in
+// the rest shape.
 FUNCTION vec3 rippled(RippleStep d, vec3 rest, vec3 p) {
   precise vec3 from = rest - vec3(d.centre);
   float far = exactSqrt(exactDot(from, from));
@@ -14,8 +15,8 @@ FUNCTION vec3 rippled(RippleStep d, vec3 rest, vec3 p) {
   return vec3(p.x, y, p.z);
 }
 
-// Gerstner wave: theta = k (n . p) - phase; p += (n surge cos theta, amplitude sin theta), with the rest position p in
-// theta.
+// Gerstner wave: theta = k (n . p) - phase, where k is the wavenumber, n the heading and p the rest position. The
+// displacement is n surge cos theta horizontally and amplitude sin theta vertically.
 FUNCTION vec3 waved(WaveStep d, vec3 rest, vec3 p) {
   precise float theta = (rest.x * d.heading.x + rest.z * d.heading.y) * d.wavenumber - d.phase;
   precise float along = exactCos(theta) * d.surge;
@@ -25,9 +26,9 @@ FUNCTION vec3 waved(WaveStep d, vec3 rest, vec3 p) {
   return moved;
 }
 
-// Sway: bends upright shapes in the wind. h is the height above the base relative to the shape's height. The horizontal
-// shift along the heading is A h^2 (lean + gusts(x, z, t)). The tip sinks by shift^2 / (2 H h), like a bent blade of
-// constant length.
+// Sway: bends upright shapes in the wind. h is the height above the base as a fraction of the shape's height H. With
+// the amplitude A, the horizontal shift along the heading is A h^2 (lean + gusts(x, z, t)). The tip sinks by shift^2 /
+// (2 H h), like the tip of a bent blade of constant length.
 FUNCTION vec3 swayed(SwayStep d, vec3 rest, vec3 p) {
   precise float h = (rest.y - d.base) * d.perHeight;
   h = max(h, 0.0f);
@@ -45,7 +46,7 @@ FUNCTION vec3 swayed(SwayStep d, vec3 rest, vec3 p) {
   return moved;
 }
 
-// Interpolates the trail between the four cells around: x depth (m), y rim (m).
+// Interpolates the trail between the four surrounding cells: x is the depth, y the rim height, in metres.
 FUNCTION vec2 trailAt(vec3 rest) {
   precise float x = (rest.x - deformStep.trail.corner.x) * deformStep.trail.perCell.x;
   precise float z = (rest.z - deformStep.trail.corner.y) * deformStep.trail.perCell.y;
@@ -66,8 +67,8 @@ FUNCTION vec2 trailAt(vec3 rest) {
   return here;
 }
 
-// Moves a point down by the print's depth, and up by the rim beside it. The rim vanishes where the depth reaches half
-// of the rim's height.
+// Moves a point down by the depth of the print, and up by the height of the rim beside it. The rim vanishes where the
+// depth reaches half of the rim's height.
 FUNCTION vec3 pressed(vec3 rest, vec3 p) {
   vec2 print_ = trailAt(rest);
   precise float rim = print_.y - print_.x * 2.0f;
@@ -85,8 +86,8 @@ FUNCTION vec3 nearestOf(Presser s, vec3 p) {
   return nearest;
 }
 
-// Pushes a point away from moving pressers: a distance r < R + s from the axis of a presser of radius R becomes R + r s
-// / (R + s), with s the softness. For shapes rooted at the base, the effect grows with the height above it.
+// Pushes a point away from moving pressers. With the softness s, a distance r < R + s from the axis of a presser of
+// radius R becomes R + r s / (R + s). For shapes rooted at the base, the effect grows with the height above the base.
 FUNCTION vec3 pushed(PushStep d, vec3 rest, vec3 p) {
   precise float weight = (rest.y - d.base) * d.perHeight;
   weight = clamp(weight, 0.0f, 1.0f);
@@ -114,10 +115,10 @@ FUNCTION vec3 displacedBy(int i, int kind, vec3 rest, vec3 p) {
   return p;
 }
 
-// Applies all displacements of the list in order. The rest position is only read.
+// Applies all displacements of the list in order to `p`. The rest position does not change.
 #ifdef DISPLACEMENTS
-// DISPLACEMENTS is their number. FIRST_KINDS and LAST_KINDS hold four bits per displacement, so that a kernel contains
-// only code for the kinds in its list.
+// DISPLACEMENTS is the number of displacements. FIRST_KINDS and LAST_KINDS hold four bits per displacement, so that a
+// kernel contains only code for the kinds in its list.
 FUNCTION int kindOf(int i) {
   return (i < 8 ? FIRST_KINDS >> (4 * i) : LAST_KINDS >> (4 * (i - 8))) & 15;
 }
@@ -138,9 +139,9 @@ FUNCTION vec3 displaced(vec3 rest) {
 }
 #endif
 
-// Returns a trail cell after all pressers. With dx the horizontal distance to a presser's axis and y the axis height
-// there, the print's depth is height - (y - sqrt(R^2 - dx^2)). The rim beside the print falls with the distance d from
-// its edge as e^(-(d/width)^2).
+// Returns a trail cell after all pressers have acted. With the horizontal distance dx from the axis of a presser and
+// the axis height y at that point, the depth of the print is height - (y - sqrt(R^2 - dx^2)). The rim beside the print
+// decreases with the distance d from the print's edge as e^(-(d/width)^2).
 FUNCTION vec4 trodden(ivec2 cell, vec4 before) {
   precise float x = float(cell.x) * deformStep.trail.cellSize.x + deformStep.trail.corner.x;
   precise float z = float(cell.y) * deformStep.trail.cellSize.y + deformStep.trail.corner.y;
@@ -162,7 +163,7 @@ FUNCTION vec4 trodden(ivec2 cell, vec4 before) {
     print_ = min(print_, deepest);
     bool over = under > 0.0f;
     before.x = over ? max(before.x, print_) : before.x;
-    precise float deep = below + s.radius;  // Depth of the presser's lowest point
+    precise float deep = below + s.radius;  // Depth of the lowest point of the presser
     deep = min(deep, deepest);
     precise float inner = square - below * below;
     float edge = exactSqrt(max(inner, 0.0f));

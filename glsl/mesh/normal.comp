@@ -1,4 +1,4 @@
-// Computes the normals of the deformed mesh. One vertex per invocation.
+// Computes the normals of the deformed mesh. One invocation per vertex.
 #include "mesh/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)

@@ -7,9 +7,9 @@ FUNCTION vec3 faceNormal(vec3 here, uint b, uint c) {
   return exactCross(left, right);
 }
 
-// Returns n = sum (b - a) x (c - a) over the faces (a, b, c) around a, weighted by area, in the order of the faces. An
-// element holds two faces; an unused one is (a, a, a) and adds nothing. If all faces are degenerate, returns the rest
-// normal.
+// Returns the vertex normal: the sum of (b - a) x (c - a) over the faces (a, b, c) around the vertex a, weighted by
+// area and added in the order of the faces. An element holds two faces; an unused face is (a, a, a) and adds nothing.
+// If all faces are degenerate, returns the rest normal.
 FUNCTION vec3 gatheredNormal(int vertex, vec3 atRest) {
   uvec4 fan = loadFan(vertex);
   vec3 here = loadDisplaced(vertex);

@@ -1,5 +1,5 @@
-// Adds what the pressers (spheres and capsules, such as feet) press into the surface to the trail, a grid of the depths
-// and rims of all prints so far. One cell per invocation.
+// Adds the prints of the pressers (spheres and capsules, such as feet) to the trail, a grid with the depths and rim
+// heights of all prints so far. One invocation per cell.
 #include "mesh/kernel.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 STATE_ARRAY(trailBinding, TrailBlock, trail)

@@ -1,4 +1,4 @@
-// Colours each vertex by the value of its cell. One vertex per invocation.
+// Colours each vertex by the value of its cell. One invocation per vertex.
 #include "common/exact.glsl"
 #include "common/words.glsl"
 #include "mesh_cells/bindings.glsl"
@@ -7,7 +7,7 @@ layout(binding = cellValuesUnit) uniform usamplerBuffer cellWords;
 INPUT_WORDS(restBinding, RestBlock, rest)
 layout(std430, binding = paintedBinding) restrict writeonly buffer PaintedBlock { vec4 painted[]; };
 uniform int count, firstWord;
-uniform vec2 range;  // Lowest value, and 1 / (highest - lowest)
+uniform vec2 range;  // Lowest value, and 1 / (highest value - lowest value)
 
 void main() {
   int i = int(gl_GlobalInvocationID.x);

@@ -1,6 +1,6 @@
-// All-pairs gravity of a range of bodies on a range of targets, O(N^2). Bodies are summed in order, and each chunk of
-// chunkBodies has a sum of its own. So both memory paths, every split into dispatches, and the CPU twin give the same
-// bits.
+// All-pairs gravity, O(N^2): computes the pull of a range of bodies on a range of targets. Bodies are summed in order,
+// with a separate sum for each chunk of chunkBodies. Therefore, both memory paths, every division into dispatches, and
+// the CPU twin give the same bits.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "particles/bindings.glsl"
@@ -9,12 +9,12 @@
 
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)
 STATE_ARRAY(accelerationsBinding, AccelerationBlock, accelerations)
-uniform ivec2 targets;  // Index range: first, one past the last
-uniform ivec2 bodies;   // Index range: first (a multiple of chunkBodies), one past the last
-uniform float softeningSquared;  // in m^2
+uniform ivec2 targets;  // Index of the first target, and index past the last
+uniform ivec2 bodies;   // Index of the first body (a multiple of chunkBodies), and index past the last
+uniform float softeningSquared;  // Squared softening length in m^2
 uniform float gravity;           // Gravitational constant G, m^3/(kg s^2)
 uniform bool continued;  // True if `accelerations` holds the partial sums of earlier dispatches
-uniform bool last;       // True in the last dispatch: the sum is multiplied by G
+uniform bool last;       // True in the last dispatch, where the sum is multiplied by G
 
 void finish(int i, vec3 sum) {
   precise vec3 scaled = sum * gravity;
@@ -34,8 +34,8 @@ vec3 begin(int i) {
   sum##k = addPull(sum##k, here##k, body3, softeningSquared);
 
 #ifdef TEXEL_PATH
-// On software drivers a texel load is expensive compared with the arithmetic, so one load serves eight targets of an
-// invocation. An invocation is one SIMD lane.
+// On software drivers, a texel load is expensive compared with the arithmetic, so an invocation uses each load for
+// eight targets. An invocation is one SIMD lane.
 layout(local_size_x = 16) in;
 #define EACH(DO) DO(0) DO(1) DO(2) DO(3) DO(4) DO(5) DO(6) DO(7)
 
@@ -71,8 +71,8 @@ void main() {
   EACH(FINISH)
 }
 #else
-// One load from shared memory serves all targets of an invocation. With few targets in total, TARGETS is 1, because
-// otherwise most of the GPU would be idle.
+// An invocation uses each load from shared memory for all its targets. If there are few targets in total, TARGETS is 1,
+// because otherwise most of the GPU would be idle.
 layout(local_size_x = 256) in;
 #if TARGETS == 4
 #define EACH(DO) DO(0) DO(1) DO(2) DO(3)
@@ -94,7 +94,7 @@ void main() {
     EACH(ZERO)
     int end = min(chunk + chunkBodies, bodies.y);
     for (int start = chunk; start < end; start += 256) {
-      // Positions beyond the end are filled with massless bodies: adding their zero pull changes no bit of the sum.
+      // Beyond the end, massless bodies are used. Their pull of zero changes no bit of the sum.
       tile[lane] = start + lane < end ? LOAD_INPUT(positions, start + lane) : vec4(0.0f);
       barrier();
       for (int j = 0; j < 256; j += 8) {
@@ -114,7 +114,8 @@ void main() {
 #define JOIN(k) total##k = total##k + sum##k;
     EACH(JOIN)
   }
-  // A target index beyond the end repeats the last target. Only the invocation at the target's own place stores it.
+  // A target index beyond the end repeats the last target. Only the invocation with the index of that target stores its
+  // result.
 #define FINISH(k) \
   if (first + k * 256 < targets.y) finish(i##k, total##k);
   EACH(FINISH)

@@ -1,6 +1,6 @@
-// Creates a substep's new particles and moves each from its birth to the substep's end. Runs after the drift of the
-// other particles. With ATTRACTS, kick.comp applies the second kick, because it needs the gravity of the other
-// particles.
+// Creates the new particles of a substep and moves each from its birth to the end of the substep. Runs after the drift
+// of the other particles. If ATTRACTS is defined, kick.comp applies the second kick, because the kick needs the gravity
+// of the other particles. One invocation per new particle.
 #include "particles/kernel.glsl"
 
 void main() {

@@ -1,4 +1,4 @@
-// First kick and drift of all particles; also ages particles and removes dead ones. One particle per invocation.
+// Applies the first kick and the drift to all particles, ages them and removes dead ones. One invocation per particle.
 #include "particles/kernel.glsl"
 
 void main() {

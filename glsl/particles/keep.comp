@@ -1,5 +1,5 @@
-// Copies the positions at the start of a substep, for particles in contact with cloth. The rest of the substep changes
-// the copy.
+// Copies the positions at the start of a substep, for particles in contact with cloth. The remaining part of the
+// substep changes the copy. One invocation per particle.
 #include "common/memory.glsl"
 #include "particles/bindings.glsl"
 layout(local_size_x = 64) in;

@@ -1,4 +1,4 @@
-// Common includes and buffers of all particle kernels except accelerate.comp.
+// Includes and buffers common to all particle kernels except accelerate.comp.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
 #include "common/hash.glsl"

@@ -1,4 +1,5 @@
-// Adds the field accelerations to the particles' gravity and applies the second kick. One particle per invocation.
+// Adds the accelerations by fields to the gravity of the particles and applies the second kick. One invocation per
+// particle.
 #include "particles/kernel.glsl"
 
 void main() {

@@ -1,12 +1,12 @@
-// One particle over one substep of a leapfrog (kick, drift, kick), without the mutual gravity. Compiles as GLSL and as
-// C++ (the CPU twin of the tests). The including file provides `stepData` (ParticleStep), types.glsl,
-// common/exact.glsl, common/hash.glsl, particles/pairs.glsl, particles/pace.glsl, mesh/height_model.glsl,
-// contour/wall_model.glsl, and `blown` and windAt() (fluid/wind_array.glsl).
+// One particle over one substep of a leapfrog (kick, drift, kick), without mutual gravity. Compiles as GLSL and as C++
+// (the CPU twin of the tests). The including file provides `stepData` (ParticleStep), types.glsl, common/exact.glsl,
+// common/hash.glsl, particles/pairs.glsl, particles/pace.glsl, mesh/height_model.glsl, contour/wall_model.glsl, and
+// `blown` and windAt() (fluid/wind_array.glsl).
 #include "collide/model.glsl"
 
 struct ParticleMotion {
-  vec4 position;  // xyz position, m; w mass, kg (0: not alive)
-  vec4 velocity;  // xyz velocity, m/s; w age from 0 to 1 (negative: not alive)
+  vec4 position;  // xyz position, m; w mass, kg (0 if not alive)
+  vec4 velocity;  // xyz velocity, m/s; w age as a fraction of life, 0 to 1 (negative if not alive)
 };
 
 // Returns the upper 24 bits of a word as a number in [0, 1), without rounding.
@@ -36,10 +36,10 @@ FUNCTION vec3 latticePotential(int x, int y, int z) {
   return signedUnits(hash3(uvec3(uint(x), uint(y), uint(z) ^ (uint(stepData.seed) * 0x85ebca6bu))));
 }
 
-// Returns the curl of a value-noise vector potential at p, in lattice units; it is free of divergence:
-//   curl psi = (dpsi_z/dy - dpsi_y/dz, dpsi_x/dz - dpsi_z/dx, dpsi_y/dx - dpsi_x/dy).
-// The derivatives are the exact derivatives of the interpolation of the eight corners. The factor scales the root mean
-// square to 1 (1.873 measured without it).
+// Returns the curl of a value-noise vector potential psi at p, in lattice units. It is divergence-free: curl psi =
+// (dpsi_z/dy - dpsi_y/dz, dpsi_x/dz - dpsi_z/dx, dpsi_y/dx - dpsi_x/dy). The derivatives are those of the interpolation
+// between the eight corners, computed exactly. A factor scales the root mean square to 1; without it, 1.873 was
+// measured.
 FUNCTION vec3 curlNoise(vec3 p) {
   precise vec3 base = clamp(floor(p), -1e6f, 1e6f);
   precise vec3 u = p - base;
@@ -74,7 +74,7 @@ FUNCTION vec4 backTo(vec4 end, vec4 start, float fraction) {
   return sum;
 }
 
-// Returns the fields at a moment within the substep, `fraction` of the substep before its end.
+// Returns the fields at a time within the substep: the fraction `fraction` of the substep before its end.
 FUNCTION ParticleFields fieldsAt(float fraction) {
   ParticleFields f;
   f.acceleration = backTo(stepData.fields.acceleration, stepData.fieldsBefore.acceleration, fraction);
@@ -83,7 +83,8 @@ FUNCTION ParticleFields fieldsAt(float fraction) {
   return f;
 }
 
-// Returns the acceleration without mutual gravity. `attractor` and `turbulence` enable these terms.
+// Returns the acceleration by fields, without mutual gravity. `attractor` and `turbulence` enable the terms of these
+// names.
 FUNCTION vec3 fieldAcceleration(ParticleFields fields, vec3 here, bool attractor, bool turbulence) {
   precise vec3 sum = vec3(fields.acceleration);
   if (attractor) {
@@ -119,8 +120,8 @@ FUNCTION float lifetimeOf(int slot, int e) {
   return lifetime;
 }
 
-// Returns a slot's emitter (-1 for particles of groups) and the slot's index among the substep's new particles (-1 if
-// not new).
+// Returns the index of a slot's emitter (-1 for particles of groups), and the slot's index among the new particles of
+// the substep (-1 if not new).
 FUNCTION ivec2 ringPlace(int slot) {
   for (int e = 0; e < stepData.emitterCount; ++e) {
     int slots = stepData.emitters[e].slots;
@@ -133,20 +134,20 @@ FUNCTION ivec2 ringPlace(int slot) {
   return ivec2(-1, -1);
 }
 
-// Returns the slot of new particle k: the inverse of ringPlace.
+// Returns the slot of new particle k of emitter e: the inverse of ringPlace().
 FUNCTION int newbornSlot(int e, int k) {
   int slots = stepData.emitters[e].slots;
   int place = stepData.emitters[e].firstPlace + k;
   return stepData.emitters[e].firstSlot + (place < slots ? place : place - slots);
 }
 
-// Returns the seconds that new particle k has lived at the substep's end.
+// Returns the time in seconds that new particle k of emitter e has lived at the end of the substep.
 FUNCTION float livedSeconds(int e, int k) {
   precise float lived = stepData.emitters[e].firstLived - float(k) * stepData.emitters[e].birthInterval;
   return min(max(lived, 0.0f), stepData.dt);
 }
 
-// First kick and drift: v' = v + a firstKick, x' = x + v' drift.
+// Applies the first kick and the drift: v' = v + a firstKick, x' = x + v' drift.
 FUNCTION ParticleMotion drifted(ParticleMotion m, vec3 acceleration, Pace pace) {
   precise vec3 v = vec3(m.velocity) + acceleration * pace.firstKick;
   precise vec3 x = vec3(m.position) + v * pace.drift;
@@ -165,7 +166,8 @@ FUNCTION ParticleMotion grownOlder(ParticleMotion m, float seconds, int slot, in
   return m;
 }
 
-// First kick and drift of a particle born before the substep. Particles of emitters also age and die.
+// Applies the first kick and the drift to a particle that was born before the substep. Particles of emitters also age
+// and die.
 FUNCTION ParticleMotion moved(int i, vec4 position, vec4 velocity, vec3 acceleration) {
   ParticleMotion m;
   m.position = position;
@@ -177,7 +179,8 @@ FUNCTION ParticleMotion moved(int i, vec4 position, vec4 velocity, vec3 accelera
   return m;
 }
 
-// Returns new particle k at its birth, with age 0. `fraction` of the substep remains after the birth.
+// Returns new particle k of emitter e at its birth, with age 0. The fraction `fraction` of the substep remains after
+// the birth.
 FUNCTION ParticleMotion newborn(int e, int k, float fraction) {
   EmitterStep emitter = stepData.emitters[e];
   vec4 mean = backTo(emitter.velocity, emitter.velocityBefore, fraction);
@@ -191,7 +194,8 @@ FUNCTION ParticleMotion newborn(int e, int k, float fraction) {
   uvec3 a = randomWords(serial, e, 1);
   uvec3 b = randomWords(serial, e, 2);
   uvec3 c = randomWords(serial, e, 3);
-  // Uniform in a cone: h = 1 - cos = u (1 - cos spread), sin^2 = h (2 - h). This form avoids cancellation.
+  // The direction is uniform in a cone with h = 1 - cos = u (1 - cos spread) for a uniform u, and sin^2 = h (2 - h).
+  // This form avoids cancellation.
   precise float height = unit(a.x) * emitter.coneHeight;
   precise float cosine = 1.0f - height;
   precise float squared = (2.0f - height) * height;
@@ -201,7 +205,7 @@ FUNCTION ParticleMotion newborn(int e, int k, float fraction) {
   precise float upwards = sine * exactSin(angle);
   precise float speed = (signedUnit(a.z) * emitter.constants.speedVariation + 1.0f) * exactSqrt(meanSquared);
   precise vec3 velocity = (forward * cosine + side * sideways + up * upwards) * speed;
-  // The max of three uniform numbers has the distribution of the radius in a ball.
+  // The maximum of three uniform numbers is distributed like the radius of a point in a ball.
   precise float radius = max(max(unit(c.x), unit(c.y)), unit(c.z)) * emitter.constants.radius;
   precise vec3 place = vec3(backTo(emitter.position, emitter.positionBefore, fraction)) +
                        onSphere(signedUnit(b.x), unit(b.y)) * radius;
@@ -211,8 +215,8 @@ FUNCTION ParticleMotion newborn(int e, int k, float fraction) {
   return m;
 }
 
-// Returns new particle k after the first kick and drift over the remaining part of the substep, with the fields at its
-// birth.
+// Returns new particle k of emitter e after the first kick and drift over the remaining part of the substep, with the
+// fields at its birth.
 FUNCTION ParticleMotion newbornMoved(int e, int k, bool attractor, bool turbulence) {
   float lived = livedSeconds(e, k);
   precise float fraction = lived * exactReciprocal(stepData.dt);
@@ -236,7 +240,7 @@ FUNCTION ParticleMotion outOfSolids(ParticleMotion m, vec3 from) {
   return m;
 }
 
-// Moves a particle out of the colliding height mesh, after outOfSolids.
+// Moves a particle out of the colliding height mesh. Call it after outOfSolids().
 FUNCTION ParticleMotion overHeights(ParticleMotion m) {
   Landing l = landed(vec3(m.position), vec3(m.velocity));
   bool alive = m.velocity.w >= 0.0f;
@@ -245,7 +249,7 @@ FUNCTION ParticleMotion overHeights(ParticleMotion m) {
   return m;
 }
 
-// Moves a particle out of the walls of a solid, after the drift from `from`. Runs after overHeights.
+// Moves a particle out of the walls of a solid, after the drift from `from`. Call it after overHeights().
 FUNCTION ParticleMotion besideWalls(ParticleMotion m, vec3 from) {
   bool alive = m.velocity.w >= 0.0f;
   vec3 here = alive ? vec3(m.position) : from;
@@ -255,14 +259,15 @@ FUNCTION ParticleMotion besideWalls(ParticleMotion m, vec3 from) {
   return m;
 }
 
-// Damping and second kick: v' = v kept + a secondKick.
+// Applies the damping and the second kick: v' = v kept + a secondKick.
 FUNCTION vec4 kicked(vec4 velocity, vec3 acceleration, Pace pace) {
   precise vec3 v = vec3(velocity) * pace.kept + acceleration * pace.secondKick;
   return velocity.w < 0.0f ? velocity : vec4(v, velocity.w);
 }
 
-// Applies the other particles' pull to a new particle. The pull is known only at the end of the drift. It also
-// approximates the pull at the birth, so this function adds the missing first kick and its drift.
+// Applies the pull of the other particles to a new particle. The pull is known only at the end of the drift. It is also
+// used as an approximation of the pull at the birth, so this function adds the missing first kick and the drift that it
+// causes.
 FUNCTION ParticleMotion pulledSinceBirth(ParticleMotion m, vec3 pull, Pace pace) {
   precise vec3 kick = pull * pace.firstKick;
   precise vec3 x = vec3(m.position) + kick * pace.drift;
@@ -272,7 +277,7 @@ FUNCTION ParticleMotion pulledSinceBirth(ParticleMotion m, vec3 pull, Pace pace)
   return m;
 }
 
-// True if position or speed exceeds 1e8 or is not a number: the range of exact.glsl ends there.
+// Returns true if position or speed exceeds 1e8 or is NaN, because the range of exact.glsl ends there.
 FUNCTION bool isLost(vec4 position, vec4 velocity) {
   float distanceSquared = exactDot(vec3(position), vec3(position));
   float speedSquared = exactDot(vec3(velocity), vec3(velocity));

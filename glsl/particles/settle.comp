@@ -1,4 +1,4 @@
-// Moves particles out of their colliders again after contact with cloth has moved them. One particle per invocation.
+// Moves particles out of their colliders again after contact with cloth has moved them. One invocation per particle.
 #define SETTLES
 #include "particles/kernel.glsl"
 
@@ -7,7 +7,7 @@ void main() {
   if (i >= stepData.count) return;
   vec4 from = LOAD_INPUT(starts, i);
   ParticleMotion m = ParticleMotion(LOAD_ONCE(positions, i), LOAD_ONCE(velocities, i));
-  if (from.w == 0.0f) return;  // A new particle: cloth contact has not moved it
+  if (from.w == 0.0f) return;  // Contact with cloth does not move new particles
   if (SOLIDS == 1) m = outOfSolids(m, from.xyz);
   if (HEIGHTS == 1) m = overHeights(m);
   if (WALLS == 1) m = besideWalls(m, from.xyz);

@@ -1,4 +1,4 @@
-// Whole substep (kick, drift, kick) of particles without mutual gravity. One particle per invocation.
+// Computes a whole substep (kick, drift, kick) of particles without mutual gravity. One invocation per particle.
 #include "particles/kernel.glsl"
 
 void main() {

@@ -6,40 +6,41 @@
 #include "collide/types.glsl"
 
 const int maxEmitters = 16;
-// Bodies per partial sum of all-pairs gravity. The size affects rounding, so both memory paths and the CPU twin share
-// it.
+// Number of bodies per partial sum of all-pairs gravity. It affects rounding, so both memory paths and the CPU twin use
+// the same number.
 const int chunkBodies = 1024;
 
 // Scene parameters that the kernels use unchanged.
 struct STD140 EmitterConstants {
   float radius DEFAULT(0.0f);             // Radius of the ball in which particles appear, m
-  float speedVariation DEFAULT(0.3f);     // Random variation, as a fraction of the mean
-  float lifetime DEFAULT(2.0f);           // in seconds
-  float lifetimeVariation DEFAULT(0.3f);  // Random variation, as a fraction of the mean
-  float mass DEFAULT(1.0f);               // in kg
+  float speedVariation DEFAULT(0.3f);     // Random variation of the speed, as a fraction of the mean
+  float lifetime DEFAULT(2.0f);           // Mean lifetime in seconds
+  float lifetimeVariation DEFAULT(0.3f);  // Random variation of the lifetime, as a fraction of the mean
+  float mass DEFAULT(1.0f);               // Mass of a particle in kg
 };
 
 struct STD140 TurbulenceConstants {
-  float strength DEFAULT(0.0f);  // in m/s^2
+  float strength DEFAULT(0.0f);  // Strength of the acceleration in m/s^2
 };
 
 struct STD140 ParticleConstants {
-  float damping DEFAULT(0.0f);             // Damping of velocity, 1/s; 0.06 keeps a fraction 0.999 per step at 60 Hz
-  float attractorSoftening DEFAULT(0.1f);  // in metres
-  float bounce DEFAULT(0.3f);              // Fraction of the impact speed that is returned
+  float damping DEFAULT(0.0f);             // Damping rate of the velocity, 1/s; with 0.06, a fraction of 0.999 remains
+                                           // per step at 60 Hz
+  float attractorSoftening DEFAULT(0.1f);  // Softening length of the attractor in metres
+  float bounce DEFAULT(0.3f);              // Fraction of the impact speed that remains after the bounce
   float margin DEFAULT(0.0f);              // Distance kept from colliders, m
 };
 
-// Emitter: a ring buffer of slots. New particles take the slots in turn; each has its own moment of birth within the
-// substep.
+// Emitter with a ring buffer of slots. New particles take consecutive slots; each has a different time of birth within
+// the substep.
 struct STD140 EmitterStep {
-  vec4 position;          // xyz position at the substep's end, m
-  vec4 positionBefore;    // xyz position at the substep's start, m
-  vec4 velocity;          // xyz mean velocity of new particles at the substep's end, m/s
-  vec4 velocityBefore;    // xyz mean velocity at the substep's start, m/s
+  vec4 position;          // xyz position at the end of the substep, m
+  vec4 positionBefore;    // xyz position at the start of the substep, m
+  vec4 velocity;          // xyz mean velocity of new particles at the end of the substep, m/s
+  vec4 velocityBefore;    // xyz mean velocity of new particles at the start of the substep, m/s
   float coneHeight;       // 1 - cos(spread angle)
   float birthInterval;    // Seconds between two births
-  float firstLived;       // Seconds that the first new particle has lived at the substep's end
+  float firstLived;       // Time in seconds that the first new particle has lived at the end of the substep
   int firstSlot;
   int slots;
   int firstPlace;         // Index in the ring of the first new particle
@@ -48,33 +49,34 @@ struct STD140 EmitterStep {
   EmitterConstants constants;
 };
 
-// Fields that accelerate all particles, at one moment.
+// Fields that accelerate all particles, at a given time.
 struct STD140 ParticleFields {
   vec4 acceleration;     // xyz uniform acceleration, m/s^2
-  vec4 attractor;        // xyz position, m; w G M, m^3/s^2
+  vec4 attractor;        // xyz position, m; w gravitational constant times mass, m^3/s^2
   vec4 turbulenceDrift;  // xyz displacement of the noise field, m
 };
 
-// Coefficients of a damped leapfrog step: see paceOf() of pace.glsl.
+// Coefficients of a damped leapfrog step (see paceOf() in pace.glsl).
 struct STD140 Pace {
-  float firstKick;   // in seconds
-  float drift;       // in seconds
-  float kept;        // Fraction of velocity that damping leaves
-  float secondKick;  // in seconds
+  float firstKick;   // Duration of the first kick in seconds
+  float drift;       // Duration of the drift in seconds
+  float kept;        // Fraction of the velocity that remains after damping
+  float secondKick;  // Duration of the second kick in seconds
 };
 
 struct STD140 ParticleStep {
-  ParticleFields fields;        // Fields at the substep's end
-  ParticleFields fieldsBefore;  // Fields at the substep's start
+  ParticleFields fields;        // Fields at the end of the substep
+  ParticleFields fieldsBefore;  // Fields at the start of the substep
   Pace pace;                    // Coefficients for a whole substep
-  float dt;                     // in seconds
-  float perTurbulenceSize;      // in 1/m
+  float dt;                     // Duration of a substep in seconds
+  float perTurbulenceSize;      // 1 / size of the swirls, in 1/m
   int count;
   int substep;                  // Number of substeps since the start
   int seed;
   int emitterCount;
   int colliderCount;
-  float windDrag;               // Rate at which velocity approaches the wind's, 1/s; constants.damping includes it
+  float windDrag;               // Rate at which the velocity approaches that of the wind, 1/s; constants.damping
+                                // includes it
   ParticleConstants constants;
   TurbulenceConstants turbulence;
   EmitterStep emitters[maxEmitters];

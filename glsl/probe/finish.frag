@@ -1,5 +1,4 @@
-// Last pass of the probe picture: averages the samples and encodes the colour, as the final pass of a real picture
-// does.
+// Last pass of the probe picture: averages the samples and encodes the colour like the final pass of a real picture.
 #include "draw/bindings.glsl"
 #include "draw/samples.glsl"
 layout(binding = sceneUnit) uniform SAMPLED light;

@@ -1,4 +1,4 @@
-// Copies the bits of every sample: light and depth, 5 words each. One sample per invocation.
+// Copies the bits of every sample: light and depth, 5 words per sample. One invocation per sample.
 #include "draw/bindings.glsl"
 #include "draw/samples.glsl"
 layout(local_size_x = 64) in;

@@ -1,4 +1,4 @@
-// Reads textures in all ways that the drawing passes use: sRGB, half floats, depth comparison.
+// Reads textures in all the ways that the drawing passes use: sRGB, half floats, depth comparison.
 #include "draw/bindings.glsl"
 in vec3 place;
 in vec3 normal;

@@ -1,6 +1,6 @@
-// Triangles in perspective, with vertices pulled from a texel buffer like surfaces.
+// Draws triangles in perspective. Like those of surfaces, their vertices are pulled from a texel buffer.
 #include "draw/bindings.glsl"
-layout(binding = positionUnit) uniform samplerBuffer vertices;  // Per vertex two texels: position and u; normal and v
+layout(binding = positionUnit) uniform samplerBuffer vertices;  // Two texels per vertex: position and u; normal and v
 uniform mat4 projection;
 out vec3 place;
 out vec3 normal;

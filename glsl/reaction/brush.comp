@@ -1,5 +1,5 @@
-// Applies a brush stroke in a volume or on a mesh: a species becomes the stroke's value. An invocation processes an
-// element of four cells, in the rows of a volume that the stroke's bounding box covers, or in a mesh's single row.
+// Applies a brush stroke in a volume or on a mesh: a species gets the stroke's value. One invocation per element of
+// four cells, in those rows of a volume that the stroke's bounding box covers, or in the single row of a mesh.
 #include "common/hash.glsl"
 #include "common/memory.glsl"
 #include "grid/stroke.glsl"
@@ -9,12 +9,12 @@ layout(local_size_x = 64) in;
 STATE_ARRAY(nextBinding, CellBlock, cells)
 #ifdef MESH
 INPUT_ARRAY(weightsBinding, MapBlock, maps)  // The last three planes are the cells' positions
-uniform int places;  // First plane of the positions
+uniform int places;  // Index of the first plane with positions
 #endif
 uniform Stroke stroke;
 uniform Brush brush;
 uniform ivec2 size;     // Number of cells per axis
-uniform ivec4 boxRows;  // First y and number of y, first z and number of z
+uniform ivec4 boxRows;  // First y and number of rows, first z and number of layers
 uniform int columns, depth, plane;
 
 void main() {

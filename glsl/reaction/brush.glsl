@@ -1,13 +1,13 @@
 // Brush stroke in space: a sphere swept from one position to another. Compiles as GLSL and as C++
 // (src/sim/reaction/brushes.hpp).
 struct Brush {
-  vec3 from;         // In cells of a volume, or in the coordinates of a mesh's cell positions
+  vec3 from;         // Start of the path, in cells of a volume or in the coordinates of a mesh's cell positions
   vec3 to;
   float radius2;
   float perLength2;  // 1 / squared length of the path, or 0 for a point
 };
 
-// True if the position lies within the brush; as strokeReaches of grid/stroke.glsl, with a third axis.
+// Returns true if the position is inside the brush. Same as strokeReaches() of grid/stroke.glsl, with a third axis.
 FUNCTION bool brushReaches(Brush b, vec3 place) {
   precise float px = place.x - b.from.x;
   precise float py = place.y - b.from.y;

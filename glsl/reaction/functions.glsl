@@ -1,16 +1,16 @@
-// Functions for rules, in addition to common/exact.glsl. Compiles as GLSL and as C++ (src/sim/reaction/rule/model.hpp).
+// Functions for rules that supplement common/exact.glsl. Compiles as GLSL and as C++ (src/sim/reaction/rule/model.hpp).
 
 // Rounds x to a multiple of 2^q by adding and subtracting `grain` = 1.5 * 2^(q + 23). This works if |x| is smaller than
-// the grain, and avoids subnormal numbers, on which drivers disagree. A larger x keeps all but its last bits. -0
-// becomes 0. The grain is an argument, because compilers would fold literals.
+// the grain, and avoids subnormal numbers, on which drivers disagree. A larger x loses only its last bits. -0 becomes
+// 0. The grain is an argument, because compilers would fold literals.
 FUNCTION float grained(float x, float grain) {
   precise float raised = x + grain;
   precise float rest = raised - grain;
   return rest;
 }
 
-// Returns tanh(x), error below 3e-7: an odd polynomial of degree 11 below 0.625 (Cephes, tanhf.c), otherwise 1 - 2 /
-// (e^2x + 1).
+// Returns tanh(x) with an error below 3e-7: an odd polynomial of degree 11 for |x| below 0.625 (Cephes, tanhf.c),
+// otherwise 1 - 2 / (e^2x + 1).
 FUNCTION float exactTanh(float x) {
   float a = min(abs(x), 20.0f);
   precise float s = a * a;

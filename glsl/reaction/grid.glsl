@@ -1,6 +1,6 @@
-// Memory layout of the planes of a rule: rows of `columns` elements with four cells each, x fastest. If the width is
-// not a multiple of four (TAIL, the index of the last cell in a row's last element, is not 3), the unused cells are 0
-// and are ignored. BOUNDARY is the boundary condition: 0 torus, 1 no flux, 2 fixed.
+// Memory layout of the planes of a rule: rows of `columns` elements with four cells each, x fastest. TAIL is the index
+// of the last cell in a row's last element. If it is not 3, that is, if the width is not a multiple of four, the unused
+// cells are 0 and are ignored. BOUNDARY is the boundary condition: 0 torus, 1 no flux, 2 fixed.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
 #include "common/hash.glsl"
@@ -12,13 +12,13 @@
 #ifdef MESH
 #include "common/words.glsl"
 #endif
-uniform ivec2 size;   // Number of cells per axis; a mesh is a single row
-uniform int columns;  // Elements per row
+uniform ivec2 size;   // Number of cells per axis; a mesh has a single row
+uniform int columns;  // Number of elements per row
 uniform int stepNumber;
 #ifdef VOLUME
 uniform int depth;       // Number of layers; a layer has size.y rows, and a plane stores the layers one after another
-uniform int planeRows;   // Rows of all layers
-uniform int layerItems;  // Invocations along y in a layer
+uniform int planeRows;   // Number of rows in all layers
+uniform int layerItems;  // Number of invocations along y per layer
 #define PLANE_ROWS planeRows
 
 int layerAt(int z) {
@@ -48,7 +48,7 @@ int columnAt(int x) {
 #endif
 }
 
-// Returns the left neighbours of the four cells `here` of element x. `left` is the previous element.
+// Returns the left neighbours of the four cells `here` of element x. `left` is the element before it.
 vec4 leftOf(vec4 left, vec4 here, int x) {
 #if BOUNDARY == 0
   float beside = x == 0 ? left[TAIL] : left.w;
@@ -71,7 +71,7 @@ vec4 rightOf(vec4 here, vec4 right, int x) {
   return all;
 }
 
-// Returns the value to store for an element: cells beyond the row's end become 0.
+// Returns the value to store for an element, in which cells beyond the end of the row are 0.
 vec4 kept(vec4 cells, int x) {
 #if TAIL == 0
   if (x == columns - 1) cells.yzw = vec3(0);
@@ -83,7 +83,7 @@ vec4 kept(vec4 cells, int x) {
   return cells;
 }
 
-// Returns the greatest exponent of four cells, as float bits. The five lowest bits identify the cell: 31 - 4 plane -
+// Returns the maximum exponent of four cells, as float bits. The five lowest bits identify the cell: 31 - 4 plane -
 // cell. If a cell is infinite or NaN, the result is at least lostBits.
 const int lostBits = 0x7f800000;
 int exponentOf(vec4 cells, int plane) {
@@ -91,7 +91,7 @@ int exponentOf(vec4 cells, int plane) {
   return max(max(bits.x, bits.y), max(bits.z, bits.w));
 }
 
-// Reports a lost cell. `y` is the row in its plane.
+// Reports a lost cell. `y` is the index of the row in its plane.
 void noteCell(int bits, int x, int y) {
   int who = 31 - (bits & 31);
   noteLost(uint(stepNumber), uint(((who >> 2) * PLANE_ROWS + y) * size.x + min(4 * x + (who & 3), size.x - 1)));
@@ -113,7 +113,7 @@ float logOf(float x) {
   return exactLog(max(x, 1e-30f));
 }
 
-// Returns the column indices of the four cells from x on as floats.
+// Returns the column indices, as floats, of the four cells of element x.
 vec4 cellsOf(int x) {
   return vec4(4 * x, 4 * x + 1, 4 * x + 2, 4 * x + 3);
 }

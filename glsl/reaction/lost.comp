@@ -1,4 +1,4 @@
-// Finds the first step with a lost cell among passes of several steps (strips.glsl). Runs as a single invocation.
+// Finds the first step with a lost cell, after passes of several steps (strips.glsl). One invocation in total.
 #include "common/status.glsl"
 #include "reaction/bindings.glsl"
 layout(local_size_x = 1) in;

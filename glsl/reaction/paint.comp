@@ -1,5 +1,5 @@
-// Applies a brush stroke: a species becomes the stroke's value. An invocation processes an element of four cells, in
-// the rows that the stroke's bounding box covers.
+// Applies a brush stroke: a species gets the stroke's value. One invocation per element of four cells, in the rows that
+// the stroke's bounding box covers.
 #include "common/memory.glsl"
 #include "common/words.glsl"
 #include "reaction/bindings.glsl"

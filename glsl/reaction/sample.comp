@@ -1,7 +1,7 @@
 // Samples another object's field on the grid of a rule, as the map of a parameter. Interpolates bilinearly between cell
-// centres, with the same values for all layers of a volume; with LAYERS, samples another volume trilinearly. An
-// invocation processes an element of four cells of one layer. With MESH, the cells have individual positions in the
-// field, or are the field's own cells (`byCell`).
+// centres, with the same values for all layers of a volume. If LAYERS is defined, samples another volume trilinearly.
+// If MESH is defined, each cell has a separate position in the field, or the field belongs to the same cells
+// (`byCell`). One invocation per element of four cells of one layer.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "common/words.glsl"
@@ -15,11 +15,11 @@ const int fieldUnit = stageBinding;
 uniform ivec2 size;
 uniform int columns, depth, plane;
 #ifdef LAYERS
-uniform int fieldLayers;  // Layers of the field, stored one after another in its rows
+uniform int fieldLayers;  // Number of layers of the field, which are stored one after another in its rows
 #endif
 uniform float storedGrain;
 #ifdef MESH
-// Per cell: position from the left in the lower 16 bits, from the top in the upper 16 bits
+// For each cell: position from the left in the lower 16 bits, from the top in the upper 16 bits
 INPUT_WORDS(linksBinding, PlaceBlock, places)
 uniform int byCell;
 #endif

@@ -1,7 +1,7 @@
 // Position of a cell of one grid on another grid of the same extent. Compiles as GLSL and as C++
 // (src/sim/reaction/rule/model.hpp).
 
-// Position between the centres of two cells; `share` is the weight of the second, a multiple of 2^-15.
+// Position between the centres of two cells. `share` is the weight of the second cell, a multiple of 2^-15.
 struct Between {
   int before;
   int after;
@@ -9,7 +9,7 @@ struct Between {
 };
 
 // Returns the position of the centre of cell i of `count` on a grid of `sources` cells with the same extent: (i + 1/2)
-// sources / count - 1/2, in integer arithmetic in units of 1 / (2 count). Positions beyond the outermost centres are
+// sources / count - 1/2, computed in integers in units of 1 / (2 count). Positions beyond the outermost centres are
 // clamped. Grids of the same size match exactly. Both counts may be up to 32,768.
 FUNCTION Between betweenCells(int i, int count, int sources) {
   int at = max((2 * i + 1) * sources - count, 0);
@@ -22,7 +22,8 @@ FUNCTION Between betweenCells(int i, int count, int sources) {
   return b;
 }
 
-// Returns the position for a coordinate from 0 to mapParts - 1 along the extent: at sources / mapParts - 1/2.
+// Returns the position on a grid of `sources` cells for a coordinate `at` from 0 to mapParts - 1 along the extent: at
+// sources / mapParts - 1/2.
 const int mapParts = 65536;
 FUNCTION Between betweenAt(int at, int sources) {
   int place = max(at * sources - mapParts / 2, 0);

@@ -1,11 +1,11 @@
-// Computes several steps in one pass, like gray_scott/strips.comp. Invocations walk down the rows of a strip; each
-// loaded row completes the row above it one step later, and so on. On GPUs a strip consists of the 32 invocations of a
-// workgroup, which exchange values; on the texel path each invocation has its own strip. The kernel defines STEPS,
-// ELEMENTS (elements of four cells per invocation) and STRIP_ROWS.
+// Computes several steps in one pass, like gray_scott/strips.comp. Invocations move down the rows of a strip. Each
+// loaded row completes the row above it one step later, and so on. On GPUs, a strip is processed by the 32 invocations
+// of a workgroup, which exchange values; on the texel path, each invocation processes a separate strip. The kernel
+// defines STEPS, ELEMENTS (elements of four cells per invocation) and STRIP_ROWS.
 //
-// With the no-flux boundary, the field is mirrored beyond the edges: column -1 equals column 0, column -2 equals column
-// 1. All sums are symmetric stencils, so a mirrored cell steps with the same bits as its original, and a strip
-// continues into the mirrored cells.
+// With the no-flux boundary, the field is mirrored beyond the edges: column -1 equals column 0, and column -2 equals
+// column 1. All sums are symmetric stencils, so a mirrored cell gets the same bits in a step as its original, and a
+// strip continues into the mirrored cells.
 #ifdef TEXEL_PATH
 const int neighbours = 1;
 int lane = 0;
@@ -13,11 +13,11 @@ int lane = 0;
 const int neighbours = 32;
 int lane = int(gl_LocalInvocationID.x);
 #endif
-const int border = (STEPS + 3) / 4;                     // Border of a strip, in elements
+const int border = (STEPS + 3) / 4;                     // Width of the border of a strip, in elements
 const int inside = neighbours * ELEMENTS - 2 * border;  // Number of elements of a strip that are stored
 
 // Returns the last cell of the invocation to the left and the first cell of the invocation to the right. At the ends of
-// the strip the values are arbitrary.
+// the strip, the values are arbitrary.
 #ifdef TEXEL_PATH
 vec2 beside(float first, float last) {
   return vec2(first, last);
@@ -29,7 +29,7 @@ vec2 beside(float first, float last) {
 #else
 shared float firsts[2][32];
 shared float lasts[2][32];
-int turn = 0;  // Double buffer index, so that one barrier is enough
+int turn = 0;  // Index of the double buffer, which makes one barrier enough
 
 vec2 beside(float first, float last) {
   firsts[turn][lane] = first;
@@ -41,13 +41,14 @@ vec2 beside(float first, float last) {
 }
 #endif
 
-// Wraps i >= -16 count. The offset is needed because % of a negative number is undefined in GLSL.
+// Returns i wrapped to 0 .. count - 1, for i >= -16 count. The offset is needed because % of a negative number is
+// undefined in GLSL.
 int wrapped(int i, int count) {
   return (i + 16 * count) % count;
 }
 
-// Index mapping beyond the edges. `unfolded` counts through the grid and, for a mirrored boundary, back through it.
-// folded() returns the cell; facing() reverses the four cells of an element on the way back.
+// Mapping of indices beyond the edges. `unfolded` counts forwards through the grid and, for a mirrored boundary, back
+// through it. folded() returns the cell. facing() reverses the order of the four cells of an element on the way back.
 #if BOUNDARY == 1
 const int folds = 2;
 #else
@@ -64,7 +65,7 @@ vec4 facing(vec4 cells, bool back) {
 #endif
 }
 
-// Lowest index of a lost cell in each step of a frame; lost.comp finds the first such step.
+// For each step of a frame, the lowest index of the lost cells; lost.comp finds the first step with one.
 layout(std430, binding = sumBinding) restrict buffer LostBlock { uint lostCells[]; };
 uniform int lostFirst;  // Number of the first of these steps
 

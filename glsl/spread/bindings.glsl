@@ -11,6 +11,6 @@ const int countsBinding = 6;
 const int stampsBinding = 7;
 const int tilesBinding = 8;
 const int galesBinding = 9;
-const int nextTilesBinding = 5;  // Storage buffer, on the texel path only
+const int nextTilesBinding = 5;  // Storage buffer that is used only on the texel path
 
 #endif

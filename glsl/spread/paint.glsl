@@ -1,5 +1,5 @@
 // Brush strokes on epidemics and wildfires. One invocation per element of the stroke's box, whose unit is elements. The
-// including kernel provides `uint painted(uint cell, int value, ivec2 at)`.
+// including kernel provides `uint painted(uint cell, int value, ivec2 at)`, which returns the cell after the stroke.
 #include "common/bindings.glsl"
 #include "common/words.glsl"
 #include "spread/bindings.glsl"

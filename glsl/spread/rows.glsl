@@ -1,6 +1,6 @@
-// Steps cells in elements: sixteen cells of a row are one element of four words. An invocation walks down a column of
-// elements and keeps the rows above and below in registers. Word arithmetic processes four bytes at once; the bytes
-// hold small numbers that never overflow.
+// Steps cells in elements of sixteen consecutive cells of a row (four words). An invocation moves down a column of
+// elements and keeps the rows above and below in registers. Word arithmetic processes four bytes in parallel; the bytes
+// hold small numbers, so they never overflow into each other.
 #include "common/bindings.glsl"
 #include "common/hash.glsl"
 #include "common/words.glsl"
@@ -9,23 +9,24 @@
 
 INPUT_WORDS(cellsBinding, CellBlock, cells)
 STATE_WORDS(nextCellsBinding, NextBlock, nextCells)
-// Counts per step since the start, four words per step: cells of the classes ready, active, spent; all other cells.
+// Counts for each step since the start, four words per step: number of cells of the classes ready, active and spent,
+// and of all other cells.
 layout(std430, binding = countsBinding) restrict buffer CountBlock { uint counts[]; };
 uniform ivec2 size;      // Number of cells per axis
-uniform bool torus;      // True for a torus; otherwise there are no cells beyond the border
+uniform bool torus;      // True for a torus; false if there are no cells beyond the border
 uniform int countPlace;  // Index of this step in `counts`
 
 const uint ones = 0x01010101u;
 
-// Return 1 in each byte whose cell belongs to the class.
+// Return a word with 1 in each byte whose cell belongs to the class.
 uvec4 readyCells(uvec4 state) { return (state >> 6u) & ~(state >> 7u) & ones; }
 uvec4 activeCells(uvec4 state) { return (state >> 7u) & ~(state >> 6u) & ones; }
 uvec4 spentCells(uvec4 state) { return (state >> 7u) & (state >> 6u) & ones; }
 
-// Returns 1 in each byte that is not zero, for bytes up to 127.
+// Returns a word with 1 in each byte that is nonzero, for bytes up to 127.
 uvec4 notZero(uvec4 bytes) { return ((bytes + 0x7f7f7f7fu) >> 7u) & ones; }
 
-// Adds one to the age of active and spent cells, up to 63.
+// Adds one to the age of active and of spent cells, up to 63.
 uvec4 aged(uvec4 state) {
   uvec4 old = (state & 0x3f3f3f3fu) + ones;  // Bit 6 is set if the age was 63
   return state + ((state >> 7u) & ~(old >> 6u) & ones);
@@ -33,7 +34,7 @@ uvec4 aged(uvec4 state) {
 
 // Packs bytes that hold 0 or 1 into bits: cell k of the element becomes bit k.
 uint bitsOf(uvec4 bytes) {
-  uvec4 b = (bytes * 0x10204080u) >> 28u;  // Bits 0, 8, 16, 24 move to 28, 29, 30, 31 without collision
+  uvec4 b = (bytes * 0x10204080u) >> 28u;  // The bits 0, 8, 16, 24 move to 28, 29, 30, 31 without overlap
   return b.x | b.y << 4u | b.z << 8u | b.w << 12u;
 }
 
@@ -44,8 +45,8 @@ void setByte(inout uvec4 bytes, int k, uint value) {
   bytes[k >> 2] = (bytes[k >> 2] & ~(255u << place)) | value << place;
 }
 
-// A row of sixteen cells: their states, and in each byte a bit mask of active cells: 1 the left neighbour, 2 the cell,
-// 4 the right neighbour.
+// Row of sixteen cells: their states, and for each cell a byte with a bit mask of active cells: 1 for the left
+// neighbour, 2 for the cell, 4 for the right neighbour.
 struct Row {
   uvec4 state;
   uvec4 near;
@@ -57,16 +58,16 @@ uvec4 rightActive(Row row) { return row.near >> 2u & ones; }
 
 int rowElements() { return (size.x + 15) >> 4; }
 
-// A column of elements with the location of its neighbours, the same for each row. The values are copied from uniforms,
-// because software drivers read uniforms lane by lane; so the loop over rows reads none.
+// Column of elements, with the positions of its neighbours, which are the same in each row. The values are copied from
+// uniforms because software drivers read uniforms lane by lane; the loop over rows thus reads no uniforms.
 struct Column {
   ivec2 size;               // Number of cells of the grid per axis
   int rowElements;
   bool torus;
-  int here, left, right;    // Index of this element and of its left and right neighbour in a row
-  uint lastCell;            // Index of the last cell in the element to the left
+  int here, left, right;    // Indices of this element, of its left neighbour and of its right neighbour in a row
+  uint lastCell;            // Index of the last cell in the left neighbour
   uint hasLeft, hasRight;   // 0 if there are no cells beyond the border
-  // 1 in the byte after the row's end, if the row ends within this element: the row's first cell follows there
+  // If the row ends within this element: 1 in the byte after the row's end, where the row's first cell follows
   uvec4 follows;
 };
 
@@ -100,14 +101,14 @@ Row loadRow(Column column, int y) {
   uint previous = byteOf(before, int(column.lastCell)) & column.hasLeft;
   uint next = activeCells(LOAD_INPUT_WORDS(cells, row + column.right)).x & column.hasRight;
   uvec4 here = activeCells(r.state);
-  uvec4 followed = here | column.follows * next;  // Cells after this byte are always empty
+  uvec4 followed = here | column.follows * next;  // Cells after this byte are empty in every case
   uvec4 left = here << 8u | uvec4(previous, here.xyz >> 24u);
   uvec4 right = followed >> 8u | uvec4(followed.yzw << 24u, next << 24u);
   r.near = beyond ? uvec4(0u) : left | here << 1u | right << 2u;
   return r;
 }
 
-// Precomputed part of spreadRandom() for a step and a seed: the state of hash3() before its words mix.
+// Precomputed part of spreadRandom() for a step and a seed: the state of hash3() before it mixes its words.
 struct Draw {
   uint y, z, product;
 };
@@ -130,7 +131,7 @@ uvec4 spreadRandoms(uvec4 cells, Draw draw) {
 shared uint groupCounts[4];
 #endif
 
-// Returns the sum of the four words, byte by byte.
+// Returns the bytewise sum of the four words.
 uint sumOfWords(uvec4 words) { return words.x + words.y + words.z + words.w; }
 
 uint sumOfBytes(uint bytes) {
@@ -138,15 +139,15 @@ uint sumOfBytes(uint bytes) {
   return (pairs & 0xffffu) + (pairs >> 16u);
 }
 
-// Returns the cell counts of the four classes in some rows of a column. The arguments `ready`, `spreading` and `spent`
-// are byte sums over at most 63 rows.
+// Returns the numbers of cells of the four classes in some rows of a column. The arguments `ready`, `spreading` and
+// `spent` are bytewise sums over at most 63 rows.
 uvec4 countsOf(Column column, uint ready, uint spreading, uint spent, int rows) {
   uvec4 sums = uvec4(sumOfBytes(ready), sumOfBytes(spreading), sumOfBytes(spent), 0u);
   sums.w = uint(rows * clamp(column.size.x - 16 * column.here, 0, 16)) - sums.x - sums.y - sums.z;
   return sums;
 }
 
-// Adds to the step's counts. All invocations must call it, because it contains barriers.
+// Adds the sums to the counts of the step. All invocations must call it, because it contains barriers.
 void count(uvec4 sums) {
 #ifdef TEXEL_PATH
   for (int i = 0; i < 4; ++i)

@@ -8,31 +8,31 @@
 //   bool changesAlone(Rates rates, uvec4 counts)  true if cells with such class counts can change by chance in this
 //   step
 #ifdef TEXEL_PATH
-// Per tile: its class counts, with flags in the upper half of the first word.
+// For each tile: its class counts, with flags in the upper half of the first word.
 INPUT_WORDS(tilesBinding, TileBlock, tiles)
 layout(std430, binding = nextTilesBinding) writeonly buffer NextTileBlock { uvec4 nextTiles[]; };
-// True if `tiles` has no valid data: all tiles are computed, and the step's counts start at 0 instead of the last
-// counts
+// True if `tiles` has no valid data. Then all tiles are computed, and the counts of the step start at 0 instead of the
+// last counts
 uniform bool fresh;
 
 const uint changed = 0x10000u, restless = 0x20000u;
-// Flags: active cells in the tile's top row, its last row, its first column, its last column.
+// Flags for active cells in the tile's top row, its last row, its first column and its last column.
 const uint top = 0x40000u, bottom = 0x80000u, left = 0x100000u, right = 0x200000u;
 
 uvec4 countsOf(uvec4 tile) { return uvec4(tile.x & 0xffffu, tile.yzw); }
 
-// Returns the tile's state after the last step, or 0 if `fresh`.
+// Returns the tile's data after the last step, or 0 if `fresh` is true.
 uvec4 tileBefore(Column column, int row) {
   return fresh ? uvec4(0u) : LOAD_INPUT_WORDS(tiles, row * column.rowElements + column.here);
 }
 
-// True if the tile has active cells at all edges in `edges`.
+// Returns true if the tile has active cells at all edges in `edges`.
 bool touches(Column column, int x, int row, uint edges) {
   return (LOAD_INPUT_WORDS(tiles, row * column.rowElements + x).x & edges) == edges;
 }
 
-// True if a tile in another row of tiles touches this tile: directly at an edge, or diagonally at a corner, which needs
-// two edges.
+// Returns true if a tile in another row of tiles touches this tile with active cells: directly at an edge, or
+// diagonally at a corner, which requires two edges.
 bool touchesFrom(Column column, int row, uint edge) {
   int rows = (column.size.y + rowsEach - 1) / rowsEach;
   bool beyond = row < 0 || row >= rows;
@@ -48,7 +48,7 @@ bool standsStill(Rates rates, Column column, int row, uvec4 own) {
   return !fresh && !near && (own.x & (changed | restless)) == 0u && !changesAlone(rates, own);
 }
 
-// Returns the edge flags of a tile, from the active cells in its top row, its last row and all of its rows. A row of
+// Returns the edge flags of a tile, from the active cells in its top row, in its last row and in all its rows. A row of
 // the grid ends within its last tile.
 uint edgesOf(Column column, uvec4 first, uvec4 last, uvec4 all) {
   uint end = column.here == column.rowElements - 1 ? all.x | all.y | all.z | all.w : all.w >> 24u;

@@ -1,4 +1,4 @@
-// Claims the cells of each line's points for this round. One invocation per line.
+// Claims for this round the cells in which the points of each line are. One invocation per line.
 #include "streamlines/claims.glsl"
 
 void main() {

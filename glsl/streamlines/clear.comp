@@ -1,4 +1,4 @@
-// Clears the claims of all cells.
+// Clears the claims of all cells. One invocation per cell.
 layout(local_size_x = 64) in;
 layout(std430, binding = 2) writeonly buffer ClaimBlock { uint claims[]; };
 uniform int count;

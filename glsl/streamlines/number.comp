@@ -1,10 +1,13 @@
-// Lists the lines that are left, in the order of their seeds, and writes the number of indices to draw. One invocation.
+// Lists the remaining lines in the order of their seeds, and writes the number of indices to draw. One invocation in
+// total.
 layout(local_size_x = 1) in;
-layout(std430, binding = 0) readonly buffer SpanBlock { ivec4 spans[]; };   // x, y: first and last point of each line
-layout(std430, binding = 1) writeonly buffer TubeBlock { ivec4 tubeSpans[]; };  // the same of each tube; z: its line
+layout(std430, binding = 0) readonly buffer SpanBlock { ivec4 spans[]; };   // x, y: indices of the first and last point
+                                                                            // of each line
+layout(std430, binding = 1) writeonly buffer TubeBlock { ivec4 tubeSpans[]; };  // x, y: indices of the first and last
+                                                                                // point of each tube; z: its line
 layout(std430, binding = 2) writeonly buffer ArgumentBlock { uint arguments[]; };
-uniform int count;  // lines
-uniform int tubes;  // room for tubes
+uniform int count;  // number of lines
+uniform int tubes;  // maximum number of tubes
 uniform int indicesPerTube;
 
 void main() {

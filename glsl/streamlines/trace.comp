@@ -1,25 +1,26 @@
-// Traces lines through a flow both ways from seeds on a jittered grid. One invocation per line. Steps of equal length
-// along the direction of the flow, by the classical Runge-Kutta method of fourth order. A line ends at the border, where
-// the flow is still, and after half a turn on each side, so that a closed line is drawn once.
+// Traces lines through a flow in both directions from seeds on a jittered grid. One invocation per line. The steps have
+// equal lengths along the direction of the flow and are computed by the classical fourth-order Runge-Kutta method. A
+// line ends at the border, where the flow is still, and after half a turn on each side, so that a closed line is drawn
+// only once.
 #define WIND
 #include "streamlines/lines.glsl"
 #include "fluid/wind_array.glsl"
 #include "common/hash.glsl"
 uniform int columns;
 uniform int seed;
-uniform vec3 first;     // middle of the top left cell of the grid of seeds, m
-uniform vec3 across;    // to the next cell on the right, m
-uniform vec3 down;      // to the next cell below, m
+uniform vec3 first;     // centre of the top left cell of the grid of seeds, m
+uniform vec3 across;    // vector to the next cell on the right, m
+uniform vec3 down;      // vector to the next cell below, m
 uniform vec3 normal;    // unit normal of the flow's plane
 uniform float height;   // distance of the lines from the plane, m
 uniform float stride;   // length of a step, m
 uniform float still;    // speed below which a line ends, m/s
 uniform float low;      // speed of the first colour, m/s
-uniform float perRange; // 1 / (speed of the last colour - low), s/m
+uniform float perRange; // 1 / (speed of the last colour - speed of the first colour), s/m
 
-bool ended = false;  // true once a line has met still air
+bool ended = false;  // true once the line has left the flow or met still air
 
-// Returns the direction of the flow at p; sets `ended` outside of the flow.
+// Returns the direction of the flow at p. Outside of the flow, sets `ended`.
 vec3 directionAt(vec3 p) {
   vec3 v = windAt(p);
   float squared = exactDot(v, v);
@@ -36,7 +37,7 @@ void store(int line, int i, vec3 p) {
   STORE_STATE(points, line * perLine + i, vec4(raised, clamp(fraction, 0.0, 1.0)));
 }
 
-// Returns the number of points that it stores on one side of the seed.
+// Stores the points on one side of the seed and returns their number.
 int trace(int line, vec3 from, float sign_) {
   ended = false;
   vec3 p = from;
@@ -58,7 +59,8 @@ int trace(int line, vec3 from, float sign_) {
     if (ended) break;
     ++i;
     store(line, aside + (sign_ > 0.0 ? i : -i), next);
-    // The angle between the directions is 2 asin(c / 2) for their distance c, nearly c (1 + c^2 / 24).
+    // The angle between the two directions is 2 asin(c / 2) for the distance c of the unit vectors, which is nearly c
+    // (1 + c^2 / 24).
     precise vec3 change = ahead - here;
     float chord = exactSqrt(exactDot(change, change));
     precise float angle = chord * (1.0 + chord * chord * 0.041666667);

@@ -1,7 +1,7 @@
-// Ends each line before cells that lines of lower rank claimed in this round. In the last round, lines only become
-// shorter, and short ones are left out. One invocation per line.
+// Ends each line before cells that lines of lower rank have claimed in this round. In the last round, lines only become
+// shorter, and short lines are left out. One invocation per line.
 #include "streamlines/claims.glsl"
-uniform int fewest;  // least number of points between the ends of a line
+uniform int fewest;  // minimum number of points between the ends of a line
 
 bool isFree(int line, int i, uint claim) {
   ivec2 cell = cellOf(LOAD_STATE(points, line * perLine + i).xyz);

@@ -1,23 +1,25 @@
-// Tubes around lines of points. One invocation per tube, because each ring is turned from the ring before by the least
-// rotation that follows the line (parallel transport), so that the tube does not twist. A line has rings at each of its
-// points and one more at each end, of radius 0, which closes the tube. Rings outside the line's span lie on its end.
+// Computes tubes around lines of points. One invocation per tube, because each ring is rotated from the ring before it
+// by the smallest rotation that follows the line (parallel transport), so that the tube does not twist. A line has a
+// ring at each of its points, and one more at each end, of radius 0, which closes the tube. Rings outside the line's
+// span are at its ends.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 layout(local_size_x = 32) in;
-INPUT_ARRAY(0, PointBlock, points)    // x, y, z: m; w: place in the palette, 0 to 1
-INPUT_ARRAY(1, PaletteBlock, palette)  // linear RGB
+INPUT_ARRAY(0, PointBlock, points)    // xyz: position, m; w: position in the palette, 0 to 1
+INPUT_ARRAY(1, PaletteBlock, palette)  // linear RGB colours
 STATE_ARRAY(2, VertexBlock, vertices)
 STATE_ARRAY(3, NormalBlock, normals)
 STATE_ARRAY(4, ColorBlock, colors)
-layout(std430, binding = 5) readonly buffer SpanBlock { ivec4 spans[]; };  // x, y: first and last point; z: line
-uniform int lines;         // tubes
-uniform int lineRoom;      // points per line in `points`
+layout(std430, binding = 5) readonly buffer SpanBlock { ivec4 spans[]; };  // x, y: indices of the first and last point;
+                                                                           // z: line
+uniform int lines;         // number of tubes
+uniform int lineRoom;      // number of points per line in `points`
 uniform float radius;      // m
-uniform float taperFirst;  // 1 / number of points over which the tube widens behind its first point
-uniform float taperLast;   // 1 / number of points over which it narrows before its last point
-uniform float fade;        // fraction by which the colour is darker at the last point
+uniform float taperFirst;  // 1 / number of points after the first point over which the tube widens
+uniform float taperLast;   // 1 / number of points before the last point over which the tube narrows
+uniform float fade;        // fraction by which the colour is darkened at the last point
 uniform int paletteSize;
-uniform vec2 circle[6];    // unit vectors to the sides
+uniform vec2 circle[6];    // unit vectors from the centre of a ring to its vertices
 
 vec3 unitOr(vec3 v, vec3 other) {
   float squared = exactDot(v, v);
@@ -46,7 +48,7 @@ void main() {
   bool none = span.y <= span.x;
   int first = clamp(span.x, 0, lineRoom - 1), last = none ? first : clamp(span.y, 0, lineRoom - 1);
   float perSpan = exactReciprocal(float(max(last - first, 1)));
-  // A taper takes at most the whole line; with tapers at both ends, two fifths of it.
+  // A taper extends over at most the whole line; if both ends have tapers, each extends over at most two fifths of it.
   bool oneSided = taperFirst > 1e5 || taperLast > 1e5;
   precise float shortest = perSpan * (oneSided ? 1.0 : 2.5);
   vec3 start = LOAD_INPUT(points, base + first).xyz;

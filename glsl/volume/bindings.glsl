@@ -7,17 +7,19 @@ const int valuesUnit = 0;
 const int tintsUnit = 1;
 // Storage buffers, or texel buffers where memory.glsl uses them.
 const int cubesBinding = 2;      // Triangles of each kind of cube
-const int classesBinding = 3;    // x: a bit for each of 32 samples
+const int classesBinding = 3;    // x: one bit for each of 32 samples along a row, set if the sample is at or above the
+                                 // level
 const int talliesBinding = 4;
-const int masksBinding = 5;      // Per 32 samples: crossed edges along x, y and z; cubes with triangles
+const int masksBinding = 5;      // For each 32 samples: bit masks of crossed edges along x, y and z, and of cubes with
+                                 // triangles
 const int positionsBinding = 6;
 const int normalsBinding = 7;
 const int indicesBinding = 6;
-const int boxIndicesBinding = 2;  // Used for cubes, which need no triangle table
+const int boxIndicesBinding = 2;  // Used for the display as cubes, which needs no triangle table
 
-// Vertices before the points: the corners of the volume's box. They give bounds of the surface.
+// Number of vertices before the points: the corners of the volume's box, which give bounds of the surface.
 const int boxCorners = 8;
-// Palette size, from the lowest value to the highest.
+// Number of colours in the palette, from the lowest value to the highest.
 const int volumeColors = 1024;
 
 #endif

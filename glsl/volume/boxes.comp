@@ -1,6 +1,6 @@
-// Draws cells as cubes: a square wherever an inside cell meets an outside cell, facing the outside cell, with vertices
-// of its own. A sample handles its squares towards the next sample along x, y and z. Their number equals the number of
-// crossed edges in points.comp.
+// Draws cells as cubes: where an inside cell meets an outside cell, there is a square that faces the outside cell and
+// has four vertices of its own. For each sample, the squares towards the next sample along x, y and z are written.
+// Their number equals the number of crossed edges in points.comp.
 #include "volume/samples.glsl"
 #include "volume/values.glsl"
 #include "volume/model.glsl"
@@ -15,12 +15,12 @@ uniform uint pointRoom, indexRoom;
 uniform vec4 corner;  // Position of cell (0, 0, 0), m; w: cell spacing, m
 #include "volume/tint.glsl"
 
-// Writes a square between a cell and its neighbour along an axis, with the first point `point`. `alive` is true if the
-// cell is inside, false if the neighbour is.
+// Writes a square between a cell and its neighbour along an axis. `point` is the index of its first point. `alive` is
+// true if the cell is inside, false if the neighbour is.
 void putSquare(uint point, uint index, ivec3 cell, int axis, bool alive) {
   if (point + 4u > pointRoom || index + 6u > indexRoom) return;
   ivec3 way = ivec3(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0);
-  // In this order the corners run counterclockwise around the axis.
+  // In this order, the corners run counterclockwise around the axis.
   ivec3 right = way.zxy, up = way.yzx;
   int color = 0;
 #ifdef TINTED

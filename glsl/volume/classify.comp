@@ -1,4 +1,4 @@
-// Classifies the samples: inside if the value is at or above the level. 32 samples per invocation.
+// Classifies the samples: a sample is inside if its value is at or above the level. One invocation per 32 samples.
 #include "volume/samples.glsl"
 #include "volume/values.glsl"
 layout(local_size_x = 64) in;
@@ -10,7 +10,7 @@ void main() {
   ivec3 cell = place.xyz - ringWidth();
   bool row = cell.y >= 0 && cell.z >= 0 && cell.y < volume.y && cell.z < volume.z;
   uint bits = 0u;
-  // Loads four cells at a time; rows begin at whole elements.
+  // Four cells are loaded together; rows begin at whole elements.
   int first = row ? cellWord(ivec3(place.x, cell.yz), valueLayout) >> 2 : 0;
   int begin = ringWidth() == 0 ? 0 : -1;
   for (int j = begin; j < 8; ++j) {

@@ -1,5 +1,5 @@
-// Counts, for 32 samples, the crossed edges that begin at them and the triangles of the cubes that begin at them.
-// CUBES: a crossing has a square of four points and two triangles instead of one point.
+// Counts, for 32 samples, the crossed edges and the triangles of the cubes that begin at them. If CUBES is defined,
+// each crossing has a square with four points and two triangles instead of one point. One invocation per 32 samples.
 #include "volume/samples.glsl"
 layout(local_size_x = 64) in;
 #ifndef CUBES
@@ -9,7 +9,7 @@ INPUT_WORDS(classesBinding, ClassBlock, classes)
 STATE_WORDS(talliesBinding, TallyBlock, tallies)
 STATE_WORDS(masksBinding, MaskBlock, masks)
 
-// Returns the bits of a row's word, and the bits of the samples to their right.
+// Returns the bits of a row's word, and the bits of the samples to the right of each sample.
 uvec2 rowBits(int word, bool there, bool last) {
   if (!there) return uvec2(0);
   uint here = LOAD_INPUT_WORDS(classes, word).x;
@@ -25,7 +25,7 @@ void main() {
   int row = rowElements, layer = rowElements * samples.y;
   uvec2 a = rowBits(place.w, true, last), b = rowBits(place.w + row, up, last);
   uvec2 c = rowBits(place.w + layer, back, last), d = rowBits(place.w + layer + row, up && back, last);
-  int pairs = samples.x - 1 - place.x;  // Number of samples in the word that have a right neighbour
+  int pairs = samples.x - 1 - place.x;  // Number of samples in the word that have a neighbour on their right
   uint within = pairs >= 32 ? 0xffffffffu : (1u << uint(max(pairs, 0))) - 1u;
   uint alongX = (a.x ^ a.y) & within;
   uint alongY = up ? a.x ^ b.x : 0u, alongZ = back ? a.x ^ c.x : 0u;

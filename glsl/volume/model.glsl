@@ -1,9 +1,9 @@
 // Marching cubes (Lorensen and Cline 1987) on samples that are inside (at or above the level) or outside. A surface
-// point lies where the linear interpolation along an edge equals the level; its normal is the gradient there. Corners
-// of a cube are numbered x + 2 y + 4 z, edges 4 axis + the index of their start in the other two axes. Compiles as GLSL
-// and as C++.
+// point is where the linear interpolation along an edge equals the level; its normal is the gradient there. The corners
+// of a cube are numbered x + 2 y + 4 z, and the edges 4 axis + the index of their start in the other two axes. Compiles
+// as GLSL and as C++.
 
-// Returns the change of a value along an axis over two cells. At a border the difference over one cell is doubled.
+// Returns the change of a value along an axis over two cells. At a border, the difference over one cell is doubled.
 FUNCTION float volumeSlope(float before, float after, bool atBorder) {
   precise float rise = after - before;
   precise float twice = rise + rise;
@@ -25,7 +25,7 @@ FUNCTION vec3 volumePlace(vec3 corner, float spacing, vec3 cell) {
   return place;
 }
 
-// Returns the colour index for a value interpolated between two.
+// Returns the colour index for a value interpolated at the fraction `part` between `first` and `second`.
 FUNCTION int volumeColor(float first, float second, float part, float low, float perRange) {
   precise float value = first + (second - first) * part;
   precise float share = (value - low) * perRange;

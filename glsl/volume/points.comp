@@ -1,5 +1,5 @@
-// Computes the surface points and their normals: for each sample, the points on its edges along x, y and z. 32 samples
-// per invocation.
+// Computes the surface points and their normals: for each sample, the points on its edges along x, y and z. One
+// invocation per 32 samples.
 #include "volume/samples.glsl"
 #include "volume/values.glsl"
 #include "contour/model.glsl"

@@ -1,11 +1,11 @@
-// Samples of a volume: its cells, with `ring` 1 surrounded by a layer of outside samples, so that the surface is
-// closed. A word holds a bit for each of 32 samples along x: word = (z height + y) rowElements + x / 32. One word per
-// invocation.
+// Samples of a volume: its cells and, if `ring` is 1, a surrounding layer of outside samples, so that the surface is
+// closed. A word holds one bit for each of 32 samples along x; its index is (z height + y) rowElements + x / 32. One
+// invocation per word.
 #include "common/words.glsl"
 #include "common/exact.glsl"
 #include "volume/bindings.glsl"
-uniform ivec4 volume;      // Number of cells along x, y and z; w: ring
-uniform int rowElements;   // Words per row of samples
+uniform ivec4 volume;      // Number of cells along x, y and z; w is `ring`
+uniform int rowElements;   // Number of words per row of samples
 
 int ringWidth() {
   return volume.w;

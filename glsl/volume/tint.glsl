@@ -2,7 +2,7 @@
 #ifdef TINTED
 layout(binding = tintsUnit) uniform usamplerBuffer tintWords;
 uniform ivec2 tintLayout;
-uniform vec2 tintRange;  // Lowest value, and 1 / (highest - lowest)
+uniform vec2 tintRange;  // Lowest value, and 1 / (highest value - lowest value)
 
 float tintAt(ivec3 cell) {
   int word = cellWord(clamp(cell, ivec3(0), volume.xyz - 1), tintLayout);

@@ -1,4 +1,5 @@
-// Writes the triangles of the cubes that begin at 32 samples. Their corners are point indices.
+// Writes the triangles of the cubes that begin at 32 samples. The corners of the triangles are point indices. One
+// invocation per 32 samples.
 #include "volume/samples.glsl"
 layout(local_size_x = 64) in;
 INPUT_WORDS(cubesBinding, CubeBlock, cubes)
@@ -8,8 +9,8 @@ INPUT_WORDS(masksBinding, MaskBlock, masks)
 layout(std430, binding = indicesBinding) restrict writeonly buffer IndexBlock { uint indices[]; };
 uniform uint indexRoom;
 
-// A row's word: the number of points before it and its crossed edges; and both values of the word to its right, which
-// the last sample's cube needs.
+// A row's word: the number of points before it and its crossed edges. Both values are also stored for the word to its
+// right, which the last sample's cube needs.
 struct Row {
   uint first;
   uvec4 mask;

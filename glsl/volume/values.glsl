@@ -1,6 +1,6 @@
-// Values of a volume's cells in the simulation's own format: floats, rows of cells, layers of rows.
+// Values of a volume's cells in the format of the simulation: floats, in rows of cells and layers of rows.
 layout(binding = valuesUnit) uniform usamplerBuffer valueWords;
-uniform ivec2 valueLayout;  // x: words per row; y: index of the first cell's word
+uniform ivec2 valueLayout;  // x: number of words per row; y: index of the first cell's word
 uniform float level;
 
 // Returns the value of a word. NaN and infinity count as below every level.

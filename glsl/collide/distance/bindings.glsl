@@ -7,8 +7,8 @@ const int facesBinding = 1;
 const int nodesBinding = 2;
 const int cellsBinding = 3;
 const int leftBinding = 4;  // Counter of unfinished nodes
-const int leafFaces = 4;    // Faces per leaf of the tree; some faces may occur twice
-// Elements per face: three corners, then the unit normals of the face, its edges and its corners
+const int leafFaces = 4;    // Number of faces per leaf of the tree; a face may occur twice
+// Number of elements per face: three corners, then the unit normals of the face, of its edges and of its corners
 const int faceElements = 10;
 
 #endif

@@ -1,4 +1,4 @@
-// Common includes, uniforms and buffers of the kernels that build a distance field.
+// Includes, uniforms and buffers common to the kernels that build a distance field.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "common/words.glsl"
@@ -6,7 +6,7 @@
 layout(local_size_x = 64) in;
 uniform ivec4 nodes;     // xyz number of grid nodes per axis; w total number
 uniform vec4 corner;     // xyz position of the first node, m; w grid spacing, m
-uniform float perUnit;   // Integer units per metre
+uniform float perUnit;   // Number of integer units per metre
 uniform int firstLeaf;
 INPUT_ARRAY(boxesBinding, BoxBlock, boxes)
 INPUT_ARRAY(facesBinding, FaceBlock, faces)

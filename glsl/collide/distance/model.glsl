@@ -1,9 +1,9 @@
 // Signed distance from a point to a closed mesh. Compiles as GLSL and as C++. The including file provides loadBox(int),
 // loadFace(int), `firstLeaf`, common/exact.glsl and bindings.glsl.
 //
-// The tree of boxes is a complete binary tree: box n has the children 2n and 2n + 1. A box has two elements, its low
-// and high corner. The w of the low corner is the box that follows the subtree of n in preorder (0: none). The w of the
-// high corner is a leaf's first face.
+// The tree of boxes is a complete binary tree: box n has the children 2n and 2n + 1. A box has two elements, its
+// minimum corner and its maximum corner. w of the minimum corner is the box that follows the subtree of n in preorder
+// (0 if there is none). w of the maximum corner is the first face of a leaf.
 
 #include "collide/closest.glsl"
 
@@ -14,7 +14,7 @@ FUNCTION Closest closestOfFace(vec3 p, int face) {
 
 // State of a nearest-face search.
 struct Search {
-  float squared;  // Squared distance to the nearest face so far, m^2
+  float squared;  // Squared distance to the nearest face found so far, m^2
   int face;
   int box;        // Next box to test; 0 if the search is finished
 };
@@ -35,7 +35,7 @@ FUNCTION Search inLeaf(vec3 p, Search s, int first) {
   return s;
 }
 
-// Starts a search. Descends to a near leaf and tests its faces, to get a first upper bound.
+// Starts a search. Descends to a leaf near p and tests its faces, to get a first upper bound.
 FUNCTION Search begun(vec3 p) {
   int box = 1;
   for (int k = 0; k < 30 && box < firstLeaf; ++k) {
@@ -51,7 +51,7 @@ FUNCTION Search begun(vec3 p) {
   return inLeaf(p, s, int(loadBox(2 * box + 1).w));
 }
 
-// Advances the search by one box in preorder. Skips a box that is no nearer than the nearest face so far.
+// Advances the search by one box in preorder. Skips a box that is not nearer than the nearest face found so far.
 FUNCTION Search searched(vec3 p, Search s) {
   vec4 low = loadBox(2 * s.box);
   vec4 high = loadBox(2 * s.box + 1);
@@ -63,10 +63,10 @@ FUNCTION Search searched(vec3 p, Search s) {
   return s;
 }
 
-// Returns the signed distance to the nearest face, negative inside. The normal of an edge is the sum of its two faces'
-// normals. The normal of a corner is the sum of its faces' normals weighted by their angles. So the sign is right
-// wherever the closest point lies (Baerentzen and Aanaes 2005, "Signed distance computation using the angle weighted
-// pseudonormal").
+// Returns the signed distance to a mesh with the nearest face `face`, negative inside. The normal of an edge is the sum
+// of its two faces' normals. The normal of a corner is the sum of its faces' normals, weighted by their angles. The
+// sign is therefore right wherever the closest point is (Baerentzen and Aanaes 2005, "Signed distance computation using
+// the angle weighted pseudonormal").
 FUNCTION float signedDistance(vec3 p, int face) {
   Closest closest = closestOfFace(p, face);
   vec3 normal = vec3(loadFace(face * faceElements + 3 + closest.feature));

@@ -1,4 +1,4 @@
-// Packs the distances at each cell's eight corners into one element. One cell per invocation.
+// Packs the distances at the eight corners of each cell into one element. One invocation per cell.
 #include "collide/distance/kernel.glsl"
 STATE_WORDS(cellsBinding, CellBlock, cells)
 uniform int firstCell;

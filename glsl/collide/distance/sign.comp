@@ -1,4 +1,4 @@
-// Replaces each node's nearest face by its signed distance in integer units. One node per invocation.
+// Replaces the nearest face of each node by the signed distance in integer units. One invocation per node.
 #include "collide/distance/kernel.glsl"
 
 void main() {

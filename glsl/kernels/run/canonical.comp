@@ -1,11 +1,12 @@
-// Replaces each NaN in a user's buffer by one with a canonical sign and payload, because machines produce
-// different ones. One invocation per word.
+// Replaces each NaN in a user's buffer by one with a canonical sign and payload, because machines produce different
+// NaNs. One invocation per word.
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) buffer WordsBlock { uint words[]; };
-layout(std430, binding = 1) readonly buffer FloatBlock { uint floats[]; };  // 1: word is a float
+layout(std430, binding = 1) readonly buffer FloatBlock { uint floats[]; };  // 1 if the word of an element is a float,
+                                                                            // otherwise 0
 uniform int count;   // number of words
 uniform int start;   // word offset of the first element
-uniform int stride;  // words per element
+uniform int stride;  // number of words per element
 
 void main() {
   int i = int(gl_GlobalInvocationID.x);

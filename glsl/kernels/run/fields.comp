@@ -1,6 +1,7 @@
-// Fills a user's texture with another object's field (grid/field.glsl), interpolated bilinearly between the middles of
-// its cells unless they are categories. A field of the texture's size is copied. Colours give red, green, blue and the
-// value; other fields give their value three times and 1. One invocation per texel. TEXELS: 0 floats, 1 ints, 2 uints.
+// Fills a user's texture with another object's field (grid/field.glsl), interpolated bilinearly between the centres of
+// the field's cells unless the values are categories. A field of the texture's size is copied. Colours give red, green,
+// blue and the value; other fields give their value three times, and 1. One invocation per texel. TEXELS is 0 for
+// floats, 1 for ints, 2 for uints.
 #include "common/exact.glsl"
 #include "common/words.glsl"
 #include "reaction/sampling.glsl"
@@ -9,8 +10,8 @@ const int fieldUnit = 1;
 #include "grid/field.glsl"
 STATE_WORDS(0, TexelBlock, texels)
 uniform ivec2 size;     // size of the texture
-uniform bool upward;    // true if the first row of texels is the lowest of the field
-uniform bool separate;  // true if values between cells mean nothing
+uniform bool upward;    // true if the first row of texels is the lowest row of the field
+uniform bool separate;  // true if values must not be interpolated between cells
 
 vec4 cellAt(int x, int y) {
 #if CELLS == 3

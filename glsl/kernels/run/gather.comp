@@ -7,20 +7,20 @@ layout(std430, binding = 0) readonly buffer WordsBlock { uint words[]; };
 STATE_ARRAY(1, DrawnBlock, drawn)
 uniform int count;     // number of elements
 uniform int start;     // word offset of the first element
-uniform int stride;    // words per element
-uniform ivec4 places;  // word offsets of the four numbers within an element; -1: use `fill`
+uniform int stride;    // number of words per element
+uniform ivec4 places;  // word offsets of the four numbers within an element; -1 for the value of `fill`
 uniform vec4 fill;
 uniform int number;    // type of the numbers: 0 float, 1 int, 2 uint
-uniform int alive;     // word offset of a number that is above 0 in drawn elements; -1: all are drawn
+uniform int alive;     // word offset of a number that is above 0 in drawn elements; -1 if all elements are drawn
 uniform int aliveNumber;
-uniform bool encoded;  // true if the first three numbers are sRGB values to be converted to linear
+uniform bool encoded;  // true if the first three numbers are sRGB values, which are converted to linear values
 
 float numberAt(int word, int type) {
   uint bits = words[word];
   return type == 0 ? uintBitsToFloat(bits) : type == 1 ? float(int(bits)) : float(bits);
 }
 
-// sRGB to linear (IEC 61966-2-1).
+// Converts an sRGB value to a linear value (IEC 61966-2-1).
 float linearOf(float x) {
   precise float low = x * 0.0773993808;
   precise float base = (x + 0.055) * 0.947867299;

@@ -1,12 +1,12 @@
 // Computes the vertices of a terrain from the heights of a user's grid. One invocation per vertex.
 #include "common/memory.glsl"
 layout(local_size_x = 64) in;
-INPUT_ARRAY(0, HeightBlock, heights)  // x: height
+INPUT_ARRAY(0, HeightBlock, heights)  // x: height value
 STATE_ARRAY(1, VertexBlock, vertices)
 uniform ivec2 size;   // number of vertices along x and z
-uniform vec3 corner;  // position of vertex (0, 0) at the height 0, m
+uniform vec3 corner;  // position of vertex (0, 0) for the height value 0, m
 uniform float cell;   // distance between vertices, m
-uniform float scale;  // metres of the height 1
+uniform float scale;  // height in metres per unit of the height value
 
 void main() {
   int i = int(gl_GlobalInvocationID.x);

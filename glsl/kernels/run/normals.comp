@@ -1,14 +1,15 @@
-// Computes vertex normals of a mesh whose vertices are moved by a user's kernels. One invocation per vertex.
-// The normal is the normalized sum of the edge cross products of the adjacent faces, so larger faces weigh
-// more.
-// `ranges` gives, per vertex, the begin and end of its entries in `faces`. An entry has the two other corners of an
+// Computes the vertex normals of a mesh whose vertices are moved by a user's kernels. One invocation per vertex. The
+// normal is the normalized sum of the edge cross products of the adjacent faces, so larger faces have a larger weight.
+// `ranges` holds for each vertex the start and end of its entries in `faces`. An entry has the other two corners of an
 // adjacent face, in winding order.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 layout(local_size_x = 64) in;
 INPUT_ARRAY(0, PositionBlock, positions)
-layout(std430, binding = 1) readonly buffer RangeBlock { ivec2 ranges[]; };  // per vertex: range in faces
-layout(std430, binding = 2) readonly buffer FaceBlock { ivec2 faces[]; };    // two other corners, in order
+layout(std430, binding = 1) readonly buffer RangeBlock { ivec2 ranges[]; };  // for each vertex: start and end of its
+                                                                             // entries in `faces`
+layout(std430, binding = 2) readonly buffer FaceBlock { ivec2 faces[]; };    // the other two corners of a face, in
+                                                                             // winding order
 STATE_ARRAY(3, NormalBlock, normals)
 uniform int count;
 

@@ -1,6 +1,5 @@
-// Collects the error reports of a user's kernel after a frame. A single invocation runs. Each report has four
-// words; the first word counts its occurrences. For the first frame with a non-zero count, the words are copied
-// to `caught`.
+// Collects the error reports of a user's kernel after a frame. One invocation in total. Each report has four words; the
+// first word counts its occurrences. In the first frame with a nonzero count, the words are copied to `caught`.
 #include "common/status.glsl"
 layout(local_size_x = 1) in;
 layout(std430, binding = 0) readonly buffer ReportBlock { uvec4 reports[]; };
@@ -8,7 +7,7 @@ layout(std430, binding = 1) buffer CaughtBlock { uvec4 caught[]; };
 uniform int count;    // number of reports of this kernel
 uniform int first;    // index of the kernel's first report in `caught`
 uniform uint frame;
-uniform bool goesOn;  // true if a report does not end the run
+uniform bool goesOn;  // true if reports do not end the run
 
 void main() {
   for (int i = 0; i < count; ++i) {

@@ -1,13 +1,13 @@
-// Packs the values of a user's volume into rows of floats for its level surface (volume/values.glsl): first the values,
-// then the numbers that colour the surface. One invocation per element of four cells.
+// Packs the values of a user's volume into rows of floats for its level surface (volume/values.glsl): first all values,
+// then all numbers that colour the surface. One invocation per element of four cells.
 #include "common/memory.glsl"
 #include "common/words.glsl"
 layout(local_size_x = 64) in;
-INPUT_ARRAY(0, CellBlock, cells)  // x: value; w: number that colours it
+INPUT_ARRAY(0, CellBlock, cells)  // x: value; w: number that selects the colour
 STATE_WORDS(1, VolumeBlock, volumeWords)
-uniform int width;    // cells per row
-uniform int columns;  // elements per row
-uniform int rows;     // rows of all layers
+uniform int width;    // number of cells per row
+uniform int columns;  // number of elements per row
+uniform int rows;     // number of rows in all layers
 
 void main() {
   int i = int(gl_GlobalInvocationID.x), all = columns * rows;

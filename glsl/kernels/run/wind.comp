@@ -1,17 +1,17 @@
-// Converts the velocities of a user's grid into the flow that objects in the wind read (fluid/wind_array.glsl): u at the
-// middle of each cell's left face, v at the middle of its top face, as the mean of the two adjacent cells. A ring of one
-// cell surrounds the grid; cells outside have the velocity of the nearest cell inside. One invocation per element of the
-// ring and the grid.
+// Converts the velocities of a user's grid into the flow that wind-driven objects read (fluid/wind_array.glsl): u at
+// the centre of each cell's left face, v at the centre of its top face, as the mean of the two adjacent cells. A ring
+// of one cell surrounds the grid. Cells outside the grid have the velocity of the nearest cell inside. One invocation
+// per element of the ring and the grid.
 #include "common/memory.glsl"
 layout(local_size_x = 64) in;
-INPUT_ARRAY(0, CellBlock, cells)  // x and y: velocity towards growing x and y
+INPUT_ARRAY(0, CellBlock, cells)  // x and y: components of the velocity towards increasing x and y
 #ifdef TEXEL_PATH
 layout(std430, binding = 1) writeonly buffer WindBlock { vec4 wind[]; };
 #else
-layout(std430, binding = 1) writeonly buffer WindBlock { float wind[]; };  // all u, then all v
+layout(std430, binding = 1) writeonly buffer WindBlock { float wind[]; };  // all values of u, then all values of v
 #endif
 uniform ivec2 size;   // number of cells per axis
-uniform float scale;  // cells/s of the velocity 1
+uniform float scale;  // velocity in cells/s per unit of the user's velocity
 
 vec2 velocityAt(int x, int y) {
   x = clamp(x, 0, size.x - 1);

@@ -1,4 +1,4 @@
-// simreel's own file for shaders that include Unity's of this name.
+// simreel's replacement for the file of this name from Unity, for shaders that include it.
 #ifndef SIMREEL_HLSL_SUPPORT
 #define SIMREEL_HLSL_SUPPORT
 #define UNITY_DECLARE_TEX2D(name) Texture2D name; SamplerState sampler##name

@@ -1,4 +1,5 @@
-// simreel's own file for shaders that include Unity's of this name: what compute shaders use of it.
+// simreel's replacement for the file of this name from Unity, for shaders that include it. Contains the functions that
+// compute shaders use.
 #ifndef SIMREEL_UNITY_CG
 #define SIMREEL_UNITY_CG
 #include "UnityShaderVariables.cginc"
@@ -17,7 +18,7 @@
 float Luminance(float3 rgb) {
   return dot(rgb, float3(0.2126, 0.7152, 0.0722));
 }
-// The curve of sRGB.
+// Transfer curve of sRGB.
 float GammaToLinearSpaceExact(float value) {
   return value <= 0.04045 ? value / 12.92 : pow((value + 0.055) / 1.055, 2.4);
 }

@@ -1,16 +1,17 @@
-// simreel's own file for shaders that include Unity's of this name: time, camera and screen as constants, which the scene sets.
+// simreel's replacement for the file of this name from Unity, for shaders that include it: time, camera and screen as
+// constants that the scene sets.
 #ifndef SIMREEL_UNITY_SHADER_VARIABLES
 #define SIMREEL_UNITY_SHADER_VARIABLES
 #include "HLSLSupport.cginc"
 cbuffer UnityPerFrame {
-  float4 _Time;            // t / 20, t, 2 t, 3 t
+  float4 _Time;            // t / 20, t, 2 t, 3 t, where t is the time in seconds
   float4 _SinTime;         // sin of t / 8, t / 4, t / 2, t
   float4 _CosTime;
-  float4 unity_DeltaTime;  // dt, 1 / dt, smoothed dt, 1 / that
+  float4 unity_DeltaTime;  // dt, 1 / dt, smoothed dt, 1 / smoothed dt
 };
 cbuffer UnityPerCamera {
   float3 _WorldSpaceCameraPos;
-  float4 _ProjectionParams;  // 1, near, far, 1 / far
+  float4 _ProjectionParams;  // 1, near plane, far plane, 1 / far plane
   float4 _ScreenParams;      // width, height, 1 + 1 / width, 1 + 1 / height
   float4 _ZBufferParams;
   float4 unity_OrthoParams;

@@ -1,6 +1,6 @@
-// Builds one level of tree nodes: leaves from their bodies (LEAVES), or parents from their two children, the left child
-// first. The levels are built from the leaves upwards, one dispatch per level, so no node waits for another. One node
-// per invocation.
+// Builds one level of tree nodes: leaves from their bodies (if LEAVES is defined), or parents from their two children,
+// the left child first. The levels are built from the leaves upwards, one dispatch per level, so no node waits for
+// another. One invocation per node.
 #define REAL float
 #include "common/exact.glsl"
 #include "common/memory.glsl"

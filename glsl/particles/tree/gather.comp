@@ -1,4 +1,5 @@
-// Writes the bodies in sorted order. Entries of excluded bodies and entries beyond the last body are zero.
+// Writes the bodies in sorted order. Entries for excluded bodies and entries beyond the last body are zero. One
+// invocation per entry.
 #define REAL float
 #include "common/exact.glsl"
 #include "common/memory.glsl"

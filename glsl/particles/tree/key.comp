@@ -1,4 +1,5 @@
-// Writes a sort record for each body: its position along the Hilbert curve. Excluded bodies sort last.
+// Writes a sort record for each body, with its position along the Hilbert curve. Excluded bodies are sorted to the end.
+// One invocation per body.
 #define REAL float
 #include "common/exact.glsl"
 #include "common/memory.glsl"

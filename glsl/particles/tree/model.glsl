@@ -1,9 +1,9 @@
 // Arithmetic of the gravity tree: keys, nodes and forces. Compiles as GLSL and as C++ (the CPU twin of the tests). The
-// including file provides loadBody(int), the bodies in sorted order (xyz m, w kg; all zero for an excluded body), and
-// includes particles/tree/types.glsl and common/exact.glsl before this file.
+// including file provides loadBody(int), which returns the bodies in sorted order (xyz m, w kg; all zero for an
+// excluded body), and first includes particles/tree/types.glsl and common/exact.glsl.
 
-// True if a body takes part: coordinates below 1e18 m, mass between 1e-30 and 1e30 kg. The comparison uses bits,
-// because the bits of positive floats have the order of their values and NaN has larger bits.
+// Returns true if a body takes part: its coordinates are below 1e18 m and its mass is between 1e-30 and 1e30 kg. The
+// bits are compared, because the bits of positive floats compare like the floats, and NaN has larger bits.
 FUNCTION bool takesPart(vec4 body) {
   int x = floatBitsToInt(body.x) & 0x7fffffff;
   int y = floatBitsToInt(body.y) & 0x7fffffff;
@@ -18,10 +18,11 @@ FUNCTION bool takesPart(vec4 body) {
 
 // ---- Nodes
 
-// Moments of a node's bodies. The spread is 3 sum_j (m_j/M) s_j s_j^T with s_j = x_j - center, in m^2. It does not
-// contain the mass, so that it stays in the range of floats for a galaxy and for a marble.
+// Moments of a node's bodies. The spread is 3 sum_j (m_j/M) s_j s_j^T in m^2, where m_j are the masses, M is their sum,
+// and s_j = x_j - center. It does not contain the total mass, so that it stays in the range of floats both for a galaxy
+// and for a marble.
 struct Node {
-  vec3 low;     // Corners of the bounding box, m
+  vec3 low;     // Minimum and maximum corner of the bounding box, m
   vec3 high;
   vec3 center;  // Centre of mass, m
   float mass;   // Total mass, kg; 0 if the node has no bodies
@@ -44,7 +45,7 @@ FUNCTION vec3 flushed(vec3 v) {
   return vec3(exactFlush(v.x), exactFlush(v.y), exactFlush(v.z));
 }
 
-// Adds fraction * (spread + 3 s s^T) to the node's spread, with the spread given by `along` and `across`.
+// Adds fraction * (spread + 3 s s^T) to the node's spread. `along` and `across` are the components of the added spread.
 FUNCTION Node withSpread(Node node, float fraction, vec3 s, vec3 along, vec3 across) {
   Node result = node;
   precise vec3 weighted = s * 3.0f;
@@ -111,9 +112,9 @@ FUNCTION Node parentNode(Node left, Node right) {
   return node;
 }
 
-// Returns the squared distance from a node's centre of mass beyond which its moments replace its bodies: the distance
-// is side/opening + |centre of mass - middle of the box| (Barnes 1994). Returns -1 if all bodies are at one point or
-// the node is empty, because its moments are then exact at any distance.
+// Returns the squared distance from a node's centre of mass beyond which the node's moments replace its bodies. The
+// distance is side/opening + |centre of mass - middle of the box| (Barnes 1994). Returns -1 if all bodies are at one
+// point or if the node is empty, because its moments are then exact at any distance.
 FUNCTION float openingRadius2(Node node, float perOpening) {
   precise vec3 size = node.high - node.low;
   float side = max(size.x, max(size.y, size.z));
@@ -124,11 +125,11 @@ FUNCTION float openingRadius2(Node node, float perOpening) {
   return squared;
 }
 
-// Node data for the walk: nodeCell returns the centre of mass and the squared opening radius; nodeMoments0 and
-// nodeMoments1 return mass and spread.
+// Node data for the walk: nodeCell() returns the centre of mass and the squared opening radius; nodeMoments0() and
+// nodeMoments1() return mass and spread.
 FUNCTION vec4 nodeCell(Node node, float perOpening) {
   float radius2 = openingRadius2(node, perOpening);
-  // For bodies at one point, the centre must equal the point exactly, so that their pull on each other is zero.
+  // If all bodies are at one point, the centre must equal that point exactly, so that their pull on each other is zero.
   vec3 center = radius2 < 0.0f && node.mass > 0.0f ? node.low : node.center;
   return vec4(center, radius2);
 }
@@ -150,7 +151,7 @@ FUNCTION Node unpackNode(vec4 low, vec4 high, vec4 cell, vec4 moments0, vec4 mom
   return node;
 }
 
-// ---- Forces, on as many bodies at once as a REAL has components
+// ---- Forces, on as many bodies in parallel as a REAL has components
 
 struct Pull {
   REAL x;
@@ -189,7 +190,7 @@ FUNCTION Pull plusPull(Pull sum, Pull more) {
   return pullOf(x, y, z);
 }
 
-// Returns m d / R^3 with R^2 = |d|^2 + eps^2 and d towards the body.
+// Returns the pull m d / R^3 of a body, where R^2 = |d|^2 + eps^2 and d is the vector to the body.
 FUNCTION Pull bodyPull(REAL dx, REAL dy, REAL dz, REAL mass, float softening2) {
   REAL inverse = exactInverseSqrt(softenedSquare(dx, dy, dz, softening2));
   precise REAL k = mass * inverse * inverse * inverse;
@@ -205,9 +206,9 @@ FUNCTION Pull plusBody(Pull sum, REAL x, REAL y, REAL z, vec4 body, float soften
   return plusPull(sum, bodyPull(dx, dy, dz, REAL(body.w), softening2));
 }
 
-// Returns the pull of a node to second order. The potential of its bodies about the centre of mass with the spread A,
-// -M [1/R + (d.A d / R^5 - tr A / (3 R^3)) / 2], has the gradient M/R^3 [(1 + (5/2 d.w - tr A / 2) / R^2) d - w] with w
-// = A d / R^2. This also holds with softening, because the trace term is kept.
+// Returns the pull of a node to second order. The potential of its bodies about the centre of mass, with the mass M and
+// the spread A, is -M [1/R + (d.A d / R^5 - tr A / (3 R^3)) / 2]. Its gradient is M/R^3 [(1 + (5/2 d.w - tr A / 2) /
+// R^2) d - w] with w = A d / R^2. This also holds with softening, because the trace term is not dropped.
 FUNCTION Pull nodePull(REAL dx, REAL dy, REAL dz, Moments a, float softening2) {
   REAL inverse = exactInverseSqrt(softenedSquare(dx, dy, dz, softening2));
   precise REAL inverse2 = inverse * inverse;
@@ -237,7 +238,7 @@ FUNCTION Pull plusNode(Pull sum, REAL x, REAL y, REAL z, vec3 center, vec4 m0, v
   return plusPull(sum, nodePull(dx, dy, dz, a, softening2));
 }
 
-// True if a node is far from a group's box, given by its middle and half its size.
+// Returns true if a node is far from a group's box, given by the centre of the box and half its size.
 FUNCTION bool isFar(vec4 cell, vec3 middle, vec3 halfSize) {
   precise vec3 offset = vec3(cell) - middle;
   precise vec3 away = abs(offset) - halfSize;

@@ -1,5 +1,5 @@
-// Computes the bounding box of all bodies that take part, by reduction. Each invocation reduces 64 bodies (first
-// dispatch, FROM_BODIES) or 64 corner pairs to one corner pair. Min and max do not depend on the order.
+// Computes the bounding box of all bodies that take part, by reduction. An invocation reduces 64 bodies (first
+// dispatch, with FROM_BODIES) or 64 corner pairs to one corner pair. Minimum and maximum do not depend on the order.
 #define REAL float
 #include "common/exact.glsl"
 #include "common/memory.glsl"

@@ -1,10 +1,10 @@
 // Computes the forces on all bodies by walking the trees depth first. The bodies of a group walk together: a node far
-// from the group's box acts by its moments; a near node is opened. Every invocation of a group takes the same path, so
-// loads are shared and each body's sum has the same order on every device. The walk needs no shared memory, barriers or
-// stack: the next node follows from the index of the last. A tree takes at most 8191 node visits and 32768 bodies,
-// whatever the positions are.
+// from the group's box acts through its moments, and a near node is opened. Every invocation of a group takes the same
+// path, so loads serve all invocations, and each body's sum has the same order on every device. The walk needs no
+// shared memory, barriers or stack, because the next node follows from the index of the last node. Whatever the
+// positions are, a tree takes at most 8191 node visits and 32768 bodies.
 //
-// An invocation processes eight bodies, which share loads and tests. This kernel is for the texel path; walk_list.comp
+// An invocation processes eight bodies with the same loads and tests. This kernel is for the texel path; walk_list.comp
 // is for storage buffers.
 #define LANES 4
 #define REAL vec4
@@ -34,7 +34,7 @@ vec4 loadBody(int i) {
 }
 #include "particles/tree/model.glsl"
 
-// A vector of bodies, one per component of REAL, and the sums of their pulls so far.
+// Positions of several bodies, one body per component of REAL, and the sums of the pulls on them so far.
 struct Bodies {
   REAL x;
   REAL y;
@@ -85,7 +85,7 @@ void main() {
   precise vec3 above = high - middle;
   precise vec3 below = middle - low;
   vec3 halfSize = max(above, below);
-  // All trees in order; a group without bodies skips them.
+  // All trees are processed in order; a group without bodies skips them.
   int last = low.x <= high.x ? lastRoot : firstRoot;
   for (int root = firstRoot; root < last; ++root) {
     int node = 1;

@@ -1,11 +1,11 @@
 // Variant of walk.comp for storage buffers, used on GPUs. It computes the same sums in the same order, but without a
-// long chain of dependent node visits. A workgroup processes the bodies of a group, one per invocation. Together the
-// invocations test up to 64 nodes at once: those that come next in the depth-first walk. A near node is replaced by its
-// two children. A far node or a near leaf is settled. The settled nodes before the first unsettled one move to the list
-// `ready`. `ready` is processed 64 entries at a time. A REAL holds four sources, whose pulls on a body are computed in
-// parallel and added in order.
+// long chain of dependent node visits. A workgroup processes the bodies of a group, one body per invocation. In each
+// round, the invocations together test up to 64 nodes: those that come next in the depth-first walk. A near node is
+// replaced by its two children. A far node or a near leaf is settled. The settled nodes before the first unsettled one
+// are moved to the list `ready`, which is processed 64 entries at a time. A REAL holds four sources, whose pulls on a
+// body are computed in parallel and added in order.
 //
-// Shared memory is kept small: a driver may limit the workgroups of a multiprocessor to 48 KiB together, or less.
+// The shared memory is small, because a driver may limit all workgroups of a multiprocessor together to 48 KiB or less.
 #define REAL vec4
 #include "common/exact.glsl"
 EXACT_INVERSE_SQRT(REAL)
@@ -29,13 +29,13 @@ uniform float softening2;
 
 // An entry is root * rootNodes + node, plus flags for the result of its test.
 const uint settled = 0x80000000u;
-const uint opened = 0x40000000u;  // Near leaf: its bodies act one by one
+const uint opened = 0x40000000u;  // Flag of a near leaf, whose bodies act one by one
 const uint placeBits = 0x3fffffffu;
 
 const int capacity = 512;
-shared uint waiting[capacity];     // Stack; the top entry comes next in the walk
+shared uint waiting[capacity];     // Stack, whose top entry comes next in the walk
 shared uint ready[2 * groupBodies];
-shared uint divided[2];            // Bit mask of the entries in work that are replaced by their children
+shared uint divided[2];            // Bit mask of the current entries that are replaced by their children
 shared vec4 staged[3][groupBodies];
 
 vec4 loadBody(int i) {
@@ -59,7 +59,7 @@ vec3 plusBodies(vec3 sum, vec3 at, int first) {
   return plusFour(sum, bodyPull(dx, dy, dz, vec4(a.w, b.w, c.w, d.w), softening2), 4);
 }
 
-// Adds the pulls of the nodes in entries k to k + many - 1; `many` is at most four.
+// Returns `sum` plus the pulls of the nodes in entries k to k + many - 1, where `many` is at most four.
 vec3 plusNodes(vec3 sum, vec3 at, int k, int many) {
   int k1 = k + min(1, many - 1), k2 = k + min(2, many - 1), k3 = k + many - 1;
   vec4 a = staged[0][k], b = staged[0][k1], c = staged[0][k2], d = staged[0][k3];
@@ -128,7 +128,7 @@ void main() {
   precise vec3 above = high - middle;
   precise vec3 below = middle - low;
   vec3 halfSize = max(above, below);
-  // All trees in order; a group without bodies skips them.
+  // All trees are processed in order; a group without bodies skips them.
   int last = low.x <= high.x ? lastRoot : firstRoot;
   int readyCount = 0;
   if (thread < 2) divided[thread] = 0u;
@@ -140,8 +140,8 @@ void main() {
       int taken = min(size, groupBodies);
       uint entry = settled;
       if (thread < taken) entry = waiting[size - 1 - thread];
-      // If the stack has no room for 64 more entries, only one entry is divided at a time: a depth-first walk needs at
-      // most 12 more entries.
+      // If the stack has no room for 64 more entries, only one entry at a time is divided, because a depth-first walk
+      // needs at most 12 more entries.
       bool may = size + groupBodies + 12 <= capacity;
       if ((entry & settled) == 0u) {
         bool far = isFar(LOAD_INPUT(cells, int(entry)), middle, halfSize);

@@ -1,4 +1,5 @@
-// One step of the epidemic. MIXED: infection from the whole grid; otherwise from the eight neighbours.
+// Computes one step of the epidemic. If MIXED is defined, cells are infected from the whole grid, otherwise from their
+// eight neighbours.
 #include "spread/rows.glsl"
 #include "spread/epidemic/types.glsl"
 layout(std140, binding = stepBinding) uniform StepBlock { EpidemicStep stepData; };
@@ -16,13 +17,13 @@ Rates ratesNow() {
                drawOf(stepData.step, stepData.seed));
 }
 
-// Spent cells change without an active neighbour, because they age.
+// Spent cells also change without an active neighbour, because they age.
 uvec4 restlessCells(uvec4 state) {
   uvec4 old = (state & 0x3f3f3f3fu) + ones;  // Bit 6 is set if the age was 63
   return spentCells(state) & ~(old >> 6u);
 }
 
-// True if cells can lose their immunity, or be infected from anywhere (MIXED).
+// Returns true if cells can lose their immunity, or can be infected from anywhere (MIXED).
 bool changesAlone(Rates rates, uvec4 counts) {
 #ifdef MIXED
   if ((counts.x & 0xffffu) != 0u) return true;
@@ -30,7 +31,7 @@ bool changesAlone(Rates rates, uvec4 counts) {
   return rates.waning != 0u && counts.z != 0u;
 }
 
-// Looks up the thresholds for counts n. On the texel path the bits of n select the value, because a lookup with
+// Looks up the thresholds for the counts n. On the texel path, the bits of n select the value, because a lookup with
 // different indices per lane would be serialized.
 uvec4 thresholdsFor(uvec4 n, uvec4 table[3]) {
 #ifdef TEXEL_PATH
@@ -46,8 +47,8 @@ uvec4 thresholdsFor(uvec4 n, uvec4 table[3]) {
 #endif
 }
 
-// Steps four cells like nextPerson(): a random number below the threshold moves a cell to the next class, from the last
-// class to the first.
+// Computes the next state of four cells like nextPerson(). If the random number is below the threshold, a cell moves to
+// the next class, and from the last class to the first.
 uvec4 nextPersons(uvec4 before, uvec4 infection, uint recovery, uint waning, uvec4 random) {
   uvec4 kind = before & classMask;
   uvec4 threshold = mix(infection, uvec4(recovery), equal(kind, uvec4(classActive)));
@@ -57,7 +58,8 @@ uvec4 nextPersons(uvec4 before, uvec4 infection, uint recovery, uint waning, uve
   return mix(before, onward, changes);
 }
 
-// Loops over the byte positions at which one of the four words has a cell that can change; usually few.
+// The loop visits the byte positions at which at least one of the four words has a cell that can change; usually there
+// are few.
 uvec4 stepElement(Rates rates, Column column, int y, Row above, Row here, Row below) {
   uvec4 ready = readyCells(here.state);
   uvec4 infected = leftActive(above) + isActive(above) + rightActive(above) + leftActive(here) + rightActive(here) +
@@ -82,8 +84,8 @@ uvec4 stepElement(Rates rates, Column column, int y, Row above, Row here, Row be
   uvec4 random = spreadRandoms(cells + (place >> 3u), rates.draw);                                          \
   next ^= (before ^ nextPersons(before, THRESHOLD(place), rates.recovery, rates.waning, random)) << place;
 #ifdef TEXEL_PATH
-  // Lanes of a software driver execute together. So the loop covers all byte positions, or is skipped if no lane has a
-  // cell that can change.
+  // The lanes of a software driver execute together. The loop therefore visits all byte positions, or none if no lane
+  // has a cell that can change.
   for (; todo != 0u; todo = 0u)
     for (uint place = 0u; place < 32u; place += 8u) {
       STEP_PLACE(place)

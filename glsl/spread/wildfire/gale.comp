@@ -1,5 +1,5 @@
-// Computes a fluid's wind at each cell of a wildfire's map; the fluid's rectangle is stretched over the map. One
-// element of four cells per invocation.
+// Computes a fluid's wind at each cell of a wildfire's map. The fluid's rectangle is stretched over the map. One
+// invocation per element of four cells.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "common/words.glsl"
@@ -9,9 +9,9 @@
 layout(local_size_x = 64) in;
 STATE_WORDS(nextCellsBinding, GaleBlock, gales)
 uniform ivec2 size;      // Number of cells of the map per axis
-uniform vec2 perCell;    // Cells of the fluid per cell of the map
+uniform vec2 perCell;    // Number of cells of the fluid per cell of the map
 uniform float scale;
-uniform int rowGales;    // Elements per row
+uniform int rowGales;    // Number of elements per row
 uniform int count;
 
 uint galeIn(int x, int y) {

@@ -1,6 +1,6 @@
-// A fluid's wind over a wildfire's map. Compiles as GLSL and as C++, after common/exact.glsl. A gale is the wind's
-// effect at a cell: the increase of the logarithm of the fire's speed along x and along y, as two signed 16-bit numbers
-// in units of 1/2048.
+// A fluid's wind over a wildfire's map. Compiles as GLSL and as C++, after common/exact.glsl. A gale is the effect of
+// the wind at a cell: the increase of the logarithm of the fire's spread rate along x and along y, as two signed 16-bit
+// numbers in units of 1/2048.
 
 const uint stillAir = 0u;
 
@@ -8,7 +8,7 @@ FUNCTION ivec2 galeParts(uint gale) {
   return ivec2(int(gale << 16u) >> 16, int(gale) >> 16);
 }
 
-// Converts a velocity (cells/s of the fluid), times `scale`, to the units of a gale.
+// Converts a velocity (cells/s of the fluid) to the units of a gale, by multiplication with `scale`.
 FUNCTION int galePart(float velocity, float scale) {
   precise float share = velocity * scale;
   precise float steps = clamp(share, -15.99f, 15.99f) * 2048.0f + 0.5f;
@@ -19,8 +19,8 @@ FUNCTION uint galeOf(float u, float v, float scale) {
   return (uint(galePart(u, scale)) & 0xffffu) | (uint(galePart(v, scale)) << 16u);
 }
 
-// Returns the chance t that the neighbour in direction d (WildfireStep.spread) ignites a cell, times e^(gale . path),
-// at most 65536.
+// Returns the chance t that the neighbour in direction d (WildfireStep.spread) ignites a cell, multiplied by e^(gale .
+// path) and limited to 65536.
 FUNCTION uint blownOver(uint t, uint d, uint gale) {
   uint place = d + (d >> 2u);
   int x = int(place % 3u) - 1;

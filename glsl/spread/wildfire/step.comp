@@ -1,13 +1,14 @@
-// One step of the fire. EMBERS: embers fly ahead. SLOPE: fire climbs faster uphill. GALES: a fluid is the wind.
+// Computes one step of the fire. EMBERS: embers fly ahead of the fire. SLOPE: the fire spreads faster uphill. GALES:
+// the wind comes from a fluid.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "spread/rows.glsl"
 #include "spread/wildfire/types.glsl"
 layout(std140, binding = stepBinding) uniform StepBlock { WildfireStep stepData; };
-INPUT_WORDS(fuelsBinding, FuelBlock, fuels)     // Bytes: how readily a cell burns
-INPUT_WORDS(groundBinding, GroundBlock, ground)  // Bytes: the ground's shade, 0 to 15, plus 16 times its phase
+INPUT_WORDS(fuelsBinding, FuelBlock, fuels)     // Bytes: flammability of each cell
+INPUT_WORDS(groundBinding, GroundBlock, ground)  // Bytes: the ground's shade, 0 to 15, plus 16 times its cooling phase
 #ifdef SLOPE
-INPUT_WORDS(inclinesBinding, InclineBlock, inclines)  // Two bytes per cell, see climbed()
+INPUT_WORDS(inclinesBinding, InclineBlock, inclines)  // Two bytes per cell, in the format of climbed()
 INPUT_ARRAY(climbsBinding, ClimbBlock, climbs)
 float climbFactor(int i) {
   return LOAD_INPUT(climbs, i >> 2)[i & 3];
@@ -37,8 +38,8 @@ Rates ratesNow() {
 }
 
 #ifdef EMBERS
-// Returns the cell of the element that an ember hits in this step, or -1. At most one of the sixteen cells is tested,
-// and the ember's origin must burn.
+// Returns the index of the cell in this element that an ember hits in this step, or -1. At most one of the sixteen
+// cells is tested. The cell from which the ember comes must burn.
 int emberTarget(Rates rates, Column column, int y) {
   uvec3 random = hash3(uvec3(uint(placeIn(column, y)), rates.step, rates.seed ^ 0x5bd1e995u));
   if (random.x >> 5u >= rates.emberThreshold) return -1;
@@ -56,7 +57,7 @@ int emberTarget(Rates rates, Column column, int y) {
 }
 #endif
 
-// Steps sixteen cells at once like nextBurning() and nextBurnt().
+// Computes the next state of sixteen cells in parallel, like nextBurning() and nextBurnt().
 uvec4 grownOlder(Rates rates, Row here, uvec4 shade) {
   uvec4 old = (here.state & 0x3f3f3f3fu) + ones * (129u - rates.burnSteps);  // Bit 7 is set if the cell burns out now
   uvec4 burning = isActive(here);
@@ -71,19 +72,19 @@ uvec4 grownOlder(Rates rates, Row here, uvec4 shade) {
   return next + ((spentCells(here.state) & turn & ~cold) << 3u);
 }
 
-// Burnt cells change without an active neighbour, because they cool.
+// Burnt cells also change without an active neighbour, because they cool.
 uvec4 restlessCells(uvec4 state) {
   uvec4 cold = state >> 3u & state >> 4u & state >> 5u;
   return spentCells(state) & ~cold;
 }
 
-// True if an ember can ignite fuel anywhere.
+// Returns true if an ember can ignite fuel anywhere.
 bool changesAlone(Rates rates, uvec4 counts) {
   return rates.emberThreshold != 0u && (counts.x & 0xffffu) != 0u;
 }
 
 #if !defined(SLOPE) && !defined(GALES)
-// catchChance() for even ground and uniform wind.
+// Returns catchChance() for even ground and uniform wind.
 uint evenChance(uint burning, uint fuel, uvec4 spread[2]) {
   uint p = 0u;
   for (uint d = 0u; d < 8u; ++d) {
@@ -95,7 +96,7 @@ uint evenChance(uint burning, uint fuel, uvec4 spread[2]) {
 }
 #endif
 
-// Loops over the cells that can ignite; usually few of the sixteen.
+// The loop visits only the cells that can ignite; usually they are few of the sixteen.
 uvec4 stepElement(Rates rates, Column column, int y, Row above, Row here, Row below) {
   uvec4 burning = above.near | leftActive(here) << 3u | rightActive(here) << 4u | below.near << 5u;
   uvec4 touched = burning | burning >> 1u | burning >> 2u | burning >> 3u;

@@ -77,8 +77,8 @@ class Contact {
   gl::Buffer control_;
   std::vector<gl::Buffer> saved_;  ///< Copies of `now`, `velocities` and `trends` of each part.
   StepBlocks<shader::ContactStep> steps_;
-  gl::Kernel<ContactRefit> refit_[3];  ///< Kernels that recompute one, two and three levels of boxes at
-                                       ///< once.
+  gl::Kernel<ContactRefit> refit_[3];  ///< Kernels that recompute one, two and three levels of boxes per
+                                       ///< dispatch.
   gl::Kernel<ContactGather> gather_;
   gl::Kernel<ContactPlain<"contact/begin.comp">> begin_;
   gl::Kernel<ContactPlain<"contact/reach.comp">> reach_;

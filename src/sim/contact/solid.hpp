@@ -50,7 +50,7 @@ class MovedVertices {
   void takeEnd(const gl::Vec4Array& positions) { copyPositions(positions, ends_); }
   /// Sets the local-to-world transforms at the start and the end of the frame.
   void place(const glm::mat4& begin, const glm::mat4& end);
-  /// These functions are the same as those of ContactSolid.
+  /// These functions behave like the functions of the same names in ContactSolid.
   void moveTo(int substep, int substeps);
   [[nodiscard]] const gl::Vec4Array& now() const { return places_[0]; }
   [[nodiscard]] const gl::Vec4Array& next() const { return places_[1]; }

@@ -24,15 +24,16 @@ struct GridHeights {
   int walls = 0;  ///< Bit mask of the sides (west, east, north, south) with a minimum height of `rim`.
   float rim = 0;  ///< Minimum height in metres at the sides in `walls`.
   const gl::Texture* colors =
-      nullptr;  ///< R16F texel view of palette indices; null: the w component of `positions` is the index.
+      nullptr;  ///< R16F texel view of palette indices. If null, w of `positions` is the index.
 };
 
 /// Indexed triangles that the vertex shader pulls from buffers by gl_VertexID; nothing is copied. The
 /// simulation owns everything pointed to and keeps it valid until its next step.
 struct Surface {
   const std::string* object = nullptr;  ///< Name of the object in the scene, or null if none was published.
-  const gl::Texture* positions = nullptr;  ///< RGBA32F texel view, one texel per vertex: xyz in metres; w
-                                           ///< is the palette index if there is a palette, else unused.
+  const gl::Texture* positions = nullptr;  ///< RGBA32F texel view with one texel per vertex: xyz is the
+                                           ///< position in metres. w is the palette index if there is a
+                                           ///< palette; otherwise it is unused.
   const gl::Texture* normals = nullptr;    ///< Vertex normals: RGBA32F texel view, xyz; null for a grid.
   const gl::Texture* uvs = nullptr;        ///< Texture coordinates: RG32F texel view; null for a grid.
   /// Width and height of a vertex grid (x fastest); zero for a mesh. A grid computes its normals from
@@ -152,7 +153,7 @@ struct Field {
   const std::vector<glm::vec3>* colors =
       nullptr;  ///< Linear RGB colours: evenly spaced stops, or one colour per category.
   const FieldDisplay* display =
-      nullptr;  ///< Overlay settings; null: the field is not drawn over the picture.
+      nullptr;  ///< Overlay settings. If null, the field is not drawn over the picture.
   /// Values and names of the categories that a colour bar shows; null if it shows none.
   const std::vector<std::pair<int, std::string>>* classes = nullptr;
   bool ownColors = false;   ///< True if the cells have the format `colors` and their colours do not come

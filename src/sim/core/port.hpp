@@ -142,7 +142,7 @@ class Links {
  public:
   virtual ~Links() = default;
   /// Returns the outlet of `object` for a port, or null if it has none (yet). For an empty name, returns
-  /// the outlet of the scene itself, else the first outlet of an object.
+  /// the outlet of the scene itself, or if there is none, the first outlet of an object.
   [[nodiscard]] virtual void* find(const PortInfo& port, std::string_view object) const = 0;
   /// Returns the outlets of all objects for a port, in step order.
   [[nodiscard]] virtual std::vector<void*> all(const PortInfo& port) const = 0;

@@ -114,8 +114,8 @@ class FluidKernels {
   gl::Kernel<FluidLines> showLines_;
   Tiled<FluidProject> project_;  ///< Projection kernels; on the storage path only `others` is created.
   Tiled<FluidDyePass> moveDye_;
-  // Kernels for the storage path. dyeStrips_[0] makes one pass of dye advection, dyeStrips_[1] two passes
-  // at once.
+  // Kernels for the storage path. dyeStrips_[0] computes one pass of dye advection, dyeStrips_[1] two
+  // passes in one dispatch.
   gl::Kernel<FluidProjectOpen> projectOpen_;
   gl::Kernel<FluidSettle> settle_;
   gl::Kernel<FluidCheck> check_;

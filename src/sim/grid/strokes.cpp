@@ -19,7 +19,7 @@ namespace {
 constexpr int maxStampSide = 8192;
 constexpr double maxRounds =
     1000;  ///< Maximum number of times that a stroke's path may wrap around a periodic grid.
-constexpr double maxStampImages = 4096;  ///< Maximum number of periodic images of a stroke that is an
+constexpr double maxStampImages = 4096;  ///< Maximum number of periodic copies of a stroke that paints an
                                          ///< image.
 
 glm::vec2 flat(const glm::vec3& p) {

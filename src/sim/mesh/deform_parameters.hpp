@@ -13,8 +13,8 @@ static_assert(sizeof(DeformStep) == 48 + maxDisplacements * 144 + maxPressers * 
 
 namespace simreel::sim {
 
-/// Where deformed vertices are computed (GPU, CPU threads or vertex shader) and how the draw calls get
-/// them.
+/// Processor that computes the deformed vertices (GPU, CPU threads or vertex shader), and the path by which
+/// draw calls get them.
 enum class DeformTechnique { compute, singleThread, jobs, mapped, vertexShader };
 
 // The structs below inherit the shaders' structs, so that parameters which are passed on unchanged, and

@@ -22,8 +22,9 @@ struct ColorScale {
                                                      ///< if none is shown
 };
 
-/// Returns the current scale of the field OBJECT or OBJECT.PART, else of the particles, points or cloth
-/// OBJECT. Throws UserError(usage) for an object that is not drawn in colours of a scale.
+/// Returns the current scale of the field OBJECT or OBJECT.PART, or if there is no such field, of the
+/// particles, points or cloth OBJECT. Throws UserError(usage) for an object that is not drawn in colours of
+/// a scale.
 [[nodiscard]] ColorScale colorScaleOf(const Links& links, const std::string& name);
 
 }  // namespace simreel::sim

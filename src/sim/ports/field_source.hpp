@@ -15,7 +15,7 @@ struct FieldSource {
 /// or the layers of a volume.
 struct OwnCells {
   virtual ~OwnCells() = default;
-  /// True if this object can read the fields of `other` cell by cell.
+  /// Returns true if this object can read the fields of `other` cell by cell.
   [[nodiscard]] virtual bool readsCellsOf(const OwnCells& other) const = 0;
 
  protected:

@@ -13,7 +13,7 @@
 
 namespace simreel::sim {
 
-/// Inputs of glsl/tubes/tube.comp.
+/// Interface of glsl/tubes/tube.comp.
 struct TubeKernel {
   static constexpr auto file = "tubes/tube.comp";
   gl::Uniform<"lines", int> lines;
@@ -32,39 +32,40 @@ struct TubeKernel {
   gl::Out<"colors"> colors;
 };
 
-/// Tubes around lines of points, as one mesh that a kernel writes in each frame.
+/// Tubes around lines of points, in one mesh that a kernel writes in each frame.
 class Tubes {
  public:
   static constexpr int sides = 6;
 
-  /// Look of the tubes.
+  /// Appearance of the tubes.
   struct Look {
-    float radius = 0.01F;  ///< metres
-    /// Number of points over which the tube widens from its first point and narrows to its last; 0: none.
+    float radius = 0.01F;  ///< radius in metres
+    /// Number of points over which the tube widens from its first point and narrows to its last point; 0
+    /// for none.
     float taperFirst = 0, taperLast = 0;
-    float fade = 0;  ///< fraction by which the colour is darker at the last point
+    float fade = 0;  ///< fraction by which the colour is darkened at the last point
   };
 
   Tubes() = default;
-  /// Makes room for `lines` tubes of up to `points` points. `stops`: colours from w = 0 to w = 1 of a
-  /// point; at least one.
+  /// Allocates memory for `lines` tubes of up to `points` points. `stops` are evenly spaced colours for w =
+  /// 0 to w = 1 of a point; there must be at least one.
   Tubes(const std::string& name, int lines, int points, const std::vector<glm::vec3>& stops, bool fast);
 
-  /// Makes the mesh. `points`: x, y, z in metres and the place in the colours, `points` per line. `spans`:
-  /// ivec4 per tube: x and y are the first and last point of its line, z is the line; there is no tube if y
-  /// is below x.
+  /// Computes the mesh. `points` has `points` elements per line: xyz is the position in metres, w the
+  /// position in the colours. `spans` has an ivec4 per tube: x and y are the indices of the first and last
+  /// point within the line, z is the line. There is no tube if y is less than x.
   void make(const gl::Vec4Array& points, const gl::Buffer& spans, const Look& look);
-  /// Returns the arguments of the indirect draw (five words), into which a kernel may write the number of
-  /// indices to draw: indicesPerTube() for each tube.
+  /// Returns the arguments of the indirect draw (five words). A kernel may write the number of indices to
+  /// draw into them: indicesPerTube() for each tube.
   [[nodiscard]] const gl::Buffer& arguments() const { return arguments_; }
   [[nodiscard]] int indicesPerTube() const { return indexCount_ / std::max(lines_, 1); }
-  /// Returns the surface; its pointers are valid as long as this object. The colours are a factor on the
-  /// colour of the material.
+  /// Returns the surface, whose pointers are valid while this object exists. Its colours are multiplied by
+  /// the material's colour.
   [[nodiscard]] Surface surface(const scene::Material& material) const;
-  /// Reads the mesh back, without triangles that have no area.
+  /// Reads the mesh back and leaves out triangles that have no area.
   [[nodiscard]] MeshTable table() const;
 
-  /// Returns the bytes of memory that tubes need.
+  /// Returns the number of bytes of memory that tubes need.
   [[nodiscard]] static double bytesFor(int lines, int points) {
     return static_cast<double>(lines) * (points + 2) * sides * (3 * 16 + 8 + 24);
   }

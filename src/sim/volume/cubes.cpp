@@ -12,7 +12,7 @@ namespace {
 constexpr int faceCorners[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
                                    {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
 
-/// Returns the edge between two corners that differ in one axis.
+/// Returns the edge between two corners that differ along one axis.
 int edgeBetween(int a, int b) {
   const int axis = (a ^ b) == 1 ? 0 : (a ^ b) == 2 ? 1 : 2;
   const int low = a & b;
@@ -23,7 +23,7 @@ int edgeBetween(int a, int b) {
 CubeKind kindOfCube(int kind) {
   const auto inside = [&](int corner) { return (kind >> corner & 1) != 0; };
   // Walks around each face. A segment of the surface starts where the walk leaves the inside and ends where
-  // it next enters the inside again. `after` maps each crossed edge to the next one of its polygon.
+  // it next enters the inside again. `after` maps each crossed edge to the next edge of the same polygon.
   int after[12];
   for (int& edge : after) edge = -1;
   for (const auto& face : faceCorners)
@@ -46,7 +46,7 @@ CubeKind kindOfCube(int kind) {
       after[edge] = -1;
       edge = next;
     }
-    // Triangulates the polygon as a fan around its first edge; polygons run clockwise around the inside, so
+    // Triangulates the polygon as a fan around its first edge. Polygons run clockwise around the inside, so
     // the winding is reversed.
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
       made.triangles.push_back({polygon[0], polygon[i + 1], polygon[i]});

@@ -16,20 +16,21 @@ namespace simreel::sim {
 
 namespace {
 
-/// Inputs of glsl/volume/samples.glsl.
+/// Part of a kernel interface: members of glsl/volume/samples.glsl.
 struct SamplesPart {
   gl::Uniform<"volume", glm::ivec4> volume;
   gl::Uniform<"rowElements", int> rowElements;
 };
 
-/// Inputs of glsl/volume/values.glsl.
+/// Part of a kernel interface: members of glsl/volume/values.glsl.
 struct ValuesPart {
   gl::Uniform<"valueLayout", glm::ivec2> layout;
   gl::Uniform<"level", float> level;
   gl::In<"valueWords"> values;
 };
 
-/// Inputs of glsl/volume/tint.glsl, and others that the points and boxes kernels share.
+/// Part of a kernel interface: members of glsl/volume/tint.glsl, and other inputs common to the kernels for
+/// points and for boxes.
 struct VolumePointsPart {
   SamplesPart samples;
   ValuesPart values;
@@ -118,7 +119,7 @@ struct Isosurface::State {
       points = gl::Kernel<PointsKernel>(defines, {.tinted = tinted});
       triangles = gl::Kernel<TrianglesKernel>(defines);
     }
-    // Initial size: enough for a sphere that fills the volume; grow() enlarges it if needed.
+    // The initial size is enough for a sphere that fills the volume; grow() enlarges it if necessary.
     const std::int64_t faces = std::int64_t{samples.x} * samples.y + std::int64_t{samples.y} * samples.z +
                                std::int64_t{samples.z} * samples.x;
     getRoom(2 * faces, 12 * faces);

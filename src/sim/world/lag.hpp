@@ -28,7 +28,7 @@ class Lag {
 
  private:
   double damping_, seconds_, rate_, decay_;
-  int known_ = 0;  ///< 1 after the first frame, else 0
+  int known_ = 0;  ///< 1 after the first frame, otherwise 0
   glm::dvec3 target_{0}, place_{0}, speed_{0};
 };
 

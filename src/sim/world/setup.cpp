@@ -24,7 +24,7 @@ namespace {
 /// Maximum texture side that every OpenGL 4.5 device supports.
 constexpr int maxTextureSide = 16384;
 
-/// True if an earlier problem has the same text as the last one.
+/// Returns true if an earlier problem has the same text as the last one.
 bool isReported(const std::vector<UserError>& problems) {
   return std::any_of(problems.begin(), problems.end() - 1, [&](const UserError& problem) {
     return std::string(problem.what()) == problems.back().what();

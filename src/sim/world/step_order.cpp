@@ -51,7 +51,7 @@ std::vector<Waiting> nodesOf(Objects objects, const std::vector<Ports>& ports) {
   return nodes;
 }
 
-/// True if `object` reads the state that `provider` has at the end of the frame.
+/// Returns true if `object` reads the state that `provider` has at the end of the frame.
 bool waitsFor(const Ports& object, const scene::Object& provider, const Ports& provided) {
   return std::any_of(object.wants.begin(), object.wants.end(), [&](const Ports::Want& want) {
     if (want.when != When::beforeStep) return false;

@@ -25,7 +25,7 @@ struct CountNames {
   std::string object;
   std::vector<std::string> columns;
   int elements = 1;       ///< number of uvec4 elements per row
-  bool measured = false;  ///< true: the values are floats
+  bool measured = false;  ///< true if the values are floats
 };
 
 /// Results of one frame: the hash (32 hexadecimal digits) over every state array of every object, and the

@@ -1,4 +1,5 @@
-// simreel's own file for shaders that include that of Unity's core package: what compute shaders use of it.
+// simreel's replacement for the file of this name from Unity's core package, for shaders that include it. Contains the
+// functions that compute shaders use.
 #ifndef SIMREEL_CORE_COMMON
 #define SIMREEL_CORE_COMMON
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Macros.hlsl"

@@ -1,4 +1,4 @@
-// simreel's own file for shaders that include that of Unity's core package.
+// simreel's replacement for the file of this name from Unity's core package, for shaders that include it.
 #ifndef SIMREEL_CORE_MACROS
 #define SIMREEL_CORE_MACROS
 #define PI 3.14159265358979323846

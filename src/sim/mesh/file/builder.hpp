@@ -63,7 +63,7 @@ class MeshBuilder {
   /// Adds the next vertex with a colour (linear RGB); vertices without a colour are white.
   void vertex(const glm::vec3& position, const glm::vec3& normal, const glm::vec2& uv,
               const glm::vec3& color);
-  /// Makes the last vertex share its computed normal with the earlier vertex `with` (index in the mesh):
+  /// Makes the last vertex use the same computed normal as the earlier vertex `with` (index in the mesh):
   /// the triangles around both vertices contribute to the normal.
   void shareNormal(std::size_t with) { sharing_.back() = static_cast<unsigned>(with); }
   /// Returns the number of vertices added so far.
