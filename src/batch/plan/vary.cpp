@@ -166,7 +166,8 @@ std::vector<std::vector<scene::Override>> combine(const std::vector<Vary>& varie
     count = varied.front().values.size();
     for (const Vary& one : varied)
       if (one.values.size() != count)
-        fail(ExitCode::usage, "--zip: {} has {} values and {} has {}; they go side by side",
+        fail(ExitCode::usage,
+             "--zip: {} has {} values and {} has {}; give all parameters the same number of values",
              varied.front().path, count, one.path, one.values.size());
   }
   if (count == 0 || count > maxJobs)

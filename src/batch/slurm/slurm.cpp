@@ -139,8 +139,7 @@ std::string Slurm::submitOne(const Work& work, const std::string& array, std::si
   words.insert(words.end(), more_.begin(), more_.end());
   words.push_back(script.string());
   const Answer answer = ask(words);
-  if (!answer.fine())
-    fail(ExitCode::inputOutput, "sbatch did not take {}: {}", script.string(), answer.why());
+  if (!answer.fine()) fail(ExitCode::inputOutput, "sbatch rejected {}: {}", script.string(), answer.why());
   std::string id = firstLine(answer.output);
   id.resize(std::min(id.size(), id.find(';')));  // A ';' and the cluster's name may follow the id.
   noteSubmitted(folder_, {work.name, id, offset});
