@@ -128,7 +128,7 @@ void render(const RenderOptions& o) {
          "--no-manifest: --pieces joins its pieces by their manifests; leave out one of both");
   if (o.pieces) return renderInPieces({requestOf(o), *o.pieces, o.jobs, o.cluster, o.on, o.progress});
   if (o.cluster.slurm || !o.cluster.scratch.empty())
-    fail(ExitCode::usage, "--slurm and --scratch go with --pieces");
+    fail(ExitCode::usage, "--slurm and --scratch need --pieces");
   frame::Progress progress(frame::parseProgressMode(o.progress));
   // This throws for an invalid output name before a device starts.
   batch::RenderJob job(requestOf(o));

@@ -179,7 +179,8 @@ void addBench(CLI::App& app) {
   command->add_option("--frames", o->frames, "Frames to measure for each row")->capture_default_str();
   command->add_option("--warm-up", o->warmUp, "Frames before these, which do not count")
       ->capture_default_str();
-  command->add_option("--rounds", o->rounds, "Times that the rows take turns")->capture_default_str();
+  command->add_option("--rounds", o->rounds, "Rounds of measurement; each round measures every row once")
+      ->capture_default_str();
   command
       ->add_option("--timing", o->timing,
                    "How time is measured: wait for each stage, query the device's clock, or whole frames "

@@ -156,7 +156,7 @@ void addKernels(CLI::App& app) {
                    "compares accesses with such a record (check)")
       ->check(CLI::IsMember({"record", "check"}));
   command->add_option("--max-iterations", o->request.maxIterations,
-                      "Of a loop, which then ends (default 0: no limit)");
+                      "Most iterations of a loop, which then ends (default 0: no limit)");
   command
       ->add_option("-I", o->request.folders,
                    "A folder that #include may read, beside the file's own; may be given again")

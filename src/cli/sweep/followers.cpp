@@ -140,7 +140,7 @@ void shared(const FollowerOptions& o) {
   batch::checkProgram(plan);
   frame::Progress progress(frame::parseProgressMode(o.run.progress));
   frame::catchInterrupts();
-  if (!batch::lacksShared(plan)) return info("nothing is to be done that all jobs share");
+  if (!batch::lacksShared(plan)) return info("there is no common beginning to simulate");
   const gl::Context context(o.run.on);
   if (const int signal = batch::makeShared(plan, context, progress, commandLine()); signal != 0)
     setExitCode(128 + signal);
