@@ -84,7 +84,7 @@ class Materials(Case):
         self.assertIn(WORDS + "EXT_mesh_gpu_instancing; animations (a \"body\" shows those of nodes)", self.said())
         self.write("square.gltf", gltf([pane], [png([(128, 128, 255, 255)])], [{"source": 0}]))
         said = self.good("render", "square.json", "--frames", "0", "--size", "16x16", "-o", "driver/", "--rasterizer", "driver").err
-        self.assertEqual(said.count("square: the driver's rasterizer draws the colour, roughness and metal"), 1)
+        self.assertEqual(said.count("square: the driver's rasterizer draws only the colour, roughness and metal"), 1)
 
     def test_invalid_pictures_inside_a_file_are_refused(self):
         broken = gltf([glowing([1, 1, 1], emissiveTexture={"index": 0})], [b"no picture"], [{"source": 0}])

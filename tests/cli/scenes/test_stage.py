@@ -21,11 +21,11 @@ class Stage(Case):
     def test_features_that_the_driver_lacks_are_reported(self):
         self.write("ball.json", {"version": 1, "camera": {"lens": {"samples": 4}}, "objects": {"ball": {"sphere": {}}}})
         small = ("render", "ball.json", "--frames", "0", "--size", "32x18")
-        self.assertIn("camera.lens: the driver's rasterizer draws all of the picture sharp",
+        self.assertIn("camera.lens: the driver's rasterizer draws the whole picture sharp",
                       self.good(*small, "-o", "a/", "--rasterizer", "driver").err)
         self.assertEqual(self.good(*small, "-o", "b/", "-q").err, "")
         said = self.good(*small, "-o", "d/", "--rasterizer", "driver", "-D", "render.quality=standard").err
-        self.assertEqual(said.count("render.quality: the driver's rasterizer draws drafts alone"), 1)
+        self.assertEqual(said.count("render.quality: the driver's rasterizer supports only"), 1)
         self.assertEqual(self.good(*small, "-o", "e/", "-q", "-D", "render.quality=standard").err, "")
         self.bad_scene(["-D camera.lens.blades=2: error: an opening of 2 blades is none", "3 to 16"], *small, "-o", "c/", "-D", "camera.lens.blades=2")
 
@@ -75,7 +75,7 @@ class Stage(Case):
         self.bad_scene("sky.hdr", *see, "-o", "a/")
         studio = (SOURCE / "assets/textures/studio.hdr").read_bytes()
         self.write("sky.hdr", studio)
-        self.assertIn("sky.picture: the driver's rasterizer draws a gradient of its mean light",
+        self.assertIn("sky.picture: the driver's rasterizer draws a gradient of the picture's mean light",
                       self.good(*see, "-o", "b/", "--rasterizer", "driver").err)
         self.assertEqual(self.good(*see, "-o", "c/", "-q").err, "")
         self.bad_scene("leave out \"zenith\"", *see, "-o", "d/", "-D", "sky.zenith=[0,0,0]")
