@@ -13,7 +13,7 @@ void describeDamping(Fields& fields, double& damping, const char* what) {
   constexpr double least = 1e-3;
   if (damping > 0 && damping < least)
     fields.error("damping",
-                 fmt::format("a damping of {:g} s is none; give 0, or {} s at least", damping, least));
+                 fmt::format("a damping of {:g} s is too short; give 0, or at least {} s", damping, least));
 }
 
 /// Warns if the target of a stationary camera lies outside the camera's near and far distance, because the
@@ -86,7 +86,7 @@ void Lens::describe(Fields& fields) {
   if (blades == 1 || blades == 2)
     fields.error(
         "blades",
-        fmt::format("an opening of {} blades is none; give 0 for a round one, or 3 to 16", blades));
+        fmt::format("an opening cannot have {} blades; give 0 for a round one, or 3 to 16", blades));
 }
 
 void Shutter::describe(Fields& fields) {
@@ -103,7 +103,7 @@ void Orbit::describe(Fields& fields) {
                 "Angle at which it stands around the target: 0 on the side of +z, 90 on the side of +x.");
   fields.number("elevation", elevation, {-89, 89}, "degrees", "Angle of the camera above the horizon.");
   fields.number("distance", distance, positive, "m", "Distance from the target.");
-  fields.leftOut("distance", "6, or all of it is in view where \"target\" is left out, too");
+  fields.leftOut("distance", "6; without \"target\" so far that the whole scene is in view");
   distanced = fields.given("distance");
 }
 
@@ -135,7 +135,7 @@ void Camera::describe(Fields& fields) {
   fields.shorthand("track", "object");
   fields.optionalGroup("track", track,
                        "Looks at an object wherever that is in each frame, instead of at \"target\"; with "
-                       "\"orbit\" it goes along with it.");
+                       "\"orbit\" the camera moves along with it.");
   if (track && follow)
     fields.error("track", "\"follow\" says what the camera looks at; leave out \"track\"");
   else if (track && fields.given("target"))
@@ -152,8 +152,9 @@ void Camera::describe(Fields& fields) {
   fields.idleUnless(target.moves(), "target", {"damping"}, "a \"target\" with keys");
   for (const char* name : {"follow", "track"})
     if (damping > 0 && fields.given(name))
-      fields.error("damping",
-                   fmt::format("\"damping\" here is of \"target\"; give it in \"{0}\": {{ }}", name));
+      fields.error(
+          "damping",
+          fmt::format("this \"damping\" is only for \"target\"; put it into \"{0}\": {{ }}", name));
   fields.shorthand("gltf", "file");
   fields.optionalGroup(
       "gltf", gltf,

@@ -30,7 +30,7 @@ void Finish::describe(Fields& fields) {
   fields.number("clearCoatRoughness", coatRoughness, fraction, "", "0 mirrors, 1 is matt.");
   fields.color("sheen", sheen, fraction, "Colour of fibres that stand up from cloth, linear RGB.");
   fields.number("sheenRoughness", sheenRoughness, {0.07, 1}, "",
-                "Low: seen along the edges alone; high: all over.");
+                "Low: visible only along the edges; high: everywhere.");
   fields.number("transmission", transmission, fraction, "",
                 "With quality high: of the light that is not mirrored, the fraction that passes through, "
                 "as through glass.");

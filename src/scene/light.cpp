@@ -92,7 +92,7 @@ void Light::describe(Fields& fields) {
       "shadows, each place computes only those in whose range it lies. 0: it reaches everywhere.");
   fields.number("glow", glow, notNegative, "",
                 "Factor on the shining ball as the camera sees it; 0 hides it.");
-  fields.optionalGroup("flicker", flicker, "Unrest of a flame, by a hash of name, time and seed.");
+  fields.optionalGroup("flicker", flicker, "Flicker as of a flame, random by name, time and seed.");
   fields.boolean("shadow", shadow, "Casts shadows.");
   fields.integer("shadowSize", shadowSize, {16, 4096}, "texels",
                  "Side of each of the six maps of its shadow.");

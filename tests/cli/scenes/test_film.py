@@ -55,7 +55,7 @@ class Film(Case):
         see = ("render", "scene.json", "--frames", "0", "-D", "render.transparent=true")
         self.bad(2, "a video has no alpha channel for render.transparent", *see, "-o", "a.mp4")
         self.bad(2, "y4m has no alpha channel", *see, "-o", "-", "--stream-format", "y4m")
-        self.bad_scene("only the exact rasterizer leaves the background out", *see, "-o", "a.png", "--rasterizer", "driver")
+        self.bad_scene("a transparent background needs \"rasterizer\": \"exact\"", *see, "-o", "a.png", "--rasterizer", "driver")
 
     def test_sixteen_bits(self):
         for transparent in ("false", "true"):
