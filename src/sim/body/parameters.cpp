@@ -44,7 +44,7 @@ void BodyParameters::describe(scene::Fields& f) {
   if (file.empty()) f.error("file", "a body needs \"file\": the glTF to read");
   for (const char* name : {"speed", "start", "loop"})
     if (animation.empty() && f.given(name))
-      f.error(name, "give \"animation\", the name of the motion that it is of");
+      f.error(name, "give \"animation\", the name of the motion that this applies to");
   if (friction && f.given("grip")) f.error("friction", "give \"grip\" or \"friction\", not both");
   for (const char* name : {"grip", "friction"})
     if (!collides && !byFaces && f.given(name)) f.error(name, "this is for a body with \"collides\": true");

@@ -61,7 +61,8 @@ void ClothParameters::describeMesh(scene::Fields& f) {
   if (!seams.empty() && !mesh) f.error("seams", "a grid has no seams; give \"mesh\"");
   if (!mesh) return;
   for (const char* name : {"size", "spacing"})
-    if (f.given(name)) f.error(name, fmt::format("\"mesh\" says it; leave out \"{}\"", name));
+    if (f.given(name))
+      f.error(name, fmt::format("\"mesh\" already determines the particles; leave out \"{}\"", name));
   if (!f.given("pins")) pins.clear();
 }
 
@@ -94,7 +95,8 @@ void ClothParameters::describe(scene::Fields& f) {
   if (fabric) {
     for (const char* name :
          {"mass", "stiffness", "shear", "bend", "compliance", "shearCompliance", "bendCompliance"})
-      if (f.given(name)) f.error(name, fmt::format("\"fabric\" says it; leave out \"{}\"", name));
+      if (f.given(name))
+        f.error(name, fmt::format("\"fabric\" already sets this property; leave out \"{}\"", name));
     if (f.given("solver") && solver == ClothSolver::springs)
       f.error("solver", "a fabric is solved by constraints; leave out \"solver\"");
   }
@@ -171,8 +173,7 @@ void ClothParameters::describe(scene::Fields& f) {
     f.error("pins", fmt::format("at most {} groups of pins", shader::maxPinFrames));
   for (const PinGroup& group : pins) {
     if (!group.clamp || mesh) continue;
-    if (!fabric)
-      f.error("pins", "\"clamp\" is of a fabric, which has a bending stiffness; give \"fabric\"");
+    if (!fabric) f.error("pins", "\"clamp\" needs the bending stiffness of a fabric; give \"fabric\"");
     bool border = false;
     for (int side = 0; side < 4; ++side) border = border || pinsBorder(group, side);
     if (!border) f.error("pins", "\"clamp\" holds borders: pin the first or last of the rows or columns");

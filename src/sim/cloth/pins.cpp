@@ -67,10 +67,14 @@ void PinGroup::checkCarrier(scene::Fields& f) const {
     if (!bone.empty())
       f.error("bone", "pins at the nearest place of the skin follow no bone; leave out \"bone\" or \"at\"");
     for (const char* name : {"move", "rotate", "scale", "pivot", "clamp"})
-      if (f.given(name)) f.error(name, fmt::format("pins follow the skin alone; leave out \"{}\"", name));
+      if (f.given(name))
+        f.error(name,
+                fmt::format("pins at the nearest place of the skin follow only the skin; leave out \"{}\"",
+                            name));
   } else if (to.empty() != bone.empty()) {
     f.error(to.empty() ? "bone" : "to",
-            "pins are carried by both: \"to\" a body and its \"bone\", or \"at\": \"nearest\"");
+            "pins that a body carries need both \"to\", the body, and its \"bone\"; or give \"to\" and "
+            "\"at\": \"nearest\"");
   }
 }
 

@@ -191,8 +191,7 @@ void FluidParameters::describe(scene::Fields& f) {
   remarkIdle(f);
   f.optionalGroup("chart", chart, "Curves over the picture: quantities, a value each frame.");
   if (chart && chart->showsForces() && obstacles.empty())
-    f.error("chart",
-            "lift and drag are of \"obstacles\", and there are none; give some, or another \"of\"");
+    f.error("chart", "lift and drag need \"obstacles\"; give some, or another \"of\"");
   f.group("display", "Placement of the field over the picture.", [&](scene::Fields& d) {
     if (show == Show::speed) display.high = speed;
     if (show == Show::lines) display.high = 0.6 * speed;

@@ -61,8 +61,7 @@ void LifeParameters::describe(scene::Fields& f) {
   }
   f.asset("ruleFile", ruleFile,
           "A rule as a file of Golly's format .rule (@TABLE or @TREE), instead of \"rule\".");
-  if (!rule.empty() && !ruleFile.empty())
-    f.error("ruleFile", "a rule is given as \"rule\" or as \"ruleFile\"");
+  if (!rule.empty() && !ruleFile.empty()) f.error("ruleFile", "give \"rule\" or \"ruleFile\", not both");
   f.choice("border", border,
            {"torus", "dead", "cylinder", "klein", "kleinSideways", "crossSurface", "sphere"},
            "torus: each edge meets the opposite one; dead: beyond the edge nothing lives; cylinder: left "

@@ -6,7 +6,7 @@ import zlib
 
 from common import SOURCE, Case, main, png_rows, unfiltered
 
-WORDS = "has what is not drawn: "
+WORDS = "has features that are not drawn: "
 
 
 def png(pixels, width=None):
@@ -242,8 +242,8 @@ class Materials(Case):
         for key in ("normalMap", "metallicRoughnessMap", "occlusionMap", "emissionMap"):
             both(6, "words.png is not a picture", {key: "words.png", "emission": [1, 1, 1]})
         both(6, "words.png is neither Radiance HDR nor OpenEXR", sky={"picture": "words.png"})
-        both(6, "one of all around is twice as wide as high", sky={"picture": "narrow.hdr"})
-        both(2, "3 samples per pixel: there are 1, 2, 4, 8 and 16", render={"samples": 3})
+        both(6, "an equirectangular picture is twice as wide as high", sky={"picture": "narrow.hdr"})
+        both(2, "3 samples per pixel are not supported; use 1, 2, 4, 8 or 16", render={"samples": 3})
 
     def test_keys_that_do_nothing_are_refused(self):
         self.write("square.gltf", gltf([glowing([1, 0, 0])]))

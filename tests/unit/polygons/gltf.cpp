@@ -91,10 +91,10 @@ TEST_CASE("a skinned glTF mesh is posed by its joints, independent of its node's
 TEST_CASE("a broken skin is refused") {
   Document d = skinned();
   d.json["skins"][0]["joints"] = {5};
-  checkHas(d.refusal(), "joint 0 is node 5, which is none of its default scene");
+  checkHas(d.refusal(), "joint 0 is node 5, which is not in its default scene");
   d = skinned();
   d.json["scenes"][0]["nodes"] = {0};
-  checkHas(d.refusal(), "joint 0 is node 1, which is none");
+  checkHas(d.refusal(), "joint 0 is node 1, which is not in");
   d = skinned();
   d.json["meshes"][0]["primitives"][0]["attributes"].erase("WEIGHTS_0");
   checkHas(d.refusal(), "lacks JOINTS_0 or WEIGHTS_0");

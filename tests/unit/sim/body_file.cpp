@@ -120,12 +120,12 @@ TEST_CASE("body: each file error is one line with its place") {
            "4 joints with 3 inverse bind");
   checkHas(changed([](auto& d) { d["nodes"][2]["children"] = {0}; }), "two parents");
   checkHas(changed([](auto& d) { d["animations"][0]["channels"][0]["target"]["path"] = "colour"; }),
-           "along \"colour\", which is no property");
+           "along \"colour\", which is not a property that glTF animates");
   checkHas(changed([](auto& d) { d["animations"][1]["samplers"][0]["interpolation"] = "CUBIC"; }),
            "interpolation \"CUBIC\"");
   checkHas(changed([](auto& d) { d["animations"][1]["samplers"][0]["interpolation"] = "CUBICSPLINE"; }),
            "by 3 values at 3 times");
-  checkHas(changed([](auto& d) { d["animations"][0]["channels"][0]["sampler"] = 7; }), "sound glTF");
+  checkHas(changed([](auto& d) { d["animations"][0]["channels"][0]["sampler"] = 7; }), "valid glTF");
 }
 
 TEST_CASE("body: any damaged file is read or refused in one line") {

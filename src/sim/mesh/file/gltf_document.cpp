@@ -261,7 +261,7 @@ std::string GltfDocument::bytesOfView(std::size_t number) const {
 GltfDocument::Values GltfDocument::slice(const JsonValue& place, std::uint64_t type, std::size_t components,
                                          std::size_t count) const {
   const std::size_t element = components * componentBytes(type);
-  if (element == 0) refuse(fmt::format("has values of type {}, which is none", type));
+  if (element == 0) refuse(fmt::format("has values of type {}, which is not a glTF type", type));
   std::size_t stride = element;
   const std::string_view bytes = view(number(place, "bufferView"), stride);
   const std::uint64_t offset = number(place, "byteOffset", 0);

@@ -251,7 +251,7 @@ class MaterialReader {
     const JsonValue texture = document_.item("textures", GltfDocument::number(*found, "index"));
     const auto source = texture.find("source");
     if (!source) {
-      ignore(fmt::format("{} (its picture is none that glTF itself knows)", key));
+      ignore(fmt::format("{} (its picture is given only by an extension)", key));
       return {};
     }
     MeshMap map;

@@ -207,7 +207,7 @@ std::vector<glm::mat4> GltfParts::poseOf(std::uint64_t skin,
   for (std::size_t i = 0; i < joints.size(); ++i) {
     if (joints[i] >= nodes.size() || !nodes[joints[i]])
       document_.refuse(fmt::format(
-          "has a skin whose joint {} is node {}, which is none of its default scene", i, joints[i]));
+          "has a skin whose joint {} is node {}, which is not in its default scene", i, joints[i]));
     pose.push_back(binds.empty() ? *nodes[joints[i]] : *nodes[joints[i]] * glm::make_mat4(&binds[16 * i]));
   }
   return pose;
