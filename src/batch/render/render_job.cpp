@@ -97,7 +97,7 @@ void RenderJob::chooseLayers() {
 void RenderJob::chooseFrames() {
   if (request_.frames == "none") {
     if (request_.checkpointAt.empty())
-      fail(ExitCode::usage, "--frames none draws nothing; say what to keep: --checkpoint-at 0,500");
+      fail(ExitCode::usage, "--frames none draws nothing; name the states to keep: --checkpoint-at 0,500");
     return;
   }
   if (request_.from.empty() || request_.mayDoWithout) {

@@ -122,7 +122,8 @@ std::string Slurm::submitOne(const Work& work, const std::string& array, std::si
   const fs::path script =
       folder_ / fmt::format("{}{}.sh", work.name, part == 0 ? "" : fmt::format(".{}", part));
   writeFileAtomically(
-      script, "#!/bin/sh\n# A signal from Slurm has to reach the program: no shell stays.\n" + line + "\n");
+      script, "#!/bin/sh\n# exec replaces the shell, so that signals from Slurm reach the program.\n" +
+                  line + "\n");
   std::vector<std::string> words = {
       "sbatch",
       "--parsable",

@@ -150,10 +150,9 @@ void shared(const FollowerOptions& o) {
 
 void SweepRunOptions::add(CLI::App& command) {
   command
-      .add_option(
-          "-j,--jobs", jobs,
-          "Jobs at once, each in a process of its own with an equal part of the processors; auto: one a "
-          "processor")
+      .add_option("-j,--jobs", jobs,
+                  "Jobs at once, each in a process of its own with an equal share of the processors; auto: "
+                  "one for each processor")
       ->capture_default_str();
   addDevices(command, on);
   command.add_option("--progress", progress, "auto, ndjson or none");
