@@ -40,7 +40,7 @@ void remarkReach(Fields& fields, const Camera& camera) {
 void Follow::describe(Fields& fields) {
   PathPlace::describe(fields);
   fields.number("ahead", ahead, positive, "m",
-                "Length of the path ahead that it looks along; it looks at the mean of the places there.");
+                "Length of the part of the path ahead; the camera looks at the mean of its points.");
   describeDamping(fields, damping,
                   "Time by which the camera lags behind, smoothly, like a critically damped spring; "
                   "corners become curves. 0: no lag.");
@@ -60,7 +60,7 @@ void CameraFile::describe(Fields& fields) {
   fields.asset("file", file, "glTF or GLB with a camera, perspective or orthographic.");
   fields.text("name", name, "Name of the camera, or of its node; a file with one camera needs none.");
   fields.text("animation", animation, "Name of the file's motion that the camera goes through.");
-  fields.leftOut("animation", "the first that moves it; it stands where none does");
+  fields.leftOut("animation", "the first that moves it; without one the camera does not move");
   fields.number("speed", speed, {-100, 100}, "", "Speed of the motion; 2 is twice as fast, -1 backwards.");
   fields.number("start", start, {-1e6, 1e6}, "s", "Time in the motion at time 0 of the scene.");
   fields.boolean("loop", loop, "Starts the motion again when it has ended; else the last pose stays.");
@@ -91,8 +91,8 @@ void Lens::describe(Fields& fields) {
 
 void Shutter::describe(Fields& fields) {
   fields.number("angle", angle, {1, 360}, "degrees",
-                "Time that it is open: 360 is the whole time from the frame before to this one, 180 its "
-                "second half.");
+                "Exposure time as an angle: 360 is the whole time from the previous frame to this one, 180 "
+                "its second half.");
   fields.integer("samples", samples, {2, 256}, "",
                  "Moments in that time; each picture is drawn once for each, or as often as the lens "
                  "needs. With too few, fast things show as separate copies.");
@@ -134,8 +134,8 @@ void Camera::describe(Fields& fields) {
   fields.optionalGroup("follow", follow, "Goes along a path that an object has found.");
   fields.shorthand("track", "object");
   fields.optionalGroup("track", track,
-                       "Looks at an object wherever that is in each frame, instead of at \"target\"; with "
-                       "\"orbit\" the camera moves along with it.");
+                       "Looks at an object, even if it moves, instead of at \"target\"; with \"orbit\" the "
+                       "camera moves along with it.");
   if (track && follow)
     fields.error("track", "\"follow\" says what the camera looks at; leave out \"track\"");
   else if (track && fields.given("target"))
@@ -156,10 +156,9 @@ void Camera::describe(Fields& fields) {
           "damping",
           fmt::format("this \"damping\" is only for \"target\"; put it into \"{0}\": {{ }}", name));
   fields.shorthand("gltf", "file");
-  fields.optionalGroup(
-      "gltf", gltf,
-      "Stands, turns and moves as the camera of a glTF file. Its vertical angle of view is "
-      "kept; how wide the picture is, \"render.size\" says.");
+  fields.optionalGroup("gltf", gltf,
+                       "Takes position, direction and motion from the camera of a glTF file. Its vertical "
+                       "angle of view is kept; how wide the picture is, \"render.size\" says.");
   for (const char* name : {"position", "target", "track", "follow", "orbit", "damping"})
     if (gltf && fields.given(name))
       fields.error(name, fmt::format("\"gltf\" says where the camera is; leave out \"{}\"", name));
@@ -200,8 +199,9 @@ void Camera::describe(Fields& fields) {
   remarkReach(fields, *this);
   if (!aimed && !orbit && !track && !gltf && !position.moves() && !target.moves() &&
       position.at(0) == target.at(0))
-    fields.error(fields.given("target") ? "target" : "position",
-                 "\"position\" and \"target\" are the same point; the camera looks nowhere");
+    fields.error(
+        fields.given("target") ? "target" : "position",
+        "\"position\" and \"target\" are the same point, so the camera has no direction; move one of them");
 }
 
 }  // namespace simreel::scene

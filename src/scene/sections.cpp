@@ -165,7 +165,7 @@ void Render::describe(Fields& fields) {
       "white; filmic: a gentle shoulder; plain: no curve, light above white is cut off.");
   fields.onlyGiven("whiteBalance", whiteBalance, Animated<float>(6504.0F), [&](Animated<float>& kelvin) {
     fields.number("whiteBalance", kelvin, blackBodyRange, "K",
-                  "Light of a black body so hot is shown as white.");
+                  "Light of a black body of this temperature is shown as white.");
   });
   fields.leftOut("whiteBalance", "none: light is shown as it is");
   fields.boolean("transparent", transparent,
@@ -183,7 +183,8 @@ void Bloom::describe(Fields& fields) {
   fields.number("strength", strength, {0, 100}, "",
                 "Factor on the scattered light; 0 switches it off and costs nothing.");
   fields.number("threshold", threshold, notNegative, "", "Only light above this is scattered.");
-  fields.number("radius", radius, {0.001, 1}, "", "How far, as a fraction of the picture's height.");
+  fields.number("radius", radius, {0.001, 1}, "",
+                "Distance over which light scatters, as a fraction of the picture's height.");
   fields.idleUnless(!isNothing(strength), "strength", {"threshold", "radius"}, "bloom with a \"strength\"");
 }
 
