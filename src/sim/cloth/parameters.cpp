@@ -73,7 +73,8 @@ void ClothParameters::describe(scene::Fields& f) {
   f.vector("position", position, scene::anyNumber, "m",
            "Place of the middle of the sheet at rest, or of the origin of a mesh.");
   f.vector("rotation", rotation, scene::anyNumber, "degrees",
-           "About x, then y, then z; unrotated the sheet lies flat, rows along x, and a mesh as it is.");
+           "About x, then y, then z; without rotation the sheet lies flat with rows along x, and a mesh as "
+           "in its file.");
   f.number("jitter", jitter, {0, 10}, "m", "Largest random displacement of the particles at the start.");
   f.number("mass", mass, {1e-6, 1e6}, "kg", "Mass of each particle.");
   f.number("stiffness", stiffness, {0, 1e9}, "N/m",
@@ -146,8 +147,7 @@ void ClothParameters::describe(scene::Fields& f) {
         c.optionalNumber("thickness", own.thickness, {1e-6, 10}, "m",
                          "Distance that is kept between the middles of two layers, and from meshes and "
                          "bodies; around small triangles of a mesh it is less.");
-        c.leftOut("thickness",
-                  "the fabric's, but of the way between neighbours at least 0.125 and at most 0.35");
+        c.leftOut("thickness", "the fabric's, limited to 0.125 to 0.35 of the distance between neighbours");
         c.number("friction", own.friction, {0, 10}, "",
                  "Coulomb's coefficient; between cloths the mean of theirs, and of a mesh or body that has "
                  "one.");

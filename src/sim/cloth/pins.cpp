@@ -40,7 +40,7 @@ void PinGroup::describe(scene::Fields& f, const glm::ivec2& grid, bool onMesh) {
                   });
   f.asset("map", map, "Picture over the uv of a mesh; vertices are pinned where it is brighter than half.");
   f.boolean("clamp", clamp,
-            "Hold the direction in which a fabric leaves a pinned border, too, as between two plates.");
+            "Also holds the direction in which a fabric leaves a pinned border, as between two plates.");
   f.integer("every", every, {1, 1e6}, "",
             "Pins only every n-th particle of rows and columns, and the last one.");
   f.vector("move", move, scene::anyNumber, "m", "Movement of the pins.");

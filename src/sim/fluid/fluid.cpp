@@ -138,8 +138,8 @@ class Fluid : public Simulation {
           report.worstShare, maxFluidDivergence, plan_.parameters().cycles);
     if (report.worstSpeed > plan_.parameters().speed)
       text += fmt::format(
-          "{}the flow reaches {:.4g} cells/s, above \"speed\" {:.4g} ({:.2g} cells a substep), so "
-          "dye lags behind; raise \"speed\"",
+          "{}the flow reaches {:.4g} cells/s, above \"speed\" {:.4g} ({:.2g} cells per substep), so dye "
+          "lags behind; raise \"speed\"",
           text.empty() ? "" : "; ", report.worstSpeed, plan_.parameters().speed,
           static_cast<double>(report.worstSpeed) * plan_.stepAt(0, 0).dt);
     return fmt::format("fluid \"{}\": by frame {} {}", name_, frame, text);

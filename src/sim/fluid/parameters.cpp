@@ -46,7 +46,7 @@ void describeStroke(scene::Fields& f, FluidStroke& stroke) {
   f.leftOut("dye", "not set");
   f.vector("force", stroke.force, {-1e6, 1e6}, "cells/s^2", "Acceleration; the third is unused.");
   f.number("soft", stroke.soft, scene::fraction, "",
-           "Part of the radius over which it fades towards its rim; not of images.");
+           "Fraction of the radius over which it fades towards its rim; unused for images.");
   if (f.given("velocity")) stroke.setsVelocity = true;
   if (f.given("temperature")) stroke.setsTemperature = true;
   if (f.given("dye")) stroke.setsDye = true;
@@ -111,13 +111,14 @@ void FluidParameters::describe(scene::Fields& f) {
     paired(top, bottom, "top", "bottom");
   });
   f.vector("flow", flow, {-1e5, 1e5}, "cells/s", "Velocity everywhere at the start; the third is unused.");
-  f.number("speed", speed, {1e-3, 1e6}, "cells/s",
-           "The greatest that is expected: \"auto\" substeps go by it, and dye goes no faster.");
+  f.number(
+      "speed", speed, {1e-3, 1e6}, "cells/s",
+      "Greatest speed that is expected; it determines the \"auto\" substeps and limits the speed of dye.");
   f.integerOr("substeps", substeps, "auto", {1, 10000}, "per frame",
               "Steps that a frame is divided into; \"auto\": as many as \"speed\" / \"courant\" and the "
               "viscosity need.");
   f.number("courant", courant, {0.05, 8}, "cells",
-           "Cells that the greatest speed crosses in a substep of \"auto\".");
+           "Cells that fluid of the speed \"speed\" crosses in a substep, if \"substeps\" is \"auto\".");
   f.choice("advection", advection, {"macCormack", "semiLagrangian", "cubic"},
            "Scheme that carries velocity and temperature along: second-order with a limiter, first-order, "
            "or by cubic interpolation with a limiter.");

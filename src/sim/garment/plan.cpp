@@ -213,9 +213,8 @@ ClothParameters GarmentPlan::settled(const std::string& name, ClothParameters pa
   }
   if (opposite > 0)
     warn(
-        "{}: {} edges are sewn to edges whose faces face the other way; the seam bends like a hinge there; "
-        "turn one "
-        "piece over",
+        "{}: {} edges are sewn to edges of faces that face the other way, so the seam bends like a hinge "
+        "there; turn one piece over",
         name, opposite);
   std::vector<bool> pinned;
   for (std::size_t i = 0; i < masses_.size(); ++i) pinned.push_back(groups_[i] >= 0);

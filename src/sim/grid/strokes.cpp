@@ -173,8 +173,8 @@ void Strokes::check(std::size_t index) const {
     const double images = (stamp.x / size.x + 2) * (stamp.y / size.y + 2);
     if (isStamp ? images > maxStampImages : rounds > maxRounds)
       fail(ExitCode::usage,
-           "{}: strokes[{}] goes round its torus of {} x {} cells {:.0f} times, at most {:.0f} are drawn; "
-           "make it shorter",
+           "{}: strokes[{}] wraps around the torus of {} x {} cells {:.0f} times, but at most {:.0f} are "
+           "drawn; make it shorter",
            grid_.object, index, grid_.size.x, grid_.size.y, isStamp ? images : rounds,
            isStamp ? maxStampImages : maxRounds);
     return;

@@ -117,7 +117,7 @@ std::optional<FigureChannel> GltfNodes::channelOf(const JsonValue& animation, co
     refuse(fmt::format("by {} values at {} times", made.values.size() / width, made.times.size()));
   for (std::size_t k = 0; k < made.times.size(); ++k)
     if (!(made.times[k] >= 0 && made.times[k] < 1e6F) || (k > 0 && made.times[k] <= made.times[k - 1]))
-      refuse(fmt::format("at {} s (key {}): times begin at 0 or later and grow", made.times[k], k));
+      refuse(fmt::format("at {} s (key {}): times must be 0 or more and increase", made.times[k], k));
   for (const float value : made.values)
     if (!(std::abs(value) < 1e9F)) refuse("to a place that is not finite");
   if ((keys_ += made.times.size()) > maxKeys)

@@ -51,12 +51,11 @@ void TextParameters::describe(scene::Fields& f) {
     f.error("weight",
             "\"weight\" works only with the shipped font; leave it out with a \"font\" of your own");
   f.choice("align", anchor.across, {"left", "center", "right"},
-           "Which point of each line lies at its place.");
+           "Point of each line that lies at its place, horizontally.");
   f.leftOut("align", "\"center\", or \"left\" on the screen");
-  f.choice(
-      "vertical", anchor.down, {"baseline", "top", "middle", "bottom"},
-      "Which height lies at its place: the first baseline, the top of its capitals, the middle, or the "
-      "last baseline.");
+  f.choice("vertical", anchor.down, {"baseline", "top", "middle", "bottom"},
+           "Height of the text that lies at its place: the first baseline, the top of its capitals, the "
+           "middle, or the last baseline.");
   f.leftOut("vertical", "\"baseline\", or \"top\" on the screen");
   f.number("spacing", spacing, {0, 100}, "", "Distance of lines, as a factor on the font's own.");
   f.number("height", height, {1e-4, 1e4}, "m", "Height of capital letters.");

@@ -39,7 +39,8 @@ void WaterFloat::describe(scene::Fields& f) {
            "Offset from the middle of its volume to its centre of mass; if that lies low, the body does "
            "not capsize.");
   f.vector("position", position, scene::anyNumber, "m",
-           "Place of its origin at the start, from the middle of the grid; y is over level 0.");
+           "Place of its origin at the start, relative to the middle of the grid; y is the height above "
+           "level 0.");
   f.vector("rotation", rotation, scene::anyNumber, "degrees",
            "Rotation at the start, about x, then y, then z.");
   f.vector("velocity", velocity, {-1e3, 1e3}, "m/s", "Velocity at the start.");

@@ -177,7 +177,7 @@ TEST_CASE("glTF: zero scales, and required but unsupported versions, are reporte
   d.json["asset"]["minVersion"] = "2.0";
   CHECK(d.mesh().undrawn.empty());
   d.json["asset"]["minVersion"] = "2.1";
-  checkHas(d.refusal(), "needs a reader of glTF 2.1, and this one reads 2.0");
+  checkHas(d.refusal(), "requires glTF 2.1, but only glTF 2.0 is supported");
 }
 
 TEST_CASE("GLB: a header length that differs from the file size is refused or reported") {
@@ -207,7 +207,7 @@ TEST_CASE("GLB: a header length that differs from the file size is refused or re
   CHECK(glb(whole, 2, "xyz").undrawn ==
         std::vector<std::string>{"bytes behind the end that its header names (3)"});
   checkHas(refusal(whole + 4, 2),
-           fmt::format("its header promises {} bytes, and it has {}", whole + 4, whole));
+           fmt::format("its header announces {} bytes, but it has {}", whole + 4, whole));
   checkHas(refusal(whole - 4, 2), "is cut off");
   checkHas(refusal(whole, 1), "is a binary glTF of version 1");
 }

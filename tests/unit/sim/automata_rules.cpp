@@ -188,7 +188,7 @@ TEST_CASE("invalid rules of every family are refused at their position") {
   checkHas(written("W30x"), "3: 'x' after the end");
   checkHas(written("R1/T9/C3/NM"), "4: the threshold is 9 here; it goes from 1 to 8");
   checkHas(written("R1/T3/C1/NM"), "7: the number of states is 1");
-  checkHas(written("MAPAB?"), "5: '?' is no digit of base64");
+  checkHas(written("MAPAB?"), "5: '?' is not a digit of base64");
   checkHas(written("B3/S23:T30,20"), "6: a rule in a scene cannot name a grid");
   checkHas(written("MAPABC"), "3: MAP is followed by 86, 22");
 }

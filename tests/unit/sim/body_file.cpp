@@ -105,7 +105,7 @@ TEST_CASE("body: each file error is one line with its place") {
   checkHas(figureFailure(TubeFaults{.weightSum = 0.9F}), "vertex 0 has weights with the sum 0.9");
   checkHas(figureFailure(TubeFaults{.joint = 3}), "follows joint 3, its skin has 3");
   checkHas(figureFailure(TubeFaults{.times = {0, 1, 1}}),
-           "\"bend\" that moves \"high\" at 1 s (key 2): times begin at 0 or later and grow");
+           "\"bend\" that moves \"high\" at 1 s (key 2): times must be 0 or more and increase");
   CHECK(figureFailure(TubeFaults{.weightSum = 0.99F}) == "no failure");
   const auto changed = [](const std::function<void(nlohmann::json&)>& change) {
     auto gltf = test::tubeText();

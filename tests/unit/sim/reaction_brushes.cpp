@@ -110,5 +110,5 @@ TEST_CASE("strokes in space: errors are reported in one line") {
   test::checkHas(brushRefusal(deep + R"("strokes": [{"shape": "image", "image": "textures/boat.png"}])"),
                  "can be painted only on flat grids");
   test::checkHas(brushRefusal(deep + R"("strokes": [{"shape": "line", "to": [0, 0, 80]}])"),
-                 "strokes[0] goes round its torus of 8x8x8 cells 10 times at once, at most 8");
+                 "strokes[0] wraps around the torus of 8x8x8 cells 10 times at once, but at most 8");
 }

@@ -241,7 +241,7 @@ class MaterialReader {
     const auto found = object.find(key);
     if (!found) return {};
     if (uvSetIn(*found) != set_) {
-      ignore(fmt::format("{} (its texCoord is not that of the others)", key));
+      ignore(fmt::format("{} (its texCoord differs from that of the other textures)", key));
       return {};
     }
     if (const auto extensions = found->find("extensions"))

@@ -113,8 +113,8 @@ std::vector<float> GltfParts::attribute(const JsonValue& primitive, const char* 
   if (!attributes.has(name)) return {};
   const std::size_t accessor = GltfDocument::number(attributes, name);
   if (document_.count(accessor) != vertices)
-    document_.refuse(
-        fmt::format("has a {} for {} of {} vertices", name, document_.count(accessor), vertices));
+    document_.refuse(fmt::format("has a {} with values for {} of {} vertices", name,
+                                 document_.count(accessor), vertices));
   return document_.floats(accessor, components);
 }
 
@@ -287,7 +287,7 @@ void GltfParts::addBones(std::size_t mesh, const JsonValue& primitive,
   };
   for (const char* name : {"JOINTS_0", "WEIGHTS_0"})
     if (!primitive.at("attributes").has(name))
-      refuse(fmt::format("which has no {}: paint its vertices with weights", name));
+      refuse(fmt::format("which has no {}; give its vertices weights", name));
   for (const char* name : {"JOINTS_1", "WEIGHTS_1"})
     if (primitive.at("attributes").has(name))
       refuse("of which vertices follow more than four bones; export at most four");
@@ -301,7 +301,7 @@ void GltfParts::addBones(std::size_t mesh, const JsonValue& primitive,
       if (!(weight >= 0 && weight <= 2))
         refuse(fmt::format("whose vertex {} has the weight {}", i, weight));
       if (!(bone >= 0 && bone < 65536 && bone == std::floor(bone)))
-        refuse(fmt::format("whose vertex {} follows the joint {}, which is no whole number", i, bone));
+        refuse(fmt::format("whose vertex {} follows the joint {}, which is not a whole number", i, bone));
       sum += weight;
       if (weight == 0) continue;  // skips joints with zero weight, whose index may be invalid
       vertices[i].bones[k] = static_cast<std::uint32_t>(bone);

@@ -350,13 +350,12 @@ class Understanding {
   void weigh() {
     rule_.cost = costOfRule(rule_);
     if (rule_.cost > maxRuleCost)
-      throw RuleMistake{
-          {"species"},
-          0,
-          0,
-          fmt::format("the rates cost {} additions and multiplications a cell and step, at most {} "
-                      "are allowed; make them simpler",
-                      rule_.cost, maxRuleCost)};
+      throw RuleMistake{{"species"},
+                        0,
+                        0,
+                        fmt::format("the rates need {} additions and multiplications per cell and step, "
+                                    "but at most {} are allowed; make them simpler",
+                                    rule_.cost, maxRuleCost)};
   }
 
   void write(const std::vector<ExpressionTree>& rates) {
