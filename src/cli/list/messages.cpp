@@ -70,7 +70,7 @@ std::span<const Message> messages() {
        "Check the two folders or patterns."},
       {"6", "NAME exists; use --overwrite, --skip-existing or --resume",
        "use --overwrite, --skip-existing or --resume",
-       "`--resume` goes on with an interrupted run, `--overwrite` draws all anew."},
+       "`--resume` continues an interrupted run, `--overwrite` draws all frames again."},
       {"6", "cannot write NAME: REASON", "cannot write {}: it is a folder",
        "Check the path, the permissions and the free space."},
       {"6", "ffmpeg is not installed, and video files need it",

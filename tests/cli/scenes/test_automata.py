@@ -126,7 +126,7 @@ class Rule(Case):
         self.bad(2, ["--rule \"B39/S23\", character 3: a cell has 8 neighbours, not 9"], *render, "B39/S23")
         self.bad(2, ["--rule \"B2z/S\", character 3: there is no arrangement z of 2 neighbours"], *render, "B2z/S")
         self.bad(2, ["this rule is unknown"], *render, "Nonsense")
-        self.bad(2, ["--rule goes with a file of cells"], "render", "scene.json", "-o", "out", "--rule", "B3/S23")
+        self.bad(2, ["--rule needs a file of cells"], "render", "scene.json", "-o", "out", "--rule", "B3/S23")
         self.write("m.rle", "x = 2, y = 1, rule = /2/3\nAC!\n")
         self.bad(2, ["m.rle:2:2: a cell of state 3, but the rule /2/3 has the states 0 to 2"], "render", "m.rle", "-o", "out")
         self.write("n.rle", "x = 2, y = 1, rule = Unheard\nAC!\n")
