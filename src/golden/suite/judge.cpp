@@ -97,9 +97,9 @@ std::string unequal(const Metrics& metrics, const Origin& there, const Origin& h
   if (here.exact && !there.exact)
     return "the baseline was drawn by a driver, this picture by the exact rasterizer; look at the picture "
            "and update the baseline with --update=changed, or set \"rasterizer\": \"driver\"";
-  return fmt::format("{} pixels differ, by {:.4g} at most; {} none may", metrics.differentPixels,
+  return fmt::format("{} pixels differ, by {:.4g} at most; {} no pixel may differ", metrics.differentPixels,
                      metrics.worst,
-                     here.exact ? "of exact pictures" : "on the machine that drew the baseline");
+                     here.exact ? "in exact pictures" : "on the machine that drew the baseline");
 }
 
 /// Judges the pixels of a frame. Returns true if the picture fails.
