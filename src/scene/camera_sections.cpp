@@ -59,7 +59,7 @@ void Track::describe(Fields& fields) {
 void CameraFile::describe(Fields& fields) {
   fields.asset("file", file, "glTF or GLB with a camera, perspective or orthographic.");
   fields.text("name", name, "Name of the camera, or of its node; a file with one camera needs none.");
-  fields.text("animation", animation, "Name of the file's motion that the camera goes through.");
+  fields.text("animation", animation, "Name of the file's motion that the camera plays.");
   fields.leftOut("animation", "the first that moves it; without one the camera does not move");
   fields.number("speed", speed, {-100, 100}, "", "Speed of the motion; 2 is twice as fast, -1 backwards.");
   fields.number("start", start, {-1e6, 1e6}, "s", "Time in the motion at time 0 of the scene.");
@@ -158,7 +158,7 @@ void Camera::describe(Fields& fields) {
   fields.shorthand("gltf", "file");
   fields.optionalGroup("gltf", gltf,
                        "Takes position, direction and motion from the camera of a glTF file. Its vertical "
-                       "angle of view is kept; how wide the picture is, \"render.size\" says.");
+                       "angle of view is kept; \"render.size\" determines the width of the picture.");
   for (const char* name : {"position", "target", "track", "follow", "orbit", "damping"})
     if (gltf && fields.given(name))
       fields.error(name, fmt::format("\"gltf\" says where the camera is; leave out \"{}\"", name));

@@ -68,12 +68,14 @@ void Light::describe(Fields& fields) {
     fields.error("position", "\"follow\" sets the place of the light; leave out \"position\"");
   if (type == Type::spot && !follow && !position.moves() && !spot.target.moves() &&
       position.at(0) == spot.target.at(0))
-    fields.error(given ? "spot" : "position",
-                 "the light stands where its \"spot\" points at, so it shines nowhere; move \"target\"");
+    fields.error(
+        given ? "spot" : "position",
+        "the light is at the place at which its \"spot\" points, so it has no direction; move \"target\"");
   if (type == Type::area && !follow && !position.moves() && !area.target.moves() &&
       position.at(0) == area.target.at(0))
-    fields.error(isRectangle ? "area" : "position",
-                 "the light stands where its \"area\" faces, so it faces nowhere; move \"target\"");
+    fields.error(
+        isRectangle ? "area" : "position",
+        "the light is at the place that its \"area\" faces, so it has no direction; move \"target\"");
   fields.color("color", color, notNegative, "Colour of its light, linear RGB.");
   describeTemperature(fields, temperature);
   fields.choice(

@@ -65,7 +65,7 @@ class Stage(Case):
         light = {"position": [0, 2, 0], "spot": {"angle": 30}}
         self.write("ball.json", {"version": 1, "lights": {"key": light}, "objects": {"ball": {"sphere": {}}}})
         self.write("where.json", {"version": 1, "lights": {"key": {"type": "spot", "position": [0, 0, 0]}}, "objects": {"ball": {"sphere": {}}}})
-        self.bad_scene(["shines nowhere; move \"target\""], "render", "where.json", "-o", "a/", "--frames", "0")
+        self.bad_scene(["so it has no direction; move \"target\""], "render", "where.json", "-o", "a/", "--frames", "0")
         self.bad_scene(["\"spot\" is for lights of \"type\": \"spot\""], "render", "ball.json", "-o", "a/", "--frames", "0")
 
 
