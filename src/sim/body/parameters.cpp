@@ -11,7 +11,7 @@ void BodyParameters::describe(scene::Fields& f) {
   f.asset("file", file,
           "glTF or GLB with a skin, whose vertices follow bones, or with an animation that moves meshes.");
   f.text("animation", animation,
-         "Name of the file's motion that it goes through; without one it stands as the file has it.");
+         "Name of the file's motion that it plays; without one it keeps the pose of the file.");
   f.number("speed", speed, {-100, 100}, "", "Speed of the motion; 2 is twice as fast, -1 backwards.");
   f.number("start", start, {-1e6, 1e6}, "s", "Time in the motion at time 0 of the scene.");
   f.boolean("loop", loop,

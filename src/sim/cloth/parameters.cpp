@@ -153,8 +153,8 @@ void ClothParameters::describe(scene::Fields& f) {
                  "one.");
         if (own.thickness && !mesh && *own.thickness > 0.35 * static_cast<double>(spacing))
           c.error("thickness",
-                  fmt::format("thickness {} is more than 0.35 of the spacing of {} m, which the cloth's "
-                              "own neighbours could not keep; take at most {:.4g}",
+                  fmt::format("thickness {} is more than 0.35 of the spacing of {} m, so neighbours in the "
+                              "cloth could not keep that distance; use at most {:.4g}",
                               *own.thickness, spacing, 0.35 * static_cast<double>(spacing)));
       });
   f.text("walls", walls, "Name of the cave or contour whose walls, floor and tops it meets.");

@@ -51,8 +51,8 @@ constinit const PortInfo ContactCloth::port = {
     .none = "give a \"cloth\" of this scene \"contact\": {}",
     .when = When::afterFrame,
     .passedBy =
-        "particles \"{}\" collide, but pass through cloth \"{}\", which has no contact: give it "
-        "\"contact\": true, or them \"cloths\": \"none\"",
+        "particles \"{}\" collide, but pass through cloth \"{}\", which has no contact; give the cloth "
+        "\"contact\": true, or the particles \"cloths\": \"none\"",
 };
 
 ContactGroup::ContactGroup(std::vector<LockStep*> members, std::vector<ContactSolid*> solids, int substeps,

@@ -133,8 +133,7 @@ class Fluid : public Simulation {
     std::string text;
     if (report.worstShare > maxFluidDivergence)
       text += fmt::format(
-          "max|div u| is {:.2g} of max|u| after a projection, above {:.0e}; more \"cycles\" than {} "
-          "bring it down",
+          "max|div u| is {:.2g} of max|u| after a projection, above {:.0e}; use more \"cycles\" than {}",
           report.worstShare, maxFluidDivergence, plan_.parameters().cycles);
     if (report.worstSpeed > plan_.parameters().speed)
       text += fmt::format(

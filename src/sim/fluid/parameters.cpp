@@ -17,11 +17,10 @@ const std::vector<const char*> sideKinds = {"wall", "slip", "inflow", "open", "p
 
 void describeSide(scene::Fields& f, const char* name, FluidSide& side) {
   f.shorthand(name, "kind");
-  f.group(name, "A border of the grid, or its kind alone.", [&](scene::Fields& s) {
-    s.choice(
-        "kind", side.kind, sideKinds,
-        "A wall holds the fluid, a slip side does not; an inflow has a velocity, an open side pressure 0; "
-        "periodic ones, in pairs, meet.");
+  f.group(name, "A border of the grid, or only its kind.", [&](scene::Fields& s) {
+    s.choice("kind", side.kind, sideKinds,
+             "The fluid sticks to a wall and slides along a slip side; an inflow has a velocity, an open "
+             "side pressure 0; two opposite periodic sides are joined.");
     s.vector("velocity", side.velocity, {-1e5, 1e5}, "cells/s",
              "Velocity of a wall along itself, or of an inflow. The third number is unused.");
     s.choice(

@@ -73,7 +73,7 @@ void DisplacementParameters::describe(scene::Fields& f) {
   f.optionalGroup("sway", sway.on, "Wind that bends the standing parts of the mesh.",
                   [&](scene::Fields& g) { describeSway(g, sway); });
   f.optionalGroup("footprints", footprints.on,
-                  "Prints that the scene's spheres and capsules leave, for good.",
+                  "Permanent prints that the scene's spheres and capsules leave.",
                   [&](scene::Fields& g) { describeFootprints(g, footprints); });
   f.optionalGroup("push", push.on, "Bends away from the scene's spheres and capsules.",
                   [&](scene::Fields& g) { describePush(g, push); });

@@ -224,7 +224,7 @@ std::string_view GltfDocument::buffer(std::size_t number) const {
   if (!uri) {
     const auto extensions = described.find("extensions");
     if (extensions && extensions->has("EXT_meshopt_compression"))
-      refuse("has its vertices by EXT_meshopt_compression alone, which is not read; export it without");
+      refuse("has its vertices only in EXT_meshopt_compression, which is not read; export it without");
     if (number != 0 || !glbBytes_) refuse(fmt::format("has no bytes for its buffer {}", number));
     bytes = *glbBytes_;
   } else {

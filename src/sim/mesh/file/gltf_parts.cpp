@@ -124,7 +124,7 @@ void GltfParts::checkCompression(const JsonValue& primitive) const {
   const bool draco = extensions && extensions->has("KHR_draco_mesh_compression");
   if (draco && !document_.item("accessors", position(primitive)).has("bufferView"))
     document_.refuse(
-        "has its vertices by KHR_draco_mesh_compression alone, which is not read; export it without");
+        "has its vertices only in KHR_draco_mesh_compression, which is not read; export it without");
 }
 
 GltfPart GltfParts::part(std::size_t mesh, const JsonValue& primitive, const GltfSkin& skin) const {
