@@ -42,7 +42,7 @@ class Builder final : public nlohmann::json_sax<Json> {
   bool end_array() override { return close(); }
   bool key(string_t& key) override {
     const auto [member, isNew] = open_.back()->get_ref<Json::object_t&>().try_emplace(std::move(key));
-    if (!isNew) throw JsonError(fmt::format("the key {} stands twice in one object", shown(key)));
+    if (!isNew) throw JsonError(fmt::format("the key {} occurs twice in one object", shown(key)));
     place_ = &member->second;
     return true;
   }
@@ -90,7 +90,7 @@ Json parseStrictJson(std::string_view text, const JsonLimits& limits) {
   // The parser treats a zero byte as the end of the text. Zero bytes at the end are allowed, because some
   // programs pad binary glTF with them.
   if (text.find_first_not_of('\0', text.find('\0')) != std::string_view::npos)
-    throw JsonError("not valid JSON: a zero byte stands in it");
+    throw JsonError("not valid JSON: it contains a zero byte");
   Builder builder(limits);
   Json::sax_parse(text.begin(), text.end(), &builder, Json::input_format_t::json, /*strict=*/true,
                   limits.comments);
@@ -144,7 +144,7 @@ std::size_t JsonValue::size() const {
 }
 
 JsonValue JsonValue::at(std::size_t index) const {
-  if (index >= size()) wrong(fmt::format("has {} items, and none of number {}", size(), index));
+  if (index >= size()) wrong(fmt::format("has {} items, but no item {} (counted from 0)", size(), index));
   return JsonValue((*json_)[index], fmt::format("{}[{}]", path_, index));
 }
 

@@ -107,7 +107,7 @@ class Employer {
       return;
     }
     if (!everReady_ && firstMistake_) throw UserError(*firstMistake_, firstFailure_);
-    if (!everReady_) fail(ExitCode::device, "the process that was to do the work {}", firstFailure_);
+    if (!everReady_) fail(ExitCode::device, "the worker process {}", firstFailure_);
     for (std::size_t item = 0; item < begun_.size(); ++item)
       if (!begun_[item]) finish(item, Loss{"could not be started again: " + firstFailure_, false});
   }
@@ -322,7 +322,8 @@ class Employer {
   /// ready. If none becomes ready, the failure is the error of the whole call.
   void tellUnready() {
     if (!everReady_) return;
-    for (const std::string& failure : unready_) warn("one process less to work in: it {}", failure);
+    for (const std::string& failure : unready_)
+      warn("the work continues with one process less, because that process {}", failure);
     unready_.clear();
   }
 

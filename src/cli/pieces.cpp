@@ -45,20 +45,21 @@ void checkRequest(const PiecesRequest& request, const frame::OutputName& output)
   if (output.isLight())
     fail(ExitCode::usage, "--pieces makes PNG pictures or a video, not {}", render.output);
   if (!render.from.empty() || !render.checkpointAt.empty())
-    fail(ExitCode::usage,
-         "--pieces keeps checkpoints of its own: it goes without --from and --checkpoint-at");
+    fail(ExitCode::usage, "--pieces keeps its own checkpoints; leave out --from and --checkpoint-at");
   if (render.checkpoint)
-    fail(ExitCode::usage, "--pieces goes without --checkpoint: each piece keeps its state every 60 s");
+    fail(ExitCode::usage, "--pieces keeps the state of each piece every 60 s; leave out --checkpoint");
   if (render.existing == frame::Existing::skip)
-    fail(ExitCode::usage, "--pieces goes with --resume or --overwrite, not with --skip-existing");
+    fail(ExitCode::usage, "--pieces does not support --skip-existing; use --resume or --overwrite");
   if (output.kind == frame::OutputName::Kind::video && render.fields)
-    fail(ExitCode::usage, "--fields: raw values lie beside pictures, and a video has none");
+    fail(ExitCode::usage,
+         "--fields: raw values are written beside pictures, and a video has no pictures; render a folder "
+         "of pictures");
 }
 
 /// Throws UserError if an unfinished plan or an output file exists that would be overwritten.
 void refuseExisting(const batch::PiecePlan& plan, const frame::OutputName& output) {
   if (pathExists(plan.planFile()))
-    fail(ExitCode::inputOutput, "{} is of pieces that were not joined; use --resume or --overwrite",
+    fail(ExitCode::inputOutput, "{} belongs to pieces that were not joined; use --resume or --overwrite",
          plan.planFile().string());
   for (const int frame : plan.allFrames())
     if (pathExists(output.file(frame)))
@@ -115,7 +116,7 @@ void storePlan(const batch::PiecePlan& plan, const PiecesRequest& request,
   const std::string text = planText(plan);
   if (request.render.existing == frame::Existing::resume && pathExists(plan.planFile())) {
     if (readFile(plan.planFile(), "plan") == text && readFile(plan.sceneFile(), "scene") == scene) return;
-    fail(ExitCode::usage, "cannot resume: {} is of another run; use --overwrite to start afresh",
+    fail(ExitCode::usage, "cannot resume: {} belongs to another run; use --overwrite to start afresh",
          plan.planFile().string());
   }
   if (request.render.existing == frame::Existing::error) refuseExisting(plan, output);

@@ -84,8 +84,8 @@ void changeRule(const RenderOptions& o, std::vector<scene::Override>& changes) {
   const std::string& text = *o.rule;
   if (!sim::isPatternName(o.scene.file))
     fail(ExitCode::usage,
-         "--rule goes with a file of cells (.rle, .cells, .lif, .mc), not with {}; a scene has its rule at "
-         "objects.NAME.life.rule, which -D changes",
+         "--rule needs a file of cells (.rle, .cells, .lif, .mc), not {}; change the rule of a scene with "
+         "-D objects.NAME.life.rule=RULE",
          o.scene.file);
   sim::CellRule rule;
   if (const sim::RuleProblem problem = sim::parseCellRule(text, rule); !problem.message.empty())
@@ -128,7 +128,7 @@ void render(const RenderOptions& o) {
          "--no-manifest: --pieces joins its pieces by their manifests; leave out one of both");
   if (o.pieces) return renderInPieces({requestOf(o), *o.pieces, o.jobs, o.cluster, o.on, o.progress});
   if (o.cluster.slurm || !o.cluster.scratch.empty())
-    fail(ExitCode::usage, "--slurm and --scratch go with --pieces");
+    fail(ExitCode::usage, "--slurm and --scratch need --pieces");
   frame::Progress progress(frame::parseProgressMode(o.progress));
   // The constructor throws for an invalid output name before a device starts.
   batch::RenderJob job(requestOf(o));
@@ -219,8 +219,8 @@ void addRender(CLI::App& app) {
                       "simulation can have written it");
   command
       ->add_option("--pieces", o->pieces,
-                   "Draw the sequence in so many pieces, --jobs of them at once, and join them; the bytes "
-                   "are the same as without")
+                   "Draw the sequence in this many pieces, --jobs of them at once, and join them; the "
+                   "bytes are the same as without")
       ->check(CLI::Range(std::size_t{1}, std::size_t{10'000}));
   command->add_option("-j,--jobs", o->jobs, "Pieces at once; auto: one for each processor")
       ->capture_default_str();

@@ -22,8 +22,8 @@ glm::vec3 targetOf(const scene::Camera& camera, double seconds, const sim::Drawa
     return drawables.lagging.empty() ? camera.target.at(seconds) : drawables.lagging.front();
   for (const sim::Place& place : drawables.places)
     if (*place.object == camera.track->object) return place.middle + camera.track->offset;
-  fail(ExitCode::usage, "the camera looks at \"{}\", of which nothing is there at {:g} s",
-       camera.track->object, seconds);
+  fail(ExitCode::usage, "the camera looks at \"{}\", which has no place at {:g} s", camera.track->object,
+       seconds);
 }
 
 Stand standOf(const scene::Camera& camera, double seconds, const sim::Drawables& drawables) {
@@ -33,8 +33,8 @@ Stand standOf(const scene::Camera& camera, double seconds, const sim::Drawables&
   if (const sim::Path* path = sim::pathOf(drawables, camera.follow->object))
     return standOn(*path->points, *camera.follow, seconds);
   fail(ExitCode::usage,
-       "the camera follows \"{}\", which has no path at {:g} s: it is not grown yet, or nothing of it is "
-       "open",
+       "the camera follows \"{}\", which has no path at {:g} s: it has not grown yet, or it has no open "
+       "cells",
        camera.follow->object, seconds);
 }
 

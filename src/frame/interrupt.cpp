@@ -44,7 +44,7 @@ void onSecond(int /*number*/) {
   still = now - busyBefore.exchange(now) < 0.01 ? still + 1 : 0;
   if (still == childPatience) endChildren();
   if (still >= patience) {
-    rawErrorLine("simreel: error: interrupted, and nothing has moved for 10 s: ended");
+    rawErrorLine("simreel: error: interrupted, and there was no progress for 10 s: ended");
     endNow(arrived);
   }
   ::alarm(1);

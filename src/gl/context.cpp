@@ -339,7 +339,8 @@ Context::Context(const ContextOptions& options) : state_(std::make_unique<State>
   checkCalls();
   currentIsSoftware = state_->device.software;
   if (!options.memoryPath.empty() && options.memoryPath != "storage" && options.memoryPath != "texel")
-    fail(ExitCode::usage, "the memory path is \"storage\" or \"texel\", not \"{}\"", options.memoryPath);
+    fail(ExitCode::usage, "the memory path must be \"storage\" or \"texel\", not \"{}\"",
+         options.memoryPath);
   const bool texel = options.memoryPath.empty() ? state_->device.software : options.memoryPath == "texel";
   currentPath = texel ? MemoryPath::texel : MemoryPath::storage;
   if (options.debug) {

@@ -76,7 +76,7 @@ void chooseDriverThreads() {
   if (little || !canStart(needed(processors))) {
     setThreads(0);
     detail("{}: a software driver works on one thread",
-           little ? "little address space (ulimit -v)" : "few threads are to be had");
+           little ? "little address space (ulimit -v)" : "the system allows few threads");
     return;
   }
   // llvmpipe splits the work of a kernel into equal parts, one for each of its threads, and waits for the

@@ -14,7 +14,8 @@ void checkCalls() {
   }
   if (error == GL_OUT_OF_MEMORY)
     fail(ExitCode::device, "the device has no memory left; make the scene or the picture smaller");
-  fail(ExitCode::device, "the driver refused a call (OpenGL error {:#x}); --debug makes it say why", error);
+  fail(ExitCode::device,
+       "the driver rejected a call (OpenGL error {:#x}); run again with --debug to see the reason", error);
 }
 
 }  // namespace simreel::gl

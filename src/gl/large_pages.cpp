@@ -18,7 +18,7 @@ const VulkanMemory* memoryOfDevice() {
     const char* asked = std::getenv("SIMREEL_LARGE_PAGES");
     const std::string_view wanted = asked != nullptr ? asked : "yes";
     if (wanted != "yes" && wanted != "no")
-      fail(ExitCode::usage, "SIMREEL_LARGE_PAGES is \"yes\" or \"no\", not \"{}\"", wanted);
+      fail(ExitCode::usage, "SIMREEL_LARGE_PAGES must be \"yes\" or \"no\", not \"{}\"", wanted);
     if (wanted == "no") return nullptr;
     if (!epoxy_has_gl_extension("GL_EXT_memory_object_fd")) return nullptr;
     VulkanMemory::Uuid device{};

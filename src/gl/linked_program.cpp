@@ -68,9 +68,7 @@ void LinkedProgram::compiledFor(const char* what, double seconds) const {
   if (seconds > fromCache) total += seconds;
   if (total < 1 || std::exchange(told, true)) return;
   if (::isatty(STDERR_FILENO) != 0)
-    info(
-        "the driver is compiling shaders, which takes seconds the first time; it keeps them for later "
-        "runs");
+    info("the driver is compiling shaders, which takes some seconds the first time; later runs reuse them");
 }
 
 void LinkedProgram::giveTo(const void* user, std::vector<UniformSlot>& uniforms) {

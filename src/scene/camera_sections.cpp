@@ -13,7 +13,7 @@ void describeDamping(Fields& fields, double& damping, const char* what) {
   constexpr double least = 1e-3;
   if (damping > 0 && damping < least)
     fields.error("damping",
-                 fmt::format("a damping of {:g} s is none; give 0, or {} s at least", damping, least));
+                 fmt::format("a damping of {:g} s is too short; give 0, or at least {} s", damping, least));
 }
 
 /// Warns if the target of a stationary camera lies outside the camera's near and far distance, because the
@@ -40,7 +40,7 @@ void remarkReach(Fields& fields, const Camera& camera) {
 void Follow::describe(Fields& fields) {
   PathPlace::describe(fields);
   fields.number("ahead", ahead, positive, "m",
-                "Length of the path ahead that it looks along; it looks at the mean of the places there.");
+                "Length of the part of the path ahead; the camera looks at the mean of its points.");
   describeDamping(fields, damping,
                   "Time by which the camera lags behind, smoothly, like a critically damped spring; "
                   "corners become curves. 0: no lag.");
@@ -59,8 +59,8 @@ void Track::describe(Fields& fields) {
 void CameraFile::describe(Fields& fields) {
   fields.asset("file", file, "glTF or GLB with a camera, perspective or orthographic.");
   fields.text("name", name, "Name of the camera, or of its node; a file with one camera needs none.");
-  fields.text("animation", animation, "Name of the file's motion that the camera goes through.");
-  fields.leftOut("animation", "the first that moves it; it stands where none does");
+  fields.text("animation", animation, "Name of the file's motion that the camera plays.");
+  fields.leftOut("animation", "the first that moves it; without one the camera does not move");
   fields.number("speed", speed, {-100, 100}, "", "Speed of the motion; 2 is twice as fast, -1 backwards.");
   fields.number("start", start, {-1e6, 1e6}, "s", "Time in the motion at time 0 of the scene.");
   fields.boolean("loop", loop, "Starts the motion again when it has ended; else the last pose stays.");
@@ -86,13 +86,13 @@ void Lens::describe(Fields& fields) {
   if (blades == 1 || blades == 2)
     fields.error(
         "blades",
-        fmt::format("an opening of {} blades is none; give 0 for a round one, or 3 to 16", blades));
+        fmt::format("an opening cannot have {} blades; give 0 for a round one, or 3 to 16", blades));
 }
 
 void Shutter::describe(Fields& fields) {
   fields.number("angle", angle, {1, 360}, "degrees",
-                "Time that it is open: 360 is the whole time from the frame before to this one, 180 its "
-                "second half.");
+                "Exposure time as an angle: 360 is the whole time from the previous frame to this one, 180 "
+                "its second half.");
   fields.integer("samples", samples, {2, 256}, "",
                  "Moments in that time; each picture is drawn once for each, or as often as the lens "
                  "needs. With too few, fast things show as separate copies.");
@@ -103,7 +103,7 @@ void Orbit::describe(Fields& fields) {
                 "Angle at which it stands around the target: 0 on the side of +z, 90 on the side of +x.");
   fields.number("elevation", elevation, {-89, 89}, "degrees", "Angle of the camera above the horizon.");
   fields.number("distance", distance, positive, "m", "Distance from the target.");
-  fields.leftOut("distance", "6, or all of it is in view where \"target\" is left out, too");
+  fields.leftOut("distance", "6; without \"target\" so far that the whole scene is in view");
   distanced = fields.given("distance");
 }
 
@@ -134,8 +134,8 @@ void Camera::describe(Fields& fields) {
   fields.optionalGroup("follow", follow, "Goes along a path that an object has found.");
   fields.shorthand("track", "object");
   fields.optionalGroup("track", track,
-                       "Looks at an object wherever that is in each frame, instead of at \"target\"; with "
-                       "\"orbit\" it goes along with it.");
+                       "Looks at an object, even if it moves, instead of at \"target\"; with \"orbit\" the "
+                       "camera moves along with it.");
   if (track && follow)
     fields.error("track", "\"follow\" says what the camera looks at; leave out \"track\"");
   else if (track && fields.given("target"))
@@ -152,13 +152,13 @@ void Camera::describe(Fields& fields) {
   fields.idleUnless(target.moves(), "target", {"damping"}, "a \"target\" with keys");
   for (const char* name : {"follow", "track"})
     if (damping > 0 && fields.given(name))
-      fields.error("damping",
-                   fmt::format("\"damping\" here is of \"target\"; give it in \"{0}\": {{ }}", name));
+      fields.error(
+          "damping",
+          fmt::format("this \"damping\" is only for \"target\"; put it into \"{0}\": {{ }}", name));
   fields.shorthand("gltf", "file");
-  fields.optionalGroup(
-      "gltf", gltf,
-      "Stands, turns and moves as the camera of a glTF file. Its vertical angle of view is "
-      "kept; how wide the picture is, \"render.size\" says.");
+  fields.optionalGroup("gltf", gltf,
+                       "Takes position, direction and motion from the camera of a glTF file. Its vertical "
+                       "angle of view is kept; \"render.size\" determines the width of the picture.");
   for (const char* name : {"position", "target", "track", "follow", "orbit", "damping"})
     if (gltf && fields.given(name))
       fields.error(name, fmt::format("\"gltf\" says where the camera is; leave out \"{}\"", name));
@@ -199,8 +199,9 @@ void Camera::describe(Fields& fields) {
   remarkReach(fields, *this);
   if (!aimed && !orbit && !track && !gltf && !position.moves() && !target.moves() &&
       position.at(0) == target.at(0))
-    fields.error(fields.given("target") ? "target" : "position",
-                 "\"position\" and \"target\" are the same point; the camera looks nowhere");
+    fields.error(
+        fields.given("target") ? "target" : "position",
+        "\"position\" and \"target\" are the same point, so the camera has no direction; move one of them");
 }
 
 }  // namespace simreel::scene

@@ -18,19 +18,19 @@ void Finish::describe(Fields& fields) {
                "Light that the surface emits, linear RGB; with quality high it lights other things, too.");
   fields.number("emissionStrength", emissionStrength, notNegative, "", "Factor on \"emission\".");
   fields.asset("emissionMap", emissionMap.file, "sRGB picture, a factor on \"emission\".");
-  fields.choice(
-      "alpha", alpha, {"opaque", "cut", "blend"},
-      "Use of the opacity, which is the texture's alpha channel times \"opacity\". opaque: none; cut: "
-      "below \"alphaCutoff\" there is a hole; blend: the surface hides so much of the things behind it.");
+  fields.choice("alpha", alpha, {"opaque", "cut", "blend"},
+                "Use of the opacity, which is the texture's alpha channel times \"opacity\". opaque: the "
+                "opacity is unused; cut: below \"alphaCutoff\" there is a hole; blend: the surface hides "
+                "so much of the things behind it.");
   fields.number("opacity", opacity, fraction, "", "Opacity: 0 is invisible, 1 hides the things behind it.");
   fields.number("alphaCutoff", cutoff, fraction, "",
-                "Least opacity that is drawn with \"alpha\": \"cut\".");
+                "Least opacity that is drawn if \"alpha\" is \"cut\".");
   fields.boolean("doubleSided", doubleSided, "Draws backs, too; false: as the object itself says.");
   fields.number("clearCoat", coat, fraction, "", "Strength of a clear coat over it, such as lacquer.");
   fields.number("clearCoatRoughness", coatRoughness, fraction, "", "0 mirrors, 1 is matt.");
   fields.color("sheen", sheen, fraction, "Colour of fibres that stand up from cloth, linear RGB.");
   fields.number("sheenRoughness", sheenRoughness, {0.07, 1}, "",
-                "Low: seen along the edges alone; high: all over.");
+                "Low: visible only along the edges; high: everywhere.");
   fields.number("transmission", transmission, fraction, "",
                 "With quality high: of the light that is not mirrored, the fraction that passes through, "
                 "as through glass.");

@@ -24,8 +24,8 @@ void remarkHidden(const Node& root, const Scene& scene, Diagnostics& diagnostics
   const bool writes = hidden->kind == "text";
   diagnostics.remark(
       root.find("objects")->find(hidden->name)->headPlace(),
-      fmt::format("\"{}\" stands in the world, behind the picture of \"{}\", and is hidden; {}give the "
-                  "\"display\" of \"{}\" \"layer\": \"behind\", or a smaller \"extent\"",
+      fmt::format("\"{}\" is in the world and hidden behind the picture of \"{}\"; {}give the \"display\" "
+                  "of \"{}\" \"layer\": \"behind\", or a smaller \"extent\"",
                   hidden->name, cover->name, writes ? "give it \"screen\": {}, or " : "", cover->name));
 }
 

@@ -12,11 +12,11 @@ void describeTemperature(Fields& fields, std::optional<double>& temperature) {
       "Colour of its light as the temperature of a black body: candles 1900, lamps 2700, daylight 6500.");
   fields.leftOut("temperature", "the colour");
   if (fields.given("temperature") && fields.given("color"))
-    fields.error("temperature", "\"temperature\" says which colour the light has; leave out \"color\"");
+    fields.error("temperature", "\"temperature\" sets the colour of the light; leave out \"color\"");
 }
 
 void Flicker::describe(Fields& fields) {
-  fields.number("amount", amount, fraction, "", "Share of the intensity that comes and goes.");
+  fields.number("amount", amount, fraction, "", "Fraction of the intensity that flickers.");
   fields.number("rate", rate, {0.001, 1000}, "1/s", "Rate of change.");
   fields.number("sway", sway, {0, 1000}, "m",
                 "Distance that the light moves about its position; its shadows move with it.");
@@ -25,15 +25,15 @@ void Flicker::describe(Fields& fields) {
 }
 
 void Spot::describe(Fields& fields) {
-  fields.vector("target", target, anyNumber, "m", "Place that the middle of the cone points at.");
+  fields.vector("target", target, anyNumber, "m", "Place at which the axis of the cone points.");
   fields.number("angle", angle, {0.1, 179}, "degrees",
                 "Angle of the cone, from edge to edge; beyond it there is no light.");
   fields.number("softness", softness, {0, 1}, "",
-                "Share of the angle over which the light fades towards the edge; 0: a sharp edge.");
+                "Fraction of the angle over which the light fades towards the edge; 0: a sharp edge.");
 }
 
 void Area::describe(Fields& fields) {
-  fields.vector("target", target, anyNumber, "m", "Place that the middle of its front faces.");
+  fields.vector("target", target, anyNumber, "m", "Place that the front of the rectangle faces.");
   fields.number("width", width, {0.001, 1e4}, "m", "Length of its horizontal sides.");
   fields.number("height", height, {0.001, 1e4}, "m", "Length of the other sides.");
 }
@@ -65,15 +65,17 @@ void Light::describe(Fields& fields) {
       "follow", follow,
       "Place on a path that an object has found; the light is dark until there is a path.");
   if (follow && fields.given("position"))
-    fields.error("position", "\"follow\" says where the light is; leave out \"position\"");
+    fields.error("position", "\"follow\" sets the place of the light; leave out \"position\"");
   if (type == Type::spot && !follow && !position.moves() && !spot.target.moves() &&
       position.at(0) == spot.target.at(0))
-    fields.error(given ? "spot" : "position",
-                 "the light stands where its \"spot\" points at, so it shines nowhere; move \"target\"");
+    fields.error(
+        given ? "spot" : "position",
+        "the light is at the place at which its \"spot\" points, so it has no direction; move \"target\"");
   if (type == Type::area && !follow && !position.moves() && !area.target.moves() &&
       position.at(0) == area.target.at(0))
-    fields.error(isRectangle ? "area" : "position",
-                 "the light stands where its \"area\" faces, so it faces nowhere; move \"target\"");
+    fields.error(
+        isRectangle ? "area" : "position",
+        "the light is at the place that its \"area\" faces, so it has no direction; move \"target\"");
   fields.color("color", color, notNegative, "Colour of its light, linear RGB.");
   describeTemperature(fields, temperature);
   fields.choice(
@@ -86,13 +88,12 @@ void Light::describe(Fields& fields) {
   fields.number("radius", radius, {0.001, 1000}, "m",
                 "Radius of the ball that shines. It widens highlights, and objects within it cast no "
                 "shadow; for a rectangle only the latter.");
-  fields.number(
-      "range", range, {0, 1e6}, "m",
-      "Distance at which its light ends; it fades by (1 - (d / range)^4)^2. Of many lights without "
-      "shadows, each place computes only those in whose range it lies. 0: it reaches everywhere.");
+  fields.number("range", range, {0, 1e6}, "m",
+                "Distance at which its light ends; it fades by (1 - (d / range)^4)^2. Lights without "
+                "shadows are computed only within their range. 0: it reaches everywhere.");
   fields.number("glow", glow, notNegative, "",
                 "Factor on the shining ball as the camera sees it; 0 hides it.");
-  fields.optionalGroup("flicker", flicker, "Unrest of a flame, by a hash of name, time and seed.");
+  fields.optionalGroup("flicker", flicker, "Flicker as of a flame, random by name, time and seed.");
   fields.boolean("shadow", shadow, "Casts shadows.");
   fields.integer("shadowSize", shadowSize, {16, 4096}, "texels",
                  "Side of each of the six maps of its shadow.");

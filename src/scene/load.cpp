@@ -265,7 +265,7 @@ void checkObjectNamed(const Node* owner, const char* group, const std::string& n
   const Place place = named == nullptr ? given->headPlace() : named->place();
   if (drawnWith != nullptr)
     return diagnostics.add(
-        place, fmt::format("object \"{}\" lies over the picture, and nowhere in the world", name));
+        place, fmt::format("object \"{}\" is drawn over the picture and has no place in the world", name));
   diagnostics.add(place, fmt::format("no object is named {}; {}", inQuotes(name),
                                      names.empty() ? fmt::format("the scene has none: add {}", kind)
                                                    : suggestion(name, names)));

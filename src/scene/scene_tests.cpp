@@ -64,10 +64,9 @@ void checkAgainstScene(Fields& fields, const Check& check, const Scene& scene,
   if (check.what != "not-blank") return;
   for (const int frame : check.frames)
     if (!std::binary_search(tested.begin(), tested.end(), frame))
-      fields.error("frames",
-                   fmt::format("\"not-blank\" needs a picture, and frame {} is no tested frame; add it to "
-                               "\"frames\" of \"test\"",
-                               frame));
+      fields.error("frames", fmt::format("\"not-blank\" needs a picture, and frame {} is not a tested "
+                                         "frame; add it to \"frames\" of \"test\"",
+                                         frame));
 }
 
 }  // namespace

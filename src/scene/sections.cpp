@@ -51,7 +51,7 @@ void describeLights(Fields& fields, Scene& scene) {
 void remarkRays(Fields& fields, const Scene& scene) {
   const bool traces = scene.render.quality == Quality::high && scene.render.rasterizer == Rasterizer::exact;
   fields.idleUnless(traces || scene.sun.shadow, "sun.shadow", {"sun.diameter"}, "a sun with \"shadow\"");
-  const char* const maps = "maps of shadows, and \"quality\": \"high\" finds them by rays";
+  const char* const maps = "shadow maps, and \"quality\": \"high\" computes shadows by ray tracing";
   if (scene.sun.shadow)
     fields.idleUnless(!traces, "render.quality", {"sun.shadowSize", "sun.shadowSoftness"}, maps);
   for (const Light& light : scene.lights) {
@@ -69,9 +69,8 @@ void remarkSun(Fields& fields, const Scene& scene) {
   const auto& keys = scene.sun.direction.keys();
   const bool below = std::all_of(keys.begin(), keys.end(), [](const auto& key) { return key.value.y < 0; });
   if (below && scene.ground && scene.ground->visible && !isNothing(scene.sun.intensity))
-    fields.idle(
-        "sun.direction", "",
-        "\"direction\" is towards the sun, which stands below the ground so and lights nothing on it");
+    fields.idle("sun.direction", "",
+                "\"direction\" points to the sun, which is then below the ground and lights nothing on it");
 }
 
 }  // namespace
@@ -98,7 +97,7 @@ void Material::describe(Fields& fields) {
   if (finish.used() && bump != 0)
     fields.error("bump", "\"bump\" is for a material without maps beside its texture; use a \"normalMap\"");
   if (finish.used() && skin)
-    fields.error("skin", "a skin replaces what maps, coats and opacity are laid on; leave out one of both");
+    fields.error("skin", "a skin cannot be combined with maps, coats or opacity; leave out one of the two");
   if (std::max({color.x, color.y, color.z}) > 1)
     fields.idle(
         "color", "",
@@ -135,10 +134,12 @@ void Skin::describe(Fields& fields) {
 
 void Render::describe(Fields& fields) {
   fields.pair("size", size, {1, 16384}, "pixels", "Width and height of the images.");
-  fields.integer("samples", samples, {1, 16}, "",
-                 "Samples per pixel: 1, 2, 4, 8 or 16; a driver's own rasterizer may have 1 and 4 alone.");
+  fields.integer(
+      "samples", samples, {1, 16}, "",
+      "Samples per pixel: 1, 2, 4, 8 or 16; a driver's own rasterizer may support only 1 and 4.");
   if (samples >= 1 && samples <= 16 && (samples & (samples - 1)) != 0)
-    fields.error("samples", fmt::format("{} samples per pixel: there are 1, 2, 4, 8 and 16", samples));
+    fields.error("samples",
+                 fmt::format("{} samples per pixel are not supported; use 1, 2, 4, 8 or 16", samples));
   fields.choice(
       "rasterizer", rasterizer, {"exact", "driver"},
       "exact: kernels in exact arithmetic draw, with the same bytes on every machine; driver: vertex and "
@@ -164,14 +165,14 @@ void Render::describe(Fields& fields) {
       "white; filmic: a gentle shoulder; plain: no curve, light above white is cut off.");
   fields.onlyGiven("whiteBalance", whiteBalance, Animated<float>(6504.0F), [&](Animated<float>& kelvin) {
     fields.number("whiteBalance", kelvin, blackBodyRange, "K",
-                  "Light of a black body so hot is shown as white.");
+                  "Light of a black body of this temperature is shown as white.");
   });
   fields.leftOut("whiteBalance", "none: light is shown as it is");
   fields.boolean("transparent", transparent,
                  "Leaves out the background: pictures get an alpha channel (straight, not premultiplied) "
                  "and no sky; on a stage no ground, either.");
   if (transparent && rasterizer == Rasterizer::driver)
-    fields.error("transparent", "only the exact rasterizer leaves the background out");
+    fields.error("transparent", "a transparent background needs \"rasterizer\": \"exact\"");
   fields.number("vignette", vignette, fraction, "", "Darkening towards the corners.");
   fields.group("bloom", "Light that scatters around bright places.",
                [&](Fields& inner) { bloom.describe(inner); });
@@ -182,7 +183,8 @@ void Bloom::describe(Fields& fields) {
   fields.number("strength", strength, {0, 100}, "",
                 "Factor on the scattered light; 0 switches it off and costs nothing.");
   fields.number("threshold", threshold, notNegative, "", "Only light above this is scattered.");
-  fields.number("radius", radius, {0.001, 1}, "", "How far, as a fraction of the picture's height.");
+  fields.number("radius", radius, {0.001, 1}, "",
+                "Distance over which light scatters, as a fraction of the picture's height.");
   fields.idleUnless(!isNothing(strength), "strength", {"threshold", "radius"}, "bloom with a \"strength\"");
 }
 
@@ -210,7 +212,7 @@ void Sun::describe(Fields& fields) {
   fields.number(
       "diameter", diameter, {0, 60}, "degrees",
       "Angular diameter of its disc; the real sun has 0.53. Penumbras grow with it and with the distance "
-      "from the object that casts them; 0: they do not grow. The driver's rasterizer knows only 0.");
+      "from the object that casts them; 0: they do not grow. The driver's rasterizer supports only 0.");
   fields.boolean("shadow", shadow, "Casts shadows.");
   fields.integer("shadowSize", shadowSize, {16, 8192}, "texels", "Side of the shadow map.");
   fields.number("shadowSoftness", shadowSoftness, {0, 16}, "texels", "Radius of the shadow's soft edge.");
@@ -263,7 +265,7 @@ void Ground::describe(Fields& fields) {
 void describeScene(Fields& fields, Scene& scene) {
   fields.text("title", scene.title, "Title of the scene.");
   fields.integer("seed", scene.seed, {0, 2147483647}, "",
-                 "Start of every random number; another one gives another take.");
+                 "Seed of all random numbers; another seed gives another variation.");
   fields.choice("numerics", scene.numerics, {"exact", "fast"},
                 "exact: the same bits on every device. fast: the device's own functions.");
   fields.group("render", renderDoc, [&](Fields& inner) { scene.render.describe(inner); });

@@ -178,9 +178,8 @@ std::string stageAdvice(const Scene& scene) {
   constexpr float bright = 0.3F;  // luminance of a background on which added light is hardly seen
   if (!scene.staged || !anyIs(Parameters::Looks::shining, scene)) return {};
   if (luminance(lookOf(scene).floor) < bright) return {};
-  return "\"additive\" particles are light, which is hardly seen on a bright stage; leave out "
-         "\"additive\", "
-         "or take \"stage\": \"night\"";
+  return "\"additive\" particles add light, which is hardly visible on a bright stage; leave out "
+         "\"additive\", or take \"stage\": \"night\"";
 }
 
 void openFloor(Scene& scene) {

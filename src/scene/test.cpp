@@ -64,7 +64,7 @@ void checkForm(Fields& fields, const Check& check) {
 
 void Tolerance::describe(Fields& fields) {
   fields.integer("maxChannelDiff", maxChannelDiff, channel, "",
-                 "A pixel differs when one of its channels is further apart than this.");
+                 "A pixel counts as different when one of its channels differs by more than this.");
   fields.optionalNumber("maxDiffPixels", maxDiffPixels, notNegative, "pixels",
                         "Number of pixels that may differ.");
   fields.optionalNumber("maxDiffRatio", maxDiffRatio, fraction, "",
@@ -75,7 +75,7 @@ void Tolerance::describe(Fields& fields) {
                         "Fraction of that window's pixels that may differ.");
   fields.optionalNumber("maxFlipMean", maxFlipMean, fraction, "", "Mean FLIP error allowed.");
   fields.optionalNumber("hardFail", hardFail, channel, "",
-                        "No channel of any pixel may ever be further apart than this.");
+                        "No channel of any pixel may differ by more than this.");
   if (fields.given("windowSize") && !maxWindowRatio)
     fields.error("windowSize", "\"windowSize\" does nothing without \"maxWindowRatio\"");
 }
@@ -113,9 +113,9 @@ void Test::describe(Fields& fields) {
                    "Samples per pixel; \"scene\" takes what the scene renders with.");
   fields.group(
       "tolerance",
-      "How far an image may be from a baseline of other numerics; every bound that is given must hold. On "
-      "the machine that drew the baseline images have to be equal, on another one with the same numerics "
-      "within 2 of 255 on 2% of the pixels, with a mean FLIP error of 0.002.",
+      "Allowed difference of an image from a baseline of other numerics; every bound that is given must "
+      "hold. On the machine that drew the baseline images have to be equal, on another one with the same "
+      "numerics within 2 of 255 on 2% of the pixels, with a mean FLIP error of 0.002.",
       [&](Fields& inner) {
         for (const Bound& bound : tolerance.bounds())
           inner.formerly(bound.formerName().c_str(), bound.name);
@@ -149,10 +149,10 @@ void Check::describe(Fields& fields) {
                   "Frames at which the condition must hold, ascending; left out: every tested frame.");
   fields.formerly("least", "min");
   fields.formerly("most", "max");
-  fields.optionalNumber("min", min, {}, "", "The value may not be below.");
-  fields.optionalNumber("max", max, {}, "", "The value may not be above.");
+  fields.optionalNumber("min", min, {}, "", "Least value that is allowed.");
+  fields.optionalNumber("max", max, {}, "", "Greatest value that is allowed.");
   fields.optionalNumber("drift", drift, notNegative, "",
-                        "Most relative change from the value at the first of the frames.");
+                        "Greatest relative change from the value at the first of the frames.");
   checkForm(fields, *this);
   checkAscending(fields, frames);
   if (min && max && !(*min <= *max))

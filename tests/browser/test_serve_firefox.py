@@ -69,7 +69,7 @@ class PageInFirefox(unittest.TestCase):
         self.until("document.getElementById('verdict').textContent.includes('of 1536 pixels differ')")
         self.until("[...document.querySelectorAll('#pairs img')].filter((image) => image.naturalWidth === 48).length === 3")
         b.click("#forget")
-        self.until("document.getElementById('verdict').textContent === 'Every pixel is that of the baseline.'")
+        self.until("document.getElementById('verdict').textContent === 'Every pixel is equal to the baseline.'")
         self.assertEqual(self.shows(), before)
         # Ignores the warning about reading the canvas, because only this test reads it.
         self.assertEqual([text for text in b.complaints(self.server.page) if "willReadFrequently" not in text], [])

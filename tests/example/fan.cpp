@@ -110,7 +110,8 @@ TEST_CASE("example: objects step after the objects whose wind they use, and a cy
   CHECK(order == std::vector<std::size_t>{2, 1, 0});
   const std::string circle =
       mistakeOf(R"("x": {"relay": {}}, "a": {"relay": {"from": "b"}}, "b": {"relay": {"from": "a"}})");
-  CHECK_MESSAGE(circle.find("objects \"a\", \"b\" each take from the next") != std::string::npos, circle);
+  CHECK_MESSAGE(circle.find("objects \"a\", \"b\" depend on each other in a circle") != std::string::npos,
+                circle);
   const std::string self = mistakeOf(R"("a": {"relay": {"from": "a"}})");
-  CHECK_MESSAGE(self.find("object \"a\" takes from itself") != std::string::npos, self);
+  CHECK_MESSAGE(self.find("object \"a\" needs its own state") != std::string::npos, self);
 }

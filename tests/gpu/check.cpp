@@ -253,7 +253,7 @@ TEST_CASE("checks: an unknown array, object or component is refused with the val
   CHECK(refusal(falling(R"({"what": "max", "of": "position.y", "max": 1})"), tested) ==
         "checks[0]: no object of the scene has an array named \"position\"; did you mean \"positions\"?");
   CHECK(refusal(falling(R"({"what": "no-nan", "object": "ball"})"), tested) ==
-        "checks[0]: object \"ball\" is a sphere, which has no state to look at");
+        "checks[0]: object \"ball\" is a sphere, which has no state to check");
   CHECK(refusal(sceneOf(R"("ball": {"sphere": {}})", R"({"what": "no-nan"})"), tested) ==
         "checks[0]: \"no-nan\" checks the state of simulations, but no object of the scene has state");
   CHECK(refusal(falling(R"({"what": "not-blank", "frames": [0, 59]})"), tested) ==

@@ -282,9 +282,10 @@ TEST_CASE("checkpoint: a checkpoint that does not fit its world is refused") {
   const auto checkpoint = frame::Checkpoint::read(place.path(), runOf(scene), lastFrame);
   REQUIRE(checkpoint);
   sim::World cloth(ofText(R"({"version": 1, "objects": {"hill": {"cloth": {}}}})"));
-  CHECK_THROWS_WITH_AS(checkpoint->restore(cloth), doctest::Contains("does not fit"), UserError);
+  CHECK_THROWS_WITH_AS(checkpoint->restore(cloth), doctest::Contains("does not match the scene"),
+                       UserError);
   sim::World none(ofText(R"({"version": 1})"));
-  CHECK_THROWS_WITH_AS(checkpoint->restore(none), doctest::Contains("it holds more"), UserError);
+  CHECK_THROWS_WITH_AS(checkpoint->restore(none), doctest::Contains("it has more data"), UserError);
 }
 
 TEST_CASE("checkpoint: a path camera with damping T lags by T seconds, also after resuming") {

@@ -193,7 +193,7 @@ class OnCluster(Case):
         self.wait_for(lambda: not self.queue())
         self.assertTrue((self.folder / "out/manifest.json").exists(), self.logs("out/pieces"))
         self.assertEqual(self.content("out"), self.content("whole"))
-        self.assertIn("going on from the checkpoint of frame", log.read())
+        self.assertIn("resuming from the checkpoint of frame", log.read())
         # Each frame is recorded only for the process that drew it last.
         noted = [frame for run in self.runs("out") for frame in numbers(run["frames"])]
         self.assertEqual(sorted(noted), list(range(150)))

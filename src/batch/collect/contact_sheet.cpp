@@ -93,8 +93,8 @@ class Sheet {
     image_ = {left_ + columns_ * (width_ + gap), top_ + rows_ * (above_ + height_ + gap), {}};
     if (static_cast<long>(image_.width) * image_.height > static_cast<long>(maxSide) * maxSide)
       fail(ExitCode::device,
-           "a contact sheet of {} jobs would have {}x{} pixels; the page (index.html) has "
-           "them all",
+           "a contact sheet of {} jobs would have {}x{} pixels, which is too large; the page (index.html) "
+           "shows all jobs",
            small_.size(), image_.width, image_.height);
     image_.bytes.resize(4 * static_cast<std::size_t>(image_.width) *
                         static_cast<std::size_t>(image_.height));

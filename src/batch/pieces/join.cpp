@@ -64,7 +64,7 @@ class Join {
     std::error_code error;
     fs::remove_all(plan_.folder, error);
     if (error)
-      warn("cannot remove {}, which is needed no more: {}", plan_.folder.string(), error.message());
+      warn("cannot remove {}, which is no longer needed: {}", plan_.folder.string(), error.message());
   }
 
  private:
@@ -76,8 +76,8 @@ class Join {
       fail(ExitCode::baselineMissing, "piece {} is not drawn: there is no {}", piece, file.string());
     for (const int number : plan_.pieces[piece].frames)
       if (!manifest->frames.contains(number))
-        fail(ExitCode::baselineMissing, "piece {} is not drawn to its end: {} has no frame {}", piece,
-             file.string(), number);
+        fail(ExitCode::baselineMissing, "piece {} is incomplete: {} has no frame {}", piece, file.string(),
+             number);
     drawn.manifest = std::move(*manifest);
     drawn.log = frame::readRunLog(drawn.output.runFile());
     return drawn;
@@ -85,7 +85,7 @@ class Join {
 
   void compareRuns(std::size_t piece) const {
     if (const auto difference = frame::runDifference(drawn_[piece].manifest.run, drawn_[0].manifest.run))
-      fail(ExitCode::usage, "piece {} does not go with piece 0: {}", piece, *difference);
+      fail(ExitCode::usage, "piece {} does not match piece 0: {}", piece, *difference);
   }
 
   void compareOverlap(std::size_t piece) const {
@@ -99,9 +99,8 @@ class Join {
                                                        : nullptr;
     if (what == nullptr) return;
     fail(ExitCode::different,
-         "frame {}, which pieces {} and {} have both drawn, is not the same in them: its {} differ{}; draw "
-         "both anew",
-         number, piece - 1, piece, what, std::string_view(what) == "state" ? "s" : "");
+         "frame {} was drawn by pieces {} and {}, but its {} differ{}; draw both pieces again", number,
+         piece - 1, piece, what, std::string_view(what) == "state" ? "s" : "");
   }
 
   /// Assigns every frame to a piece. A frame drawn by two pieces is assigned to the piece that begins with
@@ -124,9 +123,8 @@ class Join {
     for (const auto& [number, piece] : owner_)
       if (const std::string other = drawn_[piece].log.machineOf(number); other != first)
         fail(ExitCode::usage,
-             "piece {} was drawn by {} and piece 0 by {}, and {} depend on that: draw all on machines of "
-             "one "
-             "kind, or in exact numerics by the exact rasterizer",
+             "piece {} was drawn by {} and piece 0 by {}, and {} depend on the machine; draw all pieces on "
+             "machines of one kind, or use exact numerics and the exact rasterizer",
              piece, other, first,
              manifest_.run.numerics == "exact" ? "pictures that a driver draws" : "fast numerics");
   }
@@ -145,7 +143,7 @@ class Join {
       files[frame.file] = frame.bytes;
       for (const auto& [name, hash] : files) {
         if (name.find('/') != std::string::npos)
-          fail(ExitCode::different, "frame {} names {}, which is no file beside it", number, name);
+          fail(ExitCode::different, "frame {} names {}, which is not a file in its folder", number, name);
         all.push_back({folder / name, toWhole ? whole_.folder / name : fs::path(), hash});
       }
     }
@@ -164,11 +162,11 @@ class Join {
       const Move& move = all[i];
       const bool moved = !pathExists(move.from) && !move.to.empty();
       if (!isWhole(moved ? move.to : move.from, move.hash))
-        fail(ExitCode::different, "{} is missing, or is not what its manifest says; draw its piece anew",
+        fail(ExitCode::different, "{} is missing, or does not match its manifest; draw its piece again",
              move.from.string());
     });
     if (!manifest_.counts.empty() && !isWhole(countFile(), manifest_.counts))
-      fail(ExitCode::different, "{} is missing, or is not what its manifest says; draw its piece anew",
+      fail(ExitCode::different, "{} is missing, or does not match its manifest; draw its piece again",
            countFile().string());
   }
 

@@ -22,7 +22,8 @@ PiecePlan parsedPieces(const std::string& text) {
   const JsonValue object(json);
   expectFormat(object, piecesFormat, piecesVersion);
   if (const std::string program = object.at("program").text(); program != version())
-    throw JsonError(fmt::format("simreel {} wrote it, and its checkpoints are of no other", program));
+    throw JsonError(fmt::format(
+        "it was written by simreel {}, and other versions cannot read its checkpoints", program));
   PiecePlan plan;
   plan.output = object.at("output").text();
   plan.assets = foldersIn(object.at("assets"));
@@ -32,7 +33,7 @@ PiecePlan parsedPieces(const std::string& text) {
   object.at("pieces").eachItem([&](const JsonValue& item) {
     Piece piece{frame::parseFrames(item.at("frames").text())};
     if (!plan.pieces.empty() && plan.pieces.back().frames.back() != piece.first())
-      item.wrong("does not begin with the last frame of the one before");
+      item.wrong("does not begin with the last frame of the previous piece");
     plan.pieces.push_back(std::move(piece));
   });
   if (plan.pieces.empty()) throw JsonError("it has no pieces");

@@ -46,14 +46,14 @@ std::string openObject(const PlanJson& members) {
 std::string readPlan(const std::filesystem::path& file, const char* what) {
   constexpr std::size_t maxBytes = std::size_t{1} << 28U;
   if (!pathExists(file))
-    fail(ExitCode::usage, "{} holds no {}: there is no {}",
+    fail(ExitCode::usage, "{} contains no {}: there is no file {}",
          file.parent_path().empty() ? "." : file.parent_path().string(), what, file.string());
   return readFile(file, "plan", maxBytes);
 }
 
 void expectFormat(const JsonValue& object, const char* format, int version) {
   if (const auto found = object.find("format"); !found || !found->is(format))
-    throw JsonError(fmt::format("it is no {}", format));
+    throw JsonError(fmt::format("its format is not {}", format));
   if (const int found = object.at("version").integer(); found != version)
     throw JsonError(fmt::format("its version is {}, this program reads {}", found, version));
 }

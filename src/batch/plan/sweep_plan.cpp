@@ -59,11 +59,11 @@ SweepPlan parsePlan(const std::string& text) {
     plan.sharedFrame = shared.integer(0);
   object.at("jobs").eachItem([&](const JsonValue& item) {
     if (item.at("job").integer<std::int64_t>() != static_cast<std::int64_t>(plan.jobs.size()))
-      item.wrong("is not the next job");
+      item.wrong("does not have the number that follows that of the previous job");
     PlannedJob job;
     job.hash = item.at("hash").text();
     job.values = overridesIn(item.at("values"));
-    if (job.values.size() != plan.varied.size()) item.wrong("has not one value for each varied path");
+    if (job.values.size() != plan.varied.size()) item.wrong("must have one value for each varied path");
     plan.jobs.push_back(std::move(job));
   });
   if (plan.jobs.empty()) throw JsonError("it has no jobs");

@@ -155,7 +155,7 @@ std::vector<std::vector<scene::Override>> combine(const std::vector<Vary>& varie
   std::set<std::string> paths;
   for (const Vary& one : varied)
     if (!paths.insert(one.path).second)
-      fail(ExitCode::usage, "--vary {} is given twice; put all its values into one", one.path);
+      fail(ExitCode::usage, "--vary {} is given twice; list all its values in one --vary", one.path);
   std::size_t count = samples;
   if (how == Combination::grid) {
     checkRanges(varied);
@@ -166,7 +166,8 @@ std::vector<std::vector<scene::Override>> combine(const std::vector<Vary>& varie
     count = varied.front().values.size();
     for (const Vary& one : varied)
       if (one.values.size() != count)
-        fail(ExitCode::usage, "--zip: {} has {} values and {} has {}; they go side by side",
+        fail(ExitCode::usage,
+             "--zip: {} has {} values and {} has {}; give all parameters the same number of values",
              varied.front().path, count, one.path, one.values.size());
   }
   if (count == 0 || count > maxJobs)

@@ -10,8 +10,8 @@ namespace simreel::batch {
 void warnBeyondEnd(int frame, const scene::Scene& scene) {
   const int last = scene.frameCount() - 1;
   if (frame > last)
-    warn("frame {} is beyond the scene's end, frame {} ({:g} s); it is simulated on from there", frame,
-         last, scene.time.duration);
+    warn("frame {} is beyond the scene's last frame, {} ({:g} s); the simulation continues past the end",
+         frame, last, scene.time.duration);
 }
 
 std::vector<int> chosenFrames(const std::optional<std::string>& text, const scene::Scene& scene) {

@@ -61,7 +61,7 @@ void RenderJob::chooseManifest() {
   output_.manifest = request_.manifest;
   if (request_.manifest) return;
   if (request_.existing == frame::Existing::resume || request_.existing == frame::Existing::skip)
-    fail(ExitCode::usage, "--no-manifest: {} needs the manifest; leave out one of both",
+    fail(ExitCode::usage, "--no-manifest: {} needs the manifest; leave out one of the two",
          request_.existing == frame::Existing::resume ? "--resume" : "--skip-existing");
   if (const fs::path old = output_.manifestFile(); !old.empty() && pathExists(old))
     fail(
@@ -75,29 +75,29 @@ void RenderJob::chooseLayers() {
   const int bits = request_.bits.value_or(output_.isLight() ? 16 : 8);
   if (!output_.isLight()) {
     if (!request_.layers.empty())
-      fail(ExitCode::usage, "--layers: OpenEXR pictures have them; write --output NAME_####.exr");
+      fail(ExitCode::usage, "--layers: only OpenEXR pictures have layers; use --output NAME_####.exr");
     if (bits == 8) return;
     const bool picture =
         output_.kind != frame::OutputName::Kind::video && output_.kind != frame::OutputName::Kind::stream;
     if (bits != 16 || !picture)
       fail(ExitCode::usage, "--bits {}: {}", bits,
-           picture ? "PNG has 8 or 16; write OpenEXR for 32" : "videos and streams have 8");
+           picture ? "PNG pictures have 8 or 16 bits; for 32 bits, write OpenEXR"
+                   : "videos and streams have 8 bits");
     if (scene_.render.rasterizer != scene::Rasterizer::exact)
-      fail(ExitCode::usage, "--bits 16: only the exact rasterizer hands out more than 8");
+      fail(ExitCode::usage, "--bits 16: more than 8 bits need \"rasterizer\": \"exact\"");
     layers_ = draw::LightRequest{{}, true, 16};
     return;
   }
-  if (bits == 8) fail(ExitCode::usage, "--bits 8: OpenEXR has 16 or 32");
+  if (bits == 8) fail(ExitCode::usage, "--bits 8: OpenEXR pictures have 16 or 32 bits");
   if (scene_.render.rasterizer != scene::Rasterizer::exact)
-    fail(ExitCode::usage, "--output {}: only the exact rasterizer hands out light before the film",
-         request_.output);
+    fail(ExitCode::usage, "--output {}: OpenEXR pictures need \"rasterizer\": \"exact\"", request_.output);
   layers_ = draw::LightRequest{request_.layers, false, bits};
 }
 
 void RenderJob::chooseFrames() {
   if (request_.frames == "none") {
     if (request_.checkpointAt.empty())
-      fail(ExitCode::usage, "--frames none draws nothing; say what to keep: --checkpoint-at 0,500");
+      fail(ExitCode::usage, "--frames none draws nothing; name the states to keep: --checkpoint-at 0,500");
     return;
   }
   if (request_.from.empty() || request_.mayDoWithout) {
@@ -108,7 +108,8 @@ void RenderJob::chooseFrames() {
   frames_ = chosenFrames(request_.frames, scene_);
   if (!request_.frames) std::erase_if(frames_, [&](int frame) { return frame < first; });
   if (frames_.empty() || frames_.front() < first)
-    fail(ExitCode::usage, "--from {}: it is of frame {}, and {}; choose others with --frames {}-...",
+    fail(ExitCode::usage,
+         "--from {}: the checkpoint is of frame {}, but {}; choose other frames with --frames {}-...",
          request_.from.string(), first,
          frames_.empty() ? fmt::format("the scene ends before, at {}", scene_.frameCount() - 1)
                          : fmt::format("frame {} lies before it", frames_.front()),

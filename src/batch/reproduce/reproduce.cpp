@@ -124,8 +124,7 @@ Wanted wantedOf(const ReproduceRequest& request) {
   std::map<std::string, std::string> texts;
   for (auto& [keyword, text] : frame::readPngText(file)) texts[keyword] = std::move(text);
   if (!texts.contains("simreel:frame") || !texts.contains("simreel:scene"))
-    fail(ExitCode::usage,
-         "{} is no picture that simreel rendered: it does not say of which scene and frame it is",
+    fail(ExitCode::usage, "{} is not a picture that simreel rendered: it does not name its scene and frame",
          request.file.string());
   wanted.drawn = frame::pixelHash(frame::decodeImage(file, request.file.string()));
   frame::Manifest manifest;
@@ -136,7 +135,7 @@ Wanted wantedOf(const ReproduceRequest& request) {
   std::string_view number = texts["simreel:frame"];
   const auto frame = takeInteger(number);
   if (!frame || *frame < 0 || !number.empty())
-    fail(ExitCode::usage, "{} says that it is of frame \"{}\", which is no number", request.file.string(),
+    fail(ExitCode::usage, "{} names the frame \"{}\", which is not a number", request.file.string(),
          texts["simreel:frame"]);
   wanted.frame = *frame;
   wanted.program = texts["Software"].substr(std::min<std::size_t>(8, texts["Software"].size()));
@@ -216,7 +215,7 @@ void compareOrigins(const ReproduceRequest& request, const Wanted& wanted, const
   if (!wanted.program.empty() && wanted.program != version())
     say(fmt::format("version: simreel {} made it, this is {}", wanted.program, version()));
   if (!request.scene.empty() && again.run.sceneHash != wanted.sceneHash)
-    say(fmt::format("scene: {} is not the one it was made of, or what was changed in that",
+    say(fmt::format("scene: {} is not the scene of the picture, or its overrides differ",
                     request.scene.string()));
   if (request.scene.empty() && wanted.run && !wanted.run->asRunHash.empty() &&
       hashHex(readFile(wanted.asRun, "scene")) != wanted.run->asRunHash)
@@ -244,8 +243,10 @@ Reproduction reproduce(const ReproduceRequest& request) {
     job.emplace(renderingOf(request, wanted, place));
   } catch (const UserError&) {
     if (const std::string words = assetWords(request, wanted); !words.empty())
-      info("run.json names folders that its files came from. If whoever made it may have them read, add:{}",
-           words);
+      info(
+          "run.json names folders from which the scene read files. If you trust the author of run.json, "
+          "allow these folders with:{}",
+          words);
     throw;
   }
   const gl::Context context(request.on);

@@ -53,7 +53,7 @@ SlurmQueue::SlurmQueue(const fs::path& folder) {
   const Answer answer =
       ask({"squeue", "--noheader", "--array", fmt::format("--user={}", ::getuid()), "--format=%i"});
   if (!answer.fine())
-    warn("squeue does not answer ({}): what the cluster still has of this counts as missing", answer.why());
+    warn("squeue failed ({}); jobs that the cluster still has count as missing", answer.why());
   std::istringstream lines(answer.output);
   for (std::string line; lines >> line;) {
     const std::size_t bar = line.find('_');

@@ -122,7 +122,8 @@ std::string Slurm::submitOne(const Work& work, const std::string& array, std::si
   const fs::path script =
       folder_ / fmt::format("{}{}.sh", work.name, part == 0 ? "" : fmt::format(".{}", part));
   writeFileAtomically(
-      script, "#!/bin/sh\n# A signal from Slurm has to reach the program: no shell stays.\n" + line + "\n");
+      script, "#!/bin/sh\n# exec replaces the shell, so that signals from Slurm reach the program.\n" +
+                  line + "\n");
   std::vector<std::string> words = {
       "sbatch",
       "--parsable",
@@ -139,8 +140,7 @@ std::string Slurm::submitOne(const Work& work, const std::string& array, std::si
   words.insert(words.end(), more_.begin(), more_.end());
   words.push_back(script.string());
   const Answer answer = ask(words);
-  if (!answer.fine())
-    fail(ExitCode::inputOutput, "sbatch did not take {}: {}", script.string(), answer.why());
+  if (!answer.fine()) fail(ExitCode::inputOutput, "sbatch rejected {}: {}", script.string(), answer.why());
   std::string id = firstLine(answer.output);
   id.resize(std::min(id.size(), id.find(';')));  // A ';' and the cluster's name may follow the id.
   noteSubmitted(folder_, {work.name, id, offset});

@@ -73,7 +73,7 @@ JobResult parsed(const std::string& text) {
   const auto json = parseStrictJson(text);
   const JsonValue object(json);
   if (const auto format = object.find("format"); !format || !format->is(resultFormat))
-    throw JsonError("it is no result of a job");
+    throw JsonError("it is not the result of a job");
   if (const int version = object.at("version").integer(); version != resultVersion)
     throw JsonError(fmt::format("its version is {}, this program reads {}", version, resultVersion));
   JobResult result;

@@ -222,7 +222,7 @@ JobStatus statusOf(const SweepPlan& plan, std::size_t job) {
     if (missing == 0) return status;
     status.result.reset();
     status.why =
-        fmt::format("it was done, and {} of its files {} gone", missing, missing == 1 ? "is" : "are");
+        fmt::format("it was done, but {} of its files {} missing", missing, missing == 1 ? "is" : "are");
   }
   if (isRunning(folder))
     status.state = JobState::running;

@@ -104,7 +104,10 @@ void shareWork(const SweepPlan& plan, const LocalRun& how) {
   force.ready = [](const std::string& /*text*/) {};
   force.done = [](std::size_t /*item*/, const std::string& /*answer*/) {};
   force.lost = [](std::size_t /*item*/, const Loss& loss) {
-    warn("what all jobs share is simulated by each: the process that was to do it {}", loss.how);
+    warn(
+        "each job simulates the common beginning itself, because the process that simulated it for all "
+        "jobs {}",
+        loss.how);
   };
   force.alone = [](std::size_t /*item*/) { return false; };
   force.interrupted = [] { return frame::interruptSignal(); };
@@ -136,7 +139,7 @@ int runJobs(const SweepPlan& plan, const std::vector<std::size_t>& jobs, const L
   force.done = [&](std::size_t item, const std::string& text) {
     ++count;
     if (text == elsewhere)
-      info("[{}/{}] {} {}: another simreel is at it", count, jobs.size(), plan.name(jobs[item]),
+      info("[{}/{}] {} {}: another simreel is rendering it", count, jobs.size(), plan.name(jobs[item]),
            plan.label(jobs[item]));
     else
       tell(plan, jobs[item], parseResult(text, "worker"), count, jobs.size(), how);

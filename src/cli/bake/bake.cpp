@@ -158,7 +158,7 @@ void bake(BakeOptions o) {
                      .on = o.on,
                      .frames = o.frames,
                      .overwrite = o.overwrite});
-  if (!o.look.empty()) fail(ExitCode::usage, "--look belongs to --format maps");
+  if (!o.look.empty()) fail(ExitCode::usage, "--look needs --format maps");
   const scene::Scene scene = o.scene.load();
   const std::vector<int> frames = batch::chosenFrames(o.frames, scene);
   frame::catchInterrupts();

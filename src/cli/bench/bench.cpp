@@ -171,15 +171,16 @@ void addBench(CLI::App& app) {
   o->scene.add(*command);
   command
       ->add_option("--vary", o->vary,
-                   "Measure a row for each value, path=a,b,c; repeatable, for a row for each combination")
+                   "Measure a row for each value, path=a,b,c; if repeated, a row for each combination")
       ->allow_extra_args(false);
   command->add_option("--technique", o->technique,
                       "Measure a row for each technique (all, or some with commas between), set in every "
                       "object that has techniques");
   command->add_option("--frames", o->frames, "Frames to measure for each row")->capture_default_str();
-  command->add_option("--warm-up", o->warmUp, "Frames before these, which do not count")
+  command->add_option("--warm-up", o->warmUp, "Frames before these, which are not measured")
       ->capture_default_str();
-  command->add_option("--rounds", o->rounds, "Times that the rows take turns")->capture_default_str();
+  command->add_option("--rounds", o->rounds, "Rounds of measurement; each round measures every row once")
+      ->capture_default_str();
   command
       ->add_option("--timing", o->timing,
                    "How time is measured: wait for each stage, query the device's clock, or whole frames "

@@ -74,7 +74,7 @@ std::vector<BenchChoice> parseTechniques(const std::string& text, const scene::S
   std::vector<BenchChoice> choices;
   for (const std::string& word : text == "all" ? known : split(text)) {
     if (!holds(known, word))
-      fail(ExitCode::usage, "--technique {}: no object of this scene knows it; all, {} are known", word,
+      fail(ExitCode::usage, "--technique {}: no object of this scene has this technique; use all, {}", word,
            fmt::join(known, ", "));
     BenchChoice choice{word, {}};
     for (const scene::Object& object : scene.objects)

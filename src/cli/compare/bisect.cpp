@@ -70,7 +70,7 @@ void bisect(const BisectOptions& o) {
          "for example --against ./old/simreel");
   if (o.scene.file == "-")
     fail(ExitCode::usage,
-         "bisect runs the scene several times, and standard input comes once; give a file");
+         "bisect reads the scene several times, but standard input can be read only once; give a file");
   const scene::Scene scene = o.scene.load();
   const int last = lastFrame(o, scene);
   batch::warnBeyondEnd(last, scene);

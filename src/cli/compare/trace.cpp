@@ -119,10 +119,9 @@ void checkOptions(const TraceOptions& o) {
     fail(ExitCode::usage, "--frames, --steps-of and --dump exclude each other");
   if (o.dump && !o.output)
     fail(ExitCode::usage, "--dump writes raw numbers; say where: -o FILE, or -o - for standard output");
-  if (o.output && !o.dump)
-    fail(ExitCode::usage, "-o is where --dump writes; give --dump FRAME:STEP with it");
+  if (o.output && !o.dump) fail(ExitCode::usage, "-o needs --dump; add --dump FRAME:STEP");
   if (o.passes && (o.stepsOf || o.dump))
-    fail(ExitCode::usage, "--passes are of whole frames; it goes with --frames");
+    fail(ExitCode::usage, "--passes works on whole frames; use it with --frames");
 }
 
 golden::TraceHeader header(const sim::World& world, const gl::Context& context) {
@@ -163,7 +162,8 @@ void trace(const TraceOptions& o) {
   if (o.stepsOf) {
     checkFrame(*o.stepsOf, first);
     if (*o.stepsOf == first)
-      fail(ExitCode::usage, "frame {} is what the scene starts from: no step leads to it", first);
+      fail(ExitCode::usage, "frame {} is the initial state, so it has no steps; choose a later frame",
+           first);
     if (putLine(golden::headerLine(header(world, context)))) golden::traceSteps(world, *o.stepsOf, putLine);
     return;
   }

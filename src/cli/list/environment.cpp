@@ -32,7 +32,7 @@ std::span<const Variable> variables() {
        "__EGL_VENDOR_LIBRARY_DIRS, VK_ICD_FILENAMES, VK_DRIVER_FILES",
        "Choose the drivers of EGL and Vulkan. `simreel doctor` names those that are set."},
       {"MESA_SHADER_CACHE_DIR, MESA_SHADER_CACHE_DISABLE, MESA_GLSL_CACHE_DIR, MESA_GLSL_CACHE_DISABLE",
-       "Mesa's cache of compiled shaders. With the cache off, every run compiles its shaders anew."},
+       "Mesa's cache of compiled shaders. With the cache off, every run compiles its shaders again."},
       {"XDG_CACHE_HOME, HOME", "Where Mesa keeps that cache, if its own variables do not say."},
       {"WORKSPACE, CI_PROJECT_DIR",
        "Project folder in Jenkins and GitLab: JUnit files name pictures relative to it."},

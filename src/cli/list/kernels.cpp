@@ -143,20 +143,21 @@ void addKernels(CLI::App& app) {
   command->add_flag("--glsl", o->glsl, "Print the GLSL 4.5 that runs, with the same bits on every driver");
   command->add_flag("--scene", o->scene,
                     "Print a scene that runs the kernels, to start from: sizes and values are guesses");
-  command->add_flag("--fast", o->request.fast, "With the driver's own arithmetic, as the file is written");
+  command->add_flag("--fast", o->request.fast,
+                    "Keep the file as it is written, with the driver's own arithmetic");
   command->add_flag("--report", o->request.report,
-                    "With the code that notes reads and writes out of bounds, and loops at their limit");
+                    "Add the code that notes reads and writes out of bounds, and loops at their limit");
   command
       ->add_option("--previous", o->request.previous,
                    "A buffer that kernels read as it was before the dispatch; may be given again")
       ->type_name("NAME");
   command
       ->add_option("--race", o->race,
-                   "With the code that records which invocation changes each word (record), or that "
+                   "Add the code that records which invocation changes each word (record), or that "
                    "compares accesses with such a record (check)")
       ->check(CLI::IsMember({"record", "check"}));
   command->add_option("--max-iterations", o->request.maxIterations,
-                      "Of a loop, which then ends (default 0: no limit)");
+                      "Most iterations of a loop, which then ends (default 0: no limit)");
   command
       ->add_option("-I", o->request.folders,
                    "A folder that #include may read, beside the file's own; may be given again")
@@ -164,7 +165,7 @@ void addKernels(CLI::App& app) {
   command
       ->add_option(
           "--keyword", o->request.keywords,
-          "The keyword of a multi_compile list that holds, in place of its first; may be given again")
+          "The keyword to choose from a multi_compile list, instead of its first; may be given again")
       ->type_name("NAME");
   command->add_option("--format", o->format, "text (the default) or json")
       ->check(CLI::IsMember({"text", "json"}));

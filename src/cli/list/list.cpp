@@ -27,7 +27,7 @@ struct ListOptions {
 std::string listed(const ListOptions& o) {
   if (!o.search.empty()) {
     if (!o.name.empty() || o.format != "text")
-      fail(ExitCode::usage, "--search looks through everything and prints text; leave out {}",
+      fail(ExitCode::usage, "--search searches everything and prints text; leave out {}",
            o.name.empty() ? "--format" : o.name);
     return searchText(o.search, textWidth());
   }

@@ -140,7 +140,7 @@ void shared(const FollowerOptions& o) {
   batch::checkProgram(plan);
   frame::Progress progress(frame::parseProgressMode(o.run.progress));
   frame::catchInterrupts();
-  if (!batch::lacksShared(plan)) return info("nothing is to be done that all jobs share");
+  if (!batch::lacksShared(plan)) return info("there is no common beginning to simulate");
   const gl::Context context(o.run.on);
   if (const int signal = batch::makeShared(plan, context, progress, commandLine()); signal != 0)
     setExitCode(128 + signal);
@@ -150,10 +150,9 @@ void shared(const FollowerOptions& o) {
 
 void SweepRunOptions::add(CLI::App& command) {
   command
-      .add_option(
-          "-j,--jobs", jobs,
-          "Jobs at once, each in a process of its own with an equal part of the processors; auto: one a "
-          "processor")
+      .add_option("-j,--jobs", jobs,
+                  "Jobs at once, each in a process of its own with an equal share of the processors; auto: "
+                  "one for each processor")
       ->capture_default_str();
   addDevices(command, on);
   command.add_option("--progress", progress, "auto, ndjson or none");

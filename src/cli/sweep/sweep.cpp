@@ -35,14 +35,15 @@ namespace fs = std::filesystem;
 
 void checkOptions(const SweepOptions& o) {
   if (o.scene.file.empty())
-    fail(ExitCode::usage, "sweep: which scene? simreel sweep scene.json --vary path=a,b,c -o folder/");
+    fail(ExitCode::usage, "sweep: give a scene: simreel sweep scene.json --vary path=a,b,c -o folder/");
   if (o.vary.empty()) fail(ExitCode::usage, "sweep: nothing varies; give at least one --vary path=a,b,c");
   if (o.output.empty()) fail(ExitCode::usage, "sweep: give a folder for its jobs: -o folder/");
   if (int{o.zip} + int{o.grid} + int{o.sample.has_value()} > 1)
     fail(ExitCode::usage, "--zip, --grid and --sample exclude each other");
   if (!o.fields.empty()) static_cast<void>(frame::parseFieldChoice(o.fields));
   if (o.scene.seed && !o.sample)
-    fail(ExitCode::usage, "--seed is that of --sample here; the scene's own is -D seed={}", *o.scene.seed);
+    fail(ExitCode::usage, "--seed is the seed of --sample here; set the scene's seed with -D seed={}",
+         *o.scene.seed);
 }
 
 /// Simulates each job once to measure color ranges that are "auto", and gives all jobs the same ranges.
@@ -118,7 +119,7 @@ void store(const batch::SweepPlan& plan, const std::string& scene, bool overwrit
                       readFile(plan.sceneFile(), "scene") == scene;
     if (same) return;
     if (!overwrite)
-      fail(ExitCode::inputOutput, "{} is of another sweep; use --overwrite, or another folder",
+      fail(ExitCode::inputOutput, "{} belongs to another sweep; use --overwrite, or another folder",
            plan.planFile().string());
     std::optional<batch::SweepPlan> old;
     try {

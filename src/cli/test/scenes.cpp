@@ -240,7 +240,7 @@ class SceneRun {
             "its scene is gone; the pictures are those of {}: --update moves it there", heir->name);
       else if (options_.update == golden::Update::prune &&
                !(stale.removed = golden::removeBaselines(folder)))
-        stale.message = "its scene is gone; what is no baseline was left there";
+        stale.message = "its scene is gone; files that are not baselines were left there";
       result_.stale.push_back(std::move(stale));
     }
   }

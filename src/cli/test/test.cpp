@@ -46,7 +46,7 @@ golden::Measures TestOptions::measures() const {
 
 golden::Update TestOptions::updateMode() const {
   if (!updateGiven) {
-    if (!reason.empty()) fail(ExitCode::usage, "--reason is kept in baselines; give it with --update");
+    if (!reason.empty()) fail(ExitCode::usage, "--reason is stored in baselines, so it needs --update");
     return golden::Update::none;
   }
   return update == "missing"   ? golden::Update::missing
@@ -79,8 +79,8 @@ void addTest(CLI::App& app) {
       ->check(CLI::Range(0, 100));
   command
       ->add_option("--timeout", o->timeout,
-                   "Most seconds that a process, or a command of --run, may take for a scene; then it is "
-                   "ended, and the scene counts as an error (default: no limit)")
+                   "Most seconds that a process, or a command of --run, may take for a scene; after that "
+                   "it is ended, and the scene counts as an error (default: no limit)")
       ->check(CLI::Range(0.1, 1e6));
   command->add_flag(
       "--quick", o->quick,

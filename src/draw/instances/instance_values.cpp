@@ -67,7 +67,7 @@ const InstanceShape& InstanceShapes::of(const sim::Instances& instances) {
   if (found != meshes_.end()) return found->second;
   const sim::Mesh mesh = sim::loadMesh(instances.mesh);
   if (!mesh.materials.empty() || !mesh.colors.empty())
-    warn("{}: its copies have one colour each; {} of {} are not drawn", objectName(instances),
+    warn("{}: each copy has a single colour; {} of {} are not drawn", objectName(instances),
          mesh.materials.empty() ? "the colours of vertices"
          : mesh.colors.empty()  ? "the materials"
                                 : "the materials and the colours of vertices",

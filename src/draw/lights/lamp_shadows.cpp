@@ -21,7 +21,7 @@ gl::Texture makeMaps(glm::ivec2 size) {
   const int max = gl::limits().textureSize;
   if (size.x > max || size.y > max)
     fail(ExitCode::device,
-         "the shadow maps of the lights take {}x{} texels: this device allows {}x{} (GL_MAX_TEXTURE_SIZE); "
+         "the shadow maps of the lights need {}x{} texels, this device allows {}x{} (GL_MAX_TEXTURE_SIZE); "
          "lower their \"shadowSize\"",
          size.x, size.y, max, max);
   gl::Texture maps = gl::Texture::image("shadow maps of lamps", GL_DEPTH_COMPONENT32F, size.x, size.y);

@@ -40,8 +40,8 @@ struct DriverScene::State {
     for (const sim::Surface& surface : drawables.surfaces) {
       if (!surface.material->finish.used() || !saidOf.insert(sim::objectName(surface)).second) continue;
       warn(
-          "{}: the driver's rasterizer draws the colour, roughness and metal of its materials; maps, light "
-          "of their own, opacity, coats and sheen are of \"rasterizer\": \"exact\" alone",
+          "{}: the driver's rasterizer draws only the colour, roughness and metal of its materials; maps, "
+          "emission, opacity, coats and sheen need \"rasterizer\": \"exact\"",
           sim::objectName(surface));
     }
   }
@@ -70,25 +70,24 @@ DriverScene::DriverScene(const Shared& shared, int samples)
   const scene::Scene& scene = shared.scene;
   if (scene.sun.diameter > 0 && scene.sun.shadow && !(scene.staged && scene.stage.leaves("sun.diameter")))
     warn(
-        "sun.diameter: the driver's rasterizer has shadows of one softness (shadowSoftness); penumbras "
-        "grow in pictures of \"rasterizer\": \"exact\" alone");
+        "sun.diameter: the driver's rasterizer draws all shadows with one softness (shadowSoftness); "
+        "penumbras that grow with distance need \"rasterizer\": \"exact\"");
   if (!scene.sky.picture.empty())
     warn(
-        "sky.picture: the driver's rasterizer draws a gradient of its mean light; the picture itself is of "
-        "\"rasterizer\": \"exact\" alone");
+        "sky.picture: the driver's rasterizer draws a gradient of the picture's mean light; the picture "
+        "itself needs \"rasterizer\": \"exact\"");
   if (scene.camera.lens)
     warn(
-        "camera.lens: the driver's rasterizer draws all of the picture sharp; depth of field is of "
-        "\"rasterizer\": \"exact\" alone");
+        "camera.lens: the driver's rasterizer draws the whole picture sharp; depth of field needs "
+        "\"rasterizer\": \"exact\"");
   if (scene.camera.shutter)
     warn(
-        "camera.shutter: the driver's rasterizer draws one moment; motion blur is of \"rasterizer\": "
-        "\"exact\" alone");
+        "camera.shutter: the driver's rasterizer draws a single moment; motion blur needs \"rasterizer\": "
+        "\"exact\"");
   if (scene.render.quality != scene::Quality::draft)
     warn(
-        "render.quality: the driver's rasterizer draws drafts alone; what \"standard\" and \"high\" add is "
-        "of "
-        "\"rasterizer\": \"exact\" alone");
+        "render.quality: the driver's rasterizer supports only \"draft\"; \"standard\" and \"high\" need "
+        "\"rasterizer\": \"exact\"");
 }
 DriverScene::~DriverScene() = default;
 

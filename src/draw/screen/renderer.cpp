@@ -39,8 +39,8 @@ const char* overlayOf(const sim::Drawables& drawables) {
 /// values. `found`: name of the overlay.
 void refuseOverlays(const char* found) {
   fail(ExitCode::usage,
-       "--bits 16: {} lies over the picture, and what does has 8 bits; leave it out of the scene, or "
-       "write OpenEXR, which has the light below it",
+       "--bits 16: {} is drawn over the picture with 8 bits; leave it out of the scene, or write OpenEXR, "
+       "which contains only the light of the scene",
        found);
 }
 
@@ -146,7 +146,10 @@ void Renderer::draw(double seconds, const sim::Drawables& drawables, const Stage
   const char* const overlay = s.filmed ? overlayOf(drawables) : nullptr;
   if (overlay != nullptr && *s.filmed) refuseOverlays(overlay);
   if (overlay != nullptr && !std::exchange(s.saidOverlay, true))
-    warn("OpenEXR has the light of the scene, without what lies over the picture: {}", overlay);
+    warn(
+        "OpenEXR pictures contain only the light of the scene; missing there, because drawn over the "
+        "picture: {}",
+        overlay);
   s.tellFrame(seconds, drawables);
   // Makes all writes of simulation kernels visible to texture fetches and index reads.
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT);

@@ -43,7 +43,8 @@ void checkSamples(int samples) {
 void checkSize(glm::ivec2 size) {
   const int max = gl::limits().textureSize;
   if (size.x < 1 || size.y < 1)
-    fail(ExitCode::usage, "a picture of {}x{} pixels has no pixels", size.x, size.y);
+    fail(ExitCode::usage, "a picture of {}x{} pixels is empty; width and height must be at least 1", size.x,
+         size.y);
   if (size.x > max || size.y > max)
     fail(ExitCode::device, "a picture of {}x{} pixels: this device draws up to {}x{} (GL_MAX_TEXTURE_SIZE)",
          size.x, size.y, max, max);

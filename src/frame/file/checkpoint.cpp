@@ -68,7 +68,7 @@ void Checkpoint::readHeader() {
   payload_ = text_.find('\n') + 1;
   const auto json = parseStrictJson(std::string_view(text_).substr(0, payload_));
   const JsonValue header(json);
-  if (!header.at("format").is(checkpointFormat)) throw JsonError("it is no checkpoint");
+  if (!header.at("format").is(checkpointFormat)) throw JsonError("it is not a checkpoint");
   if (const std::string program = header.at("program").text(); program != version())
     throw JsonError(fmt::format("simreel {} wrote it", program));
   simulation_ = header.at("simulation").text();
@@ -80,11 +80,12 @@ void Checkpoint::readHeader() {
 
 std::optional<std::string> Checkpoint::mismatch(const RunInfo& run) const {
   if (simulation_ != run.simulation)
-    return "it is of another simulation: seed, times, numerics, ground, an object or a file that the scene "
-           "names differ";
+    return "it belongs to another simulation: seed, times, numerics, ground, an object or a file that the "
+           "scene names differ";
   if (numerics_ != "exact" && fingerprint_ != run.fingerprint)
     return fmt::format(
-        "its numerics are fast, and its driver's (fingerprint {}) are others than this one's ({})",
+        "it was computed with fast numerics by a driver (fingerprint {}) that computes differently from "
+        "this one ({})",
         fingerprint_, run.fingerprint);
   return std::nullopt;
 }
@@ -99,7 +100,8 @@ std::optional<Checkpoint> Checkpoint::read(const std::filesystem::path& file, co
     c.readHeader();
     if (const auto difference = c.mismatch(run)) throw JsonError(*difference);
     if (c.frame_ > lastFrame)
-      throw JsonError(fmt::format("it is of frame {}, and the run has 0 to {}", c.frame_, lastFrame));
+      throw JsonError(
+          fmt::format("it is of frame {}, but the run has the frames 0 to {}", c.frame_, lastFrame));
     return c;
   } catch (const std::bad_alloc&) {
     warn("checkpoint {} is not used: there is not enough memory to read it", file.string());
@@ -123,7 +125,7 @@ void Checkpoint::readParts(const JsonValue& header) {
   header.at("parts").eachItem([&](const JsonValue& part) {
     parts_.push_back({part.at(0).text(), part.at(1).text(), countBytes(part.at(2))});
   });
-  if (left != 0) throw JsonError("it holds more than it says");
+  if (left != 0) throw JsonError("it is longer than its header says");
 }
 
 std::string_view Checkpoint::counts() const {

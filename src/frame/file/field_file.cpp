@@ -31,7 +31,7 @@ std::string npyHeader(glm::ivec2 size) {
 FieldFormat parseFieldFormat(const std::string& name) {
   if (name == "npy") return FieldFormat::npy;
   if (name == "pfm") return FieldFormat::pfm;
-  fail(ExitCode::usage, "\"{}\" is no format of fields; there are npy and pfm", name);
+  fail(ExitCode::usage, "\"{}\" is not a format of fields; use npy or pfm", name);
 }
 
 FieldChoice parseFieldChoice(const std::string& text) {

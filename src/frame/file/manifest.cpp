@@ -34,7 +34,7 @@ void checkHash(std::string_view text, const JsonValue& object) {
   const std::size_t length = closing("").size();
   const auto before = text.substr(0, text.size() - std::min(length, text.size()));
   if (text.substr(before.size()) != closing(before))
-    throw JsonError("it was changed after it was written: it is not what its hash says");
+    throw JsonError("it was changed after it was written: its hash does not match");
 }
 
 ManifestFrame readFrame(const JsonValue& item) {

@@ -79,7 +79,7 @@ OutputLock::OutputLock(const std::filesystem::path& manifest, const std::string&
   while (true) {
     open();
     if (!waitFor(file_, sharedFiles)) {
-      detail("{} cannot be locked ({}): nothing keeps another simreel from writing the same frames",
+      detail("{} cannot be locked ({}); another simreel could write the same frames at the same time",
              path_.string(), std::strerror(errno));
       ::unlink(path_.c_str());
       ::close(std::exchange(file_, -1));
@@ -116,7 +116,8 @@ void OutputLock::claim(const std::string& run, std::span<const int> frames) cons
   if (tryLock(file_, allFrames)) {
     if (::ftruncate(file_, 0) != 0 ||
         ::pwrite(file_, run.data(), run.size(), 0) != static_cast<ssize_t>(run.size()))
-      detail("{} cannot be written: other frames of this run cannot be rendered meanwhile", path_.string());
+      detail("{} cannot be written; no other simreel can render frames of this run at the same time",
+             path_.string());
     leave(file_, allFrames);
   } else {
     std::string other(run.size() + 1, '\0');

@@ -86,7 +86,7 @@ std::optional<OutputName> patternOutput(const std::string& output) {
   const auto placeholders = findPlaceholders(output, name);
   if (placeholders.empty()) return std::nullopt;
   if (placeholders.size() > 1)
-    fail(ExitCode::usage, "--output {}: the frame number may stand once only", output);
+    fail(ExitCode::usage, "--output {}: the frame number may occur only once", output);
   if (lowerExtension(name) != ".png" && lowerExtension(name) != ".exr")
     fail(ExitCode::usage,
          "--output {}: numbered frames are PNG or OpenEXR files, so the name must end in .png or .exr",
@@ -170,7 +170,7 @@ OutputName parseOutput(const std::string& output, std::size_t frameCount) {
   if (output.back() == '/' || fs::is_directory(path, error)) return folderOutput(path);
   const std::string parent = path.parent_path().string();
   if (parent.find('#') != std::string::npos && !fs::is_directory(parent, error))
-    fail(ExitCode::usage, "--output {}: the frame number belongs into the file's name, not the folder's",
+    fail(ExitCode::usage, "--output {}: put the frame number in the file's name, not in the folder's",
          output);
   if (auto pattern = patternOutput(output)) return *pattern;
 

@@ -119,7 +119,7 @@ RunLog parseRunLog(const std::string& text, const std::string& name) {
   try {
     const auto json = parseStrictJson(text);
     const JsonValue object(json);
-    if (!object.at("format").is(logFormat)) throw JsonError("it does not tell of runs of simreel");
+    if (!object.at("format").is(logFormat)) throw JsonError("it is not a list of runs of simreel");
     if (const int version = object.at("version").integer(); version != logVersion)
       throw JsonError(fmt::format("its version is {}, this program reads {}", version, logVersion));
     RunLog log;

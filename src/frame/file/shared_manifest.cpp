@@ -49,7 +49,7 @@ std::map<int, ManifestFrame> SharedManifest::inherit(Existing existing) {
   try {
     old = readManifest(output_.manifestFile());
   } catch (const UserError& error) {
-    if (existing == Existing::resume) warn("{}; starting over", error.what());
+    if (existing == Existing::resume) warn("{}; all frames are drawn again", error.what());
     if (existing == Existing::skip) warn("{}", error.what());
   }
   if (!old) return {};

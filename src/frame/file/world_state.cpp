@@ -51,8 +51,8 @@ class StateRestorer final : public sim::CarryOver {
     if (ended() || parts_[part_].object != object_ || parts_[part_].name != name ||
         parts_[part_].bytes != bytes)
       fail(ExitCode::usage,
-           "{} does not fit: it has no {} of \"{}\" with {} bytes next; remove it to simulate from the "
-           "start",
+           "{} does not match the scene: its next part is not the {} of \"{}\" with {} bytes; remove it to "
+           "simulate from the start",
            from_, name, object_, bytes);
     ++part_;
     at_ += bytes;
@@ -83,7 +83,8 @@ void putBack(sim::World& world, int frame, const std::vector<StatePart>& parts, 
   StateRestorer restorer(parts, bytes, from);
   world.carryOver(restorer, [&](const std::string& object) { restorer.begin(object); });
   if (!restorer.ended())
-    fail(ExitCode::usage, "{} does not fit: it holds more; remove it to simulate from the start", from);
+    fail(ExitCode::usage,
+         "{} does not match the scene: it has more data; remove it to simulate from the start", from);
   world.resumeAt(frame);
 }
 

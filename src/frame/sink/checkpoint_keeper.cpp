@@ -51,8 +51,7 @@ std::optional<Checkpoint> CheckpointKeeper::given(const std::vector<int>& frames
       fail(ExitCode::usage, "cannot begin at checkpoint {}: {}", how_.from.string(), *difference);
     if (needsBefore_ && !frames.empty() && !mayDraw(frames.front(), checkpoint)) {
       info(
-          "frame {} needs the frame before it, for what moves, and the checkpoint is of frame {}: "
-          "simulating "
+          "frame {} needs the previous frame for its motion, but the checkpoint is of frame {}: simulating "
           "from the start",
           frames.front(), checkpoint.frame());
       return std::nullopt;
@@ -83,7 +82,7 @@ void CheckpointKeeper::begin(const Checkpoint& checkpoint, sim::World& world, Co
   if (resumedFile_ == how_.from)
     detail("beginning at frame {} of {}", resumedFrame_, resumedFile_.string());
   else
-    info("going on from the checkpoint of frame {}", resumedFrame_);
+    info("resuming from the checkpoint of frame {}", resumedFrame_);
 }
 
 void CheckpointKeeper::keep(const std::string& stateHash, const std::string& counts,
@@ -95,8 +94,8 @@ bool CheckpointKeeper::isAfterResume(const sim::World::Summary& summary) const {
   if (summary.frame > resumedFrame_) return true;
   if (summary.stateHash != resumedHash_)
     fail(ExitCode::different,
-         "the state of frame {} is {} after going on from checkpoint {}, and was {}; remove it to simulate "
-         "from the start",
+         "the state of frame {} is {} after resuming from checkpoint {}, but was {}; remove the checkpoint "
+         "to simulate from the start",
          summary.frame, summary.stateHash, resumedFile_.string(), resumedHash_);
   return false;
 }
@@ -123,7 +122,7 @@ void CheckpointKeeper::removeUnneeded(int last) const {
     const auto file = how_.file.string() + ending;
     if (!std::filesystem::is_regular_file(file, none)) continue;
     std::filesystem::remove(file, error);
-    if (error) warn("cannot remove {}, which is needed no more: {}", file, error.message());
+    if (error) warn("cannot remove {}, which is no longer needed: {}", file, error.message());
   }
 }
 

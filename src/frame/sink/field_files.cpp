@@ -18,7 +18,8 @@ FieldFiles::FieldFiles(const OutputName& pictures, FieldChoice choice, Existing 
                        std::vector<int> frames)
     : pictures_(pictures), choice_(std::move(choice)), existing_(existing), frames_(std::move(frames)) {
   if (pictures.kind != OutputName::Kind::sequence && pictures.kind != OutputName::Kind::single)
-    fail(ExitCode::usage, "--fields needs pictures to write beside: a folder, NAME_####.png or NAME.png");
+    fail(ExitCode::usage,
+         "--fields writes beside pictures; give as --output a folder, NAME_####.png or NAME.png");
 }
 
 bool FieldFiles::isChosen(const sim::Field& field) const {

@@ -30,7 +30,7 @@ FrameRate playedRate(double fps, std::span<const int> frames) {
   const long step = long{frames[1]} - frames[0];
   for (std::size_t i = 1; i < frames.size(); ++i)
     if (long{frames[i]} - frames[i - 1] != step) {
-      warn("the frames are not evenly spaced; each is shown for 1/{:g} s, whatever lies between", fps);
+      warn("the frames are not evenly spaced; each is shown for 1/{:g} s all the same", fps);
       return rate;
     }
   rate.denominator *= step;

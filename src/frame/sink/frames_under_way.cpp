@@ -107,8 +107,8 @@ void FramesUnderWay::compareWithStored(Waiting waiting) {
   const auto known = sink_.knownStateHash(waiting.frame);
   if (known && !known->empty() && *known != *waiting.stateHash)
     fail(ExitCode::different,
-         "frame {} is kept from an earlier run, but its state was {} and is {} now; render anew with "
-         "--overwrite",
+         "frame {} is kept from an earlier run, but its state was {} and is {} now; draw all frames again "
+         "with --overwrite",
          waiting.frame, *known, *waiting.stateHash);
   if (!waiting.files.empty())
     sink_.add({waiting.frame, *std::move(waiting.stateHash), std::move(waiting.files)}, std::nullopt);

@@ -26,7 +26,8 @@ std::unique_ptr<FrameSink> openSink(const OutputName& output, Existing existing,
     case OutputName::Kind::stream:
       if (existing == Existing::resume || existing == Existing::skip)
         fail(ExitCode::usage,
-             "--output -: --resume and --skip-existing keep frames of an earlier run, a stream has none");
+             "--output -: --resume and --skip-existing keep frames of an earlier run, which a stream does "
+             "not have; leave them out");
       return openStreamSink(streamFormat, run, frames);
     case OutputName::Kind::sequence:
     case OutputName::Kind::single:

@@ -121,7 +121,7 @@ Progress::Mode parseProgressMode(const std::string& text) {
   if (text == "tty") return Progress::Mode::terminal;
   if (text == "ndjson") return Progress::Mode::ndjson;
   if (text == "none") return Progress::Mode::none;
-  fail(ExitCode::usage, "--progress {} is not known: auto, tty, ndjson and none are", text);
+  fail(ExitCode::usage, "--progress {} is unknown; use auto, tty, ndjson or none", text);
 }
 
 std::string progressLine(int done, int total, double seconds, int width) {

@@ -22,7 +22,7 @@ class StreamSink final : public FrameSink {
   StreamSink(const std::string& format, const RunInfo& run, std::span<const int> frames, int descriptor)
       : descriptor_(descriptor), y4m_(format == "y4m"), run_(run) {
     if (format != "rgba" && format != "y4m")
-      fail(ExitCode::usage, "stream format {} is not known: rgba and y4m are", format);
+      fail(ExitCode::usage, "stream format {} is unknown; use rgba or y4m", format);
     if (::isatty(descriptor) != 0)
       fail(ExitCode::usage,
            "--output - would write pixels to the terminal; pipe it into a program or a file");

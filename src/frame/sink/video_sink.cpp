@@ -48,8 +48,8 @@ class VideoSink final : public FrameSink {
     if (const auto [width, height] = videoSize(file_, run.width, run.height);
         width != run.width || height != run.height)
       warn(
-          "{}: this encoder needs even sides, so {}x{} becomes {}x{} with a black edge; choose --size "
-          "{}x{}",
+          "{}: this encoder needs an even width and height, so {}x{} becomes {}x{} with a black edge; "
+          "choose --size {}x{}",
           file_.string(), run.width, run.height, width, height, width, height);
     ffmpeg_.emplace(ffmpegArguments(part_, run.width, run.height, playedRate(run.fps, frames)));
     queue_.emplace(1, FrameQueue::maxWaitingInOrder,

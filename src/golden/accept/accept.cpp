@@ -93,22 +93,21 @@ Accepted acceptScene(const fs::path& reportFolder, const SceneResult& scene, con
   Accepted result{scene.name, "", false};
   try {
     if (scene.candidate.empty())
-      fail(ExitCode::usage, "{}: nothing was kept to accept",
+      fail(ExitCode::usage, "{}: the report contains no results to accept",
            scene.messages.empty() ? statusName(scene.status) : scene.messages.front());
     // The baseline folder is derived from the scene. The report must not choose it, because it may come
     // from an untrusted place.
     const fs::path baselines = baselineFolder(scene.file);
     if (!liesBelow(scene.file, how.scenes) || !liesBelow(baselines, how.scenes))
       fail(ExitCode::usage,
-           "its baselines would go to {}, which is not below {}; where the report may write there, say so "
-           "with --scenes FOLDER",
+           "its baselines would be written to {}, which is outside of {}; if the report may write there, "
+           "allow it with --scenes FOLDER",
            baselines.string(), how.scenes.empty() ? "this folder" : how.scenes);
     if (!pathExists(scene.file))
       fail(ExitCode::usage, "there is no {} here; accept from the folder in which the test ran",
            scene.file);
     if (!scene.inputs.contains(scene.file))
-      fail(ExitCode::usage, "the report does not say what {} was when it was made; run the test again",
-           scene.file);
+      fail(ExitCode::usage, "the report has no hash of {}; run the test again", scene.file);
     checkUnchanged(scene.inputs);
     const fs::path folder = reportFolder / scene.candidate;
     Candidate kept = readCandidate(folder, scene);

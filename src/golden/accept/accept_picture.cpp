@@ -35,7 +35,7 @@ void promotePicture(const fs::path& kept, const SceneResult& picture, const fs::
   const fs::path baseline = expected / picture.name;
   if (confined && !liesBelow(baseline, {}))
     fail(ExitCode::usage,
-         "{} leads out of this folder; where the report may write there, say so with --expected",
+         "{} is outside of this folder; if the report may write there, allow it with --expected",
          baseline.string());
   const fs::path former = picture.renamedFrom.empty() ? fs::path() : expected / picture.renamedFrom;
   const std::string now = hashOf(baseline, "baseline");
@@ -61,9 +61,10 @@ fs::path expectedFolder(const SuiteResult& suite, const Acceptance& how) {
     fail(ExitCode::usage, "--reason and --alternate are for scenes, and this report is of pictures");
   fs::path folder = how.expected.empty() ? suite.expected : how.expected;
   if (how.expected.empty() && !staysBelow(folder))
-    fail(ExitCode::usage,
-         "the baselines of this report are in {}, which is not below this folder; say so with --expected",
-         suite.expected.empty() ? "no folder" : suite.expected);
+    fail(
+        ExitCode::usage,
+        "the baselines of this report are in {}, which is outside of this folder; allow it with --expected",
+        suite.expected.empty() ? "no folder" : suite.expected);
   std::error_code unknown;
   if (!fs::is_directory(folder, unknown))
     fail(ExitCode::usage,
@@ -77,7 +78,7 @@ Accepted acceptPicture(const fs::path& reportFolder, const SceneResult& picture,
   Accepted result{picture.name, "", false};
   try {
     if (picture.candidate.empty() || picture.frames.empty())
-      fail(ExitCode::usage, "{}: nothing was kept to accept",
+      fail(ExitCode::usage, "{}: the report contains no picture to accept",
            picture.messages.empty() ? statusName(picture.status) : picture.messages.front());
     if (!staysBelow(picture.name) || !isPictureName(picture.name) ||
         (!picture.renamedFrom.empty() &&

@@ -116,7 +116,7 @@ Result parseBaseline(const std::string& text, const std::string& name, Result (*
       fail(ExitCode::inputOutput, "baseline {} is cut off after {} bytes; {}", name, text.size(),
            restoreIt);
     fail(ExitCode::inputOutput,
-         "baseline {} cannot be used: {}; restore it (git checkout -- FILE) or mend it", name,
+         "baseline {} cannot be used: {}; restore it (git checkout -- FILE) or repair it", name,
          mistake.what());
   }
 }
@@ -145,7 +145,7 @@ void refuseToReplace(const fs::path& file) {
   std::error_code unknown;
   if (!fs::is_regular_file(file, unknown)) return;
   if (const std::string other = standsForAnother(readFile(file, "baseline", largestFile)); !other.empty())
-    fail(ExitCode::inputOutput, "baseline {} {}; it is not written anew", file.string(), other);
+    fail(ExitCode::inputOutput, "baseline {} {}; it is not overwritten", file.string(), other);
 }
 
 template <class Bytes>

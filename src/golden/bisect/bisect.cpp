@@ -78,8 +78,8 @@ class Tracing {
 void checkHeaders(const BisectSide& a, const TraceHeader& here, const BisectSide& b,
                   const TraceHeader& there, bool passes) {
   if (const auto mismatch = compareRuns(here.run, there.run))
-    fail(ExitCode::usage, "the two sides do not simulate the same: {} {}, {} {}", a.name, mismatch->here,
-         b.name, mismatch->there);
+    fail(ExitCode::usage, "the two sides do not simulate the same scene: {} {}, {} {}", a.name,
+         mismatch->here, b.name, mismatch->there);
   if (here.run.arrays.empty() && !passes)
     fail(ExitCode::usage,
          "the scene has nothing that is simulated, so there is no state to compare; --passes compares its "
@@ -135,7 +135,7 @@ class Search {
     if (!x) a.endedEarly(before);
     if (!y) b.endedEarly(before);
     if (x->frame != y->frame || x->object != y->object || x->step != y->step)
-      fail(ExitCode::inputOutput, "the traces of {} and {} do not run in step", here_.name, there_.name);
+      fail(ExitCode::inputOutput, "the traces of {} and {} list different steps", here_.name, there_.name);
     return std::pair(*x, *y);
   }
 

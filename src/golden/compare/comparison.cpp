@@ -41,8 +41,8 @@ std::vector<LayerPair> pairLayers(const Picture& a, const Picture& b, Comparison
   std::vector<std::string> clauses;
   if (!a.layered || !b.layered) {
     if (const auto names = a.layered ? layersOnlyIn(a, b) : layersOnlyIn(b, a); !names.empty())
-      made.layerNote =
-          fmt::format("not compared, as one file can have no layers: {}", fmt::join(names, ", "));
+      made.layerNote = fmt::format("not compared, because one of the files cannot have layers: {}",
+                                   fmt::join(names, ", "));
     return pairs;
   }
   for (const auto& [names, who] :
@@ -187,7 +187,7 @@ Comparison compare(const Picture& baseline, const Picture& picture, const scene:
   }
   if (a.colours != b.colours)
     made.colours =
-        fmt::format("the files differ in what their numbers mean, which is not compared: {}; {}",
+        fmt::format("the colour spaces of the files differ, which is not compared: {}; {}",
                     a.colours.empty() ? "as usual" : a.colours, b.colours.empty() ? "as usual" : b.colours);
   const int width = a.image.width, height = a.image.height;
   if (!allowance.mask.empty() && allowance.mask.size() != std::size_t(width) * std::size_t(height))

@@ -21,8 +21,8 @@ constexpr const char* reportMark = "simreel-report.txt";
 void markReport(const fs::path& folder) {
   if (isReport(folder)) return;
   writeFileAtomically(folder / reportMark,
-                      std::string_view("The pictures in and below this folder are of a report that simreel "
-                                       "test wrote. It takes none of them for a baseline.\n"));
+                      std::string_view("The pictures in and below this folder belong to a report that "
+                                       "simreel test wrote. It does not use them as baselines.\n"));
 }
 
 bool isReport(const fs::path& folder) {

@@ -93,10 +93,10 @@ class PictureTest {
     if (expected_) frame_.expectedPixels = pictureHash(expected_->picture);
     if (case_.actual.empty()) {
       result_.status = Status::fail;
-      result_.messages.push_back(fmt::format(
-          "there is no picture for the baseline {}; where it is gone for good remove that, or all such "
-          "with --update=prune",
-          result_.baselines));
+      result_.messages.push_back(
+          fmt::format("there is no picture for the baseline {}; if the picture is no longer made, remove "
+                      "the baseline, or all such baselines with --update=prune",
+                      result_.baselines));
     } else if (case_.expected.empty()) {
       result_.status = Status::missing;
       result_.messages.push_back(fmt::format("there is no baseline {}", result_.baselines));

@@ -54,8 +54,8 @@ class Filling {
       made_ += one.value;
     } else if (quoted && !standsAlone()) {
       fail(ExitCode::usage,
-           "{} stands for \"{}\", which a shell inside the quotes {} would read as more than a name; write "
-           "\"${}\" there instead of {}, or take it out of the quotes",
+           "{} stands for \"{}\", which has characters that the shell inside the quotes {} would "
+           "interpret; write \"${}\" there instead of {}, or take it out of the quotes",
            one.word, oneLine(one.value), oneLine(std::string(quotedText())), one.variable, one.word);
     } else {
       made_ += place() == Place::single  ? "'\"" + variable + "\"'"

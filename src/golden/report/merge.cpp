@@ -57,7 +57,7 @@ class Luggage {
     } else if (fs::is_regular_file(status)) {
       copy(source, to_ / path);
     } else {
-      notes_.push_back(fmt::format("{} of {} is gone; the folder of a report goes with it",
+      notes_.push_back(fmt::format("{} of {} is missing; copy the whole folder of a report",
                                    source.generic_string(), scene.name));
       path.clear();
     }

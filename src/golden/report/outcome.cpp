@@ -22,7 +22,7 @@ std::string outcomeText(Outcome outcome) {
 Outcome parseOutcome(const std::string& text) {
   SuiteResult alone = parseReport(text.substr(std::min<std::size_t>(2, text.size())), "worker");
   if (alone.scenes.size() != 1)
-    fail(ExitCode::inputOutput, "a process that tested a scene told of {}", alone.scenes.size());
+    fail(ExitCode::inputOutput, "a process that tested one scene reported {} scenes", alone.scenes.size());
   Outcome outcome;
   outcome.error = static_cast<ExitCode>(text[0] - '0');
   outcome.hardFailed = text[1] == '1';

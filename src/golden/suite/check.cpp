@@ -94,7 +94,7 @@ class Checker::Resolver {
       fail(ExitCode::usage,
            "{}: \"no-nan\" checks the state of simulations, but no object of the scene has state", where);
     if (found.empty())
-      fail(ExitCode::usage, "{}: object \"{}\" is a {}, which has no state to look at", where, check.object,
+      fail(ExitCode::usage, "{}: object \"{}\" is a {}, which has no state to check", where, check.object,
            kindOf(check.object));
     return found;
   }

@@ -92,15 +92,14 @@ Nearest nearest(const RunFrame& made, const Reference& reference, const PictureB
 /// Returns the message for a picture whose pixels must all be equal but differ.
 std::string unequal(const Metrics& metrics, const Origin& there, const Origin& here) {
   if (there.exact && !here.exact)
-    return "the baseline was drawn exactly, this picture by the driver; write it anew with "
-           "--update=changed, "
-           "or let \"rasterizer\" be exact";
+    return "the baseline was drawn by the exact rasterizer, this picture by the driver; update the "
+           "baseline with --update=changed, or set \"rasterizer\": \"exact\"";
   if (here.exact && !there.exact)
-    return "the baseline was drawn by a driver, this picture exactly; look at it and write it anew with "
-           "--update=changed, or set \"rasterizer\": \"driver\"";
-  return fmt::format("{} pixels differ, by {:.4g} at most; {} none may", metrics.differentPixels,
+    return "the baseline was drawn by a driver, this picture by the exact rasterizer; look at the picture "
+           "and update the baseline with --update=changed, or set \"rasterizer\": \"driver\"";
+  return fmt::format("{} pixels differ, by {:.4g} at most; {} no pixel may differ", metrics.differentPixels,
                      metrics.worst,
-                     here.exact ? "of exact pictures" : "on the machine that drew the baseline");
+                     here.exact ? "in exact pictures" : "on the machine that drew the baseline");
 }
 
 /// Judges the pixels of a frame. Returns true if the picture fails.
@@ -222,7 +221,7 @@ std::optional<PassPlace> placeOfDifference(const Reference& reference, const Run
   const auto& known = reference.pictures->frames.at(made.frame).passes;
   if (alternate == 0 && !known.empty()) place.pass = firstDifferentPass(hashesOf(drawn.picture), known);
   place.message = fmt::format("frame {}: {}; at pixel ({}, {}), {}: {}, in the baseline {}", made.frame,
-                              place.pass.empty() ? "which pass differs is not known to the baseline"
+                              place.pass.empty() ? "the baseline does not record which pass differs"
                                                  : "the first pass that differs is " + place.pass,
                               place.x, place.y, place.shows, fmt::join(color(made.image, pixel), " "),
                               fmt::join(color(expected, pixel), " "));

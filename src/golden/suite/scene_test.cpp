@@ -84,7 +84,7 @@ void SceneTest::load() {
     if (options_.update != Update::all) throw;
     checkReplaceable(result_.baselines, profile_, exact);
     checkReplaceable(result_.baselines, sharedProfile, exact);
-    result_.notes.push_back(fmt::format("{} (written anew)", error.what()));
+    result_.notes.push_back(fmt::format("{} (written again)", error.what()));
     reference_ = {result_.baselines, std::nullopt, std::nullopt, exact, origin_, {}};
   }
   resolveTolerance();
@@ -114,8 +114,8 @@ void SceneTest::describeBaseline() {
 void SceneTest::noteUnused() {
   for (const auto& [field, bound] : result_.tolerance)
     if (bound.origin != "default")
-      result_.notes.push_back(fmt::format(
-          "tolerance without need: {} ({}), exact pictures have to be equal", field, bound.origin));
+      result_.notes.push_back(
+          fmt::format("unused tolerance: {} ({}); exact pictures must be equal", field, bound.origin));
 }
 
 /// Merges the tolerances: the command line overrides the baseline, which overrides the scene, which

@@ -129,7 +129,7 @@ StepTrace decodeTrace(std::span<const std::byte> bytes, const std::string& name)
     expected += double(array.words()) *
                 (double(trace.detailed) * array.steps + double(trace.frames - trace.detailed) + 1.0);
   if (expected * sizeof(std::uint32_t) != static_cast<double>(in.left()))
-    in.wrong("its length is not what it says");
+    in.wrong("its length does not match its header");
   trace.words.resize(in.left() / sizeof(std::uint32_t));
   const auto words = in.bytes(in.left());
   if (!words.empty()) std::memcpy(trace.words.data(), words.data(), words.size());

@@ -39,7 +39,7 @@ class PassDrawer {
  private:
   static draw::Renderer made(const scene::Scene& scene) {
     if (scene.render.rasterizer != scene::Rasterizer::exact)
-      fail(ExitCode::usage, "only pictures of the exact rasterizer have passes: give --rasterizer exact");
+      fail(ExitCode::usage, "passes need the exact rasterizer; use --rasterizer exact");
     return {scene, scene.render.size, scene.render.samples};
   }
 
@@ -133,8 +133,8 @@ StateDump dumpState(sim::World& world, int frame, int step) {
   for (std::size_t i = 0; i < world.objectCount(); ++i)
     if (!world.object(i).state().empty()) steps = std::max(steps, world.object(i).stepsPerFrame());
   if (frame == world.firstFrame())
-    fail(ExitCode::usage, "frame {} is what the scene starts from: no step leads to it; its dump is {}:0",
-         frame, frame);
+    fail(ExitCode::usage, "frame {} is the initial state, so it has no steps; dump it with {}:0", frame,
+         frame);
   if (step < 1 || step > steps)
     fail(ExitCode::usage, "frame {} has steps 1 to {}, not {}", frame, steps, step);
   world.advanceTo(frame - 1);

@@ -305,7 +305,9 @@ class Parser {
                        salt.number == static_cast<double>(static_cast<int>(salt.number));
     if (!whole)
       fail(salt.begin, salt.end,
-           fmt::format("\"{}\" takes a whole number from 0, which tells it from others", function.name));
+           fmt::format(
+               "\"{}\" takes a whole number, 0 or more; different numbers give different random values",
+               function.name));
   }
 
   /// Guard that counts the recursion depth. Throws ExpressionMistake if the expression is nested too

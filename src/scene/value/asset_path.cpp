@@ -69,7 +69,7 @@ fs::path AssetFolders::find(const std::string& name, std::string& problem) const
   std::string folders;
   for (const fs::path& root : roots_) folders += (folders.empty() ? "" : " and ") + root.string();
   if (name.find('\0') != std::string::npos) {
-    problem = "a file name holds no zero byte";
+    problem = "a file name must not contain a zero byte";
     return {};
   }
   bool outside = false;

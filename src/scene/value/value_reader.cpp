@@ -27,8 +27,8 @@ std::string rangeText(Range range, const char* unit) {
 bool ValueReader::expect(const Node& node, Node::Kind kind, const char* expected) const {
   if (node.kind == kind) return true;
   if (*name_ != '\0' && node.kind == Node::Kind::object && node.find("keys") != nullptr) {
-    diagnostics_.add(node.place(),
-                     fmt::format("expected {}, found keyframes; \"{}\" does not move", expected, name_));
+    diagnostics_.add(node.place(), fmt::format("expected {}, found keyframes; \"{}\" cannot have keyframes",
+                                               expected, name_));
     return false;
   }
   diagnostics_.add(node.place(), fmt::format("expected {}, found {}", expected, node.kindText()));

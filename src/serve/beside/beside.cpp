@@ -135,10 +135,10 @@ golden::Reference Beside::reference(const scene::Scene& scene) {
 }
 
 void Beside::accept(std::span<const scene::Override> edits) {
-  if (!edit_) fail(ExitCode::usage, "baselines are written with simreel serve --edit alone");
+  if (!edit_) fail(ExitCode::usage, "baselines are written only with simreel serve --edit");
   if (!edits.empty() || !source_.given.empty())
     fail(ExitCode::usage,
-         "a baseline is what the scene file draws, but {} is not the file's; save it, or take it back",
+         "a baseline must show the saved scene file, but {} was changed; save the change, or undo it",
          edits.empty() ? source_.given.front().path : edits.front().path);
   if (accepting_.running()) fail(ExitCode::usage, "baselines are being written already; wait for that");
   std::vector<std::string> words = {"test", source_.file.string(), "--update", "--reason",
@@ -161,14 +161,14 @@ bool Beside::hasAccepted() {
 }
 
 scene::Override Beside::withFrame(Stage& stage, int frame) const {
-  if (!edit_) fail(ExitCode::usage, "a scene's tested frames are written with simreel serve --edit alone");
+  if (!edit_) fail(ExitCode::usage, "a scene's tested frames are written only with simreel serve --edit");
   const std::filesystem::path beside = scene::sidecarOf(source_.file);
   if (pathExists(beside)) {
     constexpr std::size_t mostBytes = std::size_t{16} << 20;
     const auto test = json::parse(readFile(beside, "test settings", mostBytes), nullptr, false, true);
     if (test.is_discarded() || test.contains("test"))
-      fail(ExitCode::usage, "the scene's test stands in {}; add {} to its \"frames\" there",
-           beside.string(), frame);
+      fail(ExitCode::usage, "the scene's test is in {}; add {} to its \"frames\" there", beside.string(),
+           frame);
   }
   std::vector<int> frames = stage.script().scene.testFrames();
   if (std::find(frames.begin(), frames.end(), frame) != frames.end())

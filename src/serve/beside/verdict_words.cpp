@@ -29,15 +29,14 @@ std::string measuredWords(const golden::Metrics& metrics, const frame::Image& ma
 std::string verdictWords(const golden::FrameResult& frame, const golden::Reference& held,
                          const frame::Image& made) {
   if (hasNone(held))
-    return fmt::format("This scene has no baseline yet: there is nothing to hold frame {} against.",
-                       frame.frame);
+    return fmt::format("This scene has no baseline yet, so frame {} cannot be compared.", frame.frame);
   std::string text;
   if (frame.metrics)
     text = measuredWords(*frame.metrics, made);
   else if (!frame.expectedPixels.empty() && frame.status == golden::Status::pass)
     text = frame.alternate > 0
-               ? fmt::format("Every pixel is that of accepted alternate {}.", frame.alternate)
-               : "Every pixel is that of the baseline.";
+               ? fmt::format("Every pixel is equal to the accepted alternate {}.", frame.alternate)
+               : "Every pixel is equal to the baseline.";
   if (!frame.message.empty())
     text += fmt::format("{}Fails: {}.", text.empty() ? "" : " ", frame.message);
   else if (frame.metrics)
@@ -46,7 +45,7 @@ std::string verdictWords(const golden::FrameResult& frame, const golden::Referen
 }
 
 std::string untestedWords(int frame, std::span<const int> tested, const golden::Reference& held) {
-  return fmt::format("Frame {} is no tested frame; {} {}.{}", frame,
+  return fmt::format("Frame {} is not a tested frame; {} {}.{}", frame,
                      tested.size() == 1 ? "that is" : "those are", fmt::join(tested, ", "),
                      hasNone(held) ? " The scene has no baseline yet." : "");
 }

@@ -14,7 +14,7 @@ namespace simreel::serve {
 
 void RenderChild::start(std::vector<std::string> arguments, const std::string& frames,
                         const std::filesystem::path& output) {
-  if (child_.running()) fail(ExitCode::usage, "a render is under way already; wait for it");
+  if (child_.running()) fail(ExitCode::usage, "another render is running; wait until it ends");
   makeFolders(output.parent_path());
   std::vector<std::string> words = {"render"};
   words.insert(words.end(), arguments.begin(), arguments.end());

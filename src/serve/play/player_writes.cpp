@@ -83,7 +83,8 @@ void Player::paint(const Json& json) {
   };
   const auto from = placeAt("from"), to = placeAt("to");
   if (!from || !to || from->object != to->object)
-    fail(ExitCode::usage, "there is no field to paint; cells that lie over the picture can be painted");
+    fail(ExitCode::usage,
+         "there is no field to paint; only cells that are drawn over the picture can be painted");
   hearOfMoving();
   playing_ = false;
   const scene::Scene& shown = stage.script().scene;

@@ -31,7 +31,7 @@ void ArrowParameters::describe(scene::Fields& f) {
   f.leftOut("spacing", "a 28th of the longer side");
   f.integer("every", every, {1, 1 << 24}, "", "Draws the arrow of every n-th particle.");
   f.optionalNumber("length", length, {1e-4, 1e4}, "m",
-                   "Length of the longest arrows; faster ones are no longer.");
+                   "Greatest length of an arrow; arrows of faster flow have this length, too.");
   f.leftOut("length", "\"spacing\", so that arrows do not overlap; of particles, 8 times their size");
   f.optionalNumber("scale", scale, {1e-6, 1e6}, "s", "Length in metres of an arrow of 1 m/s.");
   f.leftOut("scale", "\"length\" at the speed \"high\"");

@@ -30,7 +30,8 @@ class Body : public Simulation, public ContactSolid {
         looks_(object, motion_.figure().mesh),
         surface_(name_, motion_.figure(), setting.fast) {
     if (const std::string ignored = ignoredLooks(object, motion_.figure().mesh); !ignored.empty())
-      warn("body \"{}\": {} has what is not drawn: {}", name_, parameters_.file.string(), ignored);
+      warn("body \"{}\": {} has features that are not drawn: {}", name_, parameters_.file.string(),
+           ignored);
     resumed(setting.startTime);
   }
 

@@ -34,7 +34,8 @@ const FigureAnimation& Figure::animationNamed(const std::string& name, const std
 
 Figure loadFigure(const std::filesystem::path& file) {
   if (!isGltf(file))
-    fail(ExitCode::usage, "the mesh {} is neither .gltf nor .glb, which hold bones and motions",
+    fail(ExitCode::usage,
+         "the mesh {} is neither .gltf nor .glb; bones and motions need one of these formats",
          file.string());
   const std::string text = readFile(file, "mesh");
   return unpacked<Figure>(readApart(file, [&] { return packed(readFigure(file, text)); }));

@@ -104,7 +104,7 @@ class FigureReader {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       if (nodes_.placeOf(nodes[i]) < 0)
         document().refuse(fmt::format(
-            "has a skin whose joint {} is node {}, which is none of its default scene", i, nodes[i]));
+            "has a skin whose joint {} is node {}, which is not in its default scene", i, nodes[i]));
       FigureJoint joint{nodes_.placeOf(nodes[i]), true, glm::dmat4(1)};
       if (!binds.empty()) joint.inverseBind = glm::dmat4(glm::make_mat4(&binds[16 * i]));
       for (int c = 0; c < 4; ++c)
@@ -169,7 +169,7 @@ Figure readFigure(const std::filesystem::path& file, std::string_view text) {
   try {
     return FigureReader(file, text).read();
   } catch (const JsonError& error) {
-    refuseMesh(file, fmt::format("is no sound glTF: {}", error.what()));
+    refuseMesh(file, fmt::format("is not valid glTF: {}", error.what()));
   }
 }
 

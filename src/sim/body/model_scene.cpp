@@ -231,7 +231,7 @@ std::string sceneAroundModel(const std::filesystem::path& file) {
     try {
       return ModelReader(file, text).scene();
     } catch (const JsonError& error) {
-      refuseMesh(file, fmt::format("is no sound glTF: {}", error.what()));
+      refuseMesh(file, fmt::format("is not valid glTF: {}", error.what()));
     }
   });
 }

@@ -11,7 +11,7 @@ void BodyParameters::describe(scene::Fields& f) {
   f.asset("file", file,
           "glTF or GLB with a skin, whose vertices follow bones, or with an animation that moves meshes.");
   f.text("animation", animation,
-         "Name of the file's motion that it goes through; without one it stands as the file has it.");
+         "Name of the file's motion that it plays; without one it keeps the pose of the file.");
   f.number("speed", speed, {-100, 100}, "", "Speed of the motion; 2 is twice as fast, -1 backwards.");
   f.number("start", start, {-1e6, 1e6}, "s", "Time in the motion at time 0 of the scene.");
   f.boolean("loop", loop,
@@ -44,7 +44,7 @@ void BodyParameters::describe(scene::Fields& f) {
   if (file.empty()) f.error("file", "a body needs \"file\": the glTF to read");
   for (const char* name : {"speed", "start", "loop"})
     if (animation.empty() && f.given(name))
-      f.error(name, "give \"animation\", the name of the motion that it is of");
+      f.error(name, "give \"animation\", the name of the motion that this applies to");
   if (friction && f.given("grip")) f.error("friction", "give \"grip\" or \"friction\", not both");
   for (const char* name : {"grip", "friction"})
     if (!collides && !byFaces && f.given(name)) f.error(name, "this is for a body with \"collides\": true");

@@ -35,10 +35,10 @@ void Fabric::describe(scene::Fields& f) {
   property("shear", shear, {1e-3, 1e7}, "N/m",
            "Force along a side of unit length that shears by an angle of 1.");
   property("bending", bending, {0, 1e3}, "N m", "Moment on a side of unit length for a curvature of 1/m.");
-  f.number(
-      "stretchDamping", stretchDamping, {0, 10}, "s",
-      "Damping of stretch and shear. Their rate of change, multiplied by this time, is resisted as they "
-      "are themselves; a vibration along the cloth at w rad/s decays at w^2/2 times this.");
+  f.number("stretchDamping", stretchDamping, {0, 10}, "s",
+           "Damping of stretch and shear. Their rate of change, multiplied by this time, is resisted as "
+           "they are themselves; a vibration in the plane of the cloth with angular frequency w (rad/s) "
+           "decays at the rate w^2/2 times this.");
   property("thickness", thickness, {0, 1}, "m",
            "Thickness of the fabric; half of it is kept from colliders in addition to \"margin\".");
 }

@@ -61,7 +61,8 @@ void ClothParameters::describeMesh(scene::Fields& f) {
   if (!seams.empty() && !mesh) f.error("seams", "a grid has no seams; give \"mesh\"");
   if (!mesh) return;
   for (const char* name : {"size", "spacing"})
-    if (f.given(name)) f.error(name, fmt::format("\"mesh\" says it; leave out \"{}\"", name));
+    if (f.given(name))
+      f.error(name, fmt::format("\"mesh\" already determines the particles; leave out \"{}\"", name));
   if (!f.given("pins")) pins.clear();
 }
 
@@ -72,7 +73,8 @@ void ClothParameters::describe(scene::Fields& f) {
   f.vector("position", position, scene::anyNumber, "m",
            "Place of the middle of the sheet at rest, or of the origin of a mesh.");
   f.vector("rotation", rotation, scene::anyNumber, "degrees",
-           "About x, then y, then z; unrotated the sheet lies flat, rows along x, and a mesh as it is.");
+           "About x, then y, then z; without rotation the sheet lies flat with rows along x, and a mesh as "
+           "in its file.");
   f.number("jitter", jitter, {0, 10}, "m", "Largest random displacement of the particles at the start.");
   f.number("mass", mass, {1e-6, 1e6}, "kg", "Mass of each particle.");
   f.number("stiffness", stiffness, {0, 1e9}, "N/m",
@@ -94,7 +96,8 @@ void ClothParameters::describe(scene::Fields& f) {
   if (fabric) {
     for (const char* name :
          {"mass", "stiffness", "shear", "bend", "compliance", "shearCompliance", "bendCompliance"})
-      if (f.given(name)) f.error(name, fmt::format("\"fabric\" says it; leave out \"{}\"", name));
+      if (f.given(name))
+        f.error(name, fmt::format("\"fabric\" already sets this property; leave out \"{}\"", name));
     if (f.given("solver") && solver == ClothSolver::springs)
       f.error("solver", "a fabric is solved by constraints; leave out \"solver\"");
   }
@@ -144,15 +147,14 @@ void ClothParameters::describe(scene::Fields& f) {
         c.optionalNumber("thickness", own.thickness, {1e-6, 10}, "m",
                          "Distance that is kept between the middles of two layers, and from meshes and "
                          "bodies; around small triangles of a mesh it is less.");
-        c.leftOut("thickness",
-                  "the fabric's, but of the way between neighbours at least 0.125 and at most 0.35");
+        c.leftOut("thickness", "the fabric's, limited to 0.125 to 0.35 of the distance between neighbours");
         c.number("friction", own.friction, {0, 10}, "",
                  "Coulomb's coefficient; between cloths the mean of theirs, and of a mesh or body that has "
                  "one.");
         if (own.thickness && !mesh && *own.thickness > 0.35 * static_cast<double>(spacing))
           c.error("thickness",
-                  fmt::format("thickness {} is more than 0.35 of the spacing of {} m, which the cloth's "
-                              "own neighbours could not keep; take at most {:.4g}",
+                  fmt::format("thickness {} is more than 0.35 of the spacing of {} m, so neighbours in the "
+                              "cloth could not keep that distance; use at most {:.4g}",
                               *own.thickness, spacing, 0.35 * static_cast<double>(spacing)));
       });
   f.text("walls", walls, "Name of the cave or contour whose walls, floor and tops it meets.");
@@ -171,8 +173,7 @@ void ClothParameters::describe(scene::Fields& f) {
     f.error("pins", fmt::format("at most {} groups of pins", shader::maxPinFrames));
   for (const PinGroup& group : pins) {
     if (!group.clamp || mesh) continue;
-    if (!fabric)
-      f.error("pins", "\"clamp\" is of a fabric, which has a bending stiffness; give \"fabric\"");
+    if (!fabric) f.error("pins", "\"clamp\" needs the bending stiffness of a fabric; give \"fabric\"");
     bool border = false;
     for (int side = 0; side < 4; ++side) border = border || pinsBorder(group, side);
     if (!border) f.error("pins", "\"clamp\" holds borders: pin the first or last of the rows or columns");

@@ -40,7 +40,7 @@ void PinGroup::describe(scene::Fields& f, const glm::ivec2& grid, bool onMesh) {
                   });
   f.asset("map", map, "Picture over the uv of a mesh; vertices are pinned where it is brighter than half.");
   f.boolean("clamp", clamp,
-            "Hold the direction in which a fabric leaves a pinned border, too, as between two plates.");
+            "Also holds the direction in which a fabric leaves a pinned border, as between two plates.");
   f.integer("every", every, {1, 1e6}, "",
             "Pins only every n-th particle of rows and columns, and the last one.");
   f.vector("move", move, scene::anyNumber, "m", "Movement of the pins.");
@@ -67,10 +67,14 @@ void PinGroup::checkCarrier(scene::Fields& f) const {
     if (!bone.empty())
       f.error("bone", "pins at the nearest place of the skin follow no bone; leave out \"bone\" or \"at\"");
     for (const char* name : {"move", "rotate", "scale", "pivot", "clamp"})
-      if (f.given(name)) f.error(name, fmt::format("pins follow the skin alone; leave out \"{}\"", name));
+      if (f.given(name))
+        f.error(name,
+                fmt::format("pins at the nearest place of the skin follow only the skin; leave out \"{}\"",
+                            name));
   } else if (to.empty() != bone.empty()) {
     f.error(to.empty() ? "bone" : "to",
-            "pins are carried by both: \"to\" a body and its \"bone\", or \"at\": \"nearest\"");
+            "pins that a body carries need both \"to\", the body, and its \"bone\"; or give \"to\" and "
+            "\"at\": \"nearest\"");
   }
 }
 

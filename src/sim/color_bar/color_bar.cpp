@@ -135,8 +135,8 @@ class ColorBar : public Simulation {
     for (const BarLabel& label : all)
       if (!(label.value >= 0 && label.value < count && label.value == std::floor(label.value)))
         fail(ExitCode::usage,
-             "colorBar \"{}\": the label \"{}\" is of value {:g}, and \"{}\" has the values 0 to {}", name_,
-             label.text, label.value, parameters_.of, count - 1);
+             "colorBar \"{}\": the label \"{}\" has the value {:g}, but \"{}\" has the values 0 to {}",
+             name_, label.text, label.value, parameters_.of, count - 1);
     if (!all.empty()) return all;
     if (count > mostUnnamed)
       fail(ExitCode::usage,
@@ -158,8 +158,8 @@ class ColorBar : public Simulation {
             (static_cast<float>(label.value) - scale_.range.x) / (scale_.range.y - scale_.range.x);
         if (!(at >= 0 && at <= 1))
           fail(ExitCode::usage,
-               "colorBar \"{}\": the label \"{}\" is of value {:g}, and the colours of \"{}\" go from {:g} "
-               "to {:g}",
+               "colorBar \"{}\": the label \"{}\" has the value {:g}, but the colours of \"{}\" go from "
+               "{:g} to {:g}",
                name_, label.text, label.value, parameters_.of, scale_.range.x, scale_.range.y);
         all.push_back({at, label.text});
       }

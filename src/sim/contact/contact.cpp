@@ -135,10 +135,9 @@ bool Contact::endFrame() {
   gl::barrier();
   control_.read(4 * mostPairsWord, std::as_writable_bytes(std::span(&most, 1)));
   if (most == ~0U)
-    fail(
-        ExitCode::device,
-        "cloths in contact: a search for what is near took too long, so much is crumpled in one place; use "
-        "more substeps or slower motion");
+    fail(ExitCode::device,
+         "cloths in contact: the search for neighbours took too long, because too much cloth is crumpled "
+         "in one place; use more substeps or slower motion");
   const bool enough = most <= static_cast<unsigned>(maxPairs_);
   // Keeps the capacity at twice the number of pairs or more, because a frame seldom needs twice as many
   // pairs as the previous one.

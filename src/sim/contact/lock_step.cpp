@@ -21,8 +21,8 @@ ContactPlan planOf(const std::vector<LockStep*>& members, const std::vector<Cont
     positions.insert(positions.end(), part.positions.begin(), part.positions.end());
   if (const long crossings = crossingsOf(plan, positions); crossings > 0)
     warn(
-        "cloths in contact go through each other{} or themselves at the start, {} times an edge through a "
-        "face: there they stay so; place them apart",
+        "cloths in contact intersect each other{} or themselves at the start, {} times an edge through a "
+        "face, and contact cannot separate them there; place them apart",
         solids.empty() ? "" : ", a solid", crossings);
   return plan;
 }
@@ -51,8 +51,8 @@ constinit const PortInfo ContactCloth::port = {
     .none = "give a \"cloth\" of this scene \"contact\": {}",
     .when = When::afterFrame,
     .passedBy =
-        "particles \"{}\" collide, but pass through cloth \"{}\", which has no contact: give it "
-        "\"contact\": true, or them \"cloths\": \"none\"",
+        "particles \"{}\" collide, but pass through cloth \"{}\", which has no contact; give the cloth "
+        "\"contact\": true, or the particles \"cloths\": \"none\"",
 };
 
 ContactGroup::ContactGroup(std::vector<LockStep*> members, std::vector<ContactSolid*> solids, int substeps,

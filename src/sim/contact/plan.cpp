@@ -108,8 +108,9 @@ Leaves bothHalves(std::span<const ContactPart> parts, const std::vector<int>& fi
     all.insert(all.end(), solids.begin(), solids.end());
   }
   if (std::countr_zero(all.size()) > maxLevels)
-    fail(ExitCode::usage, "contact of {} faces or edges together; there may be {} at most", all.size(),
-         1 << maxLevels);
+    fail(ExitCode::usage,
+         "contact has {} faces or edges in total, but at most {} are allowed; use coarser meshes",
+         all.size(), 1 << maxLevels);
   return all;
 }
 

@@ -26,7 +26,7 @@ constinit const PortInfo ContactSolid::port = {
     .name = "faces",
     .lacks = ", which has no faces to touch",
     .none = "the scene has no faces to touch",
-    .unused = "nothing feels these faces; give a \"cloth\" of this scene \"contact\": {}",
+    .unused = "nothing touches these faces; give a \"cloth\" of this scene \"contact\": {}",
 };
 
 namespace {

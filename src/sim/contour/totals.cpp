@@ -98,7 +98,7 @@ bool Totals::wait() {
   while (result == GL_TIMEOUT_EXPIRED)
     result = glClientWaitSync(fence_, GL_SYNC_FLUSH_COMMANDS_BIT, patience);
   if (result == GL_WAIT_FAILED)
-    fail(ExitCode::device, "the device stopped answering while it made the surface of \"{}\"", name_);
+    fail(ExitCode::device, "the device stopped responding while it made the surface of \"{}\"", name_);
   return true;
 }
 

@@ -108,7 +108,7 @@ Expression::Expression(std::string_view text, const Place& place, const std::vec
   const scene::ExpressionTree tree = scene::parseExpression(text, lookups);
   for (const scene::ExpressionTree::Node& from : tree.nodes) {
     if (from.operation >= Operation::laplacian && from.operation <= Operation::noise)
-      throw scene::ExpressionMistake{from.begin, from.end, "this value has no neighbours and no steps"};
+      throw scene::ExpressionMistake{from.begin, from.end, "this value cannot use neighbours and steps"};
     Node node{from.operation, from.number};
     std::copy(std::begin(from.arguments), std::end(from.arguments), node.arguments);
     if (from.operation == Operation::name) {

@@ -107,9 +107,8 @@ FlowGrid FlowParameters::grid() const {
     if (!(std::abs(grid.values[i].x) <= most && std::abs(grid.values[i].y) <= most)) {
       const auto width = static_cast<std::size_t>(grid.size.x);
       fail(ExitCode::usage,
-           "the velocity of column {}, row {} is no number up to 1e6 m/s; give every point a velocity (0 "
-           "where "
-           "there is none)",
+           "the velocity of column {}, row {} is not a number or above 1e6 m/s; give every point a "
+           "velocity (0 where there is none)",
            i % width, i / width);
     }
   return grid;

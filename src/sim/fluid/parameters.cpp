@@ -17,11 +17,10 @@ const std::vector<const char*> sideKinds = {"wall", "slip", "inflow", "open", "p
 
 void describeSide(scene::Fields& f, const char* name, FluidSide& side) {
   f.shorthand(name, "kind");
-  f.group(name, "A border of the grid, or its kind alone.", [&](scene::Fields& s) {
-    s.choice(
-        "kind", side.kind, sideKinds,
-        "A wall holds the fluid, a slip side does not; an inflow has a velocity, an open side pressure 0; "
-        "periodic ones, in pairs, meet.");
+  f.group(name, "A border of the grid, or only its kind.", [&](scene::Fields& s) {
+    s.choice("kind", side.kind, sideKinds,
+             "The fluid sticks to a wall and slides along a slip side; an inflow has a velocity, an open "
+             "side pressure 0; two opposite periodic sides are joined.");
     s.vector("velocity", side.velocity, {-1e5, 1e5}, "cells/s",
              "Velocity of a wall along itself, or of an inflow. The third number is unused.");
     s.choice(
@@ -46,7 +45,7 @@ void describeStroke(scene::Fields& f, FluidStroke& stroke) {
   f.leftOut("dye", "not set");
   f.vector("force", stroke.force, {-1e6, 1e6}, "cells/s^2", "Acceleration; the third is unused.");
   f.number("soft", stroke.soft, scene::fraction, "",
-           "Part of the radius over which it fades towards its rim; not of images.");
+           "Fraction of the radius over which it fades towards its rim; unused for images.");
   if (f.given("velocity")) stroke.setsVelocity = true;
   if (f.given("temperature")) stroke.setsTemperature = true;
   if (f.given("dye")) stroke.setsDye = true;
@@ -111,13 +110,14 @@ void FluidParameters::describe(scene::Fields& f) {
     paired(top, bottom, "top", "bottom");
   });
   f.vector("flow", flow, {-1e5, 1e5}, "cells/s", "Velocity everywhere at the start; the third is unused.");
-  f.number("speed", speed, {1e-3, 1e6}, "cells/s",
-           "The greatest that is expected: \"auto\" substeps go by it, and dye goes no faster.");
+  f.number(
+      "speed", speed, {1e-3, 1e6}, "cells/s",
+      "Greatest speed that is expected; it determines the \"auto\" substeps and limits the speed of dye.");
   f.integerOr("substeps", substeps, "auto", {1, 10000}, "per frame",
               "Steps that a frame is divided into; \"auto\": as many as \"speed\" / \"courant\" and the "
               "viscosity need.");
   f.number("courant", courant, {0.05, 8}, "cells",
-           "Cells that the greatest speed crosses in a substep of \"auto\".");
+           "Cells that fluid of the speed \"speed\" crosses in a substep, if \"substeps\" is \"auto\".");
   f.choice("advection", advection, {"macCormack", "semiLagrangian", "cubic"},
            "Scheme that carries velocity and temperature along: second-order with a limiter, first-order, "
            "or by cubic interpolation with a limiter.");
@@ -191,8 +191,7 @@ void FluidParameters::describe(scene::Fields& f) {
   remarkIdle(f);
   f.optionalGroup("chart", chart, "Curves over the picture: quantities, a value each frame.");
   if (chart && chart->showsForces() && obstacles.empty())
-    f.error("chart",
-            "lift and drag are of \"obstacles\", and there are none; give some, or another \"of\"");
+    f.error("chart", "lift and drag need \"obstacles\"; give some, or another \"of\"");
   f.group("display", "Placement of the field over the picture.", [&](scene::Fields& d) {
     if (show == Show::speed) display.high = speed;
     if (show == Show::lines) display.high = 0.6 * speed;

@@ -166,7 +166,7 @@ FluidPlan::Brushes FluidPlan::brushesAt(double time, int step) const {
   std::vector<int> numbers;
   all.strokes = strokes_.into(now, dt, std::lround(now / dt), &numbers);
   if (all.strokes.size() > static_cast<std::size_t>(shader::maxBrushes))
-    fail(ExitCode::usage, "fluid \"{}\": {} strokes are at work at {:.3f} s, at most {} may be", object_,
+    fail(ExitCode::usage, "fluid \"{}\": {} strokes are active at {:.3f} s, but at most {} may be", object_,
          all.strokes.size(), now, shader::maxBrushes);
   for (std::size_t i = 0; i < all.strokes.size(); ++i) {
     const shader::Stroke& stroke = all.strokes[i];

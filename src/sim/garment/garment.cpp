@@ -37,8 +37,8 @@ class Garment : public Simulation, public LockStep {
         steps_(name_ + " steps", plan_.substeps()),
         topology_(name_, plan_.mesh()) {
     if (const std::string ignored = ignoredLooks(object, plan_.mesh()); !ignored.empty())
-      warn("cloth \"{}\": {} has what is not drawn: {}", name_, plan_.parameters().mesh->file.string(),
-           ignored);
+      warn("cloth \"{}\": {} has features that are not drawn: {}", name_,
+           plan_.parameters().mesh->file.string(), ignored);
     if (const ClothColoring& coloring = plan_.parameters().coloring; coloring.used()) {
       material_ = ClothColoring::materialOf(object);
       colors_.emplace(name_, coloring, edgesOf(plan_.cloth()), plan_.substepSeconds(), setting.fast);

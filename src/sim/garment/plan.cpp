@@ -213,9 +213,8 @@ ClothParameters GarmentPlan::settled(const std::string& name, ClothParameters pa
   }
   if (opposite > 0)
     warn(
-        "{}: {} edges are sewn to edges whose faces face the other way; the seam bends like a hinge there; "
-        "turn one "
-        "piece over",
+        "{}: {} edges are sewn to edges of faces that face the other way, so the seam bends like a hinge "
+        "there; turn one piece over",
         name, opposite);
   std::vector<bool> pinned;
   for (std::size_t i = 0; i < masses_.size(); ++i) pinned.push_back(groups_[i] >= 0);
@@ -249,10 +248,11 @@ ClothParameters GarmentPlan::settled(const std::string& name, ClothParameters pa
   }
   const double seconds = frameSeconds / *parameters.substeps;
   if (given && seconds > pace.stableSeconds())
-    warn("{}: {} fewer than the {:.0f} that what hangs needs to be stable; set \"substeps\": \"auto\"",
-         name,
-         *parameters.substeps == 1 ? "1 substep is" : fmt::format("{} substeps are", *parameters.substeps),
-         std::ceil(frameSeconds / pace.stableSeconds()));
+    warn(
+        "{}: {} fewer than the {:.0f} that the hanging parts need to be stable; set \"substeps\": \"auto\"",
+        name,
+        *parameters.substeps == 1 ? "1 substep is" : fmt::format("{} substeps are", *parameters.substeps),
+        std::ceil(frameSeconds / pace.stableSeconds()));
   if (!given && pace.stretchError(seconds) > 0.01)
     warn("{}: with {} substeps it stretches by {:.1f}% more than its fabric; take a coarser mesh", name,
          *parameters.substeps, 100 * pace.stretchError(seconds));

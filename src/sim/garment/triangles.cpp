@@ -140,7 +140,8 @@ void ClothTriangles::join(const std::string& name) {
     const Edge& first = edges[i];
     if (end - i > 2)
       fail(ExitCode::usage,
-           "{}: an edge belongs to {} faces ({}, {}, {}...), {}; cloth is one layer, so take them apart",
+           "{}: an edge belongs to {} faces ({}, {}, {}...), {}; at most two faces may share an edge, so "
+           "separate them",
            name, end - i, first.face, edges[i + 1].face, edges[i + 2].face, placeText(points[first.low]));
     if (end - i == 2) {
       const Edge& second = edges[i + 1];

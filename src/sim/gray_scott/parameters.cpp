@@ -37,8 +37,7 @@ GrayScottParameters::GrayScottParameters() {
 void GrayScottParameters::describe(scene::Fields& f) {
   f.pair("size", size, {4, 32768}, "cells",
          "Width and height; the left edge meets the right, the top the bottom. In every step u and v are "
-         "held to "
-         "0 to 1, with a warning when that changes one.");
+         "held to 0 to 1, and a warning tells when that changes a value.");
   f.choice("preset", preset, presetNames, "Rates by name; README.md of src/sim says what each grows.");
   const FeedKill standard = ratesOf(preset);
   rate(f, "feed", feed, standard.feed, "F, the rate at which u comes in; left out: the preset's.");

@@ -69,8 +69,8 @@ void StrokeParameters::describe(scene::Fields& f, double max, const char* valueD
            "Time at which the stroke begins; the first state at this time or later has it.");
   f.number("until", until, scene::anyNumber, "s", "When it ends; not after \"at\": it paints once.");
   f.vector("from", from, {-1e6, 1e6}, "cells",
-           "Middle of the circle, start of the line, or top left of the image; the third counts in "
-           "volumes alone.");
+           "Middle of the circle, start of the line, or top left of the image; the third number counts "
+           "only in volumes.");
   f.vector("to", to, {-1e6, 1e6}, "cells", "Place that the circle moves to, or the end of the line.");
   f.leftOut("to", "\"from\"");
   if (!f.given("to")) to = from;
@@ -173,8 +173,8 @@ void Strokes::check(std::size_t index) const {
     const double images = (stamp.x / size.x + 2) * (stamp.y / size.y + 2);
     if (isStamp ? images > maxStampImages : rounds > maxRounds)
       fail(ExitCode::usage,
-           "{}: strokes[{}] goes round its torus of {} x {} cells {:.0f} times, at most {:.0f} are drawn; "
-           "make it shorter",
+           "{}: strokes[{}] wraps around the torus of {} x {} cells {:.0f} times, but at most {:.0f} are "
+           "drawn; make it shorter",
            grid_.object, index, grid_.size.x, grid_.size.y, isStamp ? images : rounds,
            isStamp ? maxStampImages : maxRounds);
     return;

@@ -60,8 +60,7 @@ class GridReader {
     if (!isDigit(next())) wrong_(at_, fmt::format("{} is missing here", what));
     long value = 0;
     for (; isDigit(next()); ++at_) value = std::min(value * 10 + (next() - '0'), 10L * maxLifeSide);
-    if (value > maxLifeSide)
-      wrong_(start, fmt::format("{} is above {}, the most there is room for", what, maxLifeSide));
+    if (value > maxLifeSide) wrong_(start, fmt::format("{} is above {}, the maximum", what, maxLifeSide));
     return static_cast<int>(value);
   }
 
@@ -69,7 +68,8 @@ class GridReader {
   int side(const char* what, bool& reversed, int& shift) {
     const std::size_t start = at_;
     const int cells = number(what);
-    if (cells == 0) wrong_(start, "a side of 0, which is endless: grids have two sides here");
+    if (cells == 0)
+      wrong_(start, "a side of 0 means an endless grid, which is not supported; give both sides");
     if (next() == '*') {
       reversed = true;
       ++at_;

@@ -97,7 +97,7 @@ class LineReader : public PatternText {
     if (error == std::errc::invalid_argument)
       wrong(place_ + at, "a whole number is missing here: places are as \"3 -1\"");
     if (error != std::errc() || value > maxPlace || value < -maxPlace)
-      wrong(place_ + at, fmt::format("a place beyond {}, the farthest there is room for", maxPlace));
+      wrong(place_ + at, fmt::format("a place beyond {}, the farthest that is allowed", maxPlace));
     at = static_cast<std::size_t>(end - line.data());
     return value;
   }
@@ -118,8 +118,8 @@ class LineReader : public PatternText {
     if (pattern_.runs.empty()) return std::move(pattern_);
     pattern_.size = end - min;
     if (std::max(pattern_.size.x, pattern_.size.y) > maxLifeSide)
-      wrong(0, fmt::format("the living cells are {} x {} apart, more than {}, the most there is room for",
-                           pattern_.size.x, pattern_.size.y, maxLifeSide));
+      wrong(0, fmt::format("the living cells are {} x {} apart, more than {}, the maximum", pattern_.size.x,
+                           pattern_.size.y, maxLifeSide));
     for (CellPattern::Run& run : pattern_.runs) {
       run.x -= min.x;
       run.y -= min.y;

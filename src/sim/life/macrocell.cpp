@@ -140,7 +140,7 @@ class MacrocellReader : public PatternText {
     if (pattern_.runs.empty()) origin_ = {x, y};
     const std::int64_t dx = x - origin_.first, dy = y - origin_.second;
     if (std::max(std::abs(dx), std::abs(dy)) > maxLifeSide)
-      wrong(0, fmt::format("living cells are more than {} apart, the most there is room for", maxLifeSide));
+      wrong(0, fmt::format("living cells are more than {} apart, the maximum", maxLifeSide));
     add(static_cast<int>(dx), static_cast<int>(dy), 1, state, 0);
   }
 
@@ -173,8 +173,8 @@ class MacrocellReader : public PatternText {
     }
     pattern_.size = end - min;
     if (std::max(pattern_.size.x, pattern_.size.y) > maxLifeSide)
-      wrong(0, fmt::format("the living cells are {} x {} apart, more than {}, the most there is room for",
-                           pattern_.size.x, pattern_.size.y, maxLifeSide));
+      wrong(0, fmt::format("the living cells are {} x {} apart, more than {}, the maximum", pattern_.size.x,
+                           pattern_.size.y, maxLifeSide));
     for (CellPattern::Run& run : pattern_.runs) {
       run.x -= min.x;
       run.y -= min.y;

@@ -61,8 +61,7 @@ void LifeParameters::describe(scene::Fields& f) {
   }
   f.asset("ruleFile", ruleFile,
           "A rule as a file of Golly's format .rule (@TABLE or @TREE), instead of \"rule\".");
-  if (!rule.empty() && !ruleFile.empty())
-    f.error("ruleFile", "a rule is given as \"rule\" or as \"ruleFile\"");
+  if (!rule.empty() && !ruleFile.empty()) f.error("ruleFile", "give \"rule\" or \"ruleFile\", not both");
   f.choice("border", border,
            {"torus", "dead", "cylinder", "klein", "kleinSideways", "crossSurface", "sphere"},
            "torus: each edge meets the opposite one; dead: beyond the edge nothing lives; cylinder: left "
@@ -72,8 +71,8 @@ void LifeParameters::describe(scene::Fields& f) {
   f.leftOut("border", "\"torus\", or a pattern's");
   borderGiven = f.given("border");
   f.pair("shift", shift, {-maxLifeSide, maxLifeSide}, "cells",
-         "Shift of a torus or a Klein bottle: cells beyond the lower edge lie so much further right, or "
-         "cells beyond the right edge so much further down.");
+         "Shift of a torus or a Klein bottle: cells beyond the lower edge are this much further right, or "
+         "cells beyond the right edge this much further down.");
   if (f.given("shift") && f.given("size"))
     if (const std::string problem = shape().problem(size); !problem.empty()) f.error("shift", problem);
   f.number("fill", fill, {0, 1}, "",

@@ -183,7 +183,7 @@ void LifePlan::checkStates(const std::string& object) const {
     fail(ExitCode::usage, "life \"{}\": only rules of range 1 run on a sphere, this one's is {}", object,
          range);
   if (rule_.states > 2 && parameters_.trail > 0 && parameters_.trailGiven)
-    fail(ExitCode::usage, "life \"{}\": \"trail\" is of rules of two states, {} has {}", object,
+    fail(ExitCode::usage, "life \"{}\": \"trail\" needs a rule of two states, but {} has {}", object,
          rule_.text(), rule_.states);
   for (const LifePattern& pattern : parameters_.patterns)
     if (const CellPattern& cells = cellsOf(pattern); cells.highest >= rule_.states)

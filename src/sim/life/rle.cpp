@@ -96,7 +96,7 @@ class RleReader : public PatternText {
     long value = 0;
     for (; at_ < text_.size() && isDigit(text_[at_]); ++at_)
       value = std::min(value * 10 + (text_[at_] - '0'), 10L * maxLifeSide);
-    if (value > max) wrong(start, fmt::format("{} is above {}, the most there is room for", what, max));
+    if (value > max) wrong(start, fmt::format("{} is above {}, the maximum", what, max));
     return static_cast<int>(value);
   }
 
@@ -187,7 +187,7 @@ class RleReader : public PatternText {
       wrong(start, fmt::format("living cells {} to {} of row {} lie outside the header's {} x {}", place_.x,
                                end.x - 1, place_.y, pattern_.size.x, pattern_.size.y));
     if (end.x > maxLifeSide || end.y > maxLifeSide)
-      wrong(start, fmt::format("a living cell at [{}, {}], beyond {}, the most there is room for",
+      wrong(start, fmt::format("a living cell at [{}, {}], beyond {}, the farthest that is allowed",
                                end.x - 1, place_.y, maxLifeSide));
     if (!headed_) pattern_.size = glm::max(pattern_.size, end);
     add(place_.x, place_.y, count, state, start);

@@ -146,7 +146,7 @@ void checkSizes(const Window& data, const Window& shown) {
   constexpr double leastShare = 1.0 / 64, smallArea = 1e6;
   if (double(shown.width) * shown.height > smallArea &&
       double(data.width) * data.height < leastShare * shown.width * shown.height)
-    throw std::runtime_error(fmt::format("a display window of {}x{} pixels around {}x{} that there are",
+    throw std::runtime_error(fmt::format("a display window of {}x{} pixels, but only {}x{} pixels of data",
                                          shown.width, shown.height, data.width, data.height));
 }
 

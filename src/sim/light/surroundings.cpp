@@ -13,7 +13,7 @@ std::string surroundingsLabel(const std::filesystem::path& file) {
 
 LightFile readSurroundings(const std::filesystem::path& file) {
   const std::string bytes = readFile(file, "sky's picture");
-  const std::string label = surroundingsLabel(file), advice = "is all of it there?";
+  const std::string label = surroundingsLabel(file), advice = "is the file complete?";
   if (isExr(bytes)) return decodeExr(bytes, label, advice);
   if (isRadiance(bytes)) return decodeRadiance(bytes, label, advice);
   fail(ExitCode::inputOutput, "{} is neither Radiance HDR nor OpenEXR", label);
@@ -21,8 +21,8 @@ LightFile readSurroundings(const std::filesystem::path& file) {
 
 void checkSurroundings(const LightFile& picture, const std::string& label) {
   if (picture.size.x != 2 * picture.size.y)
-    fail(ExitCode::inputOutput, "{} has {}x{} pixels; one of all around is twice as wide as high", label,
-         picture.size.x, picture.size.y);
+    fail(ExitCode::inputOutput, "{} has {}x{} pixels; an equirectangular picture is twice as wide as high",
+         label, picture.size.x, picture.size.y);
   if (!picture.unfit.empty()) fail(ExitCode::inputOutput, "{} {}", label, picture.unfit);
   if (!picture.colours.empty())
     fail(ExitCode::inputOutput, "{} has {}; convert it to those of Rec. 709 (sRGB)", label,
@@ -33,7 +33,8 @@ void checkSurroundings(const LightFile& picture, const std::string& label) {
   for (std::size_t i = 0; i < picture.values.size(); ++i) {
     if (i % 4 == 3) continue;
     if (!(picture.values[i] >= slightly && picture.values[i] < 1e9F))
-      fail(ExitCode::inputOutput, "{} has the value {:g} at column {}, row {}, which is no light", label,
+      fail(ExitCode::inputOutput,
+           "{} has the value {:g} at column {}, row {}, which is not a valid amount of light", label,
            static_cast<double>(picture.values[i]), i / 4 % static_cast<std::size_t>(picture.size.x),
            i / 4 / static_cast<std::size_t>(picture.size.x));
     negative += picture.values[i] < 0 ? 1 : 0;

@@ -51,10 +51,10 @@ void describeFootprints(scene::Fields& f, Footprints& p) {
 
 void describePush(scene::Fields& f, Push& p) {
   f.number("softness", p.softness, {0, 1e3}, "m",
-           "Distance around a collider within which the mesh gives way.");
+           "Distance around a collider within which the mesh bends away.");
   f.number("base", p.base, {-1e4, 1e4}, "m", "Height at which the mesh is rooted.");
   f.number("height", p.height, {0, 1e4}, "m",
-           "Above the base, over which it begins to give way; 0: everywhere.");
+           "Height above the base over which the bending grows to its full size; 0: full size everywhere.");
 }
 
 /// Returns the number of shader displacements that an entry needs: one for each wave, or one for any other
@@ -73,9 +73,9 @@ void DisplacementParameters::describe(scene::Fields& f) {
   f.optionalGroup("sway", sway.on, "Wind that bends the standing parts of the mesh.",
                   [&](scene::Fields& g) { describeSway(g, sway); });
   f.optionalGroup("footprints", footprints.on,
-                  "Prints that the scene's spheres and capsules leave, for good.",
+                  "Permanent prints that the scene's spheres and capsules leave.",
                   [&](scene::Fields& g) { describeFootprints(g, footprints); });
-  f.optionalGroup("push", push.on, "Gives way to the scene's spheres and capsules.",
+  f.optionalGroup("push", push.on, "Bends away from the scene's spheres and capsules.",
                   [&](scene::Fields& g) { describePush(g, push); });
 }
 
@@ -97,8 +97,7 @@ void DeformParameters::describe(scene::Fields& f) {
                       static_cast<int>(d.sway.on) + static_cast<int>(d.footprints.on) +
                       static_cast<int>(d.push.on);
     if (named != 1)
-      f.error("deform",
-              fmt::format("entry {} names {} displacements; it has to name exactly one", i, named));
+      f.error("deform", fmt::format("entry {} names {} displacements; it must name exactly one", i, named));
   }
   if (count > shader::maxDisplacements)
     f.error("deform", fmt::format("{} displacements (each wave counts as one) are more than {}", count,

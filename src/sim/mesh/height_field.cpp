@@ -26,7 +26,8 @@ constinit const PortInfo HeightField::port = {
     .name = "surface of heights",
     .lacks = ", which is no surface of heights",
     .none = "the scene has no surface of heights",
-    .single = "a scene has one thing that others fall onto, and \"{}\" is one already",
+    .single =
+        "only one object of a scene can be the surface that others fall onto, and \"{}\" is it already",
 };
 
 HeightField::HeightField(const std::string& name, const HeightPlan& plan)

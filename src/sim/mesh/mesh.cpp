@@ -114,7 +114,8 @@ Mesh readMesh(const scene::Object& object, const Setting& setting) {
     warn("mesh \"{}\": {} has no texture coordinates, so its texture shows the colour of one corner",
          object.name, parameters.file.string());
   if (const std::string ignored = ignoredLooks(object, mesh); !ignored.empty())
-    warn("mesh \"{}\": {} has what is not drawn: {}", object.name, parameters.file.string(), ignored);
+    warn("mesh \"{}\": {} has features that are not drawn: {}", object.name, parameters.file.string(),
+         ignored);
   return mesh;
 }
 

@@ -124,30 +124,31 @@ void MeshParameters::describeCollision(scene::Fields& f) {
 
 void MeshParameters::checkSolid(scene::Fields& f) const {
   if (shape == MeshShape::plane || shape == MeshShape::grass || shape == MeshShape::disc)
-    f.error("shape",
-            "a mesh that collides is closed all around, or a plane that \"deform\" moves; use a \"plane\" "
-            "object");
+    f.error(
+        "shape",
+        "a mesh that collides must be closed, or a plane that \"deform\" moves; use a \"plane\" object");
   if (distanceCells > 0 && distanceCells < 8)
-    f.error("distanceCells", "a mesh that collides has at least 8 cells along its longest side");
-  if (scale.moves()) f.error("scale", "a mesh that collides keeps its size: one scale, no keys");
+    f.error("distanceCells", "a mesh that collides needs at least 8 cells along its longest side");
+  if (scale.moves())
+    f.error("scale", "a mesh that collides cannot change its size; give one scale without keys");
 }
 
 void MeshParameters::checkHeights(scene::Fields& f) const {
   if (shape != MeshShape::plane)
-    f.error("shape", "a deformed mesh that collides is a \"plane\", whose heights others fall onto");
+    f.error("shape", "a deformed mesh that collides must be a \"plane\", onto whose heights others fall");
   for (const char* name : {"friction", "distanceCells"})
     if (f.given(name))
       f.error(name, fmt::format("\"{}\" is for a mesh that collides and is not deformed", name));
   if (deform.technique == DeformTechnique::vertexShader)
     f.error("technique", "\"vertex-shader\" keeps no positions to collide with; use \"compute\"");
   if (size.x < 1e-3F || size.z < 1e-3F)
-    f.error("size", "a mesh that collides is at least 0.001 m wide and deep");
+    f.error("size", "a mesh that collides must be at least 0.001 m wide and deep");
   if (position.moves())
-    f.error("position", "a mesh that collides stays where it is: one position, no keys");
+    f.error("position", "a deformed mesh that collides cannot move; give one position without keys");
   if (rotation.moves() || rotation.at(0) != glm::vec3(0))
-    f.error("rotation", "a mesh that collides is not turned");
+    f.error("rotation", "a deformed mesh that collides cannot be turned; leave out \"rotation\"");
   if (scale.moves() || scale.at(0) != 1.0F)
-    f.error("scale", "a mesh that collides is not scaled; give it another \"size\"");
+    f.error("scale", "a deformed mesh that collides cannot be scaled; give it another \"size\"");
 }
 
 bool MeshParameters::doubleSided() const {

@@ -88,7 +88,7 @@ CameraNodes readCameraNodes(const std::filesystem::path& file, std::string_view 
     read.animations = nodes.animations();
     return read;
   } catch (const JsonError& error) {
-    refuseMesh(file, fmt::format("is no sound glTF: {}", error.what()));
+    refuseMesh(file, fmt::format("is not valid glTF: {}", error.what()));
   }
 }
 
@@ -231,7 +231,8 @@ std::shared_ptr<const scene::CameraShot> readCamera(const scene::CameraFile& wan
 
 std::shared_ptr<const scene::CameraShot> openCamera(const scene::CameraFile& wanted) {
   if (!isGltf(wanted.file))
-    fail(ExitCode::usage, "{} is neither .gltf nor .glb, which hold cameras", wanted.file.string());
+    fail(ExitCode::usage, "{} is neither .gltf nor .glb; cameras need one of these formats",
+         wanted.file.string());
   const std::string text = readFile(wanted.file, "camera");
   CameraNodes read = unpacked<CameraNodes>(readApart(wanted.file, [&] {
     auto made = readCameraNodes(wanted.file, text);

@@ -100,14 +100,14 @@ std::optional<FigureChannel> GltfNodes::channelOf(const JsonValue& animation, co
                                  nodes_[static_cast<std::size_t>(made.node)].name, why));
   };
   if (path != "translation" && path != "rotation" && path != "scale")
-    refuse(fmt::format("along \"{}\", which is no property", path));
+    refuse(fmt::format("along \"{}\", which is not a property that glTF animates", path));
   if (nodes_[static_cast<std::size_t>(made.node)].hasMatrix)
     refuse("although that has a matrix; give it translation, rotation and scale");
   made.path = path == "translation" ? Path::translation : path == "rotation" ? Path::rotation : Path::scale;
   const JsonValue sampler = animation.at("samplers").at(GltfDocument::number(channel, "sampler"));
   const std::string way = textIfThere(sampler, "interpolation");
   if (!way.empty() && way != "STEP" && way != "LINEAR" && way != "CUBICSPLINE")
-    refuse(fmt::format("by the interpolation \"{}\", which is none", way));
+    refuse(fmt::format("by the interpolation \"{}\", which glTF does not define", way));
   made.way = way == "STEP" ? Way::step : way == "CUBICSPLINE" ? Way::cubic : Way::linear;
   made.times = document_.floats(GltfDocument::number(sampler, "input"), 1);
   const std::size_t width = made.path == Path::rotation ? 4 : 3;
@@ -117,7 +117,7 @@ std::optional<FigureChannel> GltfNodes::channelOf(const JsonValue& animation, co
     refuse(fmt::format("by {} values at {} times", made.values.size() / width, made.times.size()));
   for (std::size_t k = 0; k < made.times.size(); ++k)
     if (!(made.times[k] >= 0 && made.times[k] < 1e6F) || (k > 0 && made.times[k] <= made.times[k - 1]))
-      refuse(fmt::format("at {} s (key {}): times begin at 0 or later and grow", made.times[k], k));
+      refuse(fmt::format("at {} s (key {}): times must be 0 or more and increase", made.times[k], k));
   for (const float value : made.values)
     if (!(std::abs(value) < 1e9F)) refuse("to a place that is not finite");
   if ((keys_ += made.times.size()) > maxKeys)

@@ -130,8 +130,8 @@ void ReactionPlan::checkBrushes(const std::string& object) const {
     }
     if (torus && rounds > maxBrushRounds)
       fail(ExitCode::usage,
-           "reaction \"{}\": strokes[{}] goes round its torus of {} cells {:.0f} times at once, at most "
-           "{:.0f} are drawn; make it shorter",
+           "reaction \"{}\": strokes[{}] wraps around the torus of {} cells {:.0f} times at once, but at "
+           "most {:.0f} are drawn; make it shorter",
            object, i, parameters_.cellsText(), rounds, maxBrushRounds);
     if (!reached)
       warn("reaction \"{}\": strokes[{}] paints nothing, it {}", object, i,

@@ -111,9 +111,8 @@ void warnOfGrowth(const std::string& object, const ReactionPlan& plan, const Rul
   if (plan.diffusesTooFast()) return;
   if (const std::optional<StepGrowth> growth = unstableSteps(plan, first))
     warn(
-        "reaction \"{}\": a step makes small waves in the first state {:.3g} times as high, and the "
-        "equations "
-        "alone {:.3g} times; lower dt to {:.2g}, or take another \"method\"",
+        "reaction \"{}\": a step makes small waves in the first state {:.3g} times as high, but the "
+        "equations make them only {:.3g} times as high; lower dt to {:.2g}, or take another \"method\"",
         object, growth->step, growth->equations, growth->dt);
 }
 

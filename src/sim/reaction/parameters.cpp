@@ -59,7 +59,7 @@ void ReactionParameters::describe(scene::Fields& f) {
     f.leftOut(name, fmt::format("the preset's, or {}", other).c_str());
   };
   f.number("spacing", spacing, {1e-6, 1e6}, "units of length", "Distance between cells.");
-  presets("spacing", "1; on a mesh as much as lets steps be stable that are so on a grid");
+  presets("spacing", "1; on a mesh so large that steps are as stable as on a grid");
   hasSpacing = f.given("spacing");
   f.number("dt", dt, {1e-9, 1e6}, "units of time", "Length of a step.");
   presets("dt", "0.1");
@@ -153,14 +153,14 @@ void ReactionParameters::describe(scene::Fields& f) {
                                    species.size()));
   for (const ReactionSpecies& one : species)
     if (!one.next.empty() && method != RuleMethod::euler)
-      f.error("method", fmt::format("{} becomes \"next\", which goes with \"euler\" alone",
-                                    scene::inQuotes(one.name)));
+      f.error("method",
+              fmt::format("{} has a \"next\", which works only with \"euler\"", scene::inQuotes(one.name)));
   std::vector<std::string> known;
   for (const ReactionSpecies& one : species) known.push_back(one.name);
   for (const ReactionStroke& stroke : strokes)
     if (painted(stroke) < 0)
       f.error("strokes",
-              fmt::format("a stroke paints the species {}, which is not there; {}",
+              fmt::format("a stroke paints the species {}, which does not exist; {}",
                           scene::inQuotes(stroke.species), scene::suggestion(stroke.species, known)));
   try {
     static_cast<void>(understandRule(ruleText()));
@@ -212,7 +212,8 @@ void ReactionParameters::checkMesh(scene::Fields& f) const {
 void ReactionParameters::checkBrushes(scene::Fields& f) const {
   for (const ReactionStroke& stroke : strokes)
     if (stroke.shape == StrokeParameters::Shape::image)
-      f.error("strokes", "an \"image\" is painted on flat grids alone; use a circle, which is a ball here");
+      f.error("strokes",
+              "an \"image\" can be painted only on flat grids; use a circle, which is a ball here");
 }
 
 std::string ReactionParameters::cellsText() const {
@@ -248,10 +249,11 @@ RuleText ReactionParameters::ruleText() const {
 void ReactionParameters::ports(Ports& ports) const {
   Ports::Offer& field = ports.provide<FieldSource>(space() == RuleSpace::plane);
   for (const ReactionSpecies& one : species) field.parts.push_back(one.name);
-  if (space() == RuleSpace::mesh) field.unless = " on a mesh, whose field only one on the same mesh takes";
+  if (space() == RuleSpace::mesh)
+    field.unless = " on a mesh, whose field only a reaction on the same mesh can use";
   if (space() == RuleSpace::volume)
     field.unless = fmt::format(
-        " in a volume of {} cells, whose field only a volume of the same proportions takes", cellsText());
+        " in a volume of {} cells, whose field only a volume of the same proportions can use", cellsText());
   for (const ReactionParameter& parameter : parameters)
     if (!parameter.field.empty())
       ports.mustWant<FieldSource>(parameter.field, {"parameters", parameter.name, "field"},

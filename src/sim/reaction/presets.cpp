@@ -201,7 +201,7 @@ void ReactionPreset::apply(ReactionParameters& p) const {
 }
 
 std::string reactionPresetsText() {
-  std::string out = "Presets (\"preset\"); what a scene gives beside one goes before it:\n";
+  std::string out = "Presets (\"preset\"); values that a scene gives beside a preset override it:\n";
   for (const ReactionPreset& preset : reactionPresets()) {
     ReactionParameters p;
     preset.apply(p);
@@ -225,7 +225,7 @@ std::string reactionPresetsText() {
       "\nExpressions: + - * / ^, < <= > >= == !=, and, or, not, numbers, species, parameters, lets, x, y, "
       "t, pi, "
       "width, height and\n";
-  out += fmt::format("  {:<10}  of what is below 1e-30: 0, but for whole exponents up to {}\n", "^",
+  out += fmt::format("  {:<10}  0 for bases below 1e-30, except for whole exponents up to {}\n", "^",
                      greatestWholePower);
   for (const scene::ExpressionFunction& function : scene::expressionFunctions())
     out += fmt::format("  {:<10}  {}\n", function.name,

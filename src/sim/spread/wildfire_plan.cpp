@@ -65,11 +65,10 @@ void WildfireParameters::describe(scene::Fields& f) {
   f.asset("obstacles", obstacles, "Picture: nothing burns where it is light, as on water.");
   f.asset("terrain", terrain, "Picture of heights, for the shading and \"slope\"; none: hills of noise.");
   f.number("relief", relief, {0, 1e4}, "cells", "Height of white above black in the terrain.");
-  f.number(
-      "slope", slope, {0, 3}, "",
-      "It spreads e^slope times as likely up a slope of 45 degrees, where the terrain rises a cell in "
-      "a cell, and e^-slope times down one, to all sides alike; steeper than 82 degrees counts as that; 0: "
-      "terrain is for the eye only.");
+  f.number("slope", slope, {0, 3}, "",
+           "It spreads e^slope times as likely up a slope of 45 degrees, where the terrain rises a cell in "
+           "a cell, and e^-slope times down one, to all sides alike; steeper than 82 degrees counts as "
+           "that; 0: the terrain does not affect the fire.");
   f.number("moisture", moisture, {0, 1}, "", "1: nothing catches fire.");
   f.asset("moistureMap", moistureMap, "Picture: white is too wet to burn.");
   f.number("spread", spread, {0, 1}, "per step",

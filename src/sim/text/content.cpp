@@ -23,8 +23,8 @@ TextContent::Part numberOf(std::string_view inner) {
     std::string_view digits = inner.substr(colon + 1);
     part.digits = takeInteger(digits);
     if (!part.digits || !digits.empty() || *part.digits < 0 || *part.digits > mostDigits)
-      throw std::invalid_argument(
-          fmt::format("\"{{{}}}\": after the colon stands how many digits, 0 to {}", shown, mostDigits));
+      throw std::invalid_argument(fmt::format(
+          "\"{{{}}}\": the colon must be followed by a number of digits, 0 to {}", shown, mostDigits));
     inner = inner.substr(0, colon);
   }
   if (inner == "frame" || inner == "time") {
@@ -33,10 +33,10 @@ TextContent::Part numberOf(std::string_view inner) {
   }
   const std::size_t point = inner.rfind('.');
   if (point == std::string_view::npos || point == 0 || point + 1 == inner.size())
-    throw std::invalid_argument(fmt::format(
-        "\"{{{}}}\" is none of {{frame}}, {{time}} and {{OBJECT.QUANTITY}}; write \"{{{{\" for a "
-        "brace",
-        shown));
+    throw std::invalid_argument(
+        fmt::format("\"{{{}}}\" is unknown; use {{frame}}, {{time}} or {{OBJECT.QUANTITY}}, or write "
+                    "\"{{{{\" for a brace",
+                    shown));
   part.number = Number::quantity;
   part.object = inner.substr(0, point);
   part.quantity = inner.substr(point + 1);

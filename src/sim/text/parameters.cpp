@@ -36,7 +36,7 @@ void ScreenText::describe(scene::Fields& f) {
   f.color("color", color, scene::notNegative, "Linear RGB; it is not tone mapped.");
   f.leftOut("color", "[1,1,1], or dark on a bright stage");
   colored = f.given("color");
-  f.number("opacity", opacity, scene::fraction, "", "0: not to be seen.");
+  f.number("opacity", opacity, scene::fraction, "", "Opacity; 0: invisible.");
   f.number("backdrop", backdrop, scene::fraction, "", "Opacity of a dark panel behind it.");
 }
 
@@ -48,14 +48,14 @@ void TextParameters::describe(scene::Fields& f) {
   f.leftOut("font", "Open Sans, which ships with simreel");
   f.choice("weight", weight, {"regular", "bold"}, "Weight of the shipped font.");
   if (f.given("font") && f.given("weight"))
-    f.error("weight", "\"weight\" is of the font that ships; a \"font\" of yours has its own");
+    f.error("weight",
+            "\"weight\" works only with the shipped font; leave it out with a \"font\" of your own");
   f.choice("align", anchor.across, {"left", "center", "right"},
-           "Which point of each line lies at its place.");
+           "Point of each line that lies at its place, horizontally.");
   f.leftOut("align", "\"center\", or \"left\" on the screen");
-  f.choice(
-      "vertical", anchor.down, {"baseline", "top", "middle", "bottom"},
-      "Which height lies at its place: the first baseline, the top of its capitals, the middle, or the "
-      "last baseline.");
+  f.choice("vertical", anchor.down, {"baseline", "top", "middle", "bottom"},
+           "Height of the text that lies at its place: the first baseline, the top of its capitals, the "
+           "middle, or the last baseline.");
   f.leftOut("vertical", "\"baseline\", or \"top\" on the screen");
   f.number("spacing", spacing, {0, 100}, "", "Distance of lines, as a factor on the font's own.");
   f.number("height", height, {1e-4, 1e4}, "m", "Height of capital letters.");
@@ -68,7 +68,8 @@ void TextParameters::describe(scene::Fields& f) {
                   [&](scene::Fields& inner) { screen.describe(inner); });
   for (const char* name : {"height", "depth", "position", "rotation", "scale"})
     if (onScreen && f.given(name))
-      f.error(name, fmt::format("\"{}\" is of text in the world; on the \"screen\" leave it out", name));
+      f.error(name,
+              fmt::format("\"{}\" is only for text in the world; leave it out with \"screen\"", name));
   if (onScreen && !f.given("align")) anchor.across = TextAnchor::Across::left;
   if (onScreen && !f.given("vertical")) anchor.down = TextAnchor::Down::top;
   constexpr std::size_t longest = 4096;

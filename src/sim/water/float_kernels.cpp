@@ -87,7 +87,8 @@ FloatKernels::FloatKernels(const std::string& name, const WaterPlan& plan, bool 
     if (own) continue;
     ofFiles[body.drawnFile()] = drawn.looks;
     if (const std::string ignored = ignoredLooks(object, mesh); !ignored.empty())
-      warn("water \"{}\": {} has what is not drawn: {}", name, body.drawnFile().string(), ignored);
+      warn("water \"{}\": {} has features that are not drawn: {}", name, body.drawnFile().string(),
+           ignored);
   }
   for (gl::Vec4Array& bodies : bodies_) bodies = gl::Vec4Array(name + " floats", floats.first());
   points_ = gl::Vec4Array(name + " floats' points", floats.points());

@@ -23,22 +23,24 @@ void WaterFloat::describe(scene::Fields& f) {
   if (shape == WaterFloatShape::file && file.empty())
     f.error("shape", "the shape \"file\" needs \"file\": the mesh to read");
   const auto only = [&](const char* name, WaterFloatShape wanted, const char* what) {
-    if (shape != wanted && f.given(name)) f.error(name, fmt::format("\"{}\" is of {}", name, what));
+    if (shape != wanted && f.given(name)) f.error(name, fmt::format("\"{}\" is only for {}", name, what));
   };
   only("radius", WaterFloatShape::ball, "a \"ball\"");
   only("size", WaterFloatShape::box, "a \"box\"");
   f.asset("drawn", drawn, "Mesh that is drawn in its place; it may be open: a leaf, a bowl.");
   if (shape != WaterFloatShape::file && drawn.empty() && f.given("scale"))
-    f.error("scale", "\"scale\" is of files; give \"drawn\", or the shape \"file\"");
+    f.error("scale", "\"scale\" is only for files; give \"drawn\", or the shape \"file\"");
   f.number("density", density, {1, 1e5}, "kg/m^3", "Density of the body; water has 1000.");
   f.optionalNumber("mass", mass, {1e-6, 1e12}, "kg", "Mass of the body, instead of \"density\".");
   f.leftOut("mass", "density * volume");
-  if (mass && f.given("density")) f.error("density", "\"mass\" says it; leave out \"density\"");
+  if (mass && f.given("density"))
+    f.error("density", "\"mass\" already determines the density; leave out \"density\"");
   f.vector("ballast", ballast, {-1e3, 1e3}, "m",
            "Offset from the middle of its volume to its centre of mass; if that lies low, the body does "
            "not capsize.");
   f.vector("position", position, scene::anyNumber, "m",
-           "Place of its origin at the start, from the middle of the grid; y is over level 0.");
+           "Place of its origin at the start, relative to the middle of the grid; y is the height above "
+           "level 0.");
   f.vector("rotation", rotation, scene::anyNumber, "degrees",
            "Rotation at the start, about x, then y, then z.");
   f.vector("velocity", velocity, {-1e3, 1e3}, "m/s", "Velocity at the start.");

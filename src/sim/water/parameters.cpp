@@ -98,7 +98,7 @@ void WaterParameters::describeStart(scene::Fields& f) {
            p.number("level", pool.level, heights, "m", "Within it.");
          });
   f.group("terrain", "Ground under the water.", [&](scene::Fields& t) {
-    t.number("bed", bed, heights, "m", "Height of a flat bed; with an image it counts for nothing.");
+    t.number("bed", bed, heights, "m", "Height of a flat bed; unused with an image.");
     t.asset("image", terrain,
             "Picture of heights: \"low\" where it is black, \"high\" where white; a PNG may have 16 bits.");
     t.number("low", terrainLow, heights, "m", "Height where the image is black.");
@@ -117,7 +117,7 @@ void WaterParameters::describeStart(scene::Fields& f) {
            });
     for (const char* name : {"low", "high", "smooth"})
       if (terrain.empty() && t.given(name))
-        t.error(name, fmt::format("\"{}\" is of an image; give \"image\"", name));
+        t.error(name, fmt::format("\"{}\" needs an image; give \"image\"", name));
     if (!terrain.empty() && t.given("bed")) t.error("bed", "an image gives the heights; leave out \"bed\"");
     t.color("color", ground, scene::fraction, "Colour of the ground, linear RGB.");
     t.number("roughness", groundRoughness, scene::fraction, "",
@@ -125,7 +125,7 @@ void WaterParameters::describeStart(scene::Fields& f) {
     t.asset("texture", groundTexture, "Picture laid over the ground, multiplied with its colour.");
     t.number("repeat", groundRepeat, {1e-3, 1e4}, "", "Repeats of the texture along x.");
     if (groundTexture.empty() && t.given("repeat"))
-      t.error("repeat", "\"repeat\" is of a texture; give \"texture\"");
+      t.error("repeat", "\"repeat\" needs a texture; give \"texture\"");
   });
 }
 
@@ -151,8 +151,8 @@ void WaterParameters::describeFlow(scene::Fields& f) {
         w.number("period", wave.period, {1e-2, 1e4}, "s", "Time from crest to crest.");
         w.number("phase", wave.phase, {-1e3, 1e3}, "periods", "0 rises through the sea's level at 0 s.");
         if (sides[static_cast<std::size_t>(wave.side)] != WaterBorder::sea)
-          w.error("side", fmt::format("waves come in over a side that is \"sea\", and \"{}\" is none; give "
-                                      "it in \"sides\", or another \"side\"",
+          w.error("side", fmt::format("waves need a side that is \"sea\", and \"{}\" is not; set it in "
+                                      "\"sides\", or choose another \"side\"",
                                       sideNames[static_cast<std::size_t>(wave.side)]));
       },
       16);

@@ -170,10 +170,8 @@ class Water : public Simulation {
     const auto words = kernels_.status().readAll<unsigned>();
     return fmt::format(
         "water \"{}\": by frame {} a step took a Courant number of {:.3g}, and more than 0.5 is not "
-        "accurate; "
-        "give more \"substeps\" ({} now), or with \"auto\" the \"greatestDepth\" and \"greatestSpeed\" "
-        "that "
-        "there are",
+        "accurate; give more \"substeps\" ({} now), or with \"auto\" the actual \"greatestDepth\" and "
+        "\"greatestSpeed\"",
         name_, frame, std::bit_cast<float>(words[2]), plan_.substeps());
   }
   [[nodiscard]] std::string explainLoss(unsigned step, unsigned element) const override {

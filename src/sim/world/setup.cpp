@@ -120,7 +120,7 @@ std::vector<std::string> tooLargeForMany(const scene::Scene& scene) {
     if (bytes > ObjectParameters::commonBlockBytes)
       sentences.push_back(
           fmt::format("{} \"{}\" needs {} bytes in one buffer, and software drivers allow {} "
-                      "(GL_MAX_SHADER_STORAGE_BLOCK_SIZE); --device tells what yours allows",
+                      "(GL_MAX_SHADER_STORAGE_BLOCK_SIZE); --device shows what yours allows",
                       object.kind, object.name, bytes, ObjectParameters::commonBlockBytes));
   }
   return sentences;

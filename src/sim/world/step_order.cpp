@@ -127,9 +127,10 @@ void checkOrder(Objects objects, const scene::Report& report) {
   report(
       objects[nodes[circle.front()].node.objects.front()], {},
       names.size() == 1
-          ? fmt::format("object {} takes from itself what it has at the end of the frame", names.front())
-          : fmt::format("objects {} each take from the next what it has at the end of the frame, the last "
-                        "from the first; none of them can step first",
+          ? fmt::format("object {} needs its own state at the end of the frame, so it cannot be stepped",
+                        names.front())
+          : fmt::format("objects {} depend on each other in a circle: each needs the state of the next at "
+                        "the end of the frame, the last that of the first; none of them can step first",
                         fmt::join(names, ", ")));
 }
 

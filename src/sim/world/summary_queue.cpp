@@ -93,7 +93,7 @@ std::optional<Summary> SummaryQueue::next(bool wait) {
   while (wait && result == GL_TIMEOUT_EXPIRED) result = glClientWaitSync(oldest.fence, 0, patience);
   if (result == GL_TIMEOUT_EXPIRED) return std::nullopt;
   if (result == GL_WAIT_FAILED)
-    fail(ExitCode::device, "the device stopped answering at frame {}", oldest.frame);
+    fail(ExitCode::device, "the device stopped responding at frame {}", oldest.frame);
   glDeleteSync(oldest.fence);
   pending_.pop_front();
   checkStatus(oldest.frame, oldest.slot);

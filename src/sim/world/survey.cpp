@@ -271,14 +271,11 @@ void placeByMotion(scene::Scene& scene, const Survey& survey, Clock::time_point 
   if (survey.frames == 0) {
     scene.camera.placed = true;
     scene.surveyed = true;
-    framing.remark =
-        placed
-            ? "simreel: the stage stands where the scene's parameters have its objects, not where these "
-              "go: "
-              "a first run to see that would take too long"
-            : "simreel: the camera stands where the scene's parameters have its objects, not where these "
-              "go: a first run to see that would take too long; give \"camera\" a \"position\" and a "
-              "\"target\"";
+    framing.remark = placed ? "simreel: the stage is placed by the initial positions of the objects, not "
+                              "by their motion: a first run to measure the motion would take too long"
+                            : "simreel: the camera is placed by the initial positions of the objects, not "
+                              "by their motion: a first run to measure the motion would take too long; "
+                              "give \"camera\" a \"position\" and a \"target\"";
     return;
   }
   frameSurvey(scene, survey);

@@ -150,8 +150,8 @@ class Trace(BisectCase):
             "FRAME:STEP": ["--dump=1", "-o", "x"],
             "steps 1 to 4, not 5": ["--dump=1:5", "-o", "x"],
             "steps 1 to 4, not 0": ["--dump=1:0", "-o", "x"],
-            "its dump is 0:0": ["--dump=0:1", "-o", "x"],
-            "no step leads to it": ["--steps-of=0"],
+            "dump it with 0:0": ["--dump=0:1", "-o", "x"],
+            "is the initial state": ["--steps-of=0"],
         }.items():
             self.bad(2, words, *trace, *arguments)
         self.assertFalse((self.folder / "x").exists())
@@ -315,7 +315,7 @@ class Failures(BisectCase):
         self.bad_side(6, ["ended before its header"], "exit 0")
         self.bad_side(6, ["prints no trace", "format 9"], f'{PROGRAM_WORD} "$@" | sed \'s/"trace":1/"trace":9/\'')
         self.bad_side(6, ["ended before frame 5"], f'{PROGRAM_WORD} "$@" | head -n 3')
-        self.bad_side(6, ["do not run in step"], f'{PROGRAM_WORD} "$@" | sed \'s/"frame":2/"frame":7/\'')
+        self.bad_side(6, ["list different steps"], f'{PROGRAM_WORD} "$@" | sed \'s/"frame":2/"frame":7/\'')
         self.bad_side(6, ["the other side ended with status 137"], "kill -9 $$")
         env, _ = self.mutated(GRAVITY)
         change = f"export SIMREEL_GLSL={shlex.quote(env['SIMREEL_GLSL'])}"

@@ -243,7 +243,7 @@ class Pictures(DiffCase):
                                   (["-o folder is a folder"], "a.png", "b.png", "-o", "folder"),
                                   (["the difference is a PNG picture", ".exr"], "a.png", "b.png", "-o", "d.exr"),
                                   (["the difference is a PNG picture", ".jpg"], "a.png", "b.png", "-o", "d.JPG"),
-                                  (["may stand once"], "##_##.png", "##_##.png")):
+                                  (["may occur only once"], "##_##.png", "##_##.png")):
             with self.subTest(arguments):
                 self.bad(2, words, "diff", *arguments)
 

@@ -309,7 +309,7 @@ class Accepting(Several):
         (self.folder / "scenes/b.test.json").unlink()
         self.assertEqual(self.tree("scenes/golden"), before)
         self.edit_json(self.folder / "report.json", lambda report: report["scenes"][0].update(inputs={}))
-        self.bad(1, "does not say what scenes/b.json was", "accept", "report.json")
+        self.bad(1, "has no hash of scenes/b.json", "accept", "report.json")
         self.run_suite(1, "--filter", "b")
         self.good("accept", "report.json")
 

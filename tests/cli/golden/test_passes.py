@@ -255,7 +255,7 @@ class Test(PassCase):
         env, _ = self.changed(CHANGES["light"])
         place = self.one(1, env=env)["frames"][0]["pass"]
         self.assertEqual(place["pass"], "")
-        self.assertIn("not known to the baseline", place["message"])
+        self.assertIn("the baseline does not record which pass differs", place["message"])
 
     def test_updating_changes_only_the_hashes(self):
         """Covers a pass whose hash changed while the picture is unchanged."""

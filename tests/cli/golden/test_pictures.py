@@ -628,10 +628,10 @@ class Reports(PicturesCase):
             self.assert_words("names no picture below", done)
         report = json.loads(path.read_text())
         self.write("other.json", json.dumps({**report, "expected": "/tmp"}))
-        self.bad(2, ["say so with --expected"], "accept", "other.json")
+        self.bad(2, ["allow it with --expected"], "accept", "other.json")
         (self.folder / "link").symlink_to(tempfile.gettempdir())
         self.write("other.json", json.dumps({**report, "expected": "link"}))
-        self.bad(1, ["leads out of this folder", "--expected"], "accept", "other.json")
+        self.bad(1, ["is outside of this folder", "--expected"], "accept", "other.json")
         self.good("accept", "report.json", "--expected", str(self.folder / "expected"))
 
 

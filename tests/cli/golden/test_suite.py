@@ -83,12 +83,12 @@ class Baselines(GoldenCase):
         for file in (f"../{outside.name}/a.json", str(outside / "a.json"), "link/a.json"):
             inputs = {file if k == "scenes/a.json" else k.replace("scenes/", file[:-6]): v for k, v in report["scenes"][0]["inputs"].items()}
             self.write("report.json", json.dumps({**report, "scenes": [{**report["scenes"][0], "file": file, "inputs": inputs}]}))
-            self.bad(1, ["its baselines would go to", "which is not below this folder", "--scenes FOLDER"], "accept", "report.json")
+            self.bad(1, ["its baselines would be written to", "which is outside of this folder", "--scenes FOLDER"], "accept", "report.json")
             self.assertFalse((outside / "golden").exists())
         (self.folder / "scenes/golden").rename(self.folder / "golden before")
         (self.folder / "scenes/golden").symlink_to(outside)
         self.write("report.json", json.dumps(report))
-        self.bad(1, ["which is not below this folder"], "accept", "report.json")
+        self.bad(1, ["which is outside of this folder"], "accept", "report.json")
         # A test of scenes outside the current folder prints a command that accepts them. The printed command must work.
         done = self.run_program("test", str(outside), "--json", "there.json")
         words = f"simreel accept there.json --scenes {outside}"
@@ -192,25 +192,25 @@ class Exact(GoldenCase):
         self.set_scene(HAIR)
         scene = self.one(1)
         self.assertEqual([f["asked"] for f in scene["frames"]], ["exact"] * 3)
-        self.assertIn("of exact pictures none may", scene["text"])
+        self.assertIn("in exact pictures no pixel may differ", scene["text"])
         for step in (1, 3):
             self.set_scene({})
             self.make_baselines()
             self.change_baseline(3, 20, 10, step)
             scene = self.one(1)
             self.assertEqual([f["status"] for f in scene["frames"]], ["pass", "fail", "pass"])
-            self.assertIn(f"1 pixels differ, by {step} at most; of exact pictures none may", scene["text"])
+            self.assertIn(f"1 pixels differ, by {step} at most; in exact pictures no pixel may differ", scene["text"])
         # No tolerance applies to exact pictures, and a given tolerance causes a note.
         self.set_scene({"test.tolerance": {"maxDiffRatio": 1}})
         scene = self.one(1, "--max-channel-diff", "255")
-        self.assertEqual(scene["notes"], ["tolerance without need: maxChannelDiff (--max-channel-diff), exact pictures have to be equal",
-                                          "tolerance without need: maxDiffRatio (scenes/a.json), exact pictures have to be equal"])
+        self.assertEqual(scene["notes"], ["unused tolerance: maxChannelDiff (--max-channel-diff); exact pictures must be equal",
+                                          "unused tolerance: maxDiffRatio (scenes/a.json); exact pictures must be equal"])
 
     def test_a_baseline_of_the_other_rasterizer_is_reported(self):
         self.make_baselines()
         self.set_scene({"render.rasterizer": "driver"})
         scene = self.one(1)
-        self.assertIn("the baseline was drawn exactly, this picture by the driver", scene["text"])
+        self.assertIn("the baseline was drawn by the exact rasterizer, this picture by the driver", scene["text"])
         self.one(0, "--update=changed")
         self.assertEqual(self.one(0)["profile"], "any")
         self.set_scene({})
@@ -263,7 +263,7 @@ class Ladder(GoldenCase):
         self.set_scene(HAIR)
         scene = self.one(1)
         self.assertLessEqual(max(f["metrics"]["worst"] for f in scene["frames"]), 12)
-        self.assertIn("on the machine that drew the baseline none may", scene["text"])
+        self.assertIn("on the machine that drew the baseline no pixel may differ", scene["text"])
         self.assertNotIn("Pictures compared", scene["text"])
         for step in (1, 3):
             self.set_scene({})

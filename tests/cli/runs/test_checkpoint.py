@@ -37,7 +37,7 @@ class Checkpoints(Case):
     def resumed(self, *arguments):
         """Resumes a run and returns the frame of the checkpoint that it continued from, or None."""
         done = self.good("render", *arguments, "--resume")
-        found = re.search(r"going on from the checkpoint of frame (\d+)", done.err)
+        found = re.search(r"resuming from the checkpoint of frame (\d+)", done.err)
         return int(found[1]) if found else None
 
     def assert_out_equals(self, *arguments):

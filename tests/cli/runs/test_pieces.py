@@ -73,7 +73,7 @@ class Pieces(Case):
         picture = self.folder / folder / "0001/000023.png"
         bytes_of = picture.read_bytes()
         picture.write_bytes(bytes_of[:-20] + b"x" * 20)
-        self.bad(1, ["000023.png", "draw its piece anew"], "pieces", "join", folder)
+        self.bad(1, ["000023.png", "draw its piece again"], "pieces", "join", folder)
         picture.write_bytes(bytes_of)
         manifest = self.folder / folder / "0001/manifest.json"
         text = manifest.read_text()
@@ -81,7 +81,7 @@ class Pieces(Case):
         manifest.write_text(without_hash(text.replace(state, "0" * 32)))
         self.bad(1, ["frame 20", "pieces 0 and 1", "its state differs"], "pieces", "join", folder)
         manifest.write_text(without_hash(text.replace('"rasterizer": "exact"', '"rasterizer": "driver"')))
-        self.bad(2, ["piece 1 does not go with piece 0", "rasterizer"], "pieces", "join", folder)
+        self.bad(2, ["piece 1 does not match piece 0", "rasterizer"], "pieces", "join", folder)
         manifest.write_text(text)
         self.assertEqual([p for p in self.folder.glob("out/*.png")], [])
         self.good("pieces", "join", folder)
@@ -204,7 +204,7 @@ class Pieces(Case):
         self.bad(2, ["--pieces", "--from"], "render", "town.json", "-o", "out/", "--pieces", "2", "--from", at)
         self.bad(2, ["--pieces", "--checkpoint"], "render", "town.json", "-o", "out/", "--pieces", "2", "--checkpoint", "5")
         self.bad(2, ["--slurm", "--pieces"], "render", "town.json", "-o", "out/", "--slurm")
-        self.bad(2, ["nowhere holds no pieces"], "pieces", "join", "nowhere")
+        self.bad(2, ["nowhere contains no pieces"], "pieces", "join", "nowhere")
         self.assertFalse((self.folder / "out").exists())
 
 

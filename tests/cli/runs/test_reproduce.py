@@ -26,7 +26,7 @@ class Reproduce(Case):
         self.write("scene.json", with_values({"objects.flag.cloth.spacing": 0.11}))
         done = self.run_program("reproduce", "lone.png", "--scene", "scene.json")
         self.assertEqual(done.returncode, 1)
-        for word in ("not the same", "state: it was", "pixels: they were", "scene: scene.json is not the one"):
+        for word in ("not the same", "state: it was", "pixels: they were", "scene: scene.json is not the scene of the picture"):
             self.assertIn(word, done.stdout.decode())
 
     def test_folders_of_run_json_are_not_read(self):
@@ -55,7 +55,7 @@ class Reproduce(Case):
         self.assertIn(b"version: simreel 9", self.good("reproduce", "out/000002.png").stdout)
 
     def test_mistakes(self):
-        self.bad(2, "no picture that simreel rendered", "reproduce", "scene.json")
+        self.bad(2, "not a picture that simreel rendered", "reproduce", "scene.json")
         self.bad(2, "no frame 77", "reproduce", "out/manifest.json", "--frame", "77")
         self.bad(2, "--frame needs a manifest", "reproduce", "out/000001.png", "--frame", "2")
         self.bad(2, "nowhere.png", "reproduce", "nowhere.png")

@@ -237,7 +237,7 @@ class Resume(Case):
             self.write("out/manifest.json", text)
             self.path(2).write_bytes(self.whole["000003.png"])
             done = self.good("render", "scene.json", "-o", "out/", "--resume")
-            self.assert_words(["simreel: warning: manifest out/manifest.json cannot be read", "starting over"], done)
+            self.assert_words(["simreel: warning: manifest out/manifest.json cannot be read", "all frames are drawn again"], done)
             self.assertEqual(self.content("out"), self.whole)
 
     def test_files_with_extra_chunks_are_rewritten(self):
@@ -269,7 +269,7 @@ class Resume(Case):
             value = self.manifest("out")["frames"][1][item]
             self.write("out/manifest.json", text.replace(value, ("1" if value[0] == "0" else "0") + value[1:]))
             done = self.good("render", "scene.json", "-o", "out/", "--resume")
-            self.assert_words(["out/manifest.json cannot be read: it was changed after it was written", "starting over"], done)
+            self.assert_words(["out/manifest.json cannot be read: it was changed after it was written", "all frames are drawn again"], done)
             self.assertEqual(self.content("out"), self.whole)
 
     def test_skip_existing_keeps_readable_frames(self):

@@ -46,7 +46,7 @@ class Sweep(Case):
         self.assertEqual((done.returncode, done.stdout.decode().splitlines()[-1]), (7, "3 jobs: 2 done, 1 queued"))
         done = self.run_program("sweep", "status", "sw", env={"PATH": "/nowhere"})
         self.assertEqual((done.returncode, done.stdout.decode().splitlines()[-1]), (3, "3 jobs: 2 done, 1 missing"))
-        self.assertIn("squeue does not answer (No such file or directory)", done.err)
+        self.assertIn("squeue failed (No such file or directory)", done.err)
         # Local runs do not wait for the cluster.
         self.good("sweep", "retry", "sw", env=path)
         self.assertEqual(self.status(0), ["3 jobs: 3 done"])
@@ -255,7 +255,7 @@ class Sweep(Case):
         self.good("sweep", "dish.json", "--vary", f"{FEED}=0.03,0.02", "-o", "sw/")
         job = self.content("sw/jobs/0001")
         (self.folder / "sw/jobs/0001/000001.png").unlink()
-        self.assertEqual(self.status(7)[0], "0001  aborted  feed=0.02  it was done, and 1 of its files is gone")
+        self.assertEqual(self.status(7)[0], "0001  aborted  feed=0.02  it was done, but 1 of its files is missing")
         # Two retries at the same time divide the jobs between them.
         both = [self.start("sweep", "retry", "sw") for _ in range(2)]
         for process in both:
@@ -285,7 +285,7 @@ class Sweep(Case):
         """Runs one process per device, whatever --jobs is; also in `simreel test`."""
         self.write("dish.json", with_values({"checks": []}, DISH))
         done = self.good("sweep", "dish.json", "--vary", f"{FEED}=0.02:0.0209:0.0001", "-o", "sw/", "--frames", "0", "--device", "0,none")
-        self.assertIn("one process less to work in: it no device matches --device none", done.err.replace("was ended: ", ""))
+        self.assertIn("the work continues with one process less, because that process no device matches --device none", done.err.replace("was ended: ", ""))
         self.assertEqual(self.status(0), ["10 jobs: 10 done"])
 
     def test_a_thousand_jobs_are_planned_quickly(self):
@@ -302,14 +302,14 @@ class Sweep(Case):
         for words, arguments in (
                 (["--vary", "first:last:step"], ("dish.json", "--vary", FEED, "-o", "sw/")),
                 (["nothing varies"], ("dish.json", "-o", "sw/")),
-                (["which scene"], (*vary, "-o", "sw/")),
+                (["give a scene"], (*vary, "-o", "sw/")),
                 (["-o folder"], ("dish.json", *vary)),
                 (["exclude each other"], ("dish.json", *vary, "-o", "sw/", "--zip", "--grid")),
                 (["--sample", "-D seed=3"], ("dish.json", *vary, "-o", "sw/", "--seed", "3")),
                 (["has no step", "--sample"], ("dish.json", "--vary", f"{FEED}=0:1", "-o", "sw/")),
                 (["--jobs"], ("dish.json", *vary, "-o", "sw/", "--jobs", "none")),
                 (["--sbatch", "not closed"], ("dish.json", *vary, "-o", "sw/", "--slurm", "--sbatch", "'x")),
-                (["holds no sweep"], ("status", "nowhere"))):
+                (["contains no sweep"], ("status", "nowhere"))):
             self.bad(2, words, "sweep", *arguments)
         self.bad_scene([f"-D {FEED}=9: error"], "sweep", "dish.json", "--vary", f"{FEED}=0.02,9", "-o", "other/")
         self.assertFalse((self.folder / "other").exists())

@@ -252,7 +252,7 @@ class SceneMistakes(Case):
     def test_invalid_values_are_reported_at_their_position(self):
         def at(line, column, message, values):
             self.mistake([f"bad.json:{line}:{column}: error: {message}\n"], json.dumps(with_values(values), indent=1))
-        at(21, 13, '"position" and "target" are the same point; the camera looks nowhere',
+        at(21, 13, '"position" and "target" are the same point, so the camera has no direction; move one of them',
            {"camera": {"position": [1, 1, 1], "target": [1, 1, 1]}})
         at(13, 15, "(start + duration) * fps is 1e+11 frames; the limit is 10 million",
            {"time": {"fps": 1e5, "duration": 1e6}})

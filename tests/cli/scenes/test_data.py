@@ -83,7 +83,7 @@ class Data(Case):
         bar({"of": "dish", "labels": ["low", {"text": "high", "value": 9}]})
         self.bad(2, "the colours of \"dish\" go from 1 to 5", *SHORT)
         bar({"of": "cells", "labels": [{"text": "x", "value": 2000}]}, cells={"epidemic": {"size": [8, 8], "infected": 0.1}})
-        self.bad(2, 'the label "x" is of value 2000', *SHORT)
+        self.bad(2, 'the label "x" has the value 2000', *SHORT)
 
     def test_a_table_of_quantities_has_a_row_for_each_frame(self):
         self.write("a.json", {"version": 2, "time": {"fps": 20, "duration": 0.2}, "objects": {

@@ -55,7 +55,7 @@ class Film(Case):
         see = ("render", "scene.json", "--frames", "0", "-D", "render.transparent=true")
         self.bad(2, "a video has no alpha channel for render.transparent", *see, "-o", "a.mp4")
         self.bad(2, "y4m has no alpha channel", *see, "-o", "-", "--stream-format", "y4m")
-        self.bad_scene("only the exact rasterizer leaves the background out", *see, "-o", "a.png", "--rasterizer", "driver")
+        self.bad_scene("a transparent background needs \"rasterizer\": \"exact\"", *see, "-o", "a.png", "--rasterizer", "driver")
 
     def test_sixteen_bits(self):
         for transparent in ("false", "true"):
@@ -86,11 +86,11 @@ class Film(Case):
         light = [min(value, 1) for pixel in zip(channels["R"], channels["G"], channels["B"]) for value in pixel]
         encoded = [65535 * (12.92 * x if x <= 0.0031308 else 1.055 * x ** (1 / 2.4) - 0.055) for x in light]
         self.assertLess(max(abs(a - b) for a, b in zip(numbers, encoded)), 0.6)
-        self.bad(2, "PNG has 8 or 16", *see, "-o", "a.png", "--bits", "32")
-        self.bad(2, "OpenEXR has 16 or 32", *see, "-o", "a.exr", "--bits", "8")
-        self.bad(2, "videos and streams have 8", *see[:5], "-o", "a.mp4", "--bits", "16")
+        self.bad(2, "PNG pictures have 8 or 16 bits", *see, "-o", "a.png", "--bits", "32")
+        self.bad(2, "OpenEXR pictures have 16 or 32 bits", *see, "-o", "a.exr", "--bits", "8")
+        self.bad(2, "videos and streams have 8 bits", *see[:5], "-o", "a.mp4", "--bits", "16")
         epidemic = str(SOURCE / "assets/scenes/epidemic.json")
-        self.bad(2, "a chart lies over the picture", "render", epidemic, "-o", "map.png", "--frames", "0", "--bits", "16")
+        self.bad(2, "a chart is drawn over the picture", "render", epidemic, "-o", "map.png", "--frames", "0", "--bits", "16")
 
     def test_exr_files_hold_light_and_layers(self):
         self.write("scene.json", SCENE)
@@ -141,11 +141,11 @@ class Film(Case):
     def test_layers_without_light_are_refused(self):
         self.write("scene.json", SCENE)
         see = ("render", "scene.json", "--frames", "0")
-        self.bad(2, "--layers: OpenEXR pictures have them", *see, "-o", "a.png", "--layers", "depth")
+        self.bad(2, "--layers: only OpenEXR pictures have layers", *see, "-o", "a.png", "--layers", "depth")
         self.bad(2, "depht", *see, "-o", "a.exr", "--layers", "depht")
-        self.bad(2, "only the exact rasterizer hands out light", *see, "-o", "a.exr", "--rasterizer", "driver")
+        self.bad(2, 'OpenEXR pictures need "rasterizer": "exact"', *see, "-o", "a.exr", "--rasterizer", "driver")
         self.bad(2, "--pieces makes PNG pictures or a video", "render", "scene.json", "-o", "a/####.exr", "--pieces", "2")
-        said = "OpenEXR has the light of the scene, without what lies over the picture: text"
+        said = "OpenEXR pictures contain only the light of the scene; missing there, because drawn over the picture: text"
         self.write("worded.json", {**SCENE, "objects": {**SCENE["objects"], "word": {"text": {"text": "A", "screen": {}}}}})
         self.assertEqual(self.good("render", "worded.json", "--frames", "0-2", "-o", "b/####.exr").err.count(said), 1)
         self.assertNotIn(said, self.good("render", "scene.json", "--frames", "0", "-o", "c.exr").err)

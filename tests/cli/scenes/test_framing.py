@@ -54,7 +54,7 @@ class Framing(Case):
     def test_a_large_scene_is_framed_by_its_parameters_with_a_message(self):
         self.write("scene.json", {**self.SCENE, "objects": {"sheet": {"cloth": {"size": [400, 400]}}}, "time": {"duration": 5}})
         said = self.render("a/", "--frames", "0")
-        self.assertEqual(said.count("a first run to see that would take too long; give \"camera\""), 1)
+        self.assertEqual(said.count("a first run to measure the motion would take too long; give \"camera\""), 1)
         self.assertNotIn("camera", self.manifest("a"))
 
 

@@ -114,7 +114,7 @@ class MeshFiles(Case):
             self.assertNotIn("usemtl", said)
             self.assertNotIn("red.bmp", said)
         said = self.said(f"mtllib a.mtl\n{SQUARE}", a_mtl="newmtl m\nmap_Kd t.tga\n", t_tga=b"\0\0\2" + b"\0" * 40)
-        self.assertIn("t.tga (it is none of PNG, JPEG, PNM and BMP)", said)
+        self.assertIn("t.tga (only PNG, JPEG, PNM and BMP are read)", said)
         self.assertIn("a.mtl (it does not exist", self.said(f"mtllib c d/a.mtl\n{SQUARE}"))
 
 

@@ -126,7 +126,7 @@ class Track(Case):
         frame = lambda folder: png_rows((self.folder / folder / "000015.png").read_bytes())
         self.assertEqual(frame("part"), frame("whole"))
         self.write("scene.json", {**scene, "camera": {"track": "ball", "damping": 0.2}})
-        self.bad_scene("\"damping\" here is of \"target\"", "render", "scene.json", "-o", "a.png", "--frames", "0")
+        self.bad_scene("this \"damping\" is only for \"target\"", "render", "scene.json", "-o", "a.png", "--frames", "0")
         flat = {"projection": "orthographic", "height": 3}
         for more, said in (({"fieldOfView": 30}, "an orthographic camera has no angle of view"),
                            ({"lens": True}, "an orthographic camera has no lens"), ({"projection": "perspective"}, "a perspective camera has no height")):
@@ -228,7 +228,7 @@ class Text(Case):
                                  ("{b.energy}", {}, "no object is named \"b\""),
                                  ("{a.energy}", {}, "object \"a\" is a"),
                                  ("{time:33}", {}, "how many digits"),
-                                 ("x", {"height": 1, "screen": {}}, "on the \"screen\" leave it out"),
+                                 ("x", {"height": 1, "screen": {}}, "leave it out with \"screen\""),
                                  ("x", {"font": "no.ttf"}, "no.ttf")):
             with self.subTest(text):
                 self.write("scene.json", self.scene(text, **more))

@@ -155,8 +155,8 @@ class Reaction(Case):
                             (["division by zero"], {"species": {"u": {"rate": "u/0"}}}),
                             (["nested deeper"], {"species": {"u": {"rate": "(" * 5000}}}),
                             (["at most 16384 bytes"], {"species": {"u": {"rate": "+".join(["u"] * 1000000)}}}),
-                            (["go round in a circle"], {"species": species, "lets": {"a": "b", "b": "a"}}),
-                            (["the rates cost"], {"species": {"u": {"rate": "+".join(f"tanh(u+{i})" for i in range(99))}}}),
+                            (["form a circle"], {"species": species, "lets": {"a": "b", "b": "a"}}),
+                            (["the rates need"], {"species": {"u": {"rate": "+".join(f"tanh(u+{i})" for i in range(99))}}}),
                             (["takes 2 arguments, found 1"], {"species": {"u": {"rate": "step(u)"}}}),
                             (["exclude each other"], {"species": species, "parameters": {"p": {"across": 1, "down": 2}}}),
                             (["a stroke paints the species \"x\""], {"species": species, "strokes": [{"species": "x"}]})):

@@ -230,7 +230,7 @@ class Warnings(Case):
         return [line for line in self.good(*arguments).err.splitlines() if "warning" in line]
 
     def test_frames_beyond_the_end(self):
-        words = ["simreel: warning: frame 9 is beyond the scene's end, frame 5 (0.2 s); it is simulated on from there"]
+        words = ["simreel: warning: frame 9 is beyond the scene's last frame, 5 (0.2 s); the simulation continues past the end"]
         for command in (["render", "scene.json", "-o", "out/"], ["bake", "scene.json", "-o", "baked/"]):
             self.assertEqual(self.warned(*command, "--frames", "4-5"), [])
             self.assertEqual(self.warned(*command, "--frames", "5,9", "--overwrite"), words)
@@ -303,7 +303,7 @@ class StandardInput(Case):
         self.assertEqual((self.folder / "a/manifest.json").read_bytes(), (self.folder / "b/manifest.json").read_bytes())
         self.assertEqual(self.feed(text, "validate", "-").stdout, b"-: ok\n")
         self.feed(text, "bench", "-", "--frames", "1", "--warm-up", "0", "--vary", "seed=1,2")
-        self.assertIn(b"standard input comes once", self.feed(text, "bisect", "-", code=2).stderr)
+        self.assertIn(b"standard input can be read only once", self.feed(text, "bisect", "-", code=2).stderr)
 
     def test_its_files_are_read_from_the_current_folder(self):
         self.write("here.png", png(4, 4, (200, 100, 50, 255)))

@@ -21,13 +21,13 @@ class Stage(Case):
     def test_features_that_the_driver_lacks_are_reported(self):
         self.write("ball.json", {"version": 1, "camera": {"lens": {"samples": 4}}, "objects": {"ball": {"sphere": {}}}})
         small = ("render", "ball.json", "--frames", "0", "--size", "32x18")
-        self.assertIn("camera.lens: the driver's rasterizer draws all of the picture sharp",
+        self.assertIn("camera.lens: the driver's rasterizer draws the whole picture sharp",
                       self.good(*small, "-o", "a/", "--rasterizer", "driver").err)
         self.assertEqual(self.good(*small, "-o", "b/", "-q").err, "")
         said = self.good(*small, "-o", "d/", "--rasterizer", "driver", "-D", "render.quality=standard").err
-        self.assertEqual(said.count("render.quality: the driver's rasterizer draws drafts alone"), 1)
+        self.assertEqual(said.count("render.quality: the driver's rasterizer supports only"), 1)
         self.assertEqual(self.good(*small, "-o", "e/", "-q", "-D", "render.quality=standard").err, "")
-        self.bad_scene(["-D camera.lens.blades=2: error: an opening of 2 blades is none", "3 to 16"], *small, "-o", "c/", "-D", "camera.lens.blades=2")
+        self.bad_scene(["-D camera.lens.blades=2: error: an opening cannot have 2 blades", "3 to 16"], *small, "-o", "c/", "-D", "camera.lens.blades=2")
 
 
     def test_light_by_rays(self):
@@ -65,7 +65,7 @@ class Stage(Case):
         light = {"position": [0, 2, 0], "spot": {"angle": 30}}
         self.write("ball.json", {"version": 1, "lights": {"key": light}, "objects": {"ball": {"sphere": {}}}})
         self.write("where.json", {"version": 1, "lights": {"key": {"type": "spot", "position": [0, 0, 0]}}, "objects": {"ball": {"sphere": {}}}})
-        self.bad_scene(["shines nowhere; move \"target\""], "render", "where.json", "-o", "a/", "--frames", "0")
+        self.bad_scene(["so it has no direction; move \"target\""], "render", "where.json", "-o", "a/", "--frames", "0")
         self.bad_scene(["\"spot\" is for lights of \"type\": \"spot\""], "render", "ball.json", "-o", "a/", "--frames", "0")
 
 
@@ -75,7 +75,7 @@ class Stage(Case):
         self.bad_scene("sky.hdr", *see, "-o", "a/")
         studio = (SOURCE / "assets/textures/studio.hdr").read_bytes()
         self.write("sky.hdr", studio)
-        self.assertIn("sky.picture: the driver's rasterizer draws a gradient of its mean light",
+        self.assertIn("sky.picture: the driver's rasterizer draws a gradient of the picture's mean light",
                       self.good(*see, "-o", "b/", "--rasterizer", "driver").err)
         self.assertEqual(self.good(*see, "-o", "c/", "-q").err, "")
         self.bad_scene("leave out \"zenith\"", *see, "-o", "d/", "-D", "sky.zenith=[0,0,0]")
@@ -84,7 +84,7 @@ class Stage(Case):
         self.write("sky.hdr", (SOURCE / "assets/textures/boat.png").read_bytes())
         self.bad(6, ["is neither Radiance HDR nor OpenEXR"], *see, "-o", "f/")
         self.write("sky.hdr", b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 2\n" + bytes(16))
-        self.bad(6, ["2x2 pixels; one of all around is twice as wide as high"], *see, "-o", "g/")
+        self.bad(6, ["2x2 pixels; an equirectangular picture is twice as wide as high"], *see, "-o", "g/")
 
     def test_a_bright_sky_picture_lights_the_ground_by_the_cosine_law(self):
         """A cap of 28 degrees around the zenith (sin^2 = 0.2222) gives the same irradiance as uniform light of 0.2222

@@ -186,7 +186,7 @@ class Vectors(Case):
                 ("a.csv", "x,y,u,v\n0,0,1,1\n1,0,1,1\n0,2,1,1\n1,2,1,1\n", "points are 1 apart in x and 2 in y"),
                 ("a.npy", write_npy((4, 2), [0] * 8), "expected an array of shape (rows, columns, 2), found 1 x 4 x 2"),
                 ("a.npy", write_npy((2, 2, 3), [0] * 12), "expected an array of shape (rows, columns, 2), found 2 x 2 x 3"),
-                ("a.npy", write_npy((2, 2, 2), [0] * 5 + [math.nan] + [0] * 2), "the velocity of column 0, row 1 is no number")):
+                ("a.npy", write_npy((2, 2, 2), [0] * 5 + [math.nan] + [0] * 2), "the velocity of column 0, row 1 is not a number")):
             with self.subTest(words):
                 self.write(name, content)
                 self.scene({"w": {"flow": {"file": name}}})

@@ -184,7 +184,7 @@ class RightSide(ViewerCase):
         self.assertIn('"frames": [0, 1, 2]', (self.folder / "other.json").read_text())
         viewer.send(do="compare", on=True)
         said = viewer.until(lambda kind, m: kind == "golden" and not m["right"] and "words" in m)
-        self.assertIn("Frame 1 is no tested frame", said["words"])
+        self.assertIn("Frame 1 is not a tested frame", said["words"])
 
 
 if __name__ == "__main__":

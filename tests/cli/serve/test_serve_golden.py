@@ -43,7 +43,7 @@ class Golden(ServeCase):
         for frame in (0, 3):
             viewer.send(do="seek", frame=frame)
             said = self.verdict(viewer, frame)
-            self.assertEqual((said["verdict"], said["words"]), ("pass", "Every pixel is that of the baseline."))
+            self.assertEqual((said["verdict"], said["words"]), ("pass", "Every pixel is equal to the baseline."))
             self.assertEqual((said["tested"], said["size"], said["baseline"]), ([0, 3], [48, 32], [48, 32]))
             self.assertEqual(self.picture("ours"), self.baseline(frame))
             self.assertEqual(self.picture("baseline"), self.baseline(frame))
@@ -75,14 +75,14 @@ class Golden(ServeCase):
 
     def test_frames_that_are_not_tested_and_scenes_without_baselines(self):
         viewer = self.begin(update=False)
-        self.assertEqual(self.verdict(viewer, 0)["words"], "This scene has no baseline yet: there is nothing to hold frame 0 against.")
+        self.assertEqual(self.verdict(viewer, 0)["words"], "This scene has no baseline yet, so frame 0 cannot be compared.")
         viewer.send(do="seek", frame=2)
         said = self.verdict(viewer, 2)
-        self.assertEqual((said["verdict"], said["words"]), ("untested", "Frame 2 is no tested frame; those are 0, 3. The scene has no baseline yet."))
+        self.assertEqual((said["verdict"], said["words"]), ("untested", "Frame 2 is not a tested frame; those are 0, 3. The scene has no baseline yet."))
         for request in ("accept", "testThis"):
             viewer.send(do=request)
             refused = viewer.until(lambda kind, _: kind == "refused")
-            self.assertIn("--edit alone", refused["text"])
+            self.assertIn("only with simreel serve --edit", refused["text"])
         self.assertEqual(self.tree(), {self.folder_path("scene.json"): (self.folder / "scene.json").read_bytes()})
 
     def folder_path(self, name):
@@ -145,7 +145,7 @@ class Golden(ServeCase):
         self.write("scene.test.json", json.dumps({"test": {"frames": [1], "size": [32, 32]}}))
         viewer = self.begin("--edit")
         said = self.verdict(viewer, 0, "untested")
-        self.assertEqual(said["words"], "Frame 0 is no tested frame; that is 1.")
+        self.assertEqual(said["words"], "Frame 0 is not a tested frame; that is 1.")
         before = self.tree()
         viewer.send(do="testThis")
         self.assertIn("scene.test.json; add 0 to its", viewer.until(lambda kind, _: kind == "refused")["text"])

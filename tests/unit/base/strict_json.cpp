@@ -47,15 +47,15 @@ TEST_CASE("text that is not JSON, or exceeds the limits, is refused") {
   CHECK(parsing("{\"a\": 1,}") == "not valid JSON at byte 9");
   CHECK(parsing("{} []") == "not valid JSON at byte 4");
   CHECK(parsing("[1e999]") == "it holds a number that is too large");
-  CHECK(parsing(R"({"a": 1, "b": {}, "a": 1})") == "the key \"a\" stands twice in one object");
-  CHECK(parsing(R"([{"a\nb": 1, "a\nb": 1}])") == "the key \"a\\nb\" stands twice in one object");
+  CHECK(parsing(R"({"a": 1, "b": {}, "a": 1})") == "the key \"a\" occurs twice in one object");
+  CHECK(parsing(R"([{"a\nb": 1, "a\nb": 1}])") == "the key \"a\\nb\" occurs twice in one object");
   CHECK(parsing("// no\n1") == "not valid JSON at byte 1");
   CHECK(parsing("1 // yes", {.comments = true}).empty());
 }
 
 TEST_CASE("zero bytes may follow JSON, but nothing may follow them") {
   CHECK(parsing(std::string("{}\0\0", 4)).empty());
-  CHECK(parsing(std::string("{}\0{", 4)) == "not valid JSON: a zero byte stands in it");
+  CHECK(parsing(std::string("{}\0{", 4)) == "not valid JSON: it contains a zero byte");
 }
 
 TEST_CASE("nesting, objects and lists are counted outside of strings only") {
@@ -82,7 +82,8 @@ TEST_CASE("a value of the wrong type is reported with its path") {
   CHECK(mistake([&] { static_cast<void>(root.at("n").size()); }) == "n must be a list");
   CHECK(mistake([&] { static_cast<void>(root.at("a").at("b")); }) == "a must be an object");
   CHECK(mistake([&] { static_cast<void>(item.at("x")); }) == "a[0].x is missing");
-  CHECK(mistake([&] { static_cast<void>(root.at("a").at(1)); }) == "a has 1 items, and none of number 1");
+  CHECK(mistake([&] { static_cast<void>(root.at("a").at(1)); }) ==
+        "a has 1 items, but no item 1 (counted from 0)");
   CHECK(mistake([&] { static_cast<void>(root.at("a").texts()); }) == "a[0] must be text");
   CHECK(!item.find("x"));
 }

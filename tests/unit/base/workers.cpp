@@ -156,8 +156,7 @@ TEST_CASE("workers: an error that stops all workers is thrown") {
   refused.work = [](WorkerLine&) { fail(ExitCode::device, "no paint"); };
   CHECK_THROWS_WITH_AS(employ(refused), "no paint", UserError);
   refused.work = [](WorkerLine&) { ::raise(SIGKILL); };
-  CHECK_THROWS_WITH_AS(employ(refused),
-                       "the process that was to do the work was ended by signal 9 (Killed)", UserError);
+  CHECK_THROWS_WITH_AS(employ(refused), "the worker process was ended by signal 9 (Killed)", UserError);
   CHECK(heard.said.empty());
 }
 
@@ -176,7 +175,8 @@ TEST_CASE("workers: a worker that cannot start is reported, whether or not other
     employ(some);
     ::dup2(screen, 2);
     ::close(screen);
-    CHECK(endOfMemoryFile(said) == "simreel: warning: one process less to work in: it no brush\n");
+    CHECK(endOfMemoryFile(said) ==
+          "simreel: warning: the work continues with one process less, because that process no brush\n");
     ::close(said);
     CHECK(heard.said.size() == 3);
   }

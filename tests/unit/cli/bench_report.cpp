@@ -181,8 +181,8 @@ TEST_CASE("bench: --technique offers the choices of the parameter \"technique\""
   REQUIRE(all[1].changes.size() == 2);
   CHECK(all[1].changes[1].path == "objects.b.mesh.technique");
   CHECK(parseTechniques("compute", scene, kinds).size() == 1);
-  CHECK_THROWS_WITH_AS(static_cast<void>(parseTechniques("jobs,magic", scene, kinds)),
-                       "--technique magic: no object of this scene knows it; all, jobs, compute are known",
-                       UserError);
+  CHECK_THROWS_WITH_AS(
+      static_cast<void>(parseTechniques("jobs,magic", scene, kinds)),
+      "--technique magic: no object of this scene has this technique; use all, jobs, compute", UserError);
   CHECK(contains(message("all", scene), "no object of this scene has techniques"));
 }

@@ -166,12 +166,12 @@ TEST_CASE("environment: an image that is not a panorama is reported") {
     return false;
   };
   sim::LightFile file = pictureOf([](glm::dvec3) { return glm::dvec3(1); }, {64, 64});
-  CHECK(says(file, "has 64x64 pixels; one of all around is twice as wide as high"));
+  CHECK(says(file, "has 64x64 pixels; an equirectangular picture is twice as wide as high"));
   file = pictureOf([](glm::dvec3) { return glm::dvec3(1); });
   file.values[4 * (64 * 3 + 7) + 1] = NAN;
-  CHECK(says(file, "has the value nan at column 7, row 3, which is no light"));
+  CHECK(says(file, "has the value nan at column 7, row 3, which is not a valid amount of light"));
   file.values[4 * (64 * 3 + 7) + 1] = -0.01F;
-  CHECK(says(file, "has the value -0.01 at column 7, row 3, which is no light"));
+  CHECK(says(file, "has the value -0.01 at column 7, row 3, which is not a valid amount of light"));
   file = pictureOf([](glm::dvec3) { return glm::dvec3(1); });
   file.colours = "primaries of its own";
   CHECK(says(file, "has primaries of its own; convert it to those of Rec. 709"));

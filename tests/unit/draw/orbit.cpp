@@ -58,5 +58,5 @@ TEST_CASE("track: the camera looks at the object's centre and moves with it on a
   view = draw::viewAt(camera, 0, {320, 180}, drawables);
   CHECK(glm::length(view.eye - (target + glm::vec3(0, 0, 2))) < 1e-5F);
   CHECK_THROWS_WITH(static_cast<void>(draw::viewAt(camera, 1.5, {320, 180}, {})),
-                    "the camera looks at \"ball\", of which nothing is there at 1.5 s");
+                    "the camera looks at \"ball\", which has no place at 1.5 s");
 }

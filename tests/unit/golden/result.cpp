@@ -165,7 +165,7 @@ TEST_CASE("missing, unknown and repeated keys of a report are refused") {
   CHECK(refusalOf([](Json& j) { j["environment"]["a\nb"] = 1; }) ==
         "out/report.json: environment[\"a\\nb\"] is unknown");
   CHECK(messageFor(R"({"format": 1, "format": 1})") ==
-        "out/report.json: the key \"format\" stands twice in one object");
+        "out/report.json: the key \"format\" occurs twice in one object");
   // Objects may have equal keys, and the order of keys is arbitrary.
   Json json = Json::parse(reportText(golden::test::fullSuite()));
   json["simreel"].swap(json["command"]);

@@ -56,7 +56,7 @@ TEST_CASE("MTL: invalid and out-of-range numbers are reported") {
 
 TEST_CASE("MTL: a repeated material name is reported, and the last definition counts") {
   const sim::Mesh twice = lookOf("newmtl m\nKd 1 0 0\nPr 0.2\nnewmtl m\nKd 0 1 0\nNs 998\n");
-  CHECK(twice.ignored == Lines{"all but the last newmtl \"m\""});
+  CHECK(twice.ignored == Lines{"all definitions of newmtl \"m\" but the last"});
   CHECK(twice.materials.at(0).color == glm::vec3(0, 1, 0));
   CHECK(twice.materials.at(0).roughness == doctest::Approx(std::sqrt(std::sqrt(0.002))));
   // A library that every object names is read only once.

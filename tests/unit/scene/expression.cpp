@@ -67,7 +67,8 @@ TEST_CASE("an error in an expression has a position and advice") {
   CHECK(mistakeIn("min(a)") == "0-3: \"min\" takes 2 to 8 arguments, found 1");
   CHECK(mistakeIn("clamp()") == "0-5: \"clamp\" takes 3 arguments, found 0");
   CHECK(mistakeIn("sin(a") == "0-3: the ( of \"sin\" is not closed before the end");
-  CHECK(mistakeIn("noise(u)") == "6-7: \"noise\" takes a whole number from 0, which tells it from others");
+  CHECK(mistakeIn("noise(u)") ==
+        "6-7: \"noise\" takes a whole number, 0 or more; different numbers give different random values");
   CHECK(mistakeIn("1e40") == "0-4: numbers are between 1e-30 and 1e30, or 0");
   CHECK(mistakeIn("1.2.3") == "0-4: a number ends here without an operator; a product is a * b");
   CHECK(mistakeIn("u; discard") == "1-2: expected an operator, found \";\"");

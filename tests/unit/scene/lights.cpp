@@ -91,7 +91,7 @@ TEST_CASE("lights: errors are reported at their place with a suggestion") {
   CHECK(says(R"("a": {"intensity": -1})", "\"intensity\" must be at least 0, found -1"));
   CHECK(says(R"("a": {"flicker": {"amount": 1.5}})", "\"amount\" must be between 0 and 1, found 1.5"));
   CHECK(says(R"("a": {"follow": {"object": "c"}, "position": [0, 1, 0]})",
-             "\"follow\" says where the light is; leave out \"position\""));
+             "\"follow\" sets the place of the light; leave out \"position\""));
   CHECK(says(R"("a": {"follow": {"progress": 1.5}})", "\"progress\" must be between 0 and 1, found 1.5"));
   CHECK(says(R"("a b": {})", "light name \"a b\" must be 1 to 64 letters, digits, '-' or '_'"));
   CHECK(says(R"("a": 3)", "expected an object, found a number"));

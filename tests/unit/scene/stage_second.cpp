@@ -143,7 +143,8 @@ TEST_CASE("stage: one warning says that a field over the whole picture hides wha
   };
   const std::vector<std::string> hidden = said("{}", "{}");
   REQUIRE(hidden.size() == 1);
-  CHECK(hidden[0].find("\"t\" stands in the world, behind the picture of \"l\"") != std::string::npos);
+  CHECK(hidden[0].find("\"t\" is in the world and hidden behind the picture of \"l\"") !=
+        std::string::npos);
   CHECK(hidden[0].find("\"screen\": {}") != std::string::npos);
   CHECK(said("{}", R"({"screen": {}})").empty());
   CHECK(said(R"({"layer": "behind"})", "{}").empty());

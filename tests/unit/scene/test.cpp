@@ -213,7 +213,7 @@ TEST_CASE("errors in checks are reported") {
   CHECK(says(R"("what": "mass", "max": 1, "frames": [120])", "frame 120 is beyond the scene's last"));
   CHECK(says(R"("what": "mass", "max": 1, "object": "flga")",
              "no object is named \"flga\"; did you mean \"flag\"?"));
-  CHECK(says(R"("what": "not-blank", "frames": [0, 3])", "frame 3 is no tested frame"));
+  CHECK(says(R"("what": "not-blank", "frames": [0, 3])", "frame 3 is not a tested frame"));
   CHECK(says(R"("waht": "mass")", "unknown key \"waht\"; did you mean \"what\"?"));
   CHECK(!says(R"("what": "not-blank", "frames": [0, 59])", "error"));
   CHECK(!says(R"("what": "mass", "min": 1, "max": 1)", "error"));

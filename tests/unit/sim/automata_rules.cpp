@@ -154,8 +154,8 @@ TEST_CASE("invalid rules of every family are refused at their position") {
   checkHas(written("B1a/S"), "2: there is no arrangement a of 1 neighbours; its letters are ce");
   checkHas(written("B5z/S"), "2: there is no arrangement z of 5");
   checkHas(written("B2cc/S"), "3: the letter c occurs twice");
-  checkHas(written("B8c/S"), "2: 8 neighbours lie in one way");
-  checkHas(written("B2c/S1V"), "2: letters tell how eight");
+  checkHas(written("B8c/S"), "2: 8 neighbours have only one arrangement");
+  checkHas(written("B2c/S1V"), "2: letters describe the arrangement of eight");
   checkHas(written("B5/S1V"), "1: a cell has 4 neighbours with V, not 5");
   checkHas(written("B7/S1H"), "1: a cell has 6 neighbours with H, not 7");
   checkHas(written("B2/S/1"), "5: the number of states is 1 here; it goes from 2 to 256");
@@ -163,8 +163,7 @@ TEST_CASE("invalid rules of every family are refused at their position") {
   checkHas(written("/2/"), "3: the number of states is missing");
   checkHas(written("/2/3x"), "4: 'x' after the number of states");
   checkHas(written("R5,C0,M1,S34..58,B34..45"), "at the end; Larger than Life is written as");
-  checkHas(written("R5,C0,M1,S58..34,B34..45,NM"),
-           "10: 58 to 34: the first of these limits is the greater");
+  checkHas(written("R5,C0,M1,S58..34,B34..45,NM"), "10: 58 to 34: the lower limit is above the upper");
   checkHas(written("R5,C0,M1,S34..580,B34..45,NM"), "14: a limit of S is 580 here; it goes from 0 to 121");
   checkHas(written("R0,C0,M1,S3..5,B3..4,NM"), "1: the range is 0");
   checkHas(written("R501,C0,M1,S3..5,B3..4,NC"), "1: the range is 501 here; it goes from 1 to 500");
@@ -178,16 +177,19 @@ TEST_CASE("invalid rules of every family are refused at their position") {
   checkHas(written("R51,C0,S3,B3,NG"), "14: the range of this neighbourhood is 50");
   checkHas(written("R200,C0,S3,B3,NB"),
            "15: of this range this neighbourhood has 80401 cells; there may be 60000");
-  checkHas(written("R2,C0,S3,B3,N@89189"), "14: 5 hexadecimal digits where 6 tell which of the 24 cells");
-  checkHas(written("R1,C0,S3,B3,NW12340132"), "14: 8 hexadecimal digits where 9 or 18 are the weights");
-  checkHas(written("R1,C3,S3,B3,NW123401323,01"), "24: 2 weights of states; the rule has 3 states");
+  checkHas(written("R2,C0,S3,B3,N@89189"),
+           "14: found 5 hexadecimal digits, but 6 are needed to say which of the 24 cells");
+  checkHas(written("R1,C0,S3,B3,NW12340132"),
+           "14: found 8 hexadecimal digits, but 9 or 18 are needed for the weights");
+  checkHas(written("R1,C3,S3,B3,NW123401323,01"),
+           "24: found 2 weights of states, but the rule has 3 states");
   checkHas(written("W31"), "1: 31 is odd");
   checkHas(written("W256"), "1: the rule's number is 256 here; it goes from 0 to 255");
   checkHas(written("W30x"), "3: 'x' after the end");
   checkHas(written("R1/T9/C3/NM"), "4: the threshold is 9 here; it goes from 1 to 8");
   checkHas(written("R1/T3/C1/NM"), "7: the number of states is 1");
-  checkHas(written("MAPAB?"), "5: '?' is no digit of base64");
-  checkHas(written("B3/S23:T30,20"), "6: the grid of a rule is said by");
+  checkHas(written("MAPAB?"), "5: '?' is not a digit of base64");
+  checkHas(written("B3/S23:T30,20"), "6: a rule in a scene cannot name a grid");
   checkHas(written("MAPABC"), "3: MAP is followed by 86, 22");
 }
 
@@ -329,11 +331,11 @@ TEST_CASE("cyclic rules equal their rule tables") {
 
 TEST_CASE("invalid rule files are refused at their position") {
   const std::string head = "@RULE X\n@TABLE\nn_states:3\nneighborhood:vonNeumann\nsymmetries:rotate4\n";
-  checkHas(fileMistake("x = 3, y = 3\n"), "r.rule: this is no rule file");
+  checkHas(fileMistake("x = 3, y = 3\n"), "r.rule: this is not a rule file");
   checkHas(fileMistake("@RULE X\n@COLORS\n"), "neither @TABLE nor @TREE");
   checkHas(fileMistake("@RULE X\n@TABLE\n"), "lacks \"n_states:\"");
   checkHas(fileMistake("@RULE X\n@TABLE\nn_states:1\n"), "r.rule:3:10: a rule has at least 2 states");
-  checkHas(fileMistake("@RULE X\n@TABLE\n0,1,2\n"), "r.rule:3:1: \"n_states:\" stands before this");
+  checkHas(fileMistake("@RULE X\n@TABLE\n0,1,2\n"), "r.rule:3:1: \"n_states:\" must come before this");
   checkHas(fileMistake("@RULE X\n@TABLE\nneighborhood:Margolus\n"),
            "r.rule:3:14: the neighbourhood \"Margolus\"");
   checkHas(fileMistake(head + "0,1,2,3,0,1\n"), "r.rule:6:7: a state is 3 here; it is at most 2");

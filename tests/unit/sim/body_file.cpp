@@ -105,7 +105,7 @@ TEST_CASE("body: each file error is one line with its place") {
   checkHas(figureFailure(TubeFaults{.weightSum = 0.9F}), "vertex 0 has weights with the sum 0.9");
   checkHas(figureFailure(TubeFaults{.joint = 3}), "follows joint 3, its skin has 3");
   checkHas(figureFailure(TubeFaults{.times = {0, 1, 1}}),
-           "\"bend\" that moves \"high\" at 1 s (key 2): times begin at 0 or later and grow");
+           "\"bend\" that moves \"high\" at 1 s (key 2): times must be 0 or more and increase");
   CHECK(figureFailure(TubeFaults{.weightSum = 0.99F}) == "no failure");
   const auto changed = [](const std::function<void(nlohmann::json&)>& change) {
     auto gltf = test::tubeText();
@@ -120,12 +120,12 @@ TEST_CASE("body: each file error is one line with its place") {
            "4 joints with 3 inverse bind");
   checkHas(changed([](auto& d) { d["nodes"][2]["children"] = {0}; }), "two parents");
   checkHas(changed([](auto& d) { d["animations"][0]["channels"][0]["target"]["path"] = "colour"; }),
-           "along \"colour\", which is no property");
+           "along \"colour\", which is not a property that glTF animates");
   checkHas(changed([](auto& d) { d["animations"][1]["samplers"][0]["interpolation"] = "CUBIC"; }),
            "interpolation \"CUBIC\"");
   checkHas(changed([](auto& d) { d["animations"][1]["samplers"][0]["interpolation"] = "CUBICSPLINE"; }),
            "by 3 values at 3 times");
-  checkHas(changed([](auto& d) { d["animations"][0]["channels"][0]["sampler"] = 7; }), "sound glTF");
+  checkHas(changed([](auto& d) { d["animations"][0]["channels"][0]["sampler"] = 7; }), "valid glTF");
 }
 
 TEST_CASE("body: any damaged file is read or refused in one line") {

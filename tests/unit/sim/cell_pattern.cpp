@@ -106,7 +106,7 @@ TEST_CASE("errors in patterns have line and column") {
     }
     return text;
   };
-  checkHas(mistake(deep(40, false)), "apart, the most there is room for");
+  checkHas(mistake(deep(40, false)), "apart, the maximum");
   checkHas(mistake(deep(40, true)), "more than 134217728 living cells");
 }
 

@@ -153,10 +153,10 @@ TEST_CASE("collide: a mesh that cannot collide is reported once with the reason"
   test::checkHas(problemOf("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 2\n"), "encloses no space");
   test::checkHas(problemOf(box, R"(, "distanceCells": 900)"), "lower \"distanceCells\" (900)");
   test::checkHas(problemOf("v 0 0 0\n"), "(1)");
-  test::checkHas(firstProblem(test::meshObject(R"("shape": "plane")")), "closed all around");
+  test::checkHas(firstProblem(test::meshObject(R"("shape": "plane")")), "must be closed");
   test::checkHas(
       firstProblem(test::meshObject(R"("shape": "sphere", "scale": {"keys": [[0, 1], [1, 2]]})")),
-      "keeps its size");
+      "cannot change its size");
   test::checkHas(firstProblem(test::meshObject(R"("shape": "sphere", "distanceCells": 3)")), "at least 8");
   test::checkHas(firstProblem(test::meshObject(R"("shape": "sphere", "grip": 3, "friction": 1)")),
                  "\"grip\" or \"friction\", not both");

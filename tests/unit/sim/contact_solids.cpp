@@ -202,8 +202,8 @@ TEST_CASE("colliding faces need a cloth with contact, and unsupported options ar
   };
   CHECK(mistake(sheet + ball + "}}") == "none");
   CHECK(mistake(sheet + ball + R"(, "friction": 0.2, "rotation": [0, 0, 5], "scale": 2}})") == "none");
-  says(mistake(ball + "}}"), "nothing feels these faces; give a \"cloth\" of this scene \"contact\": {}");
-  says(mistake(R"("c": {"cloth": {"contact": false}}, )" + ball + "}}"), "nothing feels these faces");
+  says(mistake(ball + "}}"), "nothing touches these faces; give a \"cloth\" of this scene \"contact\": {}");
+  says(mistake(R"("c": {"cloth": {"contact": false}}, )" + ball + "}}"), "nothing touches these faces");
   says(mistake(sheet + ball + R"(, "grip": 2}})"), R"("grip" is for a mesh with "collides": true)");
   says(mistake(sheet + R"("b": {"mesh": {"shape": "sphere", "friction": 2}})"),
        R"("friction" is for a mesh with "collides": true or "faces")");

@@ -86,7 +86,7 @@ TEST_CASE("keyed strokes: options that do not work with a path are reported") {
 }
 
 TEST_CASE("a fluid's chart: a force chart without obstacles, or with an inverted range, is reported") {
-  test::checkHas(refusedFluid(R"("chart": {})"), "lift and drag are of \"obstacles\"");
+  test::checkHas(refusedFluid(R"("chart": {})"), "lift and drag need \"obstacles\"");
   CHECK(refusedFluid(R"("chart": {}, "obstacles": [{"radius": 9}])") == "none");
   CHECK(refusedFluid(R"("chart": {"curves": [{"of": "speed"}]})") == "none");
   test::checkHas(refusedFluid(R"("chart": {"low": 2, "high": 1}, "obstacles": [{"radius": 9}])"),

@@ -129,16 +129,16 @@ TEST_CASE("heights: there is no collision beside the mesh, and there is on its e
 TEST_CASE("heights: a mesh that cannot collide is reported at its place") {
   const std::string deform = R"(, "deform": [{"ripple": {}}])";
   CHECK(meshFailure(deform) == "no failure");
-  test::checkHas(meshFailure(deform + R"(, "shape": "sphere")"), "mesh that collides is a \"plane\"");
+  test::checkHas(meshFailure(deform + R"(, "shape": "sphere")"), "mesh that collides must be a \"plane\"");
   test::checkHas(meshFailure(""), "or a plane that \"deform\" moves");
   test::checkHas(meshFailure(deform + R"(, "technique": "vertex-shader")"), "keeps no positions");
   test::checkHas(meshFailure(deform + R"(, "size": [0, 0, 3])"), "at least 0.001 m");
-  test::checkHas(meshFailure(deform + R"(, "rotation": [0, 20, 0])"), "not turned");
+  test::checkHas(meshFailure(deform + R"(, "rotation": [0, 20, 0])"), "cannot be turned");
   test::checkHas(meshFailure(deform + R"(, "rotation": {"keys": [[0, [0, 0, 0]], [1, [0, 20, 0]]]})"),
-                 "not turned");
-  test::checkHas(meshFailure(deform + R"(, "scale": 2)"), "not scaled");
+                 "cannot be turned");
+  test::checkHas(meshFailure(deform + R"(, "scale": 2)"), "cannot be scaled");
   test::checkHas(meshFailure(deform + R"(, "position": {"keys": [[0, [0, 0, 0]], [1, [0, 1, 0]]]})"),
-                 "stays where it is");
+                 "cannot move");
   CHECK(meshFailure(deform + R"(, "position": [0, 1, 0])") == "no failure");
   test::checkHas(heightsFailure(R"("m": {"mesh": {"grip": 3}})"),
                  "\"grip\" is for a mesh with \"collides\": true");
@@ -151,7 +151,7 @@ TEST_CASE("heights: a scene may have only one mesh to fall onto, and colliding p
   const std::string grains = R"({"particles": {"groups": [{}], "collides": true}})";
   CHECK(heightsFailure("\"a\": " + mesh + ", \"p\": " + grains) == "no failure");
   const std::string second = heightsFailure("\"a\": " + mesh + ",\n\"b\": " + mesh);
-  test::checkHas(second, "one thing that others fall onto, and \"a\" is one already");
+  test::checkHas(second, "the surface that others fall onto, and \"a\" is it already");
   test::checkHas(second, "test.json:3:");
   const auto problems = [&](const std::string& more) {
     const auto scene = scene::parseScene(R"({"version": 1, "objects": {"p": )" + grains + "}" + more + "}",

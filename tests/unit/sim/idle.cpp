@@ -228,8 +228,8 @@ TEST_CASE("idle: values that are probably not intended are reported") {
   CHECK_THROWS_WITH_AS(
       static_cast<void>(
           remarksOn(R"("objects": {"o": {"sphere": {"radius": {"keys": [[0, 1], [1, 2]]}}}})")),
-      doctest::Contains("expected a number, found keyframes; \"radius\" does not move"), UserError);
+      doctest::Contains("expected a number, found keyframes; \"radius\" cannot have keyframes"), UserError);
   CHECK_THROWS_WITH_AS(
       static_cast<void>(remarksOn(R"("camera": {"track": "l"}, "objects": {"l": {"life": {}}})")),
-      doctest::Contains("object \"l\" lies over the picture, and nowhere in the world"), UserError);
+      doctest::Contains("object \"l\" is drawn over the picture and has no place in the world"), UserError);
 }

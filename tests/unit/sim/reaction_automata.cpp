@@ -152,9 +152,9 @@ TEST_CASE("automata: errors are reported in one line") {
     }
   };
   CHECK(refusal(R"X("species": {"u": {"next": "1 - u", "rate": "u"}})X")
-            .find("neither \"rate\" nor \"diffusion\"") != std::string::npos);
+            .find("leave out its \"rate\" and \"diffusion\"") != std::string::npos);
   CHECK(refusal(R"X("species": {"u": {"next": "1 - u"}}, "method": "rk4")X")
-            .find("goes with \"euler\" alone") != std::string::npos);
+            .find("works only with \"euler\"") != std::string::npos);
   CHECK(refusal(R"X("mesh": {"shape": "sphere"}, "species": {"u": {"next": "neighbours(1)"}})X")
-            .find("differ in how many neighbours") != std::string::npos);
+            .find("different numbers of neighbours") != std::string::npos);
 }

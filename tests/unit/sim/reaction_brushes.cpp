@@ -108,7 +108,7 @@ TEST_CASE("a stroke on a mesh paints the vertices near it at the mesh's current 
 TEST_CASE("strokes in space: errors are reported in one line") {
   const std::string deep = R"("size": [8, 8], "depth": 8, )";
   test::checkHas(brushRefusal(deep + R"("strokes": [{"shape": "image", "image": "textures/boat.png"}])"),
-                 "is painted on flat grids alone");
+                 "can be painted only on flat grids");
   test::checkHas(brushRefusal(deep + R"("strokes": [{"shape": "line", "to": [0, 0, 80]}])"),
-                 "strokes[0] goes round its torus of 8x8x8 cells 10 times at once, at most 8");
+                 "strokes[0] wraps around the torus of 8x8x8 cells 10 times at once, but at most 8");
 }

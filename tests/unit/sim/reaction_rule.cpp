@@ -54,13 +54,14 @@ TEST_CASE("reaction: an error in a rate is marked inside its text") {
   CHECK(shows(rate("u/(2 - 2)"), "division by zero", "u/(2 - 2"));
   CHECK(shows(rate("0^-1"), "division by zero", "-1"));
   CHECK(shows(rate("a", R"X("lets": {"a": "1 + b", "b": "2*c", "c": "a - u"}, )X"),
-              "lets go round in a circle: a needs b needs c needs a", "a"));
-  CHECK(shows(rate("a", R"X("lets": {"a": "1 + a"}, )X"), "lets go round in a circle: a needs a", "a"));
+              "the definitions of \"lets\" form a circle: a needs b needs c needs a", "a"));
+  CHECK(shows(rate("a", R"X("lets": {"a": "1 + a"}, )X"),
+              "the definitions of \"lets\" form a circle: a needs a", "a"));
   CHECK(shows(rate("u", R"X("parameters": {"unused": 2}, )X"), "no expression has the parameter \"unused\"",
               "2"));
   CHECK(shows(refusal(R"X("species": {"u": {"rate": "u", "start": "0.5*u"}})X"),
-              "\"start\" knows parameters", "u"));
-  CHECK(shows(refusal(R"X("species": {"u": {"start": "noise(1)"}})X"), "no neighbours and no noise",
+              "\"start\" can use only parameters", "u"));
+  CHECK(shows(refusal(R"X("species": {"u": {"start": "noise(1)"}})X"), "cannot use neighbours or noise",
               "noise(1)"));
   CHECK(shows(refusal(R"X("show": "u + w", "species": {"u": {}})X"), "unknown name \"w\"", "w"));
   CHECK(rate("u").find("none") == 0);
@@ -99,7 +100,7 @@ TEST_CASE("reaction: errors of a rule as a whole are reported") {
   CHECK(refusal("\"species\": {" + nine + "}").find("at most 8 species, found 9") != std::string::npos);
   std::string dear = "u";
   for (int i = 0; i < 100; ++i) dear += fmt::format("+tanh(u+{})", i);
-  CHECK(rate(dear).find("the rates cost") != std::string::npos);
+  CHECK(rate(dear).find("the rates need") != std::string::npos);
   // Each let doubles the previous one. Expanded, this would be 2^30 operations; as a graph it is 30.
   std::string lets = "\"l0\": \"u\"";
   for (int i = 1; i < 31; ++i) lets += fmt::format(", \"l{0}\": \"l{1}*l{1} + l{1}\"", i, i - 1);
@@ -154,10 +155,10 @@ TEST_CASE(
         "none");
   CHECK(refused(onMesh("n", R"({"shape": "torus", "tube": 0.3})", "m") + other +
                 with(R"({"field": "smoke"})"))
-            .find("object \"m\" is a reaction on a mesh, whose field only one on the same mesh takes") !=
-        std::string::npos);
-  CHECK(refused(other + with(R"({"field": "m"})")).find("whose field only one on the same mesh takes") !=
-        std::string::npos);
+            .find("object \"m\" is a reaction on a mesh, whose field only a reaction on the same mesh can "
+                  "use") != std::string::npos);
+  CHECK(refused(other + with(R"({"field": "m"})"))
+            .find("whose field only a reaction on the same mesh can use") != std::string::npos);
   CHECK(refused(onMesh("n", R"({"shape": "torus"})", "m.v") + other + with(R"({"field": "smoke"})"))
             .find("object \"m\" has no field \"m.v\"; did you mean") != std::string::npos);
   // A rule in a volume may read fields of grids, whose values are equal in all layers, and of volumes with
@@ -172,9 +173,8 @@ TEST_CASE(
         "none");
   CHECK(refused(inVolume("w", R"([9, 6], "depth": 11)", "v") + volume + with(R"({"field": "smoke"})"))
             .find("object \"v\" is a reaction in a volume of 12x8x16 cells, whose field only a volume of "
-                  "the same "
-                  "proportions takes") != std::string::npos);
-  CHECK(refused(volume + with(R"({"field": "v"})")).find("only a volume of the same proportions takes") !=
+                  "the same proportions can use") != std::string::npos);
+  CHECK(refused(volume + with(R"({"field": "v"})")).find("only a volume of the same proportions can use") !=
         std::string::npos);
   CHECK(shows(rate("u", R"X("parameters": {"f": {"field": "r"}}, "lets": {"l": "f"}, )X") == "none"
                   ? refusal(R"X("parameters": {"f": {"field": "r"}}, "species": {"u": {"start": "f"}})X")

@@ -170,7 +170,7 @@ TEST_CASE("reaction in a volume: errors are reported in one line") {
   CHECK(says(volumeRefusal(heat + R"X("depth": 8, "surface": {"color": "w"})X"), "unknown name \"w\""));
   CHECK(says(volumeRefusal(R"X("species": {"u": {"rate": "ddz(u)"}})X"), "a flat grid has no z"));
   CHECK(says(volumeRefusal(R"X("species": {"u": {"rate": "z"}})X"), "unknown name \"z\""));
-  CHECK(
-      says(volumeRefusal(R"X("depth": 8, "species": {"z": {}})X"), "is a word of expressions in volumes"));
+  CHECK(says(volumeRefusal(R"X("depth": 8, "species": {"z": {}})X"),
+             "is reserved in expressions of volumes"));
   CHECK(volumeRefusal(R"X("species": {"z": {"rate": "1 - z"}, "depth": {}})X") == "none");
 }

@@ -57,7 +57,7 @@ TEST_CASE("rules of other kinds are named in the error") {
   checkHas(written("B45/S34L"), "triangles");
   checkHas(written("W111"), "1: 111 is odd");
   checkHas(written("M0,8,4,3,2,5,9,7,1,6,10,11,12,13,14,15"), "Margolus");
-  checkHas(written("LifeHistory"), "0: this names a rule that is not known");
+  checkHas(written("LifeHistory"), "0: this rule is unknown");
 }
 
 TEST_CASE("bounded grids of an RLE file are read") {
@@ -76,11 +76,11 @@ TEST_CASE("bounded grids of an RLE file are read") {
   refused(":X3,4", "p.rle:1:29: a bounded grid is");
   refused(":T0,4", "1:30: a side of 0");
   refused(":T3,", "1:32: the grid's height is missing");
-  refused(":T30+5,20+1", "shifted one way only");
+  refused(":T30+5,20+1", "shifted in one direction only");
   refused(":P30+5,20", "only a torus and a Klein bottle");
   refused(":K31*+1,20", "even number");
   refused(":K30*,20*", "one pair of edges");
-  refused(":S30,20", "a sphere is made of a square");
+  refused(":S30,20", "a sphere needs a square grid");
 }
 
 TEST_CASE("RLE with comments, a rule, runs across lines and blanks is read") {

@@ -169,7 +169,7 @@ TEST_CASE("a stroke that wraps around a torus too often is refused in one line")
     FAIL("accepted");
   } catch (const UserError& error) {
     CHECK(error.code() == ExitCode::usage);
-    CHECK(std::string(error.what()).find("field \"f\": strokes[0] goes round its torus") == 0);
+    CHECK(std::string(error.what()).find("field \"f\": strokes[0] wraps around the torus") == 0);
   }
   p.to.x = 900 * 64;
   CHECK_FALSE(Strokes({p}, 1, {{64, 64}, true, "field"}).into(0, 1, 0).empty());

@@ -101,7 +101,7 @@ TEST_CASE("text: placeholders for frame, time and quantities are replaced") {
   CHECK(TextContent("").at(3, 0, {}).empty());
   CHECK_FALSE(TextContent("plain").changes());
   CHECK(contains(mistakeOf("a {frame"), "never closed"));
-  CHECK(contains(mistakeOf("{frames}"), "none of {frame}, {time}"));
+  CHECK(contains(mistakeOf("{frames}"), "use {frame}, {time}"));
   CHECK(contains(mistakeOf("{time:x}"), "0 to 9"));
   CHECK(contains(mistakeOf("{time:10}"), "0 to 9"));
   CHECK(contains(mistakeOf("{.x}"), "none of"));

@@ -74,7 +74,7 @@ TEST_CASE("water: errors are reported at their place") {
   test::checkHas(waterFailure(R"("size": [1, 5])"), "size");
   test::checkHas(waterFailure(R"("swell": [{"side": "west"}])"), "a side that is \"sea\"");
   test::checkHas(waterFailure(R"("floats": [{"shape": "file"}])"), "needs \"file\"");
-  test::checkHas(waterFailure(R"("floats": [{"size": [1, 1, 1]}])"), "\"size\" is of a \"box\"");
+  test::checkHas(waterFailure(R"("floats": [{"size": [1, 1, 1]}])"), "\"size\" is only for a \"box\"");
   test::checkHas(waterFailure(R"("floats": [{"mass": 3, "density": 20}])"), "leave out \"density\"");
   test::checkHas(waterFailure(R"("floats": [{"scale": 3}])"), "give \"drawn\"");
 }

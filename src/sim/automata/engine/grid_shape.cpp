@@ -28,18 +28,20 @@ std::string GridShape::suffix(glm::ivec2 size) const {
 
 std::string GridShape::problem(glm::ivec2 size) const {
   if (border == GridBorder::sphere && size.x != size.y)
-    return fmt::format("a sphere is made of a square, not of {} x {} cells", size.x, size.y);
+    return fmt::format("a sphere needs a square grid, not {} x {} cells", size.x, size.y);
   if (shift == glm::ivec2(0)) return {};
-  if (shift.x != 0 && shift.y != 0) return "edges are shifted one way only: one of the two numbers is 0";
+  if (shift.x != 0 && shift.y != 0)
+    return "edges can be shifted in one direction only: one of the two numbers must be 0";
   const bool klein = border == GridBorder::klein || border == GridBorder::kleinSideways;
-  if (border != GridBorder::torus && !klein) return "only a torus and a Klein bottle have shifted edges";
+  if (border != GridBorder::torus && !klein)
+    return "only a torus and a Klein bottle can have shifted edges";
   if ((border == GridBorder::klein && shift.y != 0) ||
       (border == GridBorder::kleinSideways && shift.x != 0))
-    return "a Klein bottle is shifted along the edges that are reversed";
+    return "only the reversed edges of a Klein bottle can be shifted";
   if (klein && shift.x + shift.y != 1)
-    return "the shift of a Klein bottle is 0 or 1: all others are like these";
+    return "the shift of a Klein bottle must be 0 or 1; all other shifts are equivalent to these";
   if (klein && (shift.x != 0 ? size.x : size.y) % 2 != 0)
-    return "the shifted edges of a Klein bottle have an even number of cells";
+    return "the shifted edges of a Klein bottle must have an even number of cells";
   return {};
 }
 

@@ -41,7 +41,7 @@ CellRule parseTree(const RuleFileText& file) {
     }
     if (states < 2 || (neighbours != 4 && neighbours != 8) || nodes < 1)
       file.wrong(line, 0,
-                 "num_states (2 to 256), num_neighbors (4 or 8) and num_nodes stand before the nodes");
+                 "num_states (2 to 256), num_neighbors (4 or 8) and num_nodes must come before the nodes");
     const auto words = wordsOf(line.text, false);
     if (words.size() != static_cast<std::size_t>(states) + 1)
       file.wrong(line, 0, fmt::format("a node has {} numbers, not {}", states + 1, words.size()));
@@ -126,7 +126,7 @@ std::vector<glm::vec3> parseColors(const RuleFileText& file, int states) {
 CellRule parseRuleFile(std::string_view text, const std::string& name) {
   const RuleFileText file(text, name);
   const auto head = file.section("@RULE");
-  if (head.empty()) file.wrong("this is no rule file: it begins with @RULE and a name");
+  if (head.empty()) file.wrong("this is not a rule file, which begins with @RULE and a name");
   const int table = file.find("@TABLE"), tree = file.find("@TREE");
   if (table < 0 && tree < 0)
     file.wrong(

@@ -76,7 +76,8 @@ class TableReader {
     rule.states = states_;
     rule.tree = treeOf(table_, shape_, states_);
     if (!rule.tree)
-      file_.wrong(fmt::format("its table makes a diagram of more than {} items", maxTreeItems));
+      file_.wrong(fmt::format("its table is too complex: its decision diagram has more than {} items",
+                              maxTreeItems));
     return rule;
   }
 
@@ -88,9 +89,10 @@ class TableReader {
                                ? RuleWord{0, ""}
                                : wordsOf(line.text.substr(colon + 1), false)[0];
     const std::size_t at = colon + 1 + value.at;
-    if (!table_.empty()) file_.wrong(line, 0, "this stands before the first transition");
+    if (!table_.empty()) file_.wrong(line, 0, "this must come before the first transition");
     if (!variables_.empty() && key == "n_states")
-      file_.wrong(line, 0, "this stands before the first variable, whose states it bounds");
+      file_.wrong(line, 0,
+                  "this must come before the first variable, because it sets the number of states");
     if (key == "n_states") {
       states_ = file_.number(line, at, value.text, 256, "the number of states");
       if (states_ < 2) file_.wrong(line, at, "a rule has at least 2 states");
@@ -103,22 +105,24 @@ class TableReader {
           {"onedimensional", TableShape::oneDimensional}};
       const auto found = shapes.find(name);
       if (found == shapes.end())
-        file_.wrong(line, at,
-                    fmt::format("the neighbourhood \"{}\" is not known: vonNeumann, Moore, hexagonal or "
-                                "oneDimensional",
-                                value.text));
+        file_.wrong(
+            line, at,
+            fmt::format(
+                "the neighbourhood \"{}\" is unknown; use vonNeumann, Moore, hexagonal or oneDimensional",
+                value.text));
       shape_ = found->second;
     } else if (key == "symmetries") {
       symmetry_ = lowWord(value.text);
       symmetryLine_ = line;
       symmetryAt_ = at;
     } else {
-      file_.wrong(line, 0, fmt::format("\"{}\" is none of n_states, neighborhood and symmetries", key));
+      file_.wrong(line, 0,
+                  fmt::format("\"{}\" is unknown; known here: n_states, neighborhood, symmetries", key));
     }
   }
 
   void needStates(const RuleFileText::Line& line) const {
-    if (states_ == 0) file_.wrong(line, 0, "\"n_states:\" stands before this");
+    if (states_ == 0) file_.wrong(line, 0, "\"n_states:\" must come before this");
   }
 
   /// Returns the states that a word stands for: a number or a variable.
@@ -187,8 +191,8 @@ class TableReader {
       const auto often = std::count_if(words.begin(), words.end(), same);
       if (i + 1 == words.size() && often == 1)
         file_.wrong(line, words[i].at,
-                    fmt::format("the new state is the variable \"{}\", which stands for no "
-                                "input",
+                    fmt::format("the new state is the variable \"{}\", which is not the state of any input "
+                                "of this transition",
                                 words[i].text));
       if (often > 1 && std::find(bound.begin(), bound.end(), words[i].text) == bound.end())
         bound.emplace_back(words[i].text);

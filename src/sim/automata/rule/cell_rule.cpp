@@ -175,15 +175,16 @@ RuleProblem parseCellRule(std::string_view text, CellRule& rule) {
   if (problem.message.empty()) return problem;
   if (const std::size_t colon = text.find(':'); colon != std::string_view::npos && colon > 0)
     if (CellRule before; parseCellRule(text.substr(0, colon), before).message.empty())
-      return {colon, "the grid of a rule is said by \"size\" and \"border\", or in a pattern's file"};
+      return {colon,
+              "a rule in a scene cannot name a grid; use \"size\" and \"border\", or a pattern's file"};
   const bool letter = low[0] >= 'a' && low[0] <= 'z';
   if (const char* kind = otherKind(text))
-    problem.message = fmt::format("this is {}, which is not known", kind);
+    problem.message = fmt::format("this is {}, which is not supported", kind);
   else if (letter && low[0] != 'b' && low[0] != 's' && low[0] != 'r' && !low.starts_with("map") &&
            !(low[0] == 'w' && low.size() > 1 && isDigit(low[1])))
     problem = {0,
-               "this names a rule that is not known: neither a notation nor one of those that "
-               "`simreel list life` names; a .rule file is given as \"ruleFile\""};
+               "this rule is unknown: neither a notation nor a name that `simreel list life` prints; give "
+               "a .rule file as \"ruleFile\""};
   return problem;
 }
 

@@ -90,9 +90,11 @@ class CountsReader {
       const auto which = arrangementLetters.find(c);
       if (which == std::string_view::npos) break;
       if (shape_ != NeighbourShape::moore)
-        return {at_, "letters tell how eight neighbours lie; four (V) or six (H) are only counted"};
+        return {at_,
+                "letters describe the arrangement of eight neighbours; of four (V) or six (H) only the "
+                "number counts"};
       if (digit == 0 || digit == 8)
-        return {at_, fmt::format("{} neighbours lie in one way only: no letter follows", digit)};
+        return {at_, fmt::format("{} neighbours have only one arrangement; remove the letter", digit)};
       if ((all >> which & 1) == 0)
         return {at_, fmt::format("there is no arrangement {} of {} neighbours; its letters are {}", c,
                                  digit, lettersThere(all))};

@@ -44,7 +44,7 @@ RuleProblem parseMap(std::string_view text, CellRule& rule) {
   for (; at < end; ++at) {
     const auto digit = base64.find(text[at]);
     if (digit == std::string_view::npos)
-      return {at, fmt::format("{} is no digit of base64", shownCharacter(text, at))};
+      return {at, fmt::format("{} is not a digit of base64", shownCharacter(text, at))};
     for (int bit = 5; bit >= 0; --bit) bits.push_back((digit >> bit & 1U) != 0);
   }
   const std::vector<unsigned> cells = cellsOfMap(end - first);

@@ -92,9 +92,9 @@ class NeighbourhoodReader {
     const std::vector<int> digits = reader_.hexDigits();
     const int side = 2 * rule_.range + 1, cells = side * side;
     if (digits.size() * 4 != static_cast<std::size_t>(cells) - 1) {
-      reader_.wrong(
-          at + 1, fmt::format("{} hexadecimal digits where {} tell which of the {} cells of range {} count",
-                              digits.size(), (cells - 1) / 4, cells - 1, rule_.range));
+      reader_.wrong(at + 1, fmt::format("found {} hexadecimal digits, but {} are needed to say which of "
+                                        "the {} cells of range {} count",
+                                        digits.size(), (cells - 1) / 4, cells - 1, rule_.range));
       return;
     }
     for (int i = 0; i < cells; ++i) {
@@ -111,10 +111,9 @@ class NeighbourhoodReader {
     const int side = 2 * rule_.range + 1, cells = side * side;
     const bool two = digits.size() == 2 * static_cast<std::size_t>(cells);
     if (!two && digits.size() != static_cast<std::size_t>(cells)) {
-      reader_.wrong(
-          at + 1,
-          fmt::format("{} hexadecimal digits where {} or {} are the weights of the cells of range {}",
-                      digits.size(), cells, 2 * cells, rule_.range));
+      reader_.wrong(at + 1, fmt::format("found {} hexadecimal digits, but {} or {} are needed for the "
+                                        "weights of the cells of range {}",
+                                        digits.size(), cells, 2 * cells, rule_.range));
       return;
     }
     for (int i = 0; i < cells; ++i) {
@@ -129,7 +128,7 @@ class NeighbourhoodReader {
       reader_.moveTo(first);
       rule_.stateWeights = reader_.hexDigits();
       if (rule_.stateWeights.size() != static_cast<std::size_t>(states_))
-        reader_.wrong(first, fmt::format("{} weights of states; the rule has {} states",
+        reader_.wrong(first, fmt::format("found {} weights of states, but the rule has {} states",
                                          rule_.stateWeights.size(), states_));
     }
     suffix();

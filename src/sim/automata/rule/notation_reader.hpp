@@ -60,7 +60,7 @@ class NotationReader {
     for (const char c : between) expect(c);
     number(what, 0, max, high);
     if (good() && low > high)
-      wrong(first, fmt::format("{} to {}: the first of these limits is the greater one", low, high));
+      wrong(first, fmt::format("{} to {}: the lower limit is above the upper one", low, high));
   }
   /// Reads a list of ranges such as "2-3,8", which may be empty. Does not consume a comma that is not
   /// followed by a number.
@@ -78,13 +78,13 @@ class NotationReader {
       }
       if (good() && range.low > range.high)
         wrong(first,
-              fmt::format("{} to {}: the first of these limits is the greater one", range.low, range.high));
+              fmt::format("{} to {}: the lower limit is above the upper one", range.low, range.high));
       counts.push_back(range);
       if (here() == ',' && at_ + 1 < text_.size() && isDigit(text_[at_ + 1])) ++at_;
     }
     join(counts);
     if (counts.size() > maxRanges)
-      wrong(start, fmt::format("{} ranges of counts; there are {} at most", counts.size(), maxRanges));
+      wrong(start, fmt::format("{} ranges of counts; at most {} are allowed", counts.size(), maxRanges));
   }
   /// Reads hexadecimal digits.
   [[nodiscard]] std::vector<int> hexDigits() {

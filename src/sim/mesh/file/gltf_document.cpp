@@ -99,7 +99,7 @@ void GltfDocument::checkVersion() const {
   if (written.json().is_number() || !written.text().starts_with("2.")) refuse("is no glTF of version 2");
   if (!asset.has("minVersion")) return;
   if (const std::string least = asset.at("minVersion").text(); least != "2.0")
-    refuse(fmt::format("needs a reader of glTF {}, and this one reads 2.0", oneLine(least.substr(0, 20))));
+    refuse(fmt::format("requires glTF {}, but only glTF 2.0 is supported", oneLine(least.substr(0, 20))));
 }
 
 /// Returns the JSON of a binary file, which is its first chunk, and stores the binary data of the second
@@ -107,19 +107,19 @@ void GltfDocument::checkVersion() const {
 std::string_view GltfDocument::openGlb(std::string_view text) {
   std::array<std::string_view, 2> chunks;
   std::size_t at = 12;
-  if (text.size() < at) refuse("is cut off, or no binary glTF of version 2");
+  if (text.size() < at) refuse("is cut off, or is not a binary glTF of version 2");
   if (const auto version = read<std::uint32_t>(text, 4); version != 2)
     refuse(fmt::format("is a binary glTF of version {}, and only 2 is read", version));
   const std::size_t whole = read<std::uint32_t>(text, 8);
   if (whole > text.size())
-    refuse(fmt::format("is cut off: its header promises {} bytes, and it has {}", whole, text.size()));
+    refuse(fmt::format("is cut off: its header announces {} bytes, but it has {}", whole, text.size()));
   behind_ = text.size() - whole;
   text = text.substr(0, whole);
   for (std::string_view& chunk : chunks) {
     if (at == text.size() && at > 12) break;
     const std::size_t length = text.size() < at + 8 ? text.size() : read<std::uint32_t>(text, at);
     if (length > text.size() - std::min(at + 8, text.size()))
-      refuse("is cut off, or no binary glTF of version 2");
+      refuse("is cut off, or is not a binary glTF of version 2");
     chunk = text.substr(at + 8, length);
     if (&chunk != chunks.data()) glbBytes_ = chunk;
     at += 8 + length;
@@ -224,7 +224,7 @@ std::string_view GltfDocument::buffer(std::size_t number) const {
   if (!uri) {
     const auto extensions = described.find("extensions");
     if (extensions && extensions->has("EXT_meshopt_compression"))
-      refuse("has its vertices by EXT_meshopt_compression alone, which is not read; export it without");
+      refuse("has its vertices only in EXT_meshopt_compression, which is not read; export it without");
     if (number != 0 || !glbBytes_) refuse(fmt::format("has no bytes for its buffer {}", number));
     bytes = *glbBytes_;
   } else {
@@ -261,12 +261,12 @@ std::string GltfDocument::bytesOfView(std::size_t number) const {
 GltfDocument::Values GltfDocument::slice(const JsonValue& place, std::uint64_t type, std::size_t components,
                                          std::size_t count) const {
   const std::size_t element = components * componentBytes(type);
-  if (element == 0) refuse(fmt::format("has values of type {}, which is none", type));
+  if (element == 0) refuse(fmt::format("has values of type {}, which is not a glTF type", type));
   std::size_t stride = element;
   const std::string_view bytes = view(number(place, "bufferView"), stride);
   const std::uint64_t offset = number(place, "byteOffset", 0);
   if (stride < element || stride > 1024)
-    refuse(fmt::format("has values of {} bytes every {}", element, stride));
+    refuse(fmt::format("has values of {} bytes with a stride of {}", element, stride));
   const std::uint64_t end = offset + (count - 1) * stride + element;
   if (end > bytes.size())
     refuse(fmt::format("has an accessor whose count is {}: {} bytes, of which its view holds {}", count,
@@ -340,7 +340,7 @@ std::vector<float> GltfDocument::floats(std::size_t accessor, std::size_t compon
   if (!sparse) return all;
   const std::size_t changed = number(*sparse, "count");
   if (changed < 1 || changed > count)
-    refuse(fmt::format("has a sparse accessor of {} in {}", changed, count));
+    refuse(fmt::format("has a sparse accessor that replaces {} of {} values", changed, count));
   const JsonValue places = sparse->at("indices");
   const Values where = slice(places, number(places, "componentType"), 1, changed);
   const Values what = slice(sparse->at("values"), number(described, "componentType"), components, changed);
@@ -348,7 +348,8 @@ std::vector<float> GltfDocument::floats(std::size_t accessor, std::size_t compon
     const std::uint64_t to = where.type == 5125
                                  ? read<std::uint32_t>(where.bytes, i * where.stride)
                                  : static_cast<std::uint64_t>(std::max(component(where, i, 0), 0.0F));
-    if (to >= count) refuse(fmt::format("has a sparse accessor with number {} of {}", to, count));
+    if (to >= count)
+      refuse(fmt::format("has a sparse accessor with the index {}, but only {} values", to, count));
     put(what, i, to);
   }
   return all;

@@ -135,7 +135,7 @@ Mesh readGltf(const std::filesystem::path& file, std::string_view text, MeshNorm
   try {
     return GltfReader(file, text, normals).read();
   } catch (const JsonError& error) {
-    refuseMesh(file, fmt::format("is no sound glTF: {}", error.what()));
+    refuseMesh(file, fmt::format("is not valid glTF: {}", error.what()));
   }
 }
 

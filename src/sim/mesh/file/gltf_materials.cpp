@@ -241,7 +241,7 @@ class MaterialReader {
     const auto found = object.find(key);
     if (!found) return {};
     if (uvSetIn(*found) != set_) {
-      ignore(fmt::format("{} (its texCoord is not that of the others)", key));
+      ignore(fmt::format("{} (its texCoord differs from that of the other textures)", key));
       return {};
     }
     if (const auto extensions = found->find("extensions"))
@@ -251,7 +251,7 @@ class MaterialReader {
     const JsonValue texture = document_.item("textures", GltfDocument::number(*found, "index"));
     const auto source = texture.find("source");
     if (!source) {
-      ignore(fmt::format("{} (its picture is none that glTF itself knows)", key));
+      ignore(fmt::format("{} (its picture is given only by an extension)", key));
       return {};
     }
     MeshMap map;

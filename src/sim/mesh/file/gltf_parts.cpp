@@ -113,8 +113,8 @@ std::vector<float> GltfParts::attribute(const JsonValue& primitive, const char* 
   if (!attributes.has(name)) return {};
   const std::size_t accessor = GltfDocument::number(attributes, name);
   if (document_.count(accessor) != vertices)
-    document_.refuse(
-        fmt::format("has a {} for {} of {} vertices", name, document_.count(accessor), vertices));
+    document_.refuse(fmt::format("has a {} with values for {} of {} vertices", name,
+                                 document_.count(accessor), vertices));
   return document_.floats(accessor, components);
 }
 
@@ -124,7 +124,7 @@ void GltfParts::checkCompression(const JsonValue& primitive) const {
   const bool draco = extensions && extensions->has("KHR_draco_mesh_compression");
   if (draco && !document_.item("accessors", position(primitive)).has("bufferView"))
     document_.refuse(
-        "has its vertices by KHR_draco_mesh_compression alone, which is not read; export it without");
+        "has its vertices only in KHR_draco_mesh_compression, which is not read; export it without");
 }
 
 GltfPart GltfParts::part(std::size_t mesh, const JsonValue& primitive, const GltfSkin& skin) const {
@@ -207,7 +207,7 @@ std::vector<glm::mat4> GltfParts::poseOf(std::uint64_t skin,
   for (std::size_t i = 0; i < joints.size(); ++i) {
     if (joints[i] >= nodes.size() || !nodes[joints[i]])
       document_.refuse(fmt::format(
-          "has a skin whose joint {} is node {}, which is none of its default scene", i, joints[i]));
+          "has a skin whose joint {} is node {}, which is not in its default scene", i, joints[i]));
     pose.push_back(binds.empty() ? *nodes[joints[i]] : *nodes[joints[i]] * glm::make_mat4(&binds[16 * i]));
   }
   return pose;
@@ -287,7 +287,7 @@ void GltfParts::addBones(std::size_t mesh, const JsonValue& primitive,
   };
   for (const char* name : {"JOINTS_0", "WEIGHTS_0"})
     if (!primitive.at("attributes").has(name))
-      refuse(fmt::format("which has no {}: paint its vertices with weights", name));
+      refuse(fmt::format("which has no {}; give its vertices weights", name));
   for (const char* name : {"JOINTS_1", "WEIGHTS_1"})
     if (primitive.at("attributes").has(name))
       refuse("of which vertices follow more than four bones; export at most four");
@@ -301,7 +301,7 @@ void GltfParts::addBones(std::size_t mesh, const JsonValue& primitive,
       if (!(weight >= 0 && weight <= 2))
         refuse(fmt::format("whose vertex {} has the weight {}", i, weight));
       if (!(bone >= 0 && bone < 65536 && bone == std::floor(bone)))
-        refuse(fmt::format("whose vertex {} follows the joint {}, which is no whole number", i, bone));
+        refuse(fmt::format("whose vertex {} follows the joint {}, which is not a whole number", i, bone));
       sum += weight;
       if (weight == 0) continue;  // skips joints with zero weight, whose index may be invalid
       vertices[i].bones[k] = static_cast<std::uint32_t>(bone);

@@ -143,7 +143,7 @@ class LibraryReader {
     MeshMaterial fresh;
     fresh.metallic = 0;
     if (!all_.insert_or_assign(name_, fresh).second)
-      mesh_.ignored.push_back(fmt::format("all but the last newmtl {}", inQuotes(name)));
+      mesh_.ignored.push_back(fmt::format("all definitions of newmtl {} but the last", inQuotes(name)));
     hasRoughness_.erase(name_);
     light_.erase(name_);
   }
@@ -303,7 +303,7 @@ class LibraryReader {
     }
     std::optional<std::string> bytes = beside(name, "texture");
     if (bytes && !beginsAsPicture(*bytes)) {
-      mesh_.ignored.push_back(fmt::format("{} (it is none of PNG, JPEG, PNM and BMP)", name));
+      mesh_.ignored.push_back(fmt::format("{} (only PNG, JPEG, PNM and BMP are read)", name));
       bytes.reset();
     }
     named.map.image = bytes ? static_cast<int>(mesh_.images.size()) : -1;

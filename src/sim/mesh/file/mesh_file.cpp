@@ -25,7 +25,8 @@ bool isMeshFile(const std::filesystem::path& file) {
 }
 
 Mesh importMesh(const std::filesystem::path& file, MeshNormals normals) {
-  if (!isMeshFile(file)) fail(ExitCode::usage, "the mesh {} is none of {}", file.string(), meshEndings);
+  if (!isMeshFile(file))
+    fail(ExitCode::usage, "the mesh {} is in none of the formats {}", file.string(), meshEndings);
   const std::string extension = lowerExtension(file);
   const std::string text = readFile(file, "mesh");  // throws if the file is unreadable or too large
   if (isGltf(file)) return readGltf(file, text, normals);

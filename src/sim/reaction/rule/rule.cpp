@@ -47,7 +47,7 @@ class Understanding {
       const RulePath next = {"species", species.name, "next"};
       if (species.diffuses || species.rate != "0")
         throw RuleMistake{next, 0, species.next.size(),
-                          fmt::format("{} becomes \"next\", so it has neither \"rate\" nor \"diffusion\"",
+                          fmt::format("{} has a \"next\"; leave out its \"rate\" and \"diffusion\"",
                                       scene::inQuotes(species.name))};
       nexts_.push_back(parsed(next, species.next));
       rule_.nexts.back() = nodeOf(next, nexts_.back());
@@ -103,7 +103,7 @@ class Understanding {
             {group, name},
             0,
             0,
-            fmt::format("{} is a word of expressions in volumes and on meshes; use another name",
+            fmt::format("{} is reserved in expressions of volumes and meshes; use another name",
                         scene::inQuotes(name))};
       if (const auto before = known.emplace(name, group); !before.second)
         throw RuleMistake{
@@ -172,7 +172,7 @@ class Understanding {
       if (text_.species[i].name == name) {
         if (starting_)
           throw RuleMistake{path, node.begin, node.end,
-                            "\"start\" knows parameters, x, y and random alone"};
+                            "\"start\" can use only parameters, x, y and random"};
         return g.input(RuleOp::species, static_cast<int>(i));
       }
     if (lets_.contains(name)) return letNode(name, path, node.begin, node.end);
@@ -188,12 +188,14 @@ class Understanding {
 
   int letNode(const std::string& name, const RulePath& path, std::size_t begin, std::size_t end) {
     LetState& let = lets_.at(name);
-    if (starting_) throw RuleMistake{path, begin, end, "\"start\" knows parameters, x, y and random alone"};
+    if (starting_)
+      throw RuleMistake{path, begin, end, "\"start\" can use only parameters, x, y and random"};
     if (let.isOpen) {
       open_.push_back(name);
       open_.erase(open_.begin(), std::find(open_.begin(), open_.end(), name));
-      throw RuleMistake{path, begin, end,
-                        fmt::format("lets go round in a circle: {}", fmt::join(open_, " needs "))};
+      throw RuleMistake{
+          path, begin, end,
+          fmt::format("the definitions of \"lets\" form a circle: {}", fmt::join(open_, " needs "))};
     }
     if (!let.node) {
       let.isOpen = true;
@@ -214,15 +216,16 @@ class Understanding {
       throw RuleMistake{path, node.begin, node.end, message};
     };
     if (starting_ && (node.operation >= Operation::laplacian && node.operation <= Operation::noise))
-      return refuse("\"start\" knows no neighbours and no noise");
+      return refuse("\"start\" cannot use neighbours or noise");
     const bool squares = (node.operation >= Operation::ddx && node.operation <= Operation::ddz) ||
                          node.operation == Operation::corners;
     if (isMesh() && squares)
-      return refuse("a mesh has no rows of cells; it knows laplacian, diffuse, neighbours and around");
+      return refuse("a mesh has no rows of cells; use laplacian, diffuse, neighbours or around");
     const bool sums = node.operation == Operation::neighbours || node.operation == Operation::around;
     if (isMesh() && sums && g.isUniform(n[0]))
       return refuse(
-          "cells of a mesh differ in how many neighbours they have; sum up what differs from cell to cell");
+          "this sum has the same term in each cell, but cells of a mesh have different numbers of "
+          "neighbours; sum an expression that varies from cell to cell");
     switch (node.operation) {
       case Operation::number:
         return g.constant(node.number);
@@ -347,13 +350,12 @@ class Understanding {
   void weigh() {
     rule_.cost = costOfRule(rule_);
     if (rule_.cost > maxRuleCost)
-      throw RuleMistake{
-          {"species"},
-          0,
-          0,
-          fmt::format("the rates cost {} additions and multiplications a cell and step, at most {} "
-                      "are allowed; make them simpler",
-                      rule_.cost, maxRuleCost)};
+      throw RuleMistake{{"species"},
+                        0,
+                        0,
+                        fmt::format("the rates need {} additions and multiplications per cell and step, "
+                                    "but at most {} are allowed; make them simpler",
+                                    rule_.cost, maxRuleCost)};
   }
 
   void write(const std::vector<ExpressionTree>& rates) {
