@@ -239,8 +239,25 @@ class Errors(ModuleCase):
         scene.close()
         with self.assertRaisesRegex(simreel.Error, "closed"):
             scene.image()
-        with self.assertRaisesRegex(simreel.Error, "one device"):
-            simreel.device("1000")
+
+    def test_a_lost_state_is_an_error_of_the_device(self):
+        scene = self.scene()
+        scene["flag"].positions = numpy.nan
+        with self.assertRaises(simreel.Error) as raised:
+            scene.step().state_hash
+        self.assertEqual(raised.exception.kind, "device")
+        scene.restart()
+        self.assertEqual(scene.step().state_hash, self.scene().step().state_hash)
+
+    def test_another_device_can_be_opened_when_all_scenes_are_closed(self):
+        with self.scene() as scene:
+            with self.assertRaisesRegex(simreel.Error, "a process has one device"):
+                simreel.device(memory_path="storage")
+            states = scene.step(2).state_hash
+        simreel.device(memory_path="storage")
+        self.assertEqual(self.scene().step(2).state_hash, states)
+        self.doCleanups()
+        simreel.device()
 
     def test_warnings_are_python_s(self):
         self.write("scene.json", {"version": 2, "objects": {}})
