@@ -102,15 +102,25 @@ void raise(const simreel::Error& error) {
   PyErr_SetObject(type.ptr(), made.ptr());
 }
 
-simreel::Device& openDevice(const std::string& name, const std::string& path) {
-  auto opened = unlocked([&] { return simreel::Device::open({name, path}); });
-  if (!device()) opened.whileWaiting(signalled);
-  device() = std::move(opened);
+/// Options of the last device that was opened, for scenes that are loaded later.
+simreel::DeviceOptions& chosen() {
+  static simreel::DeviceOptions options;
+  return options;
+}
+
+/// Opens a device. Closes the present one if no scene uses it; otherwise its options must be the same.
+simreel::Device& openDevice(const simreel::DeviceOptions& options) {
+  unlocked([&] {
+    device().reset();
+    device() = simreel::Device::open(options);
+  });
+  device()->whileWaiting(signalled);
+  chosen() = options;
   return *device();
 }
 
 simreel::Device& presentDevice() {
-  return device() ? *device() : openDevice("", "");
+  return device() ? *device() : openDevice(chosen());
 }
 
 simreel::LoadOptions optionsOf(const std::vector<std::pair<std::string, std::string>>& changes,
@@ -304,7 +314,7 @@ PYBIND11_MODULE(_native, module) {
   module.def("version", simreel::libraryVersion);
   module.def("schema", simreel::sceneSchema);
   module.def("open", [](const std::string& name, const std::string& path) {
-    const simreel::Device& opened = openDevice(name, path);
+    const simreel::Device& opened = openDevice({name, path});
     return py::make_tuple(opened.name(), opened.driver(), opened.isSoftware());
   });
   module.def("close", [] { unlocked([] { device().reset(); }); });

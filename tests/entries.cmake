@@ -190,7 +190,9 @@ if(SYSTEM_PYTHON AND TARGET simreel)
   endforeach()
   add_test(NAME "long: a thousand scenes" COMMAND ${SYSTEM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/python/test_processes.py
            Processes.test_opened_and_closed_scenes_leave_no_memory)
-  set_tests_properties("long: a thousand scenes" PROPERTIES LABELS long TIMEOUT ${PATIENCE} SKIP_RETURN_CODE 77 ENVIRONMENT "${PYTHON_ENVIRONMENT};SIMREEL_LONG=1")
+  add_test(NAME "long: every kind from Python" COMMAND ${SYSTEM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/python/test_module.py
+           State.test_every_kind_goes_on_from_what_was_read_and_written)
+  set_tests_properties("long: a thousand scenes" "long: every kind from Python" PROPERTIES LABELS long TIMEOUT ${PATIENCE} SKIP_RETURN_CODE 77 ENVIRONMENT "${PYTHON_ENVIRONMENT};SIMREEL_LONG=1")
 endif()
 
 # Compares every shipped scene with its baselines; the long scenes have an entry of their own.

@@ -61,7 +61,7 @@ class Object:
     """Object of a scene at the present frame.
 
     Its state arrays are attributes: `scene["flag"].positions`. Reading copies from the device, assigning writes the
-    state back, and the scene goes on from there.
+    state back, and the scene goes on from there. `scene["flag"]["positions"]` is the same.
     """
 
     def __init__(self, scene: Scene, name: str) -> None:
@@ -78,28 +78,41 @@ class Object:
         """Description of the state arrays: name: (unit, dtype, shape, writable)."""
         return self._scene._table().get(self.name, {})
 
-    def __getattr__(self, array: str) -> numpy.ndarray:
-        if array.startswith("_"):
-            raise AttributeError(array)
+    def __getitem__(self, array: str) -> numpy.ndarray:
+        """Returns a state array, also one whose name is no name in Python."""
         if array not in self.arrays:
-            known = ", ".join(self.arrays) or "none"
-            raise AttributeError(f'{self.kind} "{self.name}" has no array "{array}"; it has {known}')
+            raise KeyError(self._unknown(array))
         return self._scene._native.read(self.name, array)
 
-    def __setattr__(self, array: str, values: Any) -> None:
+    def __setitem__(self, array: str, values: Any) -> None:
         if array not in self.arrays:
-            known = ", ".join(self.arrays) or "none"
-            raise AttributeError(f'{self.kind} "{self.name}" has no array "{array}"; it has {known}')
-        unit, dtype, shape, writable = self.arrays[array]
+            raise KeyError(self._unknown(array))
+        dtype, shape = self.arrays[array][1:3]
         values = numpy.asarray(values)
+        if values.ndim == 0:
+            values = numpy.broadcast_to(values, shape)
         if values.shape != shape:
-            values = numpy.broadcast_to(values, shape) if values.ndim == 0 else values
-            if values.shape != shape:
-                raise Error(f"{self.name}.{array} has the shape {shape}, not {values.shape}")
-        if dtype.kind == "f" and values.dtype.kind not in "fiub" or dtype.kind == "u" and values.dtype.kind not in "iub":
+            raise Error(f"{self.name}.{array} has the shape {shape}, not {values.shape}")
+        if values.dtype.kind not in ("fiub" if dtype.kind == "f" else "iub"):
             raise Error(f"{self.name}.{array} holds {dtype}, not {values.dtype}")
         self._scene._steps += 1
         self._scene._native.write(self.name, array, numpy.ascontiguousarray(values, dtype))
+
+    def __getattr__(self, array: str) -> numpy.ndarray:
+        if array in ("_scene", "name") or array.startswith("__"):
+            raise AttributeError(array)
+        if array not in self.arrays:
+            raise AttributeError(self._unknown(array))
+        return self[array]
+
+    def __setattr__(self, array: str, values: Any) -> None:
+        if array not in self.arrays:
+            raise AttributeError(self._unknown(array))
+        self[array] = values
+
+    def _unknown(self, array: str) -> str:
+        known = ", ".join(self.arrays) or "none"
+        return f'{self.kind} "{self.name}" has no array "{array}"; it has {known}'
 
     def __dir__(self):
         return [*super().__dir__(), *self.arrays]

@@ -4,6 +4,7 @@
 #include "frame/interrupt.hpp"
 #include "scene/json/scene_error.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdlib>
 #include <new>

@@ -5,6 +5,7 @@
 #include "api/scene_state.hpp"
 #include "batch/render/render_job.hpp"
 #include "frame/image.hpp"
+#include "frame/interrupt.hpp"
 #include "golden/suite/scene_run.hpp"
 #include "sim/grid/field_values.hpp"
 #include "sim/world/survey.hpp"

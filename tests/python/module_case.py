@@ -4,7 +4,7 @@ import pathlib
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "cli"))
-from common import CLOTH, PROGRAM, SCENE, Case, with_values  # noqa: E402, F401
+from common import CLOTH, PROGRAM, SCENE, SOURCE, Case, with_values  # noqa: E402, F401
 
 try:
     import numpy

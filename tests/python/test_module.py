@@ -1,8 +1,10 @@
 """Tests the Python module: state and pictures against the command line's, writing state, errors, several scenes."""
+import os
+import shutil
 import unittest
 import warnings
 
-from module_case import CLOTH, DISH, SPARKS, ModuleCase, numpy, picture_of, simreel, with_values
+from module_case import CLOTH, DISH, SOURCE, SPARKS, ModuleCase, numpy, picture_of, simreel, with_values
 
 
 class Pictures(ModuleCase):
@@ -125,6 +127,22 @@ class State(ModuleCase):
         dish.cells = cells
         self.assert_same(dish.cells, cells)
 
+    def test_every_kind_goes_on_from_what_was_read_and_written(self):
+        quick = ("body", "cave", "chart", "cloth", "contour", "epidemic", "isolines", "lenia", "life", "mesh", "particles")
+        starters = sorted((SOURCE / "assets/starters").glob("*.json"))
+        self.assertGreater(len(starters), 20)
+        for file in starters:
+            if file.stem not in quick and "SIMREEL_LONG" not in os.environ:
+                continue
+            with self.subTest(file.stem), simreel.load(file) as one, simreel.load(file) as other:
+                here = one.step(2).state_hash
+                kept = {(name, array): one[name][array] for name in one
+                        for array, (_, _, _, writable) in one[name].arrays.items() if writable}
+                for (name, array), values in kept.items():
+                    one[name][array] = values
+                self.assertEqual(one.state_hash, here)
+                self.assertEqual(one.step(2).state_hash, other.step(4).state_hash)
+
     def test_two_scenes_at_once_go_on_as_each_alone(self):
         self.write("scene.json", DISH)
         dish = self.scene()
@@ -153,6 +171,41 @@ class State(ModuleCase):
         self.addCleanup(scene.close)
         scene.step(3)
         self.assertEqual(set(scene["life"].field().ravel()), {3.0})
+        self.assert_same(scene["life"]["_Cells"], scene["life"]._Cells)
+        scene["life"]["_Cells"] = 7
+        self.assertEqual(set(scene.step()["life"].field().ravel()), {8.0})
+
+
+class Results(ModuleCase):
+    def test_checks_are_those_of_the_scene(self):
+        low = {"what": "max", "object": "flag", "of": "positions.y", "frames": [0, 2], "max": 0}
+        self.write("scene.json", with_values({"checks": [{"what": "no-nan"}, low]}))
+        scene = self.scene()
+        scene.step(3)
+        results = scene.check([0, 2])
+        self.assertEqual({(one["frame"], one["passed"]) for one in results if "positions.y" in one["what"]},
+                         {(0, False), (2, False)})
+        self.assertTrue(all(one["passed"] for one in results if one["what"].startswith("no-nan")))
+        self.assertEqual(scene.frame.number, 3)
+
+    def test_measurements_and_meshes_are_of_the_present_frame(self):
+        scene = self.scene()
+        flag = scene.step(2)["flag"]
+        self.assertTrue(flag.measure())
+        self.assertTrue(all(numpy.isfinite(value) for value in flag.measure().values()))
+        mesh = flag.mesh()
+        self.assert_same(mesh["positions"], flag.positions.reshape(-1, 3))
+        self.assertEqual((mesh["triangles"].shape, mesh["triangles"].dtype), ((2 * 6 * 8, 3), numpy.dtype("uint32")))
+        self.write("scene.json", SPARKS)
+        with self.assertRaisesRegex(simreel.Error, "has no mesh"):
+            self.scene()["sparks"].mesh()
+
+    @unittest.skipUnless(shutil.which("ffmpeg"), "no ffmpeg")
+    def test_a_video_is_that_of_render_and_shows_itself(self):
+        self.good("-q", "render", "scene.json", "-o", "rendered.mp4")
+        video = self.scene().video()
+        self.assertEqual(video.data, (self.folder / "rendered.mp4").read_bytes())
+        self.assertIn("<video", video._repr_html_())
 
 
 class Errors(ModuleCase):
@@ -186,8 +239,25 @@ class Errors(ModuleCase):
         scene.close()
         with self.assertRaisesRegex(simreel.Error, "closed"):
             scene.image()
-        with self.assertRaisesRegex(simreel.Error, "one device"):
-            simreel.device("1000")
+
+    def test_a_lost_state_is_an_error_of_the_device(self):
+        scene = self.scene()
+        scene["flag"].positions = numpy.nan
+        with self.assertRaises(simreel.Error) as raised:
+            scene.step().state_hash
+        self.assertEqual(raised.exception.kind, "device")
+        scene.restart()
+        self.assertEqual(scene.step().state_hash, self.scene().step().state_hash)
+
+    def test_another_device_can_be_opened_when_all_scenes_are_closed(self):
+        with self.scene() as scene:
+            with self.assertRaisesRegex(simreel.Error, "a process has one device"):
+                simreel.device(memory_path="storage")
+            states = scene.step(2).state_hash
+        simreel.device(memory_path="storage")
+        self.assertEqual(self.scene().step(2).state_hash, states)
+        self.doCleanups()
+        simreel.device()
 
     def test_warnings_are_python_s(self):
         self.write("scene.json", {"version": 2, "objects": {}})

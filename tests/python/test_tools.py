@@ -7,8 +7,7 @@ import subprocess
 import sys
 import unittest
 
-from module_case import SCENE, ModuleCase, simreel
-from common import SOURCE
+from module_case import SCENE, SOURCE, ModuleCase
 
 TESTS = '''
 import pytest, simreel

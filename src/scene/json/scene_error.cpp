@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include <fmt/format.h>
+
 namespace simreel::scene {
 
 namespace {
@@ -12,7 +14,7 @@ bool find(const Node& node, Place place, std::string& path) {
   for (std::size_t i = 0; i < node.children.size(); ++i) {
     const Node& child = node.children[i];
     const std::string step = node.kind == Node::Kind::list ? std::to_string(i) : child.key;
-    std::string inner = path.empty() ? step : path + "." + step;
+    std::string inner = path.empty() ? step : fmt::format("{}.{}", path, step);
     if (find(child, place, inner)) {
       path = inner;
       return true;

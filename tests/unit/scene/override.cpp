@@ -1,3 +1,4 @@
+#include "scene/json/scene_error.hpp"
 #include "unit/scene/toy.hpp"
 
 #include <doctest/doctest.h>
@@ -86,6 +87,24 @@ TEST_CASE("an override needs a path and a value") {
   CHECK_THROWS_AS(static_cast<void>(parseOverride("=3")), simreel::UserError);
   CHECK(parseOverride("a.b=c=d").path == "a.b");
   CHECK(parseOverride("a.b=c=d").value == "c=d");
+}
+
+TEST_CASE("each mistake of a scene has its place and its path") {
+  const std::string text = "{\"version\": 1,\n \"objects\": {\"flag\": {\"cloth\": {\"grid\": [8, 1]}}}}";
+  std::vector<Problem> problems;
+  try {
+    static_cast<void>(parse(text, {"objects.flag.cloth.threads=11", "titel=x"}, "a.json"));
+  } catch (const SceneError& error) {
+    problems = error.problems();
+  }
+  REQUIRE(problems.size() == 3);
+  CHECK(problems[0].file == "a.json");
+  CHECK(problems[0].line == 2);
+  CHECK(problems[0].column == 45);
+  CHECK(problems[0].path == "objects.flag.cloth.grid.1");
+  CHECK(problems[1].path == "objects.flag.cloth.threads");
+  CHECK(problems[1].line == 0);
+  CHECK(problems[2].path == "titel");
 }
 
 TEST_CASE("errors of file and overrides are reported together, the file's first") {
