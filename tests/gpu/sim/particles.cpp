@@ -125,6 +125,34 @@ TEST_CASE("particles: fields alone equal the CPU twin") {
   }
 }
 
+TEST_CASE("particles: balls in contact equal the CPU twin") {
+  auto p = cloud(sim::ParticleGroup::Shape::cube, 257, 2.57F);
+  p.groups[0].radius = 0.3F;
+  p.groups[0].speed = 2;
+  p.method = sim::GravityMethod::none;
+  p.contact.emplace().radius = 0.03F;
+  p.margin = 0.03F;
+  addFields(p);
+  p.attractor->mass = 3000.0F;
+  auto& second = p.groups.emplace_back();
+  second.shape = sim::ParticleGroup::Shape::ball;
+  second.count = 20;
+  second.totalMass = 2;
+  second.radius = 0.3F;
+  second.position = glm::vec3(0.5F, 0, 0);
+  SUBCASE("of one size, with emitters") {
+    addEmitters(p);
+  }
+  SUBCASE("of sizes that grow with mass") {
+    p.massExponent = 0.333F;
+  }
+  SUBCASE("that attract each other") {
+    p.method = sim::GravityMethod::allPairs;
+  }
+  const auto twin = compare(p, 30);
+  CHECK(twin.plan().parameters().substeps == 3);
+}
+
 TEST_CASE("particles: tree and fast numerics place newborn particles like exact pairs") {
   auto p = cloud(sim::ParticleGroup::Shape::ball, 1, 12);
   p.groups[0].radius = 1e-4F;
