@@ -18,22 +18,24 @@ namespace {
 
 constexpr double particleFrame = 1.0 / 60.0;
 
-std::unique_ptr<sim::Simulation> makeParticles(const sim::ParticleParameters& parameters,
-                                               bool fast = false) {
+using Colliders = std::vector<sim::ColliderShape>;
+
+std::unique_ptr<sim::Simulation> makeParticles(const sim::ParticleParameters& parameters, bool fast = false,
+                                               const Colliders& colliders = {}) {
   testContext();
   scene::Object object;
   object.name = "cloud";
   object.kind = "particles";
   object.parameters = std::make_unique<sim::ParticleParameters>(parameters);
-  static const std::vector<sim::ColliderShape> colliders;
   return sim::particlesKind().make(object, {fast, 5, particleFrame, &colliders});
 }
 
 /// Steps the GPU particles and their CPU twin and compares every word of the state. Returns the twin for
 /// further checks.
-ParticlesTwin compare(const sim::ParticleParameters& parameters, int frames, double start = 0) {
-  const auto gpu = makeParticles(parameters);
-  ParticlesTwin twin(sim::ParticlePlan(parameters, 5, particleFrame));
+ParticlesTwin compare(const sim::ParticleParameters& parameters, int frames, double start = 0,
+                      const Colliders& colliders = {}) {
+  const auto gpu = makeParticles(parameters, false, colliders);
+  ParticlesTwin twin(sim::ParticlePlan(parameters, 5, particleFrame, 1 << 24, colliders));
   const auto before = twin.positions;
   for (int frame = 0; frame < frames; ++frame) {
     gpu->step(start + frame * particleFrame, {});

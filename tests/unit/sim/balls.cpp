@@ -180,6 +180,15 @@ TEST_CASE("balls: a cradle with gaps sends one ball out for one in") {
   CHECK(twin.velocities[4].x == doctest::Approx(1).epsilon(1e-3));
 }
 
+TEST_CASE("balls: a cradle whose balls touch keeps its momentum and gains no energy") {
+  std::vector<balls::Ball> row = {{{-0.3F, 0, 0}, {1, 0, 0}}};
+  for (int i = 0; i < 4; ++i) row.push_back({{0.1F * static_cast<float>(i), 0, 0}, {0, 0, 0}});
+  auto twin = balls::placed(row, balls::parametersOf(5, 1));
+  balls::run(twin, 30);
+  CHECK(balls::momentumOf(twin).x == doctest::Approx(1).epsilon(1e-4));
+  CHECK(balls::energyOf(twin) <= 0.5);
+}
+
 TEST_CASE("balls: an elastic gas keeps its momentum, and its energy within 2 %") {
   std::vector<balls::Ball> gas;
   for (int i = 0; i < 125; ++i) {
