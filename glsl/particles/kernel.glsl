@@ -15,6 +15,7 @@
 
 layout(std140, binding = stepBinding) uniform StepBlock { ParticleStep stepData; };
 layout(local_size_x = 64) in;
+#ifndef BALLS
 STATE_ARRAY(positionsBinding, PositionBlock, positions)
 STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)
 #ifdef SETTLES
@@ -22,4 +23,6 @@ INPUT_ARRAY(startsBinding, StartBlock, starts)
 #else
 STATE_ARRAY(accelerationsBinding, AccelerationBlock, accelerations)
 #endif
+#endif
+#include "particles/contact/scale.glsl"
 #include "particles/model.glsl"

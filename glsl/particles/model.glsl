@@ -1,8 +1,9 @@
-// One particle over one substep of a leapfrog (kick, drift, kick), without mutual gravity. Compiles as GLSL and as C++
-// (the CPU twin of the tests). The including file provides `stepData` (ParticleStep), types.glsl, common/exact.glsl,
-// common/hash.glsl, particles/pairs.glsl, particles/pace.glsl, mesh/height_model.glsl, contour/wall_model.glsl, and
-// `blown` and windAt() (fluid/wind_array.glsl).
+// One particle over one substep of a leapfrog (kick, drift, kick), without the mutual gravity. Compiles as GLSL and as
+// C++ (the CPU twin of the tests). The including file provides `stepData` (ParticleStep), types.glsl,
+// common/exact.glsl, common/hash.glsl, particles/pairs.glsl, particles/pace.glsl, mesh/height_model.glsl,
+// contour/wall_model.glsl, particles/contact/scale.glsl, and `blown` and windAt() (fluid/wind_array.glsl).
 #include "collide/model.glsl"
+#include "particles/ring.glsl"
 
 struct ParticleMotion {
   vec4 position;  // xyz position, m; w mass, kg (0 if not alive)
@@ -120,21 +121,7 @@ FUNCTION float lifetimeOf(int slot, int e) {
   return lifetime;
 }
 
-// Returns the index of a slot's emitter (-1 for particles of groups), and the slot's index among the new particles of
-// the substep (-1 if not new).
-FUNCTION ivec2 ringPlace(int slot) {
-  for (int e = 0; e < stepData.emitterCount; ++e) {
-    int slots = stepData.emitters[e].slots;
-    int place = slot - stepData.emitters[e].firstSlot;
-    if (place < 0 || place >= slots) continue;
-    int k = place - stepData.emitters[e].firstPlace;
-    k = k < 0 ? k + slots : k;
-    return ivec2(e, k < stepData.emitters[e].newborns ? k : -1);
-  }
-  return ivec2(-1, -1);
-}
-
-// Returns the slot of new particle k of emitter e: the inverse of ringPlace().
+// Returns the slot of new particle k: the inverse of ringPlace.
 FUNCTION int newbornSlot(int e, int k) {
   int slots = stepData.emitters[e].slots;
   int place = stepData.emitters[e].firstPlace + k;
@@ -233,8 +220,9 @@ FUNCTION ParticleMotion outOfSolids(ParticleMotion m, vec3 from) {
   Motion here;
   here.position = vec3(m.position);
   here.velocity = vec3(m.velocity);
-  Motion out_ = outOfShapes(here, from, stepData.constants.margin, stepData.constants.bounce);
-  out_ = outOfMeshes(out_, from, stepData.constants.margin, stepData.constants.bounce);
+  precise float margin = stepData.constants.margin * ballScale(m.position.w);
+  Motion out_ = outOfShapes(here, from, margin, stepData.constants.bounce);
+  out_ = outOfMeshes(out_, from, margin, stepData.constants.bounce);
   m.position = alive ? vec4(out_.position, m.position.w) : m.position;
   m.velocity = alive ? vec4(out_.velocity, m.velocity.w) : m.velocity;
   return m;

@@ -31,8 +31,28 @@ struct STD140 ParticleConstants {
   float margin DEFAULT(0.0f);              // Distance kept from colliders, m
 };
 
-// Emitter with a ring buffer of slots. New particles take consecutive slots; each has a different time of birth within
-// the substep.
+// Longest run of a bucket in which pairs are searched: 27 runs stay below the loop limit of software drivers.
+const int ballRun = 2048;
+
+const int ballIterations = 4;  // over all contacts, per substep
+
+// Contact of particles as balls.
+struct STD140 BallConstants {
+  float radius DEFAULT(0.0f);       // of a ball of the reference mass, m
+  float friction DEFAULT(0.0f);     // Coulomb coefficient between balls
+  float restitution DEFAULT(0.0f);  // Fraction of the approach speed that is returned
+  float sizeExponent DEFAULT(0.0f);
+  float perMassReference DEFAULT(1.0f);  // in 1/kg
+  float perCell DEFAULT(1.0f);           // 1 / side of a cell, 1/m
+  float bounceFrom DEFAULT(0.0f);        // Least approach speed that is returned, m/s
+  float restSpeed DEFAULT(0.0f);         // Speed that the uniform acceleration adds in a substep, m/s
+  float perDt DEFAULT(0.0f);             // in 1/s
+  int tableMask DEFAULT(1);              // Buckets of the table - 1
+  int listed DEFAULT(16);                // Most neighbours of a ball, a multiple of 4
+};
+
+// Emitter: a ring buffer of slots. New particles take the slots in turn; each has its own moment of birth within the
+// substep.
 struct STD140 EmitterStep {
   vec4 position;          // xyz position at the end of the substep, m
   vec4 positionBefore;    // xyz position at the start of the substep, m
@@ -79,6 +99,7 @@ struct STD140 ParticleStep {
                                 // includes it
   ParticleConstants constants;
   TurbulenceConstants turbulence;
+  BallConstants balls;
   EmitterStep emitters[maxEmitters];
   Collider colliders[maxColliders];
 };

@@ -3,6 +3,8 @@
 #include "sim/core/shader_code.hpp"
 
 #include <algorithm>
+#include <tuple>
+#include <unordered_map>
 #include <utility>
 
 #include <tbb/blocked_range.h>
@@ -37,6 +39,9 @@ struct Kernel : WindKernel {
 #undef BRANCHES
 #include "glsl/fluid/wind_model.glsl"
 #include "glsl/mesh/height_model.glsl"
+#include "glsl/particles/contact/model.glsl"
+#include "glsl/particles/contact/push.glsl"
+#include "glsl/particles/contact/scale.glsl"
 #include "glsl/particles/model.glsl"
 };
 #undef precise
@@ -126,6 +131,123 @@ void ParticlesTwin::meet(int index, const std::function<void(const Meet&)>& body
   });
 }
 
+namespace {
+
+/// Balls of a substep in the order of their buckets.
+struct Balls {
+  std::vector<uint> slots;
+  std::vector<vec4> guesses, begins, speeds, places;
+  std::vector<std::vector<int>> lists;
+};
+
+Balls sortedBalls(Kernel& kernel, const std::vector<vec4>& positions, const std::vector<vec4>& starts,
+                  const std::vector<vec4>& velocities) {
+  Balls balls;
+  std::vector<uint> buckets(positions.size());
+  const auto dead = static_cast<uint>(kernel.stepData.balls.tableMask);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    balls.slots.push_back(static_cast<uint>(i));
+    buckets[i] = velocities[i].w < 0 ? dead : kernel.ballBucket(kernel.ballCell(vec3(positions[i])));
+  }
+  std::stable_sort(balls.slots.begin(), balls.slots.end(),
+                   [&](uint a, uint b) { return buckets[a] < buckets[b]; });
+  for (const uint i : balls.slots) {
+    const bool fresh = kernel.ringPlace(static_cast<int>(i)).y >= 0;
+    balls.guesses.push_back(positions[i]);
+    balls.begins.emplace_back(vec3(fresh ? positions[i] : starts[i]),
+                              buckets[i] == dead ? 0 : kernel.ballRadius(positions[i].w));
+    balls.speeds.push_back(velocities[i]);
+  }
+  return balls;
+}
+
+void findNeighbours(Kernel& kernel, Balls& balls) {
+  const std::size_t count = balls.guesses.size();
+  balls.lists.resize(count);
+  std::unordered_map<uint, std::pair<int, int>> runs;
+  for (int s = 0; s < static_cast<int>(count); ++s) {
+    if (balls.begins[static_cast<std::size_t>(s)].w <= 0) continue;
+    const uint bucket =
+        kernel.ballBucket(kernel.ballCell(vec3(balls.guesses[static_cast<std::size_t>(s)])));
+    auto& run = runs.try_emplace(bucket, s, s).first->second;
+    if (run.second - run.first < ballRun) run.second = s + 1;
+  }
+  for (std::size_t s = 0; s < count; ++s) {
+    const vec4 here = balls.guesses[s];
+    int touching = 0;
+    for (int around = 0; around < 27 && balls.begins[s].w > 0; ++around) {
+      const ivec3 cell = kernel.ballCell(vec3(here)) + kernel.ballNextCell(around);
+      const auto run = runs.find(kernel.ballBucket(cell));
+      if (run == runs.end()) continue;
+      for (int j = run->second.first; j < run->second.second; ++j) {
+        const auto other = static_cast<std::size_t>(j);
+        if (other == s || kernel.ballCell(vec3(balls.guesses[other])) != cell) continue;
+        const int near = kernel.ballsNear(vec3(here), vec3(balls.guesses[other]),
+                                          balls.begins[s].w + balls.begins[other].w);
+        if (near == 0 || static_cast<int>(balls.lists[s].size()) == kernel.stepData.balls.listed) continue;
+        touching += near - 1;
+        balls.lists[s].push_back(j);
+      }
+    }
+    balls.places.emplace_back(vec3(here),
+                              kernel.ballShare(touching) * exactReciprocal(std::max(here.w, 1e-30F)));
+  }
+}
+
+}  // namespace
+
+void ParticlesTwin::touchBalls(int index) {
+  Kernel kernel{{}, steps_[static_cast<std::size_t>(index)]};
+  Balls balls = sortedBalls(kernel, positions, starts, velocities);
+  findNeighbours(kernel, balls);
+  const auto stateBefore = std::pair(positions, velocities);
+  const std::size_t count = positions.size();
+  for (int round = 0; round < ballIterations; ++round) {
+    std::vector<vec4> next = balls.places;
+    meet(index, [&](const Meet& out) {
+      for (std::size_t s = 0; s < count; ++s) {
+        if (balls.begins[s].w <= 0) continue;
+        const Kernel::Ball here{balls.places[s], balls.begins[s]};
+        const float perMass = exactReciprocal(std::max(balls.guesses[s].w, 1e-30F));
+        vec3 sum(0);
+        for (const int j : balls.lists[s]) {
+          const auto other = static_cast<std::size_t>(j);
+          sum = sum + kernel.ballPush(here, {balls.places[other], balls.begins[other]}, perMass,
+                                      static_cast<int>(s) < j);
+        }
+        const vec3 place = vec3(here.place) + sum;
+        out(s, vec4(place, balls.guesses[s].w), vec4(0), &balls.begins[s]);
+        next[s] = vec4(vec3(positions[s]), here.place.w);
+      }
+    });
+    balls.places = next;
+  }
+  std::tie(positions, velocities) = stateBefore;
+  const auto motionOf = [&](std::size_t s) {
+    return kernel.ballMotion(vec3(balls.guesses[s]), vec3(balls.speeds[s]), balls.places[s]);
+  };
+  for (std::size_t s = 0; s < count; ++s) {
+    if (balls.begins[s].w <= 0) continue;
+    const auto here = motionOf(s);
+    const float perMass = exactReciprocal(std::max(balls.guesses[s].w, 1e-30F));
+    vec3 velocity = here.after, place = vec3(here.place);
+    bool touches = false;
+    for (const int j : balls.lists[s]) {
+      const auto other = static_cast<std::size_t>(j);
+      const vec4 kick = kernel.ballBounce(here, motionOf(other), balls.begins[s].w + balls.begins[other].w,
+                                          perMass, static_cast<int>(s) < j);
+      velocity = velocity + vec3(kick);
+      touches = touches || kick.w > 0;
+    }
+    if (touches && kernel.ballRests(vec3(balls.begins[s]), place, velocity)) {
+      place = vec3(balls.begins[s]);
+      velocity = kernel.ballIdle(velocity);
+    }
+    positions[balls.slots[s]] = vec4(place, balls.guesses[s].w);
+    velocities[balls.slots[s]] = vec4(velocity, balls.speeds[s].w);
+  }
+}
+
 void ParticlesTwin::predict(int index, int threads) {
   const auto& p = plan_.parameters();
   const ParticleStep& data = steps_[static_cast<std::size_t>(index)];
@@ -145,6 +267,7 @@ void ParticlesTwin::predict(int index, int threads) {
   });
   attract(threads);
   kick(data, threads);
+  if (p.contact) touchBalls(index);
 }
 
 void ParticlesTwin::settle(int index) {

@@ -49,6 +49,7 @@ class ParticlesTwin {
   using Meet = std::function<void(std::size_t i, const glm::vec4& position, const glm::vec4& velocity,
                                   const glm::vec4* start)>;
   void meet(int index, const std::function<void(const Meet&)>& body);
+  void touchBalls(int index);
   void attract(int threads);
   void kick(const simreel::shader::ParticleStep& data, int threads);
 

@@ -15,6 +15,7 @@
 #include "sim/ports/moving_points.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
@@ -26,6 +27,9 @@ namespace {
 
 /// Radius, in scale lengths, that contains most of a Plummer sphere or a disk.
 constexpr float scaleLengths = 3.0F;
+
+/// Greatest a dt^2 and v dt of "auto" substeps, as fractions of a ball's radius.
+constexpr double overlapOfStep = 3.5e-4, wayOfStep = 0.3;
 
 void includeBall(std::optional<scene::Box>& box, const glm::vec3& middle, const glm::vec3& half) {
   scene::include(box, middle - half);
@@ -158,6 +162,7 @@ void ParticleParameters::describe(scene::Fields& f) {
     if (blown.fluid.empty()) w.error("fluid", "whose wind? Give \"fluid\", the name of one of this scene");
   });
   f.integer("substeps", substeps, {1, 1024}, "per frame", "Steps a frame is divided into.");
+  f.leftOut("substeps", "1, or with \"contact\" as many as balls of their size and weight need");
   f.boolean("collides", collides,
             "Makes them meet everything that collides: shapes, the ground, bodies, a mesh that collides, "
             "and cloths with \"contact\".");
@@ -168,18 +173,51 @@ void ParticleParameters::describe(scene::Fields& f) {
   f.text("walls", walls, "Name of the cave or contour whose walls, floor and tops they meet.");
   f.number("bounce", bounce, {0, 1}, "", "Fraction of the speed of impact that is given back.");
   f.number("margin", margin, {0, 1e3}, "m", "Distance kept from what they meet, and from walls.");
+  f.leftOut("margin", "0, or with \"contact\" the radius");
   if (!collides && f.given("cloths"))
     f.error("cloths", "\"cloths\" is for particles with \"collides\": true");
   for (const char* name : {"bounce", "margin"})
     if (!collides && walls.empty() && f.given(name))
       f.error(name, fmt::format("\"{}\" is for particles with \"collides\": true or \"walls\"", name));
   f.group("look", "Look of the particles.", [&](scene::Fields& l) { describeLook(l); });
+  describeContact(f);
   f.switchable("trails");
   f.optionalGroup("trails", trails,
                   "Tubes through the places of the latest frames, which end where a particle was born.");
   remarkForces(f);
   if (groups.empty() && emitters.empty())
     f.error("groups", "no particles: give \"groups\" or \"emitters\"");
+}
+
+void BallParameters::describe(scene::Fields& f) {
+  f.number("radius", radius, {0, 1e3}, "m",
+           "Radius of a particle; 0: half the \"size\" of its look. It grows with mass as the look does.");
+  f.number("friction", friction, {0, 10}, "", "Coulomb coefficient of friction between particles.");
+  f.number("restitution", restitution, {0, 1}, "",
+           "Fraction of the approach speed with which two particles part.");
+}
+
+void ParticleParameters::describeContact(scene::Fields& f) {
+  f.switchable("contact");
+  f.optionalGroup(
+      "contact", contact,
+      "Makes particles balls that push each other, by their masses. They do not turn. Without it "
+      "they pass through each other.");
+  if (!contact) return;
+  autoSubsteps = !f.given("substeps");
+  if (!f.given("margin")) margin = ballRadius();
+  for (const ParticleGroup& group : groups) {
+    const bool cube = group.shape == ParticleGroup::Shape::cube;
+    if (massExponent > 0 || (!cube && group.shape != ParticleGroup::Shape::ball)) continue;
+    // Balls that are placed at random can be moved apart up to half of the volume.
+    const double volume = cube ? 8 : 4.18879;
+    const double wide = ballRadius() * std::cbrt(group.count * 4.18879 / (0.5 * volume));
+    if (wide > group.radius)
+      f.error("contact",
+              fmt::format("{} balls of radius {:.3g} m do not fit into a group of radius {:.3g} m; "
+                          "give it {:.3g} m or more",
+                          group.count, ballRadius(), group.radius, wide));
+  }
 }
 
 void ParticleParameters::remarkForces(scene::Fields& f) const {
@@ -240,8 +278,29 @@ std::vector<MeasuredRange> ParticleParameters::measuredRanges() {
 
 ParticleParameters ParticleParameters::inStep(int contactSubsteps) const {
   ParticleParameters all = *this;
-  if (meetsCloths() && contactSubsteps > 0) all.substeps = contactSubsteps;
+  if (meetsCloths() && contactSubsteps > 0) {
+    all.substeps = contactSubsteps;
+    all.autoSubsteps = false;
+  }
   return all;
+}
+
+// Overlaps in a heap are proportional to its depth and to a dt^2 (glsl/particles/README.md).
+int ParticleParameters::substepsPerFrame(double frameSeconds) const {
+  if (!autoSubsteps) return substeps;
+  double strongest = 0;
+  for (const auto& key : acceleration.keys())
+    strongest = std::max(strongest, static_cast<double>(glm::length(key.value)));
+  double fastest = 0;
+  for (const ParticleGroup& group : groups)
+    fastest = std::max<double>(fastest, glm::length(group.velocity) + group.speed);
+  for (const Emitter& emitter : emitters)
+    for (const auto& key : emitter.velocity.keys())
+      fastest = std::max<double>(fastest, (1 + emitter.speedVariation) * glm::length(key.value));
+  const double radius = ballRadius();
+  const double steps = frameSeconds * std::max(std::sqrt(strongest / (overlapOfStep * radius)),
+                                               fastest / (wayOfStep * radius));
+  return static_cast<int>(std::clamp(std::ceil(steps), 4.0, 64.0));
 }
 
 void ParticleParameters::ports(Ports& ports) const {

@@ -74,12 +74,15 @@ struct ParticleWind {
   float drag = 4;     ///< rate in 1/s at which the velocity approaches that of the wind
 };
 
-enum class GravityMethod {
-  none,
-  allPairs,
-  tree
-};  ///< the names in scenes are "none", "all-pairs" and
-    ///< "tree"
+/// Contact of particles with each other, as balls.
+struct BallParameters {
+  float radius = 0.0F;  ///< metres; 0: half of the drawn size
+  float friction = 0.4F;
+  float restitution = 0.3F;
+  void describe(scene::Fields& fields);
+};
+
+enum class GravityMethod { none, allPairs, tree };  ///< named "none", "all-pairs" and "tree" in scenes
 
 struct ParticleParameters : ObjectParameters, HasColorRange, TouchesMeshes, shader::ParticleConstants {
   std::vector<ParticleGroup> groups;
@@ -91,7 +94,9 @@ struct ParticleParameters : ObjectParameters, HasColorRange, TouchesMeshes, shad
   std::optional<Attractor> attractor;
   scene::Animated<glm::vec3> acceleration = glm::vec3(0);  ///< uniform acceleration in m/s^2
   Turbulence turbulence;
-  int substeps = 1;
+  int substeps = 1;           ///< per frame; ignored if `autoSubsteps`
+  bool autoSubsteps = false;  ///< true: balls in contact take as many as they need
+  std::optional<BallParameters> contact;
   bool collides = false;
   std::optional<ParticleWind> wind;
   std::string walls;           ///< name of the solid whose walls the particles collide with; empty if none
@@ -134,11 +139,18 @@ struct ParticleParameters : ObjectParameters, HasColorRange, TouchesMeshes, shad
   /// drag of the wind.
   [[nodiscard]] float slowing() const { return damping + (wind ? wind->drag : 0.0F); }
   [[nodiscard]] bool meetsCloths() const { return collides && cloths != "none"; }
+  /// Returns the radius in metres of a ball of the reference mass.
+  [[nodiscard]] float ballRadius() const {
+    return contact && contact->radius > 0 ? contact->radius : 0.5F * size;
+  }
+  /// Returns the number of substeps per frame: the given one, or the one that balls in contact need.
+  [[nodiscard]] int substepsPerFrame(double frameSeconds) const;
   /// Returns a copy with `contactSubsteps` substeps per frame if the particles collide with cloths; 0 keeps
   /// the number of the parameters.
   [[nodiscard]] ParticleParameters inStep(int contactSubsteps) const;
 
  private:
+  void describeContact(scene::Fields& fields);
   void remarkForces(scene::Fields& fields) const;
   void describeLook(scene::Fields& fields);
 };

@@ -7,6 +7,7 @@
 #include "sim/contact/lock_step.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/core/step_blocks.hpp"
+#include "sim/particles/balls.hpp"
 #include "sim/particles/gravity_tree.hpp"
 #include "sim/particles/kernels.hpp"
 #include "sim/particles/pairs.hpp"
@@ -64,11 +65,12 @@ class Particles : public Simulation, public LockStep {
     const ParticleCloud cloud = plan_.firstCloud();
     positions_[0] = gl::Vec4Array(name_ + " positions", cloud.positions);
     inContact_ = setting.together<LockStep>().led && p.meetsCloths();
-    if (inContact_) {
+    if (twoPositions()) {
       positions_[1] = gl::Vec4Array(name_ + " next positions", cloud.positions);
+    }
+    if (inContact_)
       savedAccelerations_ =
           gl::Buffer(name_ + " accelerations before a frame", 16 * cloud.positions.size());
-    }
     velocities_ = gl::Vec4Array(name_ + " velocities", cloud.velocities);
     moving_ = {&positions_[0], &velocities_, plan_.count(), p.size, plan_.fastestAtStart(cloud)};
     accelerations_ =
@@ -87,7 +89,12 @@ class Particles : public Simulation, public LockStep {
   void step(double time, const StepWatch& watch) override {
     beginFrame(time);
     for (int i = 0; i < plan_.parameters().substeps; ++i) {
-      advance(i);
+      if (twoPositions()) {
+        predict(i);
+        finish();
+      } else {
+        advance(i);
+      }
       if (watch) watch(i + 1);
     }
     endFrame(time);
@@ -111,6 +118,7 @@ class Particles : public Simulation, public LockStep {
                    {.count = plan_.count(), .starts = positions_[0], .positions = positions_[1]});
     next_ = 1;
     advance(substep);
+    if (balls_) balls_->solve(partAt(substep), positions_[0], positions_[1], velocities_);
   }
   void settle(int substep) override {
     if (!settles_) return;
@@ -186,6 +194,13 @@ class Particles : public Simulation, public LockStep {
         "beyond 1e8; use more substeps ({} per frame now), a greater softening or smaller masses",
         name_, step, element, plan_.parameters().substeps);
   }
+  [[nodiscard]] std::string remark(int frame) const override {
+    return fmt::format(
+        "particles \"{}\" move by more than their radius in a substep (frame {}), and may pass through "
+        "each "
+        "other; raise \"substeps\" ({} per frame now)",
+        name_, frame, plan_.parameters().substeps);
+  }
 
  private:
   void makeKernels(bool fast) {
@@ -201,15 +216,16 @@ class Particles : public Simulation, public LockStep {
     else
       whole_ = gl::Kernel<ParticleWhole>(defines, {.solids = solids, .fields = fields});
     settles_ = shapes || touch_.meets();
-    if (inContact_) {
-      keep_ = gl::Kernel<ParticleKeep>(defines);
-      settle_ = gl::Kernel<ParticleSettle>(defines, solids);
-    }
+    if (twoPositions()) keep_ = gl::Kernel<ParticleKeep>(defines);
+    if (inContact_) settle_ = gl::Kernel<ParticleSettle>(defines, solids);
+    if (p.contact) balls_.emplace(name_, plan_, solids, fast);
     if (!p.emitters.empty())
       birth_ =
           gl::Kernel<ParticleBirth>(defines, {.solids = solids, .fields = fields, .attracts = attracts()});
   }
 
+  /// True if a substep needs the positions at its start until its end.
+  [[nodiscard]] bool twoPositions() const { return inContact_ || plan_.parameters().contact.has_value(); }
   [[nodiscard]] bool attracts() const { return plan_.parameters().method != GravityMethod::none; }
 
   /// Advances the particles in positions_[next_] by one substep.
@@ -275,7 +291,7 @@ class Particles : public Simulation, public LockStep {
     if (p.alongVelocity) instances.turning = Instances::Turning::velocity;
     instances.size = p.size;
     instances.massExponent = p.massExponent;
-    instances.massReference = massReference();
+    instances.massReference = plan_.massReference();
     instances.colorBy = p.colorBy;
     instances.colorRange = p.colorRange;
     instances.colors = p.colors.empty() ? &colors_ : &p.colors;
@@ -286,20 +302,10 @@ class Particles : public Simulation, public LockStep {
     return instances;
   }
 
-  /// Returns the mass of a particle that is drawn in the nominal size. It is taken from the first group, or
-  /// if there is none, from the first emitter.
-  [[nodiscard]] float massReference() const {
-    const ParticleParameters& p = plan_.parameters();
-    if (p.groups.empty()) return p.emitters.empty() ? 1.0F : p.emitters.front().mass;
-    const ParticleGroup& group = p.groups.front();
-    return group.totalMass / static_cast<float>(std::max(plan_.groupCount(0), 1));
-  }
-
   std::string name_;
   scene::Material material_;
   ParticlePlan plan_;
-  gl::Vec4Array positions_[2];  ///< current positions; for particles in contact with cloth, also the
-                                ///< positions after the substep
+  gl::Vec4Array positions_[2];  ///< current positions; in contact also the substep's result
   gl::Vec4Array velocities_, accelerations_;
   gl::Buffer savedAccelerations_;  ///< for particles in contact: accelerations at the start of the frame
   int next_ = 0;                   ///< index into positions_ of the array that kernels read and write
@@ -315,6 +321,7 @@ class Particles : public Simulation, public LockStep {
   gl::Kernel<ParticleWhole> whole_;
   gl::Kernel<ParticleBirth> birth_;
   gl::Kernel<ParticleKick> kick_;
+  std::optional<BallContact> balls_;  ///< contact of the particles with each other, if any
   PairGravity pairs_;
   std::optional<GravityTree> tree_;
   std::unique_ptr<ParticleTrails> trails_;  ///< null if there are no trails

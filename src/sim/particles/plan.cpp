@@ -2,10 +2,12 @@
 
 #include "base/error.hpp"
 #include "sim/core/shader_code.hpp"
+#include "sim/particles/apart.hpp"
 #include "sim/particles/file.hpp"
 #include "sim/particles/start.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -33,15 +35,22 @@ double ringSize(const Emitter& emitter) {
          1.0;
 }
 
+constexpr double mostNeighbours = 256;
+
 int centralCount(const ParticleGroup& group) {
   return group.shape != ParticleGroup::Shape::file && group.centralMass > 0 ? 1 : 0;
+}
+
+ParticleParameters withSubsteps(ParticleParameters parameters, double frameSeconds) {
+  parameters.substeps = parameters.substepsPerFrame(frameSeconds);
+  return parameters;
 }
 
 }  // namespace
 
 ParticlePlan::ParticlePlan(ParticleParameters parameters, int seed, double frameSeconds, int maxParticles,
                            const std::vector<ColliderShape>& colliders)
-    : parameters_(std::move(parameters)),
+    : parameters_(withSubsteps(std::move(parameters), frameSeconds)),
       seed_(seed),
       substepSeconds_(frameSeconds / parameters_.substeps),
       colliders_("a cloud of particles", parameters_.collides ? colliders : std::vector<ColliderShape>(),
@@ -68,6 +77,53 @@ ParticlePlan::ParticlePlan(ParticleParameters parameters, int seed, double frame
     count_ += ring.size;
     rings_.push_back(ring);
   }
+  if (parameters_.contact) balls_ = planBalls();
+}
+
+shader::BallConstants ParticlePlan::planBalls() const {
+  const ParticleParameters& p = parameters_;
+  float lightest = massReference(), heaviest = lightest;
+  const auto include = [&](float mass) {
+    lightest = std::min(lightest, mass);
+    heaviest = std::max(heaviest, mass);
+  };
+  for (std::size_t i = 0; i < p.groups.size(); ++i) {
+    if (p.groups[i].shape != ParticleGroup::Shape::file)
+      include(p.groups[i].totalMass / static_cast<float>(p.groups[i].count));
+    if (centralCount(p.groups[i]) > 0) include(p.groups[i].centralMass);
+    for (const glm::vec4& particle : files_[i].positions) include(particle.w);
+  }
+  for (const Emitter& emitter : p.emitters) include(emitter.mass);
+  const auto scale = [&](float mass) {
+    return std::pow(static_cast<double>(mass) / massReference(), static_cast<double>(p.massExponent));
+  };
+  // A ball of radius R has room for about 3.6 (1 + R / r)^2 neighbours of radius r.
+  const double ratio = scale(heaviest) / scale(lightest);
+  const double neighbours = 3.96 * (1 + ratio) * (1 + ratio);
+  if (neighbours > mostNeighbours)
+    fail(
+        ExitCode::usage,
+        "particles in contact: the largest has {:.3g} times the radius of the smallest, and 7 times is the "
+        "most; lower \"massExponent\", or give masses that differ less",
+        ratio);
+  shader::BallConstants balls;
+  balls.radius = p.ballRadius();
+  balls.friction = p.contact->friction;
+  balls.restitution = p.contact->restitution;
+  balls.sizeExponent = p.massExponent;
+  balls.perMassReference = 1.0F / massReference();
+  balls.perCell = static_cast<float>(1 / (2.11 * p.ballRadius() * scale(heaviest)));
+  balls.perDt = static_cast<float>(1 / substepSeconds_);
+  balls.tableMask = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::max(count_, 2)))) * 2 - 1;
+  balls.listed = 4 * static_cast<int>(std::ceil(neighbours / 4));
+  return balls;
+}
+
+float ParticlePlan::massReference() const {
+  const ParticleParameters& p = parameters_;
+  if (p.groups.empty()) return p.emitters.empty() ? 1.0F : p.emitters.front().mass;
+  const ParticleGroup& group = p.groups.front();
+  return group.totalMass / static_cast<float>(std::max(groupCount(0), 1));
 }
 
 int ParticlePlan::groupCount(std::size_t group) const {
@@ -115,6 +171,7 @@ ParticleCloud ParticlePlan::firstCloud() const {
     all.velocities.insert(all.velocities.end(), slots, glm::vec4(0, 0, 0, -1));
   }
   SIMREEL_CHECK_EQ(all.positions.size(), static_cast<std::size_t>(count_));
+  if (parameters_.contact) moveApart(all, balls_);
   return all;
 }
 
@@ -157,6 +214,14 @@ shader::ParticleStep ParticlePlan::between(double start, double end) const {
   s.constants = p;
   s.constants.damping = p.slowing();
   s.turbulence = p.turbulence;
+  if (!p.contact) return s;
+  // Contact takes all of the kick before the drift, so that a ball at rest has no velocity between
+  // substeps.
+  s.pace.firstKick = seconds;
+  s.pace.secondKick = 0;
+  s.balls = balls_;
+  s.balls.restSpeed = static_cast<float>(glm::length(p.acceleration.at(end)) * substepSeconds_);
+  s.balls.bounceFrom = 3 * s.balls.restSpeed;
   return s;
 }
 

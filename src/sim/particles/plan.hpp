@@ -38,7 +38,10 @@ class ParticlePlan {
   [[nodiscard]] int groupCount(std::size_t group) const;
   /// Returns the initial state: the particles of the groups, followed by empty slots for the emitters.
   [[nodiscard]] ParticleCloud firstCloud() const;
-  /// Returns the maximum initial speed in m/s of the first cloud and of emitted particles.
+  /// Returns the mass in kg of a particle of nominal size, taken from the first group, else from the first
+  /// emitter.
+  [[nodiscard]] float massReference() const;
+  /// Returns the greatest speed at the start in m/s: of the first cloud and of what emitters emit.
   [[nodiscard]] float fastestAtStart(const ParticleCloud& cloud) const;
   /// Returns the description of the particles for contact with cloths.
   [[nodiscard]] ContactPart contactPart() const;
@@ -57,12 +60,15 @@ class ParticlePlan {
     }
   }
 
+  /// Returns the constants of contact that do not change with time.
+  [[nodiscard]] const shader::BallConstants& ballConstants() const { return balls_; }
   [[nodiscard]] const ParticleParameters& parameters() const { return parameters_; }
   [[nodiscard]] double substepSeconds() const { return substepSeconds_; }
   /// Returns the number of colliders, which is the same in every step.
   [[nodiscard]] int colliderCount() const { return colliders_.count(); }
 
  private:
+  [[nodiscard]] shader::BallConstants planBalls() const;
   [[nodiscard]] std::vector<Companion> companionsOf(std::size_t group) const;
   struct Ring {
     int first = 0;
@@ -83,6 +89,7 @@ class ParticlePlan {
   ColliderPlan colliders_;
   std::vector<ParticleCloud> files_;  ///< content of each group's file; empty for groups without a file
   std::vector<Ring> rings_;
+  shader::BallConstants balls_;
   int count_ = 0;
   int done_ = 0;  ///< number of substeps so far
 };

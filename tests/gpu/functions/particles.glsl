@@ -9,6 +9,7 @@ struct ToldParticles {
   float windDrag;
   ParticleConstants constants;
   TurbulenceConstants turbulence;
+  BallConstants balls;
   EmitterStep emitters[2];
   Collider colliders[1];
 };
@@ -17,6 +18,7 @@ ToldParticles stepData;
 #include "gpu/functions/solids_none.glsl"
 #include "particles/pairs.glsl"
 #include "particles/pace.glsl"
+#include "particles/contact/scale.glsl"
 #include "particles/model.glsl"
 
 FUNCTION void prepare(int i) {

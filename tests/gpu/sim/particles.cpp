@@ -18,22 +18,24 @@ namespace {
 
 constexpr double particleFrame = 1.0 / 60.0;
 
-std::unique_ptr<sim::Simulation> makeParticles(const sim::ParticleParameters& parameters,
-                                               bool fast = false) {
+using Colliders = std::vector<sim::ColliderShape>;
+
+std::unique_ptr<sim::Simulation> makeParticles(const sim::ParticleParameters& parameters, bool fast = false,
+                                               const Colliders& colliders = {}) {
   testContext();
   scene::Object object;
   object.name = "cloud";
   object.kind = "particles";
   object.parameters = std::make_unique<sim::ParticleParameters>(parameters);
-  static const std::vector<sim::ColliderShape> colliders;
   return sim::particlesKind().make(object, {fast, 5, particleFrame, &colliders});
 }
 
 /// Steps the GPU particles and their CPU twin and compares every word of the state. Returns the twin for
 /// further checks.
-ParticlesTwin compare(const sim::ParticleParameters& parameters, int frames, double start = 0) {
-  const auto gpu = makeParticles(parameters);
-  ParticlesTwin twin(sim::ParticlePlan(parameters, 5, particleFrame));
+ParticlesTwin compare(const sim::ParticleParameters& parameters, int frames, double start = 0,
+                      const Colliders& colliders = {}) {
+  const auto gpu = makeParticles(parameters, false, colliders);
+  ParticlesTwin twin(sim::ParticlePlan(parameters, 5, particleFrame, 1 << 24, colliders));
   const auto before = twin.positions;
   for (int frame = 0; frame < frames; ++frame) {
     gpu->step(start + frame * particleFrame, {});
@@ -123,6 +125,34 @@ TEST_CASE("particles: fields alone equal the CPU twin") {
     addEmitters(p);
     compare(p, 90, -0.25);
   }
+}
+
+TEST_CASE("particles: balls in contact equal the CPU twin") {
+  auto p = cloud(sim::ParticleGroup::Shape::cube, 257, 2.57F);
+  p.groups[0].radius = 0.3F;
+  p.groups[0].speed = 2;
+  p.method = sim::GravityMethod::none;
+  p.contact.emplace().radius = 0.03F;
+  p.margin = 0.03F;
+  addFields(p);
+  p.attractor->mass = 3000.0F;
+  auto& second = p.groups.emplace_back();
+  second.shape = sim::ParticleGroup::Shape::ball;
+  second.count = 20;
+  second.totalMass = 2;
+  second.radius = 0.3F;
+  second.position = glm::vec3(0.5F, 0, 0);
+  SUBCASE("of one size, with emitters") {
+    addEmitters(p);
+  }
+  SUBCASE("of sizes that grow with mass") {
+    p.massExponent = 0.333F;
+  }
+  SUBCASE("that attract each other") {
+    p.method = sim::GravityMethod::allPairs;
+  }
+  const auto twin = compare(p, 30);
+  CHECK(twin.plan().parameters().substeps == 3);
 }
 
 TEST_CASE("particles: tree and fast numerics place newborn particles like exact pairs") {

@@ -1,0 +1,29 @@
+// Copies the particles in sorted order, and writes the run of each bucket. One ball per invocation.
+#include "particles/contact/kernel.glsl"
+INPUT_ARRAY(placesBinding, PositionBlock, positions)
+INPUT_ARRAY(ballStartsBinding, StartBlock, starts)
+INPUT_ARRAY(ballVelocitiesBinding, VelocityBlock, velocities)
+INPUT_WORDS(recordsBinding, RecordBlock, records)
+STATE_ARRAY(guessesBinding, GuessBlock, guesses)
+STATE_ARRAY(beginsBinding, BeginBlock, begins)
+STATE_ARRAY(speedsBinding, SpeedBlock, speeds)
+STATE_WORDS(tableBinding, TableBlock, table)
+uniform int stamp;  // Number of this search; runs of earlier searches do not count
+
+void main() {
+  int s = int(gl_GlobalInvocationID.x);
+  if (s >= stepData.count) return;
+  uvec4 record = LOAD_INPUT_WORDS(records, s);
+  int i = int(record.z);
+  vec4 here = LOAD_INPUT(positions, i);
+  bool alive = record.x != uint(stepData.balls.tableMask);
+  vec3 from = ringPlace(i).y >= 0 ? here.xyz : LOAD_INPUT(starts, i).xyz;
+  STORE_STATE(guesses, s, here);
+  STORE_STATE(begins, s, vec4(from, alive ? ballRadius(here.w) : 0.0f));
+  STORE_STATE(speeds, s, LOAD_INPUT(velocities, i));
+  if (!alive || (s > 0 && LOAD_INPUT_WORDS(records, s - 1).x == record.x)) return;
+  int end = s + 1;
+  int last = min(s + ballRun, stepData.count);
+  while (end < last && LOAD_INPUT_WORDS(records, end).x == record.x) ++end;
+  STORE_WORDS(table, int(record.x), uvec4(uint(s), uint(end), uint(stamp), 0u));
+}

@@ -1,0 +1,46 @@
+// Gives balls the velocities with which they leave their contacts, and writes them back to the particles. One ball per
+// invocation.
+#include "particles/contact/kernel.glsl"
+INPUT_ARRAY(placesBinding, PlaceBlock, places)
+INPUT_ARRAY(beginsBinding, BeginBlock, begins)
+INPUT_ARRAY(guessesBinding, GuessBlock, guesses)
+INPUT_ARRAY(speedsBinding, SpeedBlock, speeds)
+INPUT_WORDS(listsBinding, ListBlock, lists)
+INPUT_WORDS(recordsBinding, RecordBlock, records)
+STATE_ARRAY(nextBinding, PositionBlock, positions)
+STATE_ARRAY(ballVelocitiesBinding, VelocityBlock, velocities)
+
+BallMotion motionOf(int s) {
+  return ballMotion(LOAD_INPUT(guesses, s).xyz, LOAD_INPUT(speeds, s).xyz, LOAD_INPUT(places, s));
+}
+
+void main() {
+  int s = int(gl_GlobalInvocationID.x);
+  if (s >= stepData.count) return;
+  vec4 begin = LOAD_INPUT(begins, s);
+  if (begin.w <= 0.0f) return;
+  float mass = LOAD_INPUT(guesses, s).w;
+  float perMass = exactReciprocal(max(mass, 1e-30f));
+  BallMotion here = motionOf(s);
+  precise vec3 velocity = here.after;
+  bool touches = false;
+  for (int k = 0; k < stepData.balls.listed; k += 4) {
+    uvec4 four = LOAD_INPUT_WORDS(lists, (k >> 2) * stepData.count + s);
+    for (int c = 0; c < 4 && int(four[c]) != s; ++c) {
+      int j = int(four[c]);
+      precise float reach = begin.w + LOAD_INPUT(begins, j).w;
+      vec4 kick = ballBounce(here, motionOf(j), reach, perMass, s < j);
+      velocity = velocity + kick.xyz;
+      touches = touches || kick.w > 0.0f;
+    }
+    if (int(four.w) == s) break;
+  }
+  vec3 place = here.place.xyz;
+  if (touches && ballRests(begin.xyz, place, velocity)) {
+    place = begin.xyz;
+    velocity = ballIdle(velocity);
+  }
+  int i = int(LOAD_INPUT_WORDS(records, s).z);
+  STORE_STATE(positions, i, vec4(place, mass));
+  STORE_STATE(velocities, i, vec4(velocity, LOAD_INPUT(speeds, s).w));
+}

@@ -1,0 +1,127 @@
+// Contact of particles as balls: the grid of cells in which pairs are searched, the overlap of a pair, and the change of
+// velocity of a pair. Compiles as GLSL and as C++ (the CPU twin of the tests). The including file provides `stepData`
+// (ParticleStep), common/exact.glsl and common/hash.glsl.
+
+// Returns a ball's radius in metres. It grows with the mass like the drawn size.
+FUNCTION float ballRadius(float mass) {
+  precise float radius = stepData.balls.radius * ballScale(mass);
+  return radius;
+}
+
+// Returns the share of a mass among n contacts, as a factor on 1 / mass. Jacobi iterations over contacts that share
+// masses evenly (n) always converge, but slowly; 1 + 0.3 (n - 1) is faster and was stable in all heaps that were tried.
+FUNCTION float ballShare(int contacts) {
+  precise float share = float(max(contacts, 1) - 1) * 0.3f + 1.0f;
+  return share;
+}
+
+// Returns the cell of a point. Cells are wide enough that touching balls are in neighbouring cells.
+FUNCTION ivec3 ballCell(vec3 p) {
+  precise vec3 scaled = p * stepData.balls.perCell;
+  vec3 cell = clamp(floor(scaled), -1e9f, 1e9f);
+  return ivec3(int(cell.x), int(cell.y), int(cell.z));
+}
+
+// Returns the bucket of a cell in the table. Several cells may share a bucket. The last bucket is kept for slots without
+// a living particle.
+FUNCTION uint ballBucket(ivec3 cell) {
+  uint mask = uint(stepData.balls.tableMask);
+  uint bucket = hash3(uvec3(uint(cell.x), uint(cell.y), uint(cell.z))).x & mask;
+  return min(bucket, mask - 1u);
+}
+
+// Returns the offset of one of the 27 cells around a cell, itself included.
+FUNCTION ivec3 ballNextCell(int around) {
+  return ivec3(around % 3 - 1, around / 3 % 3 - 1, around / 9 - 1);
+}
+
+// Returns 2 for balls that touch, or nearly so, 1 for balls that may touch within the substep, else 0.
+FUNCTION int ballsNear(vec3 a, vec3 b, float reach) {
+  precise vec3 apart = a - b;
+  float squared = exactDot(apart, apart);
+  precise float squaredReach = reach * reach;
+  precise float wide = squaredReach * 1.1025f;  // 1.05 squared
+  precise float touch = squaredReach * 1.0201f;
+  return squared < touch ? 2 : squared < wide ? 1 : 0;
+}
+
+// State of a ball in a substep.
+struct Ball {
+  vec4 place;  // xyz position, m; w number of contacts / mass, 1/kg
+  vec4 start;  // xyz position at the substep's start, m; w radius, m
+};
+
+// Overlap of two balls.
+struct BallOverlap {
+  vec3 normal;  // Unit vector from the other ball
+  float depth;  // in metres; no contact if not positive
+};
+
+// Returns the overlap of ball a with ball b. `first`: a has the lower index, which gives balls at the same place
+// opposite normals.
+FUNCTION BallOverlap ballOverlap(vec3 a, vec3 b, float reach, bool first) {
+  precise vec3 apart = a - b;
+  float squared = exactDot(apart, apart);
+  bool same = squared < 1e-20f;
+  float inverse = exactInverseSqrt(max(squared, 1e-20f));
+  precise vec3 normal = apart * inverse;
+  precise float depth = reach - squared * inverse;
+  BallOverlap o;
+  o.normal = same ? vec3(0.0f, first ? -1.0f : 1.0f, 0.0f) : normal;
+  o.depth = same ? reach : depth;
+  return o;
+}
+
+// Motion of a ball before and after the corrections.
+struct BallMotion {
+  vec3 guess;     // Position before the corrections, m
+  vec3 velocity;  // Velocity before the corrections, m/s
+  vec4 place;     // Corrected position, as in Ball
+  vec3 after;     // Velocity after the corrections, m/s
+};
+
+// Returns the change of velocity of ball a by ball b (xyz) and their overlap before the corrections (w). A pair that
+// overlapped then leaves with the fraction e of its approach speed, or with 0 if it approached slower than
+// `bounceFrom`. The correction of an overlap leaves no velocity behind: a pair that separates faster is slowed down, by
+// at most the speed of the correction.
+FUNCTION vec4 ballBounce(BallMotion a, BallMotion b, float reach, float perMass, bool first) {
+  BallOverlap before = ballOverlap(a.guess, b.guess, reach, first);
+  BallOverlap now = ballOverlap(vec3(a.place), vec3(b.place), reach, first);
+  precise vec3 relative = a.velocity - b.velocity;
+  precise vec3 left = a.after - b.after;
+  float approach = exactDot(relative, now.normal);
+  float leaves = exactDot(left, now.normal);
+  precise float returned = approach * -stepData.balls.restitution;
+  float wanted = approach < -stepData.balls.bounceFrom ? returned : max(approach, 0.0f);
+  precise float slowest = before.depth * -stepData.balls.perDt;
+  precise float difference = wanted - leaves;
+  float change = max(difference, slowest);
+  precise float shares = a.place.w + b.place.w;
+  precise float part = perMass * exactReciprocal(shares);
+  precise vec3 kick = now.normal * (change * part);
+  return vec4(before.depth > 0.0f ? kick : vec3(0.0f), before.depth);
+}
+
+// Returns the motion of a ball with the velocity that the corrections imply, v + (x - guess) / dt.
+FUNCTION BallMotion ballMotion(vec3 guess, vec3 velocity, vec4 place) {
+  precise vec3 after = velocity + (vec3(place) - guess) * stepData.balls.perDt;
+  BallMotion m;
+  m.guess = guess;
+  m.velocity = velocity;
+  m.place = place;
+  m.after = after;
+  return m;
+}
+
+// True if a ball in contact stays where it was. Friction without memory lets a heap creep, by less than the speed that
+// the uniform acceleration adds in a substep. Below that speed the place is kept and the velocity decays (ballIdle); a
+// force that is not balanced soon exceeds it.
+FUNCTION bool ballRests(vec3 start, vec3 place, vec3 velocity) {
+  precise vec3 way = (place - start) * stepData.balls.perDt;
+  precise float most = stepData.balls.restSpeed * stepData.balls.restSpeed;
+  return exactDot(way, way) < most && exactDot(velocity, velocity) < most;
+}
+FUNCTION vec3 ballIdle(vec3 velocity) {
+  precise vec3 slower = velocity * 0.9f;
+  return slower;
+}

@@ -1,0 +1,72 @@
+#include "sim/particles/apart.hpp"
+
+#include "sim/core/shader_code.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+
+namespace simreel::sim {
+
+namespace {
+
+constexpr int mostRounds = 200;
+/// Overlap that remains, as a fraction of the distance of two balls.
+constexpr float remains = 1e-3F;
+
+using Cell = std::array<int, 3>;
+using Cells = std::map<Cell, std::vector<std::size_t>>;
+
+Cell cellOf(const glm::vec4& p, float perCell) {
+  const auto index = [&](float x) {
+    return static_cast<int>(std::clamp(std::floor(x * perCell), -1e9F, 1e9F));
+  };
+  return {index(p.x), index(p.y), index(p.z)};
+}
+
+/// Moves two balls apart if they overlap; returns true if they did.
+bool part(glm::vec4& a, glm::vec4& b, float reach) {
+  const glm::vec3 apart = glm::vec3(a) - glm::vec3(b);
+  const float squared = shader::exactDot(apart, apart);
+  if (squared >= reach * reach * (1 - remains)) return false;
+  const bool same = squared < 1e-20F;
+  const float inverse = shader::exactInverseSqrt(std::max(squared, 1e-20F));
+  const glm::vec3 normal = same ? glm::vec3(0, 1, 0) : apart * inverse;
+  const glm::vec3 push = normal * (0.5F * (reach - (same ? 0.0F : squared * inverse)));
+  a += glm::vec4(push, 0);
+  b -= glm::vec4(push, 0);
+  return true;
+}
+
+}  // namespace
+
+void moveApart(ParticleCloud& cloud, const shader::BallConstants& balls) {
+  const std::size_t count = cloud.positions.size();
+  std::vector<float> radii(count);
+  for (std::size_t i = 0; i < count; ++i)
+    radii[i] = cloud.velocities[i].w < 0 ? 0
+               : balls.sizeExponent == 0
+                   ? balls.radius
+                   : balls.radius * shader::exactPow(cloud.positions[i].w * balls.perMassReference,
+                                                     balls.sizeExponent);
+  bool overlaps = true;
+  for (int round = 0; round < mostRounds && overlaps; ++round) {
+    Cells cells;
+    for (std::size_t i = 0; i < count; ++i)
+      if (radii[i] > 0) cells[cellOf(cloud.positions[i], balls.perCell)].push_back(i);
+    overlaps = false;
+    for (const auto& [cell, members] : cells)
+      for (int around = 0; around < 27; ++around) {
+        const auto there =
+            cells.find({cell[0] + around % 3 - 1, cell[1] + around / 3 % 3 - 1, cell[2] + around / 9 - 1});
+        if (there == cells.end()) continue;
+        for (const std::size_t i : members)
+          for (const std::size_t j : there->second)
+            if (i < j && part(cloud.positions[i], cloud.positions[j], radii[i] + radii[j])) overlaps = true;
+      }
+  }
+}
+
+}  // namespace simreel::sim

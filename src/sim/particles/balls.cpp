@@ -1,0 +1,157 @@
+#include "sim/particles/balls.hpp"
+
+#include "base/error.hpp"
+#include "gl/limits.hpp"
+
+#include <bit>
+#include <cstdint>
+#include <utility>
+
+namespace simreel::sim {
+
+struct BallKey {
+  static constexpr auto file = "particles/contact/key.comp";
+  gl::Block<"StepBlock", shader::ParticleStep> step;
+  gl::InOut<"StatusBlock"> status;
+  gl::In<"positions"> positions;
+  gl::In<"starts"> starts;
+  gl::In<"velocities"> velocities;
+  gl::Out<"records"> records;
+};
+
+struct BallGather {
+  static constexpr auto file = "particles/contact/gather.comp";
+  gl::Block<"StepBlock", shader::ParticleStep> step;
+  gl::Uniform<"stamp", int> stamp;
+  gl::In<"positions"> positions;
+  gl::In<"starts"> starts;
+  gl::In<"velocities"> velocities;
+  gl::In<"records"> records;
+  gl::Out<"guesses"> guesses;
+  gl::Out<"begins"> begins;
+  gl::Out<"speeds"> speeds;
+  gl::Out<"table"> table;
+};
+
+struct BallNear {
+  static constexpr auto file = "particles/contact/near.comp";
+  gl::Block<"StepBlock", shader::ParticleStep> step;
+  gl::Uniform<"stamp", int> stamp;
+  gl::In<"guesses"> guesses;
+  gl::In<"begins"> begins;
+  gl::In<"table"> table;
+  gl::Out<"places"> places;
+  gl::Out<"lists"> lists;
+};
+
+struct BallSolve {
+  static constexpr auto file = "particles/contact/solve.comp";
+  using Variant = ParticleSolids;
+  gl::Block<"StepBlock", shader::ParticleStep> step;
+  TouchPart touch;
+  gl::InOut<"StatusBlock"> status;
+  gl::In<"places"> places;
+  gl::In<"begins"> begins;
+  gl::In<"guesses"> guesses;
+  gl::In<"lists"> lists;
+  gl::Out<"nextPlaces"> next;
+};
+
+struct BallLeave {
+  static constexpr auto file = "particles/contact/leave.comp";
+  gl::Block<"StepBlock", shader::ParticleStep> step;
+  gl::In<"places"> places;
+  gl::In<"begins"> begins;
+  gl::In<"guesses"> guesses;
+  gl::In<"speeds"> speeds;
+  gl::In<"lists"> lists;
+  gl::In<"records"> records;
+  gl::Out<"positions"> positions;
+  gl::Out<"velocities"> velocities;
+};
+
+namespace {
+
+/// Returns `count` after a check that lists of `listed` words per particle fit the device.
+int checked(const std::string& name, int count, int listed) {
+  const std::int64_t each = std::int64_t{4} * listed;
+  const std::int64_t most =
+      std::min(gl::limits().storageBlockBytes, 16 * gl::limits().texelBufferTexels) / each;
+  if (count > most)
+    fail(ExitCode::device,
+         "contact of particles \"{}\" takes at most {} of them on this device, not {} "
+         "(GL_MAX_SHADER_STORAGE_BLOCK_SIZE is {}); use fewer",
+         name, most, count, gl::limits().storageBlockBytes);
+  return count;
+}
+
+}  // namespace
+
+BallContact::BallContact(const std::string& name, const ParticlePlan& plan, const ParticleSolids& solids,
+                         bool fast)
+    : count_(checked(name, plan.count(), plan.ballConstants().listed)),
+      keyBits_((std::bit_width(static_cast<unsigned>(plan.ballConstants().tableMask)) + 3) / 4 * 4),
+      sort_(name + " contact order", count_) {
+  const shader::BallConstants& balls = plan.ballConstants();
+  table_ = gl::WordsArray(name + " contact table", balls.tableMask + 1);
+  lists_ = gl::WordsArray(name + " contact lists", balls.listed / 4 * count_);
+  for (gl::Vec4Array* array : {&guesses_, &begins_, &speeds_, &places_[0], &places_[1]})
+    *array = gl::Vec4Array(name + " contact", count_);
+  const gl::Defines defines = gl::kernelDefines(fast);
+  key_ = gl::Kernel<BallKey>(defines);
+  gather_ = gl::Kernel<BallGather>(defines);
+  near_ = gl::Kernel<BallNear>(defines);
+  solve_ = gl::Kernel<BallSolve>(defines, solids);
+  leave_ = gl::Kernel<BallLeave>(defines);
+}
+
+void BallContact::solve(const ParticlePart& part, const gl::Vec4Array& starts,
+                        const gl::Vec4Array& positions, const gl::Vec4Array& velocities) {
+  ++stamp_;
+  key_.dispatch(count_, {.step = part.step,
+                         .status = part.status,
+                         .positions = positions,
+                         .starts = starts,
+                         .velocities = velocities,
+                         .records = sort_.records()});
+  sort_.sort(count_, keyBits_, 0);
+  gather_.dispatch(count_, {.step = part.step,
+                            .stamp = stamp_,
+                            .positions = positions,
+                            .starts = starts,
+                            .velocities = velocities,
+                            .records = sort_.records(),
+                            .guesses = guesses_,
+                            .begins = begins_,
+                            .speeds = speeds_,
+                            .table = table_});
+  near_.dispatch(count_, {.step = part.step,
+                          .stamp = stamp_,
+                          .guesses = guesses_,
+                          .begins = begins_,
+                          .table = table_,
+                          .places = places_[0],
+                          .lists = lists_});
+  for (int i = 0; i < shader::ballIterations; ++i) {
+    solve_.dispatch(count_, {.step = part.step,
+                             .touch = part.touch,
+                             .status = part.status,
+                             .places = places_[0],
+                             .begins = begins_,
+                             .guesses = guesses_,
+                             .lists = lists_,
+                             .next = places_[1]});
+    std::swap(places_[0], places_[1]);
+  }
+  leave_.dispatch(count_, {.step = part.step,
+                           .places = places_[0],
+                           .begins = begins_,
+                           .guesses = guesses_,
+                           .speeds = speeds_,
+                           .lists = lists_,
+                           .records = sort_.records(),
+                           .positions = positions,
+                           .velocities = velocities});
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,284 @@
+// Contact of particles with each other: closed forms, conserved quantities and heaps, on the CPU twin,
+// which gives the GPU's bits. The whole file takes 6 s.
+#include "base/error.hpp"
+#include "reference/particles_twin.hpp"
+#include "scene/load.hpp"
+#include "sim/world/list.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+using namespace simreel;
+
+namespace balls {
+
+constexpr double frame = 1.0 / 60;
+
+struct Ball {
+  glm::vec3 position, velocity;
+  float mass = 1;
+};
+
+sim::ParticleParameters parametersOf(int count, float restitution, float friction = 0) {
+  sim::ParticleParameters p;
+  p.method = sim::GravityMethod::none;
+  p.groups.emplace_back().count = count;
+  p.contact.emplace();
+  p.contact->radius = 0.05F;
+  p.contact->restitution = restitution;
+  p.contact->friction = friction;
+  p.substeps = 16;
+  return p;
+}
+
+ParticlesTwin placed(const std::vector<Ball>& all, const sim::ParticleParameters& p) {
+  ParticlesTwin twin(sim::ParticlePlan(p, 1, frame));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    twin.positions[i] = glm::vec4(all[i].position, all[i].mass);
+    twin.velocities[i] = glm::vec4(all[i].velocity, 0);
+  }
+  return twin;
+}
+
+void run(ParticlesTwin& twin, int frames) {
+  for (int i = 0; i < frames; ++i) twin.step(i * frame);
+}
+
+glm::dvec3 momentumOf(const ParticlesTwin& twin) {
+  glm::dvec3 sum(0);
+  for (std::size_t i = 0; i < twin.positions.size(); ++i)
+    sum += static_cast<double>(twin.positions[i].w) * glm::dvec3(twin.velocities[i]);
+  return sum;
+}
+
+double energyOf(const ParticlesTwin& twin) {
+  double sum = 0;
+  for (std::size_t i = 0; i < twin.positions.size(); ++i) {
+    const glm::dvec3 v(twin.velocities[i]);
+    sum += 0.5 * twin.positions[i].w * glm::dot(v, v);
+  }
+  return sum;
+}
+
+/// Returns a floor and, if `half` is positive, four walls at this distance from the axis.
+std::vector<sim::ColliderShape> box(float half, double friction) {
+  std::vector<sim::ColliderShape> planes(half > 0 ? 5 : 1);
+  for (sim::ColliderShape& plane : planes) {
+    plane.kind = sim::ColliderShape::Kind::plane;
+    plane.position = glm::vec3(0);
+    plane.rotation = glm::vec3(0);
+    plane.friction = friction;
+  }
+  for (std::size_t i = 1; i < planes.size(); ++i) {
+    const float side = i % 2 == 1 ? 1.0F : -1.0F;
+    planes[i].position = i < 3 ? glm::vec3(side * half, 0, 0) : glm::vec3(0, 0, side * half);
+    planes[i].rotation = i < 3 ? glm::vec3(0, 0, 90 * side) : glm::vec3(-90 * side, 0, 0);
+  }
+  return planes;
+}
+
+/// Lets `count` balls fall from a lattice `wide` balls wide, and returns the twin after `frames` frames.
+ParticlesTwin heap(int count, int wide, float friction, float half, int frames) {
+  sim::ParticleParameters p = parametersOf(count, 0.2F, friction);
+  p.acceleration = glm::vec3(0, -9.81F, 0);
+  p.autoSubsteps = true;
+  p.collides = true;
+  p.bounce = 0.2F;
+  p.margin = 0.05F;
+  ParticlesTwin twin(sim::ParticlePlan(p, 1, frame, 1 << 20, box(half, friction)));
+  for (int i = 0; i < count; ++i) {
+    const int layer = i / (wide * wide);
+    const auto across = [&](int k, int shift) {
+      return (static_cast<float>(k) + 0.3F * static_cast<float>(layer % shift) -
+              0.5F * static_cast<float>(wide - 1)) *
+             0.103F;
+    };
+    twin.positions[static_cast<std::size_t>(i)] = glm::vec4(
+        across(i % wide, 2), 0.05F + 0.095F * static_cast<float>(layer), across(i / wide % wide, 3), 1);
+    twin.velocities[static_cast<std::size_t>(i)] = glm::vec4(0);
+  }
+  run(twin, frames);
+  return twin;
+}
+
+/// Returns the deepest overlap of two balls, as a fraction of the radius.
+double deepest(const ParticlesTwin& twin) {
+  double most = 0;
+  for (std::size_t i = 0; i < twin.positions.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const glm::dvec3 apart = glm::dvec3(twin.positions[i]) - glm::dvec3(twin.positions[j]);
+      most = std::max(most, (0.1 - glm::length(apart)) / 0.05);
+    }
+  return most;
+}
+
+scene::Scene parsedScene(const std::string& object) {
+  return scene::parseScene("{\"version\": 1, \"objects\": {\"cloud\": {\"particles\": " + object + "}}}",
+                           "test.json", {}, sim::kinds());
+}
+
+}  // namespace balls
+
+TEST_CASE("balls: an elastic head-on impact exchanges velocities by the closed form") {
+  for (const float mass : {1.0F, 3.0F, 50.0F}) {
+    CAPTURE(mass);
+    auto twin = balls::placed({{{-0.2F, 0, 0}, {2, 0, 0}, mass}, {{0, 0, 0}, {0, 0, 0}, 1}},
+                              balls::parametersOf(2, 1));
+    balls::run(twin, 10);
+    CHECK(twin.velocities[0].x == doctest::Approx(2 * (mass - 1) / (mass + 1)).epsilon(1e-4));
+    CHECK(twin.velocities[1].x == doctest::Approx(4 * mass / (mass + 1)).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("balls: two balls part with the fraction e of their approach speed") {
+  for (const float e : {0.0F, 0.5F, 0.9F}) {
+    auto twin = balls::placed({{{-0.1F, 0, 0}, {1, 0, 0}, 2}, {{0.1F, 0, 0}, {-1, 0, 0}, 1}},
+                              balls::parametersOf(2, e));
+    balls::run(twin, 10);
+    CHECK(twin.velocities[1].x - twin.velocities[0].x == doctest::Approx(2 * e).epsilon(1e-4));
+    CHECK(balls::momentumOf(twin).x == doctest::Approx(1).epsilon(1e-5));
+  }
+}
+
+TEST_CASE(
+    "balls: an oblique elastic impact without friction changes velocities along the line of centres only") {
+  auto twin = balls::placed({{{-0.2F, 0.05F, 0}, {3, 0, 0}, 1}, {{0, 0, 0}, {0, 0, 0}, 1}},
+                            balls::parametersOf(2, 1));
+  balls::run(twin, 8);
+  const glm::dvec3 a(twin.velocities[0]), b(twin.velocities[1]);
+  CHECK(balls::energyOf(twin) == doctest::Approx(4.5).epsilon(1e-4));
+  CHECK(glm::length(balls::momentumOf(twin) - glm::dvec3(3, 0, 0)) < 1e-4);
+  // Equal masses part at a right angle. The line of centres is at 30 degrees, up to the way of a substep.
+  CHECK(std::abs(glm::dot(a, b)) < 1e-3);
+  CHECK(b.y / b.x == doctest::Approx(-std::sqrt(1.0 / 3)).epsilon(0.05));
+}
+
+TEST_CASE("balls: the tangential impulse of an impact is at most mu times the normal one") {
+  for (const float mu : {0.1F, 0.3F}) {
+    auto twin = balls::placed({{{-0.1F, -0.005F, 0}, {1, 0.5F, 0}, 1}, {{0.01F, 0, 0}, {0, 0, 0}, 1}},
+                              balls::parametersOf(2, 0, mu));
+    balls::run(twin, 6);
+    const double across = twin.velocities[1].y, along = twin.velocities[1].x;
+    CHECK(across > 0.01);
+    CHECK(across < mu * along + 0.01);
+    CHECK(balls::momentumOf(twin).y == doctest::Approx(0.5).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("balls: a cradle with gaps sends one ball out for one in") {
+  std::vector<balls::Ball> row = {{{-0.3F, 0, 0}, {1, 0, 0}}};
+  for (int i = 0; i < 4; ++i) row.push_back({{0.102F * static_cast<float>(i), 0, 0}, {0, 0, 0}});
+  auto twin = balls::placed(row, balls::parametersOf(5, 1));
+  balls::run(twin, 30);
+  for (std::size_t i = 0; i < 4; ++i) CHECK(std::abs(twin.velocities[i].x) < 1e-3);
+  CHECK(twin.velocities[4].x == doctest::Approx(1).epsilon(1e-3));
+}
+
+TEST_CASE("balls: a cradle whose balls touch keeps its momentum and gains no energy") {
+  std::vector<balls::Ball> row = {{{-0.3F, 0, 0}, {1, 0, 0}}};
+  for (int i = 0; i < 4; ++i) row.push_back({{0.1F * static_cast<float>(i), 0, 0}, {0, 0, 0}});
+  auto twin = balls::placed(row, balls::parametersOf(5, 1));
+  balls::run(twin, 30);
+  CHECK(balls::momentumOf(twin).x == doctest::Approx(1).epsilon(1e-4));
+  CHECK(balls::energyOf(twin) <= 0.5);
+}
+
+TEST_CASE("balls: an elastic gas keeps its momentum, and its energy within 2 %") {
+  std::vector<balls::Ball> gas;
+  for (int i = 0; i < 125; ++i) {
+    const auto bits = shader::hash3({static_cast<unsigned>(i), 4, 2});
+    gas.push_back({glm::vec3(i % 5, i / 5 % 5, i / 25) * 0.16F, shader::signedUnits(bits) * 1.5F});
+  }
+  auto twin = balls::placed(gas, balls::parametersOf(125, 1));
+  const double energy = balls::energyOf(twin);
+  const glm::dvec3 momentum = balls::momentumOf(twin);
+  balls::run(twin, 20);
+  int turned = 0;
+  for (std::size_t i = 0; i < gas.size(); ++i)
+    turned += glm::distance(glm::vec3(twin.velocities[i]), gas[i].velocity) > 0.1F ? 1 : 0;
+  CHECK(turned > 60);
+  CHECK(balls::energyOf(twin) == doctest::Approx(energy).epsilon(0.02));
+  CHECK(glm::length(balls::momentumOf(twin) - momentum) < 1e-3);
+}
+
+TEST_CASE("balls: a heap in a box comes to rest with overlaps below 2 % of the radius") {
+  auto twin = balls::heap(400, 7, 0.4F, 0.37F, 110);
+  const auto before = twin.positions;
+  CHECK(balls::deepest(twin) < 0.02);
+  balls::run(twin, 10);
+  double moved = 0;
+  for (std::size_t i = 0; i < before.size(); ++i)
+    moved = std::max<double>(moved, glm::distance(glm::vec3(before[i]), glm::vec3(twin.positions[i])));
+  CHECK(moved < 0.002);
+  CHECK(balls::energyOf(twin) / 400 < 5e-5);  // J/kg: the energy of a fall through 5 micrometres
+  for (const glm::vec4& p : twin.positions) CHECK(p.y > 0.049);
+}
+
+TEST_CASE("balls: the slope of a heap grows with friction") {
+  double slopes[2];
+  for (const int i : {0, 1}) {
+    const auto twin = balls::heap(216, 6, i == 0 ? 0.1F : 0.8F, 0, 70);
+    double height = 0, across = 0;
+    for (const glm::vec4& p : twin.positions) {
+      height += p.y - 0.05;
+      across += std::hypot(p.x, p.z);
+    }
+    slopes[i] = height / across;
+  }
+  CAPTURE(slopes[0]);
+  CAPTURE(slopes[1]);
+  CHECK(slopes[1] > 3 * slopes[0]);
+}
+
+TEST_CASE("balls: particles that overlap at the start are moved apart without speed") {
+  const auto scene = balls::parsedScene(
+      R"({"groups": [{"shape": "cube", "count": 200, "radius": 0.4}], "method": "none", "contact": {"radius": 0.05}})");
+  const auto& p = dynamic_cast<const sim::ParticleParameters&>(*scene.objects[0].parameters);
+  ParticlesTwin twin(sim::ParticlePlan(p, 1, balls::frame));
+  CHECK(balls::deepest(twin) < 0.01);
+  balls::run(twin, 5);
+  CHECK(balls::energyOf(twin) < 1e-5);
+}
+
+TEST_CASE("balls: substeps and margin follow from the radius unless they are given") {
+  const auto parametersOf = [](const std::string& more) {
+    const auto scene = balls::parsedScene(
+        R"({"groups": [{"count": 5}], "acceleration": [0, -10, 0], "collides": true, )" + more + "}");
+    return dynamic_cast<const sim::ParticleParameters&>(*scene.objects[0].parameters);
+  };
+  const auto own = parametersOf(R"("contact": true, "look": {"size": 0.1})");
+  CHECK(own.margin == 0.05F);
+  CHECK(own.contact->friction == 0.4F);
+  CHECK(own.substepsPerFrame(1.0 / 60) == 13);
+  CHECK(own.substepsPerFrame(1.0 / 120) == 7);
+  const auto given = parametersOf(R"("contact": {"radius": 0.2}, "substeps": 2, "margin": 0.01)");
+  CHECK(given.margin == 0.01F);
+  CHECK(given.substepsPerFrame(1.0 / 60) == 2);
+  CHECK_FALSE(parametersOf(R"("contact": false)").contact.has_value());
+}
+
+TEST_CASE("balls: groups that are too small and radii that differ too much are refused") {
+  const auto lineOf = [](const std::string& object) -> std::string {
+    try {
+      const auto scene = balls::parsedScene(object);
+      static_cast<void>(sim::ParticlePlan(
+          dynamic_cast<const sim::ParticleParameters&>(*scene.objects[0].parameters), 1, balls::frame));
+    } catch (const UserError& error) {
+      CHECK(error.code() == ExitCode::usage);
+      return error.what();
+    }
+    return "";
+  };
+  CHECK(lineOf(R"({"groups": [{"count": 1000, "radius": 0.2}], "contact": {"radius": 0.1}})")
+            .find("1000 balls of radius 0.1 m do not fit into a group of radius 0.2 m; give it 1.26 m or "
+                  "more") != std::string::npos);
+  CHECK(lineOf(R"({"groups": [{"count": 1, "totalMass": 1}, {"count": 1, "totalMass": 1000}],
+                   "look": {"massExponent": 1}, "contact": true})")
+            .find("7 times is the most") != std::string::npos);
+}
