@@ -12,8 +12,9 @@ namespace simreel::kernels {
 [[nodiscard]] std::vector<Mistake> beyondLimits(const Module& module, const Files& files,
                                                 const std::string& entry, int line);
 
-/// Returns mistakes of an HLSL file's [numthreads(x, y, z)] that name constants, for which glslang crashes.
-[[nodiscard]] std::vector<Mistake> variableGroups(const Files& files);
+/// Returns mistakes of the [numthreads(x, y, z)] of the kernel `entry` in an HLSL file that name constants,
+/// for which glslang crashes.
+[[nodiscard]] std::vector<Mistake> variableGroups(const Files& files, const std::string& entry);
 
 /// Returns a mistake if a GLSL shader gives its groups no size, or a specialization constant alone.
 [[nodiscard]] std::vector<Mistake> withoutLocalSize(const Files& files);

@@ -32,6 +32,9 @@ struct Remedies {
   std::set<std::string, std::less<>> prefixed;
   /// Functions with overloads that shorten arguments, and loop variables that outlive their loop.
   std::set<std::string, std::less<>> shortened, outliving;
+  /// Objects "ConstantBuffer<T> x" that become blocks with one member, so that they convert to their
+  /// struct.
+  std::set<std::string, std::less<>> unpacked;
   /// Files whose flat initializers are nested.
   std::set<std::size_t> nested;
   /// Statements that initialize static variables by calls of functions, which glslang does not; files that
@@ -44,7 +47,8 @@ struct Remedies {
 
   [[nodiscard]] std::size_t count() const {
     return assigned.size() + measured.size() + redefined.size() + functions.size() + dissolved.size() +
-           prefixed.size() + shortened.size() + outliving.size() + nested.size() + started.size();
+           prefixed.size() + shortened.size() + outliving.size() + nested.size() + started.size() +
+           unpacked.size();
   }
 };
 

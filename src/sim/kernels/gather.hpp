@@ -23,6 +23,12 @@ struct KernelNumbers {
   static constexpr const char* chosen = "chosen";  ///< name of the only slot that a choice leaves
 };
 
+/// An entry of a buffer of reports (layout of KernelReports) that notes elements that are not finite.
+struct KernelWatch {
+  const gl::Buffer* reports = nullptr;  ///< null: elements are not tested
+  int place = 0;
+};
+
 /// Returns the numbers of the buffer or texture `of`. Call after KernelStore::settle().
 [[nodiscard]] KernelNumbers numbersOf(const KernelStore& store, const std::string& of);
 
@@ -47,11 +53,14 @@ class KernelGather {
     glm::vec4 fill = glm::vec4(0);  ///< value of numbers that the slots do not have
     bool encoded = false;           ///< true if the first three numbers are sRGB, which become linear
     int components = 3;             ///< number of components that `member` gives
+    KernelWatch watch = {};         ///< notes live elements whose numbers are not finite
+    bool marked = true;             ///< false: `alive` only excuses elements from `watch`
   };
   void run(const KernelNumbers& from, const Chosen& chosen, const gl::Vec4Array& to) const;
 
  private:
   gl::Kernel<GatherKernel> kernel_;
+  gl::Buffer unwatched_;
 };
 
 }  // namespace simreel::sim
