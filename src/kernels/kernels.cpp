@@ -42,7 +42,7 @@ namespace {
 Module prepared(Files& files, const Unit& unit, const Request& request, Report* report) {
   const bool hlsl = unit.language == Language::hlsl;
   if (hlsl)
-    if (auto mistakes = variableGroups(files); !mistakes.empty()) files.fail(mistakes);
+    if (auto mistakes = variableGroups(files, unit.entry); !mistakes.empty()) files.fail(mistakes);
   Module compiled(compile(files, unit));
   if (auto mistakes = copyBack(compiled, files); !mistakes.empty()) files.fail(mistakes);
   if (auto mistakes = refused(compiled, files, request.fast); !mistakes.empty()) files.fail(mistakes);

@@ -5,6 +5,7 @@
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer WordsBlock { uint words[]; };
 STATE_ARRAY(1, DrawnBlock, drawn)
+layout(std430, binding = 2) buffer NotedBlock { uvec4 noted[]; };  // x: elements that are not finite, y: the first
 uniform int count;     // number of elements
 uniform int start;     // word offset of the first element
 uniform int stride;    // number of words per element
@@ -13,7 +14,9 @@ uniform vec4 fill;
 uniform int number;    // type of the numbers: 0 float, 1 int, 2 uint
 uniform int alive;     // word offset of a number that is above 0 in drawn elements; -1 if all elements are drawn
 uniform int aliveNumber;
-uniform bool encoded;  // true if the first three numbers are sRGB values, which are converted to linear values
+uniform bool marked;    // true if w of elements that are not drawn becomes -1
+uniform int watched;    // index in `noted`; -1: elements are not tested
+uniform bool encoded;  // true if the first three numbers are sRGB values to be converted to linear
 
 float numberAt(int word, int type) {
   uint bits = words[word];
@@ -27,15 +30,24 @@ float linearOf(float x) {
   return x <= 0.04045 ? low : exactPow(base, 2.4);
 }
 
+bool allFinite(vec4 numbers) {
+  return all(notEqual(floatBitsToUint(numbers) & 0x7f800000u, uvec4(0x7f800000u)));
+}
+
 void main() {
   int i = int(gl_GlobalInvocationID.x);
   if (i >= count) return;
   int element = start + i * stride;
+  bool drawnToo = alive < 0 || numberAt(element + alive, aliveNumber) > 0.0;
   vec4 result = fill;
   for (int c = 0; c < 4; ++c)
     if (places[c] >= 0) result[c] = numberAt(element + places[c], number);
+  if (watched >= 0 && drawnToo && !allFinite(result)) {
+    atomicAdd(noted[watched].x, 1u);
+    atomicMin(noted[watched].y, uint(i));
+  }
   if (encoded)
     for (int c = 0; c < 3; ++c) result[c] = linearOf(clamp(result[c], 0.0, 1.0));
-  if (alive >= 0 && !(numberAt(element + alive, aliveNumber) > 0.0)) result.w = -1.0;
+  if (marked && !drawnToo) result.w = -1.0;
   STORE_STATE(drawn, i, result);
 }

@@ -1,5 +1,6 @@
 #include "cli/list/kernel_scene.hpp"
 
+#include "cli/list/kernel_values.hpp"
 #include "sim/kernels/slots.hpp"
 #include "sim/kernels/threads.hpp"
 
@@ -57,30 +58,6 @@ bool isStandard(const sim::KernelSlot& constant) {
   return time && constant.offsets.size() == 4;
 }
 
-/// Returns a default value guessed from the constant's name: a time, a size, a seed and so on, otherwise 1.
-/// A single number or expression sets all components.
-Json valueOf(const sim::KernelSlot& constant, const Memory& memory) {
-  const std::string name = lowered(constant.path);
-  const auto has = [&](const char* word) { return name.find(word) != std::string::npos; };
-  const std::size_t count = constant.offsets.size();
-  const bool whole = constant.number != sim::KernelSlot::Number::real;
-  const std::string own = name.substr(name.rfind('.') + 1);
-  if (has("delta") || own == "dt" || own == "_dt") return "dt";
-  if (has("time")) return "time";
-  if (has("frame") && !has("frust")) return "frame";
-  if (has("seed")) return "seed";
-  if (!memory.textures.empty() && (has("width") || has("resolution") || has("size")) && whole)
-    return fmt::format("width({})", memory.textures[0]->name);
-  if (!memory.textures.empty() && has("height")) return fmt::format("height({})", memory.textures[0]->name);
-  if (!memory.buffers.empty() && whole && (has("count") || has("num") || has("length")))
-    return fmt::format("count({})", memory.buffers[0]->name);
-  if (has("gravity") && count == 3) return {0, -9.81, 0};
-  if (count == 16 && constant.type.find('[') == std::string::npos)
-    return {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-  if (count == 1) return 1;
-  return count <= 4 ? Json(std::vector<int>(count, 0)) : Json(0);
-}
-
 /// Returns the names of buffers that have a counter.
 std::set<std::string> countedOf(const kernels::Shader& shader) {
   std::set<std::string> counted;
@@ -89,14 +66,13 @@ std::set<std::string> countedOf(const kernels::Shader& shader) {
   return counted;
 }
 
-constexpr int guessedCount = 1024, guessedSide = 256, guessedDepth = 64;
-
-bool isOpen(const kernels::Buffer& buffer) {
-  return !buffer.members.empty() && !buffer.members.back().array.empty() &&
-         buffer.members.back().array[0] == 0;
+/// Returns a size as a scene gives it, without axes of one element.
+Json sizeOf(glm::ivec3 size) {
+  if (size.z > 1) return {size.x, size.y, size.z};
+  return size.y > 1 ? Json{size.x, size.y} : Json(size.x);
 }
 
-Json buffersOf(const Memory& memory, const std::set<std::string>& counted) {
+Json buffersOf(const Memory& memory, const KernelGuess& guess, const std::set<std::string>& counted) {
   Json buffers = Json::object();
   for (const kernels::Buffer* buffer : memory.buffers) {
     if (!isOpen(*buffer)) continue;
@@ -105,24 +81,23 @@ Json buffersOf(const Memory& memory, const std::set<std::string>& counted) {
       if (lowered(member.name).find("pos") != std::string::npos && componentsOf(member.type) == 3)
         start[member.name] = {"random(1)", "random(2)", "random(3)"};
     if (start.empty() || counted.contains(buffer->name))
-      buffers[buffer->name] = guessedCount;
+      buffers[buffer->name] = sizeOf(guess.bufferSize());
     else
-      buffers[buffer->name] = {{"size", guessedCount}, {"start", start}};
+      buffers[buffer->name] = {{"size", sizeOf(guess.bufferSize())}, {"start", start}};
   }
   return buffers;
 }
 
-/// Returns a kernel's entry in the schedule. It contains a guessed number of threads if the sizes of the
-/// kernel's memory do not determine it.
-Json entryOf(const kernels::Kernel& kernel, const std::set<std::string>& counted) {
+/// Returns the entry of a kernel in the schedule: with a guess of its threads if the sizes of its memory do
+/// not determine them.
+Json entryOf(const kernels::Kernel& kernel, const KernelGuess& guess,
+             const std::set<std::string>& counted) {
   const sim::KernelSizes sizes = {
-      .texture =
-          [](const kernels::Texture& texture) {
-            return texture.type == "2D" ? glm::ivec3(guessedSide, guessedSide, 1)
-                                        : glm::ivec3(guessedDepth);
-          },
+      .texture = &KernelGuess::textureSize,
       .buffer =
-          [](const kernels::Buffer& buffer) { return glm::ivec3(isOpen(buffer) ? guessedCount : 1, 1, 1); },
+          [&](const kernels::Buffer& buffer) {
+            return isOpen(buffer) ? guess.bufferSize() : glm::ivec3(1);
+          },
       .counted = [&](const kernels::Buffer& buffer) { return counted.contains(buffer.name); }};
   if (sim::usualThreads(kernel, sizes)) return kernel.name;
   const auto used = [](const auto& list) {
@@ -144,14 +119,13 @@ Json entryOf(const kernels::Kernel& kernel, const std::set<std::string>& counted
 
 std::string sceneOf(const kernels::Shader& shader, const std::filesystem::path& file) {
   const Memory memory = memoryOf(shader);
+  const KernelGuess guess(shader);
   Json object = {{"file", file.filename().string()}};
-  if (const Json buffers = buffersOf(memory, countedOf(shader)); !buffers.empty())
+  if (const Json buffers = buffersOf(memory, guess, countedOf(shader)); !buffers.empty())
     object["buffers"] = buffers;
   Json textures = Json::object();
   for (const kernels::Texture* texture : memory.textures)
-    textures[texture->name] = texture->type == "2D" || texture->type == "Cube"
-                                  ? Json{guessedSide, guessedSide}
-                                  : Json{guessedDepth, guessedDepth, guessedDepth};
+    textures[texture->name] = sizeOf(KernelGuess::textureSize(*texture));
   if (!textures.empty()) object["textures"] = textures;
   Json constants = Json::object();
   Json step = Json::array();
@@ -159,11 +133,12 @@ std::string sceneOf(const kernels::Shader& shader, const std::filesystem::path& 
   for (const std::string& name : counted)
     if (!name.empty()) step.push_back({{"clear", name + ".counter"}});
   for (const kernels::Kernel& kernel : shader.kernels) {
-    step.push_back(entryOf(kernel, counted));
+    step.push_back(entryOf(kernel, guess, counted));
     for (const kernels::Block& block : kernel.blocks) {
       if (block.name == "simreel_Samplers") continue;
       for (const sim::KernelSlot& constant : sim::slotsOf(block.members))
-        if (constant.used && !isStandard(constant)) constants[constant.path] = valueOf(constant, memory);
+        if (constant.used && !isStandard(constant) && !constants.contains(constant.path))
+          constants[constant.path] = guess.value(kernel, constant);
     }
   }
   if (!constants.empty()) object["constants"] = constants;

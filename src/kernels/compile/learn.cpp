@@ -83,7 +83,34 @@ bool learnNamespaces(Files& files) {
   return files.remedies.dissolved.size() > before;
 }
 
-/// Nests the flat initializers of a file, unless that was done before.
+/// Makes "cbuffer simreel_block_x { T x; }" of "ConstantBuffer<T> x". Returns true if one is new.
+bool learnConstantBuffers(Files& files) {
+  const std::size_t before = files.remedies.unpacked.size();
+  const std::deque<Scan> scanned = scans(files);
+  for (std::size_t file = 0; file < scanned.size(); ++file) {
+    const Scan& scan = scanned[file];
+    for (std::size_t i = 0; i + 5 < scan.all.size(); ++i) {
+      if (scan.all[i].text != "ConstantBuffer" || scan.all[i + 1].text != "<") continue;
+      std::size_t close = i + 2;
+      while (close + 2 < scan.all.size() && scan.all[close].text != ">") ++close;
+      const Token& name = scan.all[close + 1];
+      const std::string_view next = scan.all[close + 2].text;
+      if (!name.isWord() || (next != ";" && next != ":")) continue;
+      std::size_t end = close + 2;
+      while (end + 1 < scan.all.size() && scan.all[end].text != ";") ++end;
+      if (!files.remedies.unpacked.emplace(name.text).second) continue;
+      const std::size_t type = scan.all[i + 2].at;
+      Edits& edits = files.remedies.edits[file];
+      edits.replace(scan.all[i].at, name.end(), fmt::format("cbuffer simreel_block_{}", name.text));
+      edits.replace(
+          scan.all[end].at, scan.all[end].end(),
+          fmt::format(" {{ {} {}; }};", scan.code.substr(type, scan.all[close].at - type), name.text));
+    }
+  }
+  return files.remedies.unpacked.size() > before;
+}
+
+/// Nests the flat initializers of a file, once.
 void learnInitializers(Files& files, const Mistake& mistake) {
   if (files.remedies.nested.contains(mistake.file)) return;
   files.remedies.nested.insert(mistake.file);
@@ -184,7 +211,8 @@ bool learn(Files& files, std::string_view log) {
              (mistake.token == "select" || mistake.token == "and" || mistake.token == "or" ||
               mistake.token == "NonUniformResourceIndex"))
       files.remedies.functions.insert(mistake.token);
-    else if (says("no matching overloaded function found") && !learnNamespaces(files))
+    else if (says("no matching overloaded function found") && !learnConstantBuffers(files) &&
+             !learnNamespaces(files))
       learnOverloads(files, mistake.token);
     else if (mistake.token == "constructor" || mistake.token == "initializer list")
       learnInitializers(files, mistake);

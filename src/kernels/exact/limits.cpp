@@ -171,12 +171,15 @@ std::vector<Mistake> withoutGroups(const Files& files, const std::string& entry)
   return mistakes;
 }
 
-std::vector<Mistake> variableGroups(const Files& files) {
+std::vector<Mistake> variableGroups(const Files& files, const std::string& entry) {
   const std::string code = withoutComments(files.text(0));
   const std::vector<Token> all = tokens(code);
   std::vector<Mistake> mistakes;
   for (std::size_t i = 0; i + 1 < all.size(); ++i) {
     if (all[i].text != "numthreads" || all[i].directive) continue;
+    std::size_t function = closingBracket(all, i + 1) + 1;  // behind the sizes
+    while (function + 1 < all.size() && all[function + 1].text != "(") ++function;
+    if (function >= all.size() || all[function].text != entry) continue;
     for (std::size_t k = i + 2; k < all.size() && all[k].text != ")"; ++k)
       for (std::size_t d = 1; all[k].isWord() && d + 1 < all.size(); ++d) {
         if (all[d].text != all[k].text || all[d + 1].text != ";" || !numeric(all[d - 1].text)) continue;

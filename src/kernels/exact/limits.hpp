@@ -13,9 +13,9 @@ namespace simreel::kernels {
 [[nodiscard]] std::vector<Mistake> beyondLimits(const Module& module, const Files& files,
                                                 const std::string& entry, int line);
 
-/// Returns a mistake for each [numthreads(x, y, z)] of an HLSL file that contains names of constants,
-/// because glslang crashes on them.
-[[nodiscard]] std::vector<Mistake> variableGroups(const Files& files);
+/// Returns mistakes of the [numthreads(x, y, z)] of the kernel `entry` in an HLSL file that name constants,
+/// for which glslang crashes.
+[[nodiscard]] std::vector<Mistake> variableGroups(const Files& files, const std::string& entry);
 
 /// Returns a mistake if a GLSL shader does not give its workgroups a size, or gives it only by a
 /// specialization constant.

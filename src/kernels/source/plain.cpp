@@ -184,6 +184,22 @@ std::string withMatrixElements(const std::string& text) {
   return result;
 }
 
+/// Renames "sampler" to "sampler_" where it is the name of a variable, which OpenGL permits. Vulkan's GLSL
+/// and HLSL have a type of that name.
+std::string withSamplersRenamed(std::string text) {
+  const std::string code = withoutComments(text);
+  std::vector<std::size_t> ends;
+  bool type = false;
+  eachWord(code, "sampler", [&](std::size_t, std::size_t end) {
+    const std::size_t next = code.find_first_not_of(" \t\n", end);
+    type = type || (next != std::string::npos && partOfName(code[next]));
+    ends.push_back(end);
+  });
+  if (type) return text;
+  for (auto end = ends.rbegin(); end != ends.rend(); ++end) text.insert(*end, "_");
+  return text;
+}
+
 }  // namespace
 
 bool partOfName(char c) {
@@ -235,7 +251,7 @@ std::string plain(std::string_view original) {
   for (const std::string_view mark : {"#[compute]", "#[versions]"})
     if (const std::size_t at = code.find(mark); at != std::string::npos) blank(text, at, at + mark.size());
   const bool glsl = code.find("#version") != std::string::npos;
-  return withMatrixElements(LoopVariables::declared(glsl ? text : dialect(text)));
+  return withMatrixElements(LoopVariables::declared(withSamplersRenamed(glsl ? text : dialect(text))));
 }
 
 std::string tooDeep(std::string_view text) {

@@ -35,7 +35,10 @@ struct Remedies {
   /// `shortened`: functions that get overloads which truncate arguments. `outliving`: loop variables that
   /// are used after their loop.
   std::set<std::string, std::less<>> shortened, outliving;
-  /// Indices of files whose flat initializer lists are nested.
+  /// Objects "ConstantBuffer<T> x" that become blocks with one member, so that they convert to their
+  /// struct.
+  std::set<std::string, std::less<>> unpacked;
+  /// Files whose flat initializers are nested.
   std::set<std::size_t> nested;
   /// Initializers of static variables that call functions, which glslang does not support. `starts`: the
   /// statements that replace the initializers. `searched`: indices of the files that were searched.
@@ -48,7 +51,8 @@ struct Remedies {
 
   [[nodiscard]] std::size_t count() const {
     return assigned.size() + measured.size() + redefined.size() + functions.size() + dissolved.size() +
-           prefixed.size() + shortened.size() + outliving.size() + nested.size() + started.size();
+           prefixed.size() + shortened.size() + outliving.size() + nested.size() + started.size() +
+           unpacked.size();
   }
 };
 

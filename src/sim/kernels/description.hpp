@@ -87,12 +87,15 @@ struct KernelTerrain {
   std::string of, height;  ///< member or channel that holds the height; if empty, the first number
   glm::vec3 position{0};   ///< centre of the ground at height 0, in metres
   float width = 4;         ///< width along x in metres
-  float scale = 1;         ///< height in metres that the value 1 stands for
+  float scale = 1;         ///< metres of the height 1
+  int finer = 1;           ///< steps of the drawn grid from one height to the next; 0: chosen by the size
   bool collides = false;
   float grip = 25.3F;  ///< rate in 1/s at which sliding objects lose speed
 
   /// Returns the distance in metres between elements if there are `count` of them along x.
   [[nodiscard]] float cell(int count) const { return width / static_cast<float>(count - 1); }
+  /// Returns `finer`, or for 0 a power of two that gives about 256 vertices along the longer side.
+  [[nodiscard]] int steps(glm::ivec2 heights) const;
 };
 
 /// Surface on which the numbers of a 3-D texture, or of a buffer with three axes, equal a level.
@@ -138,7 +141,10 @@ struct KernelDescription {
   /// silent compiles no code that detects them.
   enum class Bounds { stop, ignore, silent };
   Bounds bounds = Bounds::stop;
-  int iterations = 65000;  ///< maximum number of iterations of a loop; 0 for no limit
+  /// Reaction to drawn numbers that are NaN or infinite.
+  enum class NonFinite { stop, warn, ignore };
+  NonFinite nonFinite = NonFinite::warn;
+  int iterations = 65000;  ///< max iterations of a loop; 0: no limit
   bool fast = false;
   std::optional<KernelSurface> surface;
   std::optional<KernelPoints> points;

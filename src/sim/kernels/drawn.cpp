@@ -24,13 +24,13 @@ struct NormalKernel {
   gl::Out<"normals"> normals;
 };
 
-KernelDrawn::KernelDrawn(const std::string& name, const KernelPlan& plan, const scene::Material& material,
-                         double frameSeconds)
-    : name_(name), plan_(plan), material_(material), normal_(gl::kernelDefines(false)) {
+KernelDrawn::KernelDrawn(const std::string& name, const KernelPlan& plan, const KernelFinite& finite,
+                         const scene::Material& material, double frameSeconds)
+    : name_(name), plan_(plan), finite_(finite), material_(material), normal_(gl::kernelDefines(false)) {
   const PlannedDrawing& drawn = plan.drawn();
   if (drawn.points) pointColors_ = colorMapStops(drawn.points->map);
-  if (drawn.volume) level_.emplace(name, plan);
-  if (drawn.terrain) ground_.emplace(name, plan, frameSeconds);
+  if (drawn.volume) level_.emplace(name, plan, finite.watch(KernelFinite::Part::volume));
+  if (drawn.terrain) ground_.emplace(name, plan, finite.watch(KernelFinite::Part::terrain), frameSeconds);
   if (drawn.field) fieldColors_ = drawn.field->display.colors();
 }
 
@@ -93,13 +93,22 @@ void KernelDrawn::makeSurface(const KernelStore& store) {
 }
 
 void KernelDrawn::update(const KernelStore& store, double time) {
+  using Part = KernelFinite::Part;
   const PlannedDrawing& drawn = plan_.drawn();
   if (drawn.surface) {
     if (!made_) makeSurface(store);
     const KernelNumbers from = numbersOf(store, drawn.surface->of);
-    gather_.run(from, {.member = drawn.surface->position, .fill = glm::vec4(0, 0, 0, 1)}, vertices_);
+    gather_.run(from,
+                {.member = drawn.surface->position,
+                 .fill = glm::vec4(0, 0, 0, 1),
+                 .watch = finite_.watch(Part::surface)},
+                vertices_);
     if (normals_.buffer().bytes() > 0 && !drawn.surface->normal.empty())
-      gather_.run(from, {.member = drawn.surface->normal, .fill = glm::vec4(0, 1, 0, 0)}, normals_);
+      gather_.run(from,
+                  {.member = drawn.surface->normal,
+                   .fill = glm::vec4(0, 1, 0, 0),
+                   .watch = finite_.watch(Part::normals)},
+                  normals_);
     else if (normals_.buffer().bytes() > 0)
       normal_.dispatch(from.count, {.count = from.count,
                                     .positions = vertices_,
@@ -120,12 +129,20 @@ void KernelDrawn::update(const KernelStore& store, double time) {
       quaternions_ = turning.slots[0].offsets.size() == 4;
       gather_.run(turning, {.member = KernelNumbers::chosen, .components = 4}, turns_);
     }
-    gather_.run(from, {.member = points.position, .fourth = points.mass, .fill = glm::vec4(0, 0, 0, 1)},
+    gather_.run(from,
+                {.member = points.position,
+                 .fourth = points.mass,
+                 .alive = points.alive,
+                 .fill = glm::vec4(0, 0, 0, 1),
+                 .watch = finite_.watch(Part::points),
+                 .marked = false},
                 places_);
-    gather_.run(
-        from,
-        {.member = points.velocity, .alive = points.alive, .components = points.velocity.empty() ? 0 : 3},
-        speeds_);
+    gather_.run(from,
+                {.member = points.velocity,
+                 .alive = points.alive,
+                 .components = points.velocity.empty() ? 0 : 3,
+                 .watch = finite_.watch(Part::velocities)},
+                speeds_);
   }
   if (ground_) ground_->update(store);
   if (level_) level_->update(store, time);
@@ -161,7 +178,12 @@ void KernelDrawn::updateField(const KernelStore& store) {
   one.path = "first";
   one.offsets.resize(1);
   shown.slots = {*slot, one};
-  gather_.run(shown, {.member = slot->path, .fourth = "first", .encoded = field.encoded}, cells_);
+  gather_.run(shown,
+              {.member = slot->path,
+               .fourth = "first",
+               .encoded = field.encoded,
+               .watch = finite_.watch(KernelFinite::Part::field)},
+              cells_);
   field_ = {};
   field_.name = &name_;
   field_.words = &words_;

@@ -2,6 +2,7 @@
 #include "gl/element_array.hpp"
 #include "gl/kernel/kernel.hpp"
 #include "sim/core/simulation.hpp"
+#include "sim/kernels/finite.hpp"
 #include "sim/kernels/gather.hpp"
 #include "sim/kernels/ground.hpp"
 #include "sim/kernels/level.hpp"
@@ -18,8 +19,8 @@ struct NormalKernel;
 /// Draws the memory of a user's kernels. Copies members into the layout of drawables.
 class KernelDrawn {
  public:
-  KernelDrawn(const std::string& name, const KernelPlan& plan, const scene::Material& material,
-              double frameSeconds);
+  KernelDrawn(const std::string& name, const KernelPlan& plan, const KernelFinite& finite,
+              const scene::Material& material, double frameSeconds);
   ~KernelDrawn();
   KernelDrawn(const KernelDrawn&) = delete;
   KernelDrawn& operator=(const KernelDrawn&) = delete;
@@ -45,6 +46,7 @@ class KernelDrawn {
 
   std::string name_;
   const KernelPlan& plan_;
+  const KernelFinite& finite_;
   scene::Material material_;
   KernelGather gather_;
   gl::Kernel<NormalKernel> normal_;

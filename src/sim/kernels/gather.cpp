@@ -14,9 +14,12 @@ struct GatherKernel {
   gl::Uniform<"number", int> number;
   gl::Uniform<"alive", int> alive;
   gl::Uniform<"aliveNumber", int> aliveNumber;
+  gl::Uniform<"marked", bool> marked;
+  gl::Uniform<"watched", int> watched;
   gl::Uniform<"encoded", bool> encoded;
   gl::In<"words"> words;
   gl::Out<"drawn"> drawn;
+  gl::InOut<"noted"> noted;
 };
 
 namespace {
@@ -63,7 +66,7 @@ KernelNumbers numbersOf(const KernelStore& store, const std::string& of, const s
   return numbers;
 }
 
-KernelGather::KernelGather() : kernel_(gl::kernelDefines(false)) {}
+KernelGather::KernelGather() : kernel_(gl::kernelDefines(false)), unwatched_("reports of nothing", 16) {}
 KernelGather::~KernelGather() = default;
 
 void KernelGather::run(const KernelNumbers& from, const Chosen& chosen, const gl::Vec4Array& to) const {
@@ -77,6 +80,7 @@ void KernelGather::run(const KernelNumbers& from, const Chosen& chosen, const gl
   }
   const KernelSlot* last = chosen.fourth.empty() ? nullptr : slotNamed(from.slots, chosen.fourth);
   const KernelSlot* living = chosen.alive.empty() ? nullptr : slotNamed(from.slots, chosen.alive);
+  const KernelWatch& watch = chosen.watch;
   if (last != nullptr) places.w = static_cast<int>(last->offsets[0] / 4);
   kernel_.dispatch(from.count, {.count = from.count,
                                 .start = from.start,
@@ -86,9 +90,12 @@ void KernelGather::run(const KernelNumbers& from, const Chosen& chosen, const gl
                                 .number = number,
                                 .alive = living == nullptr ? -1 : static_cast<int>(living->offsets[0] / 4),
                                 .aliveNumber = living == nullptr ? 0 : typeOf(*living),
+                                .marked = chosen.marked,
+                                .watched = watch.reports == nullptr ? -1 : watch.place,
                                 .encoded = chosen.encoded,
                                 .words = *from.words,
-                                .drawn = to});
+                                .drawn = to,
+                                .noted = watch.reports == nullptr ? unwatched_ : *watch.reports});
 }
 
 }  // namespace simreel::sim

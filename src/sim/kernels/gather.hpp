@@ -24,7 +24,13 @@ struct KernelNumbers {
                                                    ///< member was chosen
 };
 
-/// Returns the numbers of the buffer or texture named `of`. Call it after KernelStore::settle().
+/// An entry of a buffer of reports (layout of KernelReports) that notes elements that are not finite.
+struct KernelWatch {
+  const gl::Buffer* reports = nullptr;  ///< null: elements are not tested
+  int place = 0;
+};
+
+/// Returns the numbers of the buffer or texture `of`. Call after KernelStore::settle().
 [[nodiscard]] KernelNumbers numbersOf(const KernelStore& store, const std::string& of);
 
 /// Returns the numbers of `of` with only one slot, named KernelNumbers::chosen. It holds the first
@@ -43,19 +49,20 @@ class KernelGather {
   /// Selection of the numbers to copy. An element without members is a single unnamed slot, which any name
   /// selects.
   struct Chosen {
-    std::string member;             ///< slot that gives the first three numbers
-    std::string fourth = {};        ///< slot that gives w; if empty, w of `fill`
-    std::string alive = {};         ///< slot whose value is above 0 in live elements; w of all other
-                                    ///< elements becomes -1
-    glm::vec4 fill = glm::vec4(0);  ///< values of numbers that the slots do not provide
-    bool encoded = false;           ///< true if the first three numbers are sRGB values, which are
-                                    ///< converted to linear values
-    int components = 3;             ///< number of components that `member` provides
+    std::string member;             ///< slot of the first three numbers
+    std::string fourth = {};        ///< slot of w; empty: `fill`
+    std::string alive = {};         ///< slot that is above 0 in live elements; w of the others becomes -1
+    glm::vec4 fill = glm::vec4(0);  ///< value of numbers that the slots do not have
+    bool encoded = false;           ///< true if the first three numbers are sRGB, which become linear
+    int components = 3;             ///< number of components that `member` gives
+    KernelWatch watch = {};         ///< notes live elements whose numbers are not finite
+    bool marked = true;             ///< false: `alive` only excuses elements from `watch`
   };
   void run(const KernelNumbers& from, const Chosen& chosen, const gl::Vec4Array& to) const;
 
  private:
   gl::Kernel<GatherKernel> kernel_;
+  gl::Buffer unwatched_;
 };
 
 }  // namespace simreel::sim

@@ -3,11 +3,14 @@
 #include "sim/grid/sheet_mesh.hpp"
 #include "sim/mesh/parameters.hpp"
 
+#include <algorithm>
+
 namespace simreel::sim {
 
 struct GroundKernel {
   static constexpr auto file = "kernels/run/ground.comp";
-  gl::Uniform<"size", glm::ivec2> size;
+  gl::Uniform<"given", glm::ivec2> given;
+  gl::Uniform<"finer", int> finer;
   gl::Uniform<"corner", glm::vec3> corner;
   gl::Uniform<"cell", float> cell;
   gl::Uniform<"scale", float> scale;
@@ -31,12 +34,16 @@ MeshParameters planeOf(const KernelTerrain& given, glm::ivec2 size, float cell) 
 
 }  // namespace
 
-KernelGround::KernelGround(const std::string& name, const KernelPlan& plan, double frameSeconds)
+KernelGround::KernelGround(const std::string& name, const KernelPlan& plan, const KernelWatch& watch,
+                           double frameSeconds)
     : given_(*plan.drawn().terrain),
-      size_(plan.sizeOf(given_.of)),
+      heightsSize_(plan.sizeOf(given_.of)),
+      finer_(given_.steps(heightsSize_)),
+      size_((heightsSize_ - 1) * finer_ + 1),
       cell_(given_.cell(size_.x)),
+      watch_(watch),
       kernel_(gl::kernelDefines(false)),
-      heights_(name + " given heights", size_.x * size_.y),
+      heights_(name + " given heights", heightsSize_.x * heightsSize_.y),
       vertices_(name + " ground", size_.x * size_.y) {
   const std::vector<unsigned> indices = gridIndices(size_);
   indices_ = gl::Buffer::of(name + " ground indices", std::span<const unsigned>(indices));
@@ -46,11 +53,21 @@ KernelGround::KernelGround(const std::string& name, const KernelPlan& plan, doub
 
 KernelGround::~KernelGround() = default;
 
+int KernelTerrain::steps(glm::ivec2 heights) const {
+  if (finer > 0) return finer;
+  constexpr int wanted = 256, most = 16;
+  int steps = 1;
+  while (steps < most && steps * (std::max(heights.x, heights.y) - 1) < wanted - 8) steps *= 2;
+  return steps;
+}
+
 void KernelGround::update(const KernelStore& store) {
-  gather_.run(numbersOf(store, given_.of, given_.height, 1), {.member = KernelNumbers::chosen}, heights_);
+  gather_.run(numbersOf(store, given_.of, given_.height, 1),
+              {.member = KernelNumbers::chosen, .watch = watch_}, heights_);
   gl::barrier();
   const glm::vec2 half = 0.5F * cell_ * glm::vec2(size_ - 1);
-  kernel_.dispatch(size_.x * size_.y, {.size = size_,
+  kernel_.dispatch(size_.x * size_.y, {.given = heightsSize_,
+                                       .finer = finer_,
                                        .corner = given_.position - glm::vec3(half.x, 0, half.y),
                                        .cell = cell_,
                                        .scale = given_.scale,

@@ -14,7 +14,8 @@ struct GroundKernel;
 /// objects fall onto it.
 class KernelGround {
  public:
-  KernelGround(const std::string& name, const KernelPlan& plan, double frameSeconds);
+  KernelGround(const std::string& name, const KernelPlan& plan, const KernelWatch& watch,
+               double frameSeconds);
   ~KernelGround();
   KernelGround(const KernelGround&) = delete;
   KernelGround& operator=(const KernelGround&) = delete;
@@ -28,14 +29,18 @@ class KernelGround {
   [[nodiscard]] HeightField* outlet() { return field_ ? &*field_ : nullptr; }
   /// Returns a surface whose material is not set.
   [[nodiscard]] Surface surface() const;
+  /// Returns the number of vertices along x and z.
   [[nodiscard]] glm::ivec2 size() const { return size_; }
   [[nodiscard]] const gl::Vec4Array& vertices() const { return vertices_; }
 
  private:
   const KernelTerrain& given_;
-  glm::ivec2 size_;
+  glm::ivec2 heightsSize_;
+  int finer_;
+  glm::ivec2 size_;  ///< number of vertices along x and z
   float cell_;
   KernelGather gather_;
+  KernelWatch watch_;
   gl::Kernel<GroundKernel> kernel_;
   gl::Vec4Array heights_, vertices_;
   gl::Buffer indices_;

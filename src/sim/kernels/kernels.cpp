@@ -6,6 +6,7 @@
 #include "sim/core/numerics.hpp"
 #include "sim/core/race_checked.hpp"
 #include "sim/kernels/drawn.hpp"
+#include "sim/kernels/finite.hpp"
 #include "sim/kernels/inputs.hpp"
 #include "sim/kernels/memory.hpp"
 #include "sim/kernels/pace.hpp"
@@ -57,14 +58,15 @@ class Kernels : public Simulation, public RaceChecked, public FrameStarter {
         seed_(setting.seed),
         plan_((checkKernels(object, setting), parameters_.plan)),
         store_(name_, *plan_, static_cast<unsigned>(setting.seed)),
-        drawn_(name_, *plan_, object.material, setting.frameSeconds),
-        reports_(name_, *plan_, parameters_.bounds == KernelDescription::Bounds::ignore),
+        finite_(name_, *plan_, parameters_.nonFinite),
+        drawn_(name_, *plan_, finite_, object.material, setting.frameSeconds),
+        reports_(name_, *plan_, finite_, parameters_.bounds == KernelDescription::Bounds::ignore),
         programs_(name_, plan_->shaderPointer()),
         inputs_(*plan_, object, setting.links),
         startTime_(setting.startTime),
         kind_(object.kind) {
     checkLoops();
-    if (plan_->drawn().wind) wind_.emplace(name_, *plan_);
+    if (plan_->drawn().wind) wind_.emplace(name_, *plan_, finite_.watch(KernelFinite::Part::wind));
     if (inputs_.any())
       showStart();
     else
@@ -100,8 +102,8 @@ class Kernels : public Simulation, public RaceChecked, public FrameStarter {
   }
   [[nodiscard]] const gl::Buffer* status() const override { return reports_.status(); }
   [[nodiscard]] std::string remark(int /*frame*/) const override { return reports_.told(); }
-  [[nodiscard]] std::string explainLoss(unsigned /*step*/, unsigned /*element*/) const override {
-    return reports_.told();
+  [[nodiscard]] std::string explainLoss(unsigned /*step*/, unsigned report) const override {
+    return reports_.told(report);
   }
   [[nodiscard]] int stepsPerFrame() const override { return parameters_.steps; }
   [[nodiscard]] std::string elementName(long element) const override {
@@ -259,6 +261,7 @@ class Kernels : public Simulation, public RaceChecked, public FrameStarter {
   int seed_;
   std::shared_ptr<const KernelPlan> plan_;
   KernelStore store_;
+  KernelFinite finite_;
   KernelDrawn drawn_;
   std::optional<KernelWindSource> wind_;
   KernelReports reports_;

@@ -26,10 +26,11 @@ int cellsOf(glm::ivec3 size) {
 
 }  // namespace
 
-KernelLevel::KernelLevel(const std::string& name, const KernelPlan& plan)
+KernelLevel::KernelLevel(const std::string& name, const KernelPlan& plan, const KernelWatch& watch)
     : given_(*plan.drawn().volume),
       size_(plan.sizeOf(given_.of)),
       columns_((size_.x + 3) / 4),
+      watch_(watch),
       pack_(gl::kernelDefines(false)),
       cells_(name + " values of the volume", cellsOf(size_)),
       packed_(name + " volume", 2 * columns_ * size_.y * size_.z),
@@ -42,8 +43,10 @@ void KernelLevel::update(const KernelStore& store, double time) {
   KernelNumbers from = numbersOf(store, given_.of, given_.show, 1);
   if (!given_.color.empty()) from.slots.push_back(numbersOf(store, given_.of, given_.color, 1).slots[0]);
   from.slots.back().path = given_.color.empty() ? KernelNumbers::chosen : "color";
-  gather_.run(from, {.member = KernelNumbers::chosen, .fourth = given_.color.empty() ? "" : "color"},
-              cells_);
+  gather_.run(
+      from,
+      {.member = KernelNumbers::chosen, .fourth = given_.color.empty() ? "" : "color", .watch = watch_},
+      cells_);
   gl::barrier();
   const int rows = size_.y * size_.z;
   pack_.dispatch(2 * columns_ * rows,

@@ -11,7 +11,7 @@ struct PackKernel;
 /// Level surface in a volume computed by a user's kernels.
 class KernelLevel {
  public:
-  KernelLevel(const std::string& name, const KernelPlan& plan);
+  KernelLevel(const std::string& name, const KernelPlan& plan, const KernelWatch& watch);
   ~KernelLevel();
   KernelLevel(const KernelLevel&) = delete;
   KernelLevel& operator=(const KernelLevel&) = delete;
@@ -29,6 +29,7 @@ class KernelLevel {
   glm::ivec3 size_;
   int columns_;
   KernelGather gather_;
+  KernelWatch watch_;
   gl::Kernel<PackKernel> pack_;
   gl::Vec4Array cells_;
   gl::WordsArray packed_;

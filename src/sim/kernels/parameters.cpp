@@ -155,6 +155,12 @@ void describe(scene::Fields& f, KernelTerrain& terrain) {
            "Middle of the ground, where the height is 0.");
   f.number("width", terrain.width, {1e-3, 1e5}, "m", "Width along x; y of the texture grows along z.");
   f.number("scale", terrain.scale, scene::anyNumber, "m", "Height of the value 1.");
+  if (f.version() > 1 && !f.given("finer")) terrain.finer = 0;
+  f.integer(
+      "finer", terrain.finer, {0, 16}, "",
+      "Steps of the drawn grid from one height to the next, on a smooth surface through the heights; 1: "
+      "flat triangles join the heights; 0: as many as give about 256 along the longer side.");
+  f.leftOut("finer", "1, or 0 in version 2");
   f.boolean("collides", terrain.collides, "Cloth and particles fall onto it.");
   f.number("grip", terrain.grip, {0, 1e6}, "1/s",
            "Rate at which sliding objects lose speed, if it collides.");
@@ -221,6 +227,12 @@ void KernelsParameters::describe(scene::Fields& f) {
            "Reads and writes out of bounds give zero and do nothing: the run stops there, or tells it once "
            "and goes on. "
            "\"silent\": kernels have no code that notes them, nor endless loops, and are faster.");
+  if (f.version() > 1 && !f.given("nonFinite")) nonFinite = NonFinite::stop;
+  f.choice(
+      "nonFinite", nonFinite, {"stop", "warn", "ignore"},
+      "What is drawn, or blows as wind, is NaN or infinite: the run stops with exit code 4, or tells it "
+      "once and goes on, or does not test it.");
+  f.leftOut("nonFinite", "warn; in version 2 stop");
   f.integer("iterations", iterations, {0, 2e9}, "",
             "Most iterations of a loop, which then ends and stops the run; 0: no limit. Software drivers "
             "(llvmpipe) "

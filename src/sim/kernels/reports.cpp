@@ -49,8 +49,9 @@ std::string indices(const KernelPlan& plan, const kernels::Place& place, const g
 
 }  // namespace
 
-KernelReports::KernelReports(const std::string& name, const KernelPlan& plan, bool goesOn)
-    : name_(name), plan_(plan), goesOn_(goesOn) {
+KernelReports::KernelReports(const std::string& name, const KernelPlan& plan, const KernelFinite& finite,
+                             bool goesOn)
+    : name_(name), plan_(plan), finite_(finite), goesOn_(goesOn) {
   for (const kernels::Kernel& kernel : plan.shader().kernels) {
     const std::vector<glm::uvec4> words(std::max<std::size_t>(1, kernel.places.size()), nothing);
     reports_.push_back(gl::Buffer::of(fmt::format("{} reports of {}", name, kernel.name),
@@ -60,7 +61,7 @@ KernelReports::KernelReports(const std::string& name, const KernelPlan& plan, bo
   threads_.resize(reports_.size(), glm::uvec3(1));
   const std::array<unsigned, 4> well = {UINT_MAX, UINT_MAX, 0, UINT_MAX};
   status_ = gl::Buffer::of(name + " status", std::span<const unsigned>(well));
-  caught_ = gl::Buffer(name + " caught reports", std::max<std::size_t>(1, places_) * 16);
+  caught_ = gl::Buffer(name + " caught reports", (places_ + KernelFinite::parts) * 16);
   kernel_ = gl::Kernel<ReportsKernel>(gl::kernelDefines(false));
 }
 
@@ -73,26 +74,40 @@ void KernelReports::bind(std::size_t kernel, glm::uvec3 threads) {
 }
 
 void KernelReports::collect(long frame) {
-  if (places_ == 0) return;
+  if (status() == nullptr) return;
+  const auto take = [&](const gl::Buffer& reports, int count, int first, bool goesOn) {
+    kernel_.dispatch(1, {.count = count,
+                         .first = first,
+                         .frame = static_cast<unsigned>(std::max(0L, frame)),
+                         .goesOn = goesOn,
+                         .reports = reports,
+                         .caught = caught_,
+                         .status = status_});
+  };
   int first = 0;
   for (std::size_t i = 0; i < reports_.size(); ++i) {
     const auto count = static_cast<int>(plan_.shader().kernels[i].places.size());
-    if (count > 0)
-      kernel_.dispatch(1, {.count = count,
-                           .first = first,
-                           .frame = static_cast<unsigned>(std::max(0L, frame)),
-                           .goesOn = goesOn_,
-                           .reports = reports_[i],
-                           .caught = caught_,
-                           .status = status_});
+    if (count > 0) take(reports_[i], count, first, goesOn_);
     first += count;
   }
+  if (finite_.watches()) take(finite_.reports(), KernelFinite::parts, first, finite_.goesOn());
   gl::barrier();
 }
 
 std::string KernelReports::told() const {
   const auto words = caught_.readAll<glm::uvec4>();
-  const auto status = status_.readAll<unsigned>();
+  const auto caught = std::find_if(words.begin(), words.end(), [](const glm::uvec4& w) { return w.x > 0; });
+  return told(static_cast<unsigned>(caught - words.begin()));
+}
+
+std::string KernelReports::told(unsigned report) const {
+  const auto words = caught_.readAll<glm::uvec4>();
+  const unsigned frame = status_.readAll<unsigned>()[3];
+  if (report < places_ || report >= words.size()) return toldOfKernels(words, frame);
+  return finite_.told(static_cast<int>(report - places_), words[report], frame);
+}
+
+std::string KernelReports::toldOfKernels(std::span<const glm::uvec4> words, unsigned frame) const {
   std::size_t at = 0;
   std::string line;
   int others = 0;
@@ -116,7 +131,7 @@ std::string KernelReports::told() const {
               : fmt::format("{}s {} {}", kind, scene::inQuotes(place.what), indices(plan_, place, caught));
       line = fmt::format(
           "kernels {}, frame {}: {}:{}: kernel {} {} ({} invocation{}; the first is ({}, {}, {}))",
-          scene::inQuotes(name_), status[3], place.file, place.line, scene::inQuotes(kernel.name), deed,
+          scene::inQuotes(name_), frame, place.file, place.line, scene::inQuotes(kernel.name), deed,
           caught.x, caught.x == 1 ? "" : "s", i % all.x, i / all.x % all.y, i / all.x / all.y);
     }
   }

@@ -1,8 +1,10 @@
 #pragma once
 #include "gl/buffer.hpp"
 #include "gl/kernel/kernel.hpp"
+#include "sim/kernels/finite.hpp"
 #include "sim/kernels/plan.hpp"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,12 +12,11 @@ namespace simreel::sim {
 
 struct ReportsKernel;
 
-/// Collects reports of a user's kernels about out-of-bounds accesses and about loops that reach their
-/// iteration limit.
+/// Collects out-of-bounds accesses, loops that reach their limit, and drawn numbers that are not finite.
 class KernelReports {
  public:
-  /// If `goesOn` is true, faults are reported but do not end the run.
-  KernelReports(const std::string& name, const KernelPlan& plan, bool goesOn);
+  /// `goesOn`: accesses and loops are reported but do not end the run.
+  KernelReports(const std::string& name, const KernelPlan& plan, const KernelFinite& finite, bool goesOn);
   ~KernelReports();
   KernelReports(const KernelReports&) = delete;
   KernelReports& operator=(const KernelReports&) = delete;
@@ -25,13 +26,20 @@ class KernelReports {
   /// Collects the reports of a frame on the GPU, without waiting for the GPU.
   void collect(long frame);
   /// See Simulation::status().
-  [[nodiscard]] const gl::Buffer* status() const { return places_ == 0 ? nullptr : &status_; }
+  [[nodiscard]] const gl::Buffer* status() const {
+    return places_ > 0 || finite_.watches() ? &status_ : nullptr;
+  }
   /// Returns one line about the first fault. Waits for the GPU.
   [[nodiscard]] std::string told() const;
+  /// Returns one line about the report that ended the run, by its index in the status.
+  [[nodiscard]] std::string told(unsigned report) const;
 
  private:
+  [[nodiscard]] std::string toldOfKernels(std::span<const glm::uvec4> words, unsigned frame) const;
+
   std::string name_;
   const KernelPlan& plan_;
+  const KernelFinite& finite_;
   bool goesOn_;
   std::size_t places_ = 0;
   std::vector<gl::Buffer> reports_;

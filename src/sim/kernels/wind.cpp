@@ -20,9 +20,11 @@ std::size_t ringed(glm::ivec2 size) {
 
 }  // namespace
 
-KernelWindSource::KernelWindSource(const std::string& name, const KernelPlan& plan)
+KernelWindSource::KernelWindSource(const std::string& name, const KernelPlan& plan,
+                                   const KernelWatch& watch)
     : given_(*plan.drawn().wind),
       size_(plan.sizeOf(given_.of)),
+      watch_(watch),
       kernel_(gl::kernelDefines(false)),
       cells_(name + " velocities of the wind", size_.x * size_.y),
       flow_(name + " wind", 16 * ringed(size_)),
@@ -33,7 +35,8 @@ KernelWindSource::KernelWindSource(const std::string& name, const KernelPlan& pl
 KernelWindSource::~KernelWindSource() = default;
 
 void KernelWindSource::update(const KernelStore& store) {
-  gather_.run(numbersOf(store, given_.of, given_.velocity, 2), {.member = KernelNumbers::chosen}, cells_);
+  gather_.run(numbersOf(store, given_.of, given_.velocity, 2),
+              {.member = KernelNumbers::chosen, .watch = watch_}, cells_);
   gl::barrier();
   kernel_.dispatch(
       static_cast<int>(ringed(size_)),

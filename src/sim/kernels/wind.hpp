@@ -12,7 +12,7 @@ struct KernelWindKernel;
 /// Wind for other objects, from a grid of velocities computed by a user's kernels.
 class KernelWindSource {
  public:
-  KernelWindSource(const std::string& name, const KernelPlan& plan);
+  KernelWindSource(const std::string& name, const KernelPlan& plan, const KernelWatch& watch);
   ~KernelWindSource();
   KernelWindSource(const KernelWindSource&) = delete;
   KernelWindSource& operator=(const KernelWindSource&) = delete;
@@ -25,6 +25,7 @@ class KernelWindSource {
   const KernelWind& given_;
   glm::ivec2 size_;
   KernelGather gather_;
+  KernelWatch watch_;
   gl::Kernel<KernelWindKernel> kernel_;
   gl::Vec4Array cells_;
   gl::Buffer flow_;

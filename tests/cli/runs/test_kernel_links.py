@@ -71,6 +71,25 @@ class KernelLinks(Case):
             for found, wanted in zip(vertex, (0.5 * (i % 9) - 2, 1, 0.5 * (i // 9) - 0.5)):
                 self.assertAlmostEqual(found, wanted, delta=1e-6)
 
+    def test_a_finer_terrain_lies_on_a_smooth_surface_through_the_heights(self):
+        # A surface of the second degree, which the interpolation reproduces but at the borders. 1 s
+        self.kernel("""RWTexture2D<float> _Heights;
+            [numthreads(8, 8, 1)] void Raise(uint3 id : SV_DispatchThreadID) { if (all(id.xy < uint2(9, 7))) _Heights[id.xy] = id.x*(id.x - 2.0*id.y) + 3; }""")
+        hill = lambda **more: {"hill": {"kernels": {"file": "a.compute", "textures": {"_Heights": [9, 7]}, "terrain": {"of": "_Heights", "width": 4, **more}}}}
+        self.scene(hill(finer=4))
+        self.good("bake", "k.json", "--object", "hill", "--format", "obj", "--frames", "1", "-o", "b")
+        vertices = [[float(x) for x in line.split()[1:]] for line in (self.folder / "b/hill_000001.obj").read_text().splitlines() if line.startswith("v ")]
+        self.assertEqual(len(vertices), 33 * 25)
+        for i, (x, y, z) in enumerate(vertices):
+            u, v = i % 33 / 4, i // 33 / 4
+            self.assertAlmostEqual(x, 0.5 * u - 2, delta=1e-6)
+            self.assertAlmostEqual(z, 0.5 * v - 1.5, delta=1e-6)
+            if (1 <= u <= 7 and 1 <= v <= 5) or (u == int(u) and v == int(v)):
+                self.assertAlmostEqual(y, u * (u - 2 * v) + 3, delta=1e-4)
+        self.scene(hill(), version=2)
+        self.good("bake", "k.json", "--object", "hill", "--format", "obj", "--frames", "1", "-o", "b", "--overwrite")
+        self.assertEqual((self.folder / "b/hill_000001.obj").read_text().count("\nv "), 129 * 97)
+
     def test_textures_take_the_field_of_another_object_at_the_beginning_of_a_frame(self):
         self.kernel("""RWTexture2D<float> _Out; float _Now;
             [numthreads(8, 8, 1)] void Make(uint3 id : SV_DispatchThreadID) { if (id.x < 12) _Out[id.xy] = id.x + 100*id.y + 10000*_Now; }""")

@@ -39,6 +39,51 @@ class Kernels(Case):
             (self.folder / "k.json").write_bytes(self.good("kernels", "a.compute", "--scene").stdout)
             self.good("validate", "k.json")
 
+    def test_constants_of_a_printed_scene_have_the_sizes_that_it_chooses(self):
+        # 0.3 s
+        def printed(shader):
+            (self.folder / "a.compute").write_text("#pragma kernel A\n" + shader)
+            return json.loads(self.good("kernels", "a.compute", "--scene").stdout)["objects"]["mine"]["kernels"]
+
+        seen = printed("RWTexture2D<float4> _Seen; StructuredBuffer<float2> _Agents; uint _NumAgents, _W, _H; float _Resolution, _LineWidth; int2 _Size; float4 _Seen_TexelSize; float3 _gridSize;"
+                       "[numthreads(8, 8, 1)] void A(uint3 id : SV_DispatchThreadID) { if (id.x < _W && id.y < _H) _Seen[id.xy] = _Agents[id.x % _NumAgents].x * _Resolution + _Size.x + _Seen_TexelSize + _LineWidth + _gridSize.x; }")
+        self.assertEqual(seen["constants"], {
+            "_NumAgents": "count(_Agents)", "_W": "width(_Seen)", "_H": "height(_Seen)", "_Resolution": "width(_Seen)", "_LineWidth": 1, "_Size": ["width(_Seen)", "height(_Seen)"],
+            "_Seen_TexelSize": ["1 / width(_Seen)", "1 / height(_Seen)", "width(_Seen)", "height(_Seen)"], "_gridSize": ["width(_Seen)", "height(_Seen)", "depth(_Seen)"]})
+        cloth = printed("struct P { float3 position; float mass; }; RWStructuredBuffer<P> _Cloth; uint _ClothWidth, _ClothHeight;"
+                        "[numthreads(8, 8, 1)] void A(uint3 id : SV_DispatchThreadID) { if (id.x < _ClothWidth && id.y < _ClothHeight) _Cloth[id.y * _ClothWidth + id.x].mass = 1; }")
+        self.assertEqual(cloth["buffers"]["_Cloth"]["size"], [32, 32])
+        self.assertEqual(cloth["constants"], {"_ClothWidth": "width(_Cloth)", "_ClothHeight": "height(_Cloth)"})
+        self.assertEqual(cloth["step"], ["A"])
+
+    def test_drawn_numbers_that_are_not_finite_are_told(self):
+        # 2 s
+        shader = """#pragma kernel A
+struct P { float3 pos; float life; };
+RWStructuredBuffer<P> _P; RWTexture2D<float4> _H; float _T;
+[numthreads(8, 4, 1)] void A(uint3 id : SV_DispatchThreadID) {
+    _P[id.x + 8 * id.y].pos.y = sqrt(3 - _T * id.x);
+    _H[id.xy] = 1 / (_T - id.x);
+}
+"""
+        def scene(version, **more):
+            self.scene(shader, buffers={"_P": {"size": [8, 4], "start": {"pos": ["x", 0, "y"], "life": "if(x == 7, 0, 1)"}}}, textures={"_H": [8, 4]}, constants={"_T": "frame"}, **more)
+            path = self.folder / "k.json"
+            path.write_text(path.read_text().replace('"version": 1', f'"version": {version}'))
+
+        what = 'kernels "k", frame {}: "_P.pos" is NaN or infinite in {} of 32 elements (the first is {}), which "{}" draws; '
+        surface = {"surface": {"of": "_P", "position": "pos"}}
+        scene(2, **surface)
+        self.bad(4, what.format(2, 16, "(4, 0)", "surface"), "trace", "k.json", "--frames", "0-3")
+        scene(2, points={"of": "_P", "position": "pos", "alive": "life"})
+        self.bad(4, what.format(2, 12, "(4, 0)", "points"), "trace", "k.json", "--frames", "0-3")
+        scene(2, terrain={"of": "_H"})
+        self.bad(4, 'frame 1: "_H" is NaN or infinite in 4 of 32 texels (the first is (0, 0)), which "terrain" draws', "trace", "k.json", "--frames", "0-3")
+        scene(1, **surface)
+        self.assertIn("warning: " + what.format(2, 16, "(4, 0)", "surface"), self.good("trace", "k.json", "--frames", "0-3").err)
+        scene(2, nonFinite="ignore", **surface)
+        self.assertNotIn("NaN", self.good("trace", "k.json", "--frames", "0-3").err)
+
     def test_the_printed_scene_runs(self):
         (self.folder / "a.compute").write_text(BLUR)
         printed = self.good("kernels", "a.compute", "--scene").stdout

@@ -190,3 +190,24 @@ TEST_CASE("an argument of another type for an inout parameter gets the result") 
                                                 "  int4 n = i;\n  grow(n.wy);\n  _Out[i] = n.y;")),
                        doctest::Contains("dialect.hlsl:4"), UserError);
 }
+
+TEST_CASE("an object ConstantBuffer<T> may be an argument of type T") {
+  const kernels::Kernel made = kernel(
+      "struct Given { uint shift; float scale; };\nConstantBuffer<Given> given : register(b1);\n"
+      "float scaled(uint i, Given by) { return (i << by.shift) * by.scale; }",
+      "  _Out[i] = scaled(i, given) + given.scale;");
+  REQUIRE(made.blocks.size() == 1);
+  REQUIRE(made.blocks[0].members.size() == 1);
+  CHECK(made.blocks[0].members[0].name == "given");
+  CHECK(made.blocks[0].members[0].members.at(1).name == "scale");
+}
+
+TEST_CASE("a variable of GLSL for OpenGL may be called sampler") {
+  const kernels::Shader made =
+      loaded("named.comp",
+             "#version 450\nlayout(local_size_x = 8) in;\nlayout(binding = 0) uniform sampler2D sky;\n"
+             "layout(std430, binding = 0) buffer Out { vec4 seen[]; };\n"
+             "vec4 read(sampler2D sampler, vec2 at) { return textureLod(sampler, at, 0.0); }\n"
+             "void main() { seen[gl_GlobalInvocationID.x] = read(sky, vec2(0.5)); }\n");
+  CHECK(made.kernels.at(0).textures.at(0).name == "sky");
+}

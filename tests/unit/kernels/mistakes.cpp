@@ -110,6 +110,10 @@ TEST_CASE("a group size that the shader leaves to others is a mistake") {
                   "cbuffer C { uint width; };\nRWStructuredBuffer<float> _Out;\n"
                   "[numthreads(width, 1, 1)] void K() { _Out[0] = 1; }\n"),
            "d.hlsl:3:13: error: the size of groups is a number, a macro or a static const");
+  CHECK(report("e.compute",
+               "#pragma kernel K\nuint width; RWStructuredBuffer<float> _Out;\n"
+               "[numthreads(width, 1, 1)] void L() { _Out[0] = 2; }\n"
+               "[numthreads(8, 1, 1)] void K() { _Out[0] = 1; }\n") == "no error");
 }
 
 TEST_CASE("lane numbers, float atomics, twofold declarations and derivatives are refused in plain words") {
