@@ -1,4 +1,5 @@
 #pragma once
+#include "frame/mesh/gltf_materials.hpp"
 #include "sim/world/world.hpp"
 
 #include <array>
@@ -9,8 +10,9 @@
 
 namespace simreel::cli {
 
-/// Formats of `simreel bake` that hold one object's state at one frame. ply: points or a mesh; obj, glb: a
-/// mesh; svg, geojson: contours; npy, pfm: the values of a field; rle: the cells of an automaton.
+/// Formats of `simreel bake` that hold one object's state at one frame. ply: points or a mesh; obj: a
+/// mesh; glb: a mesh or copies of one; svg, geojson: contours; npy, pfm: the values of a field; rle: the
+/// cells of an automaton.
 inline constexpr std::array<const char*, 8> stateFormats = {"ply", "obj", "glb",     "svg",
                                                             "npy", "pfm", "geojson", "rle"};
 
@@ -23,10 +25,12 @@ inline constexpr std::array<const char*, 8> stateFormats = {"ply", "obj", "glb",
 /// ("NAME", "NAME.u"); other formats give one file. `format` is a result of formatFor().
 [[nodiscard]] std::vector<std::string> fileNames(const sim::World& world, std::size_t object,
                                                  const std::string& format);
-/// Returns the contents of the file `name`. `comments` are written if the format has room for comments.
+/// Returns the contents of the file `name`. `comments` are written if the format has room for comments;
+/// `skins` gives the pictures of materials, which glb holds.
 [[nodiscard]] std::vector<std::byte> stateFile(const sim::World& world, std::size_t object,
                                                const std::string& name, const std::string& format,
-                                               std::span<const std::string> comments);
+                                               std::span<const std::string> comments,
+                                               const frame::SkinPicturesOf& skins = {});
 
 /// Simulates up to `frame` without drawing the frames before. Returns false after an interrupt; the message
 /// then says that the `files` files written so far are whole.
