@@ -41,7 +41,7 @@ struct ChartRange {
 };
 /// Returns a scale around values from `least` to `most`. Its limits are multiples of a step of 1, 2 or 5
 /// times a power of ten, at most four steps apart. If the values are all equal, the scale extends by half
-/// their magnitude on both sides.
+/// their magnitude on both sides; for zeros it is 0 to 1.
 [[nodiscard]] ChartRange roundRange(double least, double most);
 
 }  // namespace simreel::sim
