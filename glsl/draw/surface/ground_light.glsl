@@ -30,9 +30,13 @@ FUNCTION vec3 aroundGround(vec3 view) {
 }
 #endif
 
-// Returns the sun's diffuse and specular light, plus the diffuse ambient light.
+FUNCTION Shares sharesOfGround(vec3 view) {
+  return sharesOf(vec3(frame.groundColor), frame.groundRoughness, 0.0f, view.y);
+}
+
+// Returns the sun's diffuse and specular light plus the diffuse ambient light.
 FUNCTION vec3 sunOnGround(vec3 view, float fraction, float openness) {
-  vec3 sun = vec3(frame.sunDirection), sunLight = vec3(frame.sunLight), color = vec3(frame.groundColor);
+  vec3 sun = vec3(frame.sunDirection), sunLight = vec3(frame.sunLight), color = sharesOfGround(view).matt;
   ROUNDED float lit = max(sun.y, 0.0f) * fraction;
   vec3 ambientUp = ambientOnGround();
   vec2 lobed = sunLobe(vec3(0, 1, 0), view, sun, frame.groundRoughness);
@@ -44,18 +48,18 @@ FUNCTION vec3 sunOnGround(vec3 view, float fraction, float openness) {
 // Adds the reflected light of the surroundings.
 FUNCTION vec3 withAround(vec3 light, vec3 view, float openness) {
 #ifdef GROUND_REFLECTIVE
-  vec2 weight = ambientLobe(frame.groundRoughness, abs(view.y));
-  ROUNDED vec3 sum = light + openness * (0.04f * weight.x + weight.y) * aroundGround(view);
-  return sum;
+  vec3 around = aroundGround(view);
 #else
-  return light;
+  vec3 around = ambientOnGround();
 #endif
+  ROUNDED vec3 sum = light + openness * sharesOfGround(view).mirrored * around;
+  return sum;
 }
 
 #ifdef LAMPS
 FUNCTION vec3 lampsOnGround(vec3 p, vec3 view) {
   LampLight lamps = lampLight(p, vec3(0, 1, 0), view, vec3(0.04f), frame.groundRoughness, 0.0f);
-  ROUNDED vec3 light = vec3(frame.groundColor) * lamps.matt + lamps.mirror;
+  ROUNDED vec3 light = sharesOfGround(view).matt * lamps.matt + lamps.mirror;
   return light;
 }
 #endif
@@ -63,7 +67,7 @@ FUNCTION vec3 lampsOnGround(vec3 p, vec3 view) {
 FUNCTION vec3 lightOnGround(vec3 p, vec3 view, float fraction, float openness) {
   ROUNDED vec3 light = sunOnGround(view, fraction, openness);
 #ifdef LAMPS
-  vec3 normal = vec3(0, 1, 0), color = vec3(frame.groundColor);
+  vec3 normal = vec3(0, 1, 0), color = sharesOfGround(view).matt;
   LampLight lamps = lampLight(p, normal, view, vec3(0.04f), frame.groundRoughness, 0.0f);
   light = light + color * lamps.matt + lamps.mirror;
 #endif
@@ -82,8 +86,7 @@ FUNCTION vec4 groundLight(vec3 p, vec3 view, float fraction, float openness) {
 // Returns the change of the ground's light if the reflected ray hits objects in the picture instead of the
 // surroundings. `met`: light of the objects times coverage, and coverage.
 FUNCTION vec4 groundReflected(vec3 p, vec3 view, vec4 met, float openness) {
-  vec2 weight = ambientLobe(frame.groundRoughness, abs(view.y));
-  ROUNDED vec3 change = (0.04f * weight.x + weight.y) * (vec3(met) - met.w * openness * aroundGround(view));
+  ROUNDED vec3 change = sharesOfGround(view).mirrored * (vec3(met) - met.w * openness * aroundGround(view));
   ROUNDED vec3 faded = change * groundAlpha(p);
   return vec4(faded, 0.0f);
 }

@@ -26,56 +26,52 @@ struct Look {
   float openness;      // fraction of ambient light that reaches the point, below 1 in cavities
 };
 
+FUNCTION Shares sharesOfLook(Look look, float nv) {
 #ifdef REFLECTIVE
-FUNCTION vec3 mattPart(Look look) {
-  ROUNDED vec3 part = look.base * (1.0f - look.metallic);
-  return part;
-}
-FUNCTION vec3 mirrorPart(Look look) {
-  return blend(vec3(0.04f), look.base, look.metallic);
-}
+  return sharesOf(look.base, look.roughness, look.metallic, nv);
 #else
-FUNCTION vec3 mattPart(Look look) {
-  return look.base;
-}
-FUNCTION vec3 mirrorPart(Look look) {
-  return vec3(0.04f);
-}
+  return sharesOf(look.base, look.roughness, 0.0f, nv);
 #endif
+}
 
-// Returns the light of sun and sky. `fraction`: fraction of sunlight that reaches the point; `normal` points to the
-// viewer's side. GROUND_BELOW: reflections also show the ground.
-FUNCTION vec3 surfaceLight(Look look, vec3 p, vec3 normal, vec3 view, float fraction) {
+// Returns the light of sun and sky. `fraction` of the sunlight reaches the point; `normal` points to the viewer's side.
+// GROUND_BELOW: reflections also show the ground.
+FUNCTION vec3 surfaceLight(Look look, Shares shares, vec3 p, vec3 normal, vec3 view, float fraction) {
   vec3 sun = vec3(frame.sunDirection), sunLight = vec3(frame.sunLight);
   float nl = dotted(normal, sun);
   ROUNDED float lit = max(nl, 0.0f) * fraction;
-  vec3 matt = mattPart(look);
-  vec3 mirror = mirrorPart(look);
   ROUNDED vec2 lobed = sunLobe(normal, view, sun, look.roughness) * lit;
 #ifdef TRANSLUCENT
   ROUNDED float behind = max(-nl, 0.0f) * fraction;
   ROUNDED float direct = lit + (behind - lit) * look.translucency;
-  vec3 ambient = blend(ambientOn(normal), ambientOn(-normal), look.translucency);
+  vec3 front = ambientOn(normal);
+  vec3 ambient = blend(front, ambientOn(-normal), look.translucency);
 #else
   float direct = lit;
-  vec3 ambient = ambientOn(normal);
+  vec3 front = ambientOn(normal);
+  vec3 ambient = front;
 #endif
-  ROUNDED vec3 light = matt * (sunLight * direct + look.openness * ambient) + (mirror * lobed.x + lobed.y) * sunLight;
+  ROUNDED vec3 light =
+      shares.matt * (sunLight * direct + look.openness * ambient) + (shares.mirror * lobed.x + lobed.y) * sunLight;
 #ifdef REFLECTIVE
 #ifdef JOINED
-  if (!mirrors) return light;
+  if (!mirrors) {
+    light = light + look.openness * shares.mirrored * front;
+    return light;
+  }
 #endif
   float nv = dotted(normal, view);
   ROUNDED vec3 direction = 2.0f * nv * normal - view;
-  vec2 weight = ambientLobe(look.roughness, abs(nv));
   vec3 around = skyMirrored(direction, look.roughness);
-  light = light + look.openness * (mirror * weight.x + weight.y) * around;
+  light = light + look.openness * shares.mirrored * around;
 #ifdef GROUND_BELOW
   GroundMirrored below = groundMirrored(p, direction, look.roughness, look.openness);
   // Uses a loop of at most one iteration instead of a branch, because software drivers execute both sides of a branch.
   for (int i = below.counts > 0.0f ? 0 : 1; i < 1; ++i)
-    light = light + below.counts * (mirror * weight.x + weight.y) * (groundInSun(below, direction) - look.openness * around);
+    light = light + below.counts * shares.mirrored * (groundInSun(below, direction) - look.openness * around);
 #endif
+#else
+  light = light + look.openness * shares.mirrored * front;
 #endif
   return light;
 }
@@ -109,7 +105,6 @@ FUNCTION vec3 reflectedChange(Look look, vec3 p, vec3 normal, vec3 view) {
   bool changes = met.w > 0.0f;
 #endif
   for (int i = changes ? 0 : 1; i < 1; ++i) {
-    vec2 weight = ambientLobe(look.roughness, abs(nv));
     ROUNDED vec3 around = look.openness * skyMirrored(direction, look.roughness), more = vec3(0.0f);
 #ifdef GROUND_BELOW
 #ifdef LAMPS
@@ -117,7 +112,7 @@ FUNCTION vec3 reflectedChange(Look look, vec3 p, vec3 normal, vec3 view) {
 #endif
     around = around + below.counts * (groundInSun(below, direction) - around) + more;
 #endif
-    ROUNDED vec3 change = (mirrorPart(look) * weight.x + weight.y) * (more + vec3(met) - met.w * around);
+    ROUNDED vec3 change = sharesOfLook(look, nv).mirrored * (more + vec3(met) - met.w * around);
     light = change;
   }
 #endif
@@ -137,10 +132,11 @@ FUNCTION vec3 allLight(Look look, vec3 p, vec3 normal, vec3 view, float fraction
 #endif
   return light;
 #else
-  vec3 light = surfaceLight(look, p, normal, view, fraction);
+  Shares shares = sharesOfLook(look, dotted(normal, view));
+  vec3 light = surfaceLight(look, shares, p, normal, view, fraction);
 #ifdef LAMPS
-  LampLight lamps = lampLight(p, normal, view, mirrorPart(look), look.roughness, look.translucency);
-  ROUNDED vec3 sum = light + mattPart(look) * lamps.matt + lamps.mirror;
+  LampLight lamps = lampLight(p, normal, view, shares.mirror, look.roughness, look.translucency);
+  ROUNDED vec3 sum = light + shares.matt * lamps.matt + lamps.mirror;
   light = sum;
 #endif
 #ifdef SHEEN

@@ -68,4 +68,21 @@ FUNCTION vec2 ambientLobe(float roughness, float nv) {
   ROUNDED float x = 1.0f - max(lost, 0.0f) - y;
   return vec2(x, y);
 }
+
+// Fractions of light that a surface reflects: `matt` in all directions, `mirrored` of the light around in the lobe, whose
+// F0 is `mirror`. The matt part is the share that the lobe of a dielectric leaves, so a white surface reflects all light.
+struct Shares {
+  vec3 matt;
+  vec3 mirror;
+  vec3 mirrored;
+};
+FUNCTION Shares sharesOf(vec3 base, float roughness, float metallic, float nv) {
+  vec2 weight = ambientLobe(roughness, abs(nv));
+  ROUNDED float lost = 0.04f * weight.x + weight.y;
+  ROUNDED float kept = (1.0f - metallic) * (1.0f - clamp(lost, 0.0f, 1.0f));
+  ROUNDED vec3 matt = base * kept;
+  vec3 mirror = blend(vec3(0.04f), base, metallic);
+  ROUNDED vec3 mirrored = mirror * weight.x + weight.y;
+  return Shares(matt, mirror, mirrored);
+}
 #endif

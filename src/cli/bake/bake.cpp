@@ -9,6 +9,7 @@
 #include "cli/bake/maps.hpp"
 #include "cli/bake/sequences.hpp"
 #include "cli/bake/series.hpp"
+#include "cli/bake/skins.hpp"
 #include "cli/commands.hpp"
 #include "cli/options/device_options.hpp"
 #include "cli/options/scene_options.hpp"
@@ -64,7 +65,7 @@ std::vector<BakedFile> bakedFiles(const sim::World& world, const BakeOptions& o)
          all.empty() ? "no objects" : all);
   for (std::size_t i = 0; i < world.objectCount(); ++i) {
     const std::string format = formatFor(world, i, o.format);
-    if (format.empty()) continue;
+    if (format.empty() || (o.sequence && !world.object(i).mesh())) continue;
     names += (names.empty() ? "" : ", ") + world.objectName(i);
     if (!o.object.empty() && o.object != world.objectName(i)) continue;
     for (const std::string& name : fileNames(world, i, format)) files.push_back({i, name, format});
@@ -127,12 +128,15 @@ void bakeFrames(const BakeOptions& o, const scene::Scene& scene, sim::World& wor
       if (const auto file = fileOf(o, baked, frame); !o.overwrite && pathExists(file))
         fail(ExitCode::inputOutput, "{} exists; use --overwrite to replace it", file.string());
   makeFolders(o.output);
+  BakedSkins skins(scene, world);
   int files = 0;
   for (const int frame : frames) {
     if (!simulateTo(world, frame, files)) return;
     for (const BakedFile& baked : all) {
-      writeFileAtomically(fileOf(o, baked, frame), stateFile(world, baked.object, baked.name, baked.format,
-                                                             commentsOn(scene, world, baked.object)));
+      writeFileAtomically(
+          fileOf(o, baked, frame),
+          stateFile(world, baked.object, baked.name, baked.format, commentsOn(scene, world, baked.object),
+                    [&](const scene::Material& material) { return skins.of(material); }));
       ++files;
     }
   }
@@ -174,13 +178,15 @@ void bake(BakeOptions o) {
   std::vector<std::size_t> objects;
   objects.reserve(all.size());
   for (const BakedFile& baked : all) objects.push_back(baked.object);
+  BakedSkins skins(scene, world);
   bakeSequences(world, {.format = o.format,
                         .output = o.output,
                         .objects = objects,
                         .frames = frames,
                         .fps = scene.time.fps,
                         .overwrite = o.overwrite,
-                        .comments = [&](std::size_t object) { return commentsOn(scene, world, object); }});
+                        .comments = [&](std::size_t object) { return commentsOn(scene, world, object); },
+                        .skins = [&](const scene::Material& material) { return skins.of(material); }});
 }
 
 }  // namespace
@@ -197,9 +203,10 @@ void addBake(CLI::App& app) {
   command
       ->add_option(
           "--format", o->format,
-          "ply: points or meshes; obj, glb (binary glTF): meshes; pc2, mdd: all frames of a mesh as a "
-          "point "
-          "cache, its first as obj beside it; svg, geojson: contours, and of caves the "
+          "ply: points or meshes; obj: meshes; glb (binary glTF): meshes and particles with their "
+          "materials; "
+          "pc2, mdd: all frames of a mesh as a point cache, its first as obj beside it; svg, geojson: "
+          "contours, and of caves the "
           "path and rooms; npy, pfm: values of fields, of caves the steps from the entrance too; rle: "
           "cells of automata; csv: what objects measure (`simreel list KIND`), all frames in a table; "
           "maps: of "

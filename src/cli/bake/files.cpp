@@ -11,6 +11,7 @@
 #include "frame/mesh/ply.hpp"
 #include "frame/summaries.hpp"
 #include "sim/grid/field_values.hpp"
+#include "sim/world/shown_mesh.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -82,7 +83,8 @@ bool has(const sim::World& world, std::size_t object, const std::string& format)
   if (format == "npy") return !simulation.points().columns.empty();
   if (format == "pfm") return false;
   if (isContourFormat(format)) return simulation.lines().has_value();
-  if (isMeshFormat(format)) return simulation.mesh().has_value();
+  if (isMeshFormat(format))
+    return simulation.mesh().has_value() || (format == "glb" && sim::showsCopies(world, object));
   if (format == "ply") return !simulation.points().columns.empty() || simulation.mesh();
   const char* own = simulation.stateFile().suffix;
   return own != nullptr && format == own;
@@ -120,7 +122,8 @@ std::vector<std::string> fileNames(const sim::World& world, std::size_t object, 
 }
 
 std::vector<std::byte> stateFile(const sim::World& world, std::size_t object, const std::string& name,
-                                 const std::string& format, std::span<const std::string> comments) {
+                                 const std::string& format, std::span<const std::string> comments,
+                                 const frame::SkinPicturesOf& skins) {
   const sim::Simulation& simulation = world.object(object);
   const sim::Drawables drawables = world.drawables();
   if (const sim::Field* field = fieldOf(drawables, name); field != nullptr && isFieldFormat(format))
@@ -140,7 +143,10 @@ std::vector<std::byte> stateFile(const sim::World& world, std::size_t object, co
     return frame::encodeField(frame::FieldFormat::npy, shapeOf(table), table.values);
   }
   const std::optional<sim::MeshTable> mesh = simulation.mesh();
-  if (format == "glb") return frame::encodeGlb(*mesh, name, comments);
+  if (format == "glb")
+    return frame::encodeGlb(mesh.value_or(sim::MeshTable()), name, comments,
+                            mesh ? sim::looksOfMesh(world, object, *mesh) : sim::MeshLooks(), skins,
+                            sim::shownCopies(world, object));
   if (format == "obj") return bytesOf(frame::encodeObj(*mesh, comments));
   const sim::PointTable table = simulation.points();
   const bool vertices =

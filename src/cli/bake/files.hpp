@@ -1,4 +1,5 @@
 #pragma once
+#include "frame/mesh/gltf_materials.hpp"
 #include "sim/world/world.hpp"
 
 #include <array>
@@ -9,9 +10,9 @@
 
 namespace simreel::cli {
 
-/// Formats in which `simreel bake` writes one object's state at one frame. ply: points or a mesh. obj and
-/// glb: a mesh. svg and geojson: contours. npy and pfm: the values of a field. rle: the cells of an
-/// automaton.
+/// Formats of `simreel bake` that hold one object's state at one frame. ply: points or a mesh; obj: a
+/// mesh; glb: a mesh or copies of one; svg, geojson: contours; npy, pfm: the values of a field; rle: the
+/// cells of an automaton.
 inline constexpr std::array<const char*, 8> stateFormats = {"ply", "obj", "glb",     "svg",
                                                             "npy", "pfm", "geojson", "rle"};
 
@@ -25,10 +26,12 @@ inline constexpr std::array<const char*, 8> stateFormats = {"ply", "obj", "glb",
 /// other formats give one file. `format` must be a result of formatFor().
 [[nodiscard]] std::vector<std::string> fileNames(const sim::World& world, std::size_t object,
                                                  const std::string& format);
-/// Returns the contents of the file `name`. Includes `comments` if the format allows comments.
+/// Returns the contents of the file `name`. `comments` are written if the format has room for comments;
+/// `skins` gives the pictures of materials, which glb holds.
 [[nodiscard]] std::vector<std::byte> stateFile(const sim::World& world, std::size_t object,
                                                const std::string& name, const std::string& format,
-                                               std::span<const std::string> comments);
+                                               std::span<const std::string> comments,
+                                               const frame::SkinPicturesOf& skins = {});
 
 /// Simulates up to `frame` without drawing the frames before it. Returns false after an interrupt, with a
 /// message that the `files` files written so far are complete.

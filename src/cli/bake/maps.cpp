@@ -6,9 +6,9 @@
 #include "base/version.hpp"
 #include "batch/render/chosen_frames.hpp"
 #include "cli/bake/files.hpp"
+#include "cli/bake/skins.hpp"
 #include "cli/commands.hpp"
 #include "draw/overlay/field_textures.hpp"
-#include "draw/surface/skin_look.hpp"
 #include "draw/surface/skin_maps.hpp"
 #include "draw/surface/skin_textures.hpp"
 #include "frame/file/map_pictures.hpp"
@@ -85,11 +85,6 @@ std::vector<const scene::Object*> bakedSkins(const MapsOptions& o, const scene::
     fail(ExitCode::usage, "--object: there is no \"{}\" with a skin; {}", o.object,
          scene::suggestion(o.object, names));
   return found;
-}
-
-/// Returns the maximum emitted radiance as linear RGB. It is black for looks that do not emit.
-glm::vec3 glowOf(const scene::Skin& skin) {
-  return skin.look == scene::Skin::Look::cracks ? draw::lookOf(skin).high : glm::vec3(0);
 }
 
 fs::path fileOf(const MapsOptions& o, const scene::Object& object, int frame, const std::string& map) {

@@ -7,6 +7,7 @@
 #include "frame/mesh/mesh_sequence.hpp"
 #include "frame/mesh/named_vertices.hpp"
 #include "frame/mesh/obj.hpp"
+#include "sim/world/shown_mesh.hpp"
 
 #include <memory>
 #include <optional>
@@ -34,9 +35,9 @@ class ObjectSequence {
     const sim::MeshTable mesh = world_.object(object_).mesh().value();
     if (!sequence_) {
       comments_ = options_.comments(object_);
-      sequence_ =
-          frame::openSequence(options_.format, place(options_.format),
-                              {world_.objectName(object_), options_.frames, options_.fps, comments_});
+      sequence_ = frame::openSequence(options_.format, place(options_.format),
+                                      {world_.objectName(object_), options_.frames, options_.fps, comments_,
+                                       sim::looksOfMesh(world_, object_, mesh), options_.skins});
       if (options_.format != "glb") first_ = frame::NamedVertices(mesh).of(mesh);
     }
     sequence_->add(mesh);

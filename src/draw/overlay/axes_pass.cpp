@@ -2,7 +2,6 @@
 
 #include "base/error.hpp"
 #include "draw/overlay/field_view.hpp"
-#include "draw/overlay/text_boxes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,27 +12,29 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr glm::vec3 groundColor(0.045F, 0.047F, 0.060F);  // colours of the axes' background and letters,
+constexpr glm::vec3 groundColor(0.045F, 0.047F, 0.060F);  // colours of the axes' background and ticks,
                                                           // sRGB-encoded
 constexpr glm::vec3 letterColor(0.80F, 0.82F, 0.86F);
+constexpr glm::vec3 letterLight(0.604F, 0.639F, 0.711F);  // the same as linear RGB
 
-/// A list of rectangles of one colour. Each entry has the edges left, top, right, bottom, followed by the
-/// colour.
-class Boxes {
- public:
-  Boxes(std::vector<glm::vec4>& boxes, int unit) : boxes_(boxes), unit_(unit) {}
+/// A text beside an axis: `at` is a point of the top of its capitals, at the fraction `aligned` of its
+/// width. It stays between the pixels `least` and `most`, if they differ.
+struct AxisText {
+  std::string text;
+  glm::vec2 at;
+  float aligned = 0;
+  float least = 0, most = 0;
+};
+
+/// Rectangles (left, top, right, bottom, each followed by its colour) and texts of the axes of one field.
+struct AxisParts {
+  std::vector<glm::vec4> boxes;
+  std::vector<AxisText> texts;
+
   void fill(glm::vec4 box, glm::vec3 color) {
-    boxes_.push_back(box);
-    boxes_.emplace_back(color, 1.0F);
+    boxes.push_back(box);
+    boxes.emplace_back(color, 1.0F);
   }
-  void text(const std::string& text, glm::ivec2 at) {
-    for (const glm::vec4& box : textBoxes(text, at, unit_)) fill(box, letterColor);
-  }
-  [[nodiscard]] glm::ivec2 size(const std::string& text) const { return textSize(text, unit_); }
-
- private:
-  std::vector<glm::vec4>& boxes_;
-  int unit_;
 };
 
 struct Decade {
@@ -73,14 +74,53 @@ std::vector<Tick> ticksBetween(double first, double last, int max) {
   return ticks;
 }
 
-void AxesPass::append(const sim::Field& field, double seconds, std::vector<glm::vec4>& boxes) const {
+namespace {
+
+constexpr float axisCapital = 7.5F;  // height of a axisCapital, in letter units
+
+/// Adds the axis below the field.
+void addAcross(AxisParts& out, const sim::FieldDisplay& display, glm::ivec4 part, double first, double last,
+               int u) {
+  const int length = part.z - part.x;
+  for (const Tick& tick : ticksBetween(first, last, length / (60 * u))) {
+    const int x = part.x + static_cast<int>(std::lround(tick.place * length));
+    out.fill(glm::vec4(x - u / 2, part.w, x - u / 2 + u, part.w + 4 * u), letterColor);
+    out.texts.push_back({tick.label,
+                         {x, part.w + 6 * u},
+                         0.5F,
+                         static_cast<float>(part.x),
+                         static_cast<float>(part.z - 2 * u)});
+  }
+  out.texts.push_back({display.across->name, {part.x + length / 2, part.w + 19 * u}, 0.5F});
+}
+
+/// Adds the axis at the left. A name such as "k, kill rate" takes two lines in the corner below.
+void addDown(AxisParts& out, const sim::FieldDisplay& display, glm::ivec4 part, int margin, double first,
+             double last, int u) {
+  const int length = part.w - part.y;
+  const int tall = static_cast<int>(std::lround(axisCapital * static_cast<float>(u)));
+  for (const Tick& tick : ticksBetween(first, last, length / (40 * u))) {
+    const int y = part.y + static_cast<int>(std::lround(tick.place * length));
+    out.fill(glm::vec4(part.x - 4 * u, y - u / 2, part.x, y - u / 2 + u), letterColor);
+    // Leaves room for the name in the corner.
+    const int top = std::clamp(y - tall / 2, part.y + 2 * u, std::max(part.y + 2 * u, part.w - tall));
+    out.texts.push_back({tick.label, {part.x - 6 * u, top}, 1});
+  }
+  const std::string& name = display.down->name;
+  const std::size_t comma = name.find(", ");
+  out.texts.push_back({name.substr(0, comma), {part.x - margin + 4 * u, part.w + 6 * u}});
+  if (comma != std::string::npos)
+    out.texts.push_back({name.substr(comma + 2), {part.x - margin + 4 * u, part.w + 19 * u}});
+}
+
+AxisParts partsOf(const sim::Field& field, glm::ivec2 picture, double seconds) {
+  AxisParts out;
   const sim::FieldDisplay& display = *field.display;
-  const glm::ivec2 margin = axesMargin(display, picture_);
-  if (margin == glm::ivec2(0)) return;
-  const int u = letterUnit(picture_);
-  const FieldView view = fieldView(display, field.size, picture_, seconds);
+  const glm::ivec2 margin = axesMargin(display, picture);
+  if (margin == glm::ivec2(0)) return out;
+  const int u = sim::letterUnit(picture);
+  const FieldView view = fieldView(display, field.size, picture, seconds);
   const glm::ivec4 part(view.part);
-  Boxes out(boxes, u);
   out.fill(glm::vec4(part.x - margin.x, part.y, part.x, part.w), groundColor);
   out.fill(glm::vec4(part.x - margin.x, part.w, part.z, part.w + margin.y), groundColor);
   // Returns the value at a pixel, interpolated linearly between the centres of the first and the last cell.
@@ -89,44 +129,50 @@ void AxesPass::append(const sim::Field& field, double seconds, std::vector<glm::
     const auto first = static_cast<double>(axis.first.at(seconds));
     return first + (static_cast<double>(axis.last.at(seconds)) - first) * cell / (field.size[i] - 1);
   };
-  if (display.across) {
-    const int length = part.z - part.x;
-    for (const Tick& tick : ticksBetween(valueAt(*display.across, 0, part.x),
-                                         valueAt(*display.across, 0, part.z), length / (60 * u))) {
-      const int x = part.x + static_cast<int>(std::lround(tick.place * length));
-      const int wide = out.size(tick.label).x;
-      out.fill(glm::vec4(x - u / 2, part.w, x - u / 2 + u, part.w + 4 * u), letterColor);
-      out.text(tick.label, {std::clamp(x - wide / 2, part.x, part.z - wide - 2 * u), part.w + 6 * u});
-    }
-    const int wide = out.size(display.across->name).x;
-    out.text(display.across->name, {part.x + (length - wide) / 2, part.w + 19 * u});
-  }
-  if (display.down) {
-    const int length = part.w - part.y;
-    for (const Tick& tick : ticksBetween(valueAt(*display.down, 1, part.y),
-                                         valueAt(*display.down, 1, part.w), length / (40 * u))) {
-      const int y = part.y + static_cast<int>(std::lround(tick.place * length));
-      const glm::ivec2 size = out.size(tick.label);
-      out.fill(glm::vec4(part.x - 4 * u, y - u / 2, part.x, y - u / 2 + u), letterColor);
-      // Limits the position so that the name in the corner has room.
-      const int top = std::clamp(y - size.y / 2 + u, part.y + 2 * u, part.w - size.y);
-      out.text(tick.label, {part.x - 6 * u - size.x, top});
-    }
-    // Writes the name below the corner. A name such as "k, kill rate" takes two lines.
-    const std::string& name = display.down->name;
-    const std::size_t comma = name.find(", ");
-    out.text(name.substr(0, comma), {part.x - margin.x + 4 * u, part.w + 6 * u});
-    if (comma != std::string::npos)
-      out.text(name.substr(comma + 2), {part.x - margin.x + 4 * u, part.w + 19 * u});
-  }
+  if (display.across)
+    addAcross(out, display, part, valueAt(*display.across, 0, part.x), valueAt(*display.across, 0, part.z),
+              u);
+  if (display.down)
+    addDown(out, display, part, margin.x, valueAt(*display.down, 1, part.y),
+            valueAt(*display.down, 1, part.w), u);
+  return out;
 }
+
+/// Returns the parts of the axes of all fields drawn over the picture.
+std::vector<AxisParts> partsOf(const sim::Drawables& drawables, glm::ivec2 picture, double seconds) {
+  std::vector<AxisParts> all;
+  for (const sim::Field& field : drawables.fields)
+    if (field.display != nullptr && field.display->layer == sim::FieldDisplay::Layer::over)
+      all.push_back(partsOf(field, picture, seconds));
+  return all;
+}
+
+}  // namespace
 
 std::vector<glm::vec4> AxesPass::boxesOf(const sim::Drawables& drawables, double seconds) const {
   std::vector<glm::vec4> boxes;
-  for (const sim::Field& field : drawables.fields)
-    if (field.display != nullptr && field.display->layer == sim::FieldDisplay::Layer::over)
-      append(field, seconds, boxes);
+  for (const AxisParts& parts : partsOf(drawables, picture_, seconds))
+    boxes.insert(boxes.end(), parts.boxes.begin(), parts.boxes.end());
   return boxes;
+}
+
+std::vector<sim::Writing> AxesPass::letters(const sim::Drawables& drawables, double seconds) {
+  words_.forget();
+  const float tall = axisCapital * static_cast<float>(sim::letterUnit(picture_));
+  std::vector<sim::Writing> all;
+  for (const AxisParts& parts : partsOf(drawables, picture_, seconds))
+    for (const AxisText& text : parts.texts) {
+      const LabelWord& word = words_.of(text.text);
+      const float wide = tall * word.width;
+      float left = text.at.x - text.aligned * wide;
+      if (text.least < text.most) left = std::max(std::min(left, text.most - wide), text.least);
+      sim::Writing& writing = all.emplace_back();
+      writing.outlines = &word.outlines;
+      writing.place = glm::vec2(left, text.at.y + tall) / glm::vec2(picture_);
+      writing.height = tall / static_cast<float>(picture_.y);
+      writing.color = letterLight;
+    }
+  return all;
 }
 
 void AxesPass::draw(const sim::Drawables& drawables, double seconds, const gl::Texture& picture) {

@@ -1,6 +1,7 @@
 #pragma once
 #include "draw/draw_state.hpp"
 #include "draw/overlay/box_kernel.hpp"
+#include "draw/overlay/chart_labels.hpp"
 #include "draw/rasterizer.hpp"
 #include "gl/program.hpp"
 #include "gl/texture.hpp"
@@ -23,7 +24,8 @@ struct Tick {
 /// greater than `last`.
 [[nodiscard]] std::vector<Tick> ticksBetween(double first, double last, int max);
 
-/// Draws the axes of fields (FieldDisplay::Axis) next to the fields, over the finished picture.
+/// Draws the axes of fields (FieldDisplay::Axis) beside them, over the finished picture: background and
+/// ticks. The renderer draws their letters with other texts.
 class AxesPass {
  public:
   explicit AxesPass(glm::ivec2 picture, Rasterizer rasterizer = Rasterizer::driver)
@@ -32,12 +34,11 @@ class AxesPass {
   void draw(const sim::Drawables& drawables, double seconds);
   /// Draws over the finished RGBA8 picture, whose first row is the top row. Only for the exact rasterizer.
   void draw(const sim::Drawables& drawables, double seconds, const gl::Texture& picture);
+  /// Returns the letters of all axes, for WritingPass. The result is valid until the next call.
+  [[nodiscard]] std::vector<sim::Writing> letters(const sim::Drawables& drawables, double seconds);
 
  private:
-  /// Appends the rectangles of one field: for each rectangle its edges, then its colour.
-  void append(const sim::Field& field, double seconds, std::vector<glm::vec4>& boxes) const;
-
-  /// Returns the rectangles of all fields.
+  /// Returns the rectangles of all fields, each followed by its colour.
   [[nodiscard]] std::vector<glm::vec4> boxesOf(const sim::Drawables& drawables, double seconds) const;
 
   glm::ivec2 picture_;
@@ -46,7 +47,8 @@ class AxesPass {
   gl::Program program_;
   gl::Buffer buffer_;
   gl::Texture view_;
-  std::vector<glm::vec4> present_;  ///< rectangles that the buffer currently holds
+  LabelWords words_;
+  std::vector<glm::vec4> present_;  ///< rectangles that the buffer holds
   VertexArray vertices_;
 };
 

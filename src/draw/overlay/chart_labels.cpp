@@ -25,13 +25,13 @@ std::string groupedDigits(unsigned number) {
 
 }  // namespace
 
-const ChartLabels::Word& ChartLabels::word(const std::string& text) {
+const LabelWord& LabelWords::of(const std::string& text) {
   const auto found = words_.find(text);
   if (found != words_.end()) return found->second;
   if (!font_) font_ = std::make_unique<sim::Font>(assetFolder() / "fonts/OpenSans-Regular.ttf");
   constexpr std::size_t most = 64;  // max number of characters of a label
   constexpr sim::TextAnchor anchor{sim::TextAnchor::Across::left, sim::TextAnchor::Down::baseline};
-  Word made;
+  LabelWord made;
   for (const auto& polygon : sim::written(*font_, text.substr(0, most), anchor, 1)) {
     auto& kept = made.outlines.emplace_back();
     for (const glm::dvec2& point : polygon) {
@@ -42,16 +42,20 @@ const ChartLabels::Word& ChartLabels::word(const std::string& text) {
   return words_.emplace(text, std::move(made)).first->second;
 }
 
-std::vector<sim::Writing> ChartLabels::of(const sim::Drawables& drawables) {
-  constexpr std::size_t enough = 500;  // number of entries at which the cache is cleared
+void LabelWords::forget() {
+  constexpr std::size_t enough = 500;
   if (words_.size() > enough) words_.clear();
+}
+
+std::vector<sim::Writing> ChartLabels::of(const sim::Drawables& drawables) {
+  words_.forget();
   std::vector<sim::Writing> all;
   for (const sim::Chart& chart : drawables.charts) {
     const ChartLayout layout = chartLayout(chart, picture_);
     if (!layout.hasLetters) continue;
     const auto u = static_cast<float>(layout.unit);
     const auto left = static_cast<float>(layout.plot.x), right = static_cast<float>(layout.plot.z);
-    const auto add = [&](const Word& word, glm::vec2 at, glm::vec3 color) {
+    const auto add = [&](const LabelWord& word, glm::vec2 at, glm::vec3 color) {
       sim::Writing writing;
       writing.outlines = &word.outlines;
       writing.place = at / glm::vec2(picture_);
@@ -63,17 +67,17 @@ std::vector<sim::Writing> ChartLabels::of(const sim::Drawables& drawables) {
     const float below = static_cast<float>(layout.plot.w) + 13 * u;
     float at = left;
     for (std::size_t i = 0; i < std::min<std::size_t>({chart.names.size(), chart.colors.size(), 4}); ++i) {
-      const Word& name = word(chart.names[i]);
+      const LabelWord& name = words_.of(chart.names[i]);
       const float width = capital * u * name.width;
       if (at + width > right) break;
       add(name, {at, above}, chart.colors[i]);
       at += width + 8 * u;
     }
-    const Word& top = word(chart.range.empty() ? "max " + groupedDigits(chart.max) : chart.range);
-    const Word& end =
-        word(!chart.length.empty()
-                 ? chart.length
-                 : groupedDigits(static_cast<unsigned>(std::max(chart.width - 1, 0))) + " steps");
+    const LabelWord& top = words_.of(chart.range.empty() ? "max " + groupedDigits(chart.max) : chart.range);
+    const LabelWord& end =
+        words_.of(!chart.length.empty()
+                      ? chart.length
+                      : groupedDigits(static_cast<unsigned>(std::max(chart.width - 1, 0))) + " steps");
     const float wide = capital * u * end.width;
     if (left + capital * u * top.width + wide + 6 * u <= right) add(top, {left, below}, dim);
     if (left + wide <= right) add(end, {right - wide, below}, dim);

@@ -11,7 +11,27 @@
 
 namespace simreel::draw {
 
-/// Text of charts, in the font that ships with simreel, so that the pixels are the same on every machine.
+/// Outlines and width of a text, relative to the height of a capital; y points up from the baseline.
+struct LabelWord {
+  std::vector<std::vector<glm::vec2>> outlines;
+  float width = 0;
+};
+
+/// Texts of labels in the font that ships with simreel, so that pixels are the same everywhere. Keeps those
+/// that were asked for.
+class LabelWords {
+ public:
+  /// Returns the first 64 characters of a text; valid until forget().
+  const LabelWord& of(const std::string& text);
+  /// Empties the cache if it is large.
+  void forget();
+
+ private:
+  std::unique_ptr<sim::Font> font_;  ///< loaded on first use
+  std::map<std::string, LabelWord> words_;
+};
+
+/// Text of charts, in the font that ships with simreel, so that pixels are the same everywhere.
 class ChartLabels {
  public:
   explicit ChartLabels(glm::ivec2 picture) : picture_(picture) {}
@@ -20,17 +40,8 @@ class ChartLabels {
   [[nodiscard]] std::vector<sim::Writing> of(const sim::Drawables& drawables);
 
  private:
-  using Outlines = std::vector<std::vector<glm::vec2>>;
-  /// Outlines and width of a text, relative to the height of a capital.
-  struct Word {
-    Outlines outlines;
-    float width = 0;
-  };
-  const Word& word(const std::string& text);
-
   glm::ivec2 picture_;
-  std::unique_ptr<sim::Font> font_;  ///< loaded on first use
-  std::map<std::string, Word> words_;
+  LabelWords words_;
 };
 
 }  // namespace simreel::draw

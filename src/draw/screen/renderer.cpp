@@ -87,10 +87,12 @@ struct Renderer::State {
                                ///< is requested
   bool saidOverlay = false;    ///< true if the warning about missing overlays was given or is disabled
 
-  /// Draws text over the finished picture: first that of charts, then that of objects.
-  void write(const sim::Drawables& drawables) {
+  /// Draws text over the finished picture: first of axes and charts, then of objects.
+  void write(const sim::Drawables& drawables, double seconds) {
     sim::Drawables lettered;
-    lettered.writings = labels.of(drawables);
+    lettered.writings = axes.letters(drawables, seconds);
+    const std::vector<sim::Writing> charted = labels.of(drawables);
+    lettered.writings.insert(lettered.writings.end(), charted.begin(), charted.end());
     lettered.writings.insert(lettered.writings.end(), drawables.writings.begin(), drawables.writings.end());
     writings.draw(lettered, picture.color);
   }
@@ -167,7 +169,7 @@ void Renderer::draw(double seconds, const sim::Drawables& drawables, const Stage
     s.fields.drawOver(drawables, seconds, s.picture.color);
     s.axes.draw(drawables, seconds, s.picture.color);
     s.charts.draw(drawables, s.picture.color);
-    s.write(drawables);
+    s.write(drawables, seconds);
     glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT |
                     GL_TEXTURE_FETCH_BARRIER_BIT);
     if (s.passes != nullptr) s.passes->keepBytes("picture", "finished", s.picture.color);
@@ -176,7 +178,7 @@ void Renderer::draw(double seconds, const sim::Drawables& drawables, const Stage
     s.fields.draw(drawables, sim::FieldDisplay::Layer::over, seconds);
     s.axes.draw(drawables, seconds);
     s.charts.draw(drawables);
-    s.write(drawables);
+    s.write(drawables, seconds);
   }
   if (watch && !(drawables.fields.empty() && drawables.charts.empty())) watch("fields");
 }

@@ -3,27 +3,105 @@
 #include "frame/mesh/gltf_parts.hpp"
 #include "frame/mesh/named_vertices.hpp"
 
+#include <utility>
+
+#include <glm/common.hpp>
+
 namespace simreel::frame {
 
-std::vector<std::byte> encodeGlb(const sim::MeshTable& mesh, const std::string& name,
-                                 std::span<const std::string> comments) {
-  const sim::MeshTable named = NamedVertices(mesh).of(mesh);
-  nlohmann::ordered_json document = gltfDocument(name, comments);
-  GltfLayout layout;
-  if (!named.indices.empty()) {
-    addMesh(document, name, addSurface(layout, named), named.doubleSided);
-    layout.into(document);
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Returns the mean of the copies' colours, for light, which no attribute of a copy colours.
+glm::vec3 meanColor(const sim::ShownCopies& copies) {
+  if (copies.colors.empty()) return copies.material->color;
+  glm::dvec3 sum(0);
+  for (const glm::vec3& color : copies.colors) sum += color;
+  return glm::vec3(sum / static_cast<double>(copies.colors.size()));
+}
+
+/// Adds a node of copies to the document.
+class CopyWriter {
+ public:
+  CopyWriter(Json& document, GltfContents& contents, GltfMaterials& materials)
+      : document_(document), contents_(contents), materials_(materials) {}
+
+  void add(const sim::ShownCopies& copies, const std::string& name) {
+    const sim::MeshTable shape = NamedVertices(copies.shape).of(copies.shape);
+    sim::MeshLooks looks;
+    looks.materials = {copies.material};
+    looks.ownColors = !copies.colors.empty();
+    const std::vector<Json> primitives = addSurface(contents_, shape, looks);
+    const Json numbers = copies.glow > 0
+                             ? Json::array({materials_.addGlow(name, copies.glow * meanColor(copies))})
+                             : materials_.add(shape, looks, name);
+    addMesh(document_, name, primitives, numbers);
+    Json attributes = {{"TRANSLATION", rows(copies.places, "VEC3")}};
+    if (!copies.turns.empty()) attributes["ROTATION"] = rows(quaternions(copies), "VEC4");
+    std::vector<glm::vec3> scales;
+    for (const float scale : copies.scales) scales.emplace_back(scale);
+    attributes["SCALE"] = rows(scales, "VEC3");
+    if (!copies.colors.empty()) attributes["_COLOR_0"] = rows(copies.colors, "VEC3");
+    document_["nodes"].back()["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = attributes;
+    useExtension(document_, "EXT_mesh_gpu_instancing");
   }
+
+ private:
+  template <class T>
+  std::size_t rows(const std::vector<T>& items, const char* type) {
+    return contents_.list(std::span(items), 0, gltfFloat, type);
+  }
+  /// Returns the turns in the order of glTF: x, y, z, w.
+  static std::vector<glm::vec4> quaternions(const sim::ShownCopies& copies) {
+    std::vector<glm::vec4> all;
+    all.reserve(copies.turns.size());
+    for (const glm::quat& q : copies.turns) all.emplace_back(q.x, q.y, q.z, q.w);
+    return all;
+  }
+
+  Json& document_;
+  GltfContents& contents_;
+  GltfMaterials& materials_;
+};
+
+}  // namespace
+
+std::vector<std::byte> encodeGlb(const sim::MeshTable& mesh, const std::string& name,
+                                 std::span<const std::string> comments, const sim::MeshLooks& looks,
+                                 const SkinPicturesOf& skins, std::span<const sim::ShownCopies> copies) {
+  const NamedVertices names(mesh);
+  const sim::MeshTable named = names.of(mesh);
+  sim::MeshLooks namedLooks = looks;
+  namedLooks.colors = names.of(looks.colors);
+  Json document = gltfDocument(name, comments);
+  GltfContents contents;
+  GltfMaterials materials(document, contents, skins);
+  bool empty = named.indices.empty();
+  if (!empty) {
+    const std::vector<Json> primitives = addSurface(contents, named, namedLooks);
+    addMesh(document, name, primitives, materials.add(named, namedLooks, name));
+  }
+  CopyWriter writer(document, contents, materials);
+  for (const sim::ShownCopies& one : copies) {
+    if (!std::exchange(empty, false)) {
+      document["scenes"][0]["nodes"].push_back(document["nodes"].size());
+      document["nodes"].push_back({{"name", name + " copies"}});
+    }
+    writer.add(one, document["nodes"].back()["name"]);
+  }
+  materials.finish();
+  if (contents.layout.bytes() > 0) contents.layout.into(document);
   std::string text = document.dump();
   text.resize((text.size() + 3) / 4 * 4, ' ');
-  std::vector<std::byte> file = glbHeader(text.size(), layout.bytes());
+  std::vector<std::byte> file = glbHeader(text.size(), contents.layout.bytes());
   const auto append = [&](std::span<const std::byte> bytes) {
     file.insert(file.end(), bytes.begin(), bytes.end());
   };
   append(std::as_bytes(std::span(text)));
-  if (layout.bytes() == 0) return file;
-  append(glbBinaryHeader(layout.bytes()));
-  for (const auto& list : surfaceBytes(named)) append(list);
+  if (contents.bytes.empty()) return file;
+  append(glbBinaryHeader(contents.layout.bytes()));
+  append(contents.bytes);
   return file;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
+#include "frame/mesh/gltf_materials.hpp"
 #include "sim/core/simulation.hpp"
+#include "sim/world/shown_mesh.hpp"
 
 #include <cstddef>
 #include <span>
@@ -8,11 +10,16 @@
 
 namespace simreel::frame {
 
-/// Encodes a mesh as binary glTF 2.0 (Khronos, "glTF 2.0 specification", 4.4 and 5): one node, one mesh,
-/// one primitive with positions, normals, optional texture coordinates and 32-bit indices. Double-sided
-/// meshes also get a material. Units are metres, y is up, v = 0 is the top row of a texture. Drops vertices
-/// that no triangle uses. `comments` become asset.extras.
+/// Encodes a mesh as binary glTF 2.0 (Khronos, "glTF 2.0 specification", 4.4 and 5): one node and one mesh,
+/// with a primitive and a material for each part, positions, normals, texture coordinates and linear
+/// colours if it has them, and 32-bit indices. Units are metres, y is up, v = 0 is the top row of a
+/// texture. Drops vertices that no triangle uses. Each of `copies` is a further node with a mesh and the
+/// places of its copies (extension EXT_mesh_gpu_instancing; _COLOR_0 holds their linear colours).
+/// `comments` go to asset.extras.
 [[nodiscard]] std::vector<std::byte> encodeGlb(const sim::MeshTable& mesh, const std::string& name,
-                                               std::span<const std::string> comments);
+                                               std::span<const std::string> comments,
+                                               const sim::MeshLooks& looks = {},
+                                               const SkinPicturesOf& skins = {},
+                                               std::span<const sim::ShownCopies> copies = {});
 
 }  // namespace simreel::frame

@@ -20,21 +20,24 @@ GlbSequence::GlbSequence(const std::filesystem::path& file, SequencePlan plan)
 
 std::string GlbSequence::text() const {
   Json document = document_;
-  layout_.into(document);
+  contents_.layout.into(document);
   return document.dump();
 }
 
-/// Adds views and accessors for the morph targets. Each target holds the positions and normals of one frame
-/// after the first, minus those of the first frame.
-void GlbSequence::describeTargets(Json& primitive) {
+/// Adds views and accessors for the morph targets. Each holds the positions and normals of one frame after
+/// the first, minus the first frame's values.
+void GlbSequence::describeTargets(std::vector<Json>& primitives) {
   const std::size_t count = first_.positions.size();
   const std::uint64_t bytes = sizeof(glm::vec3) * std::uint64_t{count};
-  const std::size_t view = layout_.view(2 * bytes * targets(), gltfVertices, sizeof(glm::vec3));
+  const std::size_t view = contents_.layout.view(2 * bytes * targets(), gltfVertices, sizeof(glm::vec3));
   for (std::size_t i = 0; i < targets(); ++i) {
-    bounded_.push_back(layout_.accessor(view, 2 * bytes * i, gltfFloat, count, "VEC3"));
-    layout_.setBounds(bounded_.back(), Bounds());
-    const std::size_t normals = layout_.accessor(view, 2 * bytes * i + bytes, gltfFloat, count, "VEC3");
-    primitive["targets"].push_back({{"POSITION", bounded_.back()}, {"NORMAL", normals}});
+    bounded_.push_back(contents_.layout.accessor(view, 2 * bytes * i, gltfFloat, count, "VEC3"));
+    contents_.layout.setBounds(bounded_.back(), Bounds());
+    const std::size_t normals =
+        contents_.layout.accessor(view, 2 * bytes * i + bytes, gltfFloat, count, "VEC3");
+    for (Json& primitive : primitives)
+      if (!primitive.is_null())
+        primitive["targets"].push_back({{"POSITION", bounded_.back()}, {"NORMAL", normals}});
   }
 }
 
@@ -63,29 +66,33 @@ void GlbSequence::writeTimesAndWeights() {
 void GlbSequence::begin() {
   const std::size_t frames = plan_.frames.size();
   document_ = gltfDocument(plan_.name, plan_.comments);
-  Json primitive = addSurface(layout_, first_);
+  std::vector<Json> primitives = addSurface(contents_, first_, plan_.looks);
+  GltfMaterials materials(document_, contents_, plan_.skins);
+  const Json numbers = materials.add(first_, plan_.looks, plan_.name);
+  materials.finish();
   std::size_t times = 0, weights = 0;
   if (targets() > 0) {
-    times = layout_.list(0, gltfFloat, frames, "SCALAR");
-    layout_.setBounds(times, 0.0F, plan_.seconds(frames - 1));
-    weights = layout_.list(0, gltfFloat, frames * targets(), "SCALAR");
-    describeTargets(primitive);
+    times = contents_.layout.list(0, gltfFloat, frames, "SCALAR");
+    contents_.layout.setBounds(times, 0.0F, plan_.seconds(frames - 1));
+    weights = contents_.layout.list(0, gltfFloat, frames * targets(), "SCALAR");
+    describeTargets(primitives);
   }
-  addMesh(document_, plan_.name, primitive, first_.doubleSided);
+  addMesh(document_, plan_.name, primitives, numbers);
   if (targets() > 0) describeAnimation(times, weights);
   room_ = (text().size() + 6 * longestFloat * targets() + 3) / 4 * 4;
-  if (const std::uint64_t total = layout_.bytes() + room_ + 64;
+  if (const std::uint64_t total = contents_.layout.bytes() + room_ + 64;
       total > std::numeric_limits<std::uint32_t>::max())
     fail(
         ExitCode::usage,
         "\"{}\": {} frames of {} vertices are {:.1f} GB, and GLB holds 4.2; take fewer --frames, or pc2 or "
         "mdd",
         plan_.name, frames, first_.positions.size(), static_cast<double>(total) * 1e-9);
-  file_.append(glbHeader(room_, layout_.bytes()));
+  file_.append(glbHeader(room_, contents_.layout.bytes()));
   const std::string blank(room_, ' ');
   file_.append(std::as_bytes(std::span(blank)));
-  file_.append(glbBinaryHeader(layout_.bytes()));
-  for (const auto& list : surfaceBytes(first_)) file_.append(list);
+  file_.append(glbBinaryHeader(contents_.layout.bytes()));
+  file_.append(contents_.bytes);
+  contents_.bytes = {};
   if (targets() > 0) writeTimesAndWeights();
 }
 
@@ -94,13 +101,14 @@ void GlbSequence::add(const sim::MeshTable& mesh) {
   sim::MeshTable named = surface_.next(mesh);
   if (i == 0) {
     first_ = std::move(named);
+    plan_.looks.colors = NamedVertices(mesh).of(plan_.looks.colors);
     return begin();
   }
   for (std::size_t k = 0; k < named.positions.size(); ++k) {
     named.positions[k] -= first_.positions[k];
     named.normals[k] -= first_.normals[k];
   }
-  layout_.setBounds(bounded_[i - 1], Bounds::of(named.positions));
+  contents_.layout.setBounds(bounded_[i - 1], Bounds::of(named.positions));
   append(named.positions);
   append(named.normals);
 }

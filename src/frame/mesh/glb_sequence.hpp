@@ -18,7 +18,7 @@ class GlbSequence : public MeshSequence {
 
  private:
   void begin();
-  void describeTargets(nlohmann::ordered_json& primitive);
+  void describeTargets(std::vector<nlohmann::ordered_json>& primitives);
   void describeAnimation(std::size_t times, std::size_t weights);
   void writeTimesAndWeights();
   void append(const std::vector<glm::vec3>& items) { file_.append(std::as_bytes(std::span(items))); }
@@ -30,7 +30,7 @@ class GlbSequence : public MeshSequence {
   PartFile file_;
   sim::MeshTable first_;
   nlohmann::ordered_json document_;
-  GltfLayout layout_;
+  GltfContents contents_;             ///< its bytes are dropped when they are written
   std::vector<std::size_t> bounded_;  ///< accessor indices of the targets' positions
   std::uint64_t room_ = 0;            ///< number of bytes reserved for the JSON document
 };

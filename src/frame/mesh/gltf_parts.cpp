@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/version.hpp"
 
+#include <algorithm>
 #include <bit>
 
 #include <glm/common.hpp>
@@ -35,11 +36,11 @@ Bounds Bounds::of(std::span<const glm::vec3> points) {
 }
 
 std::size_t GltfLayout::view(std::uint64_t bytes, int target, int stride) {
-  SIMREEL_CHECK(bytes > 0 && bytes % 4 == 0);
+  SIMREEL_CHECK(bytes > 0);
   views_.push_back({{"buffer", 0}, {"byteOffset", bytes_}, {"byteLength", bytes}});
   if (stride != 0) views_.back()["byteStride"] = stride;
   if (target != 0) views_.back()["target"] = target;
-  bytes_ += bytes;
+  bytes_ += (bytes + 3) / 4 * 4;
   return views_.size() - 1;
 }
 
@@ -53,7 +54,7 @@ std::size_t GltfLayout::accessor(std::size_t view, std::uint64_t offset, int com
 
 std::size_t GltfLayout::list(int target, int component, std::size_t count, const char* type) {
   const std::string name = type;
-  const std::uint64_t words = name == "VEC3" ? 3 : name == "VEC2" ? 2 : 1;
+  const std::uint64_t words = name == "SCALAR" ? 1 : static_cast<std::uint64_t>(name.back() - '0');
   return accessor(view(4 * words * count, target), 0, component, count, type);
 }
 
@@ -73,20 +74,50 @@ void GltfLayout::into(Json& document) const {
   document["buffers"] = {{{"byteLength", bytes_}}};
 }
 
-Json addSurface(GltfLayout& layout, const sim::MeshTable& mesh) {
-  const std::size_t count = mesh.positions.size();
-  const std::size_t positions = layout.list(gltfVertices, gltfFloat, count, "VEC3");
-  layout.setBounds(positions, Bounds::of(mesh.positions));
-  Json attributes = {{"POSITION", positions},
-                     {"NORMAL", layout.list(gltfVertices, gltfFloat, count, "VEC3")}};
-  if (!mesh.uvs.empty()) attributes["TEXCOORD_0"] = layout.list(gltfVertices, gltfFloat, count, "VEC2");
-  return {{"attributes", attributes},
-          {"indices", layout.list(gltfIndices, gltfUnsigned, mesh.indices.size(), "SCALAR")}};
+std::size_t GltfContents::file(std::span<const std::byte> file) {
+  const std::size_t number = layout.view(file.size(), 0);
+  append(file);
+  bytes.resize(layout.bytes());
+  return number;
 }
 
-std::vector<std::span<const std::byte>> surfaceBytes(const sim::MeshTable& mesh) {
-  return {std::as_bytes(std::span(mesh.positions)), std::as_bytes(std::span(mesh.normals)),
-          std::as_bytes(std::span(mesh.uvs)), std::as_bytes(std::span(mesh.indices))};
+namespace {
+
+/// Adds the indices of each part behind each other, in one view.
+std::vector<Json> addParts(GltfContents& contents, const sim::MeshTable& mesh, const sim::MeshLooks& looks,
+                           const Json& attributes) {
+  const std::size_t parts = std::max<std::size_t>(1, looks.materials.size());
+  std::vector<std::vector<unsigned>> indices(parts);
+  for (std::size_t i = 0; i < mesh.indices.size(); ++i)
+    indices[looks.partOf.empty() ? 0 : looks.partOf[i / 3]].push_back(mesh.indices[i]);
+  const std::size_t view = contents.layout.view(4 * std::uint64_t{mesh.indices.size()}, gltfIndices);
+  std::vector<Json> primitives;
+  std::uint64_t offset = 0;
+  for (const std::vector<unsigned>& part : indices) {
+    primitives.emplace_back();
+    if (part.empty()) continue;
+    primitives.back() = {
+        {"attributes", attributes},
+        {"indices", contents.layout.accessor(view, offset, gltfUnsigned, part.size(), "SCALAR")}};
+    contents.append(std::as_bytes(std::span(part)));
+    offset += 4 * part.size();
+  }
+  return primitives;
+}
+
+}  // namespace
+
+std::vector<Json> addSurface(GltfContents& contents, const sim::MeshTable& mesh,
+                             const sim::MeshLooks& looks) {
+  const auto vertices = [&](const auto& rows, const char* type) {
+    return contents.list(std::span(rows), gltfVertices, gltfFloat, type);
+  };
+  Json attributes = {{"POSITION", vertices(mesh.positions, "VEC3")}};
+  contents.layout.setBounds(attributes["POSITION"], Bounds::of(mesh.positions));
+  attributes["NORMAL"] = vertices(mesh.normals, "VEC3");
+  if (!mesh.uvs.empty()) attributes["TEXCOORD_0"] = vertices(mesh.uvs, "VEC2");
+  if (!looks.colors.empty()) attributes["COLOR_0"] = vertices(looks.colors, "VEC3");
+  return addParts(contents, mesh, looks, attributes);
 }
 
 Json gltfDocument(const std::string& name, std::span<const std::string> comments) {
@@ -99,12 +130,9 @@ Json gltfDocument(const std::string& name, std::span<const std::string> comments
   return document;
 }
 
-void addMesh(Json& document, const std::string& name, const Json& primitive, bool doubleSided) {
-  document["nodes"][0]["mesh"] = 0;
-  document["meshes"] = {{{"name", name}, {"primitives", Json::array({primitive})}}};
-  if (!doubleSided) return;
-  document["meshes"][0]["primitives"][0]["material"] = 0;
-  document["materials"] = {{{"name", name}, {"doubleSided", true}}};
+void useExtension(Json& document, const std::string& extension) {
+  Json& used = document["extensionsUsed"];
+  if (std::find(used.begin(), used.end(), extension) == used.end()) used.push_back(extension);
 }
 
 std::vector<std::byte> glbHeader(std::uint64_t json, std::uint64_t binary) {

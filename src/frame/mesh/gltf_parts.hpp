@@ -1,5 +1,6 @@
 #pragma once
 #include "sim/core/simulation.hpp"
+#include "sim/world/shown_mesh.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -20,14 +21,16 @@ struct Bounds {
   [[nodiscard]] static Bounds of(std::span<const glm::vec3> points);
 };
 
-/// Creates the buffer views and accessors that describe the binary chunk of a glTF file, in the order of
-/// the chunk's bytes. All data consists of 4-byte words, so no padding is needed.
+/// Builds the buffer views and accessors that describe the binary chunk of a glTF file, in the order of its
+/// bytes. Each view starts at a multiple of 4 bytes.
 class GltfLayout {
  public:
-  /// Adds a view of `bytes` bytes after the existing views, and returns its index. `target`: 0 if the data
-  /// is neither vertices nor indices. `stride`: 0 if only one accessor uses the view.
+  /// Adds a view of `bytes` bytes behind the existing views, and returns its index. `target` is 0 if the
+  /// data is neither vertices nor indices. `stride` is 0 if only one accessor uses the view. The caller
+  /// pads the bytes to a multiple of 4.
   std::size_t view(std::uint64_t bytes, int target, int stride = 0);
-  /// Adds an accessor and returns its index. `type` is "SCALAR", "VEC2" or "VEC3".
+  /// Adds an accessor and returns its index. `type` is "SCALAR", "VEC2", "VEC3" or
+  /// "VEC4".
   std::size_t accessor(std::size_t view, std::uint64_t offset, int component, std::size_t count,
                        const char* type);
   /// Adds a view with a single accessor, and returns the accessor's index.
@@ -44,19 +47,34 @@ class GltfLayout {
   nlohmann::ordered_json accessors_ = nlohmann::ordered_json::array();
 };
 
-/// Adds positions, normals, optional uvs and indices of a mesh to `layout`. Returns the glTF primitive that
-/// refers to them.
-[[nodiscard]] nlohmann::ordered_json addSurface(GltfLayout& layout, const sim::MeshTable& mesh);
-/// Returns the bytes of positions, normals, uvs and indices, one span per attribute, in the order of
-/// addSurface().
-[[nodiscard]] std::vector<std::span<const std::byte>> surfaceBytes(const sim::MeshTable& mesh);
+/// Binary chunk of a glTF file and its description.
+struct GltfContents {
+  GltfLayout layout;
+  std::vector<std::byte> bytes;
 
-/// Returns a glTF document with one empty node. addMesh() gives the node a mesh with one primitive.
-/// GltfLayout adds accessors and buffer.
+  /// Adds rows of `type` and returns their accessor's index.
+  template <class T>
+  std::size_t list(std::span<const T> rows, int target, int component, const char* type) {
+    const std::size_t number = layout.list(target, component, rows.size(), type);
+    append(std::as_bytes(rows));
+    return number;
+  }
+  /// Adds bytes of any length and returns their view's index.
+  std::size_t file(std::span<const std::byte> file);
+  void append(std::span<const std::byte> more) { bytes.insert(bytes.end(), more.begin(), more.end()); }
+};
+
+/// Adds positions, normals, optional uvs, colours and indices of a mesh. Returns a primitive for each part
+/// (sim::MeshLooks), in that order and without material; parts without triangles are null.
+[[nodiscard]] std::vector<nlohmann::ordered_json> addSurface(GltfContents& contents,
+                                                             const sim::MeshTable& mesh,
+                                                             const sim::MeshLooks& looks);
+
+/// Returns a glTF document with one empty node; GltfLayout adds accessors and buffer.
 [[nodiscard]] nlohmann::ordered_json gltfDocument(const std::string& name,
                                                   std::span<const std::string> comments);
-void addMesh(nlohmann::ordered_json& document, const std::string& name,
-             const nlohmann::ordered_json& primitive, bool doubleSided);
+/// Adds an extension to extensionsUsed if it is not there yet.
+void useExtension(nlohmann::ordered_json& document, const std::string& extension);
 
 /// glbHeader() returns the bytes of a GLB file before its JSON text of `json` bytes (glTF 2.0
 /// specification, 4.4). glbBinaryHeader() returns the bytes before the binary chunk.

@@ -1,4 +1,5 @@
 #pragma once
+#include "frame/mesh/gltf_materials.hpp"
 #include "sim/core/simulation.hpp"
 
 #include <array>
@@ -10,13 +11,12 @@
 namespace simreel::frame {
 
 /// File formats that hold a surface at several frames.
-/// glb: binary glTF 2.0. The mesh is the first frame. For each later frame, a morph target with normals
-/// holds the difference from the first frame. An animation sets the weights, so positions are interpolated
-/// linearly between frames.
-/// pc2: PointCache2 (J. Burnett, PointCache2 readme, "PC2 File Format"), little endian. A 32-byte header
-/// has the first frame's number and the step between frames; the positions follow.
-/// mdd: LightWave Motion Designer (as read by Blender's MOD_meshcache_mdd.c), big endian. The file has
-/// counts, the time of each frame in seconds since the first, then the positions.
+/// glb: binary glTF 2.0. The mesh, its materials and colours are the first frame's; a morph target with
+/// normals for each later frame holds the difference from the first. An animation sets the weights, so
+/// positions are interpolated linearly between frames. pc2: PointCache2 (J. Burnett, PointCache2 readme,
+/// "PC2 File Format"). Little endian; a 32-byte header with the first frame's number and the step between
+/// frames, then positions. mdd: LightWave Motion Designer (as read by Blender's MOD_meshcache_mdd.c). Big
+/// endian; counts, time of each frame in seconds since the first, then positions.
 inline constexpr std::array<const char*, 3> sequenceFormats = {"glb", "pc2", "mdd"};
 
 /// Properties of a sequence that are known before its first frame.
@@ -24,7 +24,9 @@ struct SequencePlan {
   std::string name;         ///< name of the surface
   std::vector<int> frames;  ///< frame numbers in ascending order
   double fps = 30;
-  std::vector<std::string> comments;  ///< comments, written if the format supports them
+  std::vector<std::string> comments;  ///< written if the format supports comments
+  sim::MeshLooks looks = {};          ///< looks of the first frame's mesh, for glb
+  SkinPicturesOf skins = {};          ///< pictures of its skins, for glb
 
   /// Returns the time (s) from the first frame to the frame with index `i`.
   [[nodiscard]] float seconds(std::size_t i) const {

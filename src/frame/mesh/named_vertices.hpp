@@ -14,6 +14,15 @@ class NamedVertices {
   /// Returns `mesh` without unused vertices. `mesh` must have the same triangles as the mesh of the
   /// constructor.
   [[nodiscard]] sim::MeshTable of(const sim::MeshTable& mesh) const;
+  /// Returns the rows of the used vertices; `rows` has one per vertex of the mesh, or none.
+  template <class Row>
+  [[nodiscard]] std::vector<Row> of(const std::vector<Row>& rows) const {
+    std::vector<Row> named;
+    if (rows.empty()) return named;
+    named.reserve(kept_.size());
+    for (const unsigned i : kept_) named.push_back(rows[i]);
+    return named;
+  }
 
  private:
   std::vector<unsigned> kept_;   ///< indices of the used vertices

@@ -63,7 +63,8 @@ void ChartParameters::ports(Ports& ports) const {
 ChartRange roundRange(double least, double most) {
   const double size = std::max(std::abs(least), std::abs(most));
   if (!(most - least > std::max(1e-9 * size, 1e-30))) {
-    const double around = std::max(0.5 * size, 1e-30);
+    if (size < 1e-30) return {0, 1};
+    const double around = 0.5 * size;
     least -= around;
     most += around;
   }

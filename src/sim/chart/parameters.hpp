@@ -39,9 +39,9 @@ struct ChartParameters : ObjectParameters {
 struct ChartRange {
   double low = 0, high = 1;
 };
-/// Returns a range that contains the values from `least` to `most`. Its limits are multiples of a step that
-/// is 1, 2 or 5 times a power of ten, and are at most four steps apart. If all values are equal, the range
-/// extends by half their magnitude on both sides.
+/// Returns a scale around values from `least` to `most`. Its limits are multiples of a step of 1, 2 or 5
+/// times a power of ten, at most four steps apart. If the values are all equal, the scale extends by half
+/// their magnitude on both sides; for zeros it is 0 to 1.
 [[nodiscard]] ChartRange roundRange(double least, double most);
 
 }  // namespace simreel::sim

@@ -1,4 +1,5 @@
 """Tests `simreel bake` through the command line."""
+import json
 import math
 import struct
 
@@ -102,6 +103,31 @@ class Bake(Case):
             self.write("again.json", with_values({"objects": {"m": {
                 "mesh": {"shape": "file", "file": f"out/flag_000000.{suffix}", "sides": "both"}, "material": {"texture": "flag.ppm"}}}}))
             upright("again.json")
+        # a glb brings its texture with it
+        self.write("again.json", with_values({"objects": {"m": {"mesh": {"shape": "file", "file": "out/flag_000000.glb"}}}}))
+        (self.folder / "flag.ppm").unlink()
+        upright("again.json")
+
+    def test_particles_as_instances(self):
+        dust = {"method": "none", "look": {"shape": "sphere", "size": 0.25},
+                "groups": [{"shape": "cube", "count": 5, "radius": 1, "totalMass": 1, "position": [0, 1, 0], "speed": 1}]}
+        self.write("scene.json", with_values({"objects": {"dust": {"particles": dust, "material": {"color": [0.5, 0.25, 0.125]}}}}))
+        self.good("bake", "scene.json", "-o", "out", "--frames", "3")
+        self.good("bake", "scene.json", "-o", "out", "--frames", "3", "--format", "glb")
+        data = (self.folder / "out/dust_000003.glb").read_bytes()
+        (length,) = struct.unpack_from("<I", data, 12)
+        document, binary = json.loads(data[20:20 + length]), data[28 + length:]
+        attributes = document["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]
+
+        def rows(name):
+            accessor = document["accessors"][attributes[name]]
+            start = document["bufferViews"][accessor["bufferView"]]["byteOffset"]
+            flat = struct.unpack_from(f"<{3 * accessor['count']}f", binary, start)
+            return [flat[i:i + 3] for i in range(0, len(flat), 3)]
+
+        self.assertEqual(rows("TRANSLATION"), [row[:3] for row in self.read("out/dust_000003.ply")[2]])
+        self.assertEqual(rows("SCALE"), 5 * [(0.25, 0.25, 0.25)])
+        self.bad(2, ["no object", "a mesh"], "bake", "scene.json", "-o", "out", "--sequence")
 
     def test_a_mesh_on_keyframes(self):
         mesh = {"resolution": [2, 2], "size": [2, 0, 2], "position": {"keys": [[0, [0, 0, 0]], [0.1, [3, 0, 0]]]}}

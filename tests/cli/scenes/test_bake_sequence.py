@@ -105,7 +105,7 @@ class Glb:
         (primitive,) = mesh["primitives"]
         self.need(primitive.get("mode", 4) == 4, "triangles", "5.24")
         self.need(primitive.get("material", 0) < len(self.document.get("materials", [0])), "material", "5.24")
-        wide = {"POSITION": 3, "NORMAL": 3, "TEXCOORD_0": 2}
+        wide = {"POSITION": 3, "NORMAL": 3, "TEXCOORD_0": 2, "COLOR_0": 3}
         self.columns = {name: self.values(index, VERTICES, name == "POSITION")
                         for name, index in primitive["attributes"].items()}
         self.need({len(rows) for rows in self.columns.values()} == {len(self.columns["POSITION"])}, "counts", "3.7.2.1")

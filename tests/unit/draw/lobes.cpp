@@ -124,3 +124,23 @@ TEST_CASE("lobes: the reflected fraction of uniform light is the lobe's integral
     CHECK(fit.x + fit.y == doctest::Approx(1).epsilon(1e-6));
   }
 }
+
+TEST_CASE("shares: under a white sky a white ball reflects all light and a black one what its lobe does") {
+  for (const double roughness : {0.2, 0.5, 0.8, 1.0}) {
+    CAPTURE(roughness);
+    double wanted = 0, found = 0;
+    constexpr int rings = 12;  // rings of equal area on the ball's outline
+    for (int i = 0; i < rings; ++i) {
+      const double nv = std::sqrt(1 - (i + 0.5) / rings);
+      const glm::dvec2 lobe = mirroredOf(nv, roughness * roughness);
+      const auto shares = [&](float base) {
+        return lobes::sharesOf(glm::vec3(base), static_cast<float>(roughness), 0, static_cast<float>(nv));
+      };
+      wanted += (0.04 * lobe.x + lobe.y) / rings;
+      found += static_cast<double>(shares(0).mirrored.x) / rings;
+      CHECK(shares(0).matt.x == 0);
+      CHECK(shares(1).matt.x + shares(1).mirrored.x == doctest::Approx(1).epsilon(1e-6));
+    }
+    CHECK(std::abs(found - wanted) < 0.006);  // the error of the fit; the share is 0.03 to 0.07
+  }
+}

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include <doctest/doctest.h>
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
 using namespace simreel;
@@ -57,6 +58,28 @@ TEST_CASE(
     CAPTURE(gap);
     CHECK(worst < 0.04);  // the tolerance is the error of 32 sample points on the disc
   }
+}
+
+TEST_CASE("sun disc: penumbrae have the width of the sun's disc") {
+  // Width between 10 and 90 % of the light, as the mean over edges in 16 directions.
+  constexpr int directions = 16;
+  constexpr double radius = 50, ends = 0.6870;  // beyond(0.6870) is 0.1
+  double sum = 0;
+  for (int i = 0; i < directions; ++i) {
+    const double turn = 2 * std::numbers::pi * (i + 0.3) / directions;
+    const glm::dvec2 across(std::cos(turn), std::sin(turn));
+    casters = [&](glm::ivec2 texel) {
+      return glm::dot(glm::dvec2(texel) + 0.5 - 500.0, across) < 0 ? 0.9F : -1e30F;
+    };
+    double shade = 0;  // integral of the light between 10 and 90 %
+    for (double x = -70; x <= 70; x += 0.25) {
+      const auto light = static_cast<double>(sunDiscFraction(
+          receiver(glm::vec2(500.0 + x * across), 0.9F - static_cast<float>(radius) / 100)));
+      if (light > 0.1 && light < 0.9) shade += 0.25;
+    }
+    sum += shade / directions;
+  }
+  CHECK(sum == doctest::Approx(2 * ends * radius).epsilon(0.02));
 }
 
 TEST_CASE("sun disc: penumbra width is clamped to its min and max") {

@@ -30,9 +30,8 @@ Casters castersWithin(usamplerBuffer keys, ShadowMap map, AreaReceiver r, float 
   vec2 turned = vec2(-aside.y, aside.x);
   Casters found = Casters(0, 0.0f);
   for (int i = 0; i < 32; ++i) {
-    precise vec2 middle = (0.94f * radius) * discPoints[i];
-    for (int k = 0; k < 4; ++k) {  // loop over the four corners of a square whose side is the spacing of the disc
-                                   // points
+    precise vec2 middle = (0.985f * radius) * discPoints[i];
+    for (int k = 0; k < 4; ++k) {  // the four corners of a square as large as the spacing of the disc points
       precise vec2 way = middle + ((k & 1) == 0 ? 1.0f : -1.0f) * ((k & 2) == 0 ? aside : turned);
       precise vec2 place = r.middle + way;
       precise float plane = r.near + r.rise.x * way.x + r.rise.y * way.y;

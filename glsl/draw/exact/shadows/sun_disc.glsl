@@ -61,11 +61,12 @@ FUNCTION float sunDiscFraction(SunReceiver r) {
   precise float between = sum * exactReciprocal(float(casters)) - r.near;
   precise float wide = between * r.spread;
   float radius = clamp(wide, r.least, r.most);
-  // The side of the squares is the spacing of the points, so all corners are spread evenly over the disc.
+  // The squares have the side of the points' spacing, so all their corners are spread evenly over the disc.
+  // The factor 0.985 gives them the variance of the disc, and so the penumbra its width.
   precise vec2 aside = radius * vec2(0.033f, 0.1f);
   int lit = 0;
   for (int i = 0; i < discTaps; ++i) {
-    precise vec2 way = (0.94f * radius) * discPoints[i];
+    precise vec2 way = (0.985f * radius) * discPoints[i];
     lit += litOfFour(r, way, aside);
   }
   precise float fraction = float(lit) * 0.0078125f;

@@ -16,25 +16,25 @@ float casterNear(ivec2 texel) {
 #include "draw/exact/shadows/disc_points.glsl"
 #include "draw/exact/shadows/sun_disc.glsl"
 
-// Returns the fraction of sunlight at a point. `normal`: normal of the receiving surface; a flat surface casts no
-// shadow on itself.
-float sunFraction(vec3 place, vec3 normal) {
+// `normal`: normal of the receiving surface, which casts no shadow on itself if it is flat. `nearer`: nearness by which
+// the receiver is moved towards the light.
+float sunFraction(vec3 place, vec3 normal, float nearer) {
   float perDepth = exactReciprocal(lightDepth());
   precise float perTexel = lightTexel() * perDepth;  // difference of depth that equals the width of a texel
   float along = max(exactDot(normal, frame.sunDirection.xyz), 0.1f);
   precise vec2 across = vec2(exactDot(normal, frame.lightRight.xyz), exactDot(normal, frame.lightUp.xyz));
   precise vec2 rise = across * (-perTexel * exactReciprocal(along));
   precise vec2 middle = place.xy * frame.shadowTexels;
-  precise float near = 1.0f - place.z;
+  precise float near = 1.0f - place.z + nearer;
   precise float spread = frame.sunSpread * exactReciprocal(perTexel);
   precise float least = 0.5f + frame.shadowSoftness;
   return sunDiscFraction(SunReceiver(middle, near, rise, spread, least, frame.shadowReach));
 }
 #else
-float sunFraction(vec3 place, vec3 normal) {
+float sunFraction(vec3 place, vec3 normal, float nearer) {
   int side = int(frame.shadowTexels);
-  precise float near = 1.0f - place.z;
-  uint key = nearKey(max(near, 0.0f));  // limits the value so that a point behind every caster counts as inside the map
+  precise float near = 1.0f - place.z + nearer;
+  uint key = nearKey(max(near, 0.0f));  // clamped so that a point behind every caster counts as inside the map
   precise vec2 middle = place.xy * frame.shadowTexels;
   ShadowMap map = ShadowMap(side, 0, side);
 #if SHADOW_TAPS == 4
@@ -45,11 +45,27 @@ float sunFraction(vec3 place, vec3 normal) {
 }
 #endif
 
-// Offsets the lookup point to the lit side of the surface, so that the surface does not shadow itself.
+// Returns the fraction for a receiver that is not in the map, so that it cannot shadow itself.
+float sunFraction(vec3 place, vec3 normal) {
+  return sunFraction(place, normal, 0.0f);
+}
+
+// Returns the nearness by which the depth of a surface in the map may differ within the filter: its slope, limited to 3,
+// times 1.5 + frame.shadowSoftness texels. The receiver has this offset, not the casters, whose shadows on other surfaces
+// would begin away from them.
+float slopeNear(vec3 normal) {
+  float along = max(abs(exactDot(normal, frame.sunDirection.xyz)), 0.33f);
+  float across = max(abs(exactDot(normal, frame.lightRight.xyz)), abs(exactDot(normal, frame.lightUp.xyz)));
+  precise float perTexel = lightTexel() * exactReciprocal(lightDepth());
+  precise float near = (1.5f + frame.shadowSoftness) * perTexel * across * exactReciprocal(along);
+  return near;
+}
+
+// Offsets the lookup point to the lit side of the surface so that the surface does not shadow itself.
 float sunFractionOn(vec3 p, vec3 normal) {
   precise float turned = 4.0f * exactDot(normal, frame.sunDirection.xyz);
   precise float lift = clamp(turned, -1.0f, 1.0f) * lightTexel() * (0.5f + 0.5f * frame.shadowSoftness);
   precise vec3 lifted = p + normal * lift;
-  return sunFraction(lightPlace(lifted), normal);
+  return sunFraction(lightPlace(lifted), normal, slopeNear(normal));
 }
 #endif

@@ -40,8 +40,7 @@ class SunMapPass final : public FramePass {
     f.shadow.fit(bounding, [&](const gl::Buffer& bounds) { f.instances.growBounds(drawables, bounds); });
     f.shadow.bind();
     f.sunMap->clear();
-    // A shadow filter of r texels reads depths up to r + 1 texels away along a slope.
-    const MapPart part{.slopeOffset = 1.5F + f.scene.sun.shadowSoftness};
+    const MapPart part;  // the receivers are offset by their slope (glsl/draw/exact/shadows/sun_map.glsl)
     casters_->number(casting);
     casters_->draw(*f.sunMap, part);
     f.apart.castSun(*f.sunMap, part);
