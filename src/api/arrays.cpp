@@ -44,7 +44,7 @@ class ArrayVisitor final : public sim::CarryOver {
   void array(const char* /*name*/, gl::Buffer& buffer) override {
     if (present_ == object_) buffers_.push_back(&buffer);
   }
-  /// Returns the buffer of a state array; null if the simulation computes it anew.
+  /// Returns the buffer of a state array; null if the simulation computes it from others.
   [[nodiscard]] gl::Buffer* of(const sim::StateArray& array) const {
     const gl::Buffer* buffer = array.planes.count > 0 ? array.planes.part.buffer : array.buffer;
     const auto found = std::find(buffers_.begin(), buffers_.end(), buffer);
@@ -143,7 +143,7 @@ void Scene::State::write(std::string_view object, std::string_view array, std::s
   gl::Buffer* buffer = visit(*world, object).of(state);
   if (buffer == nullptr)
     api::fail(ErrorKind::usage,
-              fmt::format("{}.{} is computed anew in each frame from other arrays, so it cannot be written",
+              fmt::format("{}.{} is computed in each frame from other arrays, so it cannot be written",
                           object, array));
   const std::size_t components = shape.back();
   std::vector<std::uint32_t> words;

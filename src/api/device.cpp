@@ -32,7 +32,7 @@ constexpr std::size_t mostMessages = 1000;
   api::fail(
       ErrorKind::process,
       "this process is a fork of one that uses simreel, and a device does not survive a fork; start "
-      "processes anew (Python: multiprocessing.get_context(\"spawn\")), or open the device after the fork");
+      "new processes (Python: multiprocessing.get_context(\"spawn\")), or open the device after the fork");
 }
 
 }  // namespace

@@ -136,7 +136,7 @@ void Scene::State::advanceTo(int frame) {
 void Scene::State::complete() {
   if (lost) advanceTo(world->frame());  // throws
   if (!seen) {
-    world->show();
+    world->complete();
     seen = true;
     summaries->start();
   }
@@ -176,7 +176,7 @@ void Scene::State::restore(const Snapshot::State& from) {
 }
 
 /// Places camera and colours as `simreel render` does. A simulation may hold the ranges of its colours, so
-/// it is made anew with the present state.
+/// it is made again with the current state.
 void Scene::State::placeCamera() {
   if (std::exchange(placed_, true)) return;
   if (!sim::needsSurvey(*scene) && !sim::needsRanges(*scene)) return;
@@ -231,7 +231,7 @@ Picture Scene::State::picture() {
   requireMotion(*renderer_, "motion blur");
   frame::drawWorld(*renderer_, *world);
   readback_->start(renderer_->target(), world->frame());
-  const std::vector<std::uint8_t> all = readback_->take(true)->second;
+  const std::vector<std::uint8_t> all = readback_->nextPicture(true)->second;
   Picture picture{scene->render.size.x, scene->render.size.y, scene->render.transparent ? 4 : 3, {}};
   if (picture.channels == 4) {
     picture.bytes = all;

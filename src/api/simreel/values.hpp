@@ -33,7 +33,7 @@ struct ArrayInfo {
   std::string object, name, unit;
   NumberType type = NumberType::float32;
   std::vector<std::size_t> shape;
-  bool writable = false;  ///< false if the simulation computes the array anew from others
+  bool writable = false;  ///< false if the simulation computes the array from others
 };
 
 /// Picture of 8 bits per channel, sRGB encoded, rows from the top.

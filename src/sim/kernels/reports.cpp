@@ -75,7 +75,7 @@ void KernelReports::bind(std::size_t kernel, glm::uvec3 threads) {
 
 void KernelReports::collect(long frame) {
   if (status() == nullptr) return;
-  const auto take = [&](const gl::Buffer& reports, int count, int first, bool goesOn) {
+  const auto collectFrom = [&](const gl::Buffer& reports, int count, int first, bool goesOn) {
     kernel_.dispatch(1, {.count = count,
                          .first = first,
                          .frame = static_cast<unsigned>(std::max(0L, frame)),
@@ -87,10 +87,10 @@ void KernelReports::collect(long frame) {
   int first = 0;
   for (std::size_t i = 0; i < reports_.size(); ++i) {
     const auto count = static_cast<int>(plan_.shader().kernels[i].places.size());
-    if (count > 0) take(reports_[i], count, first, goesOn_);
+    if (count > 0) collectFrom(reports_[i], count, first, goesOn_);
     first += count;
   }
-  if (finite_.watches()) take(finite_.reports(), KernelFinite::parts, first, finite_.goesOn());
+  if (finite_.watches()) collectFrom(finite_.reports(), KernelFinite::parts, first, finite_.goesOn());
   gl::barrier();
 }
 
