@@ -2,6 +2,7 @@
 
 #include "api/failure.hpp"
 #include "api/scene_state.hpp"
+#include "base/error.hpp"
 #include "sim/core/carry_over.hpp"
 
 #include <algorithm>
@@ -97,7 +98,13 @@ Array toArray(const sim::StateArray& state, const ArrayInfo& info) {
 
 }  // namespace api
 
-ArrayInfo Scene::State::infoOf(std::size_t object, const sim::StateArray& array) const {
+const ArrayInfo& Scene::State::infoOf(std::string_view object, std::string_view array) {
+  for (const ArrayInfo& one : arrays())
+    if (one.object == object && one.name == array) return one;
+  SIMREEL_CHECK(false);
+}
+
+ArrayInfo Scene::State::describe(std::size_t object, const sim::StateArray& array) const {
   const Meaning meaning = meaningOf(scene->objects[object].kind, array.name);
   const auto elements = static_cast<std::size_t>(array.elements());
   ArrayInfo info{
@@ -114,24 +121,24 @@ ArrayInfo Scene::State::infoOf(std::size_t object, const sim::StateArray& array)
   return info;
 }
 
-std::vector<ArrayInfo> Scene::State::arrays() {
+const std::vector<ArrayInfo>& Scene::State::arrays() {
+  if (!infos_.empty()) return infos_;
   complete();
-  std::vector<ArrayInfo> found;
   for (std::size_t i = 0; i < world->objectCount(); ++i) {
     const ArrayVisitor visitor = visit(*world, world->objectName(i));
     for (const sim::StateArray& array : world->object(i).state()) {
-      found.push_back(infoOf(i, array));
-      found.back().writable = visitor.of(array) != nullptr;
+      infos_.push_back(describe(i, array));
+      infos_.back().writable = visitor.of(array) != nullptr;
     }
   }
-  return found;
+  return infos_;
 }
 
 void Scene::State::write(std::string_view object, std::string_view array, std::span<const std::byte> values,
                          bool integers) {
   complete();
   const sim::StateArray state = arrayOf(object, array);
-  const std::vector<std::size_t> shape = infoOf(indexOf(object), state).shape;
+  const std::vector<std::size_t> shape = infoOf(object, array).shape;
   std::size_t count = 1;
   for (const std::size_t extent : shape) count *= extent;
   if (integers != state.integers)

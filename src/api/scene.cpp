@@ -98,7 +98,7 @@ Array Scene::read(std::string_view object, std::string_view array) {
   return state_->device->run([&] {
     state_->complete();
     const sim::StateArray state = state_->arrayOf(object, array);
-    return api::toArray(state, state_->infoOf(state_->indexOf(object), state));
+    return api::toArray(state, state_->infoOf(object, array));
   });
 }
 void Scene::write(std::string_view object, std::string_view array, std::span<const float> values) {

@@ -48,9 +48,10 @@ struct Scene::State {
   void complete();
   [[nodiscard]] std::size_t indexOf(std::string_view object) const;
   [[nodiscard]] sim::StateArray arrayOf(std::string_view object, std::string_view array) const;
-  /// Describes a state array of the object with this index, except `writable`.
-  [[nodiscard]] ArrayInfo infoOf(std::size_t object, const sim::StateArray& array) const;
-  [[nodiscard]] std::vector<ArrayInfo> arrays();
+  /// Returns the description of a state array that exists.
+  [[nodiscard]] const ArrayInfo& infoOf(std::string_view object, std::string_view array);
+  /// Describes all state arrays. They are the same in all frames, so they are described once.
+  [[nodiscard]] const std::vector<ArrayInfo>& arrays();
   void write(std::string_view object, std::string_view array, std::span<const std::byte> values,
              bool integers);
   [[nodiscard]] Picture picture();
@@ -71,12 +72,14 @@ struct Scene::State {
 
  private:
   void makeWorld();
+  [[nodiscard]] ArrayInfo describe(std::size_t object, const sim::StateArray& array) const;
   void follow();
   void placeCamera();
   void makeRenderer();
   void makeLayerRenderer();
   void requireMotion(const draw::Renderer& renderer, const char* what) const;
 
+  std::vector<ArrayInfo> infos_;  ///< empty: not described yet
   bool placed_ = false;
   std::unique_ptr<draw::Renderer> renderer_, layerRenderer_;
   std::unique_ptr<draw::Readback> readback_;
