@@ -32,6 +32,7 @@ class Explainer final : public Fields {
     const Diagnostics& diagnostics;
     std::string file;  ///< name of the scene file without folders
     std::vector<ExplainedValue>& values;
+    int version;
   };
   /// `node`: the scene's node for these fields; null if it gives none. `standard`: the default values; null
   /// if unknown. `derived`: origin of a value that is neither given nor the default.
@@ -97,6 +98,7 @@ class Explainer final : public Fields {
   }
 
   [[nodiscard]] bool given(const char* name) const override { return find(name) != nullptr; }
+  [[nodiscard]] int version() const override { return shared_.version; }
 
   /// Origins of sections that the scene does not give but something else, such as a stage, fills in.
   std::map<std::string, std::string> derivedSections = {};
@@ -178,7 +180,9 @@ std::vector<ExplainedValue> explainScene(Scene& scene, const std::filesystem::pa
   std::vector<ExplainedValue> values;
   if (!root) return values;  // cannot happen: the same text was parsed before
   for (const Override& change : overrides) applyOverride(*root, change, diagnostics);
-  Explainer::Shared shared{diagnostics, name.filename().string(), values};
+  const Node* version = root->find("version");
+  Explainer::Shared shared{diagnostics, name.filename().string(), values,
+                           version == nullptr ? sceneVersion : static_cast<int>(version->number)};
 
   const Json standard = standardOf([](Fields& fields) {
     Scene fresh;

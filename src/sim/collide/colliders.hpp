@@ -26,8 +26,9 @@ class ColliderPlan {
   /// True if the shape, including a margin of `margin` (m) around it, could pass between vertices `edge`
   /// (m) apart: a rod thinner than that, or a sphere that fits between four vertices.
   static bool isThin(const ColliderShape& shape, double edge, double margin);
-  /// Moves the thin shapes (see isThin()) to the end. Returns their number.
-  int putThinLast(double edge, double margin);
+  /// Moves the thin shapes (see isThin()), and those whose radius and margin are together below `least`
+  /// (m), to the end. Returns their number.
+  int putThinLast(double edge, double margin, double least = 0);
   /// Returns the colliders at the end of each substep of the frame that starts at `time` (seconds), count()
   /// per substep.
   [[nodiscard]] std::vector<std::vector<shader::Collider>> frame(double time) const;

@@ -97,6 +97,9 @@ void MeshBuilder::vertex(const glm::vec3& position, const glm::vec3& normal, con
   if (!(std::abs(p.x) + std::abs(p.y) + std::abs(p.z) < 1e9F))
     refuseMesh(file_, fmt::format("has a vertex that is not finite or farther than 1e9 m (number {})",
                                   mesh_.positions.size()));
+  if (!(std::abs(uv.x) + std::abs(uv.y) < 1e9F))
+    refuseMesh(file_, fmt::format("has a texture coordinate that is not finite or beyond 1e9 (vertex {})",
+                                  mesh_.positions.size()));
   mesh_.positions.push_back(p);
   const glm::vec3 n = turn_ * normal;
   const float length = glm::length(n);
