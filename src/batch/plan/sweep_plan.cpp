@@ -31,12 +31,18 @@ constexpr int planVersion = 1;
 /// Parameter name that simulations use for the number of steps before the first frame.
 constexpr const char* stepsBefore = "presteps";
 
+/// Returns the frames of a job; 0 alone stands for all.
+std::vector<int> framesOf(const SweepPlan& plan, const scene::Scene& scene) {
+  if (plan.frames.empty()) return {0};
+  return frame::parseFrames(plan.frames, "--frames", scene.frameCount() - 1);
+}
+
 std::optional<int> sharedFrameOf(const SweepPlan& plan, const std::string& text) {
   if (plan.jobs.size() < 2 || std::any_of(plan.varied.begin(), plan.varied.end(), scene::touchesSimulation))
     return std::nullopt;
   const auto scene =
       scene::parseScene(text, plan.sceneFile(), plan.overridesOf(0), sim::kinds(), plan.assets);
-  const int first = plan.frames.empty() ? 0 : frame::parseFrames(plan.frames).front();
+  const int first = framesOf(plan, scene).front();
   const bool before = scene.time.start > 0 || first > 0 || text.find(stepsBefore) != std::string::npos ||
                       std::any_of(plan.overrides.begin(), plan.overrides.end(), [](const auto& change) {
                         return change.path.find(stepsBefore) != std::string::npos;
@@ -131,7 +137,6 @@ void checkProgram(const SweepPlan& plan) {
 }
 
 void checkJobs(SweepPlan& plan, const std::string& text) {
-  if (!plan.frames.empty()) static_cast<void>(frame::parseFrames(plan.frames));
   std::mutex mutex;
   std::size_t firstBad = plan.jobs.size();
   std::exception_ptr mistake;
@@ -139,6 +144,7 @@ void checkJobs(SweepPlan& plan, const std::string& text) {
   tbb::parallel_for(std::size_t{0}, plan.jobs.size(), [&](std::size_t i) {
     try {
       const auto scene = scene::parseScene(text, plan.sceneFile(), plan.overridesOf(i), kinds, plan.assets);
+      static_cast<void>(framesOf(plan, scene));
       plan.jobs[i].hash = jobHash(scene.hash, plan.frames, plan.fields);
     } catch (const UserError&) {
       const std::lock_guard lock(mutex);

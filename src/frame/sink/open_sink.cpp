@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/log.hpp"
 #include "frame/file/output_name.hpp"
 #include "frame/file/run_info.hpp"
 #include "frame/sink/frame_sink.hpp"
@@ -52,7 +53,11 @@ void checkFolder(const std::filesystem::path& folder) {
 
 }  // namespace
 
-void refuseExisting(const OutputName& output, std::span<const int> frames) {
+namespace {
+
+/// Returns the first file of `frames` that exists and how many others do, as "NAME and 2 more exist"; empty
+/// if none does.
+std::string existingFiles(const OutputName& output, std::span<const int> frames) {
   std::size_t count = 0;
   std::filesystem::path first;
   for (const int frame : frames) {
@@ -61,10 +66,23 @@ void refuseExisting(const OutputName& output, std::span<const int> frames) {
     if (!std::filesystem::exists(std::filesystem::symlink_status(file, error))) continue;
     if (count++ == 0) first = file;
   }
-  if (count == 0) return;
+  if (count == 0) return {};
   const std::string more = count == 1 ? "" : fmt::format(" and {} more", count - 1);
-  fail(ExitCode::inputOutput, "{}{} exist{}; use --overwrite, --skip-existing or --resume", first.string(),
-       more, count == 1 ? "s" : "");
+  return fmt::format("{}{} exist{}", first.string(), more, count == 1 ? "s" : "");
+}
+
+}  // namespace
+
+void refuseExisting(const OutputName& output, std::span<const int> frames) {
+  if (const std::string files = existingFiles(output, frames); !files.empty())
+    fail(ExitCode::inputOutput, "{}; use --overwrite, --skip-existing or --resume", files);
+}
+
+void warnOfUnlisted(const OutputName& output, std::span<const int> frames) {
+  if (pathExists(output.manifestFile())) return;
+  if (const std::string files = existingFiles(output, frames); !files.empty())
+    warn("{} without {}, which says how frames were made; all are drawn anew", files,
+         output.manifestFile().string());
 }
 
 void checkOutput(const OutputName& output, Existing existing, std::span<const int> frames) {

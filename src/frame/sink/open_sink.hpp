@@ -18,7 +18,10 @@ namespace simreel::frame {
 /// Throws UserError(inputOutput) if an output file of one of the frames exists.
 void refuseExisting(const OutputName& output, std::span<const int> frames);
 
-/// Performs the checks of openSink() that need no device: files must not exist, and the location must be
+/// Warns if output files of frames exist without a manifest, so that a run which resumes overwrites them.
+void warnOfUnlisted(const OutputName& output, std::span<const int> frames);
+
+/// Performs the checks of openSink() that need no device: existing files, and whether the location is
 /// writable. Leaves no files behind. Throws like openSink().
 void checkOutput(const OutputName& output, Existing existing, std::span<const int> frames);
 

@@ -50,6 +50,7 @@ class SequenceSink final : public FrameSink {
     // Upper bounds (bytes) for run.json and for each frame in the manifest.
     constexpr std::size_t runBytes = 16384, frameBytes = 256;
     room_ = ReservedRoom(output_.folder, runBytes + frameBytes * frames_.size());
+    if (existing == Existing::resume) warnOfUnlisted(output_, frames_);
     auto known = file_.inherit(existing);
     if (existing == Existing::skip || existing == Existing::resume)
       keepWholeFrames(existing, known);

@@ -32,6 +32,7 @@ class Explainer final : public Fields {
     const Diagnostics& diagnostics;
     std::string file;  ///< name of the scene file without folders
     std::vector<ExplainedValue>& values;
+    int version;
   };
   /// `node`: the scene's node for these fields; null if the scene gives none. `standard`: the default
   /// values; null if unknown. `derived`: origin of a value that the scene does not give and that differs
@@ -98,6 +99,7 @@ class Explainer final : public Fields {
   }
 
   [[nodiscard]] bool given(const char* name) const override { return find(name) != nullptr; }
+  [[nodiscard]] int version() const override { return shared_.version; }
 
   /// Origins of sections that the scene leaves out but something else, such as a stage, fills in.
   std::map<std::string, std::string> derivedSections = {};
@@ -180,7 +182,9 @@ std::vector<ExplainedValue> explainScene(Scene& scene, const std::filesystem::pa
   std::vector<ExplainedValue> values;
   if (!root) return values;  // The root always exists, because the same text was parsed before.
   for (const Override& change : overrides) applyOverride(*root, change, diagnostics);
-  Explainer::Shared shared{diagnostics, name.filename().string(), values};
+  const Node* version = root->find("version");
+  Explainer::Shared shared{diagnostics, name.filename().string(), values,
+                           version == nullptr ? sceneVersion : static_cast<int>(version->number)};
 
   const Json standard = standardOf([](Fields& fields) {
     Scene fresh;

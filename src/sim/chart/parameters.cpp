@@ -53,6 +53,15 @@ void ChartParameters::describe(scene::Fields& f) {
   f.number("y", y, {-10, 10}, "", "Place of its top, as a fraction of the picture's height, from the top.");
   f.number("width", width, {0.01, 10}, "", "Width as a fraction of the picture's.");
   f.number("height", height, {0.01, 10}, "", "Height as a fraction of the picture's.");
+  const auto hold = [&](const char* key, float first, float size) {
+    if (first >= 1 || first + size <= 0)
+      f.error(key,
+              fmt::format("the chart lies outside of the picture: it reaches from {:g} to {:g}, and the "
+                          "picture from 0 to 1",
+                          first, first + size));
+  };
+  hold("x", x, width);
+  hold("y", y, height);
   if (curves.empty()) f.error("curves", "a chart needs \"curves\": [{\"of\": \"OBJECT.QUANTITY\"}]");
 }
 

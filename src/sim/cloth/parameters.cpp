@@ -138,6 +138,7 @@ void ClothParameters::describe(scene::Fields& f) {
       "edges.");
   f.leftOut("margin", "0.35 of \"spacing\", at least 0.01; in a scene of version 1 0.01");
   if (!f.given("margin") && f.version() > 1 && !mesh) margin = std::max(margin, 0.35F * spacing);
+  if (f.version() > 1 && !mesh) smallColliders = 2.5F;
   f.switchable("contact");
   f.optionalGroup(
       "contact", contact,

@@ -98,6 +98,9 @@ struct ClothParameters : ObjectParameters,
   std::optional<Air> air;
   std::optional<int> substeps = 4;
   std::vector<PinGroup> pins;
+  /// Colliders of this radius, in multiples of the spacing and with the margin, are tested against edges
+  /// and faces: a sheet that stretches has holes between its vertices that are wider than its spacing.
+  float smallColliders = 0;
   bool pinsByDefault = false;  ///< true if the scene gives no "pins"
   std::optional<ClothContact> contact;
   std::string walls;  ///< name of the solid whose walls the cloth collides with; empty if none

@@ -74,7 +74,8 @@ ClothPlan::ClothPlan(const ClothParameters& parameters, int seed, double frameSe
     parameters_.shearCompliance = 1.0F / fabric.shear;
     parameters_.margin += 0.5F * fabric.thickness;
   }
-  thinCount_ = colliders_.putThinLast(edge_, parameters_.margin);
+  thinCount_ = colliders_.putThinLast(edge_, parameters_.margin,
+                                      static_cast<double>(parameters_.smallColliders) * edge_);
   for (const PinGroup& group : parameters_.pins) {
     PinCarrier& carrier = carriers_.emplace_back();
     if (group.to.empty() || group.onSkin()) continue;

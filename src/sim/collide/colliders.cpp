@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 namespace simreel::sim {
@@ -32,15 +33,25 @@ ColliderPlan::ColliderPlan(const char* who, std::vector<ColliderShape> shapes, i
          shader::maxColliders, shapes_.size());
 }
 
-bool ColliderPlan::isThin(const ColliderShape& shape, double edge, double margin) {
-  if (shape.kind == ColliderShape::Kind::plane) return false;
-  const double radius = shape.carrier ? carriedAt(shape, 0).radius : shape.radius;
-  const bool ball = !shape.carrier && shape.length == 0;
-  return radius + margin < (ball ? 0.7 : 0.49) * edge;
+namespace {
+
+/// Returns infinity for a plane.
+double radiusOf(const ColliderShape& shape) {
+  if (shape.kind == ColliderShape::Kind::plane) return std::numeric_limits<double>::infinity();
+  return shape.carrier ? carriedAt(shape, 0).radius : shape.radius;
 }
 
-int ColliderPlan::putThinLast(double edge, double margin) {
-  const auto isThick = [&](const ColliderShape& shape) { return !isThin(shape, edge, margin); };
+}  // namespace
+
+bool ColliderPlan::isThin(const ColliderShape& shape, double edge, double margin) {
+  const bool ball = !shape.carrier && shape.length == 0;
+  return radiusOf(shape) + margin < (ball ? 0.7 : 0.49) * edge;
+}
+
+int ColliderPlan::putThinLast(double edge, double margin, double least) {
+  const auto isThick = [&](const ColliderShape& shape) {
+    return !isThin(shape, edge, margin) && !(radiusOf(shape) + margin < least);
+  };
   const auto thin = std::stable_partition(shapes_.begin(), shapes_.end(), isThick);
   return static_cast<int>(shapes_.end() - thin);
 }

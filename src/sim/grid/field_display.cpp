@@ -11,8 +11,10 @@ namespace simreel::sim {
 void FieldDisplay::describe(scene::Fields& fields) {
   fields.choice("layer", layer, {"over", "behind", "none"},
                 "over: on the finished picture; behind: behind all objects; none: not shown.");
+  if (fields.version() > 1 && !fields.given("fit")) fit = Fit::contain;
   fields.choice("fit", fit, {"contain", "cover", "stretch"},
-                "Fit of the field into its part of the picture.");
+                "Fit of the field into its part of the picture: all of it, or as much as fills the part.");
+  fields.leftOut("fit", "cover; in version 2 contain");
   fields.vector(
       "corner", corner, {-10, 10}, "",
       "Top left of its part, as fractions of the picture's width and height; the third is unused.");

@@ -45,6 +45,13 @@ class Interrupted(Case):
             self.signal_after(random.randint(1, 20), "out", signal.SIGKILL, *self.arguments, "--resume")
         self.assert_resumed_equals_undisturbed()
 
+    def test_pictures_without_a_manifest_are_drawn_anew_with_a_warning(self):
+        # 1 s
+        self.good("render", "scene.json", "-o", "out/", "--frames", "0-2", "--no-manifest")
+        done = self.good("render", "scene.json", "-o", "out/", "--frames", "0-2", "--resume")
+        self.assertIn("000000.png and 2 more exist without out/manifest.json, which says how frames were made; all are drawn anew", done.err)
+        self.assertNotIn("drawn anew", self.good("render", "scene.json", "-o", "out/", "--frames", "0-2", "--resume").err)
+
     def test_an_interrupted_video_leaves_no_parts(self):
         code, messages = self.interrupt_at_once("a.mp4")
         self.assertIn(code, (0, 130), messages)

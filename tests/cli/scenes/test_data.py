@@ -1,6 +1,7 @@
 """Checks pictures and tables of data: colour bars, tables of quantities, and what version 2 of scenes changes."""
 import csv
 import json
+import struct
 
 from common import Case, main
 
@@ -108,12 +109,28 @@ class Data(Case):
         self.good("render", "a.json", "-o", "out/a.png", "--frames", "0", "--overwrite", "-q")
         self.bad(6, "lists earlier frames", "render", "a.json", "-o", "out/a.png", "--frames", "0", "--overwrite", "--no-manifest")
 
+    def test_a_small_ball_does_not_fall_between_the_particles_of_a_sheet(self):
+        # In version 1 it does. 3 s
+        scene = {"stage": False, "time": {"fps": 60, "duration": 1}, "objects": {"s": {"cloth": {"size": [16, 16], "position": [0, 1, 0], "pins": []}}, "b": {"sphere": {"radius": 0.08, "position": [0.013, 0.6, 0.021]}}}}
+        for version, holds in ((2, True), (1, False)):
+            self.write("a.json", {"version": version, **scene})
+            self.good("bake", "a.json", "--object", "s", "--format", "ply", "--frames", "50", "-o", "b", "--overwrite")
+            head, rows = (self.folder / "b/s_000050.ply").read_bytes().split(b"end_header\n", 1)
+            width = head.split(b"element face")[0].count(b"property float")
+            self.assertEqual(max(struct.unpack_from("<f", rows, 4 * (width * i + 1))[0] for i in range(256)) > 0.6, holds)
+
     def test_sheets_fall_in_version_2_and_hang_in_version_1(self):
         sheet = {"objects": {"sheet": {"cloth": {"size": [5, 5]}}}}
         self.write("one.json", {"version": 1, **sheet})
         self.write("two.json", {"version": 2, **sheet})
         self.assertIn("its last row is pinned", self.good("render", "one.json", "-o", "a/", "--frames", "0", "--size", "32x18").err)
         self.assertNotIn("pinned", self.good("render", "two.json", "-o", "b/", "--frames", "0", "--size", "32x18").err)
+
+    def test_explain_knows_the_pins_of_a_sheet_of_version_1(self):
+        # 0.2 s
+        for version, pinned in ((1, True), (2, False)):
+            self.write("a.json", {"version": version, "objects": {"sheet": {"cloth": {"size": [5, 5]}}}})
+            self.assertEqual("objects.sheet.cloth.pins.0.rows" in self.good("explain", "a.json").stdout.decode(), pinned)
 
     def test_the_margin_of_a_sheet_follows_its_spacing_in_version_2(self):
         for version, margin in ((1, 0.01), (2, 0.07)):

@@ -95,6 +95,13 @@ class MeshFiles(Case):
         self.assertNotEqual(frames[0], frames[1])
         self.bad(2, ["one name for 8 frames"], "render", "m.gltf", "--turn=0.25", "-o", "two.png")
 
+    def test_texture_coordinates_that_are_not_finite_are_refused(self):
+        # 0.1 s
+        head = "ply\nformat binary_little_endian 1.0\nelement vertex 3\n" + "".join(f"property float {name}\n" for name in "xyzst") + "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+        self.write("a.ply", head.encode() + struct.pack("<15f", 0, 0, 0, 0, 0, 1, 0, 0, float("nan"), 0, 0, 1, 0, 0, 1) + struct.pack("<B3i", 3, 0, 1, 2))
+        self.write("a.json", {"version": 2, "objects": {"m": {"mesh": {"file": "a.ply"}}}})
+        self.bad(6, "a.ply has a texture coordinate that is not finite or beyond 1e9 (vertex 1)", "render", "a.json", "--frames", "0", "-o", "a.png")
+
     def test_unsupported_mesh_formats_are_refused(self):
         self.write("m.fbx", "Kaydara")
         self.bad(2, ["m.fbx is a mesh, not a scene, and of a format that is not read"], "render", "m.fbx", "-o", "out/")

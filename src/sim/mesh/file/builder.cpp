@@ -95,9 +95,11 @@ void MeshBuilder::begin(std::size_t vertices, std::size_t triangles, const glm::
 void MeshBuilder::vertex(const glm::vec3& position, const glm::vec3& normal, const glm::vec2& uv) {
   const glm::vec3 p = transform_ * glm::vec4(position, 1);
   if (!(std::abs(p.x) + std::abs(p.y) + std::abs(p.z) < 1e9F))
-    refuseMesh(file_,
-               fmt::format("has a vertex with a coordinate that is not finite or beyond 1e9 m (number {})",
-                           mesh_.positions.size()));
+    refuseMesh(file_, fmt::format("has a vertex that is not finite or farther than 1e9 m (number {})",
+                                  mesh_.positions.size()));
+  if (!(std::abs(uv.x) + std::abs(uv.y) < 1e9F))
+    refuseMesh(file_, fmt::format("has a texture coordinate that is not finite or beyond 1e9 (vertex {})",
+                                  mesh_.positions.size()));
   mesh_.positions.push_back(p);
   const glm::vec3 n = turn_ * normal;
   const float length = glm::length(n);
