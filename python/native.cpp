@@ -204,6 +204,35 @@ py::list check(const Held& held, const std::vector<int>& frames) {
   return all;
 }
 
+/// Adds what reads and writes the state.
+void addState(py::class_<Held>& type) {
+  type.def("arrays", describeArrays)
+      .def("read",
+           [](const Held& held, const std::string& object, const std::string& array) {
+             const auto scene = held.get();
+             return toNumpy(unlocked([&] { return scene->read(object, array); }));
+           })
+      .def("write", write)
+      .def("field",
+           [](const Held& held, const std::string& name) {
+             const auto scene = held.get();
+             return toNumpy(unlocked([&] { return scene->field(name); }));
+           })
+      .def("measure",
+           [](const Held& held, const std::string& object) {
+             const auto scene = held.get();
+             py::dict values;
+             for (const simreel::Quantity& one : unlocked([&] { return scene->measure(object); }))
+               values[py::str(one.name)] = one.value;
+             return values;
+           })
+      .def("mesh", meshOf)
+      .def("restore", [](const Held& held, const simreel::Snapshot& snapshot) {
+        const auto scene = held.get();
+        unlocked([&] { scene->restore(snapshot); });
+      });
+}
+
 void addScene(py::module_& module) {
   using simreel::Scene;
   py::class_<simreel::Snapshot>(module, "Snapshot")
@@ -216,8 +245,9 @@ void addScene(py::module_& module) {
       return unlocked([&] { return ((*scene).*function)(); });
     };
   };
-  py::class_<Held>(module, "Scene")
-      .def("close", &Held::close)
+  py::class_<Held> type(module, "Scene");
+  addState(type);
+  type.def("close", &Held::close)
       .def("title", call(&Scene::title))
       .def("fps", call(&Scene::fps))
       .def("frame_count", call(&Scene::frameCount))
@@ -248,32 +278,6 @@ void addScene(py::module_& module) {
              const auto scene = held.get();
              const simreel::Frame frame = unlocked([&] { return scene->advanceTo(number); });
              return py::make_tuple(frame.number, frame.time);
-           })
-      .def("arrays", describeArrays)
-      .def("read",
-           [](const Held& held, const std::string& object, const std::string& array) {
-             const auto scene = held.get();
-             return toNumpy(unlocked([&] { return scene->read(object, array); }));
-           })
-      .def("write", write)
-      .def("field",
-           [](const Held& held, const std::string& name) {
-             const auto scene = held.get();
-             return toNumpy(unlocked([&] { return scene->field(name); }));
-           })
-      .def("measure",
-           [](const Held& held, const std::string& object) {
-             const auto scene = held.get();
-             py::dict values;
-             for (const simreel::Quantity& one : unlocked([&] { return scene->measure(object); }))
-               values[py::str(one.name)] = one.value;
-             return values;
-           })
-      .def("mesh", meshOf)
-      .def("restore",
-           [](const Held& held, const simreel::Snapshot& snapshot) {
-             const auto scene = held.get();
-             unlocked([&] { scene->restore(snapshot); });
            })
       .def("picture",
            [](const Held& held) {

@@ -1,8 +1,7 @@
 // Lets a cloth fall, prints how far, and writes its picture: the library libsimreel in one program.
-#include <simreel/simreel.hpp>
-
 #include <cstdio>
 #include <fstream>
+#include <simreel/simreel.hpp>
 
 constexpr const char* scene = R"({
   "version": 2,
