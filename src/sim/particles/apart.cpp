@@ -12,7 +12,9 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr int mostRounds = 200;
+/// Rounds for a few balls, and rounds times balls for many, which take some seconds. Contact moves what
+/// then overlaps apart, without speed.
+constexpr std::size_t mostRounds = 200, mostVisits = 1'000'000;
 /// Overlap that remains, as a fraction of the distance of two balls.
 constexpr float remains = 1e-3F;
 
@@ -51,8 +53,10 @@ void moveApart(ParticleCloud& cloud, const shader::BallConstants& balls) {
                    ? balls.radius
                    : balls.radius * shader::exactPow(cloud.positions[i].w * balls.perMassReference,
                                                      balls.sizeExponent);
+  const std::size_t rounds =
+      std::clamp<std::size_t>(mostVisits / std::max<std::size_t>(count, 1), 4, mostRounds);
   bool overlaps = true;
-  for (int round = 0; round < mostRounds && overlaps; ++round) {
+  for (std::size_t round = 0; round < rounds && overlaps; ++round) {
     Cells cells;
     for (std::size_t i = 0; i < count; ++i)
       if (radii[i] > 0) cells[cellOf(cloud.positions[i], balls.perCell)].push_back(i);
