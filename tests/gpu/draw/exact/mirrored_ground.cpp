@@ -159,8 +159,9 @@ TEST_CASE("exact: a ball of metal mirrors the ground as the picture shows it, it
     CAPTURE(worst);
     CHECK(mirrored[0] > 200);
     CHECK(mirrored[1] > 5);
-    CHECK(worst < 0.06);  // the ground's specular reflection differs, because the eye and the mirror see
-                          // the ground from different angles
+    CHECK(worst < 0.21);  // the share of light that the ground mirrors differs, because the eye and the
+                          // mirror see the ground from different angles; the light of the other place
+                          // differs by a factor of 2
   }
 }
 
