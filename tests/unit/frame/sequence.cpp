@@ -232,7 +232,7 @@ TEST_CASE("sequence: skipping lists existing frames that declare this run") {
   std::filesystem::create_directory(folder / "000002.png");
   const auto [code, message] = errorOf([&] { renderInto(folder.string(), Existing::skip, 5); });
   CHECK(code == ExitCode::inputOutput);
-  CHECK(contains(message, "000002.png is a folder"));
+  CHECK(contains(message, "000002.png: a folder has this name"));
 }
 
 TEST_CASE("sequence: skipping refuses frames of a different run, by manifest or by their own metadata") {

@@ -150,7 +150,11 @@ TEST_CASE("defaults: stating the default of any parameter of a shipped scene cha
       for (const auto& [kind, part] : object.items())
         collect(part, schema.at("$defs").at(kind), Json::json_pointer("/objects") / name / kind, kind,
                 found);
-    std::erase_if(found, [&](const LeftOut& one) { return asked[one.path] >= 2; });
+    // A stage has defaults of its own for the sun.
+    const bool staged = scene.scene().contains("stage") && scene.scene().at("stage") != false;
+    std::erase_if(found, [&](const LeftOut& one) {
+      return asked[one.path] >= 2 || (staged && one.path.starts_with(".sun."));
+    });
     for (const LeftOut& one : found) ++asked[one.path];
     if (!found.empty()) scene.give(found);
     same += scene.same;
@@ -166,7 +170,8 @@ TEST_CASE("defaults: stating the default of any parameter of a shipped scene cha
       "cloth.mass", "cloth.stiffness", "cloth.shear", "cloth.bend", "cloth.solver", "cloth.compliance",
       "cloth.shearCompliance", "cloth.bendCompliance",
       // The following parameters have no effect with a mesh, or with a friction coefficient.
-      "cloth.size", "cloth.spacing", "capsule.grip", "sphere.grip",
+      "cloth.size", "cloth.spacing", "capsule.grip", "sphere.grip", "cone.grip", "cone.distanceCells",
+      "cylinder.grip", "cylinder.distanceCells",
       // The following parameters have no effect with a mesh in place of a grid.
       "reaction.size", "reaction.depth", "reaction.boundary",
       // The following parameters need an image of a terrain.

@@ -171,7 +171,7 @@ TEST_CASE("invalid rules of every family are refused at their position") {
   checkHas(written("R5,C0,M1,S3..5,B3..4,NZ"), "22: the neighbourhood is M");
   checkHas(written("R5,C0,M1,S3..58,B3..4,NX"), "13: a limit of S is 58 here; it goes from 0 to 21");
   checkHas(written("R1,C0,S2-3,B9"), "12: a count of B is 9 here; it goes from 0 to 8");
-  checkHas(written("R1,C0,S3-2,B3"), "7: 3 to 2: the first");
+  checkHas(written("R1,C0,S3-2,B3"), "7: 3 to 2: the lower limit");
   checkHas(written("R1,C0,S3,x"), "9: 'B' is expected here");
   checkHas(written("R251,C0,S3,B3,NL"), "15: the range of this neighbourhood is 250");
   checkHas(written("R51,C0,S3,B3,NG"), "14: the range of this neighbourhood is 50");

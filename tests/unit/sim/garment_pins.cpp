@@ -169,7 +169,7 @@ TEST_CASE("garment: scene parameters of garments are read, and errors are named"
     test::checkHas(mistakes(parameters), part);
   };
   has(R"({"mesh": {"shape": "file"}})", "the mesh to read");
-  has(R"({"mesh": {"shape": "disc", "file": "meshes/shield.obj"}})", "or none");
+  has(R"({"mesh": {"shape": "disc", "file": "meshes/shield.obj"}})", "leave it out");
   has(R"({"mesh": {}, "size": [3, 3]})", "leave out \"size\"");
   has(R"({"mesh": {}, "stiffness": 3})", "leave out \"stiffness\"");
   has(R"({"mesh": {}, "pins": [{"rows": [0]}]})", "a mesh has no rows");

@@ -104,7 +104,7 @@ TEST_CASE("text: placeholders for frame, time and quantities are replaced") {
   CHECK(contains(mistakeOf("{frames}"), "use {frame}, {time}"));
   CHECK(contains(mistakeOf("{time:x}"), "0 to 9"));
   CHECK(contains(mistakeOf("{time:10}"), "0 to 9"));
-  CHECK(contains(mistakeOf("{.x}"), "none of"));
+  CHECK(contains(mistakeOf("{.x}"), "is unknown"));
 }
 
 TEST_CASE("text: sizes are in cap heights, and lines are aligned as requested") {

@@ -85,5 +85,5 @@ TEST_CASE("water: a float too large for a window of cells is refused") {
   p.floats.resize(1);
   p.floats[0].radius = 20;
   CHECK_THROWS_WITH_AS(sim::WaterPlan(p, "w", 1, 1.0 / 30),
-                       doctest::Contains("are the most; make it smaller"), UserError);
+                       doctest::Contains("and the maximum is 1024; make it smaller"), UserError);
 }
