@@ -200,7 +200,10 @@ Json GltfMaterials::described(const scene::Material& material, bool textured, bo
     json["pbrMetallicRoughness"]["baseColorTexture"] = textureInfo(
         image(material.texture.string(), material.texture.filename().string(),
               [&] {
-                const sim::Picture picture = sim::loadPicture(material.texture, "texture", largestPicture);
+                const sim::Picture picture =
+                    opaque ? sim::loadPicture(material.texture, "texture", largestPicture)
+                           : sim::decodePicture(readFile(material.texture, "texture"),
+                                                material.texture.string(), "texture", largestPicture);
                 return pngOf(picture.size, picture.rgba, false);
               }),
         scene::Wrap::repeat, scene::Wrap::repeat, glm::vec2(material.textureScale));

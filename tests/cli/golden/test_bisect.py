@@ -143,7 +143,7 @@ class Trace(BisectCase):
         for words, arguments in {
             "exclude each other": ["--frames=1", "--steps-of=1"],
             "say where": ["--dump=1:1"],
-            "give --dump": ["-o", "x"],
+            "add --dump": ["-o", "x"],
             "--frames takes": ["--frames=some"],
             "runs backwards": ["--frames=5-2"],
             "starts at frame 0": ["--frames=-1-2"],

@@ -75,7 +75,7 @@ class Usage(Case):
             self.good(*self.render(*exact, samples))
             seen.add(exact_pictures.pixels_hash(self.folder / "out/000000.png"))
         self.assertEqual(len(seen), 5, "each number has edges of its own")
-        self.bad_scene(["3 samples", "1, 2, 4, 8 and 16"], *self.render(*exact, 3))
+        self.bad_scene(["3 samples", "1, 2, 4, 8 or 16"], *self.render(*exact, 3))
 
     def test_names_of_rasterizers(self):
         self.good(*self.render("--rasterizer", "driver"))

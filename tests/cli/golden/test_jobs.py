@@ -259,7 +259,7 @@ class Shards(Several):
         shutil.rmtree(self.folder / "torn/files")
         done = self.run_program("report", "merge", one, "torn", "-o", "all")
         self.assertEqual(done.returncode, 1, done.err)
-        self.assertIn("torn/files/b/candidate of b is gone", done.stdout.decode())
+        self.assertIn("torn/files/b/candidate of b is missing", done.stdout.decode())
         self.bad(1, "b: ", "accept", "all")
         self.assertFalse((self.folder / "part1/all").exists())
 

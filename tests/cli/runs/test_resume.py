@@ -309,7 +309,7 @@ class Resume(Case):
             self.assertEqual(self.content("out"), self.whole)
         self.path(1).unlink()
         self.path(1).mkdir()
-        self.bad(6, ["out/000001.png is a folder", "remove it"], *again)
+        self.bad(6, ["out/000001.png: a folder has this name", "remove it"], *again)
 
     def test_skip_existing_refuses_another_run(self):
         again = ("render", "scene.json", "-o", "out/", "--skip-existing")

@@ -2,6 +2,7 @@
 import json
 import math
 import struct
+import zlib
 
 from common import Case, main, png_rows, unfiltered, with_values
 
@@ -82,6 +83,23 @@ class Bake(Case):
             found = surface("again/m_000000.ply")
             self.assertEqual(len(found), len(wanted))
             self.assertLess(max(abs(a - b) for a, b in zip(found, wanted)), 2e-6, suffix)
+
+    def test_glb_keeps_the_alpha_of_textures(self):
+        def chunk(name, body):
+            return struct.pack(">I", len(body)) + name + body + struct.pack(">I", zlib.crc32(name + body))
+        (self.folder / "holes.png").write_bytes(
+            b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", 2, 1, 8, 6, 0, 0, 0)) +
+            chunk(b"IDAT", zlib.compress(b"\0\x10\x20\x30\xff\x40\x50\x60\0")) + chunk(b"IEND", b""))
+        for alpha, mode in (("cut", "MASK"), ("blend", "BLEND")):
+            self.write("holes.json", {"version": 2, "objects": {"m": {"mesh": {"shape": "torus"}, "material": {"texture": "holes.png", "alpha": alpha}}}})
+            self.good("bake", "holes.json", "-o", "holes", "--frames", "0", "--format", "glb", "--overwrite")
+            data = (self.folder / "holes/m_000000.glb").read_bytes()
+            size = struct.unpack_from("<I", data, 12)[0]
+            document = json.loads(data[20:20 + size])
+            self.assertEqual(document["materials"][0]["alphaMode"], mode)
+            view = document["bufferViews"][document["images"][0]["bufferView"]]
+            at = 28 + size + view.get("byteOffset", 0)
+            self.assertEqual(data[at + 24:at + 26], b"\x08\x06")  # 8 bits per channel, RGBA
 
     def test_textures_are_upright_on_meshes_read_back(self):
         red, blue = bytes([255, 0, 0]), bytes([0, 0, 255])
