@@ -215,7 +215,7 @@ class Exact(GoldenCase):
         self.assertEqual(self.one(0)["profile"], "any")
         self.set_scene({})
         scene = self.one(1)
-        self.assertIn("the baseline was drawn by a driver, this picture exactly", scene["text"])
+        self.assertIn("the baseline was drawn by a driver, this picture by the exact rasterizer", scene["text"])
         self.assertIsNotNone(scene["frames"][1]["metrics"])
         self.one(0, "--update")
         self.assertEqual(self.one(0)["asked"], "exact")

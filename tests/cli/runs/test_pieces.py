@@ -107,7 +107,7 @@ class Pieces(Case):
         for pieces in ("1", "2", "4"):
             found, text = told("--pieces", pieces)
             self.assertEqual(found, one, pieces)
-            self.assertNotIn("not judged", text)
+            self.assertNotIn("was not checked", text)
         # The reference of a drift check is before this run's first frame. The program must report that it cannot judge
         # the drift.
         self.good("render", "checked.json", "-o", "kept/", "--frames", "none", "--checkpoint-at", "6")

@@ -135,7 +135,7 @@ class Track(Case):
 
     def test_mistakes(self):
         self.write("scene.json", {**self.SCENE, "camera": {"track": {"object": "ball", "damping": 1e-5}}})
-        self.bad_scene("a damping of 1e-05 s is none", "render", "scene.json", "-o", "a.png", "--frames", "0")
+        self.bad_scene("a damping of 1e-05 s is too short", "render", "scene.json", "-o", "a.png", "--frames", "0")
         self.write("scene.json", {**self.SCENE, "camera": {"track": "bal"}})
         for track in ("bal", {"object": "bal"}):
             self.write("scene.json", {**self.SCENE, "camera": {"track": track}})
@@ -227,7 +227,7 @@ class Text(Case):
         for text, more, said in (("{fame}", {}, "none of {frame}, {time} and {OBJECT.QUANTITY}"),
                                  ("{b.energy}", {}, "no object is named \"b\""),
                                  ("{a.energy}", {}, "object \"a\" is a"),
-                                 ("{time:33}", {}, "how many digits"),
+                                 ("{time:33}", {}, "a number of digits"),
                                  ("x", {"height": 1, "screen": {}}, "leave it out with \"screen\""),
                                  ("x", {"font": "no.ttf"}, "no.ttf")):
             with self.subTest(text):
