@@ -36,7 +36,7 @@ class Reproduce(Case):
         self.good("render", "in/scene.json", "-o", "there/", "--frames", "0")
         done = self.run_program("reproduce", "there/000000.png")
         self.assertEqual(done.returncode, 2, done.err)
-        self.assert_words(["t.png", f"add: --assets {self.folder}/in"], done)
+        self.assert_words(["t.png", f"with: --assets {self.folder}/in"], done)
         self.good("reproduce", "there/000000.png", "--assets", "in")
 
     def test_differences_are_reported(self):
