@@ -174,7 +174,7 @@ class DataPictures(Case):
         dark = self.field("x", {"at": [160, 960], "width": 1 / 45}, (80, 45), (320, 180))
         self.assertAlmostEqual(sum(d * (i + 0.5) for i, d in enumerate(dark[20])) / sum(dark[20]), 40, delta=0.1)
         # Cells 20 to 60 fill the right half of the picture.
-        place = {"corner": [0.5, 0, 0], "extent": [0.5, 1, 0]}
+        place = {"corner": [0.5, 0, 0], "extent": [0.5, 1, 0], "fit": "cover"}
         dark = self.field("x", {"at": [15, 21, 65], "width": 1 / 180}, **place)
         bare = self.field("x", {"at": [1000]}, **place)
         self.assertEqual([row[:160] for row in dark], [row[:160] for row in bare])

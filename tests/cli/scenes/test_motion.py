@@ -224,7 +224,7 @@ class Text(Case):
         self.assertEqual(*found)
 
     def test_mistakes(self):
-        for text, more, said in (("{fame}", {}, "none of {frame}, {time} and {OBJECT.QUANTITY}"),
+        for text, more, said in (("{fame}", {}, "use {frame}, {time} or {OBJECT.QUANTITY}"),
                                  ("{b.energy}", {}, "no object is named \"b\""),
                                  ("{a.energy}", {}, "object \"a\" is a"),
                                  ("{time:33}", {}, "a number of digits"),

@@ -34,6 +34,8 @@ FUNCTION void prepare(int i) {
   stepData.constants.attractorSoftening = 0.25f;
   stepData.constants.bounce = 0.5f;
   stepData.constants.margin = 0.03125f;
+  stepData.balls.sizeExponent = i % 4 == 0 ? 0.0f : 0.5f;
+  stepData.balls.perMassReference = 0.75f;
   stepData.pace = paceOf(stepData.dt, stepData.constants.damping);
   stepData.perTurbulenceSize = 1.5f;
   stepData.turbulence.strength = 2.0f;
