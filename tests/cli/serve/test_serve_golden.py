@@ -119,7 +119,7 @@ class Golden(ServeCase):
         self.verdict(viewer, 0, "fail")
         before = self.tree()
         viewer.send(do="accept")
-        self.assertIn("sun.intensity is not the file's", viewer.until(lambda kind, _: kind == "refused")["text"])
+        self.assertIn("sun.intensity was changed", viewer.until(lambda kind, _: kind == "refused")["text"])
         self.assertEqual(self.tree(), before)
 
     def test_make_this_a_tested_frame(self):
