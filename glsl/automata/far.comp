@@ -1,6 +1,6 @@
 // Larger than Life with wide ranges, last pass: computes the sum over each row around a cell as a difference of prefix
 // sums from row_sums.comp or window_sums.comp. The running sums of spans.comp cannot be used, because they start with a
-// loop over the whole neighbourhood, which exceeds a software driver's iteration limit. Defines: those of wide.glsl;
+// loop over the whole neighbourhood, which exceeds a software driver's iteration limit. Defines: as for wide.glsl;
 // ROWS, the number of rows around a cell; LEFTS and RIGHTS, the column offsets of the first and last cell of each row.
 #include "common/words.glsl"
 #include "automata/bindings.glsl"

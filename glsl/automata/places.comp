@@ -1,6 +1,6 @@
 // Larger than Life with an arbitrary weighted neighbourhood, given as a list of offsets. An invocation processes
 // sixteen cells together. A list item has two words: the offset (column + 512 in the lower ten bits, row + 512 above),
-// then the weight. Defines: those of wide.glsl; FLIPPED negates the row offset in cells with odd column + row;
+// then the weight. Defines: as for wide.glsl; FLIPPED negates the row offset in cells with odd column + row;
 // STATE_WEIGHTS means that a weight per state follows the list, otherwise only state 1 counts, with weight 1.
 #include "common/words.glsl"
 #include "automata/bindings.glsl"

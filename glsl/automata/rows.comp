@@ -1,5 +1,5 @@
 // Larger than Life with squares, second pass: computes running sums of the column sums along a row, then applies the
-// rule. Defines: those of columns.comp and wide.glsl; ITEMS, the number of elements that an invocation writes.
+// rule. Defines: as for columns.comp and wide.glsl; ITEMS, the number of elements that an invocation writes.
 #include "common/words.glsl"
 #include "automata/bindings.glsl"
 layout(local_size_x = 8, local_size_y = 4) in;

@@ -1,7 +1,7 @@
 // Larger than Life with circles and diamonds, computed by running sums: for each row of the neighbourhood, the cell at
 // the right end is added and the cell at the left end is subtracted. An invocation moves along a row. Adjacent
 // invocations process consecutive rows, because a row has few elements and a software driver runs eight invocations
-// along x together. Defines: those of rows.comp; LEFTS and RIGHTS, the column offsets of the first and last cell of
+// along x together. Defines: as for rows.comp; LEFTS and RIGHTS, the column offsets of the first and last cell of
 // each row, from the top.
 #include "common/words.glsl"
 #include "automata/bindings.glsl"

@@ -50,7 +50,7 @@ void addCorner(inout Fan fan, uint corner_) {
   ++fan.corners;
 }
 
-// Returns the vertex of a recorded corner. For a point, the index is that of the edge's first point plus the number of
+// Returns the vertex of a recorded corner. For a point, the index is the edge's first point plus the number of
 // levels on the edge below the point's level.
 uint vertexOf(uint corner_, int class_, Corners q, Ranks ranks, uvec4 vertices) {
   int i = int(corner_ & 3u);

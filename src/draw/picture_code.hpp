@@ -1,6 +1,6 @@
 #pragma once
 // C++ versions (in simreel::shader) of the GLSL functions that exact pictures use. Their results have the
-// same bits as those of the kernels.
+// same bits as the kernels.
 #include "sim/core/shader_code.hpp"
 
 #define FUNCTION inline

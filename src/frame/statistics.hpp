@@ -21,7 +21,7 @@ struct Statistics {
 struct Outliers {
   double bound = 0;  ///< three times the median; greater values are outliers
   int count = 0;
-  int worst = -1;  ///< index of the greatest outlier; -1 if there are none
+  int worst = -1;  ///< index of the greatest outlier; -1 if none exist
 };
 
 [[nodiscard]] Outliers outliersOf(std::span<const double> values);

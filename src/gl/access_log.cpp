@@ -22,7 +22,7 @@ constexpr std::array<GLbitfield, 5> kinds = {
 
 Time now = 1;
 std::array<Time, kinds.size()> lastBarrier{};
-Time together = 0;  ///< start time of the current AccessTogether; 0 if there is none
+Time together = 0;  ///< start time of the current AccessTogether; 0 if none exists
 
 /// Returns the stamp of a buffer or texture, found by its OpenGL name (names start at 1). Names that differ
 /// by a multiple of 65,536 share a stamp, and a new object inherits the stamp of a deleted one. Both cases

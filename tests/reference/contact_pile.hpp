@@ -34,7 +34,7 @@ struct PileSolid {
 /// CPU twins of cloths that touch themselves, each other, balls and solids.
 struct Pile {
   std::vector<std::unique_ptr<ClothTwin>> cloths;
-  std::unique_ptr<ParticlesTwin> balls;  ///< twin of the balls; null if there are none
+  std::unique_ptr<ParticlesTwin> balls;  ///< twin of the balls; null if none exist
   std::vector<PileSolid> solids;
   std::unique_ptr<ContactTwin> contact;
   std::vector<glm::uvec3> faces;  ///< faces of all parts, with global vertex indices

@@ -3,7 +3,7 @@
 //
 // The tree of boxes is a complete binary tree: box n has the children 2n and 2n + 1. A box has two elements, its
 // minimum corner and its maximum corner. w of the minimum corner is the box that follows the subtree of n in preorder
-// (0 if there is none). w of the maximum corner is the first face of a leaf.
+// (0 if none exists). w of the maximum corner is the first face of a leaf.
 
 #include "collide/closest.glsl"
 

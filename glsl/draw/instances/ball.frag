@@ -1,4 +1,4 @@
-// Shades a ball on the square of ball.vert. SAMPLES: samples per pixel, 1 or more. Defines: those of
+// Shades a ball on the square of ball.vert. SAMPLES: samples per pixel, 1 or more. Defines: as for
 // draw/surface/lighting.glsl.
 #include "draw/frame_block.glsl"
 #include "draw/surface/material.glsl"
@@ -14,7 +14,7 @@ uniform vec2 sampleOffsets[SAMPLES];  // offset of each sample from the pixel's 
 #endif
 layout(location = 0) out vec4 radiance;
 
-// Returns the bit mask of the samples inside the ball's outline, so that the edge is as smooth as that of a mesh.
+// Returns the bit mask of the samples inside the ball's outline, so that the edge is as smooth as a mesh's edge.
 int samplesInside(vec3 across) {
 #if SAMPLES > 1
   vec3 alongX = dFdx(across), alongY = dFdy(across);

@@ -1,4 +1,4 @@
-// Places instanced copies of a mesh or sphere. Defines: ADDITIVE, and those of draw/surface/lighting.glsl.
+// Places instanced copies of a mesh or sphere. Defines: ADDITIVE, and the defines of draw/surface/lighting.glsl.
 #include "draw/frame_block.glsl"
 #include "draw/instances/instance_pull.glsl"
 #include "draw/screen/copy_vertex.glsl"

@@ -1,5 +1,5 @@
 // Shades a metal/rough surface. Defines: SHADOW, PALETTE, TEXTURED (with TRIPLANAR, BUMPED), DOUBLE_SIDED, SKIN (with
-// SKIN_UV or TRIPLANAR, and one LOOK_ define of skin_look.glsl), and those of lighting.glsl.
+// SKIN_UV or TRIPLANAR, and one LOOK_ define of skin_look.glsl), and the defines of lighting.glsl.
 #include "draw/fragment_frame.glsl"
 #include "draw/surface/material.glsl"
 #include "draw/surface/shadow_read.glsl"

@@ -1,5 +1,5 @@
 // Solves the coarsest levels, which have at most 64x64 cells, in a single workgroup: from fine to coarse, overrelaxed
-// sweeps (SOR) on the coarsest level, and back from coarse to fine. The results equal those of descend.comp,
+// sweeps (SOR) on the coarsest level, and back from coarse to fine. The results equal the ones of descend.comp,
 // bottom.comp and ascend.comp. Corrections stay in shared memory and are updated in place. Therefore, no level may be
 // periodic with an odd number of cells, because two cells of the same colour would then be neighbours at the seam.
 #ifdef SUBGROUPS

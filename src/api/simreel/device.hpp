@@ -23,7 +23,7 @@ struct DeviceOptions {
 class SIMREEL_API Device {
  public:
   /// Opens the device, or returns the open one. Throws Error(usage) if one is open with other options,
-  /// Error(device) if there is none. The first call sets $LP_NUM_THREADS unless it is set, so call it
+  /// Error(device) if none exists. The first call sets $LP_NUM_THREADS unless it is set, so call it
   /// before other threads read the environment.
   static Device open(const DeviceOptions& options = {});
   ~Device();

@@ -116,7 +116,7 @@ std::vector<std::string> fileNames(const sim::World& world, std::size_t object, 
   for (const sim::Field& field : drawables.fields)
     if (*field.name == name || field.name->starts_with(name + ".")) names.push_back(*field.name);
   if (fieldOf(drawables, name) == nullptr)
-    return {name};  // The name is that of the object, whose points
+    return {name};  // The name is the object's, whose points
                     // are written.
   return names;
 }

@@ -10,7 +10,7 @@ namespace simreel::cli {
 
 namespace {
 
-/// Returns the range in a type's description, or an empty text if there is none.
+/// Returns the range in a type's description, or an empty text if none exists.
 std::string rangeIn(const std::string& type) {
   const auto open = type.find(" in [");
   const auto close = type.rfind(']');

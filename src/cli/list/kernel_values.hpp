@@ -28,7 +28,7 @@ class KernelGuess {
   [[nodiscard]] nlohmann::ordered_json sizeValue(const kernels::Kernel& kernel,
                                                  const sim::KernelSlot& constant) const;
   [[nodiscard]] std::string countValue(const kernels::Kernel& kernel, const std::string& name) const;
-  /// Returns the name of the grid whose size a constant of `kernel` may be; empty if there is none.
+  /// Returns the name of the grid whose size a constant of `kernel` may be; empty if none exists.
   [[nodiscard]] std::string gridOf(const kernels::Kernel& kernel) const;
 
   const kernels::Shader& shader_;

@@ -25,7 +25,7 @@ namespace simreel::draw {
 
 namespace {
 
-/// Returns the name of an overlay in the picture, or null if there is none.
+/// Returns the name of an overlay in the picture, or null if none exists.
 const char* overlayOf(const sim::Drawables& drawables) {
   if (!drawables.writings.empty()) return "text";
   if (!drawables.charts.empty()) return "a chart";

@@ -56,7 +56,7 @@ class CheckpointKeeper {
   [[nodiscard]] bool writes() const;
   /// True if the state of this frame must be stored permanently and does not exist yet.
   [[nodiscard]] bool keeps(int frame) const { return how_.keep.contains(frame); }
-  /// Returns the last frame whose state must be stored permanently. If there is none, returns a number
+  /// Returns the last frame whose state must be stored permanently. If none exists, returns a number
   /// below every frame.
   [[nodiscard]] int lastKept() const { return how_.keep.empty() ? beforeAll : how_.keep.rbegin()->first; }
   /// Writes the world's current state to the permanent file of its frame. Throws UserError(inputOutput).

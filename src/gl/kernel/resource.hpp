@@ -36,11 +36,11 @@ class Resource {
       : texture_(&texture), level_(level), format_(format) {}
 
   [[nodiscard]] bool empty() const { return buffer_ == 0 && texture() == nullptr; }
-  /// Returns the OpenGL name of the buffer, or 0 if there is none.
+  /// Returns the OpenGL name of the buffer, or 0 if none exists.
   [[nodiscard]] GLuint buffer() const { return buffer_; }
   [[nodiscard]] std::size_t offset() const { return offset_; }
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
-  /// Returns the texture, or null if there is none.
+  /// Returns the texture, or null if none exists.
   [[nodiscard]] const Texture* texture() const {
     return texture_ != nullptr && *texture_ ? texture_ : nullptr;
   }

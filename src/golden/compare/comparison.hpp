@@ -20,7 +20,7 @@ struct Comparison {
   /// Empty if they declare the same.
   std::string colours;
   /// Layer differences that no tolerance permits: layers that only one file has, or layers whose
-  /// differences cannot be measured. Empty if there are none.
+  /// differences cannot be measured. Empty if none exist.
   std::string layers;
   std::string layerNote;        ///< layers that differ, each with its worst pixel
   frame::Image a, b;            ///< 8-bit versions for display, padded to the larger width and height

@@ -96,7 +96,7 @@ struct Kernel {
   std::vector<Buffer> buffers;
   std::vector<Texture> textures;
   std::vector<Block> blocks;
-  int report = -1;  ///< binding of the report block; -1 if there is none
+  int report = -1;  ///< binding of the report block; -1 if none exists
   std::vector<Place> places;
   std::string glsl;  ///< GLSL 4.5 text with "#version"; use body() for loadShaderText()
   /// Returns the text without the "#version" line, which the shader loader adds.

@@ -17,7 +17,7 @@ constexpr std::size_t mostShortened = 5;  // max shortened parameters of one fun
 /// A parameter of a function.
 struct Parameter {
   std::string text;    ///< declaration as in the source: "const float2 at"
-  std::string longer;  ///< the same declaration with a larger type; empty if there is none
+  std::string longer;  ///< the same declaration with a larger type; empty if none exists
   std::string name;
   std::string shorter;  ///< argument shortened to the original type: "at.x"
 };

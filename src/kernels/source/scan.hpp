@@ -29,7 +29,7 @@ struct Scan {
 [[nodiscard]] std::deque<Scan> scans(const Files& files);
 
 /// Returns the index of the bracket that closes the bracket "(", "[" or "{" at token `open`. Returns the
-/// number of tokens if there is none.
+/// number of tokens if none exists.
 [[nodiscard]] std::size_t closingBracket(const std::vector<Token>& all, std::size_t open);
 
 /// Splits the tokens from `begin` to `end` at commas outside brackets. Each part is a pair of indices

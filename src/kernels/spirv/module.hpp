@@ -62,7 +62,7 @@ class Module {
   Id boolType();
   Id vectorType(Id component, std::uint32_t length);
   Id uintConstant(std::uint32_t value);
-  /// Returns the id of the GLSL.std.450 import. If there is none, adds it if `make` is true, else returns
+  /// Returns the id of the GLSL.std.450 import. If none exists, adds it if `make` is true, else returns
   /// 0.
   Id extendedSet(bool make = true);
 

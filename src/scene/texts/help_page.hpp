@@ -16,7 +16,7 @@ struct HelpPage {
   bool isKind = false;  ///< true for a kind of object
   std::vector<HelpRow> rows;
   std::vector<Quantity> quantities;
-  std::string appendix;  ///< text after the parameters; empty if there is none
+  std::string appendix;  ///< text after the parameters; empty if none exists
 
   /// Returns the parameters at `path` ("pins", "pins[].rows", "pins.rows") and below it; brackets may be
   /// left out.

@@ -334,7 +334,7 @@ struct Kind {
   /// if the file cannot be read.
   std::function<std::string(const std::filesystem::path& file)> sceneAround = {};
   /// Returns text that `simreel list` prints after the kind's table of parameters. Returns an empty string
-  /// if there is none.
+  /// if none exists.
   std::function<std::string()> appendix = {};
 };
 

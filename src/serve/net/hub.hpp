@@ -61,7 +61,7 @@ class Hub {
     std::shared_ptr<const std::string> text;
   };
   /// Returns the oldest message that is newer than `version`, the version of the last message sent to a
-  /// viewer. Returns nullopt if there is none.
+  /// viewer. Returns nullopt if none exists.
   [[nodiscard]] std::optional<Message> messageAfter(std::uint64_t version) const;
   [[nodiscard]] std::optional<std::string> answerFor(std::uint64_t viewer);
   [[nodiscard]] std::shared_ptr<const Picture> picture() const;

@@ -150,7 +150,7 @@ void Stage::simulateAs(std::shared_ptr<Script> script) {
   if (const frame::WorldState* nearest = kept_.before(before)) static_cast<void>(putBack(*nearest));
 }
 
-/// Keeps the states of frames before the simulations differ. If there are none, moves all states to past_,
+/// Keeps the states of frames before the simulations differ. If none exist, moves all states to past_,
 /// because a change is often undone.
 void Stage::keepWhatIsAlike(const std::shared_ptr<Script>& script) {
   const int first = firstOther(keptOf_, *script);

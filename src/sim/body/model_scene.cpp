@@ -141,7 +141,7 @@ class ModelReader {
     lights_.push_back(light);
   }
 
-  /// Returns the first animation that moves nodes; null if there is none that a body can show.
+  /// Returns the first animation that moves nodes; null if none exists that a body can show.
   const FigureAnimation* motion() {
     animations_ = nodes_.animations();
     const auto found = std::find_if(animations_.begin(), animations_.end(), [](const FigureAnimation& one) {

@@ -24,7 +24,7 @@ struct KeyedBone {
 /// Parameters of the object kind "body".
 struct BodyParameters : ObjectParameters, scene::Outlined {
   std::filesystem::path file;
-  std::string animation;                               ///< name of the animation; empty if there is none
+  std::string animation;                               ///< name of the animation; empty if none exists
   double speed = 1;                                    ///< factor on the animation's speed
   double start = 0;                                    ///< time in seconds within the animation at scene
                                                        ///< time 0

@@ -54,7 +54,7 @@ class SkinnedSurface {
   gl::WordsArray follow_, faces_;
   gl::Vec4Array positions_, normals_;
   gl::Vec4Array touched_[2];  ///< buffers of before() and now(), allocated on first use
-  int substep_ = -1;          ///< index of the substep whose positions are in touched_; -1 if there is none
+  int substep_ = -1;          ///< index of the substep whose positions are in touched_; -1 if none exists
   int substeps_ = 0;
   gl::Kernel<SkinKernel> draw_, move_;
 };

@@ -25,7 +25,7 @@ std::vector<glm::vec4> cavePalette(const CaveParameters& p) {
   std::vector<glm::vec4> colors;
   for (const glm::vec3& color : of) colors.emplace_back(color, 1);
   if (p.ceiling) {
-    colors[5] = glm::vec4(p.rock, 1);  // The last colours are those of the ceiling, and of the ceiling
+    colors[5] = glm::vec4(p.rock, 1);  // The last colours belong to the ceiling, and to the ceiling
                                        // beside a wall.
     colors[6] = glm::vec4(p.rock * shade, 1);
   }

@@ -26,7 +26,7 @@ struct ClothMesh {
   void describe(scene::Fields& fields);
   /// Generates the mesh or reads it from the file. Throws the errors of loadMesh().
   [[nodiscard]] Mesh make() const;
-  /// Returns a short name for messages: that of the shape or of the file.
+  /// Returns a short name for messages: the shape or the file.
   [[nodiscard]] std::string text() const;
 };
 

@@ -61,7 +61,7 @@ class MovedVertices {
 
   int count_;
   gl::Vec4Array begins_, ends_, places_[2];
-  int substep_ = -1;  ///< Index of the substep whose positions are in `places_`; -1 if there is none.
+  int substep_ = -1;  ///< Index of the substep whose positions are in `places_`; -1 if none exists.
   int substeps_ = 0;
   glm::mat4 begin_{1}, end_{1};  ///< Transposed local-to-world matrices at the start and the end of the
                                  ///< frame.

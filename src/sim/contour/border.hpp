@@ -10,7 +10,7 @@ namespace simreel::sim {
 struct SolidShape;
 
 /// Part of a solid that does not depend on its field: sides and bottom, and the roof if there is a ceiling.
-/// In the vertex buffer, its vertices follow those of the samples.
+/// In the vertex buffer, its vertices follow the samples.
 struct SolidBorder {
   std::vector<glm::vec4> positions;  ///< Vertex positions in xyz, colour index in w.
   std::vector<glm::vec4> normals;

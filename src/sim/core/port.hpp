@@ -43,7 +43,7 @@ struct PortInfo {
   const char* single = nullptr;
   /// Message for a provider that no object of the scene uses; null if a provider may be unused.
   const char* unused = nullptr;
-  /// Message for an object that takes from all providers and requires at least one, when there is none. The
+  /// Message for an object that takes from all providers and requires at least one, when none exists. The
   /// two {} are the object's name and kind.
   const char* missing = nullptr;
   /// Warning for an object that takes from all providers, about another object that could provide the port
@@ -142,7 +142,7 @@ class Links {
  public:
   virtual ~Links() = default;
   /// Returns the outlet of `object` for a port, or null if it has none (yet). For an empty name, returns
-  /// the outlet of the scene itself, or if there is none, the first outlet of an object.
+  /// the outlet of the scene itself, or if none exists, the first outlet of an object.
   [[nodiscard]] virtual void* find(const PortInfo& port, std::string_view object) const = 0;
   /// Returns the outlets of all objects for a port, in step order.
   [[nodiscard]] virtual std::vector<void*> all(const PortInfo& port) const = 0;

@@ -32,7 +32,7 @@ struct Lines {
   double first = 0, apart = 1;
   int count = 0;
 
-  /// Returns the index of the grid line at the coordinate `place`, or -1 if there is none.
+  /// Returns the index of the grid line at the coordinate `place`, or -1 if none exists.
   [[nodiscard]] int at(double place) const {
     const double index = std::round((place - first) / apart);
     constexpr double slack = 0.02;

@@ -74,7 +74,7 @@ class Strokes {
   /// same result as the kernels; used by the CPU twins.
   [[nodiscard]] bool paints(const shader::Stroke& stroke, glm::ivec2 cell) const;
   /// Returns the cells that a stroke may paint on a grid: first column and row, number of columns and rows.
-  /// The numbers are 0 if there are none.
+  /// The numbers are 0 if none exist.
   [[nodiscard]] static glm::ivec4 box(const shader::Stroke& stroke, glm::ivec2 grid);
   [[nodiscard]] bool empty() const { return strokes_.empty(); }
 

@@ -97,7 +97,7 @@ class Marching {
  private:
   [[nodiscard]] int pointAt(int x, int y) const { return y * grid_.size.x + x; }
   [[nodiscard]] double value(int point) const { return grid_.values[static_cast<std::size_t>(point)]; }
-  /// Returns the two neighbours of an edge on its line; -1 if there is none.
+  /// Returns the two neighbours of an edge on its line; -1 if none exists.
   [[nodiscard]] std::array<int, 2>& link(int edge) { return links_[static_cast<std::size_t>(edge)]; }
 
   /// Joins those edges of a square that the line crosses. The edge to the right of point p has the number 2

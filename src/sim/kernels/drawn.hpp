@@ -32,7 +32,7 @@ class KernelDrawn {
   void publish(Drawables& drawables) const;
   /// Returns the terrain, or null if no terrain is drawn.
   [[nodiscard]] KernelGround* ground() { return ground_ ? &*ground_ : nullptr; }
-  /// Read back from the GPU. points() returns the drawn points, or if there are none, the vertices. mesh()
+  /// Read back from the GPU. points() returns the drawn points, or if none exist, the vertices. mesh()
   /// returns everything that is drawn as one mesh, including the copies of a mesh file.
   [[nodiscard]] PointTable points() const;
   [[nodiscard]] std::optional<MeshTable> mesh() const;

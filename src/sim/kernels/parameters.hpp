@@ -22,7 +22,7 @@ struct KernelsParameters : ObjectParameters, HasColorRange, KernelDescription {
   /// Created by describe() while a scene is loaded; null if the file cannot be compiled.
   std::shared_ptr<const KernelPlan> plan;
   kernels::Request request;  ///< request from which the shader was compiled
-  /// Error message of the compiler; empty if there is none.
+  /// Error message of the compiler; empty if none exists.
   std::string problem;
   bool problemIsReport = false;  ///< true if the message already contains source positions and carets
 

@@ -28,7 +28,7 @@ struct KernelSlot {
 [[nodiscard]] std::vector<KernelSlot> slotsOfElement(const kernels::Member& array);
 /// Returns the paths of slots, as scenes name them.
 [[nodiscard]] std::vector<std::string> pathsOf(std::span<const KernelSlot> slots);
-/// Returns the slot with this path, or null if there is none.
+/// Returns the slot with this path, or null if none exists.
 [[nodiscard]] const KernelSlot* slotNamed(std::span<const KernelSlot> slots, std::string_view path);
 
 /// Writes component `i` (zero-based) of a slot in the element at the address `element`. For integer types,

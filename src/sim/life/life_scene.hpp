@@ -6,7 +6,7 @@ namespace simreel::sim {
 
 /// Returns the JSON text of a scene for a pattern file. The scene shows the pattern in the centre of an
 /// object named "cells", with space around it, for ten seconds. Returns an empty string if the file name is
-/// not that of a pattern. Throws the errors of readPattern().
+/// not of a pattern. Throws the errors of readPattern().
 [[nodiscard]] std::string sceneAroundPattern(const std::filesystem::path& file);
 
 }  // namespace simreel::sim

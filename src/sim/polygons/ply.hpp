@@ -27,7 +27,7 @@ struct PlyElement {
   std::uint64_t count = 0;
   std::vector<PlyProperty> properties;
 
-  /// Returns the index of the first property with one of the names, or -1 if there is none.
+  /// Returns the index of the first property with one of the names, or -1 if none exists.
   [[nodiscard]] int find(std::initializer_list<std::string_view> names, bool list = false) const;
 };
 

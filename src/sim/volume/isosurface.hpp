@@ -45,7 +45,7 @@ struct IsosurfaceTint {
 /// their size, and a frame that needs more memory draws nothing until grow() enlarges the buffers.
 class Isosurface {
  public:
-  /// `colors` are the colours of a tint; empty if there is none. Throws UserError(device), naming the
+  /// `colors` are the colours of a tint; empty if none exists. Throws UserError(device), naming the
   /// limit, if a volume of this size exceeds a limit of the device.
   Isosurface(const std::string& name, const IsosurfaceShape& shape, const std::vector<glm::vec3>& colors);
   ~Isosurface();

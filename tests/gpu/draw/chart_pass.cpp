@@ -34,7 +34,7 @@ struct ChartStage {
 };
 
 /// Returns the first and last row, counted from the top of the plot, in which `channel` dominates in the
-/// plot's column `x`. Returns -1 for both if there is none.
+/// plot's column `x`. Returns -1 for both if none exists.
 glm::ivec2 span(const Picture& picture, const draw::ChartLayout& layout, int x, int channel) {
   glm::ivec2 rows(-1);
   for (int y = layout.plot.y; y < layout.plot.w; ++y) {

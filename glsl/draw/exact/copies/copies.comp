@@ -1,6 +1,6 @@
 // Rasterizes the small triangles of visible mesh copies, one per invocation. Appends larger triangles to a list:
 // medium-sized ones from the list's end (medium_copies.comp), large ones from its start (large_copies.comp). Defines:
-// those of raster_triangle.glsl, and BALLOT.
+// as for raster_triangle.glsl, and BALLOT.
 #include "draw/exact/copies/raster_copy.glsl"
 #include "draw/exact/triangles/fill_box.glsl"
 layout(local_size_x = 64) in;

@@ -1,5 +1,5 @@
 // Rasterizes the triangles of mesh copies in the list of copies.comp that are large or extend far beyond the picture.
-// For each triangle, the workgroups split the tiles between them. Defines: those of raster_triangle.glsl.
+// For each triangle, the workgroups split the tiles between them. Defines: as for raster_triangle.glsl.
 #include "draw/exact/copies/raster_copy.glsl"
 #include "draw/exact/triangles/fill_fan.glsl"
 layout(binding = largeUnit) uniform usamplerBuffer large;

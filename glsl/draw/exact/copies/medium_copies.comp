@@ -1,5 +1,5 @@
 // Rasterizes the medium-sized triangles of mesh copies, which are at the end of the list of copies.comp. Sixteen
-// invocations handle one triangle. Defines: those of raster_triangle.glsl.
+// invocations handle one triangle. Defines: as for raster_triangle.glsl.
 #include "draw/exact/copies/raster_copy.glsl"
 #include "draw/exact/triangles/fill_blocks.glsl"
 layout(local_size_x = 64) in;

@@ -1,5 +1,5 @@
 // Code that the kernels that rasterize mesh copies have in common. An index identifies a pair of a visible copy and a
-// triangle; it starts at 0 in each dispatch. Defines: those of raster_triangle.glsl.
+// triangle; it starts at 0 in each dispatch. Defines: as for raster_triangle.glsl.
 #define EXACT_PICTURE
 #include "draw/frame_block.glsl"
 #include "draw/exact/triangles/raster_triangle.glsl"

@@ -1,6 +1,6 @@
 // Shades mesh copies tile by tile. Each triangle in a pixel is shaded once: at the pixel's centre if the triangle
 // covers it, else at the first sample that shows the triangle. Defines: SAMPLES, SHADOW (with SHADOW_TAPS), OCCLUSION,
-// REFLECTED, RAYS, and those of draw/surface/lighting.glsl.
+// REFLECTED, RAYS, and the defines of draw/surface/lighting.glsl.
 #define EXACT_PICTURE
 #include "common/once.glsl"
 #include "draw/exact/tiles/lit_tile.glsl"

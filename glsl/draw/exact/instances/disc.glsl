@@ -6,7 +6,7 @@ struct Disc {
   float radius;
 };
 
-// Returns the rectangle (first pixel, last pixel) of the pixels whose centres may lie on the disc. If there are none,
+// Returns the rectangle (first pixel, last pixel) of the pixels whose centres may lie on the disc. If none exist,
 // last < first.
 FUNCTION ivec4 pixelsOfDisc(Disc disc, ivec2 size) {
   precise vec2 low = disc.middle - disc.radius + 0.5f;

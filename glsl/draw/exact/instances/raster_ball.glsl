@@ -1,10 +1,10 @@
-// Rasterizes balls with one ray per sample. Defines: those of visible_sample.glsl.
+// Rasterizes balls with one ray per sample. Defines: as for visible_sample.glsl.
 #include "draw/exact/visible_sample.glsl"
 #include "draw/exact/triangles/triangle.glsl"
 #include "draw/exact/instances/ball_source.glsl"
 #include "draw/exact/instances/rays.glsl"
 
-// Returns the rectangle (first pixel, last pixel) of the pixels that the ball may cover. If there are none, last <
+// Returns the rectangle (first pixel, last pixel) of the pixels that the ball may cover. If none exist, last <
 // first.
 ivec4 pixelsOfBall(Ball ball) {
   precise float farthest = ball.depth + ball.radius;

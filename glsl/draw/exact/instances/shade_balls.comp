@@ -2,7 +2,7 @@
 // the first sample that shows the ball. Balls of a few pixels would twinkle. They are therefore shaded at the four
 // corners of a square with the area of their outline, like the driver's small sprites
 // (draw/instances/small_sprites.comp). Defines: SAMPLES, SHADOW (with SHADOW_TAPS), OCCLUSION, REFLECTED (not for balls
-// of a few pixels), RAYS, and those of draw/surface/lighting.glsl.
+// of a few pixels), RAYS, and the defines of draw/surface/lighting.glsl.
 #define EXACT_PICTURE
 #include "common/once.glsl"
 #include "draw/exact/tiles/lit_tile.glsl"

@@ -1,6 +1,6 @@
 // For several faces of the lamps' shadow maps, lists the triangles of the merged mesh (merge_mesh.comp) that the face
 // may show. A triangle is left out if it is completely beyond one side of the face, by more than a rounding error. A
-// listed triangle may still be invisible. One invocation tests one triangle. Defines: those of lamp_list.glsl, and
+// listed triangle may still be invisible. One invocation tests one triangle. Defines: as for lamp_list.glsl, and
 // BALLOT.
 #include "draw/exact/bindings.glsl"
 #include "draw/lights/lamp_list.glsl"

@@ -2,7 +2,7 @@
 // casters around the point. Then it filters the map over the resulting penumbra, whose width is that distance times the
 // sun's angular size (Fernando 2005, "Percentage-closer soft shadows"). The including file declares the points of
 // disc_points.glsl and float casterNear(ivec2 texel), which returns 1 - depth of the caster, or a value below all
-// casters if there is none. Compiles as GLSL and as C++.
+// casters if none exists. Compiles as GLSL and as C++.
 #ifndef EXACT_SUN_DISC
 #define EXACT_SUN_DISC
 #include "common/exact.glsl"

@@ -1,4 +1,4 @@
-// Rasterizes large triangles from a list. Defines: those of raster_triangle.glsl.
+// Rasterizes large triangles from a list. Defines: as for raster_triangle.glsl.
 #include "draw/exact/triangles/fill_tiles.glsl"
 #ifndef SUN_MAP
 #include "draw/exact/triangles/fans.glsl"

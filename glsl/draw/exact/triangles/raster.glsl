@@ -1,5 +1,5 @@
 // Code that the kernels that rasterize the triangles of surfaces have in common. JOINED: triangles of
-// draw::JoinedSurfaces; seeSides() first reads whether both sides of a triangle are visible. Defines: those of
+// draw::JoinedSurfaces; seeSides() first reads whether both sides of a triangle are visible. Defines: as for
 // raster_triangle.glsl.
 #include "draw/exact/triangles/surface_triangle.glsl"
 #include "draw/exact/triangles/raster_triangle.glsl"

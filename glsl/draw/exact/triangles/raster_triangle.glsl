@@ -1,6 +1,6 @@
 // Rasterizes triangles. In shadow maps, triangles are moved away from the light in proportion to their slope. ADDS:
 // adds light to the sums of glows. CUTOUT: triangles have holes. LAYER: triangles of blended surfaces, one layer at a
-// time. Defines: those of visible_sample.glsl.
+// time. Defines: as for visible_sample.glsl.
 #include "draw/exact/visible_sample.glsl"
 #include "draw/exact/triangles/triangle.glsl"
 #include "draw/exact/triangles/clip.glsl"

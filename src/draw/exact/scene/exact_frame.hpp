@@ -83,7 +83,7 @@ struct ExactFrame {
   PictureLayers layers;                    ///< receives the requested light and layers
   bool layered = false;                    ///< true if the scene has had blended surfaces at any time
   bool shines = false;                     ///< true if any view of the picture so far had glows
-  const gl::Texture* scattered = nullptr;  ///< light of the bloom; null if there is none
+  const gl::Texture* scattered = nullptr;  ///< light of the bloom; null if none exists
 
   // The following members are the state of one moment. A shutter has several moments.
   ExactScene::Moment moment;

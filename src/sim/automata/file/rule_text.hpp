@@ -21,7 +21,7 @@ class RuleFileText {
   /// line.
   [[nodiscard]] std::vector<Line> section(std::string_view name) const;
   [[nodiscard]] bool has(std::string_view name) const { return find(name) >= 0; }
-  /// Returns the zero-based index of the line that starts the section; negative if there is none.
+  /// Returns the zero-based index of the line that starts the section; negative if none exists.
   [[nodiscard]] int find(std::string_view name) const;
 
   /// Throws UserError(usage) with file:line:column and the message. `at` is an offset in the line's text.

@@ -45,7 +45,7 @@ struct WideRule {
   bool flips = false;                  ///< true if dy is negated in cells with odd x + y (triangular grid)
   std::vector<int> stateWeights;       ///< weight of each state; if empty, only state 1 counts, with weight
                                        ///< 1
-  /// First and last column of the neighbours in a row, relative to the centre; there are none if first >
+  /// First and last column of the neighbours in a row, relative to the centre; none exist if first >
   /// last.
   struct Span {
     int first, last;

@@ -185,7 +185,7 @@ class HuttonCell {
   [[nodiscard]] int at(int direction) const { return around_[static_cast<std::size_t>(direction)]; }
   /// Returns the state of the cell to which this arrow points.
   [[nodiscard]] int output() const { return at(directionOf(c_)); }
-  /// Returns the state of the excited arrow that points to this cell, or 0 if there is none.
+  /// Returns the state of the excited arrow that points to this cell, or 0 if none exists.
   [[nodiscard]] int input() const {
     for (const int d : {2, 3, 0, 1})
       if (isExcited(at(d)) && pointsHere(at(d), d)) return at(d);
@@ -227,7 +227,7 @@ class HuttonCell {
   }
 
   /// The direction of the new arrow is relative to the arrow that writes it. Cases without such an arrow do
-  /// not occur in machines; their results equal those of Golly.
+  /// not occur in machines; their results equal Golly's.
   [[nodiscard]] int sensitized() const {
     const bool one = arrow(Kind::ordinary);
     if (c_ < 4) return 2 * c_ + (one ? 1 : 0);

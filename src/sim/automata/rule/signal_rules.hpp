@@ -9,7 +9,7 @@ namespace simreel::sim {
 /// Automata of signals on wires, with 29 or 32 states. The states are: 0 ground; 1 to 8 sensitized (S, S0,
 /// S1, S00, S01, S10, S11, S000); 9 to 12 ordinary transmission to the east, north, west and south, 13 to
 /// 16 the same, excited; 17 to 24 special transmission; 25 to 28 confluent (C00, C10, C01, C11); 29 to 31
-/// crossings with a signal along x, along y, and along both. The results equal those of Golly.
+/// crossings with a signal along x, along y, and along both. The results equal Golly's.
 ///
 /// jvn29: von Neumann, "Theory of Self-Reproducing Automata", 1966. nobili32: confluent cells with two
 /// inputs and two outputs let signals cross (Nobili and Pesavento, 1996). hutton32: wires that are written

@@ -30,7 +30,7 @@ struct RuleText {
   std::vector<Parameter> parameters;
   std::vector<Let> lets;
   std::string show;  ///< expression to show; if empty, the first species
-  std::string tint;  ///< expression that colours a surface; empty if there is none
+  std::string tint;  ///< expression that colours a surface; empty if none exists
   RuleSpace space = RuleSpace::plane;
 };
 
