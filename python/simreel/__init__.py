@@ -37,7 +37,7 @@ _atexit.register(_native.close)
 
 def load(source: SceneDict | str | _os.PathLike[str], changes: Mapping[str, Any] | None = None, *,
          assets: Iterable[str | _os.PathLike[str]] = (), motion: bool = False) -> Scene:
-    """Loads a scene: a file as `simreel render` takes it, or a dict of sections.
+    """Loads a scene: a file or the name of a shipped scene, as `simreel render` takes it, or a dict of sections.
 
     `changes`: values by dotted path, as -D. `assets`: further folders for the scene's files. `motion`: keeps what the
     layers "velocity" and "vector" need.

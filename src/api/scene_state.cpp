@@ -5,6 +5,7 @@
 #include "frame/interrupt.hpp"
 #include "scene/as_run.hpp"
 #include "scene/load.hpp"
+#include "scene/shipped_scene.hpp"
 #include "sim/core/numerics.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/survey.hpp"
@@ -24,6 +25,7 @@ Scene::State::State(std::shared_ptr<Device::State> on, std::string name, const s
   for (const std::string& folder : how.assets) source.assets.emplace_back(folder);
   source.motion = how.motion;
   device->run([this] {
+    if (!source.text) source.name = scene::sceneFile(source.name);
     scene = read(false);
     sim::requireExact(*scene, device->numerics);
     if (source.motion && scene->render.rasterizer != scene::Rasterizer::exact)

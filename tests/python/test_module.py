@@ -225,6 +225,17 @@ class Errors(ModuleCase):
         self.assertEqual([one.path for one in raised.exception.mistakes], ["objects.flag.cloth.size.0", "render.sise"])
         self.assertIsNone(raised.exception.line)
 
+    def test_a_name_is_that_of_a_shipped_scene(self):
+        small = {"render.size": [32, 18]}
+        for name in ("flag", "flag.json"):
+            with simreel.load(name, small) as scene:
+                self.assertEqual(scene.objects["flag"], "cloth")
+        with self.assertRaisesRegex(simreel.Error, "there is no scene flga here") as raised:
+            simreel.load("flga")
+        self.assertEqual((raised.exception.kind, raised.exception.suggestion), ("usage", "flag"))
+        printed = self.run_program("render", "flga").stderr.decode()
+        self.assertEqual(printed, f"simreel: error: {raised.exception}\n")
+
     def test_wrong_calls_say_what_there_is(self):
         scene = self.scene()
         for words, wrong in (('no object "flog"', lambda: scene["flog"]),

@@ -56,7 +56,7 @@ class SIMREEL_API Snapshot {
 /// scene is of no further use.
 class SIMREEL_API Scene {
  public:
-  /// Reads a scene file, a mesh or a pattern, as `simreel render` does.
+  /// Reads a scene file, a mesh, a pattern or a shipped scene by its name, as `simreel render` does.
   static Scene load(const Device& device, const std::string& file, const LoadOptions& options = {});
   /// Reads a scene from JSON text. `name` stands for the file in messages, and its folder is the first one
   /// that is searched for files.
