@@ -95,8 +95,8 @@ class Object:
             raise Error(f"{self.name}.{array} has the shape {shape}, not {values.shape}")
         if values.dtype.kind not in ("fiub" if dtype.kind == "f" else "iub"):
             raise Error(f"{self.name}.{array} holds {dtype}, not {values.dtype}")
-        self._scene._steps += 1
         self._scene._native.write(self.name, array, numpy.ascontiguousarray(values, dtype))
+        self._scene._steps += 1
 
     def __getattr__(self, array: str) -> numpy.ndarray:
         if array in ("_scene", "name") or array.startswith("__"):

@@ -251,14 +251,33 @@ class Errors(ModuleCase):
         with self.assertRaisesRegex(simreel.Error, "closed"):
             scene.image()
 
-    def test_a_lost_state_is_an_error_of_the_device(self):
+    def test_numbers_that_are_not_finite_cannot_be_written(self):
         scene = self.scene()
-        scene["flag"].positions = numpy.nan
-        with self.assertRaises(simreel.Error) as raised:
-            scene.step().state_hash
-        self.assertEqual(raised.exception.kind, "device")
-        scene.restart()
-        self.assertEqual(scene.step().state_hash, self.scene().step().state_hash)
+        flag, here = scene.step()["flag"], scene.state_hash
+        for number, words in ((numpy.nan, "is NaN"), (-numpy.inf, "is infinite")):
+            values = numpy.array(flag.positions)
+            values[2, 3, 1] = values[4, 0, 0] = number
+            with self.assertRaisesRegex(simreel.Error, rf"flag\.positions\[2, 3, 1\] {words}") as raised:
+                flag.positions = values
+            self.assertEqual(raised.exception.kind, "usage")
+        self.assertEqual(scene.state_hash, here)
+
+    def test_every_use_of_a_lost_state_gives_the_same_error_of_the_device(self):
+        scene = self.scene()
+        start, flag = scene.snapshot(), scene["flag"]
+        second = scene.step().state_hash
+        for recover in (scene.restart, lambda: scene.restore(start)):
+            flag.velocities = 1e30
+            frame, messages = scene.step(), set()
+            for use in (lambda: frame.state_hash, lambda: flag.positions, lambda: setattr(flag, "positions", 0),
+                        frame.image, scene.snapshot, scene.step, flag.measure, flag.mesh, lambda: scene.layers("depth"),
+                        lambda: scene.state_hash):
+                with self.assertRaises(simreel.Error) as raised:
+                    use()
+                messages.add((raised.exception.kind, str(raised.exception)))
+            self.assertEqual([(kind, "blew up" in text) for kind, text in messages], [("device", True)])
+            recover()
+            self.assertEqual(scene.step().state_hash, second)
 
     def test_another_device_can_be_opened_when_all_scenes_are_closed(self):
         with self.scene() as scene:
