@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy
 
+from ._array import Array
 from ._errors import Error
 from ._pictures import Image
 
@@ -60,8 +61,9 @@ class Frame:
 class Object:
     """Object of a scene at the present frame.
 
-    Its state arrays are attributes: `scene["flag"].positions`. Reading copies from the device, assigning writes the
-    state back, and the scene goes on from there. `scene["flag"]["positions"]` is the same.
+    Its state arrays are attributes: `scene["flag"].positions`. Reading copies from the device; the array is read-only,
+    so take a copy to change numbers in it. Assigning writes the state back, and the scene goes on from there.
+    `scene["flag"]["positions"]` is the same.
     """
 
     def __init__(self, scene: Scene, name: str) -> None:
@@ -82,7 +84,7 @@ class Object:
         """Returns a state array, also one whose name is no name in Python."""
         if array not in self.arrays:
             raise KeyError(self._unknown(array))
-        return self._scene._native.read(self.name, array)
+        return self._scene._native.read(self.name, array).view(Array)
 
     def __setitem__(self, array: str, values: Any) -> None:
         if array not in self.arrays:

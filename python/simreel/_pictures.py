@@ -8,10 +8,14 @@ import pathlib
 import numpy
 
 from . import _native
+from ._array import Array
 
 
-class Image(numpy.ndarray):
-    """Picture as an array (height, width, 3 or 4) of uint8, sRGB encoded, rows from the top."""
+class Image(Array):
+    """Picture as an array (height, width, 3 or 4) of uint8, sRGB encoded, rows from the top.
+
+    It is read-only. Slices, copies and results are plain numpy arrays; `array.view(simreel.Image)` makes a picture.
+    """
 
     def _repr_png_(self) -> bytes | None:
         if self.ndim == 3 and self.shape[2] in (3, 4) and self.dtype == numpy.uint8:

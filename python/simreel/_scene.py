@@ -86,8 +86,8 @@ class Scene:
     """A scene on the device, at frame 0 at first.
 
     Built from keyword arguments, which are the sections of a scene file: `Scene(objects={...}, time={...})`. load()
-    reads files. All functions may be called from any thread; one runs at a time. Arrays and pictures are copies in
-    host memory, so numpy, PyTorch (`torch.from_numpy`) and JAX read them through the CPU.
+    reads files. All functions may be called from any thread; one runs at a time. Arrays and pictures are read-only
+    copies in host memory, so numpy, PyTorch (`torch.from_numpy`) and JAX read them through the CPU.
     """
 
     def __init__(self, *, changes: Mapping[str, Any] | None = None, assets: Iterable[str | os.PathLike[str]] = (),

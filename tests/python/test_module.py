@@ -116,6 +116,32 @@ class State(ModuleCase):
         scene.restart()
         self.assertEqual(scene.state_hash, self.scene().state_hash)
 
+    def test_arrays_are_read_only_and_change_by_assignment(self):
+        scene = self.scene(motion=True)
+        flag = scene["flag"]
+        arrays = [flag.positions, scene.image(), flag.mesh()["positions"], *scene.layers("depth").values()]
+        for array in arrays:
+            self.assertFalse(array.flags.writeable)
+            with self.assertRaises(ValueError):
+                array[0, 0] = 0
+        before = flag.positions
+        flag.positions += numpy.float32([0, 1, 0])
+        self.assert_same(flag.positions, before + numpy.float32([0, 1, 0]))
+        flag.velocities -= 1
+        self.assertEqual(set(numpy.unique(flag.velocities)), {-1.0})
+        changed = flag.positions.copy()
+        changed[0, 0] = 3
+        flag.positions = changed
+        self.assertEqual(list(flag.positions[0, 0]), [3, 3, 3])
+
+    def test_derived_arrays_are_plain(self):
+        for array in (self.scene()["flag"].positions, self.scene().image()):
+            for derived in (array[1:3], array[..., 0], array.astype(float), array.copy(), array.T, array + 1, array // 2,
+                            array.reshape(-1), array.mean(axis=0), array > 1, numpy.flip(array), numpy.array(array),
+                            numpy.concatenate([array, array]), numpy.where(array > 1, array, 0), array.cumsum(axis=0)):
+                self.assertIs(type(derived), numpy.ndarray)
+            self.assertIsInstance(array.sum(), numpy.number)
+
     def test_fields_and_particles_can_be_written(self):
         self.write("scene.json", SPARKS)
         sparks = self.scene()["sparks"]
