@@ -117,7 +117,10 @@ class Object:
         return f'{self.kind} "{self.name}" has no array "{array}"; it has {known}'
 
     def __dir__(self):
-        return [*super().__dir__(), *self.arrays]
+        try:
+            return [*super().__dir__(), *self.arrays]
+        except Error:
+            return super().__dir__()
 
     def measure(self) -> dict[str, float]:
         """Returns what the object measures, such as energies, as a dict."""
@@ -132,5 +135,8 @@ class Object:
         return self._scene.field(self.name if part is None else f"{self.name}.{part}")
 
     def __repr__(self):
-        inside = ", ".join(f"{name} {shape}" for name, (_, _, shape, _) in self.arrays.items())
+        try:
+            inside = ", ".join(f"{name} {shape}" for name, (_, _, shape, _) in self.arrays.items())
+        except Error:  # the scene is closed, or its state is lost
+            inside = "no state now"
         return f"<{self.kind} {self.name!r}: {inside or 'no state'}>"

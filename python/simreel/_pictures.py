@@ -7,8 +7,16 @@ import pathlib
 
 import numpy
 
-from . import _native
+from . import _arguments, _native
 from ._array import Array
+from ._errors import Error
+
+
+def _write(file, data):
+    try:
+        file.write_bytes(data)
+    except OSError as error:
+        raise Error(f"cannot write {file}: {error.strerror}", "inputOutput") from None
 
 
 class Image(Array):
@@ -23,8 +31,12 @@ class Image(Array):
         return None
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes a PNG file."""
-        pathlib.Path(path).write_bytes(_native.encode_png(numpy.ascontiguousarray(self)))
+        """Writes a PNG file: the path ends in ".png"."""
+        file = pathlib.Path(_arguments.path("the file of a picture", path))
+        if file.suffix.lower() != ".png":
+            raise Error(f"{file} does not end in .png, and pictures are saved as PNG; scene.save() also writes .exr "
+                        "pictures and videos, and other libraries take the picture as a numpy array")
+        _write(file, _native.encode_png(numpy.ascontiguousarray(self)))
 
 
 class Video:
@@ -36,7 +48,7 @@ class Video:
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes the video to another file."""
-        pathlib.Path(path).write_bytes(self.data)
+        _write(pathlib.Path(_arguments.path("the file of a video", path)), self.data)
 
     def _repr_html_(self) -> str:
         data = base64.b64encode(self.data).decode("ascii")

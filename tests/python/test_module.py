@@ -262,6 +262,50 @@ class Errors(ModuleCase):
         printed = self.run_program("render", "flga").stderr.decode()
         self.assertEqual(printed, f"simreel: error: {raised.exception}\n")
 
+    def test_frames_count_from_zero(self):
+        scene = self.scene()
+        scene.step(2)
+        for use in (lambda: scene.advance_to(-1), lambda: scene.frames(-2, 3), lambda: scene.frames(0, -1),
+                    lambda: scene.check([-1]), lambda: scene.save(self.folder / "out", [-1])):
+            with self.assertRaisesRegex(simreel.Error, "frames count from 0"):
+                use()
+        for use in (lambda: scene.step(-1), lambda: scene.frames(3, 0, -1)):
+            with self.assertRaisesRegex(simreel.Error, "would go back|go forward"):
+                use()
+        self.assertEqual(list(scene.frames(5, 3)), [])
+        self.assertEqual(scene.frame.number, 2)
+
+    def test_a_picture_is_saved_as_png_only(self):
+        image = self.scene().image()
+        for name, kind, words in (("x.jpg", "usage", "png"), ("none/x.png", "inputOutput", "cannot write")):
+            with self.assertRaisesRegex(simreel.Error, words) as raised:
+                image.save(self.folder / name)
+            self.assertEqual(raised.exception.kind, kind)
+        self.assertFalse((self.folder / "x.jpg").exists())
+
+    def test_arguments_of_a_wrong_type_are_named(self):
+        scene, file = self.scene(), self.folder / "scene.json"
+        for use in (lambda: scene.step("x"), lambda: scene.advance_to(1.5), lambda: scene.frames("a"),
+                    lambda: scene.layers(3), lambda: scene.layers([3]), lambda: scene.field(3), lambda: scene.restore(3),
+                    lambda: scene.check(["a"]), lambda: scene.save(3), lambda: simreel.load(None),
+                    lambda: simreel.load(file, [3]), lambda: simreel.load(file, {3: 1}),
+                    lambda: simreel.load(file, assets=[3]), lambda: simreel.device(memory_path=3),
+                    lambda: scene.image().save(3)):
+            with self.assertRaisesRegex(TypeError, "not .") as raised:
+                use()
+            self.assertNotRegex(str(raised.exception), "_native|arg0")
+
+    def test_a_closed_or_unmade_scene_has_a_text(self):
+        scene = self.scene()
+        flag, frame = self.scene()["flag"], scene.frame
+        self.assertIn("positions", repr(flag))
+        flag = scene["flag"]
+        scene.close()
+        self.assertIn("closed", repr(scene))
+        self.assertIn("no state now", repr(flag))
+        self.assertIn("Frame 0", repr(frame))
+        self.assertIn("not loaded", repr(simreel.Scene.__new__(simreel.Scene)))
+
     def test_wrong_calls_say_what_there_is(self):
         scene = self.scene()
         for words, wrong in (('no object "flog"', lambda: scene["flog"]),
