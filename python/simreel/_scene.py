@@ -57,6 +57,7 @@ class _Kernels:
 
     def __init__(self):
         self.folder = None
+        self.paths = {}  # of the texts in the scene, by the names of their files
 
     def write(self, sections):
         """Returns the scene with a file in place of each "source"."""
@@ -71,11 +72,22 @@ class _Kernels:
                     raise Error(f'objects.{name}.kernels: give "file" or "source", not both')
                 if self.folder is None:
                     self.folder = folder_of(self, "kernels")
-                file = pathlib.Path(self.folder) / (name + _file_suffix(kernels["source"]))
-                file.write_text(kernels["source"], encoding="utf-8")
+                source = _arguments.text(f"objects.{name}.kernels.source", kernels["source"])
+                file = pathlib.Path(self.folder) / f"{len(self.paths)}{_file_suffix(source)}"
+                file.write_text(source, encoding="utf-8")
+                self.paths[str(file)] = f"objects.{name}.kernels.source"
                 kernels = {**{key: value for key, value in kernels.items() if key != "source"}, "file": file.name}
                 changed[name] = {**thing, "kernels": kernels}
         return {**sections, "objects": {**objects, **changed}} if changed else sections
+
+    def renamed(self, error):
+        """Returns an error with the paths in the scene in place of the files."""
+        message = str(error)
+        for file, path in self.paths.items():
+            message = message.replace(file, path)
+        mistakes = [one._replace(file=None, path=self.paths[one.file]) if one.file in self.paths else one
+                    for one in error.mistakes]
+        return Error(message, error.kind, mistakes)
 
 
 def _report(level=4):
@@ -116,7 +128,10 @@ class Scene:
             if self._kernels.folder is not None:
                 self._assets.append(self._kernels.folder)
             self._source, self._text = None, json.dumps(given, default=_plain, indent=1)
-            self._native = _native.parse(self._text, "<scene>", self._changes, self._assets, motion)
+            try:
+                self._native = _native.parse(self._text, "<scene>", self._changes, self._assets, motion)
+            except Error as error:
+                raise self._kernels.renamed(error) from None
         else:
             self._source, self._text = _arguments.path("a scene that is no dict", source), None
             self._native = _native.load(self._source, self._changes, self._assets, motion)

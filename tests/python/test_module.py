@@ -262,6 +262,17 @@ class Errors(ModuleCase):
         printed = self.run_program("render", "flga").stderr.decode()
         self.assertEqual(printed, f"simreel: error: {raised.exception}\n")
 
+    def test_an_error_in_the_text_of_kernels_has_its_path_and_line(self):
+        source = "#pragma kernel Step\nRWTexture2D<float> _Cells;\n[numthreads(8, 8, 1)]\n" \
+                 "void Step(uint3 id : SV_DispatchThreadID) { _Cells[id.xy] = _Cell[id.xy]; }\n"
+        with self.assertRaises(simreel.Error) as raised:
+            simreel.Scene(objects={"life": {"kernels": {
+                "source": source, "textures": {"_Cells": [16, 8]}, "step": ["Step"]}}})
+        error = raised.exception
+        self.assertEqual((error.kind, error.path, error.file, error.line),
+                         ("scene", "objects.life.kernels.source", None, 4))
+        self.assertTrue(str(error).startswith("objects.life.kernels.source:4:"), str(error))
+
     def test_frames_count_from_zero(self):
         scene = self.scene()
         scene.step(2)
