@@ -33,13 +33,16 @@ py::dtype typeOf(simreel::NumberType type) {
   return py::dtype::of<float>();
 }
 
-/// Hands bytes over to a numpy array without a copy.
+/// Hands bytes over to a numpy array without a copy. The array is read-only, because a change would reach
+/// neither the device nor the next array.
 template <class Bytes>
 py::array handOver(simreel::NumberType type, const std::vector<std::size_t>& shape,
                    const std::vector<std::size_t>& strides, Bytes&& bytes) {
   auto* owned = new std::decay_t<Bytes>(std::forward<Bytes>(bytes));
   const py::capsule owner(owned, [](void* data) { delete static_cast<std::decay_t<Bytes>*>(data); });
-  return py::array(typeOf(type), shape, strides, owned->data(), owner);
+  py::array array(typeOf(type), shape, strides, owned->data(), owner);
+  array.attr("setflags")(py::arg("write") = false);
+  return array;
 }
 
 py::array toNumpy(simreel::Array&& array) {

@@ -17,7 +17,7 @@ import os as _os
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from . import _native
+from . import _arguments, _native
 from ._errors import Error, Mistake, Warning
 from ._frame import Frame, Object
 from ._pictures import Image, Video
@@ -37,7 +37,7 @@ _atexit.register(_native.close)
 
 def load(source: SceneDict | str | _os.PathLike[str], changes: Mapping[str, Any] | None = None, *,
          assets: Iterable[str | _os.PathLike[str]] = (), motion: bool = False) -> Scene:
-    """Loads a scene: a file as `simreel render` takes it, or a dict of sections.
+    """Loads a scene: a file or the name of a shipped scene, as `simreel render` takes it, or a dict of sections.
 
     `changes`: values by dotted path, as -D. `assets`: further folders for the scene's files. `motion`: keeps what the
     layers "velocity" and "vector" need.
@@ -51,7 +51,7 @@ def device(name: str = "", *, memory_path: str = "") -> tuple[str, str, bool]:
     Returns its name, the driver's version, and whether the CPU draws. Without a call, the first scene opens the
     default device.
     """
-    return _native.open(str(name), memory_path)
+    return _native.open(str(name), _arguments.text("memory_path", memory_path))
 
 
 def schema() -> dict[str, Any]:

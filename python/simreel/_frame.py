@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy
 
+from ._array import Array
 from ._errors import Error
 from ._pictures import Image
 
@@ -60,8 +61,9 @@ class Frame:
 class Object:
     """Object of a scene at the present frame.
 
-    Its state arrays are attributes: `scene["flag"].positions`. Reading copies from the device, assigning writes the
-    state back, and the scene goes on from there. `scene["flag"]["positions"]` is the same.
+    Its state arrays are attributes: `scene["flag"].positions`. Reading copies from the device; the array is read-only,
+    so take a copy to change numbers in it. Assigning writes the state back, and the scene goes on from there.
+    `scene["flag"]["positions"]` is the same.
     """
 
     def __init__(self, scene: Scene, name: str) -> None:
@@ -82,7 +84,7 @@ class Object:
         """Returns a state array, also one whose name is no name in Python."""
         if array not in self.arrays:
             raise KeyError(self._unknown(array))
-        return self._scene._native.read(self.name, array)
+        return self._scene._native.read(self.name, array).view(Array)
 
     def __setitem__(self, array: str, values: Any) -> None:
         if array not in self.arrays:
@@ -95,8 +97,8 @@ class Object:
             raise Error(f"{self.name}.{array} has the shape {shape}, not {values.shape}")
         if values.dtype.kind not in ("fiub" if dtype.kind == "f" else "iub"):
             raise Error(f"{self.name}.{array} holds {dtype}, not {values.dtype}")
-        self._scene._steps += 1
         self._scene._native.write(self.name, array, numpy.ascontiguousarray(values, dtype))
+        self._scene._steps += 1
 
     def __getattr__(self, array: str) -> numpy.ndarray:
         if array in ("_scene", "name") or array.startswith("__"):
@@ -115,7 +117,10 @@ class Object:
         return f'{self.kind} "{self.name}" has no array "{array}"; it has {known}'
 
     def __dir__(self):
-        return [*super().__dir__(), *self.arrays]
+        try:
+            return [*super().__dir__(), *self.arrays]
+        except Error:
+            return super().__dir__()
 
     def measure(self) -> dict[str, float]:
         """Returns what the object measures, such as energies, as a dict."""
@@ -130,5 +135,8 @@ class Object:
         return self._scene.field(self.name if part is None else f"{self.name}.{part}")
 
     def __repr__(self):
-        inside = ", ".join(f"{name} {shape}" for name, (_, _, shape, _) in self.arrays.items())
+        try:
+            inside = ", ".join(f"{name} {shape}" for name, (_, _, shape, _) in self.arrays.items())
+        except Error:  # the scene is closed, or its state is lost
+            inside = "no state now"
         return f"<{self.kind} {self.name!r}: {inside or 'no state'}>"

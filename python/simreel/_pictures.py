@@ -7,11 +7,23 @@ import pathlib
 
 import numpy
 
-from . import _native
+from . import _arguments, _native
+from ._array import Array
+from ._errors import Error
 
 
-class Image(numpy.ndarray):
-    """Picture as an array (height, width, 3 or 4) of uint8, sRGB encoded, rows from the top."""
+def _write(file, data):
+    try:
+        file.write_bytes(data)
+    except OSError as error:
+        raise Error(f"cannot write {file}: {error.strerror}", "inputOutput") from None
+
+
+class Image(Array):
+    """Picture as an array (height, width, 3 or 4) of uint8, sRGB encoded, rows from the top.
+
+    It is read-only. Slices, copies and results are plain numpy arrays; `array.view(simreel.Image)` makes a picture.
+    """
 
     def _repr_png_(self) -> bytes | None:
         if self.ndim == 3 and self.shape[2] in (3, 4) and self.dtype == numpy.uint8:
@@ -19,8 +31,12 @@ class Image(numpy.ndarray):
         return None
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes a PNG file."""
-        pathlib.Path(path).write_bytes(_native.encode_png(numpy.ascontiguousarray(self)))
+        """Writes a PNG file: the path ends in ".png"."""
+        file = pathlib.Path(_arguments.path("the file of a picture", path))
+        if file.suffix.lower() != ".png":
+            raise Error(f"{file} does not end in .png, and pictures are saved as PNG; scene.save() also writes .exr "
+                        "pictures and videos, and other libraries take the picture as a numpy array")
+        _write(file, _native.encode_png(numpy.ascontiguousarray(self)))
 
 
 class Video:
@@ -32,7 +48,7 @@ class Video:
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes the video to another file."""
-        pathlib.Path(path).write_bytes(self.data)
+        _write(pathlib.Path(_arguments.path("the file of a video", path)), self.data)
 
     def _repr_html_(self) -> str:
         data = base64.b64encode(self.data).decode("ascii")

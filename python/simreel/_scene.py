@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy
 
-from . import _native
+from . import _arguments, _native
 from ._errors import Error, warn
 from ._folder import folder_of
 from ._frame import Frame, Object
@@ -33,16 +33,19 @@ def _plain(value):
 
 
 def _pairs(changes):
-    return [(path, json.dumps(value, default=_plain)) for path, value in (changes or {}).items()]
+    if changes is not None and not isinstance(changes, Mapping):
+        raise TypeError(f"changes are a dict of values by dotted path, not {changes!r}")
+    return [(_arguments.text("a path of changes", path), json.dumps(value, default=_plain))
+            for path, value in (changes or {}).items()]
 
 
 def _frames_text(frames):
     """Returns frames as --frames takes them; None: all."""
     if frames is None or isinstance(frames, str):
         return frames
-    if isinstance(frames, int):
-        return str(frames)
-    return ",".join(str(int(frame)) for frame in frames)
+    if hasattr(frames, "__index__"):
+        return str(_arguments.frame_number("frames", frames))
+    return ",".join(map(str, _arguments.values("frames", frames, _arguments.frame_number)))
 
 
 def _file_suffix(source):
@@ -54,6 +57,7 @@ class _Kernels:
 
     def __init__(self):
         self.folder = None
+        self.paths = {}  # of the texts in the scene, by the names of their files
 
     def write(self, sections):
         """Returns the scene with a file in place of each "source"."""
@@ -68,11 +72,22 @@ class _Kernels:
                     raise Error(f'objects.{name}.kernels: give "file" or "source", not both')
                 if self.folder is None:
                     self.folder = folder_of(self, "kernels")
-                file = pathlib.Path(self.folder) / (name + _file_suffix(kernels["source"]))
-                file.write_text(kernels["source"], encoding="utf-8")
+                source = _arguments.text(f"objects.{name}.kernels.source", kernels["source"])
+                file = pathlib.Path(self.folder) / f"{len(self.paths)}{_file_suffix(source)}"
+                file.write_text(source, encoding="utf-8")
+                self.paths[str(file)] = f"objects.{name}.kernels.source"
                 kernels = {**{key: value for key, value in kernels.items() if key != "source"}, "file": file.name}
                 changed[name] = {**thing, "kernels": kernels}
         return {**sections, "objects": {**objects, **changed}} if changed else sections
+
+    def renamed(self, error):
+        """Returns an error with the paths in the scene in place of the files."""
+        message = str(error)
+        for file, path in self.paths.items():
+            message = message.replace(file, path)
+        mistakes = [one._replace(file=None, path=self.paths[one.file]) if one.file in self.paths else one
+                    for one in error.mistakes]
+        return Error(message, error.kind, mistakes)
 
 
 def _report(level=4):
@@ -86,8 +101,8 @@ class Scene:
     """A scene on the device, at frame 0 at first.
 
     Built from keyword arguments, which are the sections of a scene file: `Scene(objects={...}, time={...})`. load()
-    reads files. All functions may be called from any thread; one runs at a time. Arrays and pictures are copies in
-    host memory, so numpy, PyTorch (`torch.from_numpy`) and JAX read them through the CPU.
+    reads files. All functions may be called from any thread; one runs at a time. Arrays and pictures are read-only
+    copies in host memory, so numpy, PyTorch (`torch.from_numpy`) and JAX read them through the CPU.
     """
 
     def __init__(self, *, changes: Mapping[str, Any] | None = None, assets: Iterable[str | os.PathLike[str]] = (),
@@ -104,15 +119,21 @@ class Scene:
     def _start(self, source, changes, assets, motion, level):
         self._kernels = _Kernels()
         self._changes = _pairs(changes)
-        self._assets = [os.fspath(folder) for folder in assets]
+        if isinstance(assets, (str, os.PathLike)):
+            assets = [assets]
+        self._assets = _arguments.values("assets", assets, _arguments.path)
+        motion = bool(motion)
         if isinstance(source, dict):
             given = self._kernels.write({"version": 2, **source})
             if self._kernels.folder is not None:
                 self._assets.append(self._kernels.folder)
             self._source, self._text = None, json.dumps(given, default=_plain, indent=1)
-            self._native = _native.parse(self._text, "<scene>", self._changes, self._assets, motion)
+            try:
+                self._native = _native.parse(self._text, "<scene>", self._changes, self._assets, motion)
+            except Error as error:
+                raise self._kernels.renamed(error) from None
         else:
-            self._source, self._text = os.fspath(source), None
+            self._source, self._text = _arguments.path("a scene that is no dict", source), None
             self._native = _native.load(self._source, self._changes, self._assets, motion)
         self._kinds = self._native.objects()
         self._arrays = None
@@ -149,8 +170,13 @@ class Scene:
         return dict(self._kinds)
 
     def __repr__(self):
+        if not hasattr(self, "_steps"):
+            return "<simreel.Scene: not loaded>"
         inside = ", ".join(f"{name} ({kind})" for name, kind in self._kinds.items())
-        return f"<simreel.Scene {self.title or self._source or ''!r}: {inside}>"
+        try:
+            return f"<simreel.Scene {self.title or self._source or ''!r}: {inside}>"
+        except Error:
+            return f"<simreel.Scene {self._source or ''!r}: closed>"
 
     # Stepping
 
@@ -161,11 +187,14 @@ class Scene:
         return Frame(self, number, seconds)
 
     def step(self, frames: int = 1) -> Frame:
-        """Simulates a number of frames and returns the present one."""
+        """Simulates a number of frames, at least 0, and returns the present one."""
+        if _arguments.integer("frames", frames) < 0:
+            raise Error(f"step({frames}) would go back; restart() the scene, or restore() a snapshot")
         return self.advance_to(self._native.frame()[0] + frames)
 
     def advance_to(self, number: int) -> Frame:
         """Simulates up to a frame, which must not be an earlier one, and returns it."""
+        number = _arguments.frame_number("the frame", number)
         self._steps += 1
         number, seconds = self._native.advance_to(number)
         _report()
@@ -180,10 +209,20 @@ class Scene:
                progress: bool | None = None) -> Iterator[Frame]:
         """Yields the frames first, first + step, ... below `last` (default: the scene's end).
 
-        A frame is valid until the next one. The scene is restarted if it is beyond `first`. `progress`: shows a bar;
-        None: on a terminal and in a notebook.
+        Frames count from 0. There are none if `last` is not beyond `first`, and the scene then stays as it is. A frame
+        is valid until the next one. The scene is restarted if it is beyond `first`. `progress`: shows a bar; None: on a
+        terminal and in a notebook.
         """
-        numbers = range(first, self.frame_count if last is None else last, step)
+        first = _arguments.frame_number("first", first)
+        last = self.frame_count if last is None else _arguments.frame_number("last", last)
+        if _arguments.integer("step", step) < 1:
+            raise Error(f"frames go forward; step is {step}")
+        return self._walk(range(first, last, step), progress)
+
+    def _walk(self, numbers, progress):
+        if not numbers:
+            return
+        first = numbers[0]
         present = self._native.frame()[0]
         if present > first:
             if self._native.is_changed():
@@ -209,6 +248,8 @@ class Scene:
 
     def restore(self, snapshot: Any) -> None:
         """Goes on from the state of a scene with the same simulations."""
+        if not isinstance(snapshot, _native.Snapshot):
+            raise TypeError(f"restore() takes what snapshot() returned, not {snapshot!r}")
         self._steps += 1
         self._native.restore(snapshot)
 
@@ -245,7 +286,8 @@ class Scene:
         Names: depth (m), position (m), normal, albedo, velocity (m/s), vector (pixels), object (index into
         layer_objects), primitive, and light (linear RGBA). velocity and vector need load(..., motion=True).
         """
-        return self._native.layers([names] if isinstance(names, str) else list(names))
+        names = [names] if isinstance(names, str) else _arguments.values("names", names, _arguments.text)
+        return self._native.layers(names)
 
     @property
     def layer_objects(self) -> list[str]:
@@ -259,14 +301,14 @@ class Scene:
 
     def field(self, name: str) -> numpy.ndarray:
         """Returns the values of a field: (rows, columns), float32."""
-        return self._native.field(name)
+        return self._native.field(_arguments.text("the name of a field", name))
 
     # Whole runs
 
     def check(self, frames: Iterable[int] = (0,)) -> list[dict[str, Any]]:
         """Runs the scene from its start and returns the results of its checks, one dict for each check and frame."""
         keys = ("what", "frame", "value", "passed", "problem")
-        return [dict(zip(keys, one)) for one in self._native.check(list(frames))]
+        return [dict(zip(keys, one)) for one in self._native.check(_arguments.values("frames", frames, _arguments.frame_number))]
 
     def save(self, output: str | os.PathLike[str], frames: Numbers = None, *, overwrite: bool = True,
              manifest: bool | None = None) -> str:
@@ -275,7 +317,7 @@ class Scene:
         The files are those of `simreel render`. `manifest`: writes manifest.json and run.json beside the pictures;
         None: for folders.
         """
-        output = os.fspath(output) + ("/" if isinstance(output, pathlib.Path) and not output.suffix else "")
+        output = _arguments.path("output", output) + ("/" if isinstance(output, pathlib.Path) and not output.suffix else "")
         if manifest is None:
             manifest = output.endswith("/")
         return self._native.render(output, _frames_text(frames), overwrite, manifest)

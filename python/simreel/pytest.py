@@ -9,6 +9,7 @@ import re
 import shutil
 import tempfile
 
+import numpy
 import pytest
 
 from . import load
@@ -37,8 +38,11 @@ class _Golden:
         self.folder = pathlib.Path(request.node.path).parent
         self.count = 0
 
-    def compare(self, *words):
-        """Returns nothing if all is equal; else fails the test with the program's words."""
+    def compare(self, *words, baselines=None):
+        """Returns nothing if all is equal; else fails the test with the program's words.
+
+        `baselines`: a temporary folder and the one that its pictures come from, which the message names.
+        """
         self.count += 1
         if self.update:
             run_program("test", *words, "--update", accepted=(0, 1, 3))
@@ -52,10 +56,15 @@ class _Golden:
                 if self.reports is not None:
                     shutil.rmtree(report, ignore_errors=True)
                 return
-            kept = f"\nreport: {report}/index.html" if self.reports is not None else \
-                "\n--simreel-report FOLDER keeps the report, --simreel-update writes the baselines"
-            pytest.fail((done.stdout + done.stderr).strip() + kept, pytrace=False)
-
+            kept = f"report: {report}/index.html" if self.reports is not None else \
+                "--simreel-report FOLDER keeps the report"
+            said = done.stdout + done.stderr
+            if baselines is not None:
+                said = said.replace(*map(str, baselines))
+            # Lines about folders that are removed here help nobody.
+            lines = [line for line in said.splitlines()
+                     if spare not in line and not (baselines and line.startswith("To accept:"))]
+            pytest.fail("\n".join([*lines, f"{kept}, --simreel-update writes the baselines"]), pytrace=False)
 
     def compare_pictures(self, pictures, folder, rules):
         """Compares pictures, by file name, with the baselines in a folder."""
@@ -67,6 +76,10 @@ class _Golden:
             expected.mkdir()
             actual.mkdir()
             for name, picture in pictures.items():
+                picture = numpy.asarray(picture)
+                if picture.dtype != numpy.uint8 or picture.ndim != 3 or picture.shape[2] not in (3, 4):
+                    raise TypeError("a picture is an array (height, width, 3 or 4) of uint8, not "
+                                    f"{picture.shape} of {picture.dtype}")
                 picture.view(Image).save(actual / name)
                 if (folder / name).exists():
                     shutil.copy(folder / name, expected)
@@ -74,7 +87,8 @@ class _Golden:
             text = {"tolerance": bounds} if bounds else {}
             text.update({_RULES[name]: value for name, value in rules.items() if name in _RULES})
             (pathlib.Path(spare) / "rules.json").write_text(json.dumps(text), encoding="utf-8")
-            self.compare("--expected", expected, "--actual", actual, "--rules", pathlib.Path(spare) / "rules.json")
+            self.compare("--expected", expected, "--actual", actual, "--rules", pathlib.Path(spare) / "rules.json",
+                         baselines=(expected, folder))
             if self.update:
                 folder.mkdir(parents=True, exist_ok=True)
                 for name in pictures:

@@ -6,6 +6,8 @@
 #include "sim/core/carry_over.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstring>
 #include <string_view>
 #include <utility>
@@ -71,6 +73,28 @@ void store(const sim::StateArray& array, gl::Buffer& buffer, const std::vector<s
   std::vector<std::uint32_t> apart(each * static_cast<std::size_t>(array.planes.count));
   for (std::size_t i = 0; i < apart.size(); ++i) apart[i] = words[elementWords * (i % each) + i / each];
   buffer.write(array.planes.part.offset, std::as_bytes(std::span(apart)));
+}
+
+std::string indexText(std::size_t number, const std::vector<std::size_t>& shape) {
+  std::string text;
+  for (std::size_t i = shape.size(); i-- > 0; number /= shape[i])
+    text = fmt::format("{}{}{}", number % shape[i], text.empty() ? "" : ", ", text);
+  return text;
+}
+
+/// Throws Error(usage) for the first value that is NaN or infinite, unless `present` (elements of four
+/// words) has the same bits there.
+void requireFinite(const std::string& name, const std::vector<std::size_t>& shape,
+                   std::span<const std::byte> values, const std::vector<std::uint32_t>& present) {
+  for (std::size_t i = 0; i < values.size() / wordBytes; ++i) {
+    float value = 0;
+    std::memcpy(&value, values.data() + i * wordBytes, wordBytes);
+    if (std::isfinite(value) || std::bit_cast<std::uint32_t>(value) ==
+                                    present[elementWords * (i / shape.back()) + i % shape.back()])
+      continue;
+    api::fail(ErrorKind::usage, fmt::format("{}[{}] is {}; a state takes only finite numbers", name,
+                                            indexText(i, shape), std::isnan(value) ? "NaN" : "infinite"));
+  }
 }
 
 }  // namespace
@@ -153,11 +177,8 @@ void Scene::State::write(std::string_view object, std::string_view array, std::s
               fmt::format("{}.{} is computed in each frame from other arrays, so it cannot be written",
                           object, array));
   const std::size_t components = shape.back();
-  std::vector<std::uint32_t> words;
-  if (components < elementWords)
-    words = state.readAll<std::uint32_t>();
-  else
-    words.resize(count);
+  std::vector<std::uint32_t> words = state.readAll<std::uint32_t>();
+  if (!integers) requireFinite(fmt::format("{}.{}", object, array), shape, values, words);
   for (std::size_t i = 0; i < count; ++i)
     std::memcpy(&words[elementWords * (i / components) + i % components], values.data() + i * wordBytes,
                 wordBytes);

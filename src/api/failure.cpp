@@ -85,6 +85,13 @@ std::vector<Mistake> mistakesIn(std::string_view report) {
   return mistakes;
 }
 
+/// Returns a mistake with the name that a sentence suggests, or none.
+std::vector<Mistake> suggestionIn(const std::string& sentence) {
+  std::string name = suggestedBy(sentence);
+  if (name.empty()) return {};
+  return {{{}, 0, 0, {}, sentence, std::move(name)}};
+}
+
 }  // namespace
 
 void fail(ErrorKind kind, std::string message) {
@@ -101,7 +108,7 @@ void rethrowAsError(const std::exception_ptr& failure) {
   } catch (const UserError& error) {
     throw Error(
         kindOf(error), error.what(),
-        error.form() == UserError::Form::report ? mistakesIn(error.what()) : std::vector<Mistake>());
+        error.form() == UserError::Form::report ? mistakesIn(error.what()) : suggestionIn(error.what()));
   } catch (const frame::Interrupted&) {
     throw Error(ErrorKind::interrupted, "interrupted");
   } catch (const std::bad_alloc&) {

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <csignal>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -73,7 +74,10 @@ bool Scene::isChanged() const {
 }
 
 Frame Scene::frame() const {
-  return state_->device->run([this] { return Frame{state_->world->frame(), state_->world->time()}; });
+  return state_->device->run([this] {
+    if (!state_->world) state_->requireState();
+    return Frame{state_->world->frame(), state_->world->time()};
+  });
 }
 Frame Scene::advanceTo(int frame) {
   return state_->device->run([&] {
@@ -186,11 +190,15 @@ Picture Scene::picture() {
 }
 
 std::vector<CheckResult> Scene::check(const std::vector<int>& frames) {
+  const std::set<int> drawn(frames.begin(), frames.end());
+  if (!drawn.empty() && *drawn.begin() < 0)
+    api::fail(ErrorKind::usage, fmt::format("frames count from 0; there is no frame {}", *drawn.begin()));
   return state_->device->run([&] {
     const std::unique_ptr<scene::Scene> tested = state_->read(true);
     static_cast<void>(sim::frameMotion(*tested));
     std::vector<CheckResult> results;
-    for (const golden::CheckResult& one : golden::runScene(*tested, frames).checks)
+    const std::vector<int> inOrder(drawn.begin(), drawn.end());
+    for (const golden::CheckResult& one : golden::runScene(*tested, inOrder).checks)
       results.push_back({one.what, one.frame, one.value.value_or(std::numeric_limits<double>::quiet_NaN()),
                          one.passed, one.message});
     return results;

@@ -1,14 +1,17 @@
 #include "api/scene_state.hpp"
 
 #include "api/failure.hpp"
+#include "base/error.hpp"
 #include "frame/draw_world.hpp"
 #include "frame/interrupt.hpp"
 #include "scene/as_run.hpp"
 #include "scene/load.hpp"
+#include "scene/shipped_scene.hpp"
 #include "sim/core/numerics.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/survey.hpp"
 
+#include <exception>
 #include <utility>
 
 #include <fmt/format.h>
@@ -24,6 +27,7 @@ Scene::State::State(std::shared_ptr<Device::State> on, std::string name, const s
   for (const std::string& folder : how.assets) source.assets.emplace_back(folder);
   source.motion = how.motion;
   device->run([this] {
+    if (!source.text) source.name = scene::sceneFile(source.name);
     scene = read(false);
     sim::requireExact(*scene, device->numerics);
     if (source.motion && scene->render.rasterizer != scene::Rasterizer::exact)
@@ -73,6 +77,8 @@ void Scene::State::makeWorld() {
   const bool moves = scene->camera.shutter || source.motion;
   if (moves && !std::exchange(placed_, true))
     static_cast<void>(sim::frameMotion(*scene, frame::throwIfInterrupted));
+  lost = Error(ErrorKind::usage,
+               "an earlier error ended the start of this scene; restart() it, or load it again");
   summaries.reset();
   world.reset();
   sim::compileWorldAhead(*scene);
@@ -80,7 +86,8 @@ void Scene::State::makeWorld() {
   summaries = std::make_unique<frame::Summaries>(
       *world, [this](const sim::World::Summary& summary) { stateHash = summary.stateHash; });
   seen = true;
-  lost = changed = false;
+  lost.reset();
+  changed = false;
   movedTo_.reset();
   if (moves) {  // new renderers, because those before remember earlier motion
     renderer_.reset();
@@ -109,9 +116,9 @@ void Scene::State::restart() {
 }
 
 void Scene::State::advanceTo(int frame) {
-  if (lost)
-    api::fail(ErrorKind::usage,
-              "an earlier error ended a frame of this scene midway; restart() it, or load it again");
+  requireState();
+  if (frame < 0)
+    api::fail(ErrorKind::usage, fmt::format("frames count from 0; there is no frame {}", frame));
   if (frame < world->frame())
     api::fail(ErrorKind::usage,
               fmt::format("frame {} lies before the present one, {}; restart() the scene first", frame,
@@ -128,19 +135,46 @@ void Scene::State::advanceTo(int frame) {
       if (seen) summaries->start();
     }
   } catch (...) {
-    lost = !world->isWhole();
+    keepLoss();
+    throw;
+  }
+}
+
+void Scene::State::requireState() const {
+  if (lost) throw Error(*lost);
+}
+
+/// Keeps the error being handled if it made the state unusable.
+void Scene::State::keepLoss() {
+  try {
+    api::rethrowAsError(std::current_exception());
+  } catch (const Error& error) {
+    if (error.kind() == ErrorKind::device)
+      lost = error;
+    else if (!world->isWhole())
+      lost = Error(ErrorKind::usage,
+                   "an earlier error ended a frame of this scene midway; restart() it, or load it again");
+  }
+}
+
+/// Waits for the summaries of all simulated frames.
+void Scene::State::settle() {
+  try {
+    summaries->takeAll();
+  } catch (...) {
+    keepLoss();
     throw;
   }
 }
 
 void Scene::State::complete() {
-  if (lost) advanceTo(world->frame());  // throws
+  requireState();
   if (!seen) {
     world->complete();
     seen = true;
     summaries->start();
   }
-  summaries->takeAll();
+  settle();
 }
 
 std::size_t Scene::State::indexOf(std::string_view object) const {
@@ -166,10 +200,14 @@ sim::StateArray Scene::State::arrayOf(std::string_view object, std::string_view 
 void Scene::State::restore(const Snapshot::State& from) {
   if (from.simulation != simulationHash())
     api::fail(ErrorKind::usage, "the snapshot belongs to a scene with other simulations");
-  summaries->takeAll();
+  try {
+    if (!lost) settle();
+  } catch (const UserError&) {
+    SIMREEL_CHECK(lost);  // a lost state is replaced below
+  }
+  if (lost) makeWorld();
   frame::putBack(*world, from.world.frame, from.world.parts, from.world.bytes, "the snapshot");
   seen = true;
-  lost = false;
   changed = from.changed;
   movedTo_.reset();
   summaries->start();

@@ -44,8 +44,11 @@ struct Scene::State {
 
   void restart();
   void advanceTo(int frame);
-  /// Completes the present frame, waits for its state hash, and throws if a simulation lost its state.
+  /// Completes the present frame and waits for its state hash. Throws if a simulation lost its state, and
+  /// then throws the same error until restart() or restore().
   void complete();
+  /// Throws the error that made the state unusable, if there was one.
+  void requireState() const;
   [[nodiscard]] std::size_t indexOf(std::string_view object) const;
   [[nodiscard]] sim::StateArray arrayOf(std::string_view object, std::string_view array) const;
   /// Returns the description of a state array that exists.
@@ -65,13 +68,15 @@ struct Scene::State {
   std::unique_ptr<sim::World> world;
   std::unique_ptr<frame::Summaries> summaries;
   std::string stateHash;
-  bool seen = true;      ///< false: the present frame was passed and must be completed
-  bool changed = false;  ///< true after write()
-  bool lost = false;     ///< true after an error within a frame
+  bool seen = true;           ///< false: the present frame was passed and must be completed
+  bool changed = false;       ///< true after write()
+  std::optional<Error> lost;  ///< error that made the state unusable; every use of the state repeats it
   std::vector<std::string> layerObjects;
 
  private:
   void makeWorld();
+  void settle();
+  void keepLoss();
   [[nodiscard]] ArrayInfo describe(std::size_t object, const sim::StateArray& array) const;
   void follow();
   void placeCamera();

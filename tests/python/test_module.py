@@ -116,6 +116,32 @@ class State(ModuleCase):
         scene.restart()
         self.assertEqual(scene.state_hash, self.scene().state_hash)
 
+    def test_arrays_are_read_only_and_change_by_assignment(self):
+        scene = self.scene(motion=True)
+        flag = scene["flag"]
+        arrays = [flag.positions, scene.image(), flag.mesh()["positions"], *scene.layers("depth").values()]
+        for array in arrays:
+            self.assertFalse(array.flags.writeable)
+            with self.assertRaises(ValueError):
+                array[0, 0] = 0
+        before = flag.positions
+        flag.positions += numpy.float32([0, 1, 0])
+        self.assert_same(flag.positions, before + numpy.float32([0, 1, 0]))
+        flag.velocities -= 1
+        self.assertEqual(set(numpy.unique(flag.velocities)), {-1.0})
+        changed = flag.positions.copy()
+        changed[0, 0] = 3
+        flag.positions = changed
+        self.assertEqual(list(flag.positions[0, 0]), [3, 3, 3])
+
+    def test_derived_arrays_are_plain(self):
+        for array in (self.scene()["flag"].positions, self.scene().image()):
+            for derived in (array[1:3], array[..., 0], array.astype(float), array.copy(), array.T, array + 1, array // 2,
+                            array.reshape(-1), array.mean(axis=0), array > 1, numpy.flip(array), numpy.array(array),
+                            numpy.concatenate([array, array]), numpy.where(array > 1, array, 0), array.cumsum(axis=0)):
+                self.assertIs(type(derived), numpy.ndarray)
+            self.assertIsInstance(array.sum(), numpy.number)
+
     def test_fields_and_particles_can_be_written(self):
         self.write("scene.json", SPARKS)
         sparks = self.scene()["sparks"]
@@ -225,6 +251,72 @@ class Errors(ModuleCase):
         self.assertEqual([one.path for one in raised.exception.mistakes], ["objects.flag.cloth.size.0", "render.sise"])
         self.assertIsNone(raised.exception.line)
 
+    def test_a_name_is_that_of_a_shipped_scene(self):
+        small = {"render.size": [32, 18]}
+        for name in ("flag", "flag.json"):
+            with simreel.load(name, small) as scene:
+                self.assertEqual(scene.objects["flag"], "cloth")
+        with self.assertRaisesRegex(simreel.Error, "there is no scene flga here") as raised:
+            simreel.load("flga")
+        self.assertEqual((raised.exception.kind, raised.exception.suggestion), ("usage", "flag"))
+        printed = self.run_program("render", "flga").stderr.decode()
+        self.assertEqual(printed, f"simreel: error: {raised.exception}\n")
+
+    def test_an_error_in_the_text_of_kernels_has_its_path_and_line(self):
+        source = "#pragma kernel Step\nRWTexture2D<float> _Cells;\n[numthreads(8, 8, 1)]\n" \
+                 "void Step(uint3 id : SV_DispatchThreadID) { _Cells[id.xy] = _Cell[id.xy]; }\n"
+        with self.assertRaises(simreel.Error) as raised:
+            simreel.Scene(objects={"life": {"kernels": {
+                "source": source, "textures": {"_Cells": [16, 8]}, "step": ["Step"]}}})
+        error = raised.exception
+        self.assertEqual((error.kind, error.path, error.file, error.line),
+                         ("scene", "objects.life.kernels.source", None, 4))
+        self.assertTrue(str(error).startswith("objects.life.kernels.source:4:"), str(error))
+
+    def test_frames_count_from_zero(self):
+        scene = self.scene()
+        scene.step(2)
+        for use in (lambda: scene.advance_to(-1), lambda: scene.frames(-2, 3), lambda: scene.frames(0, -1),
+                    lambda: scene.check([-1]), lambda: scene.save(self.folder / "out", [-1])):
+            with self.assertRaisesRegex(simreel.Error, "frames count from 0"):
+                use()
+        for use in (lambda: scene.step(-1), lambda: scene.frames(3, 0, -1)):
+            with self.assertRaisesRegex(simreel.Error, "would go back|go forward"):
+                use()
+        self.assertEqual(list(scene.frames(5, 3)), [])
+        self.assertEqual(scene.frame.number, 2)
+
+    def test_a_picture_is_saved_as_png_only(self):
+        image = self.scene().image()
+        for name, kind, words in (("x.jpg", "usage", "png"), ("none/x.png", "inputOutput", "cannot write")):
+            with self.assertRaisesRegex(simreel.Error, words) as raised:
+                image.save(self.folder / name)
+            self.assertEqual(raised.exception.kind, kind)
+        self.assertFalse((self.folder / "x.jpg").exists())
+
+    def test_arguments_of_a_wrong_type_are_named(self):
+        scene, file = self.scene(), self.folder / "scene.json"
+        for use in (lambda: scene.step("x"), lambda: scene.advance_to(1.5), lambda: scene.frames("a"),
+                    lambda: scene.layers(3), lambda: scene.layers([3]), lambda: scene.field(3), lambda: scene.restore(3),
+                    lambda: scene.check(["a"]), lambda: scene.save(3), lambda: simreel.load(None),
+                    lambda: simreel.load(file, [3]), lambda: simreel.load(file, {3: 1}),
+                    lambda: simreel.load(file, assets=[3]), lambda: simreel.device(memory_path=3),
+                    lambda: scene.image().save(3)):
+            with self.assertRaisesRegex(TypeError, "not .") as raised:
+                use()
+            self.assertNotRegex(str(raised.exception), "_native|arg0")
+
+    def test_a_closed_or_unmade_scene_has_a_text(self):
+        scene = self.scene()
+        flag, frame = self.scene()["flag"], scene.frame
+        self.assertIn("positions", repr(flag))
+        flag = scene["flag"]
+        scene.close()
+        self.assertIn("closed", repr(scene))
+        self.assertIn("no state now", repr(flag))
+        self.assertIn("Frame 0", repr(frame))
+        self.assertIn("not loaded", repr(simreel.Scene.__new__(simreel.Scene)))
+
     def test_wrong_calls_say_what_there_is(self):
         scene = self.scene()
         for words, wrong in (('no object "flog"', lambda: scene["flog"]),
@@ -240,14 +332,33 @@ class Errors(ModuleCase):
         with self.assertRaisesRegex(simreel.Error, "closed"):
             scene.image()
 
-    def test_a_lost_state_is_an_error_of_the_device(self):
+    def test_numbers_that_are_not_finite_cannot_be_written(self):
         scene = self.scene()
-        scene["flag"].positions = numpy.nan
-        with self.assertRaises(simreel.Error) as raised:
-            scene.step().state_hash
-        self.assertEqual(raised.exception.kind, "device")
-        scene.restart()
-        self.assertEqual(scene.step().state_hash, self.scene().step().state_hash)
+        flag, here = scene.step()["flag"], scene.state_hash
+        for number, words in ((numpy.nan, "is NaN"), (-numpy.inf, "is infinite")):
+            values = numpy.array(flag.positions)
+            values[2, 3, 1] = values[4, 0, 0] = number
+            with self.assertRaisesRegex(simreel.Error, rf"flag\.positions\[2, 3, 1\] {words}") as raised:
+                flag.positions = values
+            self.assertEqual(raised.exception.kind, "usage")
+        self.assertEqual(scene.state_hash, here)
+
+    def test_every_use_of_a_lost_state_gives_the_same_error_of_the_device(self):
+        scene = self.scene()
+        start, flag = scene.snapshot(), scene["flag"]
+        second = scene.step().state_hash
+        for recover in (scene.restart, lambda: scene.restore(start)):
+            flag.velocities = 1e30
+            frame, messages = scene.step(), set()
+            for use in (lambda: frame.state_hash, lambda: flag.positions, lambda: setattr(flag, "positions", 0),
+                        frame.image, scene.snapshot, scene.step, flag.measure, flag.mesh, lambda: scene.layers("depth"),
+                        lambda: scene.state_hash):
+                with self.assertRaises(simreel.Error) as raised:
+                    use()
+                messages.add((raised.exception.kind, str(raised.exception)))
+            self.assertEqual([(kind, "blew up" in text) for kind, text in messages], [("device", True)])
+            recover()
+            self.assertEqual(scene.step().state_hash, second)
 
     def test_another_device_can_be_opened_when_all_scenes_are_closed(self):
         with self.scene() as scene:

@@ -25,6 +25,8 @@ def test_image(assert_image):
 def test_rule(assert_image):
     with pytest.raises(TypeError, match="there is no rule 'max_dif'"):
         assert_image(None, "golden/first.png", max_dif=1)
+    with pytest.raises(TypeError, match="of uint8, not .* of float64"):
+        assert_image([[[0.5, 0.5, 0.5]]], "golden/first.png")
 '''
 
 GOOD = '''
@@ -57,6 +59,8 @@ class Plugin(ModuleCase):
         self.assertEqual(code, 1, text)
         self.assertIn("2 failed, 1 passed", text)
         self.assertIn("--simreel-update writes the baselines", text)
+        self.assertIn(f"there is no baseline {self.folder / 'golden/first.png'}", text)
+        self.assertNotRegex(text, "/simreel-(image|report)-|To accept")
         code, text = self.pytest("--simreel-update")
         self.assertEqual(code, 0, text)
         self.assertEqual(sorted(file.name for file in self.folder.glob("golden/**/*.png")),

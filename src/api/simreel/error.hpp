@@ -37,7 +37,8 @@ class SIMREEL_API Error : public std::exception {
   Error& operator=(const Error&);
   [[nodiscard]] const char* what() const noexcept override;
   [[nodiscard]] ErrorKind kind() const noexcept;
-  /// Returns every mistake, in the order of the file; empty unless the error is about a file's content.
+  /// Returns every mistake, in the order of the file. For errors about other things than a file's content:
+  /// one mistake without a place if the message suggests a name, else none.
   [[nodiscard]] const std::vector<Mistake>& mistakes() const noexcept;
 
  private:

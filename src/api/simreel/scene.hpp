@@ -52,11 +52,12 @@ class SIMREEL_API Snapshot {
 };
 
 /// A scene with its simulations on the device. It is at frame 0 at first, after the pre-roll. Several
-/// scenes may exist at once. All functions throw Error; after an Error(device) of a stepping function the
-/// scene is of no further use.
+/// scenes may exist at once. All functions throw Error. After an Error(device) of a stepping function, such
+/// as a simulation that blew up, every function that needs the state throws the same error until restart()
+/// or restore().
 class SIMREEL_API Scene {
  public:
-  /// Reads a scene file, a mesh or a pattern, as `simreel render` does.
+  /// Reads a scene file, a mesh, a pattern or a shipped scene by its name, as `simreel render` does.
   static Scene load(const Device& device, const std::string& file, const LoadOptions& options = {});
   /// Reads a scene from JSON text. `name` stands for the file in messages, and its folder is the first one
   /// that is searched for files.
@@ -94,7 +95,8 @@ class SIMREEL_API Scene {
   /// Copies a state array from the device.
   [[nodiscard]] Array read(std::string_view object, std::string_view array);
   /// Replaces a state array. `values`: as many as the array's shape has, the last axis fastest. Numbers
-  /// beside them, such as the w of positions, stay.
+  /// beside them, such as the w of positions, stay. Throws Error(usage) for NaN and infinity, unless the
+  /// array has the same bits there already.
   void write(std::string_view object, std::string_view array, std::span<const float> values);
   void write(std::string_view object, std::string_view array, std::span<const std::uint32_t> values);
   /// Returns the names of the fields: grids of cells with one value each.

@@ -3,10 +3,10 @@
 #include "base/file.hpp"
 #include "base/wrap.hpp"
 #include "cli/list/pages.hpp"
-#include "cli/options/shipped_scene.hpp"
 #include "scene/json/diagnostics.hpp"
 #include "scene/json/json_node.hpp"
 #include "scene/json/words.hpp"
+#include "scene/shipped_scene.hpp"
 #include "sim/world/list.hpp"
 
 #include <algorithm>
@@ -120,7 +120,7 @@ bool holds(const std::string& text, const std::vector<std::string>& words) {
 std::optional<ShippedValue> shippedValue(const HelpPage& page, std::string_view parameter) {
   static const std::vector<std::pair<std::string, std::string>> texts = [] {
     std::vector<std::pair<std::string, std::string>> all;
-    for (const std::string& name : shippedScenes())
+    for (const std::string& name : scene::shippedScenes())
       all.emplace_back(name, readFile(assetFolder() / "scenes" / (name + ".json"), "scene"));
     return all;
   }();
