@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import json
+import operator
 import os
 import pathlib
 import tempfile
@@ -40,9 +41,13 @@ def _frames_text(frames):
     """Returns frames as --frames takes them; None: all."""
     if frames is None or isinstance(frames, str):
         return frames
-    if isinstance(frames, int):
-        return str(frames)
-    return ",".join(str(int(frame)) for frame in frames)
+    try:
+        if hasattr(frames, "__index__"):
+            return str(operator.index(frames))
+        return ",".join(str(operator.index(frame)) for frame in frames)
+    except TypeError:
+        raise Error(f"frames: {frames!r} are not whole numbers; give a number, several, or text as --frames takes it"
+                    ) from None
 
 
 def _file_suffix(source):
@@ -61,14 +66,15 @@ class _Kernels:
         if not isinstance(objects, dict):
             return sections
         changed = {}
-        for name, thing in objects.items():
+        for i, (name, thing) in enumerate(objects.items()):
             kernels = thing.get("kernels") if isinstance(thing, dict) else None
             if isinstance(kernels, dict) and "source" in kernels:
                 if "file" in kernels:
                     raise Error(f'objects.{name}.kernels: give "file" or "source", not both')
                 if self.folder is None:
                     self.folder = folder_of(self, "kernels")
-                file = pathlib.Path(self.folder) / (name + _file_suffix(kernels["source"]))
+                # a name may have characters that a file's cannot have
+                file = pathlib.Path(self.folder) / (f"kernels{i}" + _file_suffix(kernels["source"]))
                 file.write_text(kernels["source"], encoding="utf-8")
                 kernels = {**{key: value for key, value in kernels.items() if key != "source"}, "file": file.name}
                 changed[name] = {**thing, "kernels": kernels}
@@ -104,6 +110,8 @@ class Scene:
     def _start(self, source, changes, assets, motion, level):
         self._kernels = _Kernels()
         self._changes = _pairs(changes)
+        if isinstance(assets, (str, os.PathLike)):
+            assets = [assets]
         self._assets = [os.fspath(folder) for folder in assets]
         if isinstance(source, dict):
             given = self._kernels.write({"version": 2, **source})
@@ -162,7 +170,10 @@ class Scene:
 
     def step(self, frames: int = 1) -> Frame:
         """Simulates a number of frames and returns the present one."""
-        return self.advance_to(self._native.frame()[0] + frames)
+        self._steps += 1
+        number, seconds = self._native.advance_by(frames)
+        _report()
+        return Frame(self, number, seconds)
 
     def advance_to(self, number: int) -> Frame:
         """Simulates up to a frame, which must not be an earlier one, and returns it."""

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <csignal>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -38,11 +39,15 @@ Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&&) noexcept = default;
 
 Scene Scene::load(const Device& device, const std::string& file, const LoadOptions& options) {
-  return Scene(std::make_unique<State>(device.state(), file, nullptr, options));
+  auto state = std::make_unique<State>(device.state(), file, nullptr, options);
+  state->begin();
+  return Scene(std::move(state));
 }
 Scene Scene::parse(const Device& device, const std::string& text, const std::string& name,
                    const LoadOptions& options) {
-  return Scene(std::make_unique<State>(device.state(), name, &text, options));
+  auto state = std::make_unique<State>(device.state(), name, &text, options);
+  state->begin();
+  return Scene(std::move(state));
 }
 
 std::string Scene::title() const {
@@ -73,11 +78,29 @@ bool Scene::isChanged() const {
 }
 
 Frame Scene::frame() const {
-  return state_->device->run([this] { return Frame{state_->world->frame(), state_->world->time()}; });
+  return state_->device->run([this] {
+    if (!state_->world) state_->requireState();
+    return Frame{state_->world->frame(), state_->world->time()};
+  });
 }
 Frame Scene::advanceTo(int frame) {
   return state_->device->run([&] {
     state_->advanceTo(frame);
+    return Frame{state_->world->frame(), state_->world->time()};
+  });
+}
+Frame Scene::advanceBy(int frames) {
+  return state_->device->run([&] {
+    state_->requireState();
+    const int present = state_->world->frame();
+    if (frames < 0)
+      api::fail(ErrorKind::usage,
+                fmt::format("a scene cannot go {} frames back; restart() it, or restore() a snapshot",
+                            -static_cast<long>(frames)));
+    if (frames > std::numeric_limits<int>::max() - present)
+      api::fail(ErrorKind::usage, fmt::format("frame {} + {} is beyond the last frame, {}", present, frames,
+                                              std::numeric_limits<int>::max()));
+    state_->advanceTo(present + frames);
     return Frame{state_->world->frame(), state_->world->time()};
   });
 }
@@ -186,11 +209,15 @@ Picture Scene::picture() {
 }
 
 std::vector<CheckResult> Scene::check(const std::vector<int>& frames) {
+  const std::set<int> wanted(frames.begin(), frames.end());
+  if (!wanted.empty() && *wanted.begin() < 0)
+    api::fail(ErrorKind::usage, fmt::format("frame {}: checks are made at frames from 0", *wanted.begin()));
+  const std::vector<int> ascending(wanted.begin(), wanted.end());
   return state_->device->run([&] {
     const std::unique_ptr<scene::Scene> tested = state_->read(true);
     static_cast<void>(sim::frameMotion(*tested));
     std::vector<CheckResult> results;
-    for (const golden::CheckResult& one : golden::runScene(*tested, frames).checks)
+    for (const golden::CheckResult& one : golden::runScene(*tested, ascending).checks)
       results.push_back({one.what, one.frame, one.value.value_or(std::numeric_limits<double>::quiet_NaN()),
                          one.passed, one.message});
     return results;

@@ -8,6 +8,7 @@
 #include "scene/scene.hpp"
 #include "sim/world/world.hpp"
 
+#include <exception>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,12 +23,14 @@ struct Snapshot::State {
   bool changed = false;  ///< true if the state was written
 };
 
-/// A scene on the device. All functions but the constructor run on the device's thread.
+/// A scene on the device. All functions but the constructor and begin() run on the device's thread.
 struct Scene::State {
-  /// Reads the scene. `text` null: from the file.
+  /// Stores the source of the scene. `text` null: it is read from the file.
   State(std::shared_ptr<Device::State> on, std::string name, const std::string* text,
         const LoadOptions& how);
   ~State();
+  /// Reads the scene and makes its world. Call it from the calling thread.
+  void begin();
   State(const State&) = delete;
   State& operator=(const State&) = delete;
 
@@ -46,6 +49,8 @@ struct Scene::State {
   void advanceTo(int frame);
   /// Completes the present frame, waits for its state hash, and throws if a simulation lost its state.
   void complete();
+  /// Throws the error that ended the state. Does nothing if the scene has a state.
+  void requireState() const;
   [[nodiscard]] std::size_t indexOf(std::string_view object) const;
   [[nodiscard]] sim::StateArray arrayOf(std::string_view object, std::string_view array) const;
   /// Returns the description of a state array that exists.
@@ -67,11 +72,15 @@ struct Scene::State {
   std::string stateHash;
   bool seen = true;      ///< false: the present frame was passed and must be completed
   bool changed = false;  ///< true after write()
-  bool lost = false;     ///< true after an error within a frame
   std::vector<std::string> layerObjects;
 
  private:
   void makeWorld();
+  void buildWorld();
+  void stepTo(int frame);
+  /// Runs work that changes the state or waits for it. Keeps the error if the state is lost.
+  template <class Work>
+  void keepLoss(const Work& work);
   [[nodiscard]] ArrayInfo describe(std::size_t object, const sim::StateArray& array) const;
   void follow();
   void placeCamera();
@@ -80,6 +89,8 @@ struct Scene::State {
   void requireMotion(const draw::Renderer& renderer, const char* what) const;
 
   std::vector<ArrayInfo> infos_;  ///< empty: not described yet
+  /// Error that ended the state, until restart() or restore(). Null: the scene has a state.
+  std::exception_ptr loss_;
   bool placed_ = false;
   std::unique_ptr<draw::Renderer> renderer_, layerRenderer_;
   std::unique_ptr<draw::Readback> readback_;

@@ -52,8 +52,8 @@ class SIMREEL_API Snapshot {
 };
 
 /// A scene with its simulations on the device. It is at frame 0 at first, after the pre-roll. Several
-/// scenes may exist at once. All functions throw Error; after an Error(device) of a stepping function the
-/// scene is of no further use.
+/// scenes may exist at once. All functions throw Error. If a simulation lost its state, all functions that
+/// need the state throw the same Error(device) until restart() or restore().
 class SIMREEL_API Scene {
  public:
   /// Reads a scene file, a mesh or a pattern, as `simreel render` does.
@@ -81,6 +81,8 @@ class SIMREEL_API Scene {
   [[nodiscard]] Frame frame() const;
   /// Simulates up to a frame. Throws Error(usage) for an earlier frame than the present one.
   Frame advanceTo(int frame);
+  /// Simulates a number of frames from the present one. Calls of several threads add up.
+  Frame advanceBy(int frames);
   /// Goes back to frame 0 of the scene as it was read.
   void restart();
   /// Returns the hash of all state arrays (32 hexadecimal digits), as `simreel trace` and manifests have
@@ -120,8 +122,8 @@ class SIMREEL_API Scene {
   /// Returns the names of the objects that the layer "object" numbers.
   [[nodiscard]] std::vector<std::string> layerObjects() const;
 
-  /// Runs the scene from its start and evaluates its checks. `frames`: drawn frames. Leaves the present
-  /// frame as it is.
+  /// Runs the scene from its start and evaluates its checks. `frames`: drawn frames, from 0, in any
+  /// order. Leaves the present frame as it is.
   [[nodiscard]] std::vector<CheckResult> check(const std::vector<int>& frames);
   /// Renders the scene from its start to a folder, pictures or a video: the files of `simreel render`.
   /// Returns the names of the files in words. Leaves the present frame as it is.
