@@ -1,18 +1,25 @@
 // The module simreel._native: libsimreel for Python. The classes of the package simreel wrap it.
+#include "unlocked.hpp"
+
+#include <chrono>
 #include <cstring>
 #include <memory>
 #include <optional>
+#include <pthread.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 #include <simreel/simreel.hpp>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
 namespace py = pybind11;
 
 namespace {
+
+using namespace simreel::python;
 
 /// The device of the process. Never destroyed by the C++ runtime, because the driver ends first; close()
 /// does it.
@@ -57,15 +64,18 @@ py::array toNumpy(simreel::Picture&& picture) {
                   std::move(picture.bytes));
 }
 
-/// Runs work without the interpreter's lock. A signal such as Ctrl-C ends it between two frames.
-template <class Work>
-auto unlocked(const Work& work) {
+/// Ends the calls of daemon threads at the end of the interpreter, and waits for them.
+void endCalls() {
+  endsPython = true;
+  ending = true;
+  if (inside > 0 && device()) device()->interrupt();
   const py::gil_scoped_release release;
-  return work();
+  while (inside > 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
-/// True if a signal handler raised, so that the running call must end.
+/// True if a signal handler raised or the interpreter ends, so that the running call must end.
 bool signalled() {
+  if (ending && !endsPython) return true;
   const py::gil_scoped_acquire acquire;
   return PyErr_CheckSignals() != 0;
 }
@@ -276,6 +286,12 @@ void addScene(py::module_& module) {
              const simreel::Frame frame = unlocked([&] { return scene->frame(); });
              return py::make_tuple(frame.number, frame.time);
            })
+      .def("advance_by",
+           [](const Held& held, int frames) {
+             const auto scene = held.get();
+             const simreel::Frame frame = unlocked([&] { return scene->advanceBy(frames); });
+             return py::make_tuple(frame.number, frame.time);
+           })
       .def("advance_to",
            [](const Held& held, int number) {
              const auto scene = held.get();
@@ -324,7 +340,11 @@ PYBIND11_MODULE(_native, module) {
     const simreel::Device& opened = openDevice({name, path});
     return py::make_tuple(opened.name(), opened.driver(), opened.isSoftware());
   });
-  module.def("close", [] { unlocked([] { device().reset(); }); });
+  ::pthread_atfork(nullptr, nullptr, [] { inside = 0; });
+  module.def("close", [] {
+    endCalls();
+    device().reset();
+  });
   module.def("messages", [] {
     py::list all;
     if (device())

@@ -97,6 +97,10 @@ class Object:
             raise Error(f"{self.name}.{array} has the shape {shape}, not {values.shape}")
         if values.dtype.kind not in ("fiub" if dtype.kind == "f" else "iub"):
             raise Error(f"{self.name}.{array} holds {dtype}, not {values.dtype}")
+        if dtype.kind == "u" and values.size:
+            for value in (values.min(), values.max()):
+                if not 0 <= int(value) <= numpy.iinfo(dtype).max:
+                    raise Error(f"{self.name}.{array} holds {dtype}, and {value} does not fit")
         self._scene._native.write(self.name, array, numpy.ascontiguousarray(values, dtype))
         self._scene._steps += 1
 

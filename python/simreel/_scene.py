@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import json
+import operator
 import os
 import pathlib
 import tempfile
@@ -190,7 +191,10 @@ class Scene:
         """Simulates a number of frames, at least 0, and returns the present one."""
         if _arguments.integer("frames", frames) < 0:
             raise Error(f"step({frames}) would go back; restart() the scene, or restore() a snapshot")
-        return self.advance_to(self._native.frame()[0] + frames)
+        self._steps += 1
+        number, seconds = self._native.advance_by(frames)
+        _report()
+        return Frame(self, number, seconds)
 
     def advance_to(self, number: int) -> Frame:
         """Simulates up to a frame, which must not be an earlier one, and returns it."""

@@ -26,6 +26,9 @@ std::weak_ptr<Device::State> opened;
 /// Process that opened the device; it stays set after the device is closed. 0: none yet.
 pid_t openedBy = 0;
 
+/// True while a call of this thread runs. The hook of such a call must not call the library.
+thread_local bool isCalling = false;
+
 constexpr std::size_t mostMessages = 1000;
 
 [[noreturn]] void refuseFork() {
@@ -75,27 +78,34 @@ bool Device::State::isForked() const {
 
 void Device::State::runTask(const std::function<void()>& task) {
   if (isForked()) refuseFork();
+  if (isCalling)
+    api::fail(
+        ErrorKind::usage,
+        "a call of simreel is running in this thread; a signal handler or a hook cannot make another");
   std::function<bool()> asks;
   {
     const std::scoped_lock lock(mutex);
     asks = hook;
   }
-  bool ended = false;
+  std::atomic<bool> begun = false, ended = false;
   const auto ask = [&] {
     if (ended || !asks()) return;
     ended = true;
-    frame::setInterrupt(SIGINT);
+    if (begun) frame::setInterrupt(SIGINT);  // not the call of another thread that this one waits for
   };
   std::exception_ptr failure;
-  const auto work = [&task] {
+  const auto work = [&] {
     frame::setInterrupt(0);  // of an earlier call
-    task();
+    begun = true;
+    if (!ended) task();
   };
+  isCalling = true;
   try {
     worker->run(work, asks ? std::function<void()>(ask) : std::function<void()>());
   } catch (...) {
     failure = std::current_exception();
   }
+  isCalling = false;
   if (failure) api::rethrowAsError(failure);
   if (ended) api::fail(ErrorKind::interrupted, "interrupted");
 }
@@ -103,7 +113,10 @@ void Device::State::runTask(const std::function<void()>& task) {
 void Device::State::release(const std::function<void()>& work) noexcept {
   if (isForked()) return;
   try {
-    worker->run(work, {});
+    if (isCalling)
+      worker->later(work);
+    else
+      worker->run(work, {});
   } catch (...) {  // NOLINT(bugprone-empty-catch): nothing can be done about memory that is not released
   }
 }

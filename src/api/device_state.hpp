@@ -33,8 +33,8 @@ struct Device::State {
       return std::move(*result);
     }
   }
-  /// Runs work that must not fail and cannot be interrupted, such as releasing memory. Does nothing in a
-  /// fork.
+  /// Runs work that must not fail and cannot be interrupted, such as releasing memory. Does not wait for it
+  /// if a call of this thread is running, as in a hook. Does nothing in a fork.
   void release(const std::function<void()>& work) noexcept;
   [[nodiscard]] bool isForked() const;
 

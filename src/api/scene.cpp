@@ -39,11 +39,15 @@ Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&&) noexcept = default;
 
 Scene Scene::load(const Device& device, const std::string& file, const LoadOptions& options) {
-  return Scene(std::make_unique<State>(device.state(), file, nullptr, options));
+  auto state = std::make_unique<State>(device.state(), file, nullptr, options);
+  state->begin();
+  return Scene(std::move(state));
 }
 Scene Scene::parse(const Device& device, const std::string& text, const std::string& name,
                    const LoadOptions& options) {
-  return Scene(std::make_unique<State>(device.state(), name, &text, options));
+  auto state = std::make_unique<State>(device.state(), name, &text, options);
+  state->begin();
+  return Scene(std::move(state));
 }
 
 std::string Scene::title() const {
@@ -82,6 +86,21 @@ Frame Scene::frame() const {
 Frame Scene::advanceTo(int frame) {
   return state_->device->run([&] {
     state_->advanceTo(frame);
+    return Frame{state_->world->frame(), state_->world->time()};
+  });
+}
+Frame Scene::advanceBy(int frames) {
+  return state_->device->run([&] {
+    state_->requireState();
+    const int present = state_->world->frame();
+    if (frames < 0)
+      api::fail(ErrorKind::usage,
+                fmt::format("a scene cannot go {} frames back; restart() it, or restore() a snapshot",
+                            -static_cast<long>(frames)));
+    if (frames > std::numeric_limits<int>::max() - present)
+      api::fail(ErrorKind::usage, fmt::format("frame {} + {} is beyond the last frame, {}", present, frames,
+                                              std::numeric_limits<int>::max()));
+    state_->advanceTo(present + frames);
     return Frame{state_->world->frame(), state_->world->time()};
   });
 }

@@ -18,6 +18,17 @@
 
 namespace simreel {
 
+namespace {
+
+/// Returns the error of calls after an error that ended a frame midway.
+std::exception_ptr endedMidway() {
+  return std::make_exception_ptr(
+      Error(ErrorKind::usage,
+            "an earlier error ended a frame of this scene midway; restart() it, or load it again"));
+}
+
+}  // namespace
+
 Scene::State::State(std::shared_ptr<Device::State> on, std::string name, const std::string* text,
                     const LoadOptions& how)
     : device(std::move(on)) {
@@ -26,6 +37,9 @@ Scene::State::State(std::shared_ptr<Device::State> on, std::string name, const s
   for (const Change& change : how.changes) source.changes.push_back({change.path, change.value});
   for (const std::string& folder : how.assets) source.assets.emplace_back(folder);
   source.motion = how.motion;
+}
+
+void Scene::State::begin() {
   device->run([this] {
     if (!source.text) source.name = scene::sceneFile(source.name);
     scene = read(false);
@@ -46,14 +60,18 @@ Scene::State::~State() {
     static_cast<void>(world.release());
     return;
   }
-  device->release([this] {
-    layerRenderer_.reset();
-    renderer_.reset();
-    readback_.reset();
-    summaries.reset();
-    world.reset();
-    scene.reset();
-  });
+  // The members move, because the device may release them after this destructor.
+  struct Remains {
+    std::unique_ptr<scene::Scene> scene;
+    std::unique_ptr<sim::World> world;
+    std::unique_ptr<frame::Summaries> summaries;
+    std::unique_ptr<draw::Readback> readback;
+    std::unique_ptr<draw::Renderer> renderer, layerRenderer;
+  };
+  auto remains = std::make_shared<Remains>();
+  *remains = {std::move(scene),     std::move(world),     std::move(summaries),
+              std::move(readback_), std::move(renderer_), std::move(layerRenderer_)};
+  device->release([held = std::move(remains)] { *held = {}; });
 }
 
 std::unique_ptr<scene::Scene> Scene::State::read(bool tested) const {
@@ -72,13 +90,37 @@ std::string Scene::State::simulationHash() const {
   return scene::simulationHash(asRun) + scene->filesHash;
 }
 
-/// Builds the world and simulates the pre-roll.
+template <class Work>
+void Scene::State::keepLoss(const Work& work) {
+  try {
+    work();
+  } catch (const UserError& error) {
+    if (error.code() == ExitCode::device)
+      loss_ = std::current_exception();
+    else if (!world || !world->isWhole())
+      loss_ = endedMidway();
+    throw;
+  } catch (...) {
+    if (!world || !world->isWhole()) loss_ = endedMidway();
+    throw;
+  }
+}
+
+void Scene::State::requireState() const {
+  if (loss_) std::rethrow_exception(loss_);
+}
+
 void Scene::State::makeWorld() {
+  loss_ = endedMidway();  // also if an error ends the pre-roll between two frames
+  keepLoss([this] { buildWorld(); });
+  loss_ = nullptr;
+}
+
+/// Builds the world and simulates the pre-roll.
+void Scene::State::buildWorld() {
   const bool moves = scene->camera.shutter || source.motion;
-  if (moves && !std::exchange(placed_, true))
-    static_cast<void>(sim::frameMotion(*scene, frame::throwIfInterrupted));
-  lost = Error(ErrorKind::usage,
-               "an earlier error ended the start of this scene; restart() it, or load it again");
+  if (moves && !placed_) static_cast<void>(sim::frameMotion(*scene, frame::throwIfInterrupted));
+  placed_ = placed_ || moves;
   summaries.reset();
   world.reset();
   sim::compileWorldAhead(*scene);
@@ -86,7 +128,6 @@ void Scene::State::makeWorld() {
   summaries = std::make_unique<frame::Summaries>(
       *world, [this](const sim::World::Summary& summary) { stateHash = summary.stateHash; });
   seen = true;
-  lost.reset();
   changed = false;
   movedTo_.reset();
   if (moves) {  // new renderers, because those before remember earlier motion
@@ -97,7 +138,7 @@ void Scene::State::makeWorld() {
     follow();
   }
   if (world->firstFrame() < 0)
-    advanceTo(0);
+    stepTo(0);
   else
     summaries->start();
 }
@@ -123,58 +164,32 @@ void Scene::State::advanceTo(int frame) {
     api::fail(ErrorKind::usage,
               fmt::format("frame {} lies before the present one, {}; restart() the scene first", frame,
                           world->frame()));
-  try {
-    while (world->frame() < frame) {
-      frame::throwIfInterrupted();
-      const int next = world->frame() + 1;
-      seen = next == frame;
-      if (seen)
-        world->advanceTo(next);
-      else
-        world->passTo(next);
-      if (seen) summaries->start();
-    }
-  } catch (...) {
-    keepLoss();
-    throw;
-  }
+  keepLoss([&] { stepTo(frame); });
 }
 
-void Scene::State::requireState() const {
-  if (lost) throw Error(*lost);
-}
-
-/// Keeps the error being handled if it made the state unusable.
-void Scene::State::keepLoss() {
-  try {
-    api::rethrowAsError(std::current_exception());
-  } catch (const Error& error) {
-    if (error.kind() == ErrorKind::device)
-      lost = error;
-    else if (!world->isWhole())
-      lost = Error(ErrorKind::usage,
-                   "an earlier error ended a frame of this scene midway; restart() it, or load it again");
-  }
-}
-
-/// Waits for the summaries of all simulated frames.
-void Scene::State::settle() {
-  try {
-    summaries->takeAll();
-  } catch (...) {
-    keepLoss();
-    throw;
+void Scene::State::stepTo(int frame) {
+  while (world->frame() < frame) {
+    frame::throwIfInterrupted();
+    const int next = world->frame() + 1;
+    seen = next == frame;
+    if (seen)
+      world->advanceTo(next);
+    else
+      world->passTo(next);
+    if (seen) summaries->start();
   }
 }
 
 void Scene::State::complete() {
   requireState();
-  if (!seen) {
-    world->complete();
-    seen = true;
-    summaries->start();
-  }
-  settle();
+  keepLoss([this] {
+    if (!seen) {
+      world->complete();
+      seen = true;
+      summaries->start();
+    }
+    summaries->takeAll();
+  });
 }
 
 std::size_t Scene::State::indexOf(std::string_view object) const {
@@ -200,12 +215,12 @@ sim::StateArray Scene::State::arrayOf(std::string_view object, std::string_view 
 void Scene::State::restore(const Snapshot::State& from) {
   if (from.simulation != simulationHash())
     api::fail(ErrorKind::usage, "the snapshot belongs to a scene with other simulations");
+  if (loss_) makeWorld();
   try {
-    if (!lost) settle();
+    complete();
   } catch (const UserError&) {
-    SIMREEL_CHECK(lost);  // a lost state is replaced below
+    makeWorld();  // the present frame was lost, and nothing had asked for it yet
   }
-  if (lost) makeWorld();
   frame::putBack(*world, from.world.frame, from.world.parts, from.world.bytes, "the snapshot");
   seen = true;
   changed = from.changed;
@@ -216,23 +231,22 @@ void Scene::State::restore(const Snapshot::State& from) {
 /// Places camera and colours as `simreel render` does. A simulation may hold the ranges of its colours, so
 /// it is made again with the current state.
 void Scene::State::placeCamera() {
-  if (std::exchange(placed_, true)) return;
-  if (!sim::needsSurvey(*scene) && !sim::needsRanges(*scene)) return;
+  if (placed_) return;
+  if (!sim::needsSurvey(*scene) && !sim::needsRanges(*scene)) {
+    placed_ = true;
+    return;
+  }
   complete();
   const bool begun = world->frame() > 0 || changed;
   std::optional<frame::WorldState> state;
   if (begun) state = frame::stateOf(*world);
-  try {
-    static_cast<void>(sim::frameMotion(*scene, frame::throwIfInterrupted));
-  } catch (...) {
-    placed_ = false;
-    throw;
-  }
+  static_cast<void>(sim::frameMotion(*scene, frame::throwIfInterrupted));
+  placed_ = true;
   const bool was = changed;
   makeWorld();
   changed = was;
   if (state) {
-    summaries->takeAll();
+    complete();
     frame::putBack(*world, state->frame, state->parts, state->bytes, "the present state");
     summaries->start();
   }

@@ -8,6 +8,7 @@
 #include "scene/scene.hpp"
 #include "sim/world/world.hpp"
 
+#include <exception>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,12 +23,14 @@ struct Snapshot::State {
   bool changed = false;  ///< true if the state was written
 };
 
-/// A scene on the device. All functions but the constructor run on the device's thread.
+/// A scene on the device. All functions but the constructor and begin() run on the device's thread.
 struct Scene::State {
-  /// Reads the scene. `text` null: from the file.
+  /// Stores the source of the scene. `text` null: it is read from the file.
   State(std::shared_ptr<Device::State> on, std::string name, const std::string* text,
         const LoadOptions& how);
   ~State();
+  /// Reads the scene and makes its world. Call it from the calling thread.
+  void begin();
   State(const State&) = delete;
   State& operator=(const State&) = delete;
 
@@ -47,7 +50,7 @@ struct Scene::State {
   /// Completes the present frame and waits for its state hash. Throws if a simulation lost its state, and
   /// then throws the same error until restart() or restore().
   void complete();
-  /// Throws the error that made the state unusable, if there was one.
+  /// Throws the error that ended the state. Does nothing if the scene has a state.
   void requireState() const;
   [[nodiscard]] std::size_t indexOf(std::string_view object) const;
   [[nodiscard]] sim::StateArray arrayOf(std::string_view object, std::string_view array) const;
@@ -68,15 +71,17 @@ struct Scene::State {
   std::unique_ptr<sim::World> world;
   std::unique_ptr<frame::Summaries> summaries;
   std::string stateHash;
-  bool seen = true;           ///< false: the present frame was passed and must be completed
-  bool changed = false;       ///< true after write()
-  std::optional<Error> lost;  ///< error that made the state unusable; every use of the state repeats it
+  bool seen = true;      ///< false: the present frame was passed and must be completed
+  bool changed = false;  ///< true after write()
   std::vector<std::string> layerObjects;
 
  private:
   void makeWorld();
-  void settle();
-  void keepLoss();
+  void buildWorld();
+  void stepTo(int frame);
+  /// Runs work that changes the state or waits for it. Keeps the error if the state is lost.
+  template <class Work>
+  void keepLoss(const Work& work);
   [[nodiscard]] ArrayInfo describe(std::size_t object, const sim::StateArray& array) const;
   void follow();
   void placeCamera();
@@ -85,6 +90,8 @@ struct Scene::State {
   void requireMotion(const draw::Renderer& renderer, const char* what) const;
 
   std::vector<ArrayInfo> infos_;  ///< empty: not described yet
+  /// Error that ended the state, until restart() or restore(). Null: the scene has a state.
+  std::exception_ptr loss_;
   bool placed_ = false;
   std::unique_ptr<draw::Renderer> renderer_, layerRenderer_;
   std::unique_ptr<draw::Readback> readback_;

@@ -34,11 +34,29 @@ void Worker::run(const std::function<void()>& task, const std::function<void()>&
   if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }
 
+void Worker::later(std::function<void()> task) {
+  const std::scoped_lock lock(mutex_);
+  later_.push_back(std::move(task));
+  changed_.notify_all();
+}
+
+void Worker::runLater(std::unique_lock<std::mutex>& lock) {
+  while (!later_.empty()) {
+    std::vector<std::function<void()>> tasks = std::exchange(later_, {});
+    lock.unlock();
+    for (const std::function<void()>& task : tasks) task();
+    tasks.clear();
+    lock.lock();
+  }
+}
+
 void Worker::loop() {
   std::unique_lock lock(mutex_);
   while (true) {
-    changed_.wait(lock, [this] { return task_ != nullptr || ends_; });
+    changed_.wait(lock, [this] { return task_ != nullptr || ends_ || !later_.empty(); });
+    runLater(lock);
     if (ends_) return;
+    if (task_ == nullptr) continue;
     lock.unlock();
     std::exception_ptr failure;
     try {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <mutex>
 #include <thread>
+#include <vector>
 
 namespace simreel::api {
 
@@ -18,14 +19,18 @@ class Worker {
   /// Runs a task on the thread and waits for it. Runs `hook` on the calling thread about ten times a
   /// second. Rethrows the task's exception.
   void run(const std::function<void()>& task, const std::function<void()>& hook);
+  /// Runs a task that must not throw on the thread, after the present one. Does not wait for it.
+  void later(std::function<void()> task);
 
  private:
   void loop();
+  void runLater(std::unique_lock<std::mutex>& lock);
 
   std::timed_mutex turn_;  ///< held by the caller whose task runs
   std::mutex mutex_;
   std::condition_variable changed_;
   const std::function<void()>* task_ = nullptr;
+  std::vector<std::function<void()>> later_;
   std::exception_ptr failure_;
   bool ends_ = false;
   std::thread thread_;

@@ -29,8 +29,8 @@ class Summaries {
   }
   void takeOldest() {
     SIMREEL_CHECK(underWay_ > 0);
+    --underWay_;  // first, because the world drops the summary of a lost state, too
     const auto summary = world_.takeSummary(true);
-    --underWay_;
     take_(*summary);
   }
   void takeAll() {

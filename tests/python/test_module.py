@@ -1,6 +1,8 @@
 """Tests the Python module: state and pictures against the command line's, writing state, errors, several scenes."""
 import os
+import pathlib
 import shutil
+import tempfile
 import unittest
 import warnings
 
@@ -359,6 +361,56 @@ class Errors(ModuleCase):
             self.assertEqual([(kind, "blew up" in text) for kind, text in messages], [("device", True)])
             recover()
             self.assertEqual(scene.step().state_hash, second)
+
+    def test_calls_after_a_lost_state_give_the_same_error_until_restart_or_restore(self):
+        self.write("scene.json", {key: value for key, value in SPARKS.items() if key != "camera"})
+        scene = self.scene()
+        start = scene.state_hash
+        scene.step(3)
+        kept, here = scene.snapshot(), scene.state_hash
+        scene["sparks"].positions = numpy.nan
+        scene.step()
+        said = set()
+        for call in (scene.image, scene.image, lambda: scene["sparks"].positions, scene.step, scene.snapshot,
+                     lambda: scene.state_hash, lambda: setattr(scene["sparks"], "positions", 0)):
+            with self.assertRaises(simreel.Error) as raised:
+                call()
+            said.add((raised.exception.kind, str(raised.exception)))
+        self.assertEqual([kind for kind, _ in said], ["device"])
+        scene.restore(kept)
+        self.assertEqual(scene.state_hash, here)
+        scene["sparks"].positions = numpy.nan
+        scene.step()
+        scene.restore(kept)
+        self.assertEqual(scene.state_hash, here)
+        scene.restart()
+        self.assertEqual(scene.state_hash, start)
+
+    def test_checks_take_frames_in_any_order_but_none_before_0(self):
+        scene = self.scene({"checks": [{"what": "no-nan", "object": "flag"}]})
+        self.assertEqual([one["frame"] for one in scene.check((2, 0, 2))], [0, 2])
+        for frames in ((-1,), range(0, -3, -1)):
+            with self.assertRaisesRegex(simreel.Error, "frame -[12]: checks are made at frames from 0"):
+                scene.check(frames)
+
+    def test_names_and_numbers_that_do_not_fit_are_not_taken(self):
+        source = ("#pragma kernel Step\nRWTexture2D<uint> _Cells;\n[numthreads(8, 8, 1)]\n"
+                  "void Step(uint3 id : SV_DispatchThreadID) { _Cells[id.xy] = _Cells[id.xy] + 1; }\n")
+        things = {"kernels": {"source": source, "textures": {"_Cells": [8, 8]}, "step": ["Step"],
+                              "field": {"of": "_Cells"}}}
+        name = f"../{self.folder.name}"
+        with self.assertRaisesRegex(simreel.Error, "must be 1 to 64 letters"):
+            simreel.Scene(objects={name: things})
+        self.assertFalse((pathlib.Path(tempfile.gettempdir()) / f"{self.folder.name}.compute").exists())
+        scene = simreel.Scene(objects={"life": things})
+        self.addCleanup(scene.close)
+        cells = next(array for array, one in scene["life"].arrays.items() if one[1].kind == "u")
+        for value in (2**40 + 5, -1):
+            with self.assertRaisesRegex(simreel.Error, "does not fit"):
+                scene["life"][cells] = value
+        with self.assertRaisesRegex(simreel.Error, "not whole numbers"):
+            scene.save(self.folder / "out", [1.5])
+        self.assertEqual(self.scene(assets="zz")._assets, ["zz"])
 
     def test_another_device_can_be_opened_when_all_scenes_are_closed(self):
         with self.scene() as scene:

@@ -92,6 +92,51 @@ class Processes(ModuleCase):
         other = self.scene(SLOW)
         self.assertEqual(other.advance_to(reached + 1).state_hash, scene.state_hash)
 
+    def test_a_python_that_ends_waits_for_its_daemon_threads(self):
+        code = ("import sys, threading, time, simreel\nscene = simreel.load('scene.json', {'time.duration': 1e4})\n"
+                "work = {'step': lambda: scene.step(10**6), 'steps': lambda: [scene.step() for _ in range(10**6)],\n"
+                "        'load': lambda: [simreel.load('scene.json') for _ in range(10**6)]}[sys.argv[1]]\n"
+                "threading.Thread(target=work, daemon=True).start()\ntime.sleep(0.3)")
+        for work in ("step", "steps", "load"):
+            done = subprocess.run([sys.executable, "-c", code, work], cwd=self.folder, capture_output=True, text=True,
+                                  check=False, timeout=60)
+            self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""), work)
+
+    def test_an_interrupt_ends_loading(self):
+        code = ("import os, signal, threading, simreel\nscene = simreel.load('scene.json')\n"
+                "threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()\n"
+                "try:\n    simreel.load('scene.json', {'time.start': 1e5})\n"
+                "except KeyboardInterrupt:\n    print(scene.step().number, simreel.load('scene.json').frame.number)\n")
+        done = subprocess.run([sys.executable, "-c", code], cwd=self.folder, capture_output=True, text=True, check=False,
+                              timeout=60)
+        self.assertEqual((done.returncode, done.stdout), (0, "1 0\n"), done.stderr)
+
+    def test_a_signal_handler_cannot_call_a_scene_while_a_call_runs(self):
+        scene, said = self.scene(), []
+
+        def handle(*_):
+            try:
+                scene.step()
+            except simreel.Error as error:
+                said.append(str(error))
+                raise KeyboardInterrupt from None
+        before = signal.signal(signal.SIGUSR1, handle)
+        self.addCleanup(signal.signal, signal.SIGUSR1, before)
+        threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGUSR1)).start()
+        with self.assertRaises(KeyboardInterrupt):
+            scene.step(1_000_000)
+        self.assertRegex(said[0], "^a call of simreel is running in this thread")
+        scene.step()
+
+    def test_steps_of_several_threads_add_up(self):
+        scene = self.scene()
+        threads = [threading.Thread(target=lambda: [scene.step() for _ in range(20)]) for _ in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(scene.frame.number, 80)
+
     def test_opened_and_closed_scenes_leave_no_memory(self):
         many = 1000 if os.environ.get("SIMREEL_LONG") else 200
 

@@ -82,6 +82,8 @@ class SIMREEL_API Scene {
   [[nodiscard]] Frame frame() const;
   /// Simulates up to a frame. Throws Error(usage) for an earlier frame than the present one.
   Frame advanceTo(int frame);
+  /// Simulates a number of frames from the present one. Calls of several threads add up.
+  Frame advanceBy(int frames);
   /// Goes back to frame 0 of the scene as it was read.
   void restart();
   /// Returns the hash of all state arrays (32 hexadecimal digits), as `simreel trace` and manifests have
@@ -122,8 +124,8 @@ class SIMREEL_API Scene {
   /// Returns the names of the objects that the layer "object" numbers.
   [[nodiscard]] std::vector<std::string> layerObjects() const;
 
-  /// Runs the scene from its start and evaluates its checks. `frames`: drawn frames. Leaves the present
-  /// frame as it is.
+  /// Runs the scene from its start and evaluates its checks. `frames`: drawn frames, from 0, in any
+  /// order. Leaves the present frame as it is.
   [[nodiscard]] std::vector<CheckResult> check(const std::vector<int>& frames);
   /// Renders the scene from its start to a folder, pictures or a video: the files of `simreel render`.
   /// Returns the names of the files in words. Leaves the present frame as it is.

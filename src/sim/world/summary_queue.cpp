@@ -92,10 +92,10 @@ std::optional<Summary> SummaryQueue::next(bool wait) {
   GLenum result = glClientWaitSync(oldest.fence, GL_SYNC_FLUSH_COMMANDS_BIT, patience);
   while (wait && result == GL_TIMEOUT_EXPIRED) result = glClientWaitSync(oldest.fence, 0, patience);
   if (result == GL_TIMEOUT_EXPIRED) return std::nullopt;
-  if (result == GL_WAIT_FAILED)
-    fail(ExitCode::device, "the device stopped responding at frame {}", oldest.frame);
   glDeleteSync(oldest.fence);
   pending_.pop_front();
+  if (result == GL_WAIT_FAILED)
+    fail(ExitCode::device, "the device stopped responding at frame {}", oldest.frame);
   checkStatus(oldest.frame, oldest.slot);
   Summary taken = summary(oldest);
   gl::checkCalls();

@@ -1,0 +1,51 @@
+#pragma once
+#include <atomic>
+#include <pybind11/pybind11.h>
+#include <unistd.h>
+
+namespace simreel::python {
+
+/// Number of threads inside the library. Zero in a fork.
+inline std::atomic<int> inside = 0;
+/// True from the end of the interpreter on: daemon threads no longer enter or leave the library.
+inline std::atomic<bool> ending = false;
+inline thread_local bool endsPython = false;
+
+/// Stops a daemon thread at the end of the interpreter, as Python 3.14 does. Ending the thread would unwind
+/// through destructors that must not throw.
+[[noreturn]] inline void stopThread() {
+  for (;;) ::pause();
+}
+
+/// Releases the interpreter's lock, and takes it again at its end.
+class Unlocked {
+ public:
+  Unlocked() : thread_(PyEval_SaveThread()) {
+    ++inside;
+    if (!ending || endsPython) return;
+    --inside;
+    stopThread();
+  }
+  ~Unlocked() {
+    if (ending && !endsPython) {
+      --inside;
+      stopThread();
+    }
+    PyEval_RestoreThread(thread_);
+    --inside;  // last, because the interpreter's end waits for it
+  }
+  Unlocked(const Unlocked&) = delete;
+  Unlocked& operator=(const Unlocked&) = delete;
+
+ private:
+  PyThreadState* thread_;
+};
+
+/// Runs work without the interpreter's lock. A signal such as Ctrl-C ends it between two frames.
+template <class Work>
+auto unlocked(const Work& work) {
+  const Unlocked release;
+  return work();
+}
+
+}  // namespace simreel::python
