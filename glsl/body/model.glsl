@@ -1,7 +1,7 @@
 // Linear blend skinning: p' = sum w_i M_i p over the joints i of a vertex p, with the weights w_i and matrices M_i. The
 // normal is transformed by the cofactor matrix of sum w_i M_i. Compiles as GLSL and as C++
 // (tests/reference/body_twin.hpp). Needs loadPose(i), which returns a row of a joint's matrix. There are three rows per
-// joint: first those of all joints at the start of the frame, then those of all joints at its end.
+// joint: first the rows of all joints at the start of the frame, then the rows of all joints at its end.
 struct Moment {
   int joints;
   float before;  // Weight of the pose at the start of the frame, 1 - now

@@ -119,8 +119,8 @@ FUNCTION void solveSegment(int links, float leftOne, float lastOne) {
 }
 
 // Returns the pull of the link from a to b. The caller subtracts it, times the inverse mass, from the position of a,
-// and adds it to that of b. The magnitude is limited to the stable value (see giveOf()), in case the ends of a part of
-// a line are pinned too far apart or the substeps are too long.
+// and adds it to the position of b. The magnitude is limited to the stable value (see giveOf()), in case the ends of a
+// part of a line are pinned too far apart or the substeps are too long.
 FUNCTION vec3 pullBetween(vec4 a, vec4 b, bool there, float multiplier) {
   Link link = linkBetween(a, b, there);
   precise float weight = a.w + b.w;

@@ -1,6 +1,6 @@
-// Evaluates every function of exact.glsl, to compare the bits with those of C++, and built-in functions whose rounding
-// differs between drivers. The hash of the inexact results identifies the driver family. One invocation per input; each
-// writes 19 words.
+// Evaluates every function of exact.glsl, to compare the bits with the bits that C++ computes, and built-in functions
+// whose rounding differs between drivers. The hash of the inexact results identifies the driver family. One invocation
+// per input; each writes 19 words.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
 layout(local_size_x = 64) in;

@@ -17,7 +17,7 @@ FUNCTION bool isSolid(int vertex) {
 #endif
 }
 // Returns true if the vertex is a ball: a particle that touches cloth. Balls have no faces. The indices of balls follow
-// those of the cloths' vertices.
+// the indices of the cloths' vertices.
 FUNCTION bool isBall(int vertex) {
 #ifdef NO_BALLS
   return false;

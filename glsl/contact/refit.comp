@@ -1,5 +1,5 @@
-// Computes the boxes of AT_ONCE consecutive levels of a tree from the level below them; `level` is the topmost of these
-// levels.
+// Computes the boxes of AT_ONCE consecutive levels of a tree from the level below them; `level` is the topmost level
+// that it computes.
 #include "contact/kernel.glsl"
 #include "contact/search.glsl"
 layout(local_size_x = 64) in;

@@ -233,7 +233,7 @@ FUNCTION float dyeCarried(float way, float from, float halfSlope) {
 }
 
 // Returns the quantized flux of dye through a face. a and b are the values of the two cells before the face, c and d
-// those of the two cells after it.
+// are the values of the two cells after it.
 FUNCTION float dyeFlux(float way, float a, float b, float c, float d) {
   bool on = way > 0.0f;
   precise float bc = c - b;

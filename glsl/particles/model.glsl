@@ -38,9 +38,8 @@ FUNCTION vec3 latticePotential(int x, int y, int z) {
 }
 
 // Returns the curl of a value-noise vector potential psi at p, in lattice units. It is divergence-free: curl psi =
-// (dpsi_z/dy - dpsi_y/dz, dpsi_x/dz - dpsi_z/dx, dpsi_y/dx - dpsi_x/dy). The derivatives are those of the interpolation
-// between the eight corners, computed exactly. A factor scales the root mean square to 1; without it, 1.873 was
-// measured.
+// (dpsi_z/dy - dpsi_y/dz, dpsi_x/dz - dpsi_z/dx, dpsi_y/dx - dpsi_x/dy). The derivatives of the interpolation between
+// the eight corners are computed exactly. A factor scales the root mean square to 1; without it, 1.873 was measured.
 FUNCTION vec3 curlNoise(vec3 p) {
   precise vec3 base = clamp(floor(p), -1e6f, 1e6f);
   precise vec3 u = p - base;

@@ -1,4 +1,4 @@
-// Draws triangles in perspective. Like those of surfaces, their vertices are pulled from a texel buffer.
+// Draws triangles in perspective. Like the vertices of surfaces, their vertices are pulled from a texel buffer.
 #include "draw/bindings.glsl"
 layout(binding = positionUnit) uniform samplerBuffer vertices;  // Two texels per vertex: position and u; normal and v
 uniform mat4 projection;

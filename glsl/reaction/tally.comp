@@ -1,5 +1,5 @@
 // Measures a rule's species once per frame. n is the number of species, at most four. Sum i is the sum of species i % n
-// to the power i / n + 1. The maxima are those of the species.
+// to the power i / n + 1. Maximum i is the maximum of species i.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "reaction/bindings.glsl"

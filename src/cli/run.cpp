@@ -34,7 +34,7 @@ int print(const std::string& message, ExitCode code) {
   return print(UserError(code, message));
 }
 
-/// Opens /dev/null on those of the descriptors 0 to 2 that the caller closed. Otherwise a file opened later
+/// Opens /dev/null on each of the descriptors 0 to 2 that the caller closed. Otherwise a file opened later
 /// would get such a descriptor, and messages would be written into that file. /dev/null is opened
 /// read-only, so that writing fails as on a closed descriptor.
 void holdStandardDescriptors() {

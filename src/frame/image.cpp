@@ -31,7 +31,7 @@ namespace {
 struct Deflater {
   isal_zstream stream;
   // Compression level 1, chosen by measurements with tools/bench/png.cpp. The fixed Huffman code of level 0
-  // makes files up to 1.23 times as large as those of stb. Level 2 makes files 1 % smaller than level 1 but
+  // makes files up to 1.23 times as large as stb's files. Level 2 makes files 1 % smaller than level 1 but
   // needs more memory. Level 3 and libdeflate's fastest level do not reach 10 times the speed of stb.
   static constexpr std::uint32_t level = 1;
   alignas(64) std::array<std::uint8_t, ISAL_DEF_LVL1_DEFAULT> levelBuffer;

@@ -4,7 +4,7 @@
 namespace simreel::gl {
 
 /// A point in time on the device's clock: the completion of all commands issued before record(). Intervals
-/// between timestamps may overlap and nest, unlike those of TimerQuery.
+/// between timestamps may overlap and nest, unlike the intervals of TimerQuery.
 class Timestamp {
  public:
   Timestamp() : handle_(create()) {}

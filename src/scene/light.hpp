@@ -12,7 +12,7 @@
 namespace simreel::scene {
 
 inline constexpr std::size_t maxLights = 256;
-/// Max number of lights with shadows. Each of these lights draws all shadow casters six times, once for
+/// Max number of lights with shadows. Each light with shadows draws all shadow casters six times, once for
 /// each of its shadow maps.
 inline constexpr std::size_t maxShadowedLights = 8;
 

@@ -22,7 +22,7 @@ namespace {
 
 constexpr glm::vec3 flame(1.0F, 0.52F, 0.22F);  ///< colour of objects that glow
 // Luminance L of a background above which black text has more contrast than white text: the contrast ratio
-// of black, (L + 0.05) / 0.05, is then greater than that of white, 1.05 / (L + 0.05) (WCAG 2.1).
+// of black, (L + 0.05) / 0.05, is then greater than the ratio of white, 1.05 / (L + 0.05) (WCAG 2.1).
 constexpr float inkedDark = 0.18F;
 constexpr glm::vec3 darkInk(0.012F, 0.013F, 0.016F);
 

@@ -172,7 +172,7 @@ double ghiaError(const Ghia& table, int n, std::span<const glm::vec4> flow, std:
                 static_cast<std::size_t>(x + 1)];
   };
   // Interpolates linearly between nodes. Nodes half a cell outside the walls have the values for which the
-  // interpolated speed at the wall is that of the wall.
+  // interpolated speed at the wall equals the speed of the wall.
   const auto between = [&](double place, const auto& node) {
     const int i = static_cast<int>(std::floor(place));
     return node(i) + (node(i + 1) - node(i)) * (place - i);

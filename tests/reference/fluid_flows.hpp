@@ -53,8 +53,8 @@ struct Ghia {
 };
 [[nodiscard]] const Ghia& ghia(double reynolds);
 /// Returns the maximum difference from the tables. `flow` includes the ring of border cells. Skips
-/// v(0.9063) at Re 400, which is misprinted. `where`: if not null, receives all differences, those of u
-/// first.
+/// v(0.9063) at Re 400, which is misprinted. `where`: if not null, receives all differences, starting with
+/// the differences of u.
 [[nodiscard]] double ghiaError(const Ghia& table, int n, std::span<const glm::vec4> flow,
                                std::vector<double>* where = nullptr);
 

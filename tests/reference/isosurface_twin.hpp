@@ -12,7 +12,7 @@
                                                      const std::function<float(int, int, int)>& tint,
                                                      glm::vec2 range);
 
-/// CPU twin of the surface that shows cells as cubes. The parameters are those of isosurfaceTwin().
+/// CPU twin of the surface that shows cells as cubes. The parameters are the same as for isosurfaceTwin().
 [[nodiscard]] simreel::sim::MeshTable cubesTwin(const simreel::sim::IsosurfaceShape& shape, float level,
                                                 const std::function<float(int, int, int)>& value,
                                                 const std::function<float(int, int, int)>& tint,

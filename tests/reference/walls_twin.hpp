@@ -38,7 +38,7 @@ class WallsTwin {
   [[nodiscard]] int classAt(int x, int y) const {
     return classes_[static_cast<std::size_t>(y * (shape_.size.x + 2) + x)];
   }
-  /// Returns the value of a cell. Outside the field, returns that of the nearest cell.
+  /// Returns the value of a cell. Outside the field, returns the value of the nearest cell.
   [[nodiscard]] float valueAt(int x, int y) const {
     const float value = value_(std::clamp(x, 0, shape_.size.x - 1), std::clamp(y, 0, shape_.size.y - 1));
     return std::isfinite(value) ? std::clamp(value, -1e20F, 1e20F) : -1e20F;

@@ -38,8 +38,8 @@ sim::GrayScottPlan byHand(int side) {
   return {p, "dish", 1, frameSeconds};
 }
 
-/// Returns the plan of the same equations as a rule. The rule's diffusion coefficients are 0.3 times those
-/// of the kernels, because its Laplacian is larger by 1 / 0.3.
+/// Returns the plan of the same equations as a rule. The rule's diffusion coefficients are 0.3 times the
+/// coefficients of the kernels, because its Laplacian is larger by 1 / 0.3.
 sim::ReactionPlan asRule(int side) {
   sim::ReactionParameters p;
   p.size = {side, side};

@@ -1,5 +1,5 @@
-// Shades instanced copies of a mesh or sphere. ADDITIVE: unlit light of one colour. Defines: DOUBLE_SIDED, and those of
-// draw/surface/lighting.glsl.
+// Shades instanced copies of a mesh or sphere. ADDITIVE: unlit light of one colour. Defines: DOUBLE_SIDED, and the
+// defines of draw/surface/lighting.glsl.
 #include "draw/frame_block.glsl"
 #include "draw/surface/material.glsl"
 #include "draw/surface/shadow_read.glsl"

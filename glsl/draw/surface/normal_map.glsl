@@ -11,8 +11,8 @@ FUNCTION vec3 tangentNormal(vec3 texel, float strength) {
 
 // Returns the mapped normal in world space. The tangent frame is computed for each pixel: y is opposite to the gradient
 // of v; x is perpendicular to y and points towards growing u. The frame equals a MikkTSpace frame with tangents along u
-// and bitangents from the cross product with the normal, but it is not interpolated from vertices. The parameters are
-// those of riseByUv(). Works for mirrored uvs. A surface without uvs keeps its normal.
+// and bitangents from the cross product with the normal, but it is not interpolated from vertices. `across`, `up`,
+// `right` and `above`: see riseByUv(). Works for mirrored uvs. A surface without uvs keeps its normal.
 FUNCTION vec3 mappedNormal(vec3 t, vec3 normal, vec3 across, vec3 up, vec2 right, vec2 above) {
   vec3 first = crossed(up, normal), second = crossed(normal, across);
   float turned = dotted(across, first) < 0.0f ? -1.0f : 1.0f;

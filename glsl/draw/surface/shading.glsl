@@ -54,7 +54,7 @@ FUNCTION vec2 sunLobe(vec3 normal, vec3 view, vec3 sun, float roughness) {
 
 // Returns x and y of F0 x + y, the fraction of ambient light that the lobe reflects. The formulas fit the integral of
 // the GGX lobe over the hemisphere, including the loss by shadowing between facets. The error is below 0.03 (0.04 for
-// nv < 0.2, 0.06 for nv < 0.1); that of y is below 0.006 for nv > 0.5.
+// nv < 0.2, 0.06 for nv < 0.1); the error of y is below 0.006 for nv > 0.5.
 FUNCTION vec2 ambientLobe(float roughness, float nv) {
   ROUNDED float alpha = roughness * roughness;
   ROUNDED float tilt = 1.0f - nv;

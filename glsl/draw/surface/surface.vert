@@ -48,7 +48,7 @@ out vec3 place;
 
 #ifdef GRID
 // Returns the normal from central differences, or one-sided ones at the borders. The normal points to the same side as
-// that of the triangles (a, a + width, a + 1).
+// the normal of the triangles (a, a + width, a + 1).
 vec3 gridNormal(int i) {
   int x = i % grid.x, y = i / grid.x;
   vec3 left = worldPoint(i - min(x, 1)), right = worldPoint(i + min(grid.x - 1 - x, 1));

@@ -1,4 +1,5 @@
-// Binding points of the arrays of the contact kernels. solve.comp leaves those of particles/kernel.glsl free.
+// Binding points of the arrays of the contact kernels. solve.comp leaves the binding points of particles/kernel.glsl
+// free.
 #ifndef BALL_BINDINGS
 #define BALL_BINDINGS
 

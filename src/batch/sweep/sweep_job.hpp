@@ -51,8 +51,8 @@ struct JobEnd {
 /// Writes the result of a job whose process ended before writing one. `how`: the way in which the process
 /// ended. Throws UserError(inputOutput).
 JobResult writeLostResult(const SweepPlan& plan, std::size_t job, const std::string& how);
-/// Removes all files of plan `old` before plan `next` replaces it, except those of jobs that are in both
-/// plans. Throws UserError(inputOutput) if a job is being rendered.
+/// Removes all files of plan `old` before plan `next` replaces it, except the files of jobs that are in
+/// both plans. Throws UserError(inputOutput) if a job is being rendered.
 void removeOthers(const SweepPlan& old, const SweepPlan& next);
 
 }  // namespace simreel::batch

@@ -78,8 +78,8 @@ std::vector<BakedFile> bakedFiles(const sim::World& world, const BakeOptions& o)
   return files;
 }
 
-/// Removes all files except those of the fields that --fields names. Throws UserError(usage) for the name
-/// of a field that does not exist.
+/// Removes all files except the files of the fields that --fields names. Throws UserError(usage) for the
+/// name of a field that does not exist.
 void chooseFields(std::vector<BakedFile>& files, const std::vector<std::string>& fields) {
   if (fields.empty()) return;
   std::vector<std::string> names;

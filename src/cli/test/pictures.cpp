@@ -96,7 +96,7 @@ void checkOptions(const TestOptions& o) {
              path);
 }
 
-/// Returns the rules of the file followed by those of the command line, which take precedence.
+/// Returns the rules of the file followed by the rules of the command line, which take precedence.
 std::vector<golden::Rule> rulesOf(const TestOptions& o) {
   std::vector<golden::Rule> rules;
   if (!o.rules.empty()) rules = golden::readRules(o.rules);

@@ -27,7 +27,7 @@ class GlowSums {
  public:
   /// True if this device uses this class: only on the storage path (gl::memoryPath()).
   [[nodiscard]] static bool used();
-  /// True if this class sums the light of these instances.
+  /// True if this class sums the light of `instances`.
   [[nodiscard]] static bool takes(const sim::Instances& instances);
 
   /// Throws UserError(device), which names the limit, if the sums exceed the device's buffer size.

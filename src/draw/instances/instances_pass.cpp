@@ -115,8 +115,8 @@ void InstancesPass::fill(const sim::Instances& instances, std::size_t i, Viewer 
   // Software drivers use coarser meshes, because triangles are expensive there, except for shadows, because
   // a small ball's shadow on a surface shows each texel.
   const bool coarse = !forLight && gl::softwareDriver() && !isSprite(instances);
-  // Up to this size (pixels) balls are drawn as squares of equal area, whose edge differs from that of the
-  // disc by 1/8 of the radius. Glows look the same as points.
+  // Up to this size (pixels) balls are drawn as squares of equal area, whose edge differs from the disc's
+  // edge by 1/8 of the radius. Glows look the same as points.
   const float maxGlow = GlowSums::takes(instances) ? maxSmallSum : maxPointGlow;
   const SightFields sight{.instance = seenBy(viewer, instances),
                           .pointPixels = instances.additive ? maxGlow

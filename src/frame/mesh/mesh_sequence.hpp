@@ -44,8 +44,8 @@ class MeshSequence {
   MeshSequence& operator=(const MeshSequence&) = delete;
 
   /// Writes the next frame of the plan. Throws UserError(usage) if its triangles or its number of vertices
-  /// differ from those of the first frame, or if the format cannot hold it. Throws UserError(inputOutput)
-  /// if writing fails.
+  /// differ from the first frame, or if the format cannot hold it. Throws UserError(inputOutput) if writing
+  /// fails.
   virtual void add(const sim::MeshTable& mesh) = 0;
   /// Completes the file after the last frame. Throws UserError(inputOutput).
   virtual void finish() = 0;

@@ -8,8 +8,8 @@ namespace simreel::frame {
 
 namespace {
 
-/// Returns a description of how the topology or uvs of `mesh` differ from those of the first frame. Returns
-/// an empty text if they are equal.
+/// Returns a description of how the topology or uvs of `mesh` differ from the first frame. Returns an empty
+/// text if they are equal.
 std::string difference(const sim::MeshTable& mesh, const sim::MeshTable& first) {
   if (mesh.indices.size() != first.indices.size())
     return fmt::format("{} triangles instead of {}", mesh.indices.size() / 3, first.indices.size() / 3);

@@ -126,7 +126,7 @@ class Run {
     }
   }
 
-  /// Waits until the latest summary is that of the current frame.
+  /// Waits until the latest summary describes the current frame.
   void lookAtPresent() {
     frames_.drain();
     if (!seen_) {

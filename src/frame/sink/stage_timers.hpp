@@ -42,7 +42,7 @@ class StageTimers {
   [[nodiscard]] Stopwatch watch(double StageTimes::*stage, int frame) {
     return {stages_.*stage, ofFrame_[frame].*stage};
   }
-  /// Returns the times of a frame plus those of earlier frames that have not been returned yet. Removes
+  /// Returns the times of a frame plus the times of earlier frames that have not been returned yet. Removes
   /// them from the list.
   [[nodiscard]] StageTimes takeUpTo(int frame) {
     StageTimes sum;

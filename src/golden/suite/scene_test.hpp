@@ -72,7 +72,7 @@ class SceneTest {
   std::vector<int> frames_;
   Reference reference_;
   SceneRun run_;
-  /// A group of runs with equal results that differ from those of the first run.
+  /// A group of runs with equal results that differ from the results of the first run.
   struct OtherRun {
     std::vector<int> numbers;
     SceneRun run;

@@ -241,8 +241,8 @@ class Placing {
     }
   }
 
-  /// Returns the result type of the function. Its signedness may differ from that of the instruction's
-  /// result.
+  /// Returns the result type of the function. Its signedness may differ from the signedness of the
+  /// instruction's result.
   Id resultType(std::string_view function, Id type) {
     if (function == "xUdiv" || function == "xUmod" || function == "xToUint" ||
         function.starts_with("xPack"))

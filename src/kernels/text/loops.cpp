@@ -43,8 +43,8 @@ bool beginsLoop(std::string_view text) {
 /// Positions of lines in a loop's body.
 struct Body {
   std::size_t end = 0;                 ///< line of the closing brace
-  std::vector<std::size_t> continues;  ///< indices of the lines `continue;` of this loop, without those of
-                                       ///< nested loops
+  std::vector<std::size_t> continues;  ///< indices of the lines `continue;` of this loop, but not of nested
+                                       ///< loops
 };
 
 /// Returns the body whose opening brace is in line `open`.

@@ -104,7 +104,7 @@ class Reflecting {
            array = module_.global(type)) {
         member.array.push_back(
             array->op == SpvOpTypeArray ? module_.constant(array->operands[1]).value_or(1) : 0);
-        // The stride is that of the innermost array; nested arrays have no padding.
+        // The stride of the innermost array is used; nested arrays have no padding.
         member.stride = module_.decoration(type, SpvDecorationArrayStride).value_or(0);
         type = array->operands[0];
       }

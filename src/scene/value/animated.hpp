@@ -15,7 +15,7 @@ enum class Ease { linear, smooth, spline, hold };
 inline constexpr std::array<const char*, 4> easeWords = {"linear", "smooth", "spline", "hold"};
 
 /// Value that is constant or changes along keyframes. It is constant before the first key and after the
-/// last. Two keys at the same time are a jump; at that time the value is that of the second key.
+/// last. Two keys at the same time are a jump; at that time the second key's value applies.
 template <class T>
 class Animated {
  public:

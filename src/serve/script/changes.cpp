@@ -52,8 +52,8 @@ bool has(const std::array<std::pair<std::string_view, std::string_view>, size>& 
 }
 
 /// Returns the time up to which two keyframed values are equal. A value between two keys depends on both of
-/// them and, with a spline, on the keys before and after them. Before the first key, the value is that of
-/// the first key.
+/// them and, with a spline, on the keys before and after them. Before the first key, the first key's value
+/// applies.
 double keysAlike(const ordered_json& before, const ordered_json& after) {
   const ordered_json &a = before.at("keys"), &b = after.at("keys");
   if (!a.is_array() || !b.is_array()) return never;

@@ -15,7 +15,7 @@ struct CaveGrid {
   /// Returns the number of 32-bit words per row, a multiple of four.
   [[nodiscard]] int rowWords() const { return (size.x + 127) / 128 * 4; }
   [[nodiscard]] int words() const { return rowWords() * size.y; }
-  /// Returns the number of cell indices, including those of the unused bits at the end of rows.
+  /// Returns the number of cell indices, including the indices of the unused bits at the end of rows.
   [[nodiscard]] std::int64_t numbers() const { return std::int64_t{32} * words(); }
   [[nodiscard]] glm::ivec2 placeOf(unsigned cell) const {
     const auto pitch = 32U * static_cast<unsigned>(rowWords());
@@ -72,8 +72,8 @@ class CaveRegions {
   /// Returns the region with the most cells among the regions labelled last. Among equal regions, it is the
   /// one with the lowest cell.
   [[nodiscard]] Largest largest(const gl::Buffer& cells);
-  /// Converts those of the regions labelled last that have fewer than `fewest` cells to the other kind,
-  /// except for the region whose lowest cell is `kept`. Afterwards the labels are out of date.
+  /// Among the regions labelled last, converts each region with fewer than `fewest` cells to the other
+  /// kind, except for the region whose lowest cell is `kept`. Afterwards the labels are out of date.
   void remove(const gl::Buffer& cells, unsigned fewest, unsigned kept);
 
   /// Returns the labels of runs: one 32-bit word per cell index (glsl/cave/runs.glsl).

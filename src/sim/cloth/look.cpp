@@ -25,8 +25,8 @@ struct FabricLook {
 };
 
 FabricLook lookOf(FabricMaterial material) {
-  // The threads are two to three times as wide as those of the fabrics of fabricOf(), so that the weave is
-  // visible from half a metre away.
+  // The threads are two to three times as wide as the threads of the fabrics of fabricOf(), so that the
+  // weave is visible from half a metre away.
   constexpr FabricLook table[] = {
       {0.8F, 0.22F, 0.06F, 0, 0.5F, Weave::plain, 1800},      // cotton
       {0.34F, 0.3F, 0.1F, 0.55F, 0.28F, Weave::plain, 2200},  // silk

@@ -62,7 +62,8 @@ class ContactPlan {
   /// Returns the index of each part's first vertex.
   [[nodiscard]] const std::vector<int>& firsts() const { return firsts_; }
   [[nodiscard]] int vertices() const { return static_cast<int>(skins_.size()); }
-  /// Returns the number of vertices of cloths and particles, whose indices precede those of the solids.
+  /// Returns the number of vertices of cloths and particles, whose indices precede the indices of the
+  /// solids' vertices.
   [[nodiscard]] int movable() const { return movable_; }
   /// Returns the index of the first particle.
   [[nodiscard]] int balls() const { return balls_; }

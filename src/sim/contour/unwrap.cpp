@@ -13,7 +13,7 @@ constexpr unsigned perPoint = 4, wallBottom = 1,
                                  // glsl/contour/vertices.glsl.
 constexpr std::size_t wallIndices = 6;
 
-/// Sets UVs by axis-aligned projection. The result is correct for all vertices except those of walls.
+/// Sets UVs by axis-aligned projection. The result is correct for all vertices except wall vertices.
 void unwrapFlat(MeshTable& mesh, double metre) {
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const glm::dvec3 p(mesh.positions[i]);

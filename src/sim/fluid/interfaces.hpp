@@ -3,7 +3,7 @@
 
 #include <array>
 
-/// Interfaces of the fluid's kernels. Those of the pressure solver are in solver_interfaces.hpp.
+/// Interfaces of the fluid's kernels. The interfaces of the pressure solver are in solver_interfaces.hpp.
 namespace simreel::sim {
 
 struct FluidPush {

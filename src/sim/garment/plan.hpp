@@ -93,8 +93,7 @@ class GarmentPlan {
   [[nodiscard]] std::vector<float> contactRooms() const;
   [[nodiscard]] const std::vector<double>& masses() const {
     return masses_;
-  }  ///< masses in kg, including
-     ///< those of pinned vertices
+  }  ///< masses in kg, also of pinned vertices
 
  private:
   GarmentPlan(const std::string& name, const ClothParameters& parameters, int seed, double frameSeconds,

@@ -69,7 +69,7 @@ class Patch {
       return;
     const glm::dvec2 p = from.corners[side];
     const glm::dvec2 along = from.corners[(side + 1) % 3] - p;
-    // Uses the corners of the neighbour, because after sewing they differ from those of this face.
+    // Uses the neighbour's corners, because after sewing they differ from this face's corners.
     const Face& beyond = cloth_.faces[other];
     const std::size_t back = cloth_.sideBeyond(from.face, side);
     const glm::dvec3 start = cloth_.points[beyond.corners[(back + 1) % 3]];

@@ -10,7 +10,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Reads back the words from that of the first cell to that of the last cell.
+/// Reads back the words from the first cell's word to the last cell's word.
 std::vector<std::uint32_t> wordsOf(const Field& field) {
   const int perWord = field.cells == Field::Cells::bits ? 32 : field.cells == Field::Cells::bytes ? 4 : 1;
   const bool whole = perWord == 1;

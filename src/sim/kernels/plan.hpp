@@ -121,7 +121,7 @@ class KernelPlan {
   [[nodiscard]] const std::vector<PlannedEntry>& first() const { return first_; }
   [[nodiscard]] const std::vector<PlannedEntry>& step() const { return step_; }
   [[nodiscard]] const PlannedDrawing& drawn() const { return drawn_; }
-  /// Sets the colour ranges of the drawing to those of `description`.
+  /// Sets the colour ranges of the drawing to the ranges in `description`.
   void setColorRanges(const KernelDescription& description);
   [[nodiscard]] int bufferNamed(std::string_view name) const;
   [[nodiscard]] int textureNamed(std::string_view name) const;

@@ -14,9 +14,9 @@ struct LightFile {
 
   glm::ivec2 size{0, 0};
   std::vector<float> values;
-  std::string colours;  ///< description of the primaries; empty if they are those of Rec. 709
-  std::string note;     ///< content of the file that was not read, for example "channels Z"; empty if there
-                        ///< is none
+  std::string colours;  ///< description of the primaries; empty for the primaries of Rec. 709
+  std::string note;     ///< content of the file that was not read, for example "channels Z"; empty if
+                        ///< everything was read
   std::string unfit;    ///< reason why the image is not an environment map; empty if it may be one
 };
 

@@ -37,7 +37,7 @@ class HeightField {
   /// `component` is the index of the component with the height (1 or 0).
   void setHeights(const gl::Vec4Array& positions, int component = 1);
   void carryOver(CarryOver& carry) { carry.array("heights", heights_.buffer()); }
-  /// Returns the heights and the time within the frame as kernel inputs. The arguments are those of
+  /// Returns the heights and the time within the frame as kernel inputs. The arguments are the same as for
   /// HeightPlan::at().
   [[nodiscard]] HeightPart part(int substep, int substeps, float margin, float bounce) const;
 

@@ -71,7 +71,7 @@ struct Attractor {
 /// Wind that carries the particles along.
 struct ParticleWind {
   std::string fluid;  ///< name of the fluid whose flow is the wind
-  float drag = 4;     ///< rate in 1/s at which the velocity approaches that of the wind
+  float drag = 4;     ///< rate in 1/s at which the velocity approaches the wind's velocity
 };
 
 /// Contact of particles with each other, as balls.

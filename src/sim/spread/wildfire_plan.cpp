@@ -222,8 +222,8 @@ shader::WildfireStep WildfirePlan::stepAt(double time) const {
       data.spread[d / 4][static_cast<int>(d % 4)] = static_cast<unsigned>(std::lround(65536 * chance));
       ++d;
     }
-  // A cell ages seven times in coolSteps steps, and in each of these times it takes one round through the
-  // sixteen phases. phases() returns the number of phases completed after `steps` steps.
+  // A cell ages seven times in coolSteps steps, and each time it takes one round through the sixteen
+  // phases. phases() returns the number of phases completed after `steps` steps.
   const auto phases = [&](std::uint64_t steps) {
     return static_cast<unsigned>(steps * 112 / static_cast<unsigned>(p.coolSteps));
   };

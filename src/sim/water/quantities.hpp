@@ -10,7 +10,7 @@ namespace simreel::sim {
 
 /// Returns the values of WaterParameters::quantities() for a state, in the order of quantities(). Sums are
 /// computed in double with x fastest, so equal states give equal numbers. `cells` has the format of
-/// WaterPlan::firstCells(), `floats` that of FloatPlan::first().
+/// WaterPlan::firstCells(), and `floats` has the format of FloatPlan::first().
 [[nodiscard]] std::vector<double> measureWater(const WaterPlan& plan, std::span<const glm::vec4> cells,
                                                std::span<const glm::vec4> floats = {});
 

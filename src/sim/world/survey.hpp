@@ -19,8 +19,8 @@ constexpr double mostSurveyed = 1 << 30;
 
 /// Result of a survey run: the extents of the objects and the ends of their colour ranges.
 struct Survey {
-  std::vector<scene::Framed> framed;  ///< extents of those objects that have Parameters::framed, in the
-                                      ///< order of objects
+  std::vector<scene::Framed> framed;  ///< extents of the objects that have Parameters::framed, in the order
+                                      ///< of objects
   int frames = 0;                     ///< number of frames simulated; 0 if the extents follow from the
                                       ///< parameters only
   double work = 0;                    ///< work of all frames, in the unit of mostSurveyed

@@ -506,7 +506,7 @@ class Commands(PicturesCase):
         self.assertEqual(self.statuses(0, "in/one.txt", actual=run), {"one.png": "pass"})
         self.bad(2, ["--update=prune needs all scenes, and in/one.txt is only one"], "test", "--expected", "expected", *run,
                  "in/one.txt", "--update=prune")
-        # The pixels are those of a scene that is not tested in this run.
+        # The new scene has the pixels of a scene that is not tested in this run.
         self.write("in/new.txt", baselines["two.png"])
         self.assertEqual(self.statuses(0, "in/new.txt", "--update", actual=run), {"new.png": "updated"})
         self.assertEqual(self.content("expected"), {**baselines, "new.png": baselines["two.png"]})

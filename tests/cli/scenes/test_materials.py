@@ -63,7 +63,7 @@ class Materials(Case):
         self.write("square.gltf", gltf([glowing([1, 0, 0]), glowing([0, 0, 1])]))
         self.scene("square.gltf")
         self.assertEqual(self.picture(), ((255, 0, 0), (0, 0, 255)))
-        # The emission in the scene replaces that of the file.
+        # The emission in the scene replaces the emission in the file.
         self.scene("square.gltf", {"emission": [0, 1, 0], "color": [0, 0, 0]})
         self.assertEqual(self.picture(), ((0, 255, 0), (0, 255, 0)))
 

@@ -133,7 +133,7 @@ class Vectors(Case):
     def test_a_flow_is_wind_for_particles(self):
         self.scene({"w": {"flow": {"u": "2", "v": "0"}},
                     "dust": {"particles": {"groups": [{"count": 1, "radius": 1e-4}], "method": "none", "wind": {"fluid": "w", "drag": 60}}}})
-        # After 10 frames, the speed is nearly that of the wind.
+        # After 10 frames, the speed is nearly the wind speed.
         self.assertAlmostEqual(self.baked("dust", 10)[0][4], 2, 4)
 
     def test_pictures_continue_from_a_checkpoint(self):

@@ -136,7 +136,7 @@ inline std::array<double, 3> filmByte(std::array<double, 3> light) {
   return result;
 }
 
-/// True if each channel of `c` differs from that of `wanted` by at most `tolerance`.
+/// True if each channel of `c` differs from the same channel of `wanted` by at most `tolerance`.
 inline bool near(glm::ivec3 c, const std::array<double, 3>& wanted, double tolerance) {
   for (int i = 0; i < 3; ++i)
     if (std::abs(c[i] - wanted[static_cast<std::size_t>(i)]) > tolerance) return false;

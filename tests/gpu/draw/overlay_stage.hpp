@@ -10,7 +10,7 @@
 #include <doctest/doctest.h>
 
 /// Returns a picture of random bytes, with random opacities unless `opaque` is set. The driver's blending
-/// equals that of the kernels only for opaque pictures, because only the kernels support straight alpha.
+/// equals the kernels' blending only for opaque pictures, because only the kernels support straight alpha.
 inline OverlayPicture<OverlayBytes> someBytes(glm::ivec2 size, bool opaque = false) {
   OverlayPicture<OverlayBytes> picture{size, {}};
   std::minstd_rand random(7);

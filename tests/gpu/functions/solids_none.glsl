@@ -30,7 +30,7 @@ FUNCTION vec4 loadWindCell(int x, int y) {
   return vec4(somePlace(8 * (y + 1) + x + 1, 90), 0.0f);
 }
 
-// Sets the wind to that of a fluid rectangle of 4 x 3 cells, which is skewed in the world.
+// Sets the wind to the flow of a fluid rectangle of 4 x 3 cells, which is skewed in the world.
 FUNCTION void blow(bool blows) {
   meshData.count = 0;
   blown = blows;

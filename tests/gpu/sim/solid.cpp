@@ -227,7 +227,7 @@ TEST_CASE("a solid is closed and has as many parts as the map has regions") {
         // the room's surface.
         const int islands = regionCount(size, map, true) - 1;
         CHECK(welded.eulerCharacteristic() == (ceiling ? 2 + 2 * rooms - 2 * islands : 2));
-        // The expected volume is that of the whole block minus the open space above the floor.
+        // The expected volume is the volume of the whole block minus the open space above the floor.
         const double cells = (size.x + 1.0) * (size.y + 1.0) * 0.25;
         const double floor = areaAt(mesh, 0);
         const double full = cells * (1.5 + shape.base + (ceiling ? shape.roof : 0.0F));

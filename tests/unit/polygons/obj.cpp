@@ -136,7 +136,7 @@ TEST_CASE("OBJ: smoothing groups give smooth normals, and faces outside groups a
   CHECK(seam.positions.size() == 8);
   for (std::size_t i = 0; i < seam.positions.size(); ++i)
     if (seam.positions[i].z == 1.0F) CHECK(seam.normals[i].z > 0.9F);
-  // For cloth, the vertices are those of the file, and all normals are smooth.
+  // For cloth, the mesh keeps the file's vertices, and all normals are smooth.
   const TemporaryFile file("polygons.obj", roof + "f 1 2 3 4\nf 4 3 5 6\n");
   CHECK(sim::importMesh(file.path(), sim::MeshNormals::shared).positions.size() == 6);
   CHECK(sim::importMesh(file.path()).positions.size() == 8);

@@ -52,8 +52,8 @@ std::string boxMesh(const test::TemporaryFile& file, const std::string& more = "
   return fmt::format(R"("shape": "file", "file": "{}"{})", file.path().string(), more);
 }
 
-/// Scene text of a torus below a sheet. Its radius is 0.5 m, and that of its tube is 0.15 m. overTorus()
-/// returns the clearance above it.
+/// Scene text of a torus below a sheet. The radius of the torus is 0.5 m, and the radius of its tube is
+/// 0.15 m. overTorus() returns the clearance above it.
 constexpr const char* torusUnderCloth =
     R"("shape": "torus", "radius": 0.5, "tube": 0.15, "resolution": [97, 49], "rotation": [0, 20, 0])";
 

@@ -96,8 +96,8 @@ TEST_CASE("garment: sewn cloth equals cloth of one mesh, to the last weight") {
     stitches.emplace_back(sewn.vertexOf[static_cast<std::size_t>(seam.from[i])],
                           sewn.vertexOf[static_cast<std::size_t>(seam.to[i])]);
   CHECK(sewn.sew(stitches) == 0);
-  // Both pieces have the shape z = (a x^2 + 2 b x y + c y^2) / 2, ignoring the gap. The energy must be that
-  // of a plate, even in the faces at the seam.
+  // Both pieces have the shape z = (a x^2 + 2 b x y + c y^2) / 2, ignoring the gap. The energy must equal
+  // the energy of a plate, even in the faces at the seam.
   std::vector<glm::dvec3> points = sewn.points;
   for (glm::dvec3& p : points) {
     if (p.x > 0.5 * seamCells * cell + 0.5 * seamGap) p.x -= seamGap;

@@ -145,7 +145,7 @@ TEST_CASE("the phase error of leapfrog falls four times when the step is halved"
 }
 
 TEST_CASE("three bodies return to their start on the figure-eight orbit") {
-  // The orbit is that of A. Chenciner and R. Montgomery, Annals of Mathematics 152 (2000), with C. Simo's
+  // This is the orbit of A. Chenciner and R. Montgomery, Annals of Mathematics 152 (2000), with C. Simo's
   // numbers and G = m = 1.
   const glm::vec3 x(0.97000436, -0.24308753, 0);
   const glm::vec3 v(-0.93240737, -0.86473146, 0);

@@ -59,8 +59,8 @@ double mc(double a, double b) {
   return a > 0 ? size : -size;
 }
 
-/// Returns the limited slopes of h, u, v and of the level. The slope of the bed is that of the level minus
-/// that of h.
+/// Returns the limited slopes of h, u, v and of the level. The slope of the bed is the slope of the level
+/// minus the slope of h.
 Primitive slope(const Lake& lake, const Primitive& a, const Primitive& b, const Primitive& c) {
   if (std::min({a.h, b.h, c.h}) <= lake.dry) return {0, 0, 0, 0};
   const double h = mc(b.h - a.h, c.h - b.h);

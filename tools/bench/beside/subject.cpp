@@ -30,8 +30,8 @@ double median(std::vector<double> values) {
 }
 
 /// Returns the items per second that one processor could process if it did only the minimum work. This is
-/// the lower of two rates: that of a loop of such operations, measured now, and that of copying the same
-/// bytes in the cache level that they fit into.
+/// the lower of two rates: the rate of a loop of such operations, measured now, and the rate of copying the
+/// same bytes in the cache level that they fit into.
 double limit(const Least& least) {
   const auto rate = [](auto work) {
     std::vector<double> rates;

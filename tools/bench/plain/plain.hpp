@@ -56,8 +56,8 @@ class Cloth {
   std::vector<Vec3> before_;
 };
 
-/// A woven sheet. All links of a line are solved together (XPBD), diagonals pair by pair, and bending is
-/// that of a plate.
+/// A woven sheet. All links of a line are solved together (XPBD), diagonals pair by pair, and the sheet
+/// bends like a plate.
 class Fabric {
  public:
   struct Numbers {
@@ -216,7 +216,7 @@ double arithmetic();
 double copying(std::size_t bytes);
 
 /// Epidemic with one byte per cell: 1 susceptible, 2 infected, 3 immune. Probabilities are in thousandths.
-/// The random hash is that of simreel's kernels.
+/// The random hash is the same as in simreel's kernels.
 class Epidemic {
  public:
   Epidemic(int side, std::vector<std::uint8_t> cells);

@@ -2,7 +2,7 @@
 // covers it, else at the first sample that shows the triangle. JOINED: shades several surfaces without textures.
 // Defines: SAMPLES; SHADOW (with SHADOW_TAPS), OCCLUSION, REFLECTED, RAYS, PALETTE, VERTEX_COLORS, DOUBLE_SIDED;
 // TEXTURED (BUMPED) or SKIN (with a LOOK_ define of draw/surface/skin_look.glsl), by uv of a GRID or a mesh, or
-// TRIPLANAR; maps (surface_maps.glsl), EMISSION, COAT, SHEEN; BLENDED (a blended layer); and those of
+// TRIPLANAR; maps (surface_maps.glsl), EMISSION, COAT, SHEEN; BLENDED (a blended layer); and the defines of
 // draw/surface/lighting.glsl.
 #define EXACT_PICTURE
 #include "common/once.glsl"

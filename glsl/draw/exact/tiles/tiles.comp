@@ -1,8 +1,8 @@
 // Adds the ground to the visibility buffer and lists, for each drawn surface, the tiles that show it. One workgroup
 // handles one tile; one invocation handles ROWS vertically adjacent pixels. GROUND: two more lists hold the tiles whose
 // ground is without shadow, and the other tiles with ground (SHADOW). GROUND_KEYS: also writes the ground's depth keys.
-// EMPTIES: also clears the light of all pixels. FEW: there are at most 32 lists including those of the ground. FOURS:
-// there are at most 4 times FOURS lists without those of the ground. Defines: SAMPLES, PAIRED.
+// EMPTIES: also clears the light of all pixels. FEW: there are at most 32 lists including the ground's lists. FOURS:
+// there are at most 4 times FOURS lists without the ground's lists. Defines: SAMPLES, PAIRED.
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/tiles/tile_lists.glsl"

@@ -29,7 +29,7 @@ vec3 worldPlace(int i) {
 
 // worldNormal() returns the normal of vertex i. The normal does not have unit length.
 #ifdef GRID
-// Uses central differences, or one-sided ones at the borders. The normal points to the same side as that of the
+// Uses central differences, or one-sided ones at the borders. The normal points to the same side as the normal of the
 // triangles (a, a + width, a + 1).
 vec3 worldNormal(int i) {
   int x = i % grid.x, y = i / grid.x;

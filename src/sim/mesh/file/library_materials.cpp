@@ -120,7 +120,7 @@ class LibraryReader {
 
   /// Reports legacy lighting parameters that would change the image. Most programs write defaults into
   /// every file, which are not reported: a grey or black Ks, a Ka that is grey or equal to the colour, an
-  /// Ni between those of air and plastics, and an illum for opaque materials or, if d is below 1, for
+  /// Ni between the values of air and plastics, and an illum for opaque materials or, if d is below 1, for
   /// transparent ones.
   void ignoreLight(const MeshMaterial& material, const OldLight& said) {
     constexpr float plastic = 1.6F;
@@ -189,8 +189,8 @@ class LibraryReader {
     } else if (key == "Pm") {
       material.metallic = numbersIn(rest, 1)[0];
     } else if (key == "Ns") {
-      // The lobe of a Blinn-Phong exponent n is about as wide as that of alpha^2 = 2 / (n + 2), where alpha
-      // is the squared roughness.
+      // The lobe of a Blinn-Phong exponent n is about as wide as the lobe of alpha^2 = 2 / (n + 2), where
+      // alpha is the squared roughness.
       if (hasRoughness_.count(name_) == 0)
         material.roughness = std::sqrt(std::sqrt(2.0F / (numbersIn(rest, 1e6F)[0] + 2)));
     } else if (key == "Ka") {

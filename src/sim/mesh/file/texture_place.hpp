@@ -10,8 +10,8 @@ namespace simreel::sim {
 /// occlusion, emission.
 using MapNames = std::array<const char*, 6>;
 
-/// Removes the maps whose texture transform differs from that of the material's first map, because a mesh
-/// has only one uv per vertex. Calls `without` with the name of each removed map.
+/// Removes the maps whose texture transform differs from the transform of the material's first map, because
+/// a mesh has only one uv per vertex. Calls `without` with the name of each removed map.
 void agreeOnPlace(MeshMaterial& material, const MapNames& names,
                   const std::function<void(const char*)>& without);
 

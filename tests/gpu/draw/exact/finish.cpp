@@ -106,8 +106,8 @@ TEST_CASE("blended surfaces: at each sample by itself, and hidden by what is opa
   const auto shown =
       drawn(unlit(), {.surfaces = {behind.surface, glass.surface, before.surface}}, size, 4, exactly);
   checkLight(shown, 80, 80, front);
-  // A pixel on the edge of the front square shows only a mix of two colours: that of the front square, and
-  // that of the pane over the back square.
+  // A pixel on the edge of the front square shows only a mix of two colours: the colour of the front
+  // square, and the colour of the pane over the back square.
   const glm::dvec3 beside = 0.5 * pane + 0.5 * back;
   checkLight(shown, 80 + 45, 80, beside);
   int edges = 0;

@@ -304,7 +304,7 @@ TEST_CASE("occlusion: in a pit, in the picture's middle and towards its side") {
   }
 }
 
-// If only the sky gives light, the light equals that of a draft picture times the openness.
+// If only the sky gives light, the light equals the light of a draft picture times the openness.
 TEST_CASE("exact: all that is shaded gets as much of the sky's light as it is open") {
   testContext();
   const auto mesh = temporaryFile("occlusion_dart.obj");

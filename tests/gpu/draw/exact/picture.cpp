@@ -60,7 +60,7 @@ void see(PictureTwinScene& twin, const scene::Scene& scene, glm::ivec2 size, int
   twin.view = draw::exactView(draw::viewAt(scene.camera, 0, size, {}), scene.camera, size);
 }
 
-/// Returns the number of bytes in which the kernels' picture differs from that of the CPU version.
+/// Returns the number of bytes in which the kernels' picture differs from the CPU version's picture.
 int othersThanTwin(const scene::Scene& scene, const PictureTwinScene& twin, TriangleStage& stage,
                    glm::ivec2 size) {
   stage.surface.doubleSided = twin.doubleSided;
