@@ -152,10 +152,11 @@ Balls sortedBalls(Kernel& kernel, const std::vector<vec4>& positions, const std:
   std::stable_sort(balls.slots.begin(), balls.slots.end(),
                    [&](uint a, uint b) { return buckets[a] < buckets[b]; });
   for (const uint i : balls.slots) {
-    const bool fresh = kernel.ringPlace(static_cast<int>(i)).y >= 0;
+    const ivec2 place = kernel.ringPlace(static_cast<int>(i));
+    const bool fresh = place.y >= 0;
+    const float radius = kernel.ballRadius(positions[i].w) * kernel.ballGrowth(place.x, velocities[i].w);
     balls.guesses.push_back(positions[i]);
-    balls.begins.emplace_back(vec3(fresh ? positions[i] : starts[i]),
-                              buckets[i] == dead ? 0 : kernel.ballRadius(positions[i].w));
+    balls.begins.emplace_back(vec3(fresh ? positions[i] : starts[i]), buckets[i] == dead ? 0 : radius);
     balls.speeds.push_back(velocities[i]);
   }
   return balls;

@@ -17,10 +17,13 @@ void main() {
   int i = int(record.z);
   vec4 here = LOAD_INPUT(positions, i);
   bool alive = record.x != uint(stepData.balls.tableMask);
-  vec3 from = ringPlace(i).y >= 0 ? here.xyz : LOAD_INPUT(starts, i).xyz;
+  vec4 speed = LOAD_INPUT(velocities, i);
+  ivec2 place = ringPlace(i);
+  vec3 from = place.y >= 0 ? here.xyz : LOAD_INPUT(starts, i).xyz;
+  precise float radius = ballRadius(here.w) * ballGrowth(place.x, speed.w);
   STORE_STATE(guesses, s, here);
-  STORE_STATE(begins, s, vec4(from, alive ? ballRadius(here.w) : 0.0f));
-  STORE_STATE(speeds, s, LOAD_INPUT(velocities, i));
+  STORE_STATE(begins, s, vec4(from, alive ? radius : 0.0f));
+  STORE_STATE(speeds, s, speed);
   if (!alive || (s > 0 && LOAD_INPUT_WORDS(records, s - 1).x == record.x)) return;
   int end = s + 1;
   int last = min(s + ballRun, stepData.count);

@@ -8,6 +8,15 @@ FUNCTION float ballRadius(float mass) {
   return radius;
 }
 
+// Returns the factor on the radius of a ball of emitter e (-1: of a group). Balls are born at a twentieth of their radius
+// and grow within a quarter of a second, because those that are born inside each other would be thrown apart. `age`: as a
+// fraction of life.
+FUNCTION float ballGrowth(int e, float age) {
+  if (e < 0) return 1.0f;
+  precise float grown = age * stepData.emitters[e].constants.lifetime * 4.0f + 0.05f;
+  return min(grown, 1.0f);
+}
+
 // Returns the share of a mass among n contacts, as a factor on 1 / mass. Jacobi iterations over contacts that share
 // masses evenly (n) always converge, but slowly; 1 + 0.3 (n - 1) is faster and was stable in all heaps that were tried.
 FUNCTION float ballShare(int contacts) {

@@ -246,6 +246,21 @@ TEST_CASE("balls: particles that overlap at the start are moved apart without sp
   CHECK(balls::energyOf(twin) < 1e-5);
 }
 
+TEST_CASE("balls: particles that are born inside each other gain no energy") {
+  const auto scene = balls::parsedScene(
+      R"({"emitters": [{"rate": 200, "lifetime": 5}], "method": "none", "acceleration": [0, -9.8, 0],
+          "contact": {"radius": 0.05}})");
+  const auto& p = dynamic_cast<const sim::ParticleParameters&>(*scene.objects[0].parameters);
+  ParticlesTwin twin(sim::ParticlePlan(p, 1, balls::frame));
+  balls::run(twin, 30);
+  float fastest = 0;
+  for (std::size_t i = 0; i < twin.velocities.size(); ++i)
+    if (twin.positions[i].w > 0) fastest = std::max(fastest, glm::length(glm::vec3(twin.velocities[i])));
+  // They leave at 3 m/s, and fall for half a second at most.
+  CHECK(fastest > 1);
+  CHECK(fastest < 5);
+}
+
 TEST_CASE("balls: substeps and margin follow from the radius unless they are given") {
   const auto parametersOf = [](const std::string& more) {
     const auto scene = balls::parsedScene(
