@@ -63,10 +63,12 @@ foreach(group ${GPU_GROUPS})
   endif()
 endforeach()
 
-add_test(NAME "layers: includes point down the street" COMMAND ${CMAKE_SOURCE_DIR}/tools/check-layers)
-add_test(NAME "comments: what they name exists" COMMAND ${CMAKE_SOURCE_DIR}/tools/check-comments)
+add_test(NAME "layers: each includes only from layers below it" COMMAND ${CMAKE_SOURCE_DIR}/tools/check-layers)
+add_test(NAME "comments: files and symbols that they name exist" COMMAND ${CMAKE_SOURCE_DIR}/tools/check-comments)
+add_test(NAME "gallery: each picture is of today's scene" COMMAND Python3::Interpreter ${CMAKE_SOURCE_DIR}/tools/gallery --check)
 add_test(NAME "shaders: arithmetic is precise, blocks are as in C++" COMMAND ${CMAKE_SOURCE_DIR}/tools/check-shaders)
-set_tests_properties("layers: includes point down the street" "comments: what they name exists" "shaders: arithmetic is precise, blocks are as in C++"
+set_tests_properties("layers: each includes only from layers below it" "comments: files and symbols that they name exist"
+                     "gallery: each picture is of today's scene" "shaders: arithmetic is precise, blocks are as in C++"
                      PROPERTIES LABELS "unit;quick")
 
 # Tests on the memory path that the driver does not use by default: those that compare bit for bit with CPU twins or the
