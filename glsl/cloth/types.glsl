@@ -58,7 +58,7 @@ struct STD140 ClothStep {
   float perDt;         // 1 / dt, in 1/s
   float perReach;      // 1 / h in 1/s, where h = 2/3 dt is the time step of constraints (cloth/motion.glsl)
   float trendDt;       // dt / 18 in s, the factor of the trend (cloth/motion.glsl)
-  float complianceScale; // Factor on compliances in 1/s^2: 1 / h^2, or with damping (1 - dampedPart) / h^2
+  float complianceScale; // Factor on compliances in 1/s^2: r (1 - dampedPart) / h^2; r is 2 for meshes relaxed twice, else 1
   float kept;          // Fraction of the velocity that remains after damping, per substep
   float gustSpeed;     // Amplitude of the gusts, m/s
   float perGustSize;   // 1 / gust size, 1/m

@@ -1,6 +1,6 @@
 // Computes many generations in one dispatch of one workgroup, only in active tiles. A pass is STEPS generations; a tile
 // is TILE_WORDS * 32 cells wide and TILE_ROWS high. In a pass, a cell depends only on cells at most STEPS <= 16 away.
-// Therefore, a tile whose neighbouring tiles did not change in the last pass does not change in this pass, and both
+// Therefore, a tile does not change in this pass if neither it nor its neighbours changed in the last pass, and both
 // halves of `cells` already hold its state. A tile that changes marks the tiles near it for the next pass.
 //
 // It is made for software drivers, where a dispatch is expensive (60 to 90 us), a workgroup of 8 is one SIMD vector,

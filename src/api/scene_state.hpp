@@ -71,7 +71,8 @@ struct Scene::State {
   std::unique_ptr<sim::World> world;
   std::unique_ptr<frame::Summaries> summaries;
   std::string stateHash;
-  bool seen = true;      ///< false: the present frame was passed and must be completed
+  bool seen = true;      ///< false if the current frame was stepped without being prepared for drawing
+                         ///< (World::passTo), so that complete() must finish it
   bool changed = false;  ///< true after write()
   std::vector<std::string> layerObjects;
 

@@ -62,7 +62,7 @@ struct Metrics {
 /// First pass and pixel at which a picture differs from its baseline.
 struct PassPlace {
   std::string pass;  ///< first pass whose hash differs; empty if the baseline has no pass hashes
-  /// First differing pixel that shows only one thing; if none exists, first differing pixel.
+  /// First differing pixel whose samples all show the same thing; if none exists, first differing pixel.
   int x = 0, y = 0;
   std::string shows;    ///< what is visible at the pixel: "triangle 12 of flag"
   std::string message;  ///< description of the difference in one line

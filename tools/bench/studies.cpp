@@ -90,8 +90,8 @@ struct Angles {
   [[nodiscard]] double mean() const { return sum / static_cast<double>(count); }
 };
 
-/// Simulates the flag with the given number of columns. Angles are measured over the same lengths of cloth,
-/// whatever the length of a link. Measuring starts after 3 s.
+/// Simulates the flag with the given number of columns. Angles are measured between chords of a fixed
+/// length, independent of the particle spacing. Measuring starts after 3 s.
 Flag flagOf(int columns, int seconds, const std::vector<scene::Override>& more) {
   const double spacing = flagWidth / (columns - 1);
   const int rows = static_cast<int>(std::lround(flagHeight / spacing)) + 1;

@@ -1,5 +1,5 @@
-// Lists the neighbours of each ball: those near enough to touch it in the substep, in the order of the cells around it. A
-// list ends with the ball's own index. One ball per invocation.
+// Lists at most balls.listed neighbours of each ball: the first that are near enough to touch it in the substep, in the
+// order of the cells around it. A list that is not full ends with the ball's own index. One ball per invocation.
 #include "particles/contact/kernel.glsl"
 INPUT_ARRAY(guessesBinding, GuessBlock, guesses)
 INPUT_ARRAY(beginsBinding, BeginBlock, begins)

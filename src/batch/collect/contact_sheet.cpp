@@ -35,7 +35,7 @@ void fill(frame::Image& image, int left, int top, int right, int bottom, const C
                 image.bytes.begin() + 4 * (static_cast<std::ptrdiff_t>(y) * image.width + x));
 }
 
-/// Draws the beginning of the text that fits into `width` pixels.
+/// Draws the text. Text wider than `width` pixels is shortened and ends with "..".
 void write(frame::Image& image, std::string text, int left, int top, int width, int scale,
            const Color& color) {
   const auto widthOf = [scale](const std::string& part) { return draw::textSize(part, scale).x; };

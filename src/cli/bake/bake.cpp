@@ -169,8 +169,8 @@ void bake(BakeOptions o) {
   frame::interruptFrames();
   const gl::Context context(o.on);
   sim::World world(scene);
-  static_cast<void>(world.grow());  // grow() allocates whole meshes, so that each object reports everything
-                                    // that it can write.
+  static_cast<void>(world.grow());  // enlarges buffers of meshes that are too small for the first frame, so
+                                    // that each object reports everything that it can write
   if (o.format == "csv") return bakeSeries(scene, world, o.output, o.object, frames, o.overwrite);
   auto all = bakedFiles(world, o);
   chooseFields(all, o.fields);

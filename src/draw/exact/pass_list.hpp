@@ -12,9 +12,8 @@ PassMaker makeSkins, makeThings, makeRayScene, makeJoined, makeLampMaps, makeSun
     makeRayLight, makeLayers, makeMirrored, makeReflected, makeKeptLight, makeGlows, makeMean, makeKeptGlow,
     makeFieldsBehind, makeScatter, makeFilm;
 
-/// Resources that hold only one band of a picture. If a picture has several bands and a pass with
-/// Each::view needs all bands, the passes that wrote these resources run again for each band that a later
-/// pass reads.
+/// Resources that hold only the current band of a picture. A pass with Each::view ends the loop over the
+/// bands. If later passes read one of these resources, the passes that wrote it run again, band by band.
 inline constexpr Names ofBands = {"visibility", "tiles", "through"};
 
 /// Passes of an exact picture in the order in which they run. Columns: name, frequency, stage of `simreel

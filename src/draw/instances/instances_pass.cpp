@@ -198,7 +198,7 @@ void InstancesPass::castLampShadows(const sim::Drawables& drawables, int cells) 
     gl::give(shader, seenBy(Viewer::lamps, instances));
     for (int cell = 0; cell < cells; ++cell) {
       shader.set("cell", cell);
-      // In shadow maps, level 1 includes the sprites of a few texels.
+      // For lamps, level 1 contains all sprites, however small.
       for (std::size_t level = isSprite(instances) ? 1 : 0; level < shape(instances).levels().size();
            ++level)
         drawLevel(shader, instances, *entries_[i].forLamps, level);

@@ -43,7 +43,7 @@ class OutputLock {
   };
 
   /// True if this program may write the checkpoint. Of several programs, the first one that calls this
-  /// function may write the checkpoint until the program ends.
+  /// function may write it, until release() or the end of the program.
   [[nodiscard]] bool ownsCheckpoint() const;
   void release() noexcept;
 

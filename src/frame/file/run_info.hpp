@@ -30,8 +30,8 @@ struct RunInfo {
   std::string rasterizer = "driver";  ///< "driver" (rasterization by the OpenGL driver) or "exact"
   /// Scene changes as "path=value", from -D, --seed, --size, --fps, --samples and --rasterizer.
   std::vector<std::string> overrides = {};
-  /// Scene changes that place the camera so that the whole scene is visible, as found in a trial run. In
-  /// the manifest.
+  /// Scene changes that place the camera so that the whole scene is visible, and ranges of colours, as
+  /// found in a trial run. In the manifest.
   std::vector<std::string> camera = {};
   /// result of scene::simulationHash; a run can resume only from a checkpoint with the same hash
   std::string simulation = {};

@@ -14,7 +14,7 @@ namespace simreel::golden {
 /// processes that it started.
 class ChildCommand {
  public:
-  /// Starts the command; `arguments` become $1, $2 ... `name` is used in messages, for example "this side".
+  /// Starts the command. `arguments` become $1, $2 and so on. `name` appears in messages: "this side".
   /// After `timeout` seconds (0: never) the command is killed and waiting for it throws
   /// UserError(inputOutput). Throws UserError(inputOutput) if the command cannot be started.
   ChildCommand(const std::string& command, std::string name, const std::vector<std::string>& arguments = {},

@@ -25,8 +25,8 @@ struct Comparison {
   std::string layerNote;        ///< layers that differ, each with its worst pixel
   frame::Image a, b;            ///< 8-bit versions for display, padded to the larger width and height
   std::vector<Excuse> excuses;  ///< excuse of each pixel; empty if no pixel is excused
-  /// Largest channel difference of each pixel in units of 1/255, rounded up. The 8-bit pictures `a` and `b`
-  /// may not show such a difference.
+  /// Largest channel difference of each pixel in units of 1/255, rounded up. A difference can be
+  /// too small to appear in the 8-bit pictures `a` and `b`.
   std::vector<std::uint8_t> apart;
 };
 

@@ -116,8 +116,8 @@ std::vector<Mistake> beyondThreads(const Instruction& mode, Mistake place) {
                            mostThreads, mostAlong[0], mostAlong[2]))};
 }
 
-/// Returns the words from the last ";", "{" or "}" before `end` up to `end`, without preprocessor lines.
-/// For a file's first words, continues into the text before the file's #include.
+/// Returns the words between the last ";", "{" or "}" before `end` and `end`, without preprocessor lines.
+/// If an included file has none of these before `end`, the words before its #include line come first.
 std::string leadOf(const Files& files, std::size_t file, std::size_t end) {
   const std::string code = withoutComments(files.text(file));
   const std::size_t last = code.find_last_of(";{}", end), begin = last == std::string::npos ? 0 : last + 1;

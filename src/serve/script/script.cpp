@@ -172,7 +172,7 @@ bool impliesAlike(const scene::Scene& before, const scene::Scene& after) {
 void takeLookOf(scene::Scene& shown, scene::Scene& from) {
   const scene::Camera before = shown.camera;
   shown.camera = from.camera;
-  // A draft has no lens and no shutter.
+  // `shown` may be a draft, which has no lens and no shutter; it must not get those of `from`.
   if (!before.lens) shown.camera.lens.reset();
   if (!before.shutter) shown.camera.shutter.reset();
   shown.sun.direction = from.sun.direction;

@@ -59,8 +59,8 @@ class Totals {
 };
 
 /// Returns the new capacity for `now` elements. If the capacity `room` suffices, it is kept. Otherwise the
-/// new capacity is 1.25 times `now`, limited to `limit`, because a growing field would need more in each of
-/// the next frames.
+/// new capacity is 1.25 times `now`, because a growing field would need more in each of the next frames. It
+/// is at most `limit`, but at least `now`.
 [[nodiscard]] std::int64_t grownRoom(std::int64_t now, std::int64_t room, std::int64_t limit);
 
 /// Throws UserError(device) if a buffer of `count` elements of `bytes` bytes exceeds a device limit.

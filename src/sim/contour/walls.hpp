@@ -47,7 +47,7 @@ class Walls {
 
   /// Throws UserError(usage) if the margin (metres) covers more squares than the kernels support.
   void checkReach(const std::string& who, float margin) const;
-  /// Returns the interface part for the solid's current state.
+  /// Returns the inputs that kernels need to collide with the solid in its current state.
   [[nodiscard]] WallPart part(const WallContact& contact) const;
   [[nodiscard]] WallVariant variant() const;
 

@@ -20,7 +20,7 @@ struct Standing {
   glm::vec3 ahead{0, 0, -1};  ///< Direction of the path: a horizontal unit vector.
 };
 /// Returns the pose of an object beside a path at `seconds`. The direction is taken between the path points
-/// half a metre before and half a metre behind, so that it changes smoothly; cross(ahead, y) points to the
+/// half a metre ahead and half a metre behind, so that it changes smoothly; cross(ahead, y) points to the
 /// object's right.
 [[nodiscard]] Standing standingBy(const std::vector<glm::vec3>& path, const scene::PathPlace& place,
                                   double seconds);

@@ -192,8 +192,8 @@ double alongWay(const FaceStiffness& k, double cosine, double sine) {
   return 1 / (cosine * cosine / k.weft + sine * sine / k.warp + cosine * sine / k.shear);
 }
 
-/// Returns the cluster of each vertex: the minimum index of the pins that are connected by edges with the
-/// vertex' pin.
+/// Returns the cluster of the pin of each vertex. Pins that are connected by edges form a cluster, which is
+/// named by the lowest index of its pins.
 std::vector<unsigned> clustersOf(const ClothTriangles& cloth, const std::vector<bool>& pinned,
                                  const WaysToPins& ways) {
   std::vector<unsigned> first(pinned.size());

@@ -241,7 +241,8 @@ PlateElement elementOf(const ClothTriangles& cloth, unsigned number, const Slope
     const glm::dvec2 along = edge / length;
     const glm::dvec2 out(along.y, -along.x);
     const glm::dvec3 twist =
-        symmetric(along, out) / face.area;  // the factors length and 1 / length of the slope cancel
+        symmetric(along, out) / face.area;  // edge length times slope along the edge (difference / edge
+                                            // length): the lengths cancel
     add(cloth.firstOf(face.corners[(k + 1) % 3]), twist);
     add(cloth.firstOf(face.corners[k]), -twist);
     if (clamps[k] != nullptr) {

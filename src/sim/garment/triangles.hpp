@@ -53,7 +53,8 @@ struct ClothTriangles {
   void join(const std::string& name);
   void gather(const std::string& name);
 
-  std::vector<unsigned> sewn_;  ///< first vertex of each sewn group; empty if nothing is sewn
+  std::vector<unsigned> sewn_;  ///< for each vertex, the first vertex sewn together with it, or itself;
+                                ///< empty if nothing is sewn
 };
 
 /// Returns the edges around the drawn vertices.

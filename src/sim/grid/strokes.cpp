@@ -107,8 +107,9 @@ glm::vec3 strokePlace(const StrokeParameters& p, double time) {
   return place;
 }
 
-// Times are multiples of the step except for rounding. A state covers the interval (before, time], shifted
-// by a small tolerance.
+// `time` is a multiple of the step except for rounding. The state at `time` covers the step that ends
+// there. Both ends are shifted by a small tolerance, so that rounding does not move a stroke to another
+// step.
 bool isDue(const StrokeParameters& p, double time, double seconds) {
   const double hair = 1e-6 * seconds;
   return p.at <= time + hair && (paintsOnce(p) ? p.at : p.until) > time - seconds + hair;
@@ -147,7 +148,8 @@ Strokes::Strokes(std::vector<StrokeParameters> strokes, int seed, StrokeGrid gri
         bits_[static_cast<std::size_t>(stamp.firstWord) + i / 32] |= 1U << (i % 32);
     }
   }
-  bits_.resize((bits_.size() + 4) / 4 * 4);  // Pads the array to whole elements, to at least one element.
+  bits_.resize((bits_.size() + 4) / 4 * 4);  // Pads to whole elements of four words, with at least one word
+                                             // of padding.
   for (std::size_t i = 0; i < strokes_.size(); ++i) check(i);
 }
 

@@ -8,7 +8,7 @@ namespace simreel::sim {
 
 struct PackKernel;
 
-/// Level surface in a volume computed by a user's kernels.
+/// Isosurface of a volume computed by a user's kernels.
 class KernelLevel {
  public:
   KernelLevel(const std::string& name, const KernelPlan& plan, const KernelWatch& watch);

@@ -20,7 +20,8 @@ struct Hull {
   Hull(const WaterFloat& body, const std::string& name);
 
   Mesh mesh;                       ///< Drawn mesh in metres; its origin is the centre of mass.
-  std::vector<glm::vec3> corners;  ///< Vertices of the shape in metres.
+  std::vector<glm::vec3> corners;  ///< Vertices of the floating shape, in metres relative to the centre of
+                                   ///< mass.
   std::vector<glm::vec4> points;   ///< One element per cuboid: xyz is the centre of the cuboid's part
                                    ///< inside the body (metres, relative to the centre of mass), w the
                                    ///< volume of that part (m^3).

@@ -178,7 +178,7 @@ class Counts(SpreadCase):
             for path in ("texel", "storage"):
                 self.good("render", scene, "-o", f"{scene}.{path}/", "--memory-path", path)
             texel, storage = (self.content(f"{scene}.{path}") for path in ("texel", "storage"))
-            # For exact pictures, only the fingerprint shows the memory path, and a run can continue on the other path.
+            # With exact pictures, the memory path changes only the fingerprint in the manifest.
             manifests = [json.loads(files.pop("manifest.json")) for files in (texel, storage)]
             self.assertEqual(*(manifest["frames"] for manifest in manifests))
             self.assertEqual(texel, storage)

@@ -223,7 +223,7 @@ TEST_CASE("\"auto\" is refused if it would need more than the max number of subs
   CHECK(p.substepsPerFrame(1 / 67.0) == 1023);
   p.solver = sim::ClothSolver::constraints;
   CHECK(refusal(p, 1 / 60.0).empty());
-  // Drag limits the substeps of both solvers.
+  // Strong drag needs shorter substeps with either solver.
   p.air.emplace();
   p.air->velocity = glm::vec3(200, 0, 0);
   p.air->density = 1e4F;

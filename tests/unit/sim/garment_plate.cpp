@@ -16,7 +16,7 @@ using namespace simreel;
 namespace {
 
 struct PlateShape {
-  double a, b, c;  ///< coefficients of the quadratic surface z = (a x^2 + 2 b x y + c y^2) / 2, 1/m
+  double a, b, c;  ///< coefficients of the quadratic surface y = (a x^2 + 2 b x z + c z^2) / 2, 1/m
   [[nodiscard]] double at(const glm::dvec3& p) const {
     return 0.5 * (a * p.x * p.x + 2 * b * p.x * p.z + c * p.z * p.z);
   }

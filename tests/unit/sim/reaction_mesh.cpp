@@ -68,7 +68,7 @@ std::string meshRefusal(const std::string& members) {
 
 const std::string ballMesh =
     R"X("mesh": {"shape": "sphere", "radius": 1.7, "resolution": [81, 41]}, "spacing": 1, )X";
-/// Expressions of the Legendre polynomials of c, the height above the equator.
+/// Expressions of the Legendre polynomials of c, the height above the equator divided by the radius.
 const std::string harmonics[] = {"", "c", "1.5*c^2 - 0.5", "2.5*c^3 - 1.5*c",
                                  "4.375*c^4 - 3.75*c^2 + 0.375"};
 

@@ -24,7 +24,8 @@ namespace {
 using FieldValue = std::function<float(int, int)>;
 constexpr double wallsFrame = 1.0 / 60.0;
 
-/// Returns a block of cells with one level in the middle of [0, 1]. Its rock is 1 m high.
+/// Returns the shape of a solid for a field of `size` cells with a single level at 0.5. Its rock is 1 m
+/// high.
 sim::SolidShape block(glm::ivec2 size, float spacing, int outside = 1) {
   sim::SolidShape shape;
   shape.size = size;

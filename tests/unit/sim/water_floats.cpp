@@ -106,8 +106,8 @@ TEST_CASE("water floats: drafts at rest satisfy Archimedes' principle") {
 }
 
 TEST_CASE("water floats: a box and the water in a closed basin only lose energy") {
-  // Half the wavelength of the slowest wave in a 6 m basin is much longer than the box, so an instantaneous
-  // reference level would amplify the wave.
+  // In a closed basin, a wrong lag of the reference level (glsl/water/float_model.glsl) would feed energy
+  // to the waves.
   for (const float density : {250.0F, 500.0F}) {
     auto body = boxOf({1, 0.4F, 1}, density);
     body.drag = 0;

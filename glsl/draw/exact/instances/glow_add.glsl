@@ -1,4 +1,5 @@
-// Adds light in front of the visible samples to the sums of draw/instances/glow_block.glsl. Define: SAMPLES.
+// Adds the light of glows that lie in front of the visible samples to the sums of draw/instances/glow_block.glsl. Define:
+// SAMPLES.
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/triangles/triangle.glsl"
 #define GLOW_FIRST_ROW view.rows.x

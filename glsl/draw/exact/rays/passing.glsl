@@ -1,5 +1,5 @@
 // Triangles through which rays may pass: holes, blended surfaces and, for shadow rays (ANY_HIT), clear surfaces.
-// Defines: PASSAGES, LAID.
+// Included only with PASSAGES. LAID: the colour map is also read, at the hit's uv.
 #include "draw/exact/rays/met_triangle.glsl"
 #include "draw/exact/rays/dielectric.glsl"
 #include "draw/surface/shading.glsl"

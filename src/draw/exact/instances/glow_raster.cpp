@@ -49,8 +49,8 @@ struct AddGlows {
 namespace {
 
 constexpr float glowRadius = 0.5F;    // radius of sprites and spheres of size 1
-constexpr float roundPixels = 64.0F;  // max size (pixels) up to which glows are drawn as discs in the
-                                      // picture plane, like the driver's points
+constexpr float roundPixels = 64.0F;  // max radius (pixels) of glows that are drawn as discs in the picture
+                                      // plane, like the driver's points
 
 }  // namespace
 

@@ -277,7 +277,7 @@ void RayLight::goOn(int firstSpot, int spots, int firstSample, int paths) {
   }
 }
 
-/// Traces the listed shadow rays of two kinds; the last kernel wrote the lists.
+/// Traces the shadow rays in the lists that the last kernel wrote.
 void RayLight::traceLight(int firstKind, int paths) {
   if (RayCount* counted = RayCount::current()) counted->add(rayView_, firstKind * paths, 2 * paths);
   scene_.traceLight(rayView_, hits_, lightRayView_, count_, paths);

@@ -56,8 +56,8 @@ class ApartSurfaces {
   [[nodiscard]] const std::vector<sim::Surface>& cut() const { return cutSurfaces_; }
   [[nodiscard]] const std::vector<sim::Surface>& blended() const { return blended_; }
 
-  /// Adds the light of the layers in front of `picture` to `sums`. `firstId` must be greater than all other
-  /// primitive ids. `trace` (optional) lights the spots that a layer has stored.
+  /// Adds the light of the layers in front of `picture` to `sums`. `firstId` is the first primitive id
+  /// of the layers. `trace` (optional) is called after each layer and adds its ray-traced light.
   void addLayers(const Visibility& picture, unsigned firstId, const SkinTextures& skins, SceneLight light,
                  const gl::Texture& sums, const std::function<void(const Visibility&)>& trace);
   /// Returns the fraction of light that all layers let through, per sample.

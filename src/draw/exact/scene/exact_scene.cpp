@@ -17,8 +17,8 @@ void checkSamples(int samples) {
     fail(ExitCode::usage, "{} samples per pixel: the exact rasterizer has 1, 2, 4, 8 and 16", samples);
 }
 
-/// Returns the max bytes of visibility per band. This is `bytes`, or less for path tracing, where a band
-/// has room for a limited number of spots.
+/// Returns the max size in bytes of the visibility buffer of a band. This is `bytes`, or less for path
+/// tracing, which processes at most RayLight::mostSamples samples per band.
 std::size_t bytesOfBands(const scene::Scene& scene, std::size_t bytes) {
   if (scene.render.quality != scene::Quality::high) return bytes;
   return std::min(bytes, RayLight::mostSamples * Visibility::sampleBytes);

@@ -13,7 +13,7 @@ class PassRun {
  public:
   /// `frame` must outlive this object.
   explicit PassRun(ExactFrame& frame);
-  /// Draws the picture of ExactFrame::asked.
+  /// Draws the picture that ExactFrame::asked describes.
   void draw(const ExactScene::Watch& watch);
   void asked();
 

@@ -26,8 +26,8 @@ class RuleFileText {
 
   /// Throws UserError(usage) with file:line:column and the message. `at` is an offset in the line's text.
   [[noreturn]] void wrong(const Line& line, std::size_t at, const std::string& message) const;
-  [[noreturn]] void wrong(const std::string& message) const;  ///< Throws the same for an error of the whole
-                                                              ///< file.
+  [[noreturn]] void wrong(const std::string& message) const;  ///< Throws UserError(usage) with the file's
+                                                              ///< name.
   /// Returns the number in `word`, which may be at most `max`. `at` is the offset of `word` in the line,
   /// for messages.
   [[nodiscard]] int number(const Line& line, std::size_t at, std::string_view word, int max,

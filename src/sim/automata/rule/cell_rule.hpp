@@ -104,7 +104,7 @@ struct CellRule {
   /// families counts and map.
   [[nodiscard]] bool outcome(unsigned neighbourhood) const;
   /// Returns true if the rule can be computed on bits (glsl/life), that is, if it has two states and
-  /// depends only on the eight neighbours.
+  /// depends only on the cell and its eight neighbours.
   [[nodiscard]] bool onBits() const {
     return states == 2 && (family == Family::counts || family == Family::map);
   }

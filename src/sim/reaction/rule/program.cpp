@@ -133,7 +133,8 @@ class Planning {
     }
   }
 
-  /// Adds the passes that compute the let planes required by `roots`: one per level.
+  /// Adds one pass per level, which compute the let planes that `roots` need. Returns the indices of the
+  /// passes.
   std::vector<int> addLets(RuleProgram& program, const std::vector<int>& roots) {
     const std::vector<bool> needed = neededBy(roots);
     std::map<int, Outputs> byLevel;
