@@ -368,7 +368,7 @@ class Errors(ModuleCase):
         start = scene.state_hash
         scene.step(3)
         kept, here = scene.snapshot(), scene.state_hash
-        scene["sparks"].positions = numpy.nan
+        scene["sparks"].velocities = 1e30
         scene.step()
         said = set()
         for call in (scene.image, scene.image, lambda: scene["sparks"].positions, scene.step, scene.snapshot,
@@ -379,7 +379,7 @@ class Errors(ModuleCase):
         self.assertEqual([kind for kind, _ in said], ["device"])
         scene.restore(kept)
         self.assertEqual(scene.state_hash, here)
-        scene["sparks"].positions = numpy.nan
+        scene["sparks"].velocities = 1e30
         scene.step()
         scene.restore(kept)
         self.assertEqual(scene.state_hash, here)
@@ -390,7 +390,7 @@ class Errors(ModuleCase):
         scene = self.scene({"checks": [{"what": "no-nan", "object": "flag"}]})
         self.assertEqual([one["frame"] for one in scene.check((2, 0, 2))], [0, 2])
         for frames in ((-1,), range(0, -3, -1)):
-            with self.assertRaisesRegex(simreel.Error, "frame -[12]: checks are made at frames from 0"):
+            with self.assertRaisesRegex(simreel.Error, "frames count from 0"):
                 scene.check(frames)
 
     def test_names_and_numbers_that_do_not_fit_are_not_taken(self):
@@ -408,7 +408,7 @@ class Errors(ModuleCase):
         for value in (2**40 + 5, -1):
             with self.assertRaisesRegex(simreel.Error, "does not fit"):
                 scene["life"][cells] = value
-        with self.assertRaisesRegex(simreel.Error, "not whole numbers"):
+        with self.assertRaisesRegex(TypeError, r"frames\[0\] is an integer, not 1\.5"):
             scene.save(self.folder / "out", [1.5])
         self.assertEqual(self.scene(assets="zz")._assets, ["zz"])
 

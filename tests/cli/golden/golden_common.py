@@ -62,7 +62,7 @@ class GoldenCase(Case):
         report, done = self.run_suite(code, *arguments, **options)
         self.assertEqual(len(report["scenes"]), 1)
         scene = report["scenes"][0]
-        scene["text"] = done.out
+        scene["text"], scene["code"] = done.out, done.returncode
         return scene
 
     def edit_json(self, path, change):
