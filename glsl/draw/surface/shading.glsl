@@ -83,6 +83,10 @@ FUNCTION Shares sharesOf(vec3 base, float roughness, float metallic, float nv) {
   ROUNDED vec3 matt = base * kept;
   vec3 mirror = blend(vec3(0.04f), base, metallic);
   ROUNDED vec3 mirrored = mirror * weight.x + weight.y;
-  return Shares(matt, mirror, mirrored);
+  Shares shares;
+  shares.matt = matt;
+  shares.mirror = mirror;
+  shares.mirrored = mirrored;
+  return shares;
 }
 #endif
