@@ -259,6 +259,14 @@ TEST_CASE("balls: particles that are born inside each other gain no energy") {
   // They leave at 3 m/s, and fall for half a second at most.
   CHECK(fastest > 1);
   CHECK(fastest < 5);
+  // Those older than 0.3 s have their whole radius, so none is inside another.
+  float nearest = 1;
+  for (std::size_t i = 0; i < twin.positions.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (std::min(twin.velocities[i].w, twin.velocities[j].w) * 5 > 0.3F)
+        nearest =
+            std::min(nearest, glm::distance(glm::vec3(twin.positions[i]), glm::vec3(twin.positions[j])));
+  CHECK(nearest > 0.09F);
 }
 
 TEST_CASE("balls: substeps and margin follow from the radius unless they are given") {
