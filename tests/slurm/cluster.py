@@ -145,5 +145,17 @@ PartitionName=all Nodes=ALL Default=YES MaxTime=600 State=UP
     def logs(self):
         return "\n".join(f"{path.name}: {path.read_text(errors='replace')[-1500:]}" for path in (self.folder / "log").iterdir())
 
-    def call(self, *command):
+    def attempt(self, *command):
+        """Returns the output of a Slurm command, which may fail."""
         return subprocess.run(command, env=self.environment, capture_output=True, text=True, timeout=600).stdout
+
+    def call(self, *command, seconds=120):
+        """Returns the output of a Slurm command. Repeats a failed command, because a busy controller refuses some."""
+        end = time.monotonic() + seconds
+        while True:
+            done = subprocess.run(command, env=self.environment, capture_output=True, text=True, timeout=600)
+            if done.returncode == 0:
+                return done.stdout
+            if time.monotonic() > end:
+                raise RuntimeError(f"{' '.join(command)} ended with {done.returncode}: {done.stderr}{self.logs()[-3000:]}")
+            time.sleep(0.2)

@@ -76,11 +76,11 @@ class OnCluster(Case):
         return [line.split("|") for line in self.cluster.call("squeue", "-h", "-r", "-o", "%i|%N|%T|%j", *extra).splitlines()]
 
     def start_waiting(self):
-        """Starts requeued jobs at once, because Slurm delays them for two minutes."""
+        """Starts requeued jobs at once, because Slurm delays them for two minutes. A job may start by itself meanwhile."""
         for job, _, state, _ in self.queue("PENDING"):
-            reason = self.cluster.call("squeue", "-h", "-r", "-j", job, "-o", "%r").strip()
+            reason = self.cluster.attempt("squeue", "-h", "-r", "-j", job, "-o", "%r").strip()
             if reason == "BeginTime":
-                self.cluster.call("scontrol", "update", f"JobId={job}", "StartTime=now")
+                self.cluster.attempt("scontrol", "update", f"JobId={job}", "StartTime=now")
 
     def wait_for(self, until, seconds=3000):
         end = time.monotonic() + seconds
