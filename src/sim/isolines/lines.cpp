@@ -17,7 +17,8 @@ namespace {
 constexpr double samplePixels = 2;  // distance in pixels between samples of a magnified field
 constexpr int mostPerCell = 16;
 constexpr double leastApart = 0.4;  // minimum distance in pixels between points of a line
-constexpr double leastLoop = 6;     // minimum length in pixels of closed lines; shorter ones are left out
+constexpr double leastLoop = 6;     // minimum length in pixels of closed lines; shorter closed lines are
+                                    // omitted
 
 /// Values of a field, extrapolated linearly beyond its edges.
 struct Cells {
