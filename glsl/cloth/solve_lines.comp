@@ -67,8 +67,8 @@ void leaveKept(int k, vec3 pullBefore, vec3 pull) {
 }
 
 // Applies the pulls of the segment's links, and of the link before the segment, to the segment's particles. The
-// adjacent segments have stored their multipliers in shared memory: firstFixed holds a segment's first multiplier,
-// firstLeft its last but one.
+// adjacent segments have stored multipliers in shared memory: firstFixed holds the first multiplier of a segment,
+// firstLeft the multiplier before its last one.
 void leaveSegment(int segment, int segments, int first, int last, int me, float leftOne) {
   float beyond = segment + 1 < segments ? firstFixed[me + LINES] : 0.0f;
   float before = leftOne;

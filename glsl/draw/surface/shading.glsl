@@ -69,8 +69,9 @@ FUNCTION vec2 ambientLobe(float roughness, float nv) {
   return vec2(x, y);
 }
 
-// Fractions of light that a surface reflects: `matt` in all directions, `mirrored` of the light around in the lobe, whose
-// F0 is `mirror`. The matt part is the share that the lobe of a dielectric leaves, so a white surface reflects all light.
+// Fractions of light that a surface reflects. The fraction `matt` is reflected in all directions. `mirrored` is the
+// fraction of the surroundings' light that the lobe reflects, and `mirror` is the lobe's F0. The matt part is what the
+// lobe of a dielectric does not reflect, so a white surface reflects all light.
 struct Shares {
   vec3 matt;
   vec3 mirror;

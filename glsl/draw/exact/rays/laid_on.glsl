@@ -162,8 +162,8 @@ vec3 normalRaised(Laid laid, vec3 normal, ivec4 map, float white) {
     Footprint print = footprintOf(seen, shape);
     precise vec2 right = seen.across * aside;
     precise vec2 above = seen.up * aside;
-    // Rounds 0 and 1 sample along `across`, 2 and 3 along `up`. In a loop, software drivers compile these texture reads
-    // only once.
+    // Rounds 0 and 1 sample along `across`, rounds 2 and 3 along `up`. The loop is used because software drivers then
+    // compile these texture reads only once.
     for (int i = 0; i < 4; ++i) {
       precise float sign_ = (i & 1) == 0 ? laidWeight(laid, side) : -laidWeight(laid, side);
       precise vec2 end_ = (i & 1) == 0 ? seen.at + (i < 2 ? right : above) : seen.at - (i < 2 ? right : above);

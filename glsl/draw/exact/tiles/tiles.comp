@@ -157,7 +157,7 @@ int groundOf(ivec2 pixel, uvec4 keys) {
   precise float leastNear = view.nearOverFar * 1.001f;
   bool seen = farther >= leastNear && steep >= leastSteep && nearer <= 0.999f && within >= raysAround.x;
 #ifdef PARALLEL
-  seen = false;  // The bounds above hold only for perspective views, so all samples are tested one by one.
+  seen = false;  // The bounds above hold only for perspective views. Here, all samples are tested one by one.
 #endif
   bool all_ = seen && nearKey(max(farther, 0.0f)) < nearest;
   return none ? 0 : all_ ? kind : 3;
