@@ -177,7 +177,8 @@ std::vector<Mistake> variableGroups(const Files& files, const std::string& entry
   std::vector<Mistake> mistakes;
   for (std::size_t i = 0; i + 1 < all.size(); ++i) {
     if (all[i].text != "numthreads" || all[i].directive) continue;
-    std::size_t function = closingBracket(all, i + 1) + 1;  // behind the sizes
+    std::size_t function = closingBracket(all, i + 1) + 1;  // index of the token after the brackets with
+                                                            // the workgroup size
     while (function + 1 < all.size() && all[function + 1].text != "(") ++function;
     if (function >= all.size() || all[function].text != entry) continue;
     for (std::size_t k = i + 2; k < all.size() && all[k].text != ")"; ++k)
