@@ -85,8 +85,8 @@ struct Instances {
   /// Orientation of a mesh instance: unrotated; z axis along the velocity or along a given direction, with
   /// a horizontal x axis; or given by a quaternion.
   enum class Turning { none, velocity, direction, quaternion };
-  const std::string* object = nullptr;     ///< Name of the object in the scene; null if the surface was not
-                                           ///< published by an object of a scene.
+  const std::string* object = nullptr;     ///< Name of the object in the scene; null if the instances were
+                                           ///< not published by an object of a scene.
   const gl::Texture* positions = nullptr;  ///< RGBA32F texel view: xyz position in metres, w mass in kg.
   const gl::Texture* velocities =
       nullptr;  ///< RGBA32F texel view: xyz velocity in m/s; w is the age as a fraction of life (0 to 1),
@@ -183,7 +183,7 @@ struct Chart {
 
 /// Text drawn over the finished picture.
 struct Writing {
-  const std::string* object = nullptr;  ///< Name of the object in the scene; null if the surface was not
+  const std::string* object = nullptr;  ///< Name of the object in the scene; null if the text was not
                                         ///< published by an object of a scene.
   /// Closed, filled polygons relative to the anchor, in units of the cap height; y points up.
   const std::vector<std::vector<glm::vec2>>* outlines = nullptr;

@@ -88,7 +88,7 @@ class Ports {
   };
   struct Join {
     const PortInfo* port;
-    bool leads;  ///< True if the object can start the group. An object with false only joins a group that
+    bool leads;  ///< True if the object can start the group. If false, the object only joins a group that
                  ///< another object starts.
   };
 

@@ -24,7 +24,7 @@ struct FlowParameters : ObjectParameters, scene::Papered {
   glm::ivec2 size{64, 36};  ///< size of the grid for the expressions, in cells
   Rows rows = Rows::down;   ///< order of the rows of an npy file, which is also the direction of positive v
                             ///< in the file
-  float scale = 1;          ///< velocity in m/s for which the value 1 in the file stands
+  float scale = 1;          ///< velocity in m/s that the value 1 in the file stands for
   FluidPlane plane;
   bool ownCell = false;  ///< true if the scene gives the cell width
   Show show = Show::speed;

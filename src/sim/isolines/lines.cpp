@@ -239,7 +239,7 @@ IsoGrid isoGrid(std::span<const float> values, glm::ivec2 cells, const FieldView
                       ? std::ceil(view.perPixel[axis])
                       : 1 / std::clamp(std::ceil(1 / view.perPixel[axis] / samplePixels), 1.0,
                                        static_cast<double>(mostPerCell));
-  // The samples run from the first to the last one that is needed. The first sample of the field is at its
+  // The range covers all samples that the view needs. The first sample of the field is at the field's
   // corner.
   const glm::dvec2 from = view.origin + view.perPixel * glm::dvec2(view.part.x, view.part.y);
   const glm::dvec2 to = view.origin + view.perPixel * glm::dvec2(view.part.z, view.part.w);

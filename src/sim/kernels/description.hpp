@@ -91,7 +91,7 @@ struct KernelTerrain {
   int finer = 1;           ///< number of cells of the drawn grid per distance between two neighbouring
                            ///< heights; 0 chooses it by the size of the ground
   bool collides = false;
-  float grip = 25.3F;  ///< decay rate (1/s) of the tangential velocity of objects that slide on the body
+  float grip = 25.3F;  ///< decay rate (1/s) of the tangential velocity of objects that slide on the ground
 
   /// Returns the distance in metres between elements if there are `count` of them along x.
   [[nodiscard]] float cell(int count) const { return width / static_cast<float>(count - 1); }

@@ -24,7 +24,7 @@ struct KernelNumbers {
                                                    ///< member was chosen
 };
 
-/// An entry of a buffer of reports (layout of KernelReports) that notes elements that are not finite.
+/// Entry of a report buffer (layout of KernelReports) in which elements that are not finite are counted.
 struct KernelWatch {
   const gl::Buffer* reports = nullptr;  ///< null if elements are not tested
   int place = 0;

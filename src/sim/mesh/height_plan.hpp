@@ -24,7 +24,7 @@ class HeightPlan {
  private:
   shader::HeightGrid grid_{};
   float lift_;
-  float grip_;  ///< decay rate (1/s) of the tangential velocity of objects that slide on the body
+  float grip_;  ///< decay rate (1/s) of the tangential velocity of objects that slide on the surface
   double frameSeconds_;
 };
 

@@ -40,7 +40,7 @@ struct MeshParameters : ObjectParameters, scene::Outlined, scene::Tinted {
                                    ///< it is deformed
   bool byFaces = false;            ///< true if the mesh's faces collide with cloths in contact
   float grip = 25.3F;              ///< decay rate (1/s) of the tangential velocity of objects that slide on
-                                   ///< the body
+                                   ///< the mesh
   std::optional<double> friction;  ///< Coulomb friction coefficient, used instead of `grip`; if empty,
                                    ///< collisions of faces use the cloth's coefficient
   int distanceCells = 0;           ///< number of cells of the distance field along the longest side; 0

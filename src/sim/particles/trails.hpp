@@ -16,9 +16,9 @@ namespace simreel::sim {
 /// Parameters of the trails that particles draw.
 struct TrailParameters {
   int frames = 30;      ///< number of earlier frames in a trail
-  float width = 0.02F;  ///< step between particles that have a trail: 1 for every particle, n for every
+  float width = 0.02F;  ///< diameter of the trail at the particle, in metres
+  int every = 1;        ///< step between particles that have a trail: 1 for every particle, n for every
                         ///< n-th particle
-  int every = 1;        ///< n: only every n-th particle has a trail
   float fade = 0.8F;    ///< fraction by which the colour is darkened at the end of the trail
 
   void describe(scene::Fields& fields);

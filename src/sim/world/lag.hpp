@@ -28,8 +28,8 @@ class Lag {
 
  private:
   double damping_, seconds_, rate_, decay_;
-  int known_ = 0;  ///< number of previous positions of x that are known: 0 before the first frame,
-                   ///< otherwise 1
+  int known_ = 0;  ///< number of previous positions of x that are known: 0 before the first frame and after
+                   ///< lose(), otherwise 1
   glm::dvec3 target_{0}, place_{0}, speed_{0};
 };
 
