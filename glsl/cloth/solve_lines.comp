@@ -1,7 +1,7 @@
 // Solves the structural constraints of all rows (if ROWS is set) or all columns together (line_model.glsl). A workgroup
-// has LINES lines of SEGMENTS segments; one invocation solves one segment. LAST: also computes the final positions and
-// velocities of the substep. KEEPS: uses the positions at the start of the substep, so that rows and columns are
-// independent of each other.
+// has LINES lines of SEGMENTS segments; one invocation solves one segment. If LAST is defined, also computes the final
+// positions and velocities of the substep. If KEEPS is defined, uses the positions at the start of the substep, so that
+// rows and columns are independent of each other.
 #include "cloth/kernel.glsl"
 layout(local_size_x = LINES, local_size_y = SEGMENTS) in;
 #if defined(LAST) || DAMPED || KEEPS

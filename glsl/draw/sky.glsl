@@ -32,7 +32,7 @@ FUNCTION vec3 skyInDirection(vec3 direction) {
 #endif
 }
 
-// Returns irradiance / pi of the gradient sky on a surface. y: y component of the surface's normal.
+// Returns irradiance / pi of the gradient sky on a surface. The argument is the y component of the surface's normal.
 FUNCTION vec3 ambientLight(float y) {
   vec3 side = vec3(frame.ambientSide);
   ROUNDED vec3 light = side + max(y, 0.0f) * (vec3(frame.ambientUp) - side) +
@@ -50,7 +50,8 @@ FUNCTION vec3 ambientOn(vec3 normal) {
 #endif
 }
 
-// Returns the sky radiance that a surface of the given roughness reflects. `direction`: mirror direction of the view.
+// Returns the sky radiance that a surface of the given roughness reflects. `direction` is the mirror direction of the
+// view.
 FUNCTION vec3 skyMirrored(vec3 direction, float roughness) {
 #ifdef ENVIRONMENT
   return environmentMirrored(direction, roughness);

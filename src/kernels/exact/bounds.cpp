@@ -61,7 +61,7 @@ class Bounds {
   }
 
  private:
-  /// Comparison of an index with a length that was already emitted. `inside` is the id of its result.
+  /// Already emitted comparison of an index with a length. `inside` is the id of its result.
   struct Known {
     Id block, inside, length;
   };

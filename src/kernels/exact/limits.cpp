@@ -49,8 +49,9 @@ std::uint64_t bytesOf(const Module& module, Id type) {
   }
 }
 
-/// Returns the position of the first line that contains `word` after one of `others`. If `others` is empty,
-/// the word must be followed by '['. Returns line `otherwise` of the first file if there is no such line.
+/// Returns the position of the first line in which `word` follows one of the texts `others`. If `others` is
+/// empty, the word must be followed by '['. Returns line `otherwise` of the first file if there is no such
+/// line.
 Mistake at(const Files& files, const std::string& word, std::initializer_list<std::string_view> others,
            int otherwise) {
   for (std::size_t file = 0; file < files.count(); ++file) {

@@ -30,8 +30,8 @@ FUNCTION bool isShaded(SunReceiver r, vec2 way) {
   return casterNear(ivec2(floor(place))) > planeNear(r, way);
 }
 
-// Returns the number of lit points among the four corners of a square, whose centre has the offset `way`. `aside`:
-// offset of the first corner from the centre.
+// Returns the number of lit points among the four corners of a square, whose centre has the offset `way`. `aside` is
+// the offset of the first corner from the centre.
 FUNCTION int litOfFour(SunReceiver r, vec2 way, vec2 aside) {
   precise vec2 turned = vec2(-aside.y, aside.x);
   precise vec2 one = way + aside;

@@ -115,7 +115,7 @@ void showId(uint id) {
 #ifdef SHADOW
 // Returns 2 if a shadow may reach the ground everywhere in the pixel, 1 if no shadow can reach it anywhere in the
 // pixel, else 3. For a point p of the ground at depth d, the test uses p / d = eye / d + ray, which is affine in the
-// picture position, times the near plane's depth. `middle`: near plane / d at the pixel's centre.
+// picture position, times the near plane's depth. `middle` is near plane / d at the pixel's centre.
 int shadowAround(ivec2 pixel, float middle) {
   precise vec2 place = vec2(pixel) + 0.5f;
   vec3 ray = rayThrough(place);
