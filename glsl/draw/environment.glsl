@@ -1,4 +1,4 @@
-// Environment light from a panoramic picture. Compiles as GLSL and as C++. ENVIRONMENT is the number of cells on a side
+// Environment light from a panoramic image. Compiles as GLSL and as C++. ENVIRONMENT is the number of cells on a side
 // of the finest map. environmentTexel(i) returns texel i of the environment buffer. The buffer starts with the
 // spherical harmonics of irradiance / pi as a function of the normal: nine coefficients, up to degree two, that include
 // all constant factors (Ramamoorthi and Hanrahan 2001). Octahedral maps follow (Engelhardt and Dachsbacher 2008). The

@@ -1,5 +1,5 @@
 // Sky radiance as a gradient over the height y of a unit direction, and the ambient light of the sky. ENVIRONMENT: a
-// panoramic picture replaces the gradient. Compiles as GLSL and as C++.
+// panoramic image replaces the gradient. Compiles as GLSL and as C++.
 #ifndef DRAW_SKY
 #define DRAW_SKY
 #include "draw/arithmetic.glsl"
@@ -40,7 +40,7 @@ FUNCTION vec3 ambientLight(float y) {
   return light;
 }
 
-// Returns irradiance / pi of the sky (gradient or panoramic picture) on a surface with the given normal.
+// Returns irradiance / pi of the sky (gradient or panoramic image) on a surface with the given normal.
 FUNCTION vec3 ambientOn(vec3 normal) {
 #ifdef ENVIRONMENT
   ROUNDED vec3 light = environmentAmbient(normal) * frame.ambient;
