@@ -5,8 +5,8 @@
 #include "common/memory.glsl"
 layout(local_size_x = 64) in;
 STATE_ARRAY(0, PlaceBlock, places)  // xyz: middle of the arrow, m; w: length, m
-STATE_ARRAY(1, SpeedBlock, speeds)  // xyz: velocity of the arrow itself, m/s; w: position in the colour map, 0 to 1, or
-                                    // -1 for no arrow
+STATE_ARRAY(1, SpeedBlock, speeds)  // xyz: velocity at which the arrow moves, m/s; w: position in the colour map, 0 to
+                                    // 1, or -1 for no arrow
 STATE_ARRAY(2, TurnBlock, turns)    // xyz: unit vector along the arrow
 uniform int count;
 uniform float scale;     // s
@@ -15,8 +15,8 @@ uniform float low;       // speed of the first colour, m/s
 uniform float perRange;  // 1 / (speed of the last colour - low), s/m
 uniform float ahead;     // Distance from the point to the arrow's middle, as a fraction of the arrow's length
 
-// Stores arrow `i`, which shows the velocity v at `place`. `motion` is the velocity of the point itself. If `drawn` is
-// false, stores no arrow.
+// Stores arrow `i`, which shows the velocity v at `place`. `motion` is the velocity at which the arrow moves. If
+// `drawn` is false, stores no arrow.
 void storeArrow(int i, vec3 place, vec3 v, vec3 motion, bool drawn) {
   float squared = exactDot(v, v);
   float speed = exactSqrt(squared);

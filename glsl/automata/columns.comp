@@ -22,7 +22,7 @@ void main() {
   ivec2 at = ivec2(gl_GlobalInvocationID.xy);
   int top = at.y * ROWS;
   if (at.x >= paddedItems || top >= height) return;
-  // Row y of the grid is row y + RANGE of the padded cells.
+  // Row y of the grid is stored as row y + RANGE of the padded cells.
   uvec4 sum = uvec4(0u);
   for (int i = 0; i < 2 * RANGE; ++i) sum += living(top + i, at.x);
   int end = min(top + ROWS, height);

@@ -21,8 +21,9 @@ FUNCTION int joinedCell(GridJoin grid, int x, int y, int rowCells) {
     if (beyondX != beyondY) {
       int along = beyondY ? nearX : nearY;
       bool low = beyondY ? y < 0 : x < 0;
-      // The left column is the row above the top row, and the top row is the column beyond the left column. The bottom
-      // row is the column beyond the right column, and the right column is the row below the bottom row.
+      // The left column serves as the row above the top row, and the top row as the column to the left of the left
+      // column. The bottom row serves as the column to the right of the right column, and the right column as the row
+      // below the bottom row.
       nearX = beyondY ? (low ? 0 : grid.width - 1) : along;
       nearY = beyondY ? along : (low ? 0 : grid.height - 1);
     }
@@ -40,7 +41,7 @@ FUNCTION int joinedCell(GridJoin grid, int x, int y, int rowCells) {
     x = right ? x - grid.width : x + grid.width;
     y = grid.across == 2 ? grid.height - 1 - y + grid.shiftY : (right ? y + grid.shiftY : y - grid.shiftY);
   }
-  // If there is no shift along rows, the shift along columns can leave the grid once more.
+  // If there is no shift along rows, the shift along columns can move the position out of the grid again.
   y = y < 0 ? y + grid.height : (y >= grid.height ? y - grid.height : y);
   return y * rowCells + x;
 }

@@ -5,7 +5,7 @@
 const int cellsBinding = 0;      // Words of cells (see cells.glsl)
 const int nextCellsBinding = 1;
 const int labelsBinding = 1;     // For each run: lowest cell of its region
-const int tallyBinding = 2;      // For each region: number of cells. For each room: the tree that it belongs to
+const int tallyBinding = 2;      // For each region: number of cells. For each room: the tree to which the room belongs
 const int flagsBinding = 3;
 const int sourcesBinding = 4;    // For each cell: nearest open cell
 const int nextSourcesBinding = 5;

@@ -6,8 +6,8 @@
 #include "cave/corridor.glsl"
 layout(std430, binding = dugBinding) restrict buffer DugBlock { uint dug[]; };
 uniform int width;
-uniform int firstStep;  // First step of this dispatch; the number of steps is limited because software drivers end long
-                        // loops
+uniform int firstStep;  // First step of the corridors that this dispatch digs; the number of steps per dispatch is
+                        // limited, because software drivers end long loops
 uniform int steps;
 
 void digCell(ivec2 at) {

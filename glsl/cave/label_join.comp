@@ -22,7 +22,7 @@ void main() {
   for (uint starts = startsOf(here); starts != 0u; starts &= starts - 1u) {
     int begin = findLSB(starts), end = endOf(here, begin);
     uint run = uint(32 * i + begin);
-    // This is atomic, because a plain store could overwrite another invocation's result in every round
+    // The minimum is atomic, because a plain store could overwrite another invocation's result in every round.
     atomicMin(labels[run], labels[labels[run]]);
     if (begin == 0 && (left >> 31u) != 0u) join(run, uint(32 * (i - 1) + startOf(left, 31)));
     uint reach = bitsOf(begin, end);

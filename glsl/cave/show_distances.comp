@@ -1,4 +1,5 @@
-// Converts distances to a field of floats, with -1 for cells that no wave has reached. One invocation per cell.
+// Converts distances to a field of floats, in which cells that no wave has reached have the value -1. One invocation
+// per cell.
 #include "cave/wave.glsl"
 layout(std430, binding = labelsBinding) restrict writeonly buffer ShownBlock { float shown[]; };
 

@@ -47,7 +47,7 @@ FUNCTION Link linkBetween(vec4 a, vec4 b, bool there) {
 // the line's length by a fraction s of the length, the system has no solution. The ratio 1.7 s then makes the line pull
 // evenly by 0.29 m L / h^2 (particle mass m, rest length L), which keeps sideways swings stable (w dt = 1.63,
 // cloth/motion.glsl). Lines without two pins use 0.6 s and pull by at most 5/6 m L / h^2; they contract faster, and the
-// pull does not last. A link with a larger compliance keeps it. Lines that conserve energy use keptGive
+// pull does not last. A link whose compliance is larger keeps that compliance. Lines that conserve energy use keptGive
 // (cloth/segment.glsl) instead.
 FUNCTION float giveOf(float stretch, bool pinned) {
   float part = pinned ? 1.7f : 0.6f;

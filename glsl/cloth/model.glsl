@@ -129,7 +129,7 @@ FUNCTION Motion advance(ivec2 at, vec4 here, vec4 velocity, vec3 trend, bool spr
   if (!springs) m.position = ledTo(vec3(here), m.velocity, trend);
   if (touch) m = contact(m, vec3(here), lands, walled);
   if (here.w == 0.0f) {  // This test comes last, so that the GPU can load the neighbours without waiting for the
-                         // inverse mass
+                         // inverse mass.
     // Target written by cloth/hold.comp
     m.position = velocity.w < 0.0f ? vec3(velocity) : pinnedPosition(at, int(velocity.w));
     m.velocity = vec3(0.0f);

@@ -8,7 +8,8 @@
 #include "cloth/kernel.glsl"
 #include "cloth/relax_tile.glsl"
 layout(local_size_x = relaxTileX / 2, local_size_y = relaxTileY) in;
-INPUT_ARRAY(positionsBinding, PositionBlock, positions)  // With BENDS, this is the result of the diagonal families
+INPUT_ARRAY(positionsBinding, PositionBlock, positions)  // With BENDS, this array holds the result of the diagonal
+                                                         // families.
 STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)
 #ifndef BENDS
 INPUT_ARRAY(velocitiesBinding, VelocityBlock, velocities)

@@ -7,11 +7,11 @@ const int relaxTileX = 48;
 const int relaxTileY = 32;
 // Halo widths: the maximum distance, in particles, at which other particles affect a particle. In one family, a
 // particle moves with its partner of the first colour on one side and with its partner of the second colour on the
-// other side. The second partner has already moved with its first partner. A family therefore needs at most two
-// reaches, and only one on the side of the particle's first partner. Tiles start at even positions, and their output
-// starts at odd positions. For these positions, the two diagonal families need 2 and 1 particles, together 3 on each
-// side. The bending families act along one axis each. Their tiles start at multiples of four and their output starts
-// two positions later; the halo is 2, which is one reach.
+// other side. The partner of the second colour has already moved with its own partner of the first colour. A family
+// therefore needs a halo of at most two reaches, and of only one reach on the side of the particle's first partner.
+// Tiles start at even positions, and their output starts at odd positions. For these positions, the two diagonal
+// families need 2 and 1 particles, together 3 on each side. The bending families act along one axis each. Their tiles
+// start at multiples of four and their output starts two positions later; the halo is 2, which is one reach.
 const int relaxDiagonalHalo = 3;
 const int relaxBendHalo = 2;
 // Number of particles by which the first tile starts outside the sheet.

@@ -1,7 +1,7 @@
 // Solves the structural constraints of all rows (if ROWS is set) or all columns together (line_model.glsl). A workgroup
-// has LINES lines of SEGMENTS segments; one invocation solves one segment. LAST: also computes the final positions and
-// velocities of the substep. KEEPS: uses the positions at the start of the substep, so that rows and columns are
-// independent of each other.
+// has LINES lines of SEGMENTS segments; one invocation solves one segment. If LAST is defined, also computes the final
+// positions and velocities of the substep. If KEEPS is defined, uses the positions at the start of the substep, so that
+// rows and columns are independent of each other.
 #include "cloth/kernel.glsl"
 layout(local_size_x = LINES, local_size_y = SEGMENTS) in;
 #if defined(LAST) || DAMPED || KEEPS
@@ -67,8 +67,8 @@ void leaveKept(int k, vec3 pullBefore, vec3 pull) {
 }
 
 // Applies the pulls of the segment's links, and of the link before the segment, to the segment's particles. The
-// adjacent segments have stored their multipliers in shared memory: firstFixed holds a segment's first multiplier,
-// firstLeft its last but one.
+// adjacent segments have stored multipliers in shared memory: firstFixed holds the first multiplier of a segment,
+// firstLeft the multiplier before its last one.
 void leaveSegment(int segment, int segments, int first, int last, int me, float leftOne) {
   float beyond = segment + 1 < segments ? firstFixed[me + LINES] : 0.0f;
   float before = leftOne;

@@ -88,8 +88,8 @@ FUNCTION Motion outOfMesh(int k, Motion m, vec3 before, float margin, float boun
   precise float within = -0.5f * half_;
   precise float far = float(meshData.meshes[k].cells.x + meshData.meshes[k].cells.y + meshData.meshes[k].cells.z) * cell;
   precise float farther = p.distance_ * p.distance_;
-  bool near = p.there || farther < squared;  // In other cases, the end point is farther from the grid than the path is
-                                             // long
+  bool near = p.there || farther < squared;  // Otherwise, the end point is farther from the grid than the path is long,
+                                             // so the path cannot have crossed the grid.
   precise float farSquared = 1e4f * far * far;
   if (squared > short_ && squared < farSquared && near) {
     float inverse = exactInverseSqrt(squared);

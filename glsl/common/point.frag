@@ -1,2 +1,2 @@
-// Writes no colour, because only the fact that the point is rasterized matters (src/gl/condition.cpp).
+// Writes no colour. Only whether the point is rasterized matters (src/gl/condition.cpp).
 void main() {}

@@ -24,7 +24,7 @@ void main() {
   float thick = thicknessOf(c);
   bool through = passes(near, heights, starts, rises, let, thick);
   if (round == 3) {
-    // Pairs with a solid are not tested: their planes do not depend on other cloth, so the pairs stay separated.
+    // Pairs with a solid are not tested. Their planes do not depend on other cloth, so the pairs stay separated.
     if (through && !meetsSolid(near)) control.stopped = 1u;
     return;
   }

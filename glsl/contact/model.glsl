@@ -233,7 +233,7 @@ FUNCTION vec4 carriesOf(Near near, bool firstLeads, vec4 heights, vec4 after, ve
   }
   return carries;
 }
-// For two cloth layers that come too near because solids carry them: returns true if the first layer leads, that is, if
+// Returns true if the first of two cloth layers leads when solids carry the layers too near to each other, that is, if
 // it is carried further towards the other layer.
 FUNCTION bool firstGoesFurther(Near near, vec3 way, vec3 otherWay) {
   vec3 normal = vec3(near.normal);

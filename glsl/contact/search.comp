@@ -9,8 +9,8 @@ INPUT_ARRAY(boxesBinding, BoxBlock, boxes)
 layout(std430, binding = candidatesBinding) restrict writeonly buffer CandidateBlock { ivec4 candidates[]; };
 uniform int levels;
 
-const int maxVisited = 60000;  // Limits the loop, because software drivers silently end a loop after 65,535 iterations
-                               // per invocation
+const int maxVisited = 60000;  // Maximum number of nodes that a search visits, because software drivers silently end a
+                               // loop after 65,535 iterations per invocation
 
 void main() {
   int i = int(gl_GlobalInvocationID.x), count = 1 << levels;
@@ -46,5 +46,5 @@ void main() {
     }
     node = meets && node < count ? 2 * node : floatBitsToInt(otherLow.w);
   }
-  if (node != end) control.mostPairs = 0xffffffffu;  // Reports a search that was cut off
+  if (node != end) control.mostPairs = 0xffffffffu;  // Reports that the search was cut off.
 }

@@ -14,8 +14,8 @@ FUNCTION bool isCornerOf(uvec4 leaf, uint vertex) {
 // Returns the node that follows the subtree of `node` in preorder, or 0 if none follows.
 FUNCTION int nodeAfter(int node) {
   int next = node + 1;
-  for (int k = 0; k < 5; ++k) {  // Goes up from `node` while it is a right child: removes the trailing zero bits of
-                                 // node + 1
+  for (int k = 0; k < 5; ++k) {  // Goes up from `node` while the node is a right child, by removing the trailing zero
+                                 // bits of node + 1.
     int steps = 16 >> k;
     next = (next & ((1 << steps) - 1)) == 0 ? next >> steps : next;
   }

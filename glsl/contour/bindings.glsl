@@ -2,9 +2,9 @@
 #ifndef CONTOUR_BINDINGS
 #define CONTOUR_BINDINGS
 
-// Texture units: words of the field.
+// Texture unit of the words of the field.
 const int fieldUnit = 0;
-// Storage buffers, or texel buffers where memory.glsl uses them.
+// Binding points of storage buffers, or of texel buffers where memory.glsl uses texel buffers.
 const int classesBinding = 1;
 const int talliesBinding = 2;
 const int tileSumsBinding = 3;

@@ -76,7 +76,7 @@ void facesOf(int class_, Corners q, Ranks ranks, uvec4 vertices, inout uint plac
     int here = cornerClass(q, i), next = cornerClass(q, (i + 1) & 3);
     int low = min(here, next), high = max(here, next);
     if (here == class_) addCorner(fan, uint(i));
-    // If the walk rises, it meets the lower level first.
+    // If the classes rise along the side, the walk meets the lower level first.
     int level = here < next ? class_ : class_ + 1;
     for (int side = 0; side < 2; ++side) {
       if (level > low && level <= high) {

@@ -34,7 +34,7 @@ void main() {
   ranks.left = ranks.top + uint(crossingsBetween(q.a, q.b));
   ranks.right = ranks.left + uint(crossingsBetween(q.a, q.d) + crossingsBetween(q.b, classAt(at + ivec2(2, 0))));
   ranks.bottom = square.z;
-  // Finds the edge on which the point is. On that edge, the walk falls across the level.
+  // Finds the edge on which the point is. It is the edge along which the walk falls across the level.
   int side = 3, low = q.a;
   for (int i = 0; i < 3; ++i) {
     int here = cornerClass(q, i), next = cornerClass(q, i + 1);

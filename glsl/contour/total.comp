@@ -1,5 +1,5 @@
 // Prefix sum, step 2 of 3: replaces each tile sum by the sum of all tiles before it, and writes the draw arguments from
-// the total. A single workgroup, each of whose invocations processes some of the tiles.
+// the total. Runs as a single workgroup, in which each invocation processes some of the tiles.
 #include "common/words.glsl"
 #include "contour/bindings.glsl"
 #include "contour/types.glsl"

@@ -24,7 +24,7 @@ struct WallSquare {
 // Returns a position in squares, relative to sample (0, 0).
 FUNCTION vec2 wallPlace(vec3 p) {
   precise vec2 place = (vec2(p.x, p.z) - wallGrid.corner) * wallGrid.perSpacing;
-  // A position far away, or NaN, cannot be converted to int.
+  // A position that is far away or NaN cannot be converted to int.
   bool near = abs(place.x) < 1e6f && abs(place.y) < 1e6f;
   return near ? place : vec2(-1e6f);
 }
@@ -109,7 +109,7 @@ FUNCTION WallSquare wallSquare(int x, int y) {
 }
 
 FUNCTION float wallLevel(int region) {
-  return wallGrid.levels[max(region, 1) - 1];  // The value is not used for region 0
+  return wallGrid.levels[max(region, 1) - 1];  // Region 0 has no level, and the caller does not use the value.
 }
 
 #ifdef BRANCHES
@@ -264,8 +264,8 @@ FUNCTION vec3 wallNormal(WallNear wall) {
   return vec3(unit.x, 0.0f, unit.y);
 }
 
-// Pushes a point out of a wall: a point inside to the other side, a point outside to the minimum distance. For points
-// above it, the upper edge of the wall acts as rounded.
+// Pushes a point out of a wall. A point inside the prism is moved to the outside; a point outside is moved to the
+// minimum distance. For points above the wall, the upper edge of the wall is treated as rounded.
 FUNCTION WallPush byWall(vec3 p, WallNear wall, float low, float high) {
   precise float over = p.y > high ? p.y - high : p.y < low ? p.y - low : 0.0f;
   precise float across = exactSqrt(wall.squared) * wallGrid.spacing;
@@ -344,8 +344,8 @@ FUNCTION bool isNearSolid(vec3 from, vec3 to) {
          max(from.x, to.x) > first.x && min(from.z, to.z) < end.y && max(from.z, to.z) > first.y;
 }
 
-// Pushes a point out of all prisms around it, starting with the lowest. With a ceiling, the third prism is the rock
-// above it.
+// Result of a round that pushes a point out of all prisms around it, starting with the lowest. With a ceiling, the
+// third prism is the rock above it.
 struct WallRound {
   WallMotion motion;
   bool again;  // True if the point touched a wall, so that another wall may have to be tested

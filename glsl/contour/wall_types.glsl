@@ -19,8 +19,8 @@ struct WallGrid {
   float bounce;      // Fraction of the impact speed that remains after the bounce
   int levelCount;
   int ceiling;       // 1 if the solid has a ceiling
-  int squares;       // Number of squares on each side of the square with the point that must be searched for walls
-                     // within the distance `reach`
+  int squares;       // Number of squares, on each side of the square that contains the point, that must be searched for
+                     // walls within the distance `reach`
   ivec2 samples;     // Size of the field plus 2
   float heights[maxWallLevels + 1];  // Height of each class, m
   float levels[maxWallLevels];

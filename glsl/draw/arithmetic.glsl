@@ -1,5 +1,5 @@
-// Arithmetic of shading for both rasterizers. EXACT_PICTURE: results have the same bits on every driver, and
-// assignments to ROUNDED variables round each operation separately. Without it, the driver's built-in functions are
+// Arithmetic of shading for both rasterizers. If EXACT_PICTURE is defined, results have the same bits on every driver,
+// and assignments to ROUNDED variables round each operation separately. Otherwise, the driver's built-in functions are
 // used. Vectors passed to unitOf() must be longer than 1e-15. Compiles as GLSL and as C++.
 #ifndef DRAW_ARITHMETIC
 #define DRAW_ARITHMETIC

@@ -1,10 +1,9 @@
-// Environment light from a panoramic picture. Compiles as GLSL and as C++. ENVIRONMENT: number of cells on a side of
-// the finest map.
-// environmentTexel(i) returns texel i of the environment buffer. The buffer starts with the spherical harmonics of
-// irradiance / pi as a function of the normal: nine coefficients, up to degree two, that include all constant factors
-// (Ramamoorthi and Hanrahan 2001). Octahedral maps follow (Engelhardt and Dachsbacher 2008). The up direction is in the
-// middle of a map, and a border of one cell continues the map. Level 0 holds the radiance that the camera shows. Levels
-// 1 to 4 hold the light reflected by surfaces of roughness 1/4, 1/2, 3/4 and 1.
+// Environment light from a panoramic image. Compiles as GLSL and as C++. ENVIRONMENT is the number of cells on a side
+// of the finest map. environmentTexel(i) returns texel i of the environment buffer. The buffer starts with the
+// spherical harmonics of irradiance / pi as a function of the normal: nine coefficients, up to degree two, that include
+// all constant factors (Ramamoorthi and Hanrahan 2001). Octahedral maps follow (Engelhardt and Dachsbacher 2008). The
+// up direction is in the middle of a map, and a border of one cell continues the map. Level 0 holds the radiance that
+// the camera shows. Levels 1 to 4 hold the light reflected by surfaces of roughness 1/4, 1/2, 3/4 and 1.
 #ifndef DRAW_ENVIRONMENT
 #define DRAW_ENVIRONMENT
 #include "draw/arithmetic.glsl"
@@ -42,7 +41,7 @@ FUNCTION vec3 environmentAt(vec3 direction, int level) {
   return blend(above, below, share.y);
 }
 
-// Returns the radiance that a surface of the given roughness reflects. `direction`: mirror direction of the view.
+// Returns the radiance that a surface of the given roughness reflects. `direction` is the mirror direction of the view.
 FUNCTION vec3 environmentMirrored(vec3 direction, float roughness) {
   ROUNDED float place = clamp(roughness, 0.0f, 1.0f) * 4.0f;
   int level = min(int(place), environmentLevels - 2);

@@ -27,10 +27,10 @@ struct STD140 Frame {
   vec4 whiteGreen;         // rgb: result of the white balance for green light of 1
   vec4 whiteBlue;          // rgb: result of the white balance for blue light of 1
   vec2 size;               // picture size in pixels
-  float exposure;          // exposure: factor of the light
+  float exposure;          // exposure: factor on the light
   float vignette;
-  float sunGlow;           // factor of the glow around the sun
-  float ambient;           // factor of the sky's light on surfaces
+  float sunGlow;           // factor on the glow around the sun
+  float ambient;           // factor on the sky's light on surfaces
   float shadowTexels;      // side of the sun's shadow map in texels
   float shadowSoftness;    // radius of the shadow filter in texels
   float sunSpread;         // tangent of half the sun's angular diameter

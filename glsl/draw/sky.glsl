@@ -1,5 +1,5 @@
 // Sky radiance as a gradient over the height y of a unit direction, and the ambient light of the sky. ENVIRONMENT: a
-// panoramic picture replaces the gradient. Compiles as GLSL and as C++.
+// panoramic image replaces the gradient. Compiles as GLSL and as C++.
 #ifndef DRAW_SKY
 #define DRAW_SKY
 #include "draw/arithmetic.glsl"
@@ -32,7 +32,7 @@ FUNCTION vec3 skyInDirection(vec3 direction) {
 #endif
 }
 
-// Returns irradiance / pi of the gradient sky on a surface. y: y component of the surface's normal.
+// Returns irradiance / pi of the gradient sky on a surface. The argument is the y component of the surface's normal.
 FUNCTION vec3 ambientLight(float y) {
   vec3 side = vec3(frame.ambientSide);
   ROUNDED vec3 light = side + max(y, 0.0f) * (vec3(frame.ambientUp) - side) +
@@ -40,7 +40,7 @@ FUNCTION vec3 ambientLight(float y) {
   return light;
 }
 
-// Returns irradiance / pi of the sky (gradient or panoramic picture) on a surface with the given normal.
+// Returns irradiance / pi of the sky (gradient or panoramic image) on a surface with the given normal.
 FUNCTION vec3 ambientOn(vec3 normal) {
 #ifdef ENVIRONMENT
   ROUNDED vec3 light = environmentAmbient(normal) * frame.ambient;
@@ -50,7 +50,8 @@ FUNCTION vec3 ambientOn(vec3 normal) {
 #endif
 }
 
-// Returns the sky radiance that a surface of the given roughness reflects. `direction`: mirror direction of the view.
+// Returns the sky radiance that a surface of the given roughness reflects. `direction` is the mirror direction of the
+// view.
 FUNCTION vec3 skyMirrored(vec3 direction, float roughness) {
 #ifdef ENVIRONMENT
   return environmentMirrored(direction, roughness);

@@ -14,7 +14,7 @@ const int raisedBinding = 1;    // In solver kernels: corrections on the way to 
 const int poolOutBinding = 3;   // The array of poolBinding as an output; raisedOutBinding is the array of raisedBinding
                                 // as an output
 const int raisedOutBinding = 4;
-const int brushesBinding = 1;   // Binding points of uniform blocks: this one and the next two
+const int brushesBinding = 1;   // Binding points of uniform blocks: brushesBinding and the two constants after it
 const int solidsBinding = 2;
 const int levelBinding = 3;
 const int stampsBinding = 1;    // Bit masks of brush images

@@ -26,10 +26,10 @@ struct STD140 FluidStep {
 struct STD140 FluidLevelPlace {
   ivec2 cells;
   int weights;       // Start of the level's face openings
-  int rhs;           // Start of its right-hand side, in `pool`
-  int way;           // Start of its correction on the way to coarser levels, in `raisedPool`
-  int up;            // Start of its correction on the way to finer levels
-  int coarseRhs;     // Start of the coarser level's right-hand side
+  int rhs;           // Start of the level's right-hand side, in `pool`
+  int way;           // Start of the level's correction on the way to coarser levels, in `raisedPool`
+  int up;            // Start of the level's correction on the way to finer levels
+  int coarseRhs;     // Start of the next coarser level's right-hand side
   int coarseUp;
   int openTiles;     // Start of the list of open tiles
   int otherTiles;    // Start of the list of the other tiles

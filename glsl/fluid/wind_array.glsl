@@ -7,7 +7,7 @@ uniform WindGrid windGrid;
 #ifdef TEXEL_PATH
 INPUT_ARRAY(windBinding, WindBlock, windCells)
 #else
-// Storage path: all u, then all v
+// On the storage path, the buffer holds all u, then all v.
 layout(std430, binding = windBinding) readonly restrict buffer WindBlock { float windCells[]; };
 #endif
 

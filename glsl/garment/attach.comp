@@ -8,7 +8,7 @@ STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)
 #else
 STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)
-STATE_ARRAY(trendsBinding, TrendBlock, trends)  // w is 1 if an attachment held the vertex in the previous substep
+STATE_ARRAY(trendsBinding, TrendBlock, trends)  // w is 1 if an attachment held the vertex in the previous substep.
 #endif
 #include "garment/membrane.glsl"
 

@@ -48,7 +48,8 @@ void exchange(vec2 first, vec2 last, out vec2 left, out vec2 right) {
 #else
 shared vec2 firsts[2][32];
 shared vec2 lasts[2][32];
-int turn = 0;  // Index of the double buffer, which makes one barrier enough
+int turn = 0;  // Index of the half of the double buffer that is written next; with two halves, one barrier per exchange
+               // is enough
 
 void exchange(vec2 first, vec2 last, out vec2 left, out vec2 right) {
   firsts[turn][lane] = first;
@@ -110,7 +111,7 @@ Source sourceOf(int x) {
 vec4 loadPair(Source source, int start) {
   vec4 pair = LOAD_INPUT(cells, start + source.first);
 #ifdef ODD_WIDTH
-  // The two cells of an element beyond the border may be in two different elements.
+  // The two cells of an element beyond the border may be stored in two different elements.
   vec4 other = pair;
   if (source.second != source.first) other = LOAD_INPUT(cells, start + source.second);
   pair = vec4(source.firstHalf ? pair.zw : pair.xy, source.secondHalf ? other.zw : other.xy);

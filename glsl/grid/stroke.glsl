@@ -8,7 +8,7 @@ struct Stroke {
   float value;       // Painted value
   int seed;
   int picked;        // Fraction of cells that are painted, multiplied by 2^24
-  int imageWord;     // For an image: index of the word with its first bit
+  int imageWord;     // For an image: index of the word that holds the image's first bit
   ivec2 imageFrom;   // For an image: cell of its top left pixel
   ivec2 imageSize;   // For an image: size in pixels; (0, 0) if there is no image
 };

@@ -33,8 +33,8 @@ float xSin(const float x) {
   float s = exactSin(near);
   return mix(xFlush(s), xNan(), xMagnitude(x) >= xInfinity);
 }
-// exactCos adds a quarter turn to its argument, and the sum loses precision for large values. Above 100 the
-// angle is therefore reduced first.
+// Returns cos(x). exactCos() adds a quarter turn to its argument, and this sum loses precision for large values. Above
+// 100, the angle is therefore reduced first.
 float xCos(const float x) {
   float near = x;
   if (xMagnitude(x) > 0x42c80000) near = xFarAngle(x);
@@ -45,7 +45,7 @@ float xTan(const float x) {
   return xDiv(xSin(x), xCos(x));
 }
 
-// exactExp is valid up to 69. For larger x, squares e^(x / 2).
+// Returns e^x. exactExp() is valid up to 69; for larger x, squares e^(x / 2).
 float xExp(const float x) {
   precise float half_ = 0.5 * x;
   int bits = floatBitsToInt(x);
@@ -56,7 +56,7 @@ float xExp(const float x) {
   e = mix(e, intBitsToFloat(xInfinity), bits > 0x42b17218);  // bits of 88.7228394, above which e^x is infinite
   return mix(e, x, xIsNan(x));
 }
-// 2^x = 2^n e^(r ln 2) with x = n + r and an integer n, so that the result is exact for integer x.
+// Returns 2^x as 2^n e^(r ln 2), where x = n + r with an integer n, so that the result is exact for integer x.
 float xExp2(const float x) {
   float held = clamp(mix(x, 0.0, xIsNan(x)), -127.0, 129.0);
   precise float middle = held + 0.5;
@@ -79,7 +79,8 @@ float xLog(const float x) {
   float l = exactLog(intBitsToFloat(max(xMagnitude(x), xTiny)));
   return xLogEnds(xFlush(l), x);
 }
-// Like exactLog, but the integer exponent is added last, so that powers of two are exact.
+// Returns the binary logarithm of x. Works like exactLog(), but adds the integer exponent last, so that powers of two
+// are exact.
 float xLog2(const float x) {
   int bits = max(xMagnitude(x), xTiny);
   int n = (bits - 0x3f3504f3) >> 23;
@@ -93,7 +94,7 @@ float xLog2(const float x) {
   part = part + float(n);
   return xLogEnds(xFlush(part), x);
 }
-// Like exactPow, but the range extends above e^69. Returns 1 for y = 0 and NaN for negative x.
+// Returns x^y. Works like exactPow(), but extends the range above e^69. Returns 1 for y = 0 and NaN for negative x.
 float xPow(const float x, const float y) {
   float l = exactLog(intBitsToFloat(max(xMagnitude(x), xTiny)));
   precise float power = y * l;
@@ -106,7 +107,7 @@ float xPow(const float x, const float y) {
   return mix(mix(p, xNan(), m > xInfinity), xNan(), xIsNan(y));
 }
 
-// Like atanf of the Cephes library, with argument reduction in three ranges.
+// Returns the arc tangent of x like atanf() of the Cephes library, with argument reduction in three ranges.
 float xAtan(const float x) {
   float a = abs(x);
   bool far = xMagnitude(x) > 0x401a827a, middle = xMagnitude(x) > 0x3ed413cd;  // bits of 1 + sqrt(2) and of sqrt(2) - 1
@@ -137,7 +138,7 @@ float xAcos(const float x) {
   return mix(xFlush(a), xNan(), xMagnitude(x) > 0x3f800000);
 }
 
-// Uses a series near zero, and e^x for larger |x|.
+// Returns sinh(x), by a series near zero and from e^x for larger |x|.
 float xSinh(const float x) {
   precise float s = x * x;
   precise float near = ((s * 1.9841270e-4 + 8.3333333e-3) * s + 0.16666667) * s;

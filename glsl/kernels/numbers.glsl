@@ -80,7 +80,7 @@ float xInverseSqrt(const float x) {
   y = mix(y, 0.0, floatBitsToInt(x) == xInfinity);
   return xRootEnds(x, y, intBitsToFloat(xInfinity));
 }
-// The Newton steps turn infinity into -infinity.
+// Returns sqrt(x), which is NaN for negative x. abs() is needed because the Newton steps turn infinity into -infinity.
 float xSqrt(const float x) {
   precise float root = x * exactInverseSqrt(x);
   return xRootEnds(x, abs(root), 0.0);
@@ -174,8 +174,8 @@ uint xToUint(const float x) {
   return mix(i, 0xffffffffu, uint(floatBitsToInt(x) - 0x4f800000) <= uint(xInfinity - 0x4f800000));
 }
 
-// Division by zero gives a result with all bits set, as in Direct3D. The lowest integer divided by -1 gives the lowest
-// integer.
+// Returns a / b. Division by zero gives a result with all bits set, as in Direct3D. For signed integers, the lowest
+// integer divided by -1 gives the lowest integer.
 uint xUdiv(const uint a, const uint b) {
   return mix(a / mix(b, 1u, b == 0u), 0xffffffffu, b == 0u);
 }
@@ -186,7 +186,7 @@ int xSdiv(const int a, const int b) {
   uint q = uint(abs(a)) / mix(uint(abs(b)), 1u, b == 0);
   return mix(mix(int(q), -int(q), (a ^ b) < 0), -1, b == 0);
 }
-// Remainders of integers: xSrem() has the sign of a, xSmod() the sign of b.
+// Return the remainders of integer divisions. xSrem() has the sign of a, xSmod() the sign of b.
 int xSrem(const int a, const int b) {
   uint r = uint(abs(a)) % mix(uint(abs(b)), 1u, b == 0);
   return mix(mix(int(r), -int(r), a < 0), -1, b == 0);

@@ -78,7 +78,7 @@ vec3 xFace(const vec3 d) {
   precise float s = 0.5 * xDiv(face.x, face.z) + 0.5, t = 0.5 * xDiv(face.y, face.z) + 0.5;
   return vec3(s, t, face.w);
 }
-// Returns the direction that belongs to a position on a face.
+// Returns the direction that belongs to a position on a face of a cube map.
 vec3 xDirection(const int face, const float s, const float t) {
   precise float x = 2.0 * s - 1.0, y = 2.0 * t - 1.0;
   return face == 0   ? vec3(1.0, -y, -x)

@@ -18,7 +18,7 @@ float cellAt(int x, int y) {
 void main() {
   ivec2 at = ivec2(gl_GlobalInvocationID.xy);
   if (at.x >= paddedItems || at.y >= size.y + 2 * range) return;
-  // The margin may be wider than the grid.
+  // The margin may be wider than the grid, so a row may have to be wrapped several times.
   int y = (at.y - range + 128 * size.y) % size.y;
   int x = at.x * 4 - margin;
   vec4 four;

@@ -42,9 +42,9 @@ struct RowSums {
   RowSum word[WORDS];
 };
 struct Strip {
-  RowSums above[STEPS];  // For generation t: sums of the row two rows above
-  RowSums here[STEPS];   // Sums of the row above
-  Row alive[STEPS];      // Cells of the row above
+  RowSums above[STEPS];  // Sums of the row two rows above the loaded row, for each generation
+  RowSums here[STEPS];   // Sums of the row above the loaded row, for each generation
+  Row alive[STEPS];      // Cells of the row above the loaded row, for each generation
 };
 // Tile: index of its first word in a row, its top row, masks of the cells that exist beside it, and masks of its
 // changed cells: in all rows, in the first STEPS rows, and in the last STEPS rows.

@@ -123,9 +123,9 @@ void main() {
 #endif
   if (first >= rowBlocks || top >= size.y) return;
   int rows = min(ROWS, size.y - top);
-  RowSums above[STEPS];  // For generation t: sums of the row two rows above
-  RowSums here[STEPS];   // Sums of the row above
-  Row alive[STEPS];      // Cells of the row above
+  RowSums above[STEPS];  // Sums of the row two rows above the loaded row, for each generation
+  RowSums here[STEPS];   // Sums of the row above the loaded row, for each generation
+  Row alive[STEPS];      // Cells of the row above the loaded row, for each generation
   for (int t = 0; t < STEPS; ++t)
     for (int k = 0; k < WORDS; ++k) {
       above[t].word[k] = rowSum(0u, 0u, 0u);

@@ -32,7 +32,7 @@ FUNCTION SurfacePoint surfaceUnder(float px, float pz) {
   float maxZ = float(heightGrid.size.y - 1);
   SurfacePoint s;
   s.there = x >= 0.0f && z >= 0.0f && x <= maxX && z <= maxZ;
-  x = s.there ? x : 0.0f;  // The position of a lost particle may be NaN
+  x = s.there ? x : 0.0f;  // The position of a lost particle may be NaN.
   z = s.there ? z : 0.0f;
   int column = min(int(floor(x)), heightGrid.size.x - 2);
   int row = min(int(floor(z)), heightGrid.size.y - 2);

@@ -21,7 +21,7 @@ FUNCTION float pairInverseSqrt(float x) {
 FUNCTION vec3 addPull(vec3 sum, vec3 here, vec4 body, float softeningSquared) {
   precise vec3 d = vec3(body) - here;
 #ifdef FAST_NUMERICS
-  // This takes one operation less than the exact form
+  // fma needs one operation less than the exact form.
   float squared = fma(d.z, d.z, fma(d.y, d.y, fma(d.x, d.x, softeningSquared)));
 #else
   precise float squared = exactDot(d, d) + softeningSquared;

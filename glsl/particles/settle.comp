@@ -7,7 +7,7 @@ void main() {
   if (i >= stepData.count) return;
   vec4 from = LOAD_INPUT(starts, i);
   ParticleMotion m = ParticleMotion(LOAD_ONCE(positions, i), LOAD_ONCE(velocities, i));
-  if (from.w == 0.0f) return;  // Contact with cloth does not move new particles
+  if (from.w == 0.0f) return;  // Contact with cloth does not move new particles.
   if (SOLIDS == 1) m = outOfSolids(m, from.xyz);
   if (HEIGHTS == 1) m = overHeights(m);
   if (WALLS == 1) m = besideWalls(m, from.xyz);

@@ -31,24 +31,25 @@ struct STD140 ParticleConstants {
   float margin DEFAULT(0.0f);              // Distance kept from colliders, m
 };
 
-// Longest run of a bucket in which pairs are searched: 27 runs stay below the loop limit of software drivers.
+// Maximum number of particles of one bucket among which pairs are searched. With this limit, the loops over 27 buckets
+// stay below the iteration limit of software drivers.
 const int ballRun = 2048;
 
-const int ballIterations = 4;  // over all contacts, per substep
+const int ballIterations = 4;  // Number of iterations over all contacts per substep
 
 // Contact of particles as balls.
 struct STD140 BallConstants {
-  float radius DEFAULT(0.0f);       // of a ball of the reference mass, m
-  float friction DEFAULT(0.0f);     // Coulomb coefficient between balls
-  float restitution DEFAULT(0.0f);  // Fraction of the approach speed that is returned
+  float radius DEFAULT(0.0f);       // Radius of a ball of the reference mass, m
+  float friction DEFAULT(0.0f);     // Coulomb friction coefficient between balls
+  float restitution DEFAULT(0.0f);  // Fraction of the approach speed that remains after a bounce
   float sizeExponent DEFAULT(0.0f);
-  float perMassReference DEFAULT(1.0f);  // in 1/kg
+  float perMassReference DEFAULT(1.0f);  // 1 / reference mass, 1/kg
   float perCell DEFAULT(1.0f);           // 1 / side of a cell, 1/m
-  float bounceFrom DEFAULT(0.0f);        // Least approach speed that is returned, m/s
+  float bounceFrom DEFAULT(0.0f);        // Minimum approach speed at which balls bounce, m/s
   float restSpeed DEFAULT(0.0f);         // Speed that the uniform acceleration adds in a substep, m/s
-  float perDt DEFAULT(0.0f);             // in 1/s
-  int tableMask DEFAULT(1);              // Buckets of the table - 1
-  int listed DEFAULT(16);                // Most neighbours of a ball, a multiple of 4
+  float perDt DEFAULT(0.0f);             // 1 / duration of a substep, 1/s
+  int tableMask DEFAULT(1);              // Number of buckets in the table, minus 1; serves as a bit mask
+  int listed DEFAULT(16);                // Maximum number of neighbours of a ball, a multiple of 4
 };
 
 // Emitter: a ring buffer of slots. New particles take the slots in turn; each has its own moment of birth within the
@@ -95,8 +96,8 @@ struct STD140 ParticleStep {
   int seed;
   int emitterCount;
   int colliderCount;
-  float windDrag;               // Rate at which the velocity approaches that of the wind, 1/s; constants.damping
-                                // includes it
+  float windDrag;               // Rate at which the velocity approaches the velocity of the wind, 1/s;
+                                // constants.damping includes this rate
   ParticleConstants constants;
   TurbulenceConstants turbulence;
   BallConstants balls;

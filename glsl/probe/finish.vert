@@ -1,4 +1,4 @@
-// One triangle that covers the whole picture.
+// Draws one triangle that covers the whole picture.
 void main() {
   gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0);
 }

@@ -8,7 +8,7 @@
 layout(local_size_x = 64) in;
 STATE_ARRAY(nextBinding, CellBlock, cells)
 #ifdef MESH
-INPUT_ARRAY(weightsBinding, MapBlock, maps)  // The last three planes are the cells' positions
+INPUT_ARRAY(weightsBinding, MapBlock, maps)  // The last three planes hold the cells' positions.
 uniform int places;  // Index of the first plane with positions
 #endif
 uniform Stroke stroke;

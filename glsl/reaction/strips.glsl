@@ -29,7 +29,8 @@ vec2 beside(float first, float last) {
 #else
 shared float firsts[2][32];
 shared float lasts[2][32];
-int turn = 0;  // Index of the double buffer, which makes one barrier enough
+int turn = 0;  // Index of the half of the double buffer that is written next; with two halves, one barrier per exchange
+               // is enough
 
 vec2 beside(float first, float last) {
   firsts[turn][lane] = first;
@@ -65,9 +66,9 @@ vec4 facing(vec4 cells, bool back) {
 #endif
 }
 
-// For each step of a frame, the lowest index of the lost cells; lost.comp finds the first step with one.
+// For each step of a frame, the lowest index of a lost cell; lost.comp finds the first step with a lost cell.
 layout(std430, binding = sumBinding) restrict buffer LostBlock { uint lostCells[]; };
-uniform int lostFirst;  // Number of the first of these steps
+uniform int lostFirst;  // Step number that belongs to lostCells[0]
 
 // Records lost cells, given the exponents of four cells (exponentOf) in `row` after step `level` of the pass.
 void noteStrip(int bits, int x, int row, int level) {

@@ -5,7 +5,7 @@ void main() {
   uvec4 state = LOAD_WORDS(cells, i);
   uvec4 result = state;
   int value = strokeNumber(stroke);
-  uvec4 more = uvec4(0u);  // Change of each count; a decrease wraps around as an unsigned number
+  uvec4 more = uvec4(0u);  // Change of each count; as an unsigned number, a decrease wraps around.
   for (int k = 0; k < 16; ++k) {
     ivec2 cell = ivec2(16 * at.x + k, at.y);
     if (cell.x >= size.x || !strokePaints(cell)) continue;

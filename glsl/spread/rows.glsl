@@ -101,7 +101,7 @@ Row loadRow(Column column, int y) {
   uint previous = byteOf(before, int(column.lastCell)) & column.hasLeft;
   uint next = activeCells(LOAD_INPUT_WORDS(cells, row + column.right)).x & column.hasRight;
   uvec4 here = activeCells(r.state);
-  uvec4 followed = here | column.follows * next;  // Cells after this byte are empty in every case
+  uvec4 followed = here | column.follows * next;  // Cells after the byte marked in `follows` are always empty.
   uvec4 left = here << 8u | uvec4(previous, here.xyz >> 24u);
   uvec4 right = followed >> 8u | uvec4(followed.yzw << 24u, next << 24u);
   r.near = beyond ? uvec4(0u) : left | here << 1u | right << 2u;

@@ -51,7 +51,7 @@ void main() {
                  (alone != uvec4(0u) ? restless : 0u);
     if (first == end) counted = countsOf(before);
     leaveTile(column, row, counted, flags);
-    counted -= countsOf(before);  // The counts start from those of the last step, so only the difference is added
+    counted -= countsOf(before);  // The counts start from the counts of the last step, so only the difference is added.
 #endif
   }
   count(counted);

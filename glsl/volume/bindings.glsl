@@ -5,7 +5,7 @@
 // Texture units: words of the values that define the surface, and words of the values that colour it.
 const int valuesUnit = 0;
 const int tintsUnit = 1;
-// Storage buffers, or texel buffers where memory.glsl uses them.
+// Binding points of storage buffers, or of texel buffers where memory.glsl uses texel buffers.
 const int cubesBinding = 2;      // Triangles of each kind of cube
 const int classesBinding = 3;    // x: one bit for each of 32 samples along a row, set if the sample is at or above the
                                  // level

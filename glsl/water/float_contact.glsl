@@ -99,7 +99,7 @@ FUNCTION vec4 floatDistance(FloatTold t, vec3 q) {
   vec4 found = floatBetween(floatNodes(i, across, part.x, part.y), floatNodes(i + layer, across, part.x, part.y), part.z);
   vec3 slope = vec3(found);
   precise vec3 normal = slope * exactInverseSqrt(max(exactDot(slope, slope), 1e-12f));
-  // Outside the lattice, the vector to q starts at the surface point that belongs to the nearest lattice point.
+  // Outside the lattice, `from` is the vector to q from the surface point that belongs to the nearest lattice point.
   precise vec3 beyond = (u - held) * t.nodes.w;
   precise vec3 from = beyond + found.w * normal;
   float square = exactDot(from, from);
@@ -164,7 +164,7 @@ FUNCTION vec3 floatPushed(FloatMeet meet, FloatBody first, FloatTold a, FloatBod
   float deep = meet.way.w;
   precise vec3 speed = floatSpeedAt(first, a, arm) - floatSpeedAt(second, b, otherArm);
   float into = exactDot(speed, normal);
-  precise float perStep = floats.damp * 2.5f;  // The damping rate is 0.4 / dt, so perStep is 1 / dt
+  precise float perStep = floats.damp * 2.5f;  // The damping rate is 0.4 / dt, so perStep is 1 / dt.
   precise float slowly = floatOut * min(deep, floats.deepest);
   float goes = deep > 0.0f ? slowly : deep;
   precise float apart = goes * perStep - into;

@@ -273,7 +273,7 @@ FUNCTION FloatSum floatPoint(int i, FloatBody body, FloatTold t, vec3 turning, v
   precise float pullX = pushX + (own.x + aside.x);
   precise float pullZ = pushZ + (own.z + aside.z);
   floatSpread(body, column, row, wide, per, volume, vec2(pullX, pullZ));
-  // Next comes the contact with the ground and with walls at the grid's sides.
+  // Adds the contact with the ground and with walls at the grid's sides.
   precise float steep = 1.0f + water.bedX * water.bedX + water.bedZ * water.bedZ;
   float upright = exactInverseSqrt(steep);
   precise vec3 normal = vec3(-water.bedX * upright, upright, -water.bedZ * upright);
@@ -294,7 +294,7 @@ FUNCTION FloatSum floatPoint(int i, FloatBody body, FloatTold t, vec3 turning, v
   if (front > 0.0f) touch = touch + floatTouch(vec3(0.0f, 0.0f, -1.0f), front, velocity, t.reach.z);
   precise vec3 force = (vec3(pushX, pushY, pushZ) + aside) + mass * touch;
   vec3 moment = exactCross(arm, force);
-  force = force + own;  // Thrust acts at the centre of mass, so it adds no moment
+  force = force + own;  // Thrust acts at the centre of mass, so it adds no moment.
   precise float wet = water.share > 0.0f ? point.w : 0.0f;
   precise float risen = wet * (water.level - body.level);
   FloatSum sum;

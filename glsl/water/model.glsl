@@ -212,7 +212,7 @@ FUNCTION float waterFlush(float x) {
 // `moved` holds the level and the discharges before friction.
 FUNCTION vec4 waterSettled(vec3 moved, float bed, WaterStep s) {
   precise float depth = moved.x - bed;
-  float level = depth <= 1e-12f ? bed : waterFlush(moved.x);  // A NaN level is kept, so that later checks find it
+  float level = depth <= 1e-12f ? bed : waterFlush(moved.x);  // A NaN level is kept, so that later checks find it.
   precise float qx = moved.y * s.kept;
   precise float qy = moved.z * s.kept;
   if (s.manning > 0.0f) {
@@ -234,7 +234,7 @@ FUNCTION vec4 waterSettled(vec3 moved, float bed, WaterStep s) {
 // are the cell's slopes.
 FUNCTION vec4 waterGathered(vec4 texel, WaterCell half_, WaterCell slopeX, WaterCell slopeY, WaterFlux east, WaterFlux west,
                             WaterFlux south, WaterFlux north, WaterStep told) {
-  // Inside the cell, the pressure changes by g h dw, where dw is the change of the level.
+  // Adds the pressure change inside the cell, g h dw, where dw is the change of the level.
   precise float pressX = told.gravity * half_.depth * slopeX.level;
   precise float pressY = told.gravity * half_.depth * slopeY.level;
   precise float out_ = (east.mass - west.mass) + (south.mass - north.mass);

@@ -6,7 +6,8 @@ const int openEdge = 1;      // Open side: a copy of the border cell; waves leav
 const int periodicEdge = 2;  // Periodic side: continues at the opposite side
 const int seaEdge = 3;       // Open sea: the waves of the sea enter, and outgoing waves leave
 
-// Parameters of a step. A cell is a texel: x level (m), y and z discharge along x and y (m^2/s), w bed height (m).
+// Parameters of a step. A cell is a texel: x level (m), y and z discharge along the grid's x and y axes (m^2/s), w bed
+// height (m).
 struct STD140 WaterStep {
   float ratio;      // Time step divided by cell size, s/m
   float halfRatio;  // Half of `ratio`
@@ -16,7 +17,7 @@ struct STD140 WaterStep {
   float manning;    // dt g n^2 in m^(1/3), where n is Manning's coefficient
   float thin;       // Depth below which the velocity is reduced, m
   float dry;        // Depth below which water does not move, m
-  float share;      // 1 / (4 ratio), m/s: limits the water that a cell gives away through a side
+  float share;      // 1 / (4 ratio) in m/s; limits the water that a cell gives away through a side
   float courant;    // Courant number above which the kernel triggers a remark
   int west;         // Boundary kind of each side
   int east;

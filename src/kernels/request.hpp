@@ -13,7 +13,8 @@ enum class Race { none, record, check };
 struct Request {
   std::filesystem::path file;
   std::vector<std::filesystem::path> folders;  ///< folders for #include, in addition to the file's folder
-  std::vector<std::string> kernels;            ///< names of the selected kernels; empty: all
+  std::vector<std::string> kernels;            ///< names of the selected kernels; if empty, all kernels are
+                                               ///< selected
   std::vector<std::string> keywords;           ///< selected keywords of multi_compile
   bool fast = false;                           ///< true to compile the shader as written, without exact
                                                ///< operations
@@ -24,12 +25,13 @@ struct Request {
   /// True to record faults in the block Kernel::report: out-of-bounds reads and writes (unless `fast`), and
   /// loops that reach the limit.
   bool report = false;
-  unsigned maxIterations = 0;  ///< max iterations of a loop; longer loops are stopped; 0: no limit
+  unsigned maxIterations = 0;  ///< maximum number of iterations of a loop, after which the loop is stopped;
+                               ///< 0 for no limit
   /// Names of buffers whose reads are redirected. A kernel that both reads and writes such a buffer reads
   /// the state from before the dispatch, from a separate buffer (Buffer::previousOf). Atomic operations on
   /// it are errors.
   std::vector<std::string> previous;
-  /// Search for races. `check` reports only races, whatever the value of `report`.
+  /// Mode of the search for races. With `check`, only races are reported, whatever the value of `report`.
   Race race = Race::none;
 };
 

@@ -1,5 +1,6 @@
 // Finds the nearest face of each grid node. One invocation per node. Each dispatch runs `rounds` steps of the search.
-// It is repeated until `left` is 0, because software drivers silently end loops after 65,535 iterations per invocation.
+// The dispatch is repeated until `left` is 0, because software drivers silently end loops after 65,535 iterations per
+// invocation.
 #include "collide/distance/kernel.glsl"
 layout(std430, binding = leftBinding) restrict buffer LeftBlock { uint left; };
 uniform int rounds;

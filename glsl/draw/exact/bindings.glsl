@@ -8,11 +8,12 @@ const int viewBinding = 3;
 const int vertexUnit = 19, indexUnit = 20, idUnit = 21, nearUnit = 22, mapUnit = 23;
 const int firstIdUnit = 24, tileListUnit = 25, largeUnit = 26, counterUnit = 27, nearFoursUnit = 28, idFoursUnit = 29;
 const int lampMapUnit = 30, fanUnit = 31;
-// Texel views: texels of material maps; fraction of light that blended layers let through.
+// Texture units of texel views: texels of material maps; fraction of light that blended layers let through.
 const int mapTexelUnit = 41, throughUnit = 42;
-// Texel views: visibility of the previous blended layer, and of the opaque surfaces.
+// Texture units of texel views: visibility of the previous blended layer, and of the opaque surfaces.
 const int layerNearUnit = 43, layerIdUnit = 44, behindUnit = 45;
-// Texel views of joined surfaces. The units are free because the kernels of joined surfaces read no normals or uvs.
+// Texture units of texel views of joined surfaces. The units are free because the kernels of joined surfaces read no
+// normals or uvs.
 const int ownerUnit = 1, lookUnit = 2;
 // Binding points of storage blocks.
 const int outVertexBinding = 0, nearBinding = 1, idBinding = 2, largeBinding = 3, counterBinding = 4;

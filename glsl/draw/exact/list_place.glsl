@@ -1,4 +1,4 @@
-// Reserves the next entry of a list and returns its index. `counter`: index of the list's counter. BALLOT: the
+// Reserves the next entry of a list and returns its index. `counter` is the index of the list's counter. BALLOT: the
 // invocations of a subgroup reserve their entries with a single atomic, because a GPU serializes atomics on the same
 // word.
 #ifdef BALLOT

@@ -41,8 +41,8 @@ layout(std430, binding = nearBinding) restrict buffer NearBlock { uint nearKeys[
 layout(std430, binding = idBinding) restrict buffer IdBlock { uint ids[]; };
 #endif
 
-// Stores key and id at a sample if they are nearer than the stored ones. `before`: a key that was read from the sample
-// earlier.
+// Stores key and id at a sample if they are nearer than the stored ones. `before` is a key that was read from the
+// sample earlier.
 void keep(int at, uint key, uint before, uint id) {
 #ifdef ONE_PASS
   if (key <= before) atomicMin(pairs[at], packUint2x32(uvec2(id, key)));

@@ -36,7 +36,7 @@ float pixelRadius(Sight sight, vec3 p, float radius) {
   precise float texels = radius * sight.perTexel;
   return texels;
 }
-// True if the centre is in view. OpenGL clips a point primitive as a whole by its centre.
+// Returns true if the centre is in view. OpenGL clips a point primitive as a whole by its centre.
 bool isMiddleSeen(vec3 p) {
   precise vec3 aside = shadowPlace(p) - 0.5;
   return all(lessThan(abs(aside), vec3(0.4999)));
@@ -63,7 +63,7 @@ float pixelRadius(Sight sight, vec3 p, float radius) {
   }
   return largest;
 }
-// Always false, so no sprite is drawn as a point.
+// Returns false, so that no sprite is drawn as a point.
 bool isMiddleSeen(vec3 p) {
   return false;
 }
@@ -84,7 +84,7 @@ Sight sightNow() {
   }
   return sight;
 }
-// True unless the ball is completely behind one plane.
+// Returns true unless the ball is completely behind one plane.
 bool isSeen(Sight sight, vec3 p, float radius) {
   bool seen = true;
   for (int i = 0; i < 6; ++i) seen = seen && exactDot(sight.sides[i], vec4(p, 1)) > -radius;

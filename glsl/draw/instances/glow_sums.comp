@@ -19,7 +19,7 @@ Glow glowAt(uint at) {
   return glowOf(position, velocity);
 }
 
-// Adds light to a pixel. `across`: squared distance from the glow's centre, in units of the radius.
+// Adds light to a pixel. `across` is the squared distance from the glow's centre, in units of the radius.
 void add(ivec2 pixel, vec3 light, float across, float depth) {
   if (across >= 1.0 || depth < 0.0) return;
   int before = 0;
@@ -46,8 +46,8 @@ vec3 placed(vec4 clip) {
   return place;
 }
 
-// Adds a glow as a disc in the picture plane. `aside`, `stride`: first pixel and step, which split the pixels between
-// invocations.
+// Adds a glow as a disc in the picture plane. `aside` and `stride` are the first pixel and the step, which split the
+// pixels between invocations.
 void addDisk(Glow g, ivec2 aside, ivec2 stride) {
   vec3 place = placed(clipPlace(g.middle));
   float radius = pixelsOf(g.middle, g.radius), perRadius = exactReciprocal(radius);

@@ -17,7 +17,7 @@ float perMassReference_ = once(perMassReference);
 uniform float minPixels;  // min radius (pixels) of an instance in the picture
 float minPixels_ = once(minPixels);
 
-// True if the instance is alive and its position is finite and not extremely far away.
+// Returns true if the instance is alive and its position is finite and not extremely far away.
 bool isShown(vec4 position, vec4 velocity) {
   precise float far = abs(position.x) + abs(position.y) + abs(position.z);
   return velocity.w >= 0.0 && isNumber(far) && far < 1e6;
@@ -74,7 +74,7 @@ float pixelRadius(vec3 p, float radius) {
   return pixels;
 }
 
-// True if the centre is in view. OpenGL clips a point primitive as a whole by its centre.
+// Returns true if the centre is in view. OpenGL clips a point primitive as a whole by its centre.
 bool isMiddleSeen(vec3 p) {
   vec4 place = clipPlace(p);
   precise float border = 0.9999 * place.w;

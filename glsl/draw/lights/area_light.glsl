@@ -95,9 +95,9 @@ FUNCTION vec3 towardsRectangle(vec3 p, vec3 mirrored, vec3 middle, vec3 across, 
 // Returns the specular lobe of shading.glsl for a rectangle, evaluated for the direction `light`. The rectangle widens
 // the lobe, and the lobe's height is divided by the factor of this widening (idea: Karis, "Real shading in Unreal
 // Engine 4", SIGGRAPH 2013). The light directions of a lobe cover about 4 pi alpha^2 lh, where lh is the cosine between
-// `light` and the half vector, because half vectors cover pi alpha^2 and turn half as fast. `spread2`: solid angle of
-// the rectangle / pi. `lit`: n.F of the rectangle. The shadowing term uses the mean cosine lit / spread2, because light
-// comes from the whole rectangle rather than from one direction.
+// `light` and the half vector, because half vectors cover pi alpha^2 and turn half as fast. `spread2` is the solid
+// angle of the rectangle / pi. `lit` is n.F of the rectangle. The shadowing term uses the mean cosine lit / spread2,
+// because light comes from the whole rectangle rather than from one direction.
 FUNCTION vec2 rectangleLobe(vec3 normal, vec3 view, vec3 light, float lit, float alpha, float spread2) {
   ROUNDED float alpha2 = alpha * alpha;
   ROUNDED float cosine2 = 0.5f + 0.5f * dotted(view, light);

@@ -28,7 +28,7 @@ struct LampLight {
 #endif
 };
 
-// Adds the light of lamp i. `fraction`: fraction of the lamp's light that reaches the point.
+// Adds the light of lamp i. `fraction` is the fraction of the lamp's light that reaches the point.
 LampLight withLamp(LampLight sum, int i, Arrival a, float fraction, vec3 normal, vec3 view, vec3 f0, float alpha,
                    float translucent) {
   float nl = dotted(normal, a.towards);
@@ -91,7 +91,7 @@ LampLight withRectangle(LampLight sum, int i, vec3 p, float fraction, vec3 norma
 }
 #endif
 
-// Adds the light of lamp i of any shape. `fraction`: fraction of the lamp's light that is not in shadow.
+// Adds the light of lamp i of any shape. `fraction` is the fraction of the lamp's light that is not in shadow.
 LampLight withAny(LampLight sum, int i, vec3 p, Arrival a, float fraction, vec3 normal, vec3 view, vec3 f0, float alpha,
                   float translucent) {
   ROUNDED float reaching = fraction * sentBy(i, a, p);

@@ -12,7 +12,8 @@ struct Arrival {
   float spread;   // sine of half the angle that the ball subtends
 };
 
-// Returns the light of a ball at the point p. `ball`: xyz centre, w radius (m); `perRadius2`: 1 / radius^2.
+// Returns the light of a ball at the point p. `ball` holds the centre (xyz) and the radius (w) in metres. `perRadius2`
+// is 1 / radius^2.
 FUNCTION Arrival arrivalAt(vec3 p, vec4 ball, float perRadius2) {
   ROUNDED vec3 to = vec3(ball) - p;
   float perDistance = inverseRoot(max(dotted(to, to), 1e-12f));
@@ -28,7 +29,7 @@ FUNCTION Arrival arrivalAt(vec3 p, vec4 ball, float perRadius2) {
 }
 
 // Returns the fraction of light that a spotlight's cone lets through in the direction -towards. The fraction is 1 in
-// the middle and 0 beyond the edge; between them it is the square of a linear function of the angle's cosine. `cone`:
+// the middle and 0 beyond the edge; between them it is the square of a linear function of the angle's cosine. `cone` is
 // Lamp.cone.
 FUNCTION float coneShare(vec3 towards, vec4 cone) {
   ROUNDED float line = cone.w - dotted(towards, vec3(cone));

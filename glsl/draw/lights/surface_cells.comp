@@ -10,7 +10,7 @@ layout(std430, binding = cellBinding) restrict writeonly buffer CellBlock { uint
 layout(std430, binding = cellArgumentBinding) restrict buffer ArgumentBlock { uint arguments[]; };
 uniform int surfaces;
 
-// True if part of the box is inside every plane that bounds the shadow map (the planes of face_clip.glsl).
+// Returns true if part of the box is inside every plane that bounds the shadow map (the planes of face_clip.glsl).
 bool reaches(int face, vec3 low, vec3 high, float scale, float nearest) {
   vec3 a = onFace(face, low), b = onFace(face, high);
   vec3 least = min(a, b), most = max(a, b);

@@ -11,11 +11,11 @@ struct STD140 Lamp {
                   // margin for the filter)
   vec4 sampling;  // x: distance of the nearest caster (m); y: texel size of a map at distance 1 (m); z: filter radius
                   // (texels); w: 1 / texels per side of a map
-  vec4 across;    // rectangle: xyz: half its width vector (m); ball: xyz: 0. w: 1 / range^2 (1/m^2), or 0 without a
-                  // range
-  vec4 up;        // rectangle: xyz: half its height vector (m), w: 1 / its area (1/m^2); ball: 0
-  vec4 cone;      // spotlight: fraction of light = clamp(w + dot(xyz, direction from the lamp), 0, 1)^2; other lamps:
-                  // xyz 0, w 1
+  vec4 across;    // xyz: for a rectangle, half its width vector (m); for a ball, 0. w: 1 / range^2 (1/m^2), or 0
+                  // without a range
+  vec4 up;        // for a rectangle, xyz: half its height vector (m), w: 1 / its area (1/m^2); for a ball, 0
+  vec4 cone;      // for a spotlight, the fraction of light is clamp(w + dot(xyz, direction from the lamp), 0, 1)^2; for
+                  // other lamps, xyz is 0 and w is 1
 };
 
 const int lampTexels = 7;  // vec4 texels per Lamp in a buffer

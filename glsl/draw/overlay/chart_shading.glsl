@@ -29,7 +29,8 @@ FUNCTION float squareTo(vec2 p, vec2 a, vec2 b) {
   return apart;
 }
 
-// Returns one row of a column's data as depths (pixels) below the plot's top edge. `high`: plot's height (pixels).
+// Returns one row of a column's data as depths (pixels) below the plot's top edge. `high` is the plot's height
+// (pixels).
 FUNCTION vec4 depthsAt(int column, int row, float high) {
   ROUNDED vec4 depths = (1.0f - columnAt(column, row)) * high;
   return depths;

@@ -5,8 +5,8 @@
 // otherwise, values are averaged and the mean is coloured. Reads the uniforms of field_view.glsl. Compiles as GLSL and
 // as C++, after field_values.glsl and film.glsl.
 
-// Returns one element (cell or texel). With `colored`, rgb is the light. a: position of the value in the range (0 to
-// 1).
+// Returns one element (cell or texel). With `colored`, rgb is the light. a is the position of the value in the range (0
+// to 1).
 FUNCTION vec4 element(ivec2 place) {
   ivec2 at = tiled ? (place + 64 * size) % size : clamp(place, ivec2(0), size - 1);
   if (reduces) return colored ? reducedAt(at) : vec4(placeOf(reducedAt(at).x));
@@ -60,7 +60,7 @@ FUNCTION vec4 meanOver(vec2 from, vec2 to) {
 }
 
 // Returns the weights of the elements before, at and after a position: linear interpolation averaged over a box of one
-// element. `beyond`: offset of the position from the centre of the middle element, -1/2 to 1/2.
+// element. `beyond` is the offset of the position from the centre of the middle element, -1/2 to 1/2.
 FUNCTION vec3 splineWeights(float beyond) {
   ROUNDED float before = 0.5f - beyond;
   ROUNDED float after = 0.5f + beyond;

@@ -2,7 +2,7 @@
 // Compiles as GLSL and as C++.
 #include "draw/arithmetic.glsl"
 
-// Returns the light that reaches the film. `aside`: position of the pixel's centre, -1 to 1 across the picture.
+// Returns the light that reaches the film. `aside` is the position of the pixel's centre, -1 to 1 across the picture.
 FUNCTION vec3 throughLens(vec3 light, vec2 aside) {
   ROUNDED float dark = frame.vignette * 0.5f * (aside.x * aside.x + aside.y * aside.y);
   ROUNDED vec3 through = light * (frame.exposure * (1.0f - dark));

@@ -10,7 +10,7 @@ vec4 loadTrail(int i) {
 #include "mesh/model.glsl"
 
 // Returns the normal of the displaced mesh, which does not have unit length. Uses four displaced points at the distance
-// `spacing` along tangent and bitangent. `spacing`: length of the shortest edge at the vertex (m).
+// `spacing` along tangent and bitangent. `spacing` is the length of the shortest edge at the vertex (m).
 vec3 displacedNormal(vec3 rest, vec3 normal, float spacing) {
   vec3 tangent = normalize(abs(normal.x) < 0.7 ? cross(normal, cross(vec3(1, 0, 0), normal))
                                                : cross(normal, cross(vec3(0, 0, 1), normal)));

@@ -87,8 +87,8 @@ FUNCTION Around texelsAround(vec2 uv, int level, TextureShape shape) {
   ivec2 a = ivec2(first), b = a + 1;
   ivec2 before = ivec2(a.x < 0 ? size.x : 0, a.y < 0 ? size.y : 0);
   ivec2 beyond = ivec2(b.x >= size.x ? size.x : 0, b.y >= size.y ? size.y : 0);
-  // Beyond the border is the texel of the opposite border, or the border texel again, also where the texture is
-  // mirrored.
+  // Beyond the border, a repeated texture continues at the opposite border. For other wrap modes, also for a mirrored
+  // texture, the border texel is repeated.
   a = ivec2(shape.wrap.x == WRAP_REPEAT ? a.x + before.x : max(a.x, 0),
             shape.wrap.y == WRAP_REPEAT ? a.y + before.y : max(a.y, 0));
   b = ivec2(shape.wrap.x == WRAP_REPEAT ? b.x - beyond.x : min(b.x, size.x - 1),

@@ -1,6 +1,6 @@
-// Light that the ground reflects to the eye. `fraction`: fraction of sunlight that reaches the point; `openness`:
-// fraction of ambient light that reaches the point. Defines: GROUND_REFLECTIVE, LAMPS, REFLECTED as in lighting.glsl.
-// Compiles as GLSL and as C++.
+// Light that the ground reflects to the eye. `fraction` is the fraction of sunlight that reaches the point. `openness`
+// is the fraction of ambient light that reaches the point. Defines: GROUND_REFLECTIVE, LAMPS, REFLECTED as in
+// lighting.glsl. Compiles as GLSL and as C++.
 #ifndef DRAW_GROUND_LIGHT
 #define DRAW_GROUND_LIGHT
 #include "draw/sky.glsl"
@@ -84,7 +84,7 @@ FUNCTION vec4 groundLight(vec3 p, vec3 view, float fraction, float openness) {
 
 #if defined REFLECTED && defined GROUND_REFLECTIVE
 // Returns the change of the ground's light if the reflected ray hits objects in the picture instead of the
-// surroundings. `met`: light of the objects times coverage, and coverage.
+// surroundings. `met` holds the light of the objects times the coverage, and the coverage.
 FUNCTION vec4 groundReflected(vec3 p, vec3 view, vec4 met, float openness) {
   ROUNDED vec3 change = sharesOfGround(view).mirrored * (vec3(met) - met.w * openness * aroundGround(view));
   ROUNDED vec3 faded = change * groundAlpha(p);

@@ -120,7 +120,7 @@ FUNCTION vec3 reflectedChange(Look look, vec3 p, vec3 normal, vec3 view) {
 }
 #endif
 
-// Returns the light of sun, sky and lamps. p: position at which the lamps' light is computed.
+// Returns the light of sun, sky and lamps. p is the position at which the lamps' light is computed.
 FUNCTION vec3 allLight(Look look, vec3 p, vec3 normal, vec3 view, float fraction) {
 #ifdef SHOWN
   return SHOWN == 1 ? normal : look.base;

@@ -1,8 +1,8 @@
 // Normals from a tangent-space normal map. x points along u, y against v, z outwards. Compiles as GLSL and as C++.
 #include "draw/surface/rise.glsl"
 
-// Decodes a normal from a texel (0 to 1). `strength`: factor of the slopes. z is at least 0.05, so that no normal is
-// tangential to the surface.
+// Decodes a normal from a texel (0 to 1). `strength` is the factor on the slopes. z is at least 0.05, so that no normal
+// is tangential to the surface.
 FUNCTION vec3 tangentNormal(vec3 texel, float strength) {
   ROUNDED vec3 t = texel * 2.0f - 1.0f;
   ROUNDED vec2 slopes = vec2(t.x, t.y) * strength;
@@ -12,7 +12,8 @@ FUNCTION vec3 tangentNormal(vec3 texel, float strength) {
 // Returns the mapped normal in world space. The tangent frame is computed for each pixel: y is opposite to the gradient
 // of v; x is perpendicular to y and points towards growing u. The frame equals a MikkTSpace frame with tangents along u
 // and bitangents from the cross product with the normal, but it is not interpolated from vertices. `across`, `up`,
-// `right` and `above`: see riseByUv(). Works for mirrored uvs. A surface without uvs keeps its normal.
+// `right` and `above` have the same meaning as in riseByUv(). Works for mirrored uvs. A surface without uvs keeps its
+// normal.
 FUNCTION vec3 mappedNormal(vec3 t, vec3 normal, vec3 across, vec3 up, vec2 right, vec2 above) {
   vec3 first = crossed(up, normal), second = crossed(normal, across);
   float turned = dotted(across, first) < 0.0f ? -1.0f : 1.0f;

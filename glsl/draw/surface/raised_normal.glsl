@@ -6,8 +6,8 @@ FUNCTION float brightness(vec3 color) {
 }
 
 // Returns the normal of a surface that is raised by a height: n - grad height, computed from changes per pixel
-// (Mikkelsen, "Bump Mapping Unparametrized Surfaces on the GPU", 2010). `across`, `up`: change of the position per
-// pixel to the right and up; `rises`: changes of the height (m).
+// (Mikkelsen, "Bump Mapping Unparametrized Surfaces on the GPU", 2010). `across` and `up` are the changes of the
+// position per pixel to the right and up. `rises` holds the changes of the height (m).
 FUNCTION vec3 raisedNormal(vec3 normal, vec3 across, vec3 up, vec2 rises) {
   vec3 first = crossed(up, normal), second = crossed(normal, across);
   float area = dotted(across, first);

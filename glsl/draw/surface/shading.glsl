@@ -24,8 +24,9 @@ FUNCTION float smithUnder(float nl, float nv, float alpha2) {
 }
 
 // Returns x and y of the specular lobe F0 x + y: pi D V of GGX (Walter et al., "Microfacet Models for Refraction
-// through Rough Surfaces", EGSR 2007) with Schlick's Fresnel term. `nl`: cosine between normal and light; `lower`:
-// factor of the lobe. The value is limited to 60, because sharper highlights are smaller than pixels and would flicker.
+// through Rough Surfaces", EGSR 2007) with Schlick's Fresnel term. `nl` is the cosine between normal and light. `lower`
+// is the factor on the lobe. The value is limited to 60, because sharper highlights are smaller than pixels and would
+// flicker.
 FUNCTION vec2 lowerLobe(vec3 normal, vec3 view, vec3 light, float nl, float alpha, float lower) {
   ROUNDED vec3 sum = view + light;
   vec3 halfway = unitOf(sum);
@@ -69,8 +70,9 @@ FUNCTION vec2 ambientLobe(float roughness, float nv) {
   return vec2(x, y);
 }
 
-// Fractions of light that a surface reflects: `matt` in all directions, `mirrored` of the light around in the lobe, whose
-// F0 is `mirror`. The matt part is the share that the lobe of a dielectric leaves, so a white surface reflects all light.
+// Fractions of light that a surface reflects. The fraction `matt` is reflected in all directions. `mirrored` is the
+// fraction of the surroundings' light that the lobe reflects, and `mirror` is the lobe's F0. The matt part is what the
+// lobe of a dielectric does not reflect, so a white surface reflects all light.
 struct Shares {
   vec3 matt;
   vec3 mirror;

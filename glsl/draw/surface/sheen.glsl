@@ -34,8 +34,8 @@ FUNCTION float sheenAlbedo(float roughness, float nv) {
   return min(powerOfTwo(natural), 1.0f);
 }
 
-// Adds the fibres. `below`: light of the material under the fibres, which is reduced by the light that the fibres
-// reflect; `direct`: light of the fibres' lobes; `around`: ambient light.
+// Adds the fibres. `below` is the light of the material under the fibres, which is reduced by the light that the fibres
+// reflect. `direct` is the light of the fibres' lobes. `around` is the ambient light.
 FUNCTION vec3 underFibres(vec3 below, vec3 direct, vec3 around, vec3 color, float roughness, float nv) {
   float albedo = sheenAlbedo(roughness, nv);
   ROUNDED float kept = 1.0f - max(color.x, max(color.y, color.z)) * albedo;

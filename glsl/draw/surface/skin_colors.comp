@@ -1,4 +1,4 @@
-// Writes the field's colours for skins of the look "map". COLORED: the field is a picture. One invocation writes one
+// Writes the field's colours for skins of the look "map". COLORED: the field holds colours. One invocation writes one
 // texel.
 #include "draw/bindings.glsl"
 #include "draw/half.glsl"

@@ -23,7 +23,7 @@ struct Skin {
 
 // Returns the skin's material. A value spread evenly over a width w has the variance w^2 / 12 and is above 0 for the
 // fraction clamp(q / w + 1/2). One width therefore serves both for edges (change of q over a pixel) and for patterns
-// smaller than a pixel (variance). `change2`: squared change of q over a pixel.
+// smaller than a pixel (variance). `change2` is the squared change of q over a pixel.
 FUNCTION Skin skinOf(SkinArea area, float change2) {
   ROUNDED float width2 = change2 + 12.0f * area.variance + 1e-8f;
   ROUNDED float share = area.q * inverseRoot(width2) + 0.5f;

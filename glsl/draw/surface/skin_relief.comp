@@ -1,7 +1,7 @@
 // Converts a field to the texture that skins read: value minus threshold, its square, and the slope. Mip levels average
 // all channels, so the first two give mean and variance over any footprint. A second texture holds the mean of a ring
 // around each texel; cavities are below that mean. Values are fractions of the field's range; slopes are per cell.
-// COLORED: the field is a picture whose alpha holds the values. One invocation writes one texel.
+// COLORED: the field holds colours, with the values in alpha. One invocation writes one texel.
 #include "draw/bindings.glsl"
 #include "draw/half.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;

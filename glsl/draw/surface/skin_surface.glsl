@@ -9,7 +9,7 @@ in vec2 uv;
 #endif
 
 #ifdef TRIPLANAR
-// Returns the field values at this point. `rise`: gradient of q in world space, per cell.
+// Returns the field values at this point. `rise` is the gradient of q in world space, per cell.
 SkinArea areaOnSurface(vec3 normal, out vec3 rise) {
   ThreeSides three = threeSides(objectPosition, objectNormal);
   vec3 side = three.side, weight = three.weight;

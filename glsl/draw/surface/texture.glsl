@@ -48,7 +48,7 @@ vec3 textureColor(vec2 shift) {
 
 #ifdef BUMPED
 #include "draw/surface/raised_normal.glsl"
-// Returns the normal, tilted by the relief. `bump`: height of white in the texture (m).
+// Returns the normal, tilted by the relief. `bump` is the height of white in the texture (m).
 vec3 bumpedNormal(vec3 normal, vec3 p, float bump) {
   float aside = pixelsAside(texelsAPixel());
   vec2 rises = vec2(brightness(textureColor(vec2(aside, 0))) - brightness(textureColor(vec2(-aside, 0))),

@@ -22,7 +22,8 @@ uniform ivec4 levels[4];
 uniform int levelCount;
 uniform int rhsStart, upStart;  // Indices of the finest level's first elements in `pool` and `raisedOut`
 
-shared float values[5440];  // 64x64 cells, plus a quarter as many cells on each coarser level
+shared float values[5440];  // Values of all levels: 64x64 cells on the finest level, and a quarter as many on each
+                            // further level
 shared float missing[1344];  // Right-hand sides of all levels except the finest
 shared float others[bottomCells + 1];  // Values of the coarsest level, followed by a 0 for cells outside the grid
 #include "fluid/solver/block.glsl"

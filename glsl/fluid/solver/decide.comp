@@ -27,7 +27,8 @@ void main() {
   control.speed = 0u;
 #else
   precise float most = tolerance * speed;
-  // In a cycle, the last dispatch is never empty
+  // During the cycles, the last dispatch always has a nonzero size. If its size is 0, an earlier decision has ended the
+  // solve.
   bool met = flow <= most, over = first == 0 && control.groups[3 * dispatches - 1] == 0u;
   barrier();
   if (over) return;

@@ -89,7 +89,8 @@ float leftOver(ivec2 c, float value, float left, float right, float top, float b
 
 void sweepOther(ivec2 block, int element, int row) {
   ivec2 o = 2 * block;
-  // The names r and the like give the offset from the block's first cell: m stands for -1, n for -2.
+  // The two letters or digits in a name such as r00 give the offset from the block's first cell, where m stands for -1
+  // and n for -2.
   float r00 = redAt(o), r11 = redAt(o + ivec2(1, 1));
   float rn0 = redAt(o + ivec2(-2, 0)), r20 = redAt(o + ivec2(2, 0)), r31 = redAt(o + ivec2(3, 1));
   float r0n = redAt(o + ivec2(0, -2)), r02 = redAt(o + ivec2(0, 2)), r13 = redAt(o + ivec2(1, 3));

@@ -8,8 +8,8 @@ layout(std430, binding = controlBinding) restrict buffer ControlBlock {
   uint worstShare;  // Maximum of lastShare so far
   uint worstSpeed;  // Maximum of lastSpeed so far
   uint lastShare;   // Ratio of `flow` to `speed` after the latest projection
-  uint lastSpeed;   // Maximum |u| or |v| of the latest projected flow
-  uint begun;       // Cycles of the current projection
+  uint lastSpeed;   // Maximum |u| or |v| of the flow after the latest projection
+  uint begun;       // Number of cycles of the current projection so far
   uint groups[];    // Three words per indirect dispatch: first the current sizes of all dispatches, then their sizes
                     // for a cycle
 } control;

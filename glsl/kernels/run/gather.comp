@@ -5,7 +5,8 @@
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer WordsBlock { uint words[]; };
 STATE_ARRAY(1, DrawnBlock, drawn)
-layout(std430, binding = 2) buffer NotedBlock { uvec4 noted[]; };  // x: elements that are not finite, y: the first
+layout(std430, binding = 2) buffer NotedBlock { uvec4 noted[]; };  // x: number of elements that are not finite; y:
+                                                                   // index of the first of them
 uniform int count;     // number of elements
 uniform int start;     // word offset of the first element
 uniform int stride;    // number of words per element
@@ -15,7 +16,7 @@ uniform int number;    // type of the numbers: 0 float, 1 int, 2 uint
 uniform int alive;     // word offset of a number that is above 0 in drawn elements; -1 if all elements are drawn
 uniform int aliveNumber;
 uniform bool marked;    // true if w of elements that are not drawn becomes -1
-uniform int watched;    // index in `noted`; -1: elements are not tested
+uniform int watched;    // index in `noted`, or -1 if elements are not tested
 uniform bool encoded;  // true if the first three numbers are sRGB values to be converted to linear
 
 float numberAt(int word, int type) {

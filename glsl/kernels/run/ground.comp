@@ -6,7 +6,7 @@ layout(local_size_x = 64) in;
 INPUT_ARRAY(0, HeightBlock, heights)  // x: height value
 STATE_ARRAY(1, VertexBlock, vertices)
 uniform ivec2 given;  // number of heights along x and z
-uniform int finer;    // steps from one height to the next
+uniform int finer;    // number of steps between vertices from one height to the next
 uniform vec3 corner;  // position of vertex (0, 0) at the height 0, m
 uniform float cell;   // distance between vertices, m
 uniform float scale;  // height in metres per unit of the height value
@@ -23,7 +23,7 @@ float heightAt(int x, int z) {
   return LOAD_INPUT(heights, z * given.x + x).x;
 }
 
-// Height on row z at x + t.
+// Returns the height in row z at x + t, where t is a fraction.
 float onRow(int x, float t, int z) {
   if (t == 0.0) return heightAt(x, z);
   float b = heightAt(x, z), c = heightAt(x + 1, z);

@@ -14,7 +14,7 @@ void main() {
   STORE_WORDS(texels, i, uvec4(texelFetch(source, at.PLACE, 0)));
 #else
   uvec4 bits = floatBitsToUint(texelFetch(source, at.PLACE, 0));
-  // Each NaN gets a canonical sign and payload, because machines produce different NaNs.
+  // Replaces each NaN by a NaN with a canonical sign and payload, because machines produce different NaNs.
   for (int c = 0; c < 4; ++c)
     if ((bits[c] & 0x7fffffffu) > 0x7f800000u) bits[c] = 0x7fc00000u;
   STORE_WORDS(texels, i, bits);

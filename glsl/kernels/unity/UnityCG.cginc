@@ -18,7 +18,7 @@
 float Luminance(float3 rgb) {
   return dot(rgb, float3(0.2126, 0.7152, 0.0722));
 }
-// Transfer curve of sRGB.
+// Converts an sRGB value to linear light with the transfer function of sRGB.
 float GammaToLinearSpaceExact(float value) {
   return value <= 0.04045 ? value / 12.92 : pow((value + 0.055) / 1.055, 2.4);
 }

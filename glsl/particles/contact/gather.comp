@@ -1,4 +1,5 @@
-// Copies the particles in sorted order, and writes the run of each bucket. One ball per invocation.
+// Copies the particles in sorted order, and stores for each bucket the range of its particles in that order. One
+// invocation per slot.
 #include "particles/contact/kernel.glsl"
 INPUT_ARRAY(placesBinding, PositionBlock, positions)
 INPUT_ARRAY(ballStartsBinding, StartBlock, starts)
@@ -8,7 +9,7 @@ STATE_ARRAY(guessesBinding, GuessBlock, guesses)
 STATE_ARRAY(beginsBinding, BeginBlock, begins)
 STATE_ARRAY(speedsBinding, SpeedBlock, speeds)
 STATE_WORDS(tableBinding, TableBlock, table)
-uniform int stamp;  // Number of this search; runs of earlier searches do not count
+uniform int stamp;  // Serial number of this search; ranges of earlier searches in the table are ignored
 
 void main() {
   int s = int(gl_GlobalInvocationID.x);

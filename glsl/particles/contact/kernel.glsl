@@ -1,4 +1,4 @@
-// Common includes of the contact kernels that touch no solids.
+// Includes and uniforms common to the contact kernels that do not handle solids.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
 #include "common/hash.glsl"

@@ -1,4 +1,4 @@
-// Writes a sort record for each slot: the bucket of the particle's cell, and the slot. One slot per invocation.
+// Writes a sort record for each slot: the bucket of the particle's cell, and the slot's index. One invocation per slot.
 #include "particles/contact/kernel.glsl"
 #include "common/status.glsl"
 INPUT_ARRAY(placesBinding, PositionBlock, positions)
@@ -14,7 +14,7 @@ void main() {
   bool alive = LOAD_INPUT(velocities, i).w >= 0.0f;
   uint bucket = alive ? ballBucket(ballCell(here.xyz)) : uint(stepData.balls.tableMask);
   STORE_WORDS(records, i, uvec4(bucket, 0u, uint(i), 0u));
-  // Balls that move by more than their radius may pass through each other.
+  // Balls that move by more than their radius may pass through each other, which causes a remark.
   precise vec3 way = here.xyz - start.xyz;
   float radius = ballRadius(here.w);
   precise float most = radius * radius;

@@ -1,5 +1,5 @@
-// Gives balls the velocities with which they leave their contacts, and writes them back to the particles. One ball per
-// invocation.
+// Computes the velocities with which balls leave their contacts, and writes the positions and velocities back to the
+// particles. One invocation per ball.
 #include "particles/contact/kernel.glsl"
 INPUT_ARRAY(placesBinding, PlaceBlock, places)
 INPUT_ARRAY(beginsBinding, BeginBlock, begins)

@@ -8,17 +8,18 @@ FUNCTION float ballRadius(float mass) {
   return radius;
 }
 
-// Returns the factor on the radius of a ball of emitter e (-1: of a group). Balls are born at a twentieth of their radius
-// and grow within a quarter of a second, because those that are born inside each other would be thrown apart. `age`: as a
-// fraction of life.
+// Returns the factor on the radius of a ball of emitter e, where e is -1 for a ball of a group. Balls are born with a
+// twentieth of their radius and grow within a quarter of a second, because balls that are born inside each other would
+// otherwise be thrown apart. `age` is the age as a fraction of the lifetime.
 FUNCTION float ballGrowth(int e, float age) {
   if (e < 0) return 1.0f;
   precise float grown = age * stepData.emitters[e].constants.lifetime * 4.0f + 0.05f;
   return min(grown, 1.0f);
 }
 
-// Returns the share of a mass among n contacts, as a factor on 1 / mass. Jacobi iterations over contacts that share
-// masses evenly (n) always converge, but slowly; 1 + 0.3 (n - 1) is faster and was stable in all heaps that were tried.
+// Returns the number by which the inverse mass of a ball with n contacts is multiplied, so that the contacts share the
+// ball's mass. Jacobi iterations in which all contacts have equal shares (factor n) always converge, but slowly. The
+// factor 1 + 0.3 (n - 1) is faster and was stable in all heaps that were tried.
 FUNCTION float ballShare(int contacts) {
   precise float share = float(max(contacts, 1) - 1) * 0.3f + 1.0f;
   return share;
@@ -31,25 +32,25 @@ FUNCTION ivec3 ballCell(vec3 p) {
   return ivec3(int(cell.x), int(cell.y), int(cell.z));
 }
 
-// Returns the bucket of a cell in the table. Several cells may share a bucket. The last bucket is kept for slots without
-// a living particle.
+// Returns the bucket of a cell in the table. Several cells may have the same bucket. The last bucket is reserved for
+// slots without a living particle.
 FUNCTION uint ballBucket(ivec3 cell) {
   uint mask = uint(stepData.balls.tableMask);
   uint bucket = hash3(uvec3(uint(cell.x), uint(cell.y), uint(cell.z))).x & mask;
   return min(bucket, mask - 1u);
 }
 
-// Returns the offset of one of the 27 cells around a cell, itself included.
+// Returns the offset, in cells, to one of the 27 cells around a cell, including the cell itself. `around` is 0 to 26.
 FUNCTION ivec3 ballNextCell(int around) {
   return ivec3(around % 3 - 1, around / 3 % 3 - 1, around / 9 - 1);
 }
 
-// Returns 2 for balls that touch, or nearly so, 1 for balls that may touch within the substep, else 0.
+// Returns 2 for balls that touch or nearly touch, 1 for balls that may touch within the substep, otherwise 0.
 FUNCTION int ballsNear(vec3 a, vec3 b, float reach) {
   precise vec3 apart = a - b;
   float squared = exactDot(apart, apart);
   precise float squaredReach = reach * reach;
-  precise float wide = squaredReach * 1.1025f;  // 1.05 squared
+  precise float wide = squaredReach * 1.1025f;  // 1.1025 is 1.05 squared
   precise float touch = squaredReach * 1.0201f;
   return squared < touch ? 2 : squared < wide ? 1 : 0;
 }
@@ -63,11 +64,11 @@ struct Ball {
 // Overlap of two balls.
 struct BallOverlap {
   vec3 normal;  // Unit vector from the other ball
-  float depth;  // in metres; no contact if not positive
+  float depth;  // Depth of the overlap in metres; there is no contact if it is not positive
 };
 
-// Returns the overlap of ball a with ball b. `first`: a has the lower index, which gives balls at the same place
-// opposite normals.
+// Returns the overlap of ball a with ball b. `first` is true if a has the lower index; balls at the same position then
+// get opposite normals.
 FUNCTION BallOverlap ballOverlap(vec3 a, vec3 b, float reach, bool first) {
   precise vec3 apart = a - b;
   float squared = exactDot(apart, apart);
@@ -89,10 +90,10 @@ struct BallMotion {
   vec3 after;     // Velocity after the corrections, m/s
 };
 
-// Returns the change of velocity of ball a by ball b (xyz) and their overlap before the corrections (w). A pair that
-// overlapped then leaves with the fraction e of its approach speed, or with 0 if it approached slower than
-// `bounceFrom`. The correction of an overlap leaves no velocity behind: a pair that separates faster is slowed down, by
-// at most the speed of the correction.
+// Returns the change of velocity of ball a by ball b (xyz), and the overlap of the balls before the corrections (w). A
+// pair that overlapped leaves the contact with the fraction e of its approach speed, or with speed 0 if it approached
+// more slowly than `bounceFrom`. A pair that was already separating keeps its speed. The correction of the overlap
+// itself must not add speed: a pair that separates faster is slowed down, but by at most the speed of the correction.
 FUNCTION vec4 ballBounce(BallMotion a, BallMotion b, float reach, float perMass, bool first) {
   BallOverlap before = ballOverlap(a.guess, b.guess, reach, first);
   BallOverlap now = ballOverlap(vec3(a.place), vec3(b.place), reach, first);
@@ -122,9 +123,9 @@ FUNCTION BallMotion ballMotion(vec3 guess, vec3 velocity, vec4 place) {
   return m;
 }
 
-// True if a ball in contact stays where it was. Friction without memory lets a heap creep, by less than the speed that
-// the uniform acceleration adds in a substep. Below that speed the place is kept and the velocity decays (ballIdle); a
-// force that is not balanced soon exceeds it.
+// Returns true if a ball in contact is kept at its previous position. Without that, a heap would creep, by less than
+// the speed that the uniform acceleration adds in a substep, because friction has no memory. Below that speed, the
+// position is kept and the velocity decays (ballIdle). A force that is not balanced soon exceeds the speed.
 FUNCTION bool ballRests(vec3 start, vec3 place, vec3 velocity) {
   precise vec3 way = (place - start) * stepData.balls.perDt;
   precise float most = stepData.balls.restSpeed * stepData.balls.restSpeed;

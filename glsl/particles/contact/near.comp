@@ -1,12 +1,12 @@
-// Lists at most balls.listed neighbours of each ball: the first that are near enough to touch it in the substep, in the
-// order of the cells around it. A list that is not full ends with the ball's own index. One ball per invocation.
+// Lists up to balls.listed neighbours of each ball, which are the first balls near enough to touch it in the substep,
+// in the order of the cells around it. A list that is not full ends with the ball's own index. One invocation per ball.
 #include "particles/contact/kernel.glsl"
 INPUT_ARRAY(guessesBinding, GuessBlock, guesses)
 INPUT_ARRAY(beginsBinding, BeginBlock, begins)
 INPUT_WORDS(tableBinding, TableBlock, table)
 STATE_ARRAY(placesBinding, PlaceBlock, places)
 STATE_WORDS(listsBinding, ListBlock, lists)
-uniform int stamp;  // Number of this search
+uniform int stamp;  // Serial number of this search
 
 void main() {
   int s = int(gl_GlobalInvocationID.x);

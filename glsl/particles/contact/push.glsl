@@ -1,10 +1,11 @@
 // Correction of the positions of two balls that overlap. Compiles as GLSL and as C++ (the CPU twin of the tests). The
 // including file provides particles/contact/model.glsl and collide/model.glsl.
 
-// Returns the displacement of ball a by ball b, and of b by a in the ratio of masses:
-//   dx_a = (depth n - held slid) / m_a / (n_a / m_a + n_b / m_b).
-// Each ball's mass is shared among its n contacts (mass splitting), so that all pairs together converge. `slid` is the
-// tangential part of the relative displacement in the substep. Coulomb friction holds at most the length mu depth of it.
+// Returns the displacement of ball a by ball b. The displacements of a and b are in the inverse ratio of their masses:
+// dx_a = (depth n - held slid) / m_a / (n_a / m_a + n_b / m_b).
+// n is the normal, m_a and m_b are the masses, and n_a and n_b are the factors of ballShare() by which contacts share a
+// mass (mass splitting), so that all pairs together converge. `slid` is the tangential part of the relative
+// displacement in the substep. Coulomb friction undoes the fraction `held` of it, at most the length mu depth.
 FUNCTION vec3 ballPush(Ball a, Ball b, float perMass, bool first) {
   precise float reach = a.start.w + b.start.w;
   BallOverlap o = ballOverlap(vec3(a.place), vec3(b.place), reach, first);

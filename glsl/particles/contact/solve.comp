@@ -1,5 +1,5 @@
-// One iteration over all contacts: moves each ball by the sum of its neighbours' corrections, then out of solids. One ball
-// per invocation.
+// Computes one iteration over all contacts: moves each ball by the sum of its neighbours' corrections, then out of
+// solids. One invocation per ball.
 #define BALLS
 #include "particles/kernel.glsl"
 #include "common/words.glsl"

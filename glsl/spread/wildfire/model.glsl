@@ -55,7 +55,7 @@ FUNCTION ivec2 galeFlight(uint gale) {
 FUNCTION ivec2 emberFlight(uvec3 random, ivec2 longest) {
   int along = int(random.y >> 20u);            // Position along the flight, 0 to 4095
   int side = int(random.z >> 20u) - 2048;      // Sideways position, -2048 to 2047
-  int aside = (stepData.emberSpread * side) >> 11;  // In units of 1/256 of the flight
+  int aside = (stepData.emberSpread * side) >> 11;  // Sideways displacement, in units of 1/256 of the flight
   int dx = (longest.x * along) >> 12;
   int dy = (longest.y * along) >> 12;
   return ivec2((dx - ((dy * aside) >> 8)) >> 8, (dy + ((dx * aside) >> 8)) >> 8);

@@ -5,10 +5,11 @@
 #include "spread/rows.glsl"
 #include "spread/wildfire/types.glsl"
 layout(std140, binding = stepBinding) uniform StepBlock { WildfireStep stepData; };
-INPUT_WORDS(fuelsBinding, FuelBlock, fuels)     // Bytes: flammability of each cell
-INPUT_WORDS(groundBinding, GroundBlock, ground)  // Bytes: the ground's shade, 0 to 15, plus 16 times its cooling phase
+INPUT_WORDS(fuelsBinding, FuelBlock, fuels)     // Flammability of each cell, one byte per cell
+INPUT_WORDS(groundBinding, GroundBlock, ground)  // One byte per cell: the ground's shade, 0 to 15, plus 16 times its
+                                                 // cooling phase
 #ifdef SLOPE
-INPUT_WORDS(inclinesBinding, InclineBlock, inclines)  // Two bytes per cell, in the format of climbed()
+INPUT_WORDS(inclinesBinding, InclineBlock, inclines)  // Incline of each cell: two bytes in the format of climbed()
 INPUT_ARRAY(climbsBinding, ClimbBlock, climbs)
 float climbFactor(int i) {
   return LOAD_INPUT(climbs, i >> 2)[i & 3];
@@ -59,7 +60,8 @@ int emberTarget(Rates rates, Column column, int y) {
 
 // Computes the next state of sixteen cells in parallel, like nextBurning() and nextBurnt().
 uvec4 grownOlder(Rates rates, Row here, uvec4 shade) {
-  uvec4 old = (here.state & 0x3f3f3f3fu) + ones * (129u - rates.burnSteps);  // Bit 7 is set if the cell burns out now
+  uvec4 old = (here.state & 0x3f3f3f3fu) + ones * (129u - rates.burnSteps);  // Bit 7 is set if the cell burns out in
+                                                                             // this step.
   uvec4 burning = isActive(here);
   uvec4 done = burning & (old >> 7u);
   uvec4 isDone = done * 255u;

@@ -128,8 +128,8 @@ std::vector<std::uint32_t> words(Compiled& compiled, bool lines) {
   return made;
 }
 
-/// True if a kernel has inputs or outputs that are not built-in variables. In this case glslang has used a
-/// function of the same name in an included file as the entry point.
+/// Returns true if a kernel has inputs or outputs that are not built-in variables. In this case glslang has
+/// used a function of the same name in an included file as the entry point.
 bool takesOthers(const std::vector<std::uint32_t>& words) {
   const Module module(words);
   return std::any_of(module.globals.begin(), module.globals.end(), [&](const Instruction& one) {

@@ -83,7 +83,8 @@ bool learnNamespaces(Files& files) {
   return files.remedies.dissolved.size() > before;
 }
 
-/// Makes "cbuffer simreel_block_x { T x; }" of "ConstantBuffer<T> x". Returns true if one is new.
+/// Replaces each "ConstantBuffer<T> x" by "cbuffer simreel_block_x { T x; }". Returns true if at least one
+/// replacement is new.
 bool learnConstantBuffers(Files& files) {
   const std::size_t before = files.remedies.unpacked.size();
   const std::deque<Scan> scanned = scans(files);
@@ -110,7 +111,7 @@ bool learnConstantBuffers(Files& files) {
   return files.remedies.unpacked.size() > before;
 }
 
-/// Nests the flat initializers of a file, once.
+/// Adds the missing braces to the flat initializers of a file. Does nothing if that has already been done.
 void learnInitializers(Files& files, const Mistake& mistake) {
   if (files.remedies.nested.contains(mistake.file)) return;
   files.remedies.nested.insert(mistake.file);
@@ -144,7 +145,8 @@ bool asksForLength(const Files& files, const Mistake& mistake) {
   return std::any_of(tokens.begin(), tokens.end(), [](const Token& one) { return one.text == "Length"; });
 }
 
-/// True if an initializer, from token `i` to the semicolon, calls a function that the user's files define.
+/// Returns true if an initializer, from token `i` to the semicolon, calls a function that the user's files
+/// define.
 bool callsFunction(const std::deque<Scan>& all, const Scan& scan, std::size_t i) {
   for (; i + 1 < scan.all.size() && scan.all[i].text != ";"; ++i) {
     const Token& name = scan.all[i];

@@ -10,8 +10,8 @@ namespace simreel::kernels {
 /// new.
 [[nodiscard]] bool learn(Files& files, std::string_view log);
 
-/// Moves the initializers of static variables to the beginning of a kernel if they call functions. Returns
-/// false if nothing was left to move.
+/// Moves the initializers of static variables to the beginning of a kernel if the initializers call
+/// functions. Returns false if there was nothing to move.
 [[nodiscard]] bool learnStarts(Files& files, const std::string& entry);
 
 }  // namespace simreel::kernels

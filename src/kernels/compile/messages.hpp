@@ -19,8 +19,8 @@ namespace simreel::kernels {
 /// Warning of glslang if the text has no function of the kernel's name.
 inline constexpr const char* noEntry = "Entry point not found";
 
-/// Returns the errors of a glslang log in the program's wording. `failed`: names of includes that could not
-/// be read, and the reasons.
+/// Returns the errors of a glslang log in the program's wording. `failed` holds the names of includes that
+/// could not be read, and the reasons.
 [[nodiscard]] std::vector<Mistake> explained(std::string_view log, const Files& files,
                                              const std::vector<std::pair<std::string, std::string>>& failed,
                                              const Unit& unit);

@@ -61,7 +61,7 @@ class Bounds {
   }
 
  private:
-  /// Comparison of an index with a length that was already emitted. `inside` is the id of its result.
+  /// Already emitted comparison of an index with a length. `inside` is the id of its result.
   struct Known {
     Id block, inside, length;
   };
@@ -155,7 +155,9 @@ class Bounds {
     }
     chains_[one.result] = flat;
     one.op = SpvOpAccessChain;
-    if (!uses_.contains(one.result)) return;  // The pointer is used only as the base of other chains.
+    if (!uses_.contains(one.result))
+      return;  // The pointer is used only as the base of other chains, so it
+               // needs no guard.
     if (!guard(one, flat)) {
       one.operands = flat.indices;
       one.operands.insert(one.operands.begin(), flat.base);
@@ -170,7 +172,7 @@ class Bounds {
     return type.op == SpvOpTypeArray ? module_.constant(type.operands[1]).value_or(1) : type.operands[1];
   }
 
-  /// True unless the index is provably less than `count`. A constant may also be too large, because
+  /// Returns true unless the index is provably less than `count`. A constant may also be too large, because
   /// optimizing can create such constants.
   bool mayExceed(Id index, std::uint32_t count) const {
     const auto constant = module_.constant(index);
@@ -248,8 +250,7 @@ class Bounds {
   /// Replaces a chain by one whose indices are in bounds. Returns false if all indices are constants.
   bool guard(const Instruction& one, const Chain& flat) {
     if (module_.name(flat.base).starts_with("simreel_"))
-      return false;  // Other guards have inserted this
-                     // variable.
+      return false;  // Another guard has inserted this variable.
     Walk found = walk(flat);
     if (found.checked.empty()) return false;
     const Use use = uses_[one.result];

@@ -265,7 +265,7 @@ class Placing {
     return made;
   }
 
-  /// True for an integer division by a positive constant; all drivers give the same result for it.
+  /// Returns true for an integer division by a positive constant; all drivers give the same result for it.
   bool dividesByConstant(const Instruction& one) const {
     if (one.op != SpvOpUDiv && one.op != SpvOpUMod && one.op != SpvOpSDiv) return false;
     const auto positive = [&](Id id) {

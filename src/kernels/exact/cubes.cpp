@@ -32,7 +32,7 @@ bool isSize(SpvOp op) {
   return op == SpvOpImageQuerySizeLod || op == SpvOpImageQuerySize;
 }
 
-/// True if the cube maps are global variables and all their uses can be replaced.
+/// Returns true if the cube maps are global variables and all their uses can be replaced.
 bool replaceable(const Module& module, const Cubes& cubes) {
   std::set<Id> values;
   for (const Instruction& one : module.body) {

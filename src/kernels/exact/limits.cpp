@@ -49,8 +49,9 @@ std::uint64_t bytesOf(const Module& module, Id type) {
   }
 }
 
-/// Returns the position of the first line that contains `word` after one of `others`. If `others` is empty,
-/// the word must be followed by '['. Returns line `otherwise` of the first file if there is no such line.
+/// Returns the position of the first line in which `word` follows one of the texts `others`. If `others` is
+/// empty, the word must be followed by '['. Returns line `otherwise` of the first file if there is no such
+/// line.
 Mistake at(const Files& files, const std::string& word, std::initializer_list<std::string_view> others,
            int otherwise) {
   for (std::size_t file = 0; file < files.count(); ++file) {
@@ -177,7 +178,8 @@ std::vector<Mistake> variableGroups(const Files& files, const std::string& entry
   std::vector<Mistake> mistakes;
   for (std::size_t i = 0; i + 1 < all.size(); ++i) {
     if (all[i].text != "numthreads" || all[i].directive) continue;
-    std::size_t function = closingBracket(all, i + 1) + 1;  // behind the sizes
+    std::size_t function = closingBracket(all, i + 1) + 1;  // index of the token after the brackets with
+                                                            // the workgroup size
     while (function + 1 < all.size() && all[function + 1].text != "(") ++function;
     if (function >= all.size() || all[function].text != entry) continue;
     for (std::size_t k = i + 2; k < all.size() && all[k].text != ")"; ++k)

@@ -7,14 +7,14 @@
 
 namespace simreel::kernels {
 
-/// Returns mistakes for code that drivers reject or compile forever: workgroups with no or too many
-/// threads, and too large arrays in private memory. `line`: line of the first file that declares the kernel
-/// `entry`.
+/// Returns mistakes for code that drivers reject or compile forever: workgroups with no threads or too many
+/// threads, and too large arrays in private memory. `line` is the line of the first file that declares the
+/// kernel `entry`.
 [[nodiscard]] std::vector<Mistake> beyondLimits(const Module& module, const Files& files,
                                                 const std::string& entry, int line);
 
-/// Returns mistakes of the [numthreads(x, y, z)] of the kernel `entry` in an HLSL file that name constants,
-/// for which glslang crashes.
+/// Returns a mistake for each constant in the attribute [numthreads(x, y, z)] of the HLSL kernel `entry`.
+/// glslang crashes if the attribute contains the name of a constant.
 [[nodiscard]] std::vector<Mistake> variableGroups(const Files& files, const std::string& entry);
 
 /// Returns a mistake if a GLSL shader does not give its workgroups a size, or gives it only by a
@@ -26,7 +26,7 @@ namespace simreel::kernels {
 [[nodiscard]] std::vector<Mistake> withoutGroups(const Files& files, const std::string& entry);
 
 /// Returns a mistake if a workgroup uses more shared memory than OpenGL guarantees. Unused code must have
-/// been removed from the module. `line`: line that declares the kernel.
+/// been removed from the module. `line` is the line that declares the kernel.
 [[nodiscard]] std::vector<Mistake> beyondShared(const Module& module, const Files& files, int line);
 
 }  // namespace simreel::kernels

@@ -21,7 +21,7 @@ struct Refusal {
                                                   ///< instruction; the caret marks one of them
 };
 
-/// True for a built-in variable that describes a subgroup.
+/// Returns true for a built-in variable that describes a subgroup.
 bool isOfSubgroup(std::optional<std::uint32_t> builtIn) {
   return builtIn &&
          ((*builtIn >= SpvBuiltInSubgroupSize && *builtIn <= SpvBuiltInSubgroupLocalInvocationId &&

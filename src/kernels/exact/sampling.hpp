@@ -9,9 +9,9 @@ namespace simreel::kernels {
 /// filter. Bits 2-3, 4-5 and 6-7: wrap mode in x, y and z (0 repeat, 1 clamp, 2 mirror).
 inline constexpr const char* samplerBlock = "simreel_Samplers";
 
-/// Replaces reads of 2-D, 3-D and array textures by calls of the library's filter. `cubes`: array textures
-/// that replace cube maps and are read by a direction. `only`: true to replace reads of `cubes` only. The
-/// driver still performs depth comparisons, gathers and reads with an offset.
+/// Replaces reads of 2-D, 3-D and array textures by calls of the library's filter. `cubes` holds the array
+/// textures that replace cube maps; these are read by a direction. If `only` is true, only reads of `cubes`
+/// are replaced. The driver still performs depth comparisons, gathers and reads with an offset.
 void filterExactly(Module& module, const std::set<Id>& cubes, bool only);
 
 }  // namespace simreel::kernels

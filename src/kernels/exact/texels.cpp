@@ -62,8 +62,8 @@ class Texels {
     writing_.select(among, one.type, texel, module_.globalOf(SpvOpConstantNull, one.type, {}), one.result);
   }
 
-  /// True for images whose size can be queried for each coordinate. Excludes cube maps and multisampled
-  /// images.
+  /// Returns true for images whose size can be queried for each coordinate. Excludes cube maps and
+  /// multisampled images.
   bool sized(Id type, bool hasLod) const {
     const Instruction& image = *module_.global(type);
     return image.op == SpvOpTypeImage && image.operands[4] == 0 && image.operands[1] != SpvDimCube &&

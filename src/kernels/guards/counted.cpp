@@ -80,7 +80,7 @@ class LoopCounting {
     return loop;
   }
 
-  /// True if only block `test` branches out of the loop.
+  /// Returns true if only block `test` branches out of the loop.
   bool exits(std::size_t test, std::size_t header, Id after) const {
     for (std::size_t b = header; b < blocks_.size() && blocks_[b].label != after; ++b) {
       const Instruction& one = last(b);
@@ -135,8 +135,8 @@ class LoopCounting {
     return static_cast<std::int32_t>(*value);
   }
 
-  /// True if the counter values `begin`, `begin + step`, ... fail the comparison after at most `most_`
-  /// iterations and without overflow.
+  /// Returns true if the counter values `begin`, `begin + step`, ... fail the comparison after at most
+  /// `most_` iterations and without overflow.
   bool ends(std::int64_t begin, std::int64_t step, std::uint32_t endBits, SpvOp compare) const {
     const bool isUnsigned = compare == SpvOpULessThan || compare == SpvOpULessThanEqual;
     const std::int64_t end =

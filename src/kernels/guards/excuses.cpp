@@ -55,7 +55,7 @@ class Search {
       excuses_[value.result].emplace_back(condition, needed);
     }
   }
-  /// True if `value` is operand `side` of an instruction and is not another operand as well.
+  /// Returns true if `value` is operand `side` of an instruction and is not another operand as well.
   static bool isOnly(const Instruction& one, Id value, std::size_t side) {
     for (std::size_t i = 0; i < one.operands.size(); ++i)
       if ((one.operands[i] == value) != (i == side)) return false;

@@ -191,7 +191,7 @@ class Limiting {
     writing.put(SpvOpBranch, {target});
   }
 
-  /// In the merge block of a loop: reports a fault if the driver ended the loop.
+  /// Emits code into the merge block of a loop that reports a fault if the driver ended the loop.
   void compare() {
     const auto header = behind_.find(label_);
     if (report_ == nullptr || header == behind_.end()) return;
@@ -202,8 +202,8 @@ class Limiting {
     report_->note(module_, module_.body, fine, report_->place("loops", "", loop.at), ended, ended);
   }
 
-  /// In the merge block of a counted loop: reports a fault if the loop's condition still holds, because
-  /// then the driver ended the loop.
+  /// Emits code into the merge block of a counted loop that reports a fault if the loop's condition still
+  /// holds, because then the driver ended the loop.
   void compareCount() {
     if (report_ == nullptr) return;
     const Counted& loop = counted_[label_];

@@ -69,7 +69,7 @@ class Races {
     }
   }
 
-  /// True for images with one linear index per texel. Excludes cube maps and multisampled images.
+  /// Returns true for images with one linear index per texel. Excludes cube maps and multisampled images.
   bool sized(Id image) const {
     const Instruction& type = *module_.global(module_.typeOf(image));
     return type.operands[4] == 0 && type.operands[1] != SpvDimCube && images_.contains(image);

@@ -12,8 +12,8 @@ inline constexpr const char* shadowSuffix = ".shadow";
 inline constexpr std::uint32_t shadowWords = 3;
 
 /// Adds code that fills the shadows of all buffers and images that a kernel stores to, except arrays of
-/// resources. Must be called after layOut(). `guards`: number of extra elements after a buffer's end, which
-/// receive dropped writes.
+/// resources. Must be called after layOut(). `guards` is the number of extra elements after a buffer's end,
+/// which receive dropped writes.
 void recordWrites(Module& module, bool hlsl, std::uint32_t guards);
 /// Adds code that compares each access with the recorded shadows. It reports accesses to words that another
 /// invocation changed.

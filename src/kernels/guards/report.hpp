@@ -64,8 +64,8 @@ class Report {
 
 /// Emits the linear index of the running invocation in the whole dispatch: x fastest, then y, then z.
 [[nodiscard]] Id linearInvocation(Module& module, std::vector<Instruction>& body);
-/// Emits the linear index in the dispatch of another invocation of the same workgroup. `local`: index of
-/// that invocation in the workgroup.
+/// Emits the linear index, in the dispatch, of another invocation of the same workgroup. `local` is the
+/// index of that invocation in the workgroup.
 [[nodiscard]] Id linearInvocation(Module& module, std::vector<Instruction>& body, Id local);
 
 }  // namespace simreel::kernels

@@ -143,7 +143,7 @@ class Shared {
   }
 
   /// Emits the invocation of a tag, and a bool that is true if this is another invocation that accessed the
-  /// word since the last barrier. `low`: true for the lowest invocation.
+  /// word since the last barrier. If `low` is true, the tag belongs to the lowest invocation.
   std::pair<Id, Id> other(Id tag, bool low) {
     const Id kept = binary(SpvOpBitwiseAnd, tag, number((1U << tagBits) - 1));
     const Id who =

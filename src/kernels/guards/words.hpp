@@ -30,7 +30,7 @@ class Chains {
 /// Maps the values in a variable to 32-bit words.
 class WordsIn {
  public:
-  /// `packed`: true to leave out padding, for memory without an explicit layout.
+  /// If `packed` is true, padding is left out, for memory without an explicit layout.
   WordsIn(Module& module, bool packed) : module_(module), packed_(packed) {}
 
   struct Access {

@@ -110,7 +110,7 @@ struct Shader {
   std::vector<std::string> files;  ///< the user's files: the shader and its includes
 };
 
-/// These functions convert a shader to and from JSON. `indent`: spaces per level; -1 for a single line.
+/// Convert a shader to and from JSON. `indent` is the number of spaces per level, or -1 for a single line.
 [[nodiscard]] std::string toJson(const Shader& shader, int indent = -1);
 [[nodiscard]] Shader fromJson(const std::string& text);
 

@@ -3,7 +3,7 @@
 
 namespace simreel::kernels {
 
-/// True if a ShaderToy text calls dFdx, dFdy or fwidth.
+/// Returns true if a ShaderToy text calls dFdx, dFdy or fwidth.
 [[nodiscard]] bool usesDerivatives(const std::string& text);
 
 /// Returns the functions dFdx, dFdy and fwidth for a ShaderToy pass that runs as a compute shader.

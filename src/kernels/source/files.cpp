@@ -66,7 +66,7 @@ std::filesystem::path withoutCase(const std::filesystem::path& folder, const std
   return found.size() == 1 ? found[0] : std::filesystem::path();
 }
 
-/// True for the name of a file that ships with Unity.
+/// Returns true for the name of a file that ships with Unity.
 bool isUnitys(std::string_view name) {
   return name.starts_with("Packages/com.unity.") || name.starts_with("Unity") ||
          name == "AutoLight.cginc" || name == "Lighting.cginc" || name == "Tessellation.cginc" ||

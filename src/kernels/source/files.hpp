@@ -36,7 +36,8 @@ class Files {
   Files(const std::filesystem::path& file, const std::vector<std::filesystem::path>& folders);
 
   /// Returns the index of an included file, which is read at the first request. On failure, returns nullopt
-  /// and sets `reason`. `beside`: true to search the folder of the including file, whose index is `from`.
+  /// and sets `reason`. If `beside` is true, the folder of the including file, whose index is `from`, is
+  /// searched, too.
   std::optional<std::size_t> include(const std::string& name, bool beside, std::size_t from,
                                      std::string& reason);
 

@@ -74,7 +74,8 @@ Structs structsOf(const std::deque<Scan>& all) {
   return found;
 }
 
-/// An item of an initializer list. `count`: number of scalars in it; 0 if unknown from the text.
+/// An item of an initializer list. `count` is the number of scalars in the item, or 0 if the text does not
+/// reveal it.
 struct Item {
   std::size_t begin, end;
   int count;
@@ -83,7 +84,7 @@ struct Item {
 /// Assigns the items of an initializer list to the scalars of a type, in order.
 class Fill {
  public:
-  /// `vectors`: true if an item of unknown size fills a whole vector; false if it is one scalar.
+  /// If `vectors` is true, an item of unknown size fills a whole vector; otherwise, it is one scalar.
   Fill(const Structs& structs, const std::vector<Item>& items, bool vectors)
       : structs_(structs), items_(items), vectors_(vectors) {}
 

@@ -11,8 +11,8 @@ namespace simreel::kernels {
 
 namespace {
 
-constexpr std::size_t mostShortened = 5;  // max shortened parameters of one function; n of them make 2^n -
-                                          // 1 overloads
+constexpr std::size_t mostShortened = 5;  // maximum number of parameters of one function that are
+                                          // shortened; n such parameters give 2^n - 1 overloads
 
 /// A parameter of a function.
 struct Parameter {

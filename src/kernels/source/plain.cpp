@@ -126,7 +126,7 @@ class LoopVariables {
   }
 
  private:
-  /// True if the function declares the name outside loop headers and before position `before`.
+  /// Returns true if the function declares the name outside loop headers and before position `before`.
   static bool declaredElsewhere(std::string_view code, std::string_view name, std::size_t before) {
     bool found = false;
     const std::size_t begin = code.rfind("\n}", before);

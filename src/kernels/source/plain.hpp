@@ -4,7 +4,7 @@
 
 namespace simreel::kernels {
 
-/// True for a character that may be part of an identifier.
+/// Returns true for a character that may be part of an identifier.
 [[nodiscard]] bool partOfName(char c);
 
 /// Returns a user's shader text in a form that glslang accepts. Every token stays on its line. Removes the

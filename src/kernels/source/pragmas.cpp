@@ -35,7 +35,7 @@ Announced announced(const std::vector<std::string>& words, int line) {
   return kernel;
 }
 
-/// True if a function can be a kernel: it returns nothing, and its parameters have semantics. The
+/// Returns true if a function can be a kernel: it returns nothing, and its parameters have semantics. The
 /// function's name begins at `name`, and `open` is the bracket after it.
 bool canBeKernel(const std::string& code, std::size_t name, std::size_t open) {
   std::size_t last = name;

@@ -32,17 +32,17 @@ struct Remedies {
   /// Functions of removed namespaces that get the namespace's name as a prefix, because functions elsewhere
   /// have the same name.
   std::set<std::string, std::less<>> prefixed;
-  /// `shortened`: functions that get overloads which truncate arguments. `outliving`: loop variables that
-  /// are used after their loop.
+  /// `shortened` holds functions that get overloads which truncate arguments. `outliving` holds loop
+  /// variables that are used after their loop.
   std::set<std::string, std::less<>> shortened, outliving;
   /// Objects "ConstantBuffer<T> x" that become blocks with one member, so that they convert to their
   /// struct.
   std::set<std::string, std::less<>> unpacked;
-  /// Files whose flat initializers are nested.
+  /// Files whose flat initializers have been replaced by nested ones.
   std::set<std::size_t> nested;
-  /// Initializers of static variables that call functions, which glslang does not support. `starts`: the
-  /// statements that replace the initializers. `searched`: indices of the files that were searched.
-  /// `started`: kernels that begin with the statements.
+  /// Initializers of static variables that call functions, which glslang does not support. `starts` holds
+  /// the statements that replace the initializers, `searched` the indices of the files that were searched,
+  /// and `started` the kernels that begin with the statements.
   std::string starts;
   std::set<std::size_t> searched;
   std::set<std::string, std::less<>> started;

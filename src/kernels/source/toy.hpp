@@ -4,11 +4,11 @@
 
 namespace simreel::kernels {
 
-/// True if a text defines mainImage(), as ShaderToy shaders do.
+/// Returns true if a text defines mainImage(), as ShaderToy shaders do.
 [[nodiscard]] bool isToy(std::string_view text);
 /// Returns declarations of ShaderToy's inputs: iResolution, iTime, iTimeDelta, iFrame, iFrameRate, iMouse,
-/// iDate, iSampleRate, iChannelTime, iChannelResolution and iChannel0 to iChannel3. `derivatives`: true to
-/// add dFdx(), dFdy() and fwidth().
+/// iDate, iSampleRate, iChannelTime, iChannelResolution and iChannel0 to iChannel3. If `derivatives` is
+/// true, adds dFdx(), dFdy() and fwidth().
 [[nodiscard]] std::string textBefore(const std::string& pass, bool derivatives);
 /// Returns the kernel that calls mainImage() of a text for each pixel. It is appended to the text.
 [[nodiscard]] std::string textBehind(const std::string& text, const std::string& pass, bool upsideDown);

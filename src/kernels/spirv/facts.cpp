@@ -254,8 +254,8 @@ std::uint32_t Facts::fromComparison(SpvOp op, Id value, std::uint32_t limit, Id 
   }
 }
 
-/// True for a loop counter that starts at a constant and is increased by a constant, but only after the
-/// comparison that leads to `block` has held.
+/// Returns true for a loop counter that starts at a constant and is increased by a constant, but only after
+/// the comparison that leads to `block` has held.
 bool Facts::countsUp(Id value, Id block) const {
   const Instruction* phi = made(value);
   if (phi == nullptr || phi->op != SpvOpPhi || phi->operands.size() != 4) return false;

@@ -17,7 +17,7 @@ class Facts {
   /// Returns an upper bound of an integer, read as unsigned, in the block with label `block`. Returns
   /// 0xffffffff if nothing is known.
   [[nodiscard]] std::uint32_t atMost(Id value, Id block) const { return atMost(value, block, 8); }
-  /// True if every path to block `b` leads through block `a`.
+  /// Returns true if every path to block `b` leads through block `a`.
   [[nodiscard]] bool dominates(Id a, Id b) const;
 
  private:

@@ -92,7 +92,7 @@ class Module {
                                                          ///< operands
 };
 
-/// True if operand `at` of an instruction is an id. Other operands are literals.
+/// Returns true if operand `at` of an instruction is an id. Other operands are literals.
 [[nodiscard]] bool isId(const Instruction& instruction, std::size_t at);
 
 /// Returns the string literal that starts in the first of the words.

@@ -12,7 +12,7 @@ enum class Resource { none, storage, block, image, texture, sampler };
 /// Returns the pointee type of a variable; for an array of resources, the type of one resource.
 [[nodiscard]] const Instruction& resourceType(const Module& module, const Instruction& variable);
 
-/// True for an array of resources.
+/// Returns true for an array of resources.
 [[nodiscard]] bool isArrayed(const Module& module, const Instruction& variable);
 /// Returns a unique name for a block. OpenGL identifies blocks by the name of their type, but HLSL buffers
 /// may share a type, and cbuffers have no variable name.

@@ -43,8 +43,8 @@ class Writing {
     put(SpvOpFunctionEnd, {});
   }
 
-  /// Emits `a` if the scalar condition is true, else `b`. `result`: existing id for the result; 0 for a new
-  /// one.
+  /// Emits `a` if the scalar condition is true, else `b`. `result` is an existing id for the result, or 0
+  /// for a new id.
   Id select(Id condition, Id type, Id a, Id b, Id result = 0);
   /// asUint() and asInt() bitcast an integer to unsigned and signed.
   Id asUint(Id value) { return cast(value, module_.uintType()); }
@@ -62,7 +62,7 @@ class Writing {
   std::vector<Instruction>& to_;
 };
 
-/// Names an id, or a member of a struct.
+/// Gives a name to an id or to a member of a struct.
 void giveName(Module& module, Id id, const std::string& name);
 void giveMemberName(Module& module, Id type, std::uint32_t member, const std::string& name);
 

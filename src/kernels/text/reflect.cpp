@@ -227,7 +227,7 @@ class Numbers {
   [[nodiscard]] bool has(const Instruction& one, std::size_t at) const {
     return at < one.operands.size() && isId(one, at) && ids_.contains(one.operands[at]);
   }
-  /// True if follow() can determine the use of each index among the operands.
+  /// Returns true if follow() can determine the use of each index among the operands.
   [[nodiscard]] bool follows(const Instruction& one) const {
     return one.op == SpvOpLoad || one.op == SpvOpFunctionCall ||
            (one.op == SpvOpStore && ids_.contains(one.operands[0]));

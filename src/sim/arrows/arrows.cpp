@@ -205,8 +205,8 @@ class Arrows : public Simulation {
     instances.size = 1;
     instances.massExponent = 1;  // the mass of an instance is the arrow's length
     if (!parameters_.colors.empty()) {
-      instances.colorBy = Instances::ColorBy::age;  // the age of an instance is the position of the speed
-                                                    // within its range, 0 to 1
+      instances.colorBy = Instances::ColorBy::age;  // the age of an instance is the speed mapped to 0 to 1
+                                                    // within its range
       instances.colors = &parameters_.colors;
     }
     instances.material = &material_;
@@ -225,8 +225,8 @@ class Arrows : public Simulation {
   gl::Kernel<GridArrows> ofGrid_;
   gl::Kernel<PointArrows> ofPoints_;
   gl::Vec4Array places_;  ///< xyz: centre of the arrow in metres; w: length of the arrow in metres
-  gl::Vec4Array speeds_;  ///< xyz: velocity of the arrow itself; w: position of the speed within its range,
-                          ///< 0 to 1, or -1 if there is no arrow
+  gl::Vec4Array speeds_;  ///< xyz: velocity at which the arrow moves; w: speed mapped to 0 to 1 within its
+                          ///< range, or -1 if there is no arrow
   gl::Vec4Array turns_;   ///< xyz: unit vector along the arrow
   std::optional<FieldSheet> sheet_;
   mutable bool looked_ = false;

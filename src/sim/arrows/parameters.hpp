@@ -11,7 +11,8 @@
 
 namespace simreel::sim {
 
-/// Port of objects that provide FluidWind or MovingPoints. It has no outlet.
+/// Port of objects that provide FluidWind or MovingPoints. Users of this port access those two interfaces
+/// directly.
 struct ArrowSource {
   static const PortInfo port;
 };
@@ -21,18 +22,21 @@ struct ArrowParameters : ObjectParameters, scene::Papered {
   enum class Anchor { middle, tail };
   std::string of;                 ///< name of the object whose velocities are drawn
   std::optional<double> spacing;  ///< distance between arrows in metres; if empty, 1/28 of the longer side
-  int every = 1;                  ///< n: only every n-th point gets an arrow
-  std::optional<double> length;   ///< maximum length of an arrow in metres; if empty, the spacing, or for
-                                  ///< points 8 diameters
-  std::optional<double> scale;    ///< length of an arrow in metres per m/s; if empty, length / high
+  int every = 1;                  ///< step between points that get an arrow: 1 for every point, n for every
+                                  ///< n-th point
+  std::optional<double> length;   ///< maximum length of an arrow in metres; if empty, the spacing on a
+                                  ///< grid, or 8 point diameters at points
+  std::optional<double> scale;    ///< length of an arrow in metres per m/s; if empty, `length` divided by
+                                  ///< `high`
   double low = 0;                 ///< speed of the first colour in m/s
   std::optional<double> high;     ///< speed of the last colour in m/s; if empty, the maximum speed of the
                                   ///< source
   std::vector<glm::vec3> colors;  ///< linear RGB stops of the colour map; if empty, the arrows have the
                                   ///< object's material
-  std::optional<Anchor> anchor;   ///< part of the arrow at its point; if empty, the middle on a grid and
-                                  ///< the tail at points
-  std::optional<double> height;   ///< distance from the source's plane in metres; if empty, 0.15 length
+  std::optional<Anchor> anchor;   ///< part of the arrow that is at the sample point; if empty, the middle
+                                  ///< on a grid and the tail at points
+  std::optional<double> height;   ///< distance from the source's plane in metres; if empty, 0.15 times
+                                  ///< `length`
   bool sheet = false;             ///< true to draw the source's field below the arrows
 
   void describe(scene::Fields& fields) override;

@@ -37,10 +37,10 @@ class Bones {
   mutable std::map<std::string, std::shared_ptr<const BodyMotion>> motions_;
 };
 
-/// Returns Bones::named() of the setting's scene as a function, for plans that take one.
+/// Returns a function that calls Bones::named() for the setting's scene.
 [[nodiscard]] std::function<Carrier(const std::string& body, const std::string& bone)> boneNamedIn(
     const Setting& setting);
-/// Returns Bones::heldBySkin() of the setting's scene as a function, for plans that take one.
+/// Returns a function that calls Bones::heldBySkin() for the setting's scene.
 [[nodiscard]] HeldBySkin heldBySkinIn(const Setting& setting);
 
 }  // namespace simreel::sim

@@ -125,8 +125,8 @@ BoneCapsule fitted(int node, const std::vector<Spot>& spots, const glm::dvec3& c
   };
   double radius = measure();
   if (!leads) {
-    // The skin has a round end, so the axis ends one radius before it. The radius in turn depends on the
-    // axis, which requires an iteration.
+    // The skin has a round end, so the axis ends one radius before the skin does. The radius depends on the
+    // axis, so both are found by iteration.
     double reached = high;
     for (int round = 0; round < 8; ++round) {
       high = std::max(reached - radius, low);

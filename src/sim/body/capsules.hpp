@@ -15,7 +15,7 @@ struct BoneCapsule {
   double radius = 0;        ///< radius in metres
 };
 
-/// Maximum number of capsules per body; the bones that dominate the largest skin areas get them.
+/// Maximum number of capsules per body. Only the bones that dominate the largest skin areas get a capsule.
 constexpr std::size_t maxCapsules = 24;
 
 /// Returns a capsule for each bone that dominates (has the largest weight in) at least 1/300 of the skin's

@@ -54,7 +54,7 @@ struct Figure {
 /// weights whose sum is not about 1, an invalid joint, and key times that do not increase.
 [[nodiscard]] Figure loadFigure(const std::filesystem::path& file);
 
-/// Parses a figure from text like loadFigure(), but within this process.
+/// Parses a figure from text like loadFigure(), but in the calling process instead of a separate one.
 [[nodiscard]] Figure readFigure(const std::filesystem::path& file, std::string_view text);
 
 }  // namespace simreel::sim

@@ -12,7 +12,8 @@ namespace simreel::sim {
 
 namespace {
 
-/// Returns the times to sample: times along the animation, and the keys that move the whole body.
+/// Returns the times at which the bounds are sampled: times along the animation, and the times of keys that
+/// move the whole body.
 std::vector<double> poseMoments(const BodyParameters& body) {
   std::vector<double> moments = {0};
   constexpr int looks = 12;
@@ -44,7 +45,7 @@ std::vector<glm::vec3> BodyParameters::placesOnTheWay() const {
       }
     }
   } catch (const UserError&) {
-    return {};  // the constructor of the simulation reports the error
+    return {};  // The constructor of the simulation reports this error.
   }
   return places;
 }

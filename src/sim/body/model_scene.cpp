@@ -88,7 +88,7 @@ class ModelReader {
       if (const auto light = extensions->find(lightsName)) readLight(*light, made.name);
   }
 
-  /// Extends the bounds by those given in a mesh's accessors.
+  /// Extends the bounds by the bounds that the accessors of a mesh state.
   void addBounds(std::size_t mesh, const glm::dmat4& world) {
     document_.item("meshes", mesh).at("primitives").eachItem([&](const JsonValue& primitive) {
       const auto attributes = primitive.find("attributes");
@@ -178,7 +178,8 @@ class ModelReader {
                           {"intensity", intensity}};
         continue;
       }
-      if (scene["lights"].size() + 1 >= scene::maxLights) {  // the stage adds one light
+      if (scene["lights"].size() + 1 >= scene::maxLights) {  // The stage adds one light to the lights of
+                                                             // the file.
         ++dropped_;
         continue;
       }

@@ -44,7 +44,7 @@ class BodyMotion {
   BodyParameters parameters_;
   std::shared_ptr<const Figure> figure_;
   const FigureAnimation* animation_ = nullptr;
-  std::vector<int> keyed_;             ///< node index of each bone in the parameters
+  std::vector<int> keyed_;             ///< node index of each bone in BodyParameters::bones
   mutable std::array<Pose, 2> poses_;  ///< cache of the last two poses: those at the beginning and the end
                                        ///< of a frame
   mutable std::size_t newest_ = 0;

@@ -37,7 +37,7 @@ struct BodyParameters : ObjectParameters, scene::Outlined {
   bool visible = true;
   bool collides = false;  ///< true if the body collides, by its capsules
   bool byFaces = false;   ///< true if the body's faces collide with cloths in contact
-  float grip = 25.3F;     ///< rate in 1/s at which sliding objects lose speed
+  float grip = 25.3F;     ///< decay rate (1/s) of the tangential velocity of objects that slide on the body
   std::optional<double> friction;
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;

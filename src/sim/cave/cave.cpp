@@ -111,7 +111,7 @@ class Cave final : public Simulation {
     for (const glm::dvec2& at : growth_.way().walk) walk_.push_back(placeOf(at));
   }
 
-  /// Returns the world position on the floor of a point given in cells.
+  /// Returns the world position, on the floor, of a point given in cells.
   [[nodiscard]] glm::vec3 placeOf(glm::dvec2 at) const {
     const glm::dvec2 middle = 0.5 * glm::dvec2(parameters_.size - 1);
     const glm::vec2 place(static_cast<double>(parameters_.cell) * (at - middle));

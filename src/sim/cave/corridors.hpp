@@ -28,7 +28,7 @@ class CaveCorridors {
  private:
   void findNearest(const gl::Buffer& cells);
   void digChosen(const CaveTreesPart& part, int width) const;
-  /// Merges trees of rooms along the chosen edges. Returns false if only one tree remains.
+  /// Merges the trees of rooms that the chosen edges connect. Returns false if only one tree remains.
   bool joinTrees(const CaveTreesPart& part);
 
   std::string name_;

@@ -13,7 +13,8 @@ namespace simreel::sim {
 
 namespace {
 
-/// Tolerance for times, which are multiples of a frame only except for rounding.
+/// Tolerance for rounding errors, in automaton steps. Frame times are multiples of the frame duration only
+/// up to rounding.
 constexpr double hair = 1e-6;
 constexpr double maxCells = 1 << 28;
 

@@ -15,7 +15,7 @@ struct CaveGrid {
   /// Returns the number of 32-bit words per row, a multiple of four.
   [[nodiscard]] int rowWords() const { return (size.x + 127) / 128 * 4; }
   [[nodiscard]] int words() const { return rowWords() * size.y; }
-  /// Returns the number of cell indices, including the indices of the unused bits at the end of rows.
+  /// Number of cell indices, including the indices of the unused bits at the end of rows.
   [[nodiscard]] std::int64_t numbers() const { return std::int64_t{32} * words(); }
   [[nodiscard]] glm::ivec2 placeOf(unsigned cell) const {
     const auto pitch = 32U * static_cast<unsigned>(rowWords());

@@ -23,7 +23,7 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr unsigned fullHeight = 1U << 24U;  ///< count that represents the full height of the chart
+constexpr unsigned fullHeight = 1U << 24U;  ///< count that is drawn at the full height of the chart
 constexpr int firstRows = 256;
 constexpr std::array<glm::vec3, ChartParameters::mostCurves> curveColors = {
     glm::vec3(1, 0.42F, 0.08F), glm::vec3(0.08F, 0.45F, 1), glm::vec3(0.2F, 0.8F, 0.25F),
@@ -58,7 +58,7 @@ class ChartObject : public Simulation, public FrameObserver {
       kept_ = gl::Buffer(name_, bytesOf(room_));
       kept_.write(0, std::as_bytes(std::span(rows_)));
       counts_ = gl::WordsArray(name_ + " counts", static_cast<int>(room_));
-      shown_ = {0, 0};  // the scale is unknown, because the new buffer is still empty
+      shown_ = {0, 0};  // The scale is unknown, because the new buffer is still empty.
       return;
     }
     kept_.write(bytesOf(rows_.size() - 1), std::as_bytes(std::span(&rows_.back(), 1)));
@@ -124,7 +124,7 @@ class ChartObject : public Simulation, public FrameObserver {
     return range;
   }
 
-  /// Uploads the rows that are new, or all rows if the scale has changed.
+  /// Uploads the rows that are new. If the scale has changed, uploads all rows.
   void count(const ChartRange& range) const {
     const bool same = shown_.low == range.low && shown_.high == range.high;
     const std::size_t first = same ? std::min(counted_, rows_.size()) : 0;
@@ -151,7 +151,7 @@ class ChartObject : public Simulation, public FrameObserver {
   QuantityReader measured_;
   std::size_t room_ = firstRows;
   std::vector<Row> rows_;
-  gl::Buffer kept_;  ///< copy of rows_ on the GPU for carryOver()
+  gl::Buffer kept_;  ///< copy of rows_ on the GPU, which carryOver() visits
   mutable gl::WordsArray counts_;
   mutable std::size_t counted_ = 0;    ///< number of valid rows in counts_
   mutable ChartRange shown_ = {0, 0};  ///< scale of the rows in counts_

@@ -15,13 +15,14 @@ struct ChartParameters : ObjectParameters {
   struct Curve {
     std::string of;                  ///< name of the quantity, OBJECT.QUANTITY
     std::string label;               ///< name on the chart; if empty, the quantity's name
-    double per = 1;                  ///< value of the quantity that the chart shows as 1
+    double per = 1;                  ///< value of the quantity that is drawn as 1
     std::optional<glm::vec3> color;  ///< colour in linear RGB
 
     [[nodiscard]] std::string object() const;
     [[nodiscard]] std::string quantity() const;
   };
-  static constexpr std::size_t mostCurves = 4;  ///< maximum number of curves that a drawable chart supports
+  static constexpr std::size_t mostCurves = 4;  ///< maximum number of curves that one Chart drawable
+                                                ///< supports
 
   std::vector<Curve> curves;
   std::optional<double> low, high;  ///< values at the bottom and top of the chart; if empty, rounded limits

@@ -20,7 +20,7 @@ struct ClothColoring {
   enum class By { material, strain, speed };
   By by = By::material;
   glm::vec2 range{0, 1};          ///< strain, or speed in m/s, of the first and the last colour
-  AutoEnds autoEnds;              ///< states which ends of `range` a first run measures
+  AutoEnds autoEnds;              ///< ends of `range` that a first run of the scene measures
   std::vector<glm::vec3> colors;  ///< linear RGB stops of the colour map
 
   void describe(scene::Fields& fields);

@@ -23,10 +23,10 @@ inline constexpr double keepingSubstep = 1.0 / 1920;  ///< maximum substep in se
 inline constexpr double leastSoftening = 1.5;
 inline constexpr double pairSoftening = 4;  ///< minimum softening of pairs; glsl/cloth/keeping.glsl has the
                                             ///< same number
-/// Softening of the faces of a mesh, as a ratio, where six faces meet at a vertex. With half this value, a
-/// crumpled mesh of uneven faces, all of whose energy is in vibrations, gains a tenth of this energy in 20
-/// s. Unlike lines, faces do not become stiffer under an even load, so "auto" uses shorter substeps for
-/// meshes.
+/// Softening of the faces of a mesh, as a ratio, for vertices at which six faces meet. With half this
+/// value, a crumpled mesh of uneven faces, all of whose energy is in vibrations, gains a tenth of this
+/// energy in 20 s. Unlike lines, faces do not become stiffer under an even load, so meshes are less stable
+/// and "auto" uses shorter substeps for them.
 inline constexpr double faceSoftening = 12;
 inline constexpr double keepingFaceSubstep = 1.0 / 2700;
 /// Softening of attachments, as a ratio. An attachment that becomes taut within one substep gains or loses

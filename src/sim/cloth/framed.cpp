@@ -18,12 +18,12 @@ std::optional<scene::Box> ClothParameters::framedMesh() const {
     for (const glm::vec3& at : mesh->make().positions)
       scene::include(box, position + glm::vec3(turn * glm::vec4(at, 0)));
   } catch (const UserError&) {
-    return std::nullopt;  // the constructor of the simulation reports the error
+    return std::nullopt;  // The constructor of the simulation reports this error.
   }
   if (!box) return box;
   const glm::vec3 extent = box->max - box->min;
   const float width = std::max(extent.x, extent.z);
-  // A cloth without pins falls to the ground. A pinned cloth sags at most by its width.
+  // If the cloth has no pins, it falls to the ground. Otherwise, it sags at most by its width.
   const float falls = box->min.y > 0 ? 0.0F : box->min.y - width;
   box->min.y = std::min(box->min.y, pins.empty() ? falls : box->max.y - width);
   return box;

@@ -182,8 +182,8 @@ void ClothKernels::makeKernels(const TouchVariant& touch, bool fast) {
         {.touch = touch, .keeps = keeps_, .forces = forces, .springs = !keeps_, .contact = !keeps_});
     return;
   }
-  // The kernels that integrate particles and relax pairs do not handle collisions, so of the variant's
-  // switches only the wind applies to them.
+  // The kernels that integrate particles and relax pairs do not handle collisions. Therefore, they use only
+  // the wind switch of the variant.
   const gl::Flag<"WIND"> wind = touch.wind;
   for (std::size_t later = 0; later < (inLines_ || bends() ? 2 : 1); ++later)
     if (inLines_)

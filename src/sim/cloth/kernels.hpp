@@ -77,8 +77,8 @@ class ClothKernels {
   glm::ivec2 size_;
   bool constrained_;  ///< true for XPBD constraints, false for springs
   bool keeps_;        ///< true if the constraints keep energy (glsl/cloth/keeping.glsl)
-  /// True if an invocation relaxes a line of pairs (constrain_lines.comp) and not a single pair. The first
-  /// such dispatch also integrates the particles.
+  /// True if an invocation relaxes a line of pairs (constrain_lines.comp), false if it relaxes a single
+  /// pair. The first dispatch over lines also integrates the particles.
   bool inLines_ = gl::memoryPath() == gl::MemoryPath::texel;
   bool predicted_ = false;       ///< true between predict() and finish()
   gl::Vec4Array positions_[2];   ///< current positions, and the output of the next substep

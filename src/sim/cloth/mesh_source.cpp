@@ -150,8 +150,9 @@ Mesh cubedSphereMesh(float radius, int vertices) {
     const auto first = static_cast<unsigned>(mesh.positions.size());
     for (int y = 0; y < vertices; ++y)
       for (int x = 0; x < vertices; ++x) {
-        const auto across = [&](int i) {  // the tangents of equally spaced angles give cells of similar
-                                          // size; the function is odd, so the sides meet
+        const auto across = [&](int i) {  // The tangents of equally spaced angles give cells of similar
+                                          // size. The mapping is odd, so the vertices of adjacent sides
+                                          // coincide at their common edge.
           const int even = 2 * i - (vertices - 1);
           const double angle = 0.25 * std::numbers::pi * std::abs(even) / (vertices - 1);
           const double most = std::abs(even) == vertices - 1 ? 1.0 : ieee::tan(angle);

@@ -362,10 +362,10 @@ std::string ClothParameters::instability(double frameSeconds) const {
 
 int ClothParameters::substepsPerFrame(double frameSeconds) const {
   if (substeps) return *substeps;
-  // Gusts concentrate the pull of a streaming sheet at a corner: the line there carries its pull and a
-  // fraction of the pull of all other lines. The fraction was measured with the scene flag.json; half of it
-  // would leave that cloth stretched by a tenth. The number of substeps therefore grows as 1 / L^1.5, where
-  // L is the spacing.
+  // Gusts concentrate the pull of a streaming sheet at one corner. The line at that corner carries its own
+  // pull and a fraction of the pull of all other lines. The fraction was measured with the scene flag.json;
+  // with half of it, the cloth of that scene stays stretched by a tenth. The number of substeps therefore
+  // grows as 1 / L^1.5, where L is the spacing.
   constexpr double drawnPart = 1.0 / 72;
   const double drawn = constrained() ? 1.0 + drawnPart * std::min(size.x, size.y) : 1.0;
   const std::int64_t needed = substepsFor(frameSeconds, safety * stableSeconds(drawn));

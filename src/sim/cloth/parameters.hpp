@@ -16,7 +16,7 @@
 
 namespace simreel::sim {
 
-/// Part of a body that pins are attached to.
+/// Part of a body to which pins are attached.
 enum class PinPlace { bone, skin };
 
 /// Opposite corners of a box in world space, in metres.
@@ -35,7 +35,7 @@ struct PinGroup {
   std::filesystem::path map;       ///< image over a mesh's uv that marks pinned vertices; empty if none
   bool clamp = false;  ///< for a fabric: true if the pinned border also keeps the direction in which the
                        ///< sheet leaves it
-  int every = 1;       ///< pins only every n-th particle of a row or column, and also the last one
+  int every = 1;       ///< pins every n-th particle of a row or column, and its last particle
   scene::Animated<glm::vec3> move = glm::vec3(0);    ///< translation in metres
   scene::Animated<glm::vec3> rotate = glm::vec3(0);  ///< rotation in degrees
   scene::Animated<glm::vec3> scale = glm::vec3(1);
@@ -98,8 +98,9 @@ struct ClothParameters : ObjectParameters,
   std::optional<Air> air;
   std::optional<int> substeps = 4;
   std::vector<PinGroup> pins;
-  /// Colliders of this radius, in multiples of the spacing and with the margin, are tested against edges
-  /// and faces: a sheet that stretches has holes between its vertices that are wider than its spacing.
+  /// Radius, in multiples of the spacing and including the margin, below which a collider is tested against
+  /// edges and faces instead of vertices. A stretched sheet has holes between its vertices that are wider
+  /// than the spacing, through which small colliders would slip.
   float smallColliders = 0;
   bool pinsByDefault = false;  ///< true if the scene gives no "pins"
   std::optional<ClothContact> contact;
@@ -124,8 +125,8 @@ struct ClothParameters : ObjectParameters,
   [[nodiscard]] Looks looks() const override { return Looks::cloth; }
   [[nodiscard]] std::optional<scene::Material> look() const override;
   [[nodiscard]] bool wanders() const override { return true; }
-  /// Returns a copy whose number of substeps per frame is `contactSubsteps`, which is the same for all
-  /// cloths in contact. 0 keeps the cloth's number.
+  /// Returns a copy of the parameters with `contactSubsteps` substeps per frame, a number that all cloths
+  /// in contact have in common. If `contactSubsteps` is 0, the copy has the cloth's own number.
   [[nodiscard]] ClothParameters inStep(int contactSubsteps) const;
   /// Returns the minimum number of substeps per frame for "auto": `otherwise`, but for a cloth in contact
   /// at least 960 per second. Contact is solved with only one or two rounds per substep, and 960 substeps

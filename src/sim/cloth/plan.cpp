@@ -30,7 +30,8 @@ shader::PinFrame pinFrame(const PinGroup& group, double time) {
   return frame;
 }
 
-/// Interpolates linearly between the values at a frame's beginning and end; `now` is between 0 and 1.
+/// Interpolates linearly between the values at the beginning and the end of a frame, where `now` runs from
+/// 0 to 1.
 template <class T>
 T betweenEnds(const std::array<T, 2>& ends, double now) {
   return ends[0] * (1 - now) + ends[1] * now;
@@ -49,7 +50,7 @@ shader::PinFrame carriedFrame(const shader::PinFrame& frame, const glm::dmat4& c
   return result;
 }
 
-/// Rotates and scales a direction by a frame; the result has w = 1.
+/// Applies the rotation and scale of a frame to a direction. The result has w = 1.
 glm::vec4 turned(const shader::PinFrame& frame, glm::vec3 way) {
   const auto row = [&](const glm::vec4& r) { return r.x * way.x + r.y * way.y + r.z * way.z; };
   return {row(frame.row0), row(frame.row1), row(frame.row2), 1.0F};

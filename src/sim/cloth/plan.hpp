@@ -64,7 +64,7 @@ class ClothPlan {
   }
 
   [[nodiscard]] const ClothParameters& parameters() const { return parameters_; }
-  [[nodiscard]] const SkinPins& skinPins() const { return skinPins_; }  ///< only for a grid
+  [[nodiscard]] const SkinPins& skinPins() const { return skinPins_; }  ///< valid only for a grid
   [[nodiscard]] int substeps() const { return substeps_; }
   /// Returns the total number of substeps of all frames requested so far.
   [[nodiscard]] int stepsBegun() const { return static_cast<int>(done_); }
@@ -92,8 +92,8 @@ class ClothPlan {
   ColliderPlan colliders_;
   double edge_;  ///< length of the longest edge in metres
   int thinCount_ = 0;
-  /// Moving frame that carries a pin group (null if none), and the inverse of that frame at the start of
-  /// the run.
+  /// Moving frame that carries a pin group, and the inverse of that frame at the start of the run. The
+  /// frame is null if nothing carries the group.
   struct PinCarrier {
     Carrier at;
     glm::dmat4 fromStart{1};
@@ -102,7 +102,7 @@ class ClothPlan {
   SkinPins skinPins_;
   glm::vec3 alongX_, alongY_, origin_;
   double drift_[3] = {0, 0, 0};
-  std::uint32_t done_ = 0;  ///< number of substeps so far
+  std::uint32_t done_ = 0;  ///< number of substeps of all frames requested so far
 };
 
 }  // namespace simreel::sim

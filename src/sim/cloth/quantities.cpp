@@ -100,8 +100,8 @@ double complianceOf(const ClothParameters& p, const SpringFamily& family, double
   return stiffness > 0 ? 1 / stiffness : 0;
 }
 
-/// Returns the minimum compliance of a line's links, as a ratio to the inverse masses (see keptGive in
-/// glsl/cloth/segment.glsl).
+/// Returns the minimum compliance of a line's links, as a ratio to the inverse masses. It equals keptGive
+/// in glsl/cloth/segment.glsl.
 double keptGive(std::span<const glm::vec4> line, double rest, double softening) {
   if (std::count_if(line.begin(), line.end(), [](const glm::vec4& p) { return p.w == 0; }) < 2) return 0;
   const double least = 0.125 / softening;
@@ -151,7 +151,7 @@ double keptEnergy(const ClothParameters& p, const SpringFamily& family, double s
         before = along;
         if (diagonal > 0) {
           energy += 0.5 * right * right / pivot;
-        } else {  // rigid link between two pinned particles
+        } else {  // The link is rigid and both of its particles are pinned.
           pivot = 1;
           right = 0;
           before = glm::dvec3(0);

@@ -28,8 +28,8 @@ class ColliderPlan {
   /// (metres) apart. That is so for a rod thinner than `edge` and for a sphere that fits between four
   /// vertices.
   static bool isThin(const ColliderShape& shape, double edge, double margin);
-  /// Moves the thin shapes (see isThin()), and those whose radius and margin are together below `least`
-  /// (m), to the end. Returns their number.
+  /// Moves all thin shapes (see isThin()), and all shapes whose radius plus margin is below `least`
+  /// (metres), to the end of the list. Returns the number of shapes moved.
   int putThinLast(double edge, double margin, double least = 0);
   /// Returns the colliders at the end of each substep of the frame that starts at `time` (seconds), count()
   /// per substep.

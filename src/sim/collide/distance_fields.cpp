@@ -44,8 +44,8 @@ struct DistancePack {
   gl::Out<"cells"> cells;
 };
 
-constexpr int roundsOfSearch = 4096;  // number of search iterations per dispatch, each with up to leafFaces
-                                      // iterations of an inner loop
+constexpr int roundsOfSearch = 4096;  // number of search iterations per dispatch; each iteration runs an
+                                      // inner loop of up to leafFaces iterations
 
 void checkSize(const char* what, std::size_t elements, const char* advice) {
   const std::int64_t most = std::min(gl::limits().storageBlockBytes / 16, gl::limits().texelBufferTexels);

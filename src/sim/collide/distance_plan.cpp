@@ -24,8 +24,9 @@ namespace {
 constexpr int usualCells = 64;
 constexpr int mostUsualCells = 256;
 constexpr std::int64_t mostUsual = 2'000'000;
-constexpr std::int64_t mostNodes = 4'000'000;  // limited because a dispatch has a maximum number of
-                                               // workgroups of 64
+constexpr std::int64_t mostNodes = 4'000'000;  // maximum number of grid nodes; larger grids would exceed
+                                               // the maximum number of workgroups (of 64 invocations) in a
+                                               // dispatch
 
 /// Returns the number of cells along each axis for a mesh with `along` cells along its longest side,
 /// including the cells in the space around it.

@@ -26,7 +26,7 @@ struct DistancePlan {
   glm::vec3 corner{0};           ///< corner of the first cell in metres, in the mesh's local space
   glm::ivec3 cells{0};
   float cell = 0;  ///< side length of a cell in metres
-  float unit = 0;  ///< length in metres that one unit of the integers stands for, which store distances
+  float unit = 0;  ///< length in metres of one unit of the integers that store distances
 
   [[nodiscard]] int cellCount() const { return cells.x * cells.y * cells.z; }
   [[nodiscard]] int nodeCount() const { return (cells.x + 1) * (cells.y + 1) * (cells.z + 1); }

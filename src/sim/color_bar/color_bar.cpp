@@ -125,8 +125,7 @@ class ColorBar : public Simulation {
     if (!scale_.categories) return {};
     std::vector<BarLabel> all = parameters_.labels;
     const auto& classes = scale_.classes;
-    // If the words have no values, they name the classes of the field, provided that there are equally
-    // many.
+    // Words without values name the classes of the field, if there are as many words as classes.
     if (all.empty())
       for (const auto& [value, name] : classes) all.push_back({name, static_cast<double>(value)});
     else if (all.size() == classes.size())

@@ -72,13 +72,13 @@ std::vector<BarTick> barTicks(double first, double last, int count) {
   const double ratio = rough / power;
   const double step = power * (ratio < 1.5 ? 1 : ratio < 3.5 ? 2 : ratio < 7.5 ? 5 : 10);
   const double low = std::min(first, last);
-  // A tick may be beyond the end by the rounding error of its position.
+  // Rounding errors may move a tick slightly beyond the end of the range.
   const double slack = 1e-6 * step;
   const bool scientific = std::max(std::abs(first), std::abs(last)) >= 1e5 || step < 1e-4;
   const int digits = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
   std::vector<BarTick> ticks;
   for (double i = std::ceil((low - slack) / step); i * step <= low + span + slack; ++i) {
-    const double value = i == 0 ? 0 : i * step;  // avoids a negative zero
+    const double value = i == 0 ? 0 : i * step;  // avoids a negative zero as the first value
     ticks.push_back({(value - first) / (last - first),
                      scientific ? fmt::format("{:.3g}", value) : fmt::format("{:.{}f}", value, digits)});
   }

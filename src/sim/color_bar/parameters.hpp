@@ -31,7 +31,7 @@ struct ColorBarParameters : ObjectParameters {
   std::string unit;              ///< appended to the title in parentheses
   std::vector<BarLabel> labels;  ///< words shown in place of numbers; if empty, numbers or all categories
                                  ///< are shown
-  int ticks = 5;                 ///< approximate number of ticks
+  int ticks = 5;                 ///< approximate number of ticks to draw
   bool horizontal = false;
   bool placed = false;  ///< true if the scene gives the corner; otherwise the bar is moved so that it stays
                         ///< in the picture

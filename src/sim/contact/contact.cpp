@@ -20,7 +20,7 @@ namespace {
 
 namespace at = shader::contact;
 
-constexpr int holdRounds = 4;  ///< Number of rounds in which hold.comp is dispatched.
+constexpr int holdRounds = 4;  ///< Number of rounds, each of which dispatches hold.comp once.
 constexpr std::size_t mostPairsWord = 5;
 
 /// Checks the device limits, before any array is allocated or filled.
@@ -139,8 +139,8 @@ bool Contact::endFrame() {
          "cloths in contact: the search for neighbours took too long, because too much cloth is crumpled "
          "in one place; use more substeps or slower motion");
   const bool enough = most <= static_cast<unsigned>(maxPairs_);
-  // Keeps the capacity at twice the number of pairs or more, because a frame seldom needs twice as many
-  // pairs as the previous one.
+  // Keeps the capacity at twice the number of pairs or more. A frame seldom has more than twice as many
+  // pairs as the previous frame.
   int wanted = maxPairs_;
   while (most > static_cast<unsigned>(wanted / 2)) wanted *= 2;
   if (wanted > maxPairs_) {

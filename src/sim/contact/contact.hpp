@@ -19,8 +19,8 @@ namespace simreel::sim {
 /// bits are the same on every machine.
 class Contact {
  public:
-  /// Arrays of one simulation, in the order of the plan's parts. For a solid, only the positions are read
-  /// and nothing is written; the pointers to other arrays may be null.
+  /// Arrays of one simulation. Spans of Part have the order of the plan's parts. For a solid, only the
+  /// positions are read and nothing is written, so the pointers to other arrays may be null.
   struct Part {
     const gl::Vec4Array* now;  ///< Positions at the substep's start: xyz in metres, w inverse mass in 1/kg.
     const gl::Vec4Array*

@@ -10,8 +10,8 @@
 
 namespace simreel::sim {
 
-/// Simulation that takes each substep together with the simulations that it touches,
-/// Simulation::stepsPerFrame() substeps per frame.
+/// Simulation that advances in lock step with the simulations that it touches. A frame has
+/// Simulation::stepsPerFrame() substeps.
 class LockStep {
  public:
   static const PortInfo port;
@@ -22,7 +22,8 @@ class LockStep {
   virtual void beginFrame(double time) = 0;
   /// Computes the positions that the vertices would reach in the substep without contact.
   virtual void predict(int substep) = 0;
-  /// Called after predict() and contact. Moves vertices that contact has pushed into colliders out again.
+  /// Called after predict() and contact. Moves vertices that contact has pushed into colliders back out of
+  /// the colliders.
   virtual void settle(int substep) = 0;
   /// Returns the arrays for contact; valid between predict() and finish().
   [[nodiscard]] virtual Contact::Part arrays() const = 0;
@@ -32,8 +33,8 @@ class LockStep {
   virtual void restored() {}
 };
 
-/// Port of cloths that particles can collide with by name. It has no outlet, because the cloth and the
-/// particles both join LockStep.
+/// Port of cloths that particles can collide with by name. The cloth and the particles interact through
+/// LockStep, so no object provides an interface for this port.
 struct ContactCloth {
   static const PortInfo port;
 };

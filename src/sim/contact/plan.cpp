@@ -72,7 +72,7 @@ Leaves edgesOf(const ContactPart& part) {
 
 constexpr glm::uvec4 none(0, 0, 0, 1);
 
-/// Returns the leaves of a tree over all cloths or over all solids, with the largest subtrees first, so
+/// Returns the leaves of a tree over all cloths or over all solids. The largest subtrees come first, so
 /// that each subtree starts at a multiple of its size.
 Leaves leavesOf(std::span<const ContactPart> parts, const std::vector<int>& firsts, bool solid,
                 Leaves (*featuresOf)(const ContactPart&)) {

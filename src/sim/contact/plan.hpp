@@ -25,8 +25,8 @@ struct ContactPart {
   float friction = 0.3F;     ///< Coulomb friction coefficient. A solid with -1 uses the coefficient of the
                              ///< cloth that touches it.
   std::vector<float> rooms;  ///< Maximum thickness in metres at each position; empty if there is no limit.
-  /// True for a solid. It follows its prescribed motion and cloths yield. The cloth's thickness applies,
-  /// and solids do not collide with each other.
+  /// True for a solid. A solid follows its prescribed motion, and cloths yield to it. The distance to a
+  /// cloth is given by the cloth's thickness. Solids do not collide with each other.
   bool solid = false;
   /// True for particles. They have no faces; w of `positions` is the mass in kg (0 if dead). Particles keep
   /// the distance max(r, t / 2) + c / 2 from the middle surface of a cloth, where r is their radius

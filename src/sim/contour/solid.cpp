@@ -115,8 +115,8 @@ Solid::State::State(const std::string& label, const SolidShape& given)
   cornerVertices = shape.ceiling ? 2 * corners : corners;
   heights = shape.heights;
   border = solidBorder(shape, heights, static_cast<unsigned>(cornerVertices));
-  // A cave has at most one contour point per four cells. If a field has more points, the buffers are
-  // enlarged later.
+  // In a cave, at most every fourth corner has a contour point. The buffers start with half of that number
+  // and are enlarged later if necessary.
   const std::int64_t points = std::max<std::int64_t>(64, corners / 8);
   getRoom(points,
           static_cast<std::int64_t>(border.indices.size()) + sheetIndices() * corners + 12 * points);

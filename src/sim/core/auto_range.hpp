@@ -34,7 +34,8 @@ void describeEnd(scene::Fields& fields, const char* name, Number& value, bool& i
 
 /// Colour range with at least one end to be measured.
 struct MeasuredRange {
-  std::string path;  ///< group below the object's parameters, such as "display"; empty if there is none
+  std::string path;  ///< name of the parameter group that contains the range, such as "display"; empty if
+                     ///< the range is not in a group
   const char* lowKey;
   const char* highKey;
   AutoEnds ends;

@@ -30,7 +30,8 @@ struct GridHeights {
 /// Indexed triangles that the vertex shader pulls from buffers by gl_VertexID; nothing is copied. The
 /// simulation owns everything pointed to and keeps it valid until its next step.
 struct Surface {
-  const std::string* object = nullptr;  ///< Name of the object in the scene, or null if none was published.
+  const std::string* object = nullptr;     ///< Name of the object in the scene; null if the surface was not
+                                           ///< published by an object of a scene.
   const gl::Texture* positions = nullptr;  ///< RGBA32F texel view with one texel per vertex: xyz is the
                                            ///< position in metres. w is the palette index if there is a
                                            ///< palette; otherwise it is unused.
@@ -84,7 +85,8 @@ struct Instances {
   /// Orientation of a mesh instance: unrotated; z axis along the velocity or along a given direction, with
   /// a horizontal x axis; or given by a quaternion.
   enum class Turning { none, velocity, direction, quaternion };
-  const std::string* object = nullptr;  ///< Name of the object in the scene, or null if none was published.
+  const std::string* object = nullptr;     ///< Name of the object in the scene; null if the instances were
+                                           ///< not published by an object of a scene.
   const gl::Texture* positions = nullptr;  ///< RGBA32F texel view: xyz position in metres, w mass in kg.
   const gl::Texture* velocities =
       nullptr;  ///< RGBA32F texel view: xyz velocity in m/s; w is the age as a fraction of life (0 to 1),
@@ -181,7 +183,8 @@ struct Chart {
 
 /// Text drawn over the finished picture.
 struct Writing {
-  const std::string* object = nullptr;  ///< Name of the object in the scene, or null if none was published.
+  const std::string* object = nullptr;  ///< Name of the object in the scene; null if the text was not
+                                        ///< published by an object of a scene.
   /// Closed, filled polygons relative to the anchor, in units of the cap height; y points up.
   const std::vector<std::vector<glm::vec2>>* outlines = nullptr;
   glm::vec2 place{0};     ///< Position of the anchor, as fractions of the picture from its top left.
@@ -215,7 +218,8 @@ struct Drawables {
   std::vector<Chart> charts = {};
   std::vector<Path> paths = {};
   std::vector<Writing> writings = {};
-  std::vector<Place> places = {};  ///< Centre of the object that the scene's camera aims at, if any.
+  std::vector<Place> places = {};  ///< Centre of the object at which the scene's camera aims; empty if
+                                   ///< there is none.
   /// Damped camera state, positions in metres: first the target, if it lags behind the scene's target
   /// (scene::Camera::damping, scene::Follow::damping), then the eye, if the eye lags too.
   std::vector<glm::vec3> lagging = {};

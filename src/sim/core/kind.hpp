@@ -20,7 +20,8 @@ struct ObjectParameters : scene::Parameters {
   static constexpr std::int64_t commonBlockBytes = std::int64_t{128} << 20;
 };
 
-/// Returns the ports that an object declares; empty if its parameters could not be read.
+/// Returns the ports that an object declares. The result is empty if the object's parameters could not be
+/// read.
 [[nodiscard]] Ports portsOf(const scene::Object& object);
 /// Returns true if an object provides the port.
 [[nodiscard]] bool provides(const scene::Object& object, const PortInfo& port);

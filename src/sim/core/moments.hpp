@@ -11,7 +11,7 @@
 
 namespace simreel::sim {
 
-/// Collects sample times (seconds, ascending) that cover the whole motion of a keyframed object: each
+/// Sample times (seconds, ascending) that cover the whole motion of a keyframed object. They include each
 /// keyframe, the moment just before each jump, and enough times between rotation keys (degrees) that no
 /// corner moves more than 1% of its radius beyond the sampled positions.
 class Moments {

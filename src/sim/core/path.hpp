@@ -19,9 +19,9 @@ struct Standing {
   glm::vec3 position{0};
   glm::vec3 ahead{0, 0, -1};  ///< Direction of the path: a horizontal unit vector.
 };
-/// Returns the pose of an object beside a path at `seconds`. The direction is taken between the path points
-/// half a metre ahead and half a metre behind, so that it changes smoothly; cross(ahead, y) points to the
-/// object's right.
+/// Returns the pose of an object beside a path at `seconds`. The direction is the direction between the
+/// path points half a metre ahead and half a metre behind, so that it changes smoothly. The vector
+/// cross(ahead, y) points to the object's right.
 [[nodiscard]] Standing standingBy(const std::vector<glm::vec3>& path, const scene::PathPlace& place,
                                   double seconds);
 
@@ -34,7 +34,7 @@ struct Stand {
 [[nodiscard]] Stand standOn(const std::vector<glm::vec3>& path, const scene::Follow& follow,
                             double seconds);
 
-/// Returns the path of the named object, or null.
+/// Returns the path that the named object publishes, or null if there is none.
 [[nodiscard]] const Path* pathOf(const Drawables& drawables, const std::string& object);
 
 }  // namespace simreel::sim

@@ -30,11 +30,13 @@ enum class When {
 /// Kind of relation between scene objects, with its rules and the texts of its messages. Each class T that
 /// objects provide to others has a `static const PortInfo port` in the header of T.
 struct PortInfo {
-  const char* name;  ///< Name of the port, such as "wind".
-  const char*
-      lacks;  ///< Continuation of the message `object "a" is a sphere`, such as ", which does not blow".
-  const char* none;              ///< Message after an unknown name, such as "the scene has no fluid".
-  When when = When::beforeStep;  ///< Default for the moment of use, unless Ports::want() gives one.
+  const char* name;   ///< Name of the port, such as "wind".
+  const char* lacks;  ///< Text that continues the message `object "a" is a sphere`, such as ", which does
+                      ///< not blow".
+  const char* none;   ///< Message that follows an unknown name, such as "the scene has no
+                      ///< fluid".
+  When when = When::beforeStep;  ///< Time at which the provider's state is used, unless Ports::want() gives
+                                 ///< another one.
   /// Noun for the parts that are named as in "smoke.u"; null if providers have no parts.
   const char* part = nullptr;
   bool partNeeded = false;  ///< True if a name must include a part; an object's name alone is invalid.
@@ -49,10 +51,11 @@ struct PortInfo {
   /// Warning for an object that takes from all providers, about another object that could provide the port
   /// but does not. The two {} are the names of both objects.
   const char* passedBy = nullptr;
-  /// Appends to `parts` those parts that `provider` provides without declaring them; returns true if it
-  /// provides the port in this way.
+  /// Appends to `parts` the parts that `provider` provides without declaring them. Returns true if
+  /// `provider` provides the port in this way.
   bool (*implied)(const scene::Object& provider, std::vector<std::string>& parts) = nullptr;
-  /// Exception for a provider that does not provide the port: returns true if `wanter` can use it anyway.
+  /// Exception for objects that do not provide the port. Returns true if `wanter` can use `provider`
+  /// nevertheless.
   bool (*fits)(const ObjectParameters& provider, const ObjectParameters& wanter) = nullptr;
   /// Creates the group whose members step together. Null if objects cannot join this port.
   std::unique_ptr<StepGroup> (*group)(const Setting& setting, std::span<void* const> members,
@@ -64,9 +67,10 @@ class Ports {
  public:
   struct Offer {
     const PortInfo* port;
-    bool given;  ///< False if the object does not provide the port; `unless` gives the reason.
-    std::string
-        unless;  ///< Continuation of the message `object "a" is a cloth`, such as " without \"contact\"".
+    bool given;  ///< False if the object does not provide the port. In this case, `unless` gives the
+                 ///< reason.
+    std::string unless;  ///< Text that continues the message `object "a" is a cloth`, such as " without
+                         ///< \"contact\"".
     std::vector<std::string> parts = {};
     std::vector<std::string> path = {};  ///< JSON path used in messages, relative to the object's
                                          ///< parameters.
@@ -76,15 +80,16 @@ class Ports {
     std::string name;               ///< Name of the provider, OBJECT or OBJECT.PART; empty if `all`.
     std::vector<std::string> path;  ///< JSON path of the name, relative to the object's parameters.
     When when;
-    bool all = false;     ///< True if the object takes from every object that provides the port.
-    bool needed = false;  ///< If `all` is true: true if at least one provider is required.
-    std::string words =
-        {};  ///< Alternatives to naming a provider, appended to the message "no object is named".
-    bool whole = false;  ///< True if only a whole object may be named, and not a part of it.
+    bool all = false;        ///< True if the object takes from every object that provides the port.
+    bool needed = false;     ///< If `all` is true: true if at least one provider is required.
+    std::string words = {};  ///< Text appended to the message "no object is named". It describes what a
+                             ///< scene can give instead of a provider.
+    bool whole = false;      ///< True if only a whole object may be named, and not a part of it.
   };
   struct Join {
     const PortInfo* port;
-    bool leads;  ///< False if the object only joins a group that another object leads.
+    bool leads;  ///< True if the object can start the group. If false, the object only joins a group that
+                 ///< another object starts.
   };
 
   /// Provides T to objects that name this object or that take from all providers.
@@ -157,7 +162,7 @@ class Links {
   [[nodiscard]] T* get(std::string_view object = {}) const {
     return static_cast<T*>(find(T::port, object));
   }
-  /// Returns an object's outlet. Its existence was checked with the scene (checkPorts).
+  /// Returns an object's outlet, which must exist. checkPorts() has checked the scene for it.
   template <class T>
   [[nodiscard]] T& of(std::string_view object) const {
     return *static_cast<T*>(checked(find(T::port, object), T::port, object));

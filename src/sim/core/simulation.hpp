@@ -27,12 +27,13 @@ struct Setting {
   double frameSeconds = 1.0 / 60.0;
   const std::vector<ColliderShape>* colliders = nullptr;
   bool timing = false;  ///< True if simulations measure the times of their stages.
-  /// Access to the outlets of the objects created before this one, and later of all objects. Null if the
-  /// simulation is not part of a scene.
+  /// Access to the outlets of other objects. In the constructor, only the outlets of objects created
+  /// earlier are available; later, all are. Null if the simulation is not part of a scene.
   const Links* links = nullptr;
   double startTime = 0;  ///< Scene time of the initial state in seconds: 0, or minus the duration simulated
                          ///< before frame 0.
-  /// Progress callback for the steps before the first frame; may throw to stop them. May be empty.
+  /// Progress callback for the steps before the first frame; may be empty. The callback may throw to stop
+  /// these steps.
   std::function<void(long done, long total)> presteps = {};
   float aspect = 16.0F / 9;  ///< Width of the picture divided by its height.
 
@@ -128,7 +129,7 @@ class Simulation {
   virtual void resumed(double /*time*/) {}
   /// Returns the number of steps per frame, which is also the number of StepWatch calls per frame.
   [[nodiscard]] virtual int stepsPerFrame() const { return 1; }
-  /// Returns the name for messages of one element of a state array.
+  /// Returns the name of one element of a state array, for messages.
   [[nodiscard]] virtual std::string elementName(long element) const {
     return "element " + std::to_string(element);
   }
@@ -142,9 +143,9 @@ class Simulation {
   }
   /// Appends the drawables that show the state at `time`.
   virtual void publish(double time, Drawables& drawables) const = 0;
-  /// Called after the published drawables are drawn, before the next step. Returns true if they ran out of
-  /// memory; the memory is then enlarged, and the drawables must be published and drawn again. May wait for
-  /// GPU counters.
+  /// Called after the published drawables are drawn, before the next step. Returns true if the drawing
+  /// needed more memory than was allocated. The memory is then enlarged, and the drawables must be
+  /// published and drawn again. May wait for GPU counters.
   virtual bool grow() { return false; }
   /// Returns the state arrays in a fixed order; empty for objects without state.
   [[nodiscard]] virtual std::vector<StateArray> state() const { return {}; }
@@ -152,7 +153,7 @@ class Simulation {
   [[nodiscard]] virtual PointTable points() const { return {}; }
   /// Returns the file that `simreel bake` writes for a kind of object with its own file format.
   [[nodiscard]] virtual StateFile stateFile() const { return {}; }
-  /// Returns the counts per step; no columns if the object counts nothing.
+  /// Returns the counts per step. The table has no columns if the object counts nothing.
   [[nodiscard]] virtual CountTable counts() const { return {}; }
   /// Returns the mesh that `simreel bake` writes, or nothing if the object is not a surface. If points()
   /// has as many points as the mesh has vertices, they are the vertices in the same order; otherwise the

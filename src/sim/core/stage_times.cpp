@@ -21,7 +21,7 @@ void StageClock::begin() {
   collect();
   current_ = (current_ + 1) % frames_.size();
   Frame& frame = frames_[current_];
-  measuring_ = !frame.pending;  // Does not measure this frame if the GPU has not finished the earlier frame
+  measuring_ = !frame.pending;  // This frame is not measured if the GPU has not finished the earlier frame
                                 // that uses the same slot.
   frame.laps = measuring_ ? 0 : frame.laps;
   if (measuring_) glQueryCounter(frame.stamps[0].get(), GL_TIMESTAMP);

@@ -27,7 +27,7 @@ void checkSize(const std::string& name, glm::ivec2 size) {
                              size.y, mostSide));
 }
 
-/// Positions of the grid lines along one axis.
+/// Evenly spaced coordinates of the grid lines along one axis.
 struct Lines {
   double first = 0, apart = 1;
   int count = 0;
@@ -45,7 +45,7 @@ struct Lines {
 Lines linesOf(std::vector<double> places, const char* axis, const std::string& name) {
   std::sort(places.begin(), places.end());
   const double span = places.back() - places.front();
-  constexpr double same = 1e-6;  // tolerance as a fraction of the span
+  constexpr double same = 1e-6;  // tolerance for equal coordinates, as a fraction of the span
   places.erase(
       std::unique(places.begin(), places.end(), [&](double a, double b) { return b - a <= same * span; }),
       places.end());

@@ -124,8 +124,8 @@ std::optional<scene::Box> FlowParameters::framedAlone() const {
     FluidPlane placed = plane;
     placed.cell = made.cell;
     return boxOfPlane(placed, made.size);
-  } catch (const UserError&) {                 // the constructor of the simulation reports the error
-  } catch (const scene::ExpressionMistake&) {  // describe() has reported the error
+  } catch (const UserError&) {                 // The constructor of the simulation reports this error.
+  } catch (const scene::ExpressionMistake&) {  // describe() has already reported this error.
   }
   return std::nullopt;
 }

@@ -18,13 +18,13 @@ struct FlowParameters : ObjectParameters, scene::Papered {
   enum class Rows { down, up };
   enum class Show { speed, none };
   std::filesystem::path file;  ///< npy or CSV file of velocities; if empty, `u` and `v` are used
-  std::string u = "-y";        ///< expressions for the velocity in m/s, in x and y (metres from the centre,
-                               ///< y up)
+  std::string u = "-y";        ///< expressions for the velocity in m/s as functions of x and y (metres from
+                               ///< the centre, y up)
   std::string v = "x";
   glm::ivec2 size{64, 36};  ///< size of the grid for the expressions, in cells
   Rows rows = Rows::down;   ///< order of the rows of an npy file, which is also the direction of positive v
                             ///< in the file
-  float scale = 1;          ///< velocity in m/s that a velocity of 1 in the file stands for
+  float scale = 1;          ///< velocity in m/s that the value 1 in the file stands for
   FluidPlane plane;
   bool ownCell = false;  ///< true if the scene gives the cell width
   Show show = Show::speed;

@@ -67,7 +67,7 @@ class FluidArrays {
   int elements_, planeBesideSums_ = 0;
   gl::Buffer buffers_[4];
   FluidArray arrays_[4],
-      free_[2];  ///< Free memory for shown(): before the dye and after the dye.
+      free_[2];  ///< Free parts of the buffer that shown() can use: [0] before the dye, [1] after the dye.
   int flow_ = 0, dye_ = 1, scratch_ = 2, spare_ = 3;
   gl::Kernel<FluidGather> gather_,
       scatter_;  ///< Kernels that convert between planes and consecutive elements; created on first use.

@@ -296,7 +296,7 @@ void FluidKernels::moveDye(int passes) const {
       {.part = part(),
        .rows = rows,
        .flow = arrays_.flow().resource(),
-       .ways = arrays_.scratch().resource(),  // The advection distances that check_ has written.
+       .ways = arrays_.scratch().resource(),  // Distances by which dye is advected, written by check_.
        .dye = arrays_.dye().resource(),
        .next = arrays_.spare().resource()});
 }

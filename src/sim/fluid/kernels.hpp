@@ -86,7 +86,7 @@ class FluidKernels {
   void project(unsigned number);
   [[nodiscard]] FluidProject projection(unsigned number) const;
   /// Projects the flow in place on the storage path, then runs check_, which measures the result and
-  /// computes the distances that dye is advected.
+  /// computes the distances by which dye is advected.
   void projectInPlace(unsigned number);
   void moveDye();
   /// Advects dye into the spare array, by one pass or by two passes in one dispatch.

@@ -46,8 +46,9 @@ struct FluidObstacle {
   [[nodiscard]] bool moves() const { return center.moves() || turn.moves(); }
 };
 
-/// Stroke that sets velocity, temperature or dye, or applies a force. In each substep, the cells approach
-/// the values to set by the fraction `value`.
+/// Stroke that sets velocity, temperature or dye, or applies a force. In each substep, the velocity,
+/// temperature or dye of a cell moves towards the value that the stroke sets, by the fraction `value` of
+/// the difference.
 struct FluidStroke : StrokeParameters {
   bool setsVelocity = false, setsTemperature = false, setsDye = false;
   scene::Animated<glm::vec3> velocity = glm::vec3(0);  ///< Velocity set by the stroke, in cells/s.

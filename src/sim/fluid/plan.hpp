@@ -22,7 +22,7 @@ class FluidPlan {
     std::vector<shader::Stroke> strokes;
   };
 
-  /// Reads the strokes' images, and also the obstacles' images unless `pictures` is given. Throws
+  /// Reads the images of the strokes. Reads the images of the obstacles unless `pictures` is given. Throws
   /// UserError(usage) if the viscosity makes the substeps unstable or if more than maxBrushes brushes act
   /// in one substep.
   FluidPlan(FluidParameters parameters, const std::string& object, int seed, double frameSeconds,

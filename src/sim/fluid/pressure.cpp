@@ -123,7 +123,7 @@ bool FluidPressure::joins(std::size_t level) const {
   return gl::memoryPath() == gl::MemoryPath::storage && levels_.levels()[level].hasOpenTiles();
 }
 
-// Creates the variant `both` only if a level needs it, because drivers take seconds to compile each
+// The variant `both` is created only if a level needs it, because drivers take seconds to compile each
 // variant.
 template <class Interface>
 void FluidPressure::makePair(Pair<Interface>& pair, const gl::Defines& defines) const {

@@ -101,8 +101,8 @@ class FluidPressure {
 
   const FluidLevels& levels_;  ///< Used only for the grid sizes, not for the weights.
   int cycles_;
-  bool tileAGroup_;         ///< True if a workgroup processes one of the tiles that are not open, instead
-                            ///< of four.
+  bool tileAGroup_;         ///< True if a workgroup processes a single tile of the tiles that are not open,
+                            ///< false if it processes four tiles.
   gl::WordsArray weights_;  ///< Face weights of all levels, and obstacle data (FluidSolids::words).
   gl::Buffer solids_, control_;
   StepBlocks<shader::FluidLevelPlace> places_;  ///< Uniform blocks, one per multigrid level.
@@ -112,10 +112,12 @@ class FluidPressure {
   gl::Kernel<FluidDivergence> divergence_;
   gl::Kernel<FluidBottom> bottom_;
   gl::Kernel<FluidDecide> decide_, judge_;
-  gl::Kernel<FluidCoarse> coarse_;  ///< Solves all levels from firstCoarse_ on; only on the storage path.
+  gl::Kernel<FluidCoarse> coarse_;  ///< Kernel that solves all levels from firstCoarse_ on. It exists only
+                                    ///< on the storage path.
   std::size_t firstCoarse_;         ///< Index of the coarsest level, or of the first level that coarse_
                                     ///< processes.
-  gl::Kernel<FluidDown> down_;      ///< Processes several levels before firstCoarse_ in one dispatch.
+  gl::Kernel<FluidDown> down_;      ///< Kernel that processes several levels before firstCoarse_ in one
+                                    ///< dispatch.
   gl::Kernel<FluidUp> up_;
   std::vector<glm::ivec4> coarseLevels_, downLevels_, upLevels_;
   float mostSpeed_;

@@ -220,8 +220,8 @@ std::vector<unsigned> clustersOf(const ClothTriangles& cloth, const std::vector<
 WaysToPins waysToPins(const ClothTriangles& cloth, const std::vector<bool>& pinned) {
   WaysToPins ways = Fronts(cloth, pinned).ways;
   for (std::size_t i = 0; i < ways.pins.size(); ++i)
-    if (ways.pins[i] != ClothTriangles::none)  // if the cluster has several pins, it is unknown from which
-                                               // of them the front started
+    if (ways.pins[i] != ClothTriangles::none)  // If the cluster has several pins, the pin from which the
+                                               // front started is unknown.
       ways.lengths[i] = std::max(ways.lengths[i], lengthOf(cloth.points[ways.pins[i]] - cloth.points[i]));
   return ways;
 }

@@ -17,8 +17,8 @@ struct Attachment {
   double compliance;  ///< compliance in m/N
 };
 
-/// For each vertex, the shortest path over its piece of cloth to a pinned vertex (metres; infinite if the
-/// piece has no pinned vertex), and the index of that pinned vertex.
+/// For each vertex, the length in metres of the shortest path over its connected piece of cloth to a pinned
+/// vertex, and the index of that pinned vertex. The length is infinite if the piece has no pinned vertex.
 struct WaysToPins {
   std::vector<double> lengths;
   std::vector<unsigned> pins;

@@ -230,8 +230,8 @@ void GarmentKernels::accelerate(const Step& step, std::size_t bending) const {
 // Applies the stretch and shear constraints to positions_[1], first in forward and then in reverse order.
 void GarmentKernels::stretch(const Step& step) const {
   if (plan_->parameters().keepsEnergy())
-    return;  // such cloth has no constraints; accelerate() has applied
-             // the forces
+    return;  // Cloth that keeps energy has no constraints to relax here, because accelerate() has already
+             // applied their forces.
   for (const bool back : {false, true})
     inColours(plan_->arrays().colours, back, [&](int first, int count) {
       stretch_.dispatch(count, {.garment = {count, step},

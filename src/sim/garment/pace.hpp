@@ -27,8 +27,8 @@ struct GarmentPace {
               const std::vector<MembraneElement>& membrane, const std::vector<double>& masses,
               const std::vector<bool>& pinned, const std::multimap<unsigned, unsigned>& links);
 
-  double hanging = 0;       ///< length d in metres (see hangingLength()); of a length held by attachments,
-                            ///< only a tenth counts
+  double hanging = 0;       ///< length d in metres (see hangingLength()); a length held by attachments
+                            ///< counts only as a tenth
   double stiffening = 0;    ///< product rho a d A S in 1/s^2, where a is the maximum acceleration by
                             ///< gravity and wind
   double drag = 0;          ///< rate in 1/s at which the fastest air slows the cloth
@@ -48,7 +48,7 @@ struct GarmentPace {
   [[nodiscard]] int substeps(double frameSeconds, double bendingSquared, int fewest = 8) const;
 };
 
-/// Returns the length in metres for each vertex; hangingLength() returns the maximum of these lengths.
+/// Returns, for each vertex, the path length in metres of which hangingLength() returns the maximum.
 [[nodiscard]] std::vector<double> hangingWays(const ClothTriangles& cloth, const std::vector<bool>& pinned,
                                               const std::multimap<unsigned, unsigned>& links);
 

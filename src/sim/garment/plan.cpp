@@ -169,7 +169,7 @@ void GarmentPlan::sew(const std::string& name, const ClothParameters& parameters
     for (std::size_t i = 0; i < seam.from.size(); ++i) {
       const unsigned a = vertexNamed(name, fmt::format("seams[{}]", k), seam.from[i]);
       const unsigned b = vertexNamed(name, fmt::format("seams[{}]", k), seam.to[i]);
-      if (a == b) continue;  // both vertices have been merged
+      if (a == b) continue;  // Both indices denote the same merged vertex.
       const glm::dvec3 d = glm::dvec3(rest_[b]) - glm::dvec3(rest_[a]);
       shut_[seam.seconds].emplace_back(a, b);
       stitches.emplace_back(a, b, bitsOf(std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z)),

@@ -93,7 +93,7 @@ class GarmentPlan {
   [[nodiscard]] std::vector<float> contactRooms() const;
   [[nodiscard]] const std::vector<double>& masses() const {
     return masses_;
-  }  ///< masses in kg, also of pinned vertices
+  }  ///< Returns the masses in kg. Pinned vertices have a mass, too.
 
  private:
   GarmentPlan(const std::string& name, const ClothParameters& parameters, int seed, double frameSeconds,

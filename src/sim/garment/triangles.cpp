@@ -232,8 +232,8 @@ std::size_t ClothTriangles::sideBeyond(unsigned face, std::size_t side) const {
 
 std::vector<int> colourFaces(const ClothTriangles& cloth) {
   std::vector<int> colours(cloth.faces.size(), -1);
-  std::vector<unsigned> taken;  // for each colour: index of the last face whose search found the colour
-                                // taken
+  std::vector<unsigned> taken;  // for each colour, index of the last face that found the colour in use at
+                                // one of its vertices
   for (unsigned f = 0; f < cloth.faces.size(); ++f) {
     for (const unsigned corner : cloth.faces[f].corners)
       for (unsigned k = cloth.starts[corner]; k < cloth.starts[corner + 1]; ++k) {

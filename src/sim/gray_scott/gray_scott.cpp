@@ -32,8 +32,8 @@ class GrayScott : public Simulation, public Retunable {
   void step(double time, const StepWatch& watch) override {
     const int steps = plan_.parameters().steps;
     kernels_.setRates(plan_.ratesAt(time));
-    int together = 0;  // Number of steps that can run without stopping, because nothing observes the states
-                       // between them.
+    int together = 0;  // Number of steps that can run without interruption, because nothing observes the
+                       // states between them.
     for (int i = 1; i <= steps; ++i) {
       ++together;
       const auto strokes = plan_.strokesAt(time, i);

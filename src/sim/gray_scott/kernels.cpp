@@ -95,8 +95,9 @@ void checkLimits(const std::string& name, glm::ivec2 size, int columns) {
 }
 
 /// Returns the number of rows per band, or 0 to use no bands. An H200 transfers 3.6e12 bytes/s if both
-/// arrays fit into 256 MiB, but only 2.1e12 bytes/s at 1 GiB, probably because of TLB misses. A band of
-/// both arrays therefore takes 256 MiB. Software drivers and smaller grids use no bands.
+/// arrays together fit into 256 MiB, but only 2.1e12 bytes/s at 1 GiB, probably because of TLB misses.
+/// Therefore, the rows of a band take 256 MiB in both arrays together. Software drivers and grids of up to
+/// 512 MiB use no bands.
 int bandRowsFor(int columns, int rows) {
   constexpr std::int64_t reach = 512LL << 20;
   const std::int64_t rowBytes = std::int64_t{columns} * 32;

@@ -12,8 +12,8 @@
 
 namespace simreel::sim {
 
-/// Named pairs of rates. src/sim/gray_scott/README.md shows the pattern of each: "spots" dies out,
-/// "leopard" grows spots.
+/// Named pairs of rates. src/sim/gray_scott/README.md shows the pattern of each pair. With "spots" every
+/// pattern dies out; "leopard" gives spots.
 enum class GrayScottPreset { spots, stripes, maze, solitons, unstable, leopard, chaos };
 
 /// Feed rate of u and removal rate of v, per unit of time.

@@ -152,8 +152,8 @@ void checkOpaque(const std::vector<Value>& rgba, const std::string& name, const 
              : "");
 }
 
-/// Returns the index of the pixel nearest to a cell's centre, which is at (2 cell + 1) / (2 cells) of the
-/// image's width. Uses integer arithmetic.
+/// Returns the index of the pixel nearest to a cell's centre, computed in integer arithmetic. The centre is
+/// at (2 cell + 1) / (2 cells), as a fraction of the image's width.
 int nearestPixel(int cell, int cells, int pixels) {
   return static_cast<int>((2LL * cell + 1) * pixels / (2LL * cells));
 }

@@ -18,8 +18,9 @@ namespace simreel::sim {
 /// Returns true if the file has 16 bits per channel.
 [[nodiscard]] bool stbIsDeep(std::string_view bytes);
 
-/// Decodes the pixels of a file of the given size, with 8 or 16 bits per channel (std::uint8_t or
-/// std::uint16_t) and 1 (grey) or 4 (RGBA) channels. Returns nothing on errors (see stbReason()).
+/// Decodes the pixels of a file whose image has the given size. `Value` is std::uint8_t for 8 or
+/// std::uint16_t for 16 bits per channel; there are 1 (grey) or 4 (RGBA) channels. Returns nothing on
+/// errors (see stbReason()).
 template <class Value>
 [[nodiscard]] std::optional<std::vector<Value>> stbDecode(std::string_view bytes, glm::ivec2 size,
                                                           int channels = 4);

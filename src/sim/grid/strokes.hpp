@@ -46,7 +46,7 @@ struct StrokeGrid {
   glm::ivec2 size{1, 1};  ///< Size of the grid in cells.
   bool torus =
       false;  ///< True if strokes wrap around to the opposite border, false if they end at the border.
-  std::string object;  ///< Name of the owner in messages, such as: life "guns".
+  std::string object;  ///< Name of the object and list in messages, such as: life "guns".
 };
 
 /// Prepares a scene's strokes for the kernels. Used by all kinds of fields and by the CPU twins.
@@ -70,8 +70,8 @@ class Strokes {
   [[nodiscard]] const std::vector<std::uint32_t>& imageBits() const { return bits_; }
   /// Returns the bits of the images with four words per element; kernels read them as "stamps".
   [[nodiscard]] std::vector<glm::uvec4> imageElements() const;
-  /// Returns true if a stroke paints this cell, according to its shape or image and its fraction. Gives the
-  /// same result as the kernels; used by the CPU twins.
+  /// Returns true if a stroke paints this cell, according to its shape or image and its fraction. The
+  /// result is the same as that of the kernels. Used by the CPU twins.
   [[nodiscard]] bool paints(const shader::Stroke& stroke, glm::ivec2 cell) const;
   /// Returns the cells that a stroke may paint on a grid: first column and row, number of columns and rows.
   /// The numbers are 0 if none exist.

@@ -52,7 +52,8 @@ class MeasuredLine {
   std::vector<double> lengths_;
 };
 
-/// Grid that stores for each position the index of the only line near it, or `several`.
+/// Grid over the picture. Each cell stores the index of the only line near the cell, or `several` if there
+/// are more lines.
 class LineMap {
  public:
   explicit LineMap(const glm::dvec4& part)
@@ -185,7 +186,7 @@ class Placement {
   std::vector<IsoLabel> placed_;
 };
 
-/// Removes from the pieces of a line what is inside a label's box.
+/// Removes those parts of a line's pieces that are inside a label's box.
 std::vector<IsoLine> withoutBox(const std::vector<IsoLine>& parts, const IsoLabel& label, double capital) {
   const glm::dvec2 half(0.5 * label.width + gap * capital, (0.5 + gapAbove) * capital);
   const glm::dvec2 up(label.along.y, -label.along.x);

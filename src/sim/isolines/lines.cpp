@@ -17,7 +17,8 @@ namespace {
 constexpr double samplePixels = 2;  // distance in pixels between samples of a magnified field
 constexpr int mostPerCell = 16;
 constexpr double leastApart = 0.4;  // minimum distance in pixels between points of a line
-constexpr double leastLoop = 6;     // minimum length in pixels of closed lines; shorter ones are left out
+constexpr double leastLoop = 6;     // minimum length in pixels of closed lines; shorter closed lines are
+                                    // omitted
 
 /// Values of a field, extrapolated linearly beyond its edges.
 struct Cells {
@@ -238,7 +239,7 @@ IsoGrid isoGrid(std::span<const float> values, glm::ivec2 cells, const FieldView
                       ? std::ceil(view.perPixel[axis])
                       : 1 / std::clamp(std::ceil(1 / view.perPixel[axis] / samplePixels), 1.0,
                                        static_cast<double>(mostPerCell));
-  // The samples run from the first to the last one that is needed. The first sample of the field is at its
+  // The range covers all samples that the view needs. The first sample of the field is at the field's
   // corner.
   const glm::dvec2 from = view.origin + view.perPixel * glm::dvec2(view.part.x, view.part.y);
   const glm::dvec2 to = view.origin + view.perPixel * glm::dvec2(view.part.z, view.part.w);

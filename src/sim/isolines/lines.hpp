@@ -36,8 +36,9 @@ struct IsoLine {
 [[nodiscard]] std::vector<IsoLine> isoLines(const IsoGrid& grid, std::span<const double> levels,
                                             const glm::dvec4& part);
 
-/// Returns the part of the segment from..to inside a rectangle (left, top, right, bottom), as two fractions
-/// of the segment. If no part is inside, the first fraction is not less than the second.
+/// Returns the part of the segment from..to that is inside a rectangle (left, top, right, bottom), as the
+/// fractions of the segment at which the part starts and ends. If no part is inside, the first fraction is
+/// not less than the second.
 [[nodiscard]] glm::dvec2 shareWithin(glm::dvec2 from, glm::dvec2 to, const glm::dvec4& part);
 
 /// Returns the outline of a line with this width (pixels): one polygon, or for a closed line two polygons

@@ -44,9 +44,9 @@ struct KernelEntry {
   int repeat = 1, every = 1;
   std::string indirect;     ///< buffer that contains the workgroup counts
   int offset = 0;           ///< byte offset in `indirect` or `into`
-  scene::Formula swap;      ///< names of two buffers or textures to swap after the kernel
+  scene::Formula swap;      ///< names of two buffers or textures that are swapped after the kernel has run
   std::string clear;        ///< name of a buffer or texture to fill with zeros
-  std::string count, into;  ///< the counter of buffer `count` is copied into buffer `into`
+  std::string count, into;  ///< names of two buffers: the counter of `count` is copied into `into`
 };
 
 /// Triangle mesh whose vertices are elements of a buffer.
@@ -87,10 +87,11 @@ struct KernelTerrain {
   std::string of, height;  ///< member or channel that holds the height; if empty, the first number
   glm::vec3 position{0};   ///< centre of the ground at height 0, in metres
   float width = 4;         ///< width along x in metres
-  float scale = 1;         ///< metres of the height 1
-  int finer = 1;           ///< steps of the drawn grid from one height to the next; 0: chosen by the size
+  float scale = 1;         ///< height in metres of the value 1
+  int finer = 1;           ///< number of cells of the drawn grid per distance between two neighbouring
+                           ///< heights; 0 chooses it by the size of the ground
   bool collides = false;
-  float grip = 25.3F;  ///< rate in 1/s at which sliding objects lose speed
+  float grip = 25.3F;  ///< decay rate (1/s) of the tangential velocity of objects that slide on the ground
 
   /// Returns the distance in metres between elements if there are `count` of them along x.
   [[nodiscard]] float cell(int count) const { return width / static_cast<float>(count - 1); }
@@ -144,7 +145,7 @@ struct KernelDescription {
   /// Reaction to drawn numbers that are NaN or infinite.
   enum class NonFinite { stop, warn, ignore };
   NonFinite nonFinite = NonFinite::warn;
-  int iterations = 65000;  ///< max iterations of a loop; 0: no limit
+  int iterations = 65000;  ///< maximum number of iterations of a loop; 0 for no limit
   bool fast = false;
   std::optional<KernelSurface> surface;
   std::optional<KernelPoints> points;

@@ -17,7 +17,7 @@ class KernelFinite {
 
   KernelFinite(const std::string& name, const KernelPlan& plan, KernelDescription::NonFinite reaction);
 
-  /// Returns the entry that notes elements of `part`.
+  /// Returns the report entry that counts the elements of `part` that are not finite.
   [[nodiscard]] KernelWatch watch(Part part) const;
   [[nodiscard]] bool watches() const { return reaction_ != KernelDescription::NonFinite::ignore; }
   /// Returns true if a report does not end the run.

@@ -24,9 +24,9 @@ struct KernelNumbers {
                                                    ///< member was chosen
 };
 
-/// An entry of a buffer of reports (layout of KernelReports) that notes elements that are not finite.
+/// Entry of a report buffer (layout of KernelReports) in which elements that are not finite are counted.
 struct KernelWatch {
-  const gl::Buffer* reports = nullptr;  ///< null: elements are not tested
+  const gl::Buffer* reports = nullptr;  ///< null if elements are not tested
   int place = 0;
 };
 
@@ -50,13 +50,15 @@ class KernelGather {
   /// selects.
   struct Chosen {
     std::string member;             ///< slot of the first three numbers
-    std::string fourth = {};        ///< slot of w; empty: `fill`
-    std::string alive = {};         ///< slot that is above 0 in live elements; w of the others becomes -1
+    std::string fourth = {};        ///< slot that gives w; if empty, w of `fill` is used
+    std::string alive = {};         ///< slot whose value is above 0 in live elements; w of dead elements
+                                    ///< becomes -1
     glm::vec4 fill = glm::vec4(0);  ///< value of numbers that the slots do not have
     bool encoded = false;           ///< true if the first three numbers are sRGB, which become linear
     int components = 3;             ///< number of components that `member` gives
-    KernelWatch watch = {};         ///< notes live elements whose numbers are not finite
-    bool marked = true;             ///< false: `alive` only excuses elements from `watch`
+    KernelWatch watch = {};         ///< report entry that counts live elements whose numbers are not finite
+    bool marked = true;             ///< if false, `alive` does not change w, and only excludes dead
+                                    ///< elements from `watch`
   };
   void run(const KernelNumbers& from, const Chosen& chosen, const gl::Vec4Array& to) const;
 

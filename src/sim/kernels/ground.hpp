@@ -22,7 +22,7 @@ class KernelGround {
 
   /// Copies the heights from memory. Call it after KernelStore::settle().
   void update(const KernelStore& store);
-  /// Makes the current heights those at the end of the frame.
+  /// Stores the current heights as the heights at the end of the frame, for colliding objects.
   void endFrame();
   void carryOver(CarryOver& carry);
   /// Returns the outlet of a terrain that collides; null if it does not collide.

@@ -177,8 +177,7 @@ void ImageParameters::addPass(scene::Fields& f, const ImagePass& pass) {
   step.push_back(entry);
 }
 
-/// Reports channels that a shader reads but the scene does not define, and removes constants that no pass
-/// uses.
+/// Reports channels that a shader reads but the scene does not define. Removes constants that no pass uses.
 void ImageParameters::holdChannels(scene::Fields& f, const kernels::Shader& shader,
                                    const std::vector<ImagePass>& all) {
   std::vector<std::string> read;

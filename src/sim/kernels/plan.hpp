@@ -17,7 +17,7 @@
 
 namespace simreel::sim {
 
-/// Buffer of the kernels of a file: a header of fixed members, followed by an array of elements.
+/// Buffer that the kernels of a file use: a header of fixed members, followed by an array of elements.
 struct PlannedBuffer {
   std::string name;
   std::string counterOf;   ///< if this is a counter, name of the buffer that it belongs to
@@ -41,7 +41,7 @@ struct PlannedBuffer {
   }
 };
 
-/// Texture or image of the kernels of a file.
+/// Texture or image that the kernels of a file use.
 struct PlannedTexture {
   std::string name, type, format;  ///< type is "2D", "3D", "2DArray" or "Cube"; format is a GLSL format
                                    ///< name

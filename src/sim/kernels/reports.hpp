@@ -15,7 +15,8 @@ struct ReportsKernel;
 /// Collects out-of-bounds accesses, loops that reach their limit, and drawn numbers that are not finite.
 class KernelReports {
  public:
-  /// `goesOn`: accesses and loops are reported but do not end the run.
+  /// If `goesOn` is true, out-of-bounds accesses and loops at their limit are reported but do not end the
+  /// run.
   KernelReports(const std::string& name, const KernelPlan& plan, const KernelFinite& finite, bool goesOn);
   ~KernelReports();
   KernelReports(const KernelReports&) = delete;

@@ -88,7 +88,7 @@ KernelTable tableOfCsv(std::string_view text, const std::string& name) {
   return table;
 }
 
-/// Returns the text of the header. The numbers begin where the header ends.
+/// Returns the text of the header. The array's numbers begin where the header ends.
 std::string_view npyHeader(std::string_view bytes, const std::string& name) {
   if (bytes.size() < 12 || !bytes.starts_with("\x93NUMPY")) broken(name, "this is no npy file");
   const bool old = bytes[6] == 1;

@@ -41,7 +41,8 @@ struct LeniaParameters : ObjectParameters, HasColorRange, scene::Covering {
   std::vector<LeniaKernel> kernels{LeniaKernel{}};
   double timeScale = 10;  ///< number of steps per unit of time
   double stepsPerSecond = 30;
-  double radius = 12;  ///< radius of SmoothLife's ring in cells; the disc has a third of it
+  double radius = 12;  ///< outer radius in cells of the ring of SmoothLife; the radius of the disc is a
+                       ///< third of it
   double bornMin = 0.278, bornMax = 0.365, surviveMin = 0.267, surviveMax = 0.445;
   double alphaRing = 0.028, alphaDisc = 0.147;
   std::vector<LeniaCreature> creatures;

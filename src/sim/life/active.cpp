@@ -53,8 +53,8 @@ LifeActive::LifeActive(const CellRule& rule, bool torus, glm::ivec2 size)
     : size_(size), words_((size.x + 127) / 128 * 4 * size.y) {
   const int tiles = tilesOf(size);
   // A pass counts as one iteration, plus the iterations that list the tiles and process them in groups of
-  // eight, plus the iterations over the rows of each group. Each loop counts one iteration more, for the
-  // last test of its condition.
+  // eight, plus the iterations over the rows of each group. Each loop counts as one iteration more, because
+  // its condition is tested once more at the end.
   const int eights = (tiles + 7) / 8;
   const int loops = 1 + 2 * (eights + 1) + eights * ((tileRows + 2 * steps) / 2 + 1);
   passesPerDispatch_ = std::max(1, (maxLoops - 1) / loops);
@@ -74,7 +74,7 @@ LifeActive::LifeActive(const CellRule& rule, bool torus, glm::ivec2 size)
 void LifeActive::run(gl::WordsArray& cells, int passes, const gl::Buffer& status) {
   const auto bytes = static_cast<GLsizeiptr>(words_) * 4;
   const auto half = [&] { return (pass_ & 1U) == 0 ? GLintptr{0} : GLintptr{bytes}; };
-  ++pass_;  // the marks of the previous run must differ from those of this run
+  ++pass_;  // The marks of this run must differ from the marks of the previous run.
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glCopyNamedBufferSubData(cells.buffer().name(), cells_.name(), 0, half(), bytes);
   for (int done = 0; done < passes;) {

@@ -106,8 +106,8 @@ class Life : public Simulation {
       if (watch) watch(++done);
     }
     gl::barrier();
-    // Frames may differ in their number of generations, so `watch` is also called for the missing
-    // generations.
+    // Some frames have fewer generations than others. `watch` is therefore also called for each generation
+    // that this frame lacks.
     if (watch)
       while (done < stepsPerFrame()) watch(++done);
   }
@@ -228,8 +228,8 @@ class Life : public Simulation {
                                             .trails = trail_});
   }
 
-  /// Computes most of the generations up to `end` with LifeActive, if many are due and none of the earlier
-  /// ones is displayed or painted into.
+  /// Computes most of the generations up to `end` with LifeActive. Does so only if many generations are due
+  /// and none before the last one is displayed or painted into.
   void takeActive(long end) {
     if (engine_ || end - generation_ < LifeActive::minGenerations || !LifeActive::suits(size_) ||
         trailQuads_ > 0 || !plan_.strokes().empty())

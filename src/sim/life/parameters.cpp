@@ -10,7 +10,8 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr int fittedTrail = 24;  // a fitted grid has few, large cells, whose trail shows how they move
+constexpr int fittedTrail = 24;  // A fitted grid has few, large cells. Their trail shows how the pattern
+                                 // moves.
 
 }  // namespace
 

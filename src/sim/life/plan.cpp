@@ -202,7 +202,7 @@ void LifePlan::takeRule(const std::string& object) {
   }
   if (!parameters_.rule.empty()) {
     const RuleProblem problem = parseCellRule(parameters_.rule, rule_);
-    SIMREEL_CHECK(problem.message.empty());  // the scene parser has validated it
+    SIMREEL_CHECK(problem.message.empty());  // The scene parser has validated the rule.
     return;
   }
   const glm::ivec2 size = parameters_.size;

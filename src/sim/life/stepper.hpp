@@ -9,8 +9,8 @@
 
 namespace simreel::sim {
 
-/// Part of the variants of glsl/life/step.comp and active.comp that depends on the rule, for rules on bits:
-/// a formula or neighbour counts.
+/// The defines of glsl/life/step.comp and active.comp that select a rule on bits: a formula, or neighbour
+/// counts for birth and survival.
 struct LifeRuleVariant {
   gl::Code<"FORMULA", ""> formula;
   gl::Range<"BORN", 0, 511> born;

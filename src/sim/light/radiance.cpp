@@ -75,7 +75,8 @@ class RadianceFile {
   }
 
   /// Accepts primaries that are close to Rec. 709. The default primaries of Radiance (green 0.29 0.6,
-  /// equal-energy white) differ slightly, but programs that write them mean Rec. 709.
+  /// equal-energy white) differ slightly, but the programs that write these primaries store Rec. 709
+  /// colours.
   void checkPrimaries(std::string_view numbers) {
     constexpr std::array<double, 8> usual = {0.64, 0.33, 0.3, 0.6, 0.15, 0.06, 0.3127, 0.329};
     constexpr double slack = 0.025;

@@ -114,8 +114,9 @@ class DeformedMesh : public Simulation, public ContactSolid {
     if (watch) watch(1);
   }
 
-  /// Vertex positions depend only on time, so skipped frames need no deformation. Footprint trails must be
-  /// pressed, and collisions need the heights or faces of two consecutive frames.
+  /// Vertex positions depend only on time, so skipped frames need no deformation, with two exceptions:
+  /// footprint trails must be pressed in every frame, and collisions need the heights or faces of two
+  /// consecutive frames.
   void pass(double time) override {
     if (heights_ || touched_) return step(time, {});
     time_ = time + frameSeconds_;
@@ -320,7 +321,7 @@ void DeformedMesh::deformOnCpu(const shader::DeformStep& step) {
 }
 
 void DeformedMesh::deformMapped(const shader::DeformStep& step) {
-  // All commands that read the current slot have been issued at this point.
+  // At this point, all commands that read the current slot have been issued.
   Vertices& drawn = vertices_[current_];
   if (drawn.drawn == nullptr) drawn.drawn = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
   current_ = (current_ + 1) % vertices_.size();

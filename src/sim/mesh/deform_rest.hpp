@@ -20,8 +20,9 @@ struct RestMesh {
   std::vector<glm::vec4> normals;    ///< xyz: unit normal
   std::vector<glm::uvec4> fans;      ///< for each vertex: x is the index of its first element in `faces`, y
                                      ///< its number of elements
-  std::vector<glm::uvec4> faces;     ///< two faces per element: the corners b, c and b', c' other than the
-                                  ///< vertex; if there is no second face, b' and c' are the vertex itself
+  std::vector<glm::uvec4> faces;  ///< two faces per element: the corners b, c of the first face and b', c'
+                                  ///< of the second face, other than the vertex itself; if there is no
+                                  ///< second face, b' and c' are the vertex itself
 };
 
 }  // namespace simreel::sim

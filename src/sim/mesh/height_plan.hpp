@@ -24,7 +24,7 @@ class HeightPlan {
  private:
   shader::HeightGrid grid_{};
   float lift_;
-  float grip_;  ///< rate in 1/s at which sliding objects lose speed
+  float grip_;  ///< decay rate (1/s) of the tangential velocity of objects that slide on the surface
   double frameSeconds_;
 };
 

@@ -187,7 +187,7 @@ std::vector<glm::vec3> MeshParameters::placesAtRest() const {
       for (const glm::vec3& at : mesh.positions) places.emplace_back(placed * glm::vec4(at, 1));
     }
   } catch (const UserError&) {
-    return {};  // the constructor of the simulation reports the error
+    return {};  // The constructor of the simulation reports this error.
   }
   return places;
 }

@@ -39,7 +39,8 @@ struct MeshParameters : ObjectParameters, scene::Outlined, scene::Tinted {
   bool collides = false;           ///< true if the mesh collides: as a closed mesh, or as a height field if
                                    ///< it is deformed
   bool byFaces = false;            ///< true if the mesh's faces collide with cloths in contact
-  float grip = 25.3F;              ///< rate in 1/s at which sliding objects lose speed
+  float grip = 25.3F;              ///< decay rate (1/s) of the tangential velocity of objects that slide on
+                                   ///< the mesh
   std::optional<double> friction;  ///< Coulomb friction coefficient, used instead of `grip`; if empty,
                                    ///< collisions of faces use the cloth's coefficient
   int distanceCells = 0;           ///< number of cells of the distance field along the longest side; 0

@@ -112,8 +112,8 @@ Mesh sphereMesh(float radius, glm::ivec2 vertices) {
                    static_cast<unsigned>(vertices.x - 1));
 }
 
-// Each edge is interpolated in the order of its corners' indices, so that both faces at the edge compute
-// positions with identical bits.
+// Each edge is interpolated from its corner with the lower index to the other corner, so that both faces at
+// the edge compute positions with identical bits.
 Mesh geodesicMesh(float radius, int parts) {
   const double golden = (1 + std::sqrt(5.0)) / 2;
   std::vector<glm::dvec3> corners;
@@ -121,8 +121,9 @@ Mesh geodesicMesh(float radius, int parts) {
     for (const double other : {-golden, golden})
       corners.insert(corners.end(), {{0, one, other}, {one, other, 0}, {other, 0, one}});
   const auto near = [&](std::size_t a, std::size_t b) {
-    return glm::distance(corners[a], corners[b]) < 2.5;  // distances between neighbouring corners are 2,
-                                                         // all others more than 3
+    return glm::distance(corners[a], corners[b]) < 2.5;  // The distance between neighbouring corners is 2;
+                                                         // the distance between other corners is more than
+                                                         // 3.
   };
   Mesh mesh;
   const auto face = [&](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {

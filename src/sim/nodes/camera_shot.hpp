@@ -13,7 +13,8 @@ namespace simreel::sim {
 /// loadMesh().
 [[nodiscard]] std::shared_ptr<const scene::CameraShot> openCamera(const scene::CameraFile& wanted);
 
-/// Parses a camera from a file's text like openCamera(), but within this process.
+/// Parses a camera from a file's text like openCamera(), but in the calling process instead of a separate
+/// one.
 [[nodiscard]] std::shared_ptr<const scene::CameraShot> readCamera(const scene::CameraFile& wanted,
                                                                   std::string_view text);
 

@@ -92,7 +92,7 @@ std::optional<FigureChannel> GltfNodes::channelOf(const JsonValue& animation, co
   if (!target.has("node") || path == "weights" || path == "pointer") return std::nullopt;
   const std::uint64_t node = GltfDocument::number(target, "node");
   static_cast<void>(document_.item("nodes", node));
-  if (placeOf(node) < 0) return std::nullopt;  // the node does not belong to the default scene
+  if (placeOf(node) < 0) return std::nullopt;  // The node does not belong to the default scene.
   FigureChannel made;
   made.node = placeOf(node);
   const auto refuse = [&](const std::string& why) {

@@ -12,8 +12,9 @@ namespace simreel::sim {
 
 namespace {
 
-/// Rounds for a few balls, and rounds times balls for many, which take some seconds. Contact moves what
-/// then overlaps apart, without speed.
+/// Maximum number of rounds, and maximum number of rounds times balls, which take some seconds; at least
+/// four rounds are computed. If balls still overlap afterwards, contact moves them apart during the run
+/// without adding speed.
 constexpr std::size_t mostRounds = 200, mostVisits = 1'000'000;
 /// Overlap that remains, as a fraction of the distance of two balls.
 constexpr float remains = 1e-3F;
@@ -28,7 +29,7 @@ Cell cellOf(const glm::vec4& p, float perCell) {
   return {index(p.x), index(p.y), index(p.z)};
 }
 
-/// Moves two balls apart if they overlap; returns true if they did.
+/// Moves two balls apart if they overlap. Returns true if they overlapped.
 bool part(glm::vec4& a, glm::vec4& b, float reach) {
   const glm::vec3 apart = glm::vec3(a) - glm::vec3(b);
   const float squared = shader::exactDot(apart, apart);

@@ -3,8 +3,9 @@
 
 namespace simreel::sim {
 
-/// Moves particles that overlap apart, before the first frame, each pair by equal parts. Velocities stay.
-/// Cells of a grid are visited in order, so the result does not depend on the machine.
+/// Moves overlapping particles apart before the first frame. Both particles of a pair move by the same
+/// distance, and their velocities do not change. The pairs are processed in the order of grid cells, so the
+/// result does not depend on the machine.
 void moveApart(ParticleCloud& cloud, const shader::BallConstants& balls);
 
 }  // namespace simreel::sim

@@ -20,8 +20,9 @@ class BallContact {
   /// Throws UserError(device), naming the device's limit.
   BallContact(const std::string& name, const ParticlePlan& plan, const ParticleSolids& solids, bool fast);
 
-  /// Resolves the contacts of a substep. `starts`: positions at its start. `positions` and `velocities`:
-  /// the prediction for its end, which this corrects. `part`: the other inputs of particle kernels.
+  /// Resolves the contacts of a substep. `starts` holds the positions at the start of the substep.
+  /// `positions` and `velocities` hold the prediction for its end, which this function corrects. `part`
+  /// holds the other inputs of particle kernels.
   void solve(const ParticlePart& part, const gl::Vec4Array& starts, const gl::Vec4Array& positions,
              const gl::Vec4Array& velocities);
 

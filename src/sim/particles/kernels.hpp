@@ -32,7 +32,8 @@ struct ParticleKick {
   gl::InOut<"accelerations"> accelerations;
 };
 
-/// Kernel for a substep of mutually attracting particles, up to the second kick.
+/// Interface of the kernel that computes a substep of mutually attracting particles, without the second
+/// kick.
 struct ParticleDrift {
   static constexpr auto file = "particles/drift.comp";
   using Variant = ParticleSolids;

@@ -28,7 +28,8 @@ namespace {
 /// Radius, in scale lengths, that contains most of a Plummer sphere or a disk.
 constexpr float scaleLengths = 3.0F;
 
-/// Greatest a dt^2 and v dt of "auto" substeps, as fractions of a ball's radius.
+/// Maximum of a dt^2 and of v dt for "auto" substeps, as fractions of a ball's radius, where a is the
+/// acceleration, v the speed and dt the substep.
 constexpr double overlapOfStep = 3.5e-4, wayOfStep = 0.3;
 
 void includeBall(std::optional<scene::Box>& box, const glm::vec3& middle, const glm::vec3& half) {
@@ -42,7 +43,7 @@ void includeFile(std::optional<scene::Box>& box, const ParticleGroup& group) {
     ParticleCloud cloud = readParticles(group.file, group.totalMass, most);
     placeGroup(cloud, group);
     for (const glm::vec4& particle : cloud.positions) scene::include(box, glm::vec3(particle));
-  } catch (const UserError&) {  // the constructor of the simulation reports the error
+  } catch (const UserError&) {  // The constructor of the simulation reports this error.
   }
 }
 
@@ -209,7 +210,7 @@ void ParticleParameters::describeContact(scene::Fields& f) {
   for (const ParticleGroup& group : groups) {
     const bool cube = group.shape == ParticleGroup::Shape::cube;
     if (massExponent > 0 || (!cube && group.shape != ParticleGroup::Shape::ball)) continue;
-    // Balls that are placed at random can be moved apart up to half of the volume.
+    // Randomly placed balls can be moved apart if their volume is at most half of the group's volume.
     const double volume = cube ? 8 : 4.18879;
     const double wide = ballRadius() * std::cbrt(group.count * 4.18879 / (0.5 * volume));
     if (wide > group.radius)
@@ -285,7 +286,8 @@ ParticleParameters ParticleParameters::inStep(int contactSubsteps) const {
   return all;
 }
 
-// Overlaps in a heap are proportional to its depth and to a dt^2 (glsl/particles/README.md).
+// The overlap of balls in a heap is proportional to the heap's depth and to a dt^2, with the acceleration a
+// and the substep dt (glsl/particles/README.md).
 int ParticleParameters::substepsPerFrame(double frameSeconds) const {
   if (!autoSubsteps) return substeps;
   double strongest = 0;
@@ -329,7 +331,7 @@ std::span<const scene::Quantity> ParticleParameters::quantities() const {
   return table;
 }
 
-// Particles of emitters may fall without end, so only the emitters count.
+// Particles may fall without end, so only the positions of emitters determine the result.
 std::optional<float> ParticleParameters::footing() const {
   if (emitters.empty()) return std::nullopt;
   const auto falls = [&](const Emitter& emitter) {

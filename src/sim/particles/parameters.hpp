@@ -76,7 +76,7 @@ struct ParticleWind {
 
 /// Contact of particles with each other, as balls.
 struct BallParameters {
-  float radius = 0.0F;  ///< metres; 0: half of the drawn size
+  float radius = 0.0F;  ///< radius in metres; if 0, half of the drawn size
   float friction = 0.4F;
   float restitution = 0.3F;
   void describe(scene::Fields& fields);
@@ -94,8 +94,9 @@ struct ParticleParameters : ObjectParameters, HasColorRange, TouchesMeshes, shad
   std::optional<Attractor> attractor;
   scene::Animated<glm::vec3> acceleration = glm::vec3(0);  ///< uniform acceleration in m/s^2
   Turbulence turbulence;
-  int substeps = 1;           ///< per frame; ignored if `autoSubsteps`
-  bool autoSubsteps = false;  ///< true: balls in contact take as many as they need
+  int substeps = 1;           ///< number of substeps per frame; ignored if `autoSubsteps` is true
+  bool autoSubsteps = false;  ///< true if the number of substeps is the number that the contact of balls
+                              ///< needs
   std::optional<BallParameters> contact;
   bool collides = false;
   std::optional<ParticleWind> wind;
@@ -121,8 +122,9 @@ struct ParticleParameters : ObjectParameters, HasColorRange, TouchesMeshes, shad
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] std::optional<scene::Box> framed() const override;
-  /// Returns infinity if emitters exist and all their particles fall; the ground is then where other
-  /// objects stand.
+  /// Returns the height in metres of the lowest point of all emitters whose particles do not all fall. The
+  /// result is infinity if the particles of all emitters fall, so that only other objects determine the
+  /// ground. It is empty if there are no emitters.
   [[nodiscard]] std::optional<float> footing() const override;
   [[nodiscard]] Looks looks() const override { return additive ? Looks::shining : Looks::solid; }
   [[nodiscard]] bool wanders() const override { return true; }
@@ -143,7 +145,8 @@ struct ParticleParameters : ObjectParameters, HasColorRange, TouchesMeshes, shad
   [[nodiscard]] float ballRadius() const {
     return contact && contact->radius > 0 ? contact->radius : 0.5F * size;
   }
-  /// Returns the number of substeps per frame: the given one, or the one that balls in contact need.
+  /// Returns the number of substeps per frame: `substeps`, or for `autoSubsteps` the number that balls in
+  /// contact need.
   [[nodiscard]] int substepsPerFrame(double frameSeconds) const;
   /// Returns a copy with `contactSubsteps` substeps per frame if the particles collide with cloths; 0 keeps
   /// the number of the parameters.

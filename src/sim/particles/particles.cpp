@@ -224,7 +224,7 @@ class Particles : public Simulation, public LockStep {
           gl::Kernel<ParticleBirth>(defines, {.solids = solids, .fields = fields, .attracts = attracts()});
   }
 
-  /// True if a substep needs the positions at its start until its end.
+  /// Returns true if a substep needs the positions at its start until its end.
   [[nodiscard]] bool twoPositions() const { return inContact_ || plan_.parameters().contact.has_value(); }
   [[nodiscard]] bool attracts() const { return plan_.parameters().method != GravityMethod::none; }
 
@@ -305,7 +305,8 @@ class Particles : public Simulation, public LockStep {
   std::string name_;
   scene::Material material_;
   ParticlePlan plan_;
-  gl::Vec4Array positions_[2];  ///< current positions; in contact also the substep's result
+  gl::Vec4Array positions_[2];  ///< [0] current positions; [1] positions after the substep, used only if
+                                ///< the particles touch cloths or each other
   gl::Vec4Array velocities_, accelerations_;
   gl::Buffer savedAccelerations_;  ///< for particles in contact: accelerations at the start of the frame
   int next_ = 0;                   ///< index into positions_ of the array that kernels read and write

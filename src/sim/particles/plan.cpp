@@ -215,7 +215,7 @@ shader::ParticleStep ParticlePlan::between(double start, double end) const {
   s.constants.damping = p.slowing();
   s.turbulence = p.turbulence;
   if (!p.contact) return s;
-  // Contact takes all of the kick before the drift, so that a ball at rest has no velocity between
+  // With contact, the whole kick precedes the drift, so that a ball at rest has no velocity between
   // substeps.
   s.pace.firstKick = seconds;
   s.pace.secondKick = 0;

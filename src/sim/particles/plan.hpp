@@ -41,7 +41,7 @@ class ParticlePlan {
   /// Returns the mass in kg of a particle of nominal size, taken from the first group, else from the first
   /// emitter.
   [[nodiscard]] float massReference() const;
-  /// Returns the greatest speed at the start in m/s: of the first cloud and of what emitters emit.
+  /// Returns the maximum speed in m/s of the particles in `cloud` and of newly emitted particles.
   [[nodiscard]] float fastestAtStart(const ParticleCloud& cloud) const;
   /// Returns the description of the particles for contact with cloths.
   [[nodiscard]] ContactPart contactPart() const;
@@ -91,7 +91,7 @@ class ParticlePlan {
   std::vector<Ring> rings_;
   shader::BallConstants balls_;
   int count_ = 0;
-  int done_ = 0;  ///< number of substeps so far
+  int done_ = 0;  ///< number of substeps of all frames requested so far
 };
 
 }  // namespace simreel::sim

@@ -17,7 +17,8 @@ namespace simreel::sim {
 struct TrailParameters {
   int frames = 30;      ///< number of earlier frames in a trail
   float width = 0.02F;  ///< diameter of the trail at the particle, in metres
-  int every = 1;        ///< n: only every n-th particle has a trail
+  int every = 1;        ///< step between particles that have a trail: 1 for every particle, n for every
+                        ///< n-th particle
   float fade = 0.8F;    ///< fraction by which the colour is darkened at the end of the trail
 
   void describe(scene::Fields& fields);

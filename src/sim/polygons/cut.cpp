@@ -52,7 +52,7 @@ class EarRing {
     bool ear = true;
     for (std::size_t k = 0; k < hollows_.size(); ++k) {
       const unsigned other = hollows_[k];
-      if (!hollow_[other]) continue;  // skips corners that were cut off or are no longer concave
+      if (!hollow_[other]) continue;  // Skips corners that are already cut off or no longer concave.
       hollows_[kept++] = other;
       ++tests;
       if (other == a || other == c || !ear) continue;
@@ -141,7 +141,7 @@ void PolygonCutter::cutEars(const glm::dvec3& normal, std::span<const glm::vec3>
   unsigned at = 0;
   std::size_t passed = 0;  // number of corners visited since the last one that was cut off
   while (ring.left() > 3) {
-    const bool stuck = passed > ring.left();  // the polygon intersects itself or has no area
+    const bool stuck = passed > ring.left();  // The polygon intersects itself or has no area.
     if (stuck || ring.isEar(at, tests_)) {
       triangles.push_back({ring.before(at), at, ring.next(at)});
       ring.cutOff(at);

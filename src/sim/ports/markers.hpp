@@ -3,8 +3,8 @@
 
 namespace simreel::sim {
 
-/// Port of objects that others can collide with: shapes, meshes, bodies, water, cloths in contact. It has
-/// no outlet, because colliders have their own ports.
+/// Port of objects that others can collide with: shapes, meshes, bodies, water, cloths in contact. It
+/// provides no interface, because each kind of collider has another port for that.
 struct Touchable {
   static const PortInfo port;
 };

@@ -122,7 +122,8 @@ RuleCut ReactionKernels::bestCut() {
   RuleCut cut;
   const bool texel = gl::memoryPath() == gl::MemoryPath::texel;
   cut.rows = texel ? 2 : 1;
-  // Consecutive rows use the same loads of the rows above and below, each in three layers.
+  // If an invocation processes several rows, consecutive rows use the same loads of the rows above and
+  // below, each in three layers.
   cut.volumeRows = texel ? 16 : 1;
   cut.stepsPerPass = texel ? 4 : 2;
   cut.stripElements = texel ? 6 : 1;

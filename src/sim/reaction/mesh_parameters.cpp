@@ -112,7 +112,7 @@ std::optional<scene::Box> ReactionMesh::framed() const {
       for (const glm::vec3& at : mesh.positions) include(box, glm::vec3(placed * glm::vec4(at, 1)));
     }
   } catch (const UserError&) {
-    return std::nullopt;  // The error is reported when the object is created.
+    return std::nullopt;  // The error is reported later, when the object is created.
   }
   return box;
 }

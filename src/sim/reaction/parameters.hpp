@@ -36,8 +36,8 @@ struct ReactionParameter {
   std::filesystem::path image;  ///< Image whose brightness interpolates from `value` (black) to `white`.
   double white = 1;
   std::string field;       ///< Name of another object's field that supplies the values.
-  bool isPresets = false;  ///< True if a preset defines the parameter; the expressions then need not use
-                           ///< it.
+  bool isPresets = false;  ///< True if a preset defines the parameter. Such a parameter need not occur in
+                           ///< the expressions.
 
   [[nodiscard]] bool isMapped() const { return across || down || !image.empty(); }
 };

@@ -47,8 +47,9 @@ class ReactionPlan {
   [[nodiscard]] std::vector<float> valuesAt(double time) const;
   /// Returns the number of steps from scene time 0 to `time` (seconds).
   [[nodiscard]] long stepAt(double time) const;
-  /// Returns the model's time, in units of time, at the fraction `later` of a step after step `step`.
-  /// `first` is the step number of the initial state, before the presteps.
+  /// Returns the model's time, in units of time, at a moment within the step that follows step `step`.
+  /// `later` is the part of that step that has passed, as a fraction. `first` is the step number of the
+  /// initial state, before the presteps.
   [[nodiscard]] float modelTime(long step, long first, double later) const;
   struct Painted {
     shader::Stroke stroke;

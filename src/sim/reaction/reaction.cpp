@@ -253,8 +253,8 @@ class Reaction : public Simulation, public FrameStarter, public Retunable {
     now_ = plan_.stepAt(time);
     kernels_.setValues(plan_.valuesAt(time));
     const long begin = now_;
-    int together = 0;  // Number of steps that can run without stopping, because nothing observes the states
-                       // between them.
+    int together = 0;  // Number of steps that can run without interruption, because nothing observes the
+                       // states between them.
     const auto go = [&] {
       kernels_.advance(now_, together, first_);
       now_ += std::exchange(together, 0);

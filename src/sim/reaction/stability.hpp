@@ -10,7 +10,8 @@ struct StepGrowth {
   double step = 1;  ///< Factor by which one step multiplies the wave's height.
   double equations =
       1;          ///< Factor by which the exact equations multiply the wave's height over the same time.
-  double dt = 0;  ///< Step size, in units of time, with which the steps follow the equations.
+  double dt = 0;  ///< Step size, in units of time, that is small enough for the steps to follow the
+                  ///< equations.
 };
 
 /// Tests whether the steps amplify small waves that the equations do not amplify. Takes three cells of the

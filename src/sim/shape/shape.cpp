@@ -73,8 +73,8 @@ std::optional<scene::Box> ShapeParameters::framed() const {
 
 std::optional<scene::Box> ShapeParameters::framedAlone() const {
   if (!visible || shape.kind != ColliderShape::Kind::plane) return std::nullopt;
-  constexpr float most = 3;  // max half width and half depth in metres that the camera frames; of a larger
-                             // plane, it frames only the middle
+  constexpr float most = 3;  // maximum half width and half depth, in metres, of the part of a plane that
+                             // the camera frames
   const glm::mat3 turn(rotationMatrix(shape.rotation.at(0)));
   const glm::vec3 middle = shape.position.at(0);
   const float wide = std::min(0.5F * size.x, most), deep = std::min(0.5F * size.z, most);

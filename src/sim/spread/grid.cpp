@@ -18,8 +18,7 @@ constexpr int firstCapacity = 1024;
 glm::uvec4 countClasses(const std::vector<std::uint8_t>& cells) {
   glm::uvec4 counts(0);
   for (const std::uint8_t cell : cells)
-    ++counts[(cell / 64 + 3) % 4];  // the counter of uninhabited cells
-                                    // is the last one
+    ++counts[(cell / 64 + 3) % 4];  // The counter of uninhabited cells is the last of the four counters.
   return counts;
 }
 

@@ -263,7 +263,8 @@ std::vector<glm::vec3> WildfirePlan::palette() const {
     return color * static_cast<float>(0.35 + 1.3 * fraction);
   };
   std::vector<glm::vec3> colors;
-  for (int i = 0; i < 64; ++i) {  // classes that cannot burn: first rock, then water; the others are unused
+  for (int i = 0; i < 64; ++i) {  // Ground classes that cannot burn: 0 is rock, 1 is water, and the others
+                                  // are unused.
     const bool isWater = i / 16 == 1;
     colors.push_back(isWater ? p.water * static_cast<float>(0.85 + 0.3 * (i % 16) / 15.0)
                              : shaded(p.rock, i % 16 / 15.0));

@@ -71,7 +71,8 @@ class WildfirePlan {
   /// Returns the slope of the ground at each cell in the format of climbed() in
   /// glsl/spread/wildfire/model.glsl; empty if the slope has no effect.
   [[nodiscard]] const std::vector<std::uint16_t>& inclines() const { return inclines_; }
-  /// Returns the 512 factors of climbFactor() in glsl/spread/wildfire/model.glsl, four per element.
+  /// Returns the 512 factors of climbFactor() in glsl/spread/wildfire/model.glsl, with four factors per
+  /// element.
   [[nodiscard]] std::vector<glm::vec4> climbFactors() const;
 
   struct Step {

@@ -236,7 +236,8 @@ class Streamlines : public Simulation {
   glm::ivec2 cells_{1, 1};
   glm::vec4 toColumn_{0}, toRow_{0};
   gl::Vec4Array points_;  ///< xyz: position in metres; w: position of the speed within its range, 0 to 1
-  gl::Buffer spans_;      ///< indices of the first and last point of each line: currently, and as traced
+  gl::Buffer spans_;      ///< two spans per line, each with the indices of a first and a last point: the
+                          ///< current span, and the span as traced
   gl::Buffer tubeSpans_;  ///< spans of the lines that are drawn
   gl::Buffer claims_;     ///< for each cell: round and rank of the line that claims it
   Tubes tubes_;

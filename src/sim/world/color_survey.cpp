@@ -28,7 +28,7 @@ void see(float value, SeenRange& range) {
   range.seen = true;
 }
 
-/// Returns float `at` of each of the first `count` texels of a buffer texture.
+/// Returns the component with the index `at` of each of the first `count` texels of a buffer texture.
 std::vector<float> component(const gl::Texture& texels, int count, int at) {
   Field field;
   field.words = &texels;

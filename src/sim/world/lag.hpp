@@ -12,7 +12,7 @@ namespace simreel::sim {
 /// such x the equation is solved exactly, so y does not depend on how many frames lie between two times.
 class Lag {
  public:
-  /// `damping`: T in seconds, above 0. `frameSeconds`: duration of a frame.
+  /// `damping` is T in seconds and must be above 0. `frameSeconds` is the duration of a frame.
   Lag(double damping, double frameSeconds);
 
   /// Sets x of the next frame and advances y. In the first frame y starts at x with zero velocity.
@@ -28,7 +28,8 @@ class Lag {
 
  private:
   double damping_, seconds_, rate_, decay_;
-  int known_ = 0;  ///< 1 after the first frame, otherwise 0
+  int known_ = 0;  ///< number of previous positions of x that are known: 0 before the first frame and after
+                   ///< lose(), otherwise 1
   glm::dvec3 target_{0}, place_{0}, speed_{0};
 };
 

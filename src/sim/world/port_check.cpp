@@ -26,7 +26,7 @@ const scene::Object* named(Objects objects, std::string_view name) {
   return found == objects.end() ? nullptr : &*found;
 }
 
-/// Answer to whether one object provides a port to another object.
+/// Result of the check whether one object provides a port to another object.
 struct Offered {
   bool given = false;
   std::string unless;              ///< reason if the port is not provided
@@ -51,7 +51,7 @@ Offered offered(const scene::Object& provider, const scene::Object& wanter, cons
   return all;
 }
 
-/// Returns the names by which a reference of another object may refer to a provider or its parts.
+/// Returns the names by which another object may refer to a provider or to its parts.
 std::vector<std::string> namesOf(const scene::Object& provider, const Offered& offer,
                                  const Ports::Want& want) {
   std::vector<std::string> names;

@@ -31,8 +31,8 @@ bool isReported(const std::vector<UserError>& problems) {
   });
 }
 
-/// Opens the images of a material like its renderer does: only the exact rasterizer, for a material with a
-/// finish, handles transparency.
+/// Opens the images of a material in the same way as the renderer that will draw the material. Only the
+/// exact rasterizer, for a material with a finish, handles transparency.
 template <class Attempt>
 void checkPictures(const scene::Material& material, bool exact, const Attempt& attempt) {
   const auto check = [&](const std::filesystem::path& file) {
@@ -88,7 +88,7 @@ std::vector<UserError> findProblems(const scene::Scene& scene) {
   setting.links = &links;
   try {
     colliders = collidersOf(scene, &bones);
-  } catch (const UserError&) {  // the body's own check reports the error
+  } catch (const UserError&) {  // The check of the body itself reports this error.
     colliders = collidersOf(scene, nullptr);
   }
   std::vector<UserError> problems;

@@ -22,7 +22,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Returns the elements that a buffer holds from `offset` on, at most `most`.
+/// Returns the elements of a buffer from the byte offset `offset` on, but at most `most` elements.
 template <class T>
 std::vector<T> elementsOf(GLuint buffer, std::size_t offset, std::size_t most) {
   GLint64 bytes = 0;
@@ -44,7 +44,7 @@ std::size_t verticesOf(const Surface& surface) {
   return static_cast<std::size_t>(std::max(surface.vertexCount, surface.vertexRoom));
 }
 
-/// Bits of a position, which identify a vertex. Zero has one sign.
+/// Bit patterns of a position's coordinates, which identify a vertex. -0 has the same bits as 0.
 using Corner = std::array<std::uint32_t, 3>;
 
 Corner cornerOf(const glm::vec3& p) {
@@ -54,8 +54,8 @@ Corner cornerOf(const glm::vec3& p) {
 
 using Triangle = std::array<Corner, 3>;
 
-/// Returns the triangles of a surface with stored vertices in world space; empty for a grid and for one
-/// that is deformed as it is drawn.
+/// Returns the triangles, in world space, of a surface with stored vertices. Returns nothing for a grid and
+/// for a surface that the vertex shader deforms.
 std::vector<Triangle> trianglesOf(const Surface& surface) {
   std::vector<Triangle> triangles;
   if (surface.normals == nullptr || surface.deform != nullptr || surface.heights != nullptr)
@@ -73,14 +73,15 @@ std::vector<Triangle> trianglesOf(const Surface& surface) {
   return triangles;
 }
 
-/// Finds the part of each triangle of a mesh that several surfaces draw.
+/// Determines, for each triangle of a mesh that several surfaces draw, the index of the surface that draws
+/// it.
 class Parts {
  public:
   explicit Parts(const std::vector<Surface>& surfaces) {
     for (unsigned i = 0; i < surfaces.size(); ++i)
       for (const Triangle& triangle : trianglesOf(surfaces[i])) parts_.emplace(triangle, i);
   }
-  /// Returns the parts; triangles that no surface has belong to the part `otherwise`.
+  /// Returns the surface index of each triangle. Triangles that no surface draws get the index `otherwise`.
   [[nodiscard]] std::vector<unsigned> of(const MeshTable& mesh, unsigned otherwise) const {
     std::vector<unsigned> parts;
     parts.reserve(mesh.indices.size() / 3);
@@ -97,7 +98,7 @@ class Parts {
   std::map<Triangle, unsigned> parts_;
 };
 
-/// Returns a unit normal turned by a model matrix, with the bits that placed() of sim/mesh gives.
+/// Returns a unit normal transformed by a model matrix, with the same bits as placed() of sim/mesh.
 glm::vec3 turned(const glm::mat4& model, const glm::vec4& normal) {
   if (glm::mat3(model) == glm::mat3(1)) return glm::vec3(normal);
   return glm::normalize(glm::vec3(model * glm::vec4(glm::vec3(normal), 0.0F)));
@@ -112,7 +113,8 @@ struct CornerHash {
   }
 };
 
-/// Returns the colours of a surface's vertices: of its palette or its own; empty if it has none.
+/// Returns the colours of a surface's vertices, from its palette or its vertex colours. Empty if the
+/// surface has neither.
 std::vector<glm::vec3> colorsOf(const Surface& surface, const std::vector<glm::vec4>& vertices) {
   constexpr std::size_t largestPalette = 65536;
   std::vector<glm::vec3> colors;
@@ -127,8 +129,9 @@ std::vector<glm::vec3> colorsOf(const Surface& surface, const std::vector<glm::v
   return colors;
 }
 
-/// Returns the colours of a mesh's vertices, white for those without. If a surface lacks some of the mesh's
-/// vertices or has them twice, each is found by its position and normal. Empty if no surface has colours.
+/// Returns the colours of a mesh's vertices; vertices without a colour are white. If the surface `first`
+/// does not have exactly the vertices of the mesh, vertices are matched by position and normal. Empty if no
+/// surface has colours.
 std::vector<glm::vec3> colorsOf(const std::vector<Surface>& surfaces, const Surface& first,
                                 const MeshTable& mesh) {
   if (static_cast<std::size_t>(first.vertexCount) == mesh.positions.size()) {
@@ -172,7 +175,8 @@ std::vector<Instances> instancesOf(const World& world, std::size_t object) {
   return found;
 }
 
-/// Returns the index of the surface that draws all of a mesh: the last with its number of vertices.
+/// Returns the index of the last surface that has as many vertices as the mesh, and therefore draws all of
+/// the mesh; 0 if there is none.
 std::size_t mainSurface(const std::vector<Surface>& surfaces, const MeshTable& mesh) {
   for (std::size_t i = surfaces.size(); i-- > 0;)
     if (static_cast<std::size_t>(surfaces[i].vertexCount) == mesh.positions.size()) return i;
@@ -194,9 +198,9 @@ glm::vec3 copyColor(const Instances& look, const glm::vec4& place, const glm::ve
                   at - static_cast<float>(below));
 }
 
-/// Returns a sphere of diameter 1, or the mesh of the file.
+/// Returns a sphere of diameter 1, or the mesh from the file of `look`.
 MeshTable shapeOf(const Instances& look) {
-  constexpr int parts = 4;  // 320 triangles
+  constexpr int parts = 4;  // gives 320 triangles
   const Mesh mesh = look.shape == Instances::Shape::mesh ? loadMesh(look.mesh) : geodesicMesh(0.5F, parts);
   MeshTable shape;
   shape.positions = mesh.positions;
@@ -245,7 +249,9 @@ MeshLooks looksOfMesh(const World& world, std::size_t object, const MeshTable& m
   }
   auto main = static_cast<unsigned>(mainSurface(surfaces, mesh));
   const Surface& first = surfaces[main];
-  if (!first.material->skin) looks.colors = colorsOf(surfaces, first, mesh);  // a skin replaces them
+  if (!first.material->skin)
+    looks.colors = colorsOf(surfaces, first, mesh);  // A skin replaces the vertex
+                                                     // colours.
   looks.ownColors = first.palette != nullptr;
   for (const Instances& copies : instancesOf(world, object)) {
     if (copies.shape != Instances::Shape::mesh) continue;

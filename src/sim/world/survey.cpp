@@ -149,9 +149,9 @@ bool standsOnOwnGround(const scene::Scene& scene) {
          scene.stage.leaves("ground.height");
 }
 
-/// Samples an object's current positions. Takes an even subset of the particles, because some are discarded
-/// later by their rank, and the outermost points of other objects. Leaves out particles that the ground
-/// hides.
+/// Samples an object's current positions. From particles, takes an evenly spaced subset, because the
+/// outermost are discarded later. From other objects, takes the outermost points. Leaves out particles that
+/// the ground hides.
 void look(const World& world, const scene::Scene& scene, std::size_t looks, Traveller& traveller) {
   std::vector<glm::vec3> places = placesOf(world.object(traveller.object));
   const ParticleParameters* particles = particlesOf(scene.objects[traveller.object]);

@@ -24,7 +24,7 @@ struct Survey {
   int frames = 0;                     ///< number of frames simulated; 0 if the extents follow from the
                                       ///< parameters only
   double work = 0;                    ///< work of all frames, in the unit of mostSurveyed
-  std::vector<SeenRange> ranges;      ///< measured colour ranges, over all frames
+  std::vector<SeenRange> ranges;      ///< colour ranges measured over all frames
 };
 
 /// Callback between two frames; may throw to stop the survey.

@@ -42,8 +42,8 @@ class World {
   using Stepped = std::function<void(std::size_t object)>;
   /// Simulates up to `frame`; frame 0 needs the pre-roll only. Cannot go backwards.
   void advanceTo(int frame, const Watch& watch = {}, const Stepped& stepped = {});
-  /// Sets a callback that receives the drawables of the frame before the one that advanceTo() goes to, if
-  /// advanceTo() takes a step.
+  /// Sets a callback for the frame before the target frame of advanceTo(). It receives the drawables of
+  /// that frame whenever advanceTo() takes a step.
   void onFrameBefore(std::function<void(const Drawables& before)> hear);
   /// Simulates up to `frame` as advanceTo() does but skips work needed only for display. The state must not
   /// be drawn, read or hashed until advanceTo() goes further or complete() is called.

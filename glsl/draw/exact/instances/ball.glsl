@@ -22,8 +22,8 @@ FUNCTION Ball ballAt(vec3 p, float radius, vec3 eye, vec3 forward) {
   return ball;
 }
 
-// Returns the hit at the ray parameter `t`. `a`: vector from the ball's centre to the point of the ray at the centre's
-// depth.
+// Returns the hit at the ray parameter `t`. `a` is the vector from the ball's centre to the point of the ray at the
+// centre's depth.
 FUNCTION BallHit ballHitAfter(Ball ball, vec3 a, vec3 ray, float beyond, float t) {
   precise vec3 outwards = a + ray * t;
   precise float depth = ball.depth + t;
@@ -56,7 +56,7 @@ FUNCTION BallHit ballHitAlong(Ball ball, vec3 aside, vec3 forward) {
 }
 
 // Returns the range of pixels along one picture axis that a ball covers in an orthographic view. If the ball covers
-// none, first > second. `along`: pixels per metre.
+// none, first > second. `along` is the vector of that axis in pixels per metre.
 FUNCTION vec2 ballSpanAlong(Ball ball, vec3 along, float size) {
   precise float middle = exactDot(ball.middle, along) + 0.5f * size;
   precise float half_ = ball.radius * exactSqrt(exactDot(along, along));

@@ -60,8 +60,8 @@ void main() {
     drawLarge(int(texelFetch(largeList, firstLarge + int(entry)).x));
 }
 #else
-// True if the disc equals the previous one, which then writes the same texels. Unused elements of a buffer are often
-// equal, and each may be as large as the whole map.
+// Returns true if the disc equals the previous one, which then writes the same texels. Unused elements of a buffer are
+// often equal, and each may be as large as the whole map.
 bool equalsPrevious(int number) {
   return number > 0 && texelFetch(positions, number) == texelFetch(positions, number - 1) &&
          texelFetch(velocities, number) == texelFetch(velocities, number - 1);

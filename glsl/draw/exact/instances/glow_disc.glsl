@@ -5,7 +5,8 @@
 #include "draw/exact/instances/disc.glsl"
 #include "draw/exact/instances/rays.glsl"
 #include "draw/instances/instance_list.glsl"
-uniform float roundPixels;  // radius in pixels above which a glow is a disc in space; 0: every glow is a disc in space
+uniform float roundPixels;  // radius in pixels above which a glow is a disc in space; if 0, every glow is a disc in
+                            // space
 
 struct GlowDisc {
   vec3 light;

@@ -41,8 +41,8 @@ Place placeOn(Ball ball, ivec2 pixel, int firstSample) {
   return Place(hit.outwards, ray);
 }
 
-// Returns the bilinear weight, at the pixel's centre, of a corner of the square (each coordinate -1 or 1). `perHalf`: 1
-// / half the square's side.
+// Returns the bilinear weight, at the pixel's centre, of a corner of the square (each coordinate -1 or 1). `perHalf` is
+// 1 / half the square's side.
 float weightOf(Ball ball, Facing facing, vec2 corner, float perHalf, ivec2 pixel) {
   Rays rays = Rays(view.ray.xyz, view.rayAcross.xyz, view.rayDown.xyz);
   precise vec3 aside = alongRay(rayAt(rays, shadingPlace(pixel, -1)), ball.depth) - ball.middle;

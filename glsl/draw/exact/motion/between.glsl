@@ -1,4 +1,4 @@
-// Interpolates linearly between two frames. `part`: 0 at the previous frame, 1 at the current frame.
+// Interpolates linearly between two frames. `part` is 0 at the previous frame and 1 at the current frame.
 #include "common/exact.glsl"
 uniform float part;
 

@@ -127,7 +127,7 @@ FUNCTION float normalLength(HalfPlace place, vec3 ray, vec3 across, vec3 down) {
   return length_;
 }
 
-// Returns the slice at the angle `turn`, where 0 to 1 means half a turn. `perNormal`: 1 / |N|.
+// Returns the slice at the angle `turn`, where 0 to 1 means half a turn. `perNormal` is 1 / |N|.
 FUNCTION Slice sliceOf(HalfPlace place, vec3 ray, vec3 right, vec3 down, float turn, float perNormal) {
   precise float angle = 3.14159265f * turn;
   vec2 along = vec2(exactCos(angle), exactSin(angle));

@@ -22,7 +22,7 @@ layout(binding = rayUnit) uniform samplerBuffer rays;
 layout(binding = rayHitUnit) uniform usamplerBuffer rayHits;
 layout(binding = rayLightUnit) uniform samplerBuffer onwardLight;
 
-// Returns the number of rays per steradian that all samples of the pixel together send in a direction. `density`:
+// Returns the number of rays per steradian that all samples of the pixel together send in a direction. `density` is the
 // probability density of one sample.
 float allTowards(float density) {
   precise float all_ = density * float(sampleMask + 1u);

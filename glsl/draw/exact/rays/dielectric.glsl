@@ -1,5 +1,5 @@
-// Reflection and refraction at a smooth boundary between two clear media. `eta`: index of refraction on the viewer's
-// side divided by the index on the opposite side. Compiles as GLSL and as C++.
+// Reflection and refraction at a smooth boundary between two clear media. `eta` is the index of refraction on the
+// viewer's side divided by the index on the opposite side. Compiles as GLSL and as C++.
 #ifndef EXACT_RAY_DIELECTRIC
 #define EXACT_RAY_DIELECTRIC
 #include "common/exact.glsl"

@@ -25,8 +25,8 @@ int emitterAt(float u) {
   return low;
 }
 
-// Returns the density (1/sr) with which emitter sampling chooses a point. `square`: squared distance to the point;
-// `cosine`: cosine at the emitter.
+// Returns the density (1/sr) with which emitter sampling chooses a point. `square` is the squared distance to the
+// point. `cosine` is the cosine at the emitter.
 float emitterDensity(vec3 emission, float square, float cosine) {
   precise float density = brightnessOf(emission) * perEmission * square * exactReciprocal(max(cosine, 1e-4f));
   return density;
@@ -70,8 +70,8 @@ Emitting emittingTowards(vec3 p, vec3 u) {
   return found;
 }
 
-// Returns the emitter's light that a facet reflects to the viewer. `weighed`: true to apply the weight of multiple
-// importance sampling, if continuation rays may hit the emitter too.
+// Returns the emitter's light that a facet reflects to the viewer. `weighed` is true if continuation rays may hit the
+// emitter too; the weight of multiple importance sampling is then applied.
 vec3 emittedLight(Facet f, Emitting e, bool weighed) {
   Lobed lobed = lobeTowards(f, e.direction);
   float nl = exactDot(f.normal, e.direction);

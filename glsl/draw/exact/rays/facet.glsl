@@ -53,7 +53,7 @@ FUNCTION float brightnessOf(vec3 c) {
   return b;
 }
 
-// Returns a facet. `material`: roughness, metallic, translucency. `reach`: distance from the viewer (m).
+// Returns a facet. `material` holds roughness, metallic and translucency. `reach` is the distance from the viewer (m).
 FUNCTION Facet facetOf(vec3 place, vec3 facing, vec3 normal, vec3 view, vec3 base, vec3 material, float reach) {
   Facet f;
   f.place = place;
@@ -139,8 +139,8 @@ struct Lobed {
 #ifdef FINISHED
 #include "draw/exact/rays/finished_facet.glsl"
 #else
-// Returns the specular light of lamps and sun, which samples of the lobe cannot hit. `lobed`: x and y of the expression
-// F0 x + y.
+// Returns the specular light of lamps and sun, which samples of the lobe cannot hit. `lobed` holds x and y of the
+// expression F0 x + y.
 FUNCTION vec3 mirroredBy(Facet f, vec2 lobed) {
   precise vec3 mirrored = f.f0 * lobed.x + lobed.y;
   return mirrored;
@@ -200,7 +200,7 @@ struct Onward {
 #endif
 };
 // Returns a unit microfacet normal, sampled with the random numbers u and v from the normals visible from `view`.
-// `cosine`: cosine between `axis` and view.
+// `cosine` is the cosine between `axis` and view.
 FUNCTION vec3 facetSeen(vec3 axis, float cosine, float alpha, vec3 view, float u, float v) {
   vec3 right = rightOf(axis), up = upOf(axis);
   vec3 own = vec3(exactDot(right, view), exactDot(up, view), cosine);

@@ -19,7 +19,7 @@ FUNCTION Facet withFibres(Facet f, vec3 color, float roughness) {
   return f;
 }
 
-// Adds a coat. `normal`: normal that points to the viewer's side, without relief.
+// Adds a coat. `normal` is the normal that points to the viewer's side, without relief.
 FUNCTION Facet withCoat(Facet f, vec3 normal, float strength, float roughness) {
   precise float missing = 0.02f - exactDot(normal, f.view);
   precise vec3 bent = normal + f.view * max(missing, 0.0f);
@@ -38,7 +38,8 @@ FUNCTION Facet withCoat(Facet f, vec3 normal, float strength, float roughness) {
   return f;
 }
 
-// Adds a clear surface. `share`: fraction of the non-metallic part that is clear; `tint`: factor of transmitted light.
+// Adds a clear surface. `share` is the fraction of the non-metallic part that is clear. `tint` is the factor on
+// transmitted light.
 FUNCTION Facet withGlass(Facet f, float share, float metallic, float ior, bool thin, bool inside, vec3 tint) {
   precise float glass = share * (1.0f - metallic);
   precise float clear = f.kept * glass;
@@ -84,8 +85,8 @@ FUNCTION vec3 mirroredBy(Facet f, vec2 lobed) {
   precise vec3 mirrored = f0 * lobed.x + (f.kept + clear) * lobed.y;
   return mirrored;
 }
-// Returns the light that coat and fibres reflect, for light from `towards`. `coatAlpha`: alpha of the coat's lobe,
-// widened for the size of the light (widenedAlpha()).
+// Returns the light that coat and fibres reflect, for light from `towards`. `coatAlpha` is the alpha of the coat's
+// lobe, widened for the size of the light (widenedAlpha()).
 FUNCTION vec3 overLight(Facet f, vec3 towards, float coatAlpha) {
   float nl = max(exactDot(f.normal, towards), 0.0f), coated_ = max(exactDot(f.coatNormal, towards), 0.0f);
   vec2 lobed = lobe(f.coatNormal, f.view, towards, coatAlpha);
@@ -95,8 +96,8 @@ FUNCTION vec3 overLight(Facet f, vec3 towards, float coatAlpha) {
   return over;
 }
 
-// Returns the response of all layers to light from a direction above the surface. `lh`: cosine between the light and
-// the half vector; `shape`: value of the lobe without the Fresnel term.
+// Returns the response of all layers to light from a direction above the surface. `lh` is the cosine between the light
+// and the half vector. `shape` is the value of the lobe without the Fresnel term.
 FUNCTION Lobed finishedLobes(Facet f, Lobed found, vec3 direction, float lh, float shape) {
   precise vec3 sum = f.view + direction;
   vec3 half_ = unitOf(sum);

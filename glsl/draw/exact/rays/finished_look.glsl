@@ -3,7 +3,7 @@
 #define EXACT_RAY_FINISHED_LOOK
 #include "draw/exact/rays/looks.glsl"
 
-// Adds coat, fibres and clear surface. `smooth_`: normal that points to the viewer's side, without relief.
+// Adds coat, fibres and clear surface. `smooth_` is the normal that points to the viewer's side, without relief.
 Facet finishedFacet(Facet f, int owner, vec3 smooth_) {
   vec4 light = lookOf(owner, lightLook), layers = lookOf(owner, layerLook), sheen = lookOf(owner, sheenLook);
   f = withFibres(f, sheen.rgb, layers.y);

@@ -126,7 +126,8 @@ Facet foundBall(int at, vec3 p, vec3 along, float t, float least) {
 }
 #endif
 
-// Returns the facet of a hit. `least`: min roughness of the facet; `width`: filter width of textures (m).
+// Returns the facet of a hit. `least` is the minimum roughness of the facet. `width` is the filter width of textures
+// (m).
 Facet foundFacet(int at, vec3 p, vec3 along, float t, vec2 weight, float least, float width) {
 #ifdef BALLS
   if (at >= ballBit && at != groundHit) return foundBall(at - ballBit, p, along, t, least);

@@ -50,8 +50,8 @@ vec3 fromOwnSpace(int owner, vec3 own, float scale) {
   return v;
 }
 
-// Returns the textures at a hit. a, b, c: corners of the triangle; `normal`: unit normal interpolated from the corners;
-// `width`: filter width (m).
+// Returns the textures at a hit. a, b and c are the corners of the triangle. `normal` is the unit normal interpolated
+// from the corners. `width` is the filter width (m).
 Laid laidAt(int owner, ivec3 vertices, vec3 a, vec3 b, vec3 c, vec3 weight, vec3 facing, vec3 normal, float width) {
   vec4 how = lookOf(owner, laidLook);
   vec3 la = texelFetch(lays, vertices.x).xyz, lb = texelFetch(lays, vertices.y).xyz, lc = texelFetch(lays, vertices.z).xyz;
@@ -102,8 +102,8 @@ vec4 mapLaid(Laid laid, ivec4 map) {
   return sum;
 }
 
-// Returns the gradient of the height in world space, tangential to the surface. x, y, z: slopes along u and v in the
-// three projections.
+// Returns the gradient of the height in world space, tangential to the surface. x, y and z are the slopes along u and v
+// in the three projections.
 vec3 riseLaid(int owner, Laid laid, vec3 normal, vec2 x, vec2 y, vec2 z) {
   float scale = lookOf(owner, laidLook).w;
   vec3 own = riseFromSides(laid.weight, laid.side, x, y, z);
@@ -142,7 +142,7 @@ LaidNormal normalLaid(int owner, Laid laid, vec3 normal, ivec4 map) {
 #ifdef RAISED
 // Returns the normal, tilted by a relief whose height is the texture's brightness;
 // draw/exact/surface/surface_texture.glsl does the same for pixels. The height difference is taken over the ray's
-// width, or over one texel if that is wider. `white`: height of white (m); `normal` points to the viewer's side.
+// width, or over one texel if that is wider. `white` is the height of white (m); `normal` points to the viewer's side.
 vec3 normalRaised(Laid laid, vec3 normal, ivec4 map, float white) {
   TextureShape shape = mapShape(map);
   precise float texels = 0.0f;
@@ -162,8 +162,8 @@ vec3 normalRaised(Laid laid, vec3 normal, ivec4 map, float white) {
     Footprint print = footprintOf(seen, shape);
     precise vec2 right = seen.across * aside;
     precise vec2 above = seen.up * aside;
-    // Rounds 0 and 1 sample along `across`, 2 and 3 along `up`. In a loop, software drivers compile these texture reads
-    // only once.
+    // Rounds 0 and 1 sample along `across`, rounds 2 and 3 along `up`. The loop is used because software drivers then
+    // compile these texture reads only once.
     for (int i = 0; i < 4; ++i) {
       precise float sign_ = (i & 1) == 0 ? laidWeight(laid, side) : -laidWeight(laid, side);
       precise vec2 end_ = (i & 1) == 0 ? seen.at + (i < 2 ? right : above) : seen.at - (i < 2 ? right : above);

@@ -38,13 +38,13 @@ bool isOnSun(vec3 direction) {
   return along > 0.0f && square < edge2;
 }
 
-// Returns the sky's light from one direction. `factor`: result of skyFactor(), from frame.ambient for diffuse surfaces
-// to 1 for mirrors. `share`: fraction of the surface's response that is its specular lobe. `all_`: number of rays per
-// steradian in this direction. An environment picture is blurred so that gaps between few rays do not become noise
-// (Colbert and Krivanek, "GPU-Based Importance Sampling", GPU Gems 3, 2007). A lobe of roughness r has the solid angle
-// 4 pi alpha^2 with alpha = r^2. The blur is the roughness whose lobe is as large as the solid angle of one ray. The
-// blur is at most half the roughness for specular surfaces (`share` 1) and 0.5 for diffuse ones (`share` 0). With more
-// rays the picture is sharper.
+// Returns the sky's light from one direction. `factor` is the result of skyFactor(), from frame.ambient for diffuse
+// surfaces to 1 for mirrors. `share` is the fraction of the surface's response that is its specular lobe. `all_` is the
+// number of rays per steradian in this direction. An environment image is blurred so that gaps between few rays do not
+// become noise (Colbert and Krivanek, "GPU-Based Importance Sampling", GPU Gems 3, 2007). A lobe of roughness r has the
+// solid angle 4 pi alpha^2 with alpha = r^2. The blur is the roughness whose lobe is as large as the solid angle of one
+// ray. The blur is at most half the roughness for specular surfaces (`share` 1) and 0.5 for diffuse ones (`share` 0).
+// With more rays the image is sharper.
 vec3 skyLight(vec3 direction, float factor, float roughness, float share, float all_) {
 #ifdef ENVIRONMENT
   precise float most = 0.5f * (1.0f + (roughness - 1.0f) * share);

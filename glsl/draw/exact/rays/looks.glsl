@@ -11,7 +11,8 @@ uvec4 lookWords(int owner, int which) {
 vec4 lookOf(int owner, int which) {
   return uintBitsToFloat(lookWords(owner, which));
 }
-// True if rays may pass through the material (holes, blending or transmission), so that a hit needs a closer test.
+// Returns true if rays may pass through the material (holes, blending or transmission), so that a hit needs a closer
+// test.
 bool letsThrough(int owner) {
   return lookOf(owner, layerLook).w != 0.0f || lookOf(owner, sheenLook).w > 0.0f;
 }

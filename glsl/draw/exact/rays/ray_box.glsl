@@ -89,7 +89,7 @@ FUNCTION float greatestFromZero(vec3 v) {
 FUNCTION float leastAbove(vec3 v) {
   return intBitsToFloat(min(min(floatBitsToInt(v.x), floatBitsToInt(v.y)), floatBitsToInt(v.z)));
 }
-// True if from <= to, where from >= 0; `to` may be negative.
+// Returns true if from <= to, where from >= 0; `to` may be negative.
 FUNCTION bool isWithin(float from, float to) {
   return floatBitsToInt(from) <= floatBitsToInt(to);
 }

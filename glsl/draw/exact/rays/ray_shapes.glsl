@@ -52,8 +52,8 @@ FUNCTION vec3 alongRay(Ray ray, vec3 p) {
   return vec3(exactDot(ray.right, from), exactDot(ray.up, from), exactDot(ray.along, from));
 }
 
-// Returns the hit of a triangle if it is nearer than `best`, otherwise `best`. `span`: distances at which the ray
-// enters and leaves the triangle's box.
+// Returns the hit of a triangle if it is nearer than `best`, otherwise `best`. `span` holds the distances at which the
+// ray enters and leaves the triangle's box.
 FUNCTION RayHit nearerTriangle(Ray ray, vec3 a, vec3 b, vec3 c, vec2 span, int at, RayHit best) {
   vec3 u = alongRay(ray, a), v = alongRay(ray, b), w = alongRay(ray, c);
   precise float wa = v.x * w.y - v.y * w.x;

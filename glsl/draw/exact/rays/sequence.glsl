@@ -57,7 +57,8 @@ FUNCTION float unitFraction(uint bits) {
   return u;
 }
 
-// Returns sample i of set `which` for a pixel with the given seed. `mask`: bit mask that all sample indices fit into.
+// Returns sample i of set `which` for a pixel with the given seed. `mask` is a bit mask into which all sample indices
+// fit.
 FUNCTION vec3 samplePoint(uint i, uint mask, uint seed, uint which) {
   uvec3 seeds = hash3(uvec3(seed, which, 0x9e3779b9u)), more = hash3(uvec3(which, seed, 0x85ebca6bu));
   uint at = owenScrambled(i, seeds.x) & mask;

@@ -6,9 +6,10 @@
 #include "draw/exact/unit_vector.glsl"
 layout(std430, binding = outSpotBinding) writeonly restrict buffer SpotBlock { uvec4 spots[]; };
 
-// Stores a spot. `facing`: geometric normal that points to the viewer's side; `normal`: shading normal; `share`:
-// fraction of the spot's light that reaches the picture; `owner`: index in the material table, plus bit 31 if the spot
-// is seen from inside; `smooth_`: normal without relief; `lift`: height of the point above the flat triangle (m).
+// Stores a spot. `facing` is the geometric normal that points to the viewer's side. `normal` is the shading normal.
+// `share` is the fraction of the spot's light that reaches the picture. `owner` is the index in the material table,
+// plus bit 31 if the spot is seen from inside. `smooth_` is the normal without relief. `lift` is the height of the
+// point above the flat triangle (m).
 void keepSpot(int sampleAt, vec3 p, vec3 facing, vec3 normal, vec3 base, vec3 material, float share, uint owner, vec3 smooth_, float lift) {
   spots[4 * sampleAt] = uvec4(floatBitsToUint(p), packedUnit(facing));
   spots[4 * sampleAt + 1] = uvec4(floatBitsToUint(base), packedUnit(normal));

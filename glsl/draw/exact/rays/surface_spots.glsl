@@ -15,8 +15,8 @@ vec3 cornerNormal(int vertex, bool turned) {
   return turned ? -n : n;
 }
 
-// Stores the spot. `owner`: as in keepSpot(). `clear`: true for transmissive surfaces, where rays start at the flat
-// triangle instead of the rounded position.
+// Stores the spot. `owner` has the same meaning as in keepSpot(). `clear` is true for transmissive surfaces, where rays
+// start at the flat triangle instead of the rounded position.
 void keepSurfaceSpot(Spot spot, Look look, vec3 normal, int sampleAt, uint owner, bool clear) {
   vec3 a = cornerPlace(spot.a), b = cornerPlace(spot.b), c = cornerPlace(spot.c);
   precise vec3 first = b - a;

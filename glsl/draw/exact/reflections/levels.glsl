@@ -13,7 +13,7 @@ FUNCTION ivec2 levelSize(ivec2 size, int level) {
   return (size + ((1 << level) - 1)) >> level;
 }
 
-// Returns the buffer index of a cell. `room`: result of levelRoom() for level 0.
+// Returns the buffer index of a cell. `room` is the result of levelRoom() for level 0.
 FUNCTION int levelPlace(ivec2 room, int level, ivec2 at) {
   int down = level > 0 ? room.y - (room.y >> (level - 1)) : 0;
   int right = level > 0 ? room.x : 0;

@@ -60,9 +60,9 @@ FUNCTION float metresAlong(MirrorWay way, float t) {
   return metres;
 }
 
-// Returns the path of a ray from p in the unit `direction`. `ground`: distance (m) at which the ray hits the ground, or
-// -1 if it does not; `facing`: unit normal of the surface; `towards`: unit vector to the eye; `turns`: angle between
-// the normals of neighbouring half pixels (radians).
+// Returns the path of a ray from p in the unit `direction`. `ground` is the distance (m) at which the ray hits the
+// ground, or -1 if it does not. `facing` is the unit normal of the surface. `towards` is the unit vector to the eye.
+// `turns` is the angle between the normals of neighbouring half pixels (radians).
 FUNCTION MirrorWay mirrorWay(vec3 p, vec3 direction, float ground, vec3 facing, vec3 towards, float turns, float roughness) {
   precise vec3 aside = p - vec3(view.eye);
   precise float depth = exactDot(vec3(view.forward), aside);
@@ -160,7 +160,7 @@ FUNCTION float meetingPlane(MirrorWay way, ivec2 at, float here, vec2 slope, flo
   return closes && t > early ? clamp(t, low, high) : within;
 }
 
-// A cell that the path crosses between t and `next`. `here`, `there`: nearness of the ray at t and at `next`.
+// A cell that the path crosses between t and `next`. `here` and `there` are the nearness of the ray at t and at `next`.
 struct MirrorCell {
   ivec2 at;
   float nearest;
@@ -169,7 +169,7 @@ struct MirrorCell {
   float there;
 };
 
-// Returns the cell at t. `beyond`: 1 if the path goes towards larger cell coordinates; `perWay`: 1 / way.along.
+// Returns the cell at t. `beyond` is 1 if the path goes towards larger cell coordinates. `perWay` is 1 / way.along.
 FUNCTION MirrorCell mirrorCell(MirrorWay way, ivec2 beyond, vec2 perWay, float t, int level) {
   precise vec2 q = way.from + way.along * t;
   ivec2 at = ivec2(floor(q)) >> level;

@@ -23,8 +23,9 @@ vec4 litAt(int level, ivec2 at) {
 }
 #include "draw/exact/reflections/mirrored_way.glsl"
 
-// Returns the reflected light and its weight. `ground`: distance (m) at which the ray hits the ground, or -1 if it does
-// not. The loops of at most one iteration replace branches, because software drivers execute both sides of a branch.
+// Returns the reflected light and its weight. `ground` is the distance (m) at which the ray hits the ground, or -1 if
+// it does not. The loops of at most one iteration replace branches, because software drivers execute both sides of a
+// branch.
 vec4 lightMet(vec3 p, vec3 direction, float ground, vec3 towards, float roughness) {
   vec4 light = vec4(0.0f);
   MirrorWay way = mirrorWay(p, direction, ground, facing_, towards, turns_, roughness);

@@ -19,13 +19,13 @@ bool allBelow(vec3 v, float least) {
   return max(v.x, max(v.y, v.z)) < least;
 }
 
-// True if all three corners are beyond the side y = x of the face. x: distances along the face's axis.
+// Returns true if all three corners are beyond the side y = x of the face. x holds the distances along the face's axis.
 bool allBeyond(vec3 x, vec3 y) {
   precise vec3 within = x - y + 1e-5f * (abs(x) + abs(y));
   return allBelow(within, 0.0f);
 }
 
-// True if the triangle may be visible in a face that covers |y| <= x and |z| <= x.
+// Returns true if the triangle may be visible in a face that covers |y| <= x and |z| <= x.
 bool mayShow(vec3 x, vec3 y, vec3 z, float nearest) {
   return !(allBelow(x, nearest) || allBeyond(x, y) || allBeyond(x, -y) || allBeyond(x, z) || allBeyond(x, -z));
 }

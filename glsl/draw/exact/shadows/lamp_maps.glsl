@@ -8,8 +8,8 @@
 #endif
 layout(binding = lampMapUnit) uniform usamplerBuffer lampKeys;
 
-// Returns the fraction of the lamp's light. `nl`: cosine between the normal and the direction to the lamp. The lookup
-// point is offset to the lit side of the surface so that the surface does not shadow itself.
+// Returns the fraction of the lamp's light. `nl` is the cosine between the normal and the direction to the lamp. The
+// lookup point is offset to the lit side of the surface so that the surface does not shadow itself.
 float lampFraction(int lamp, vec3 from, vec3 normal, float nl) {
   vec4 maps = lampMaps(lamp), sampling = lampSampling(lamp);
   vec3 a = abs(from);

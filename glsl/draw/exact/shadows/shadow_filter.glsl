@@ -27,7 +27,8 @@ float litAround(usamplerBuffer keys, ShadowMap map, vec2 place, uint key) {
   return lit;
 }
 
-// Four taps in a square turned by 27 degrees; together their steps form a smooth ramp.
+// Returns the mean of four taps in a square that is turned by 27 degrees. Together, the steps of the taps form a smooth
+// ramp.
 float litByFour(usamplerBuffer keys, ShadowMap map, vec2 middle, uint key, float radius) {
   precise vec2 u = radius * vec2(0.667f, 0.333f);
   precise vec2 v = radius * vec2(-0.333f, 0.667f);

@@ -30,8 +30,8 @@ FUNCTION bool isShaded(SunReceiver r, vec2 way) {
   return casterNear(ivec2(floor(place))) > planeNear(r, way);
 }
 
-// Returns the number of lit points among the four corners of a square, whose centre has the offset `way`. `aside`:
-// offset of the first corner from the centre.
+// Returns the number of lit points among the four corners of a square, whose centre has the offset `way`. `aside` is
+// the offset of the first corner from the centre.
 FUNCTION int litOfFour(SunReceiver r, vec2 way, vec2 aside) {
   precise vec2 turned = vec2(-aside.y, aside.x);
   precise vec2 one = way + aside;
@@ -61,8 +61,8 @@ FUNCTION float sunDiscFraction(SunReceiver r) {
   precise float between = sum * exactReciprocal(float(casters)) - r.near;
   precise float wide = between * r.spread;
   float radius = clamp(wide, r.least, r.most);
-  // The squares have the side of the points' spacing, so all their corners are spread evenly over the disc.
-  // The factor 0.985 gives them the variance of the disc, and so the penumbra its width.
+  // The side of a square equals the spacing of the points, so the corners of all squares are spread evenly over the
+  // disc. The factor 0.985 gives the corners the variance of the disc, so that the penumbra has the correct width.
   precise vec2 aside = radius * vec2(0.033f, 0.1f);
   int lit = 0;
   for (int i = 0; i < discTaps; ++i) {

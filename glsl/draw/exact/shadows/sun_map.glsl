@@ -16,8 +16,8 @@ float casterNear(ivec2 texel) {
 #include "draw/exact/shadows/disc_points.glsl"
 #include "draw/exact/shadows/sun_disc.glsl"
 
-// `normal`: normal of the receiving surface, which casts no shadow on itself if it is flat. `nearer`: nearness by which
-// the receiver is moved towards the light.
+// Returns the fraction at a position in the shadow map. `normal` is the normal of the receiving surface; a flat surface
+// casts no shadow on itself. `nearer` is the nearness by which the receiver is moved towards the light.
 float sunFraction(vec3 place, vec3 normal, float nearer) {
   float perDepth = exactReciprocal(lightDepth());
   precise float perTexel = lightTexel() * perDepth;  // difference of depth that equals the width of a texel

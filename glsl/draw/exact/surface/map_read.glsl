@@ -7,8 +7,8 @@
 #include "draw/surface/footprint.glsl"
 layout(binding = mapTexelUnit) uniform usamplerBuffer texelsOfMaps;
 
-// `map`: width; height; number of levels, with the wrap modes of u and v from bits 8 and 10 on; index of the map's
-// level table.
+// Returns the shape of a map. `map` holds the width, the height, the number of levels (with the wrap modes of u and v
+// from bits 8 and 10 on), and the index of the map's level table.
 TextureShape mapShape(ivec4 map) {
   return TextureShape(map.xy, map.z & 255, ivec2(map.z >> 8 & 3, map.z >> 10));
 }
@@ -19,7 +19,7 @@ vec4 mapTexel(int at) {
   return value;
 }
 
-// Reads with bilinear filtering, for FILTERED of footprint.glsl. `first`: index of the level's first texel.
+// Reads with bilinear filtering, for FILTERED of footprint.glsl. `first` is the index of the level's first texel.
 vec4 mapBetween(vec2 uv, int level, int first, TextureShape shape) {
   Around around = texelsAround(uv, level, shape);
   ivec4 t = around.texels;

@@ -38,8 +38,8 @@ SkinTexel skinTexel(int at) {
   return SkinTexel(vec4(unpackHalf2x16(words.x), unpackHalf2x16(words.y)), vec4(unpackHalf2x16(words.z), unpackHalf2x16(words.w)));
 }
 
-// Reads all values of a texel with bilinear filtering, for FILTERED of footprint.glsl. `first`: index of the level's
-// first texel.
+// Reads all values of a texel with bilinear filtering, for FILTERED of footprint.glsl. `first` is the index of the
+// level's first texel.
 SkinTexel skinBetween(vec2 uv, int level, int first, TextureShape shape) {
   Around around = texelsAround(uv, level, shape);
   ivec4 t = around.texels;

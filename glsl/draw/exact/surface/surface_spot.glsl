@@ -26,8 +26,8 @@ struct Spot {
   bool turned;        // true if the triangle's back side is visible
 };
 
-// Returns the world position of a point of the triangle. w: weights of the corners, whose depths are a, b and c; `ray`:
-// ray through the picture position.
+// Returns the world position of a point of the triangle. w holds the weights of the corners, whose depths are a, b and
+// c. `ray` is the ray through the picture position.
 vec3 placeUnder(vec3 w, float a, float b, float c, vec3 ray) {
   precise float depth = w.x * a + w.y * b + w.z * c;
   return placeOnRay(ray, depth);

@@ -18,7 +18,7 @@ vec3 albedoLight(uint rg, uint b) {
   return light;
 }
 
-// Reads with bilinear filtering, for FILTERED of footprint.glsl. `first`: index of the level's first texel.
+// Reads with bilinear filtering, for FILTERED of footprint.glsl. `first` is the index of the level's first texel.
 vec3 albedoBetween(vec2 uv, int level, int first, TextureShape shape) {
   Around around = texelsAround(uv, level, shape);
   ivec4 t = around.texels;
@@ -56,7 +56,7 @@ float texelsAPixel(Seen seen) {
   return footprintOf(seen, albedoShape()).longer;
 }
 
-// Returns the texture's colour. `shift`: offset in pixels to the right and up.
+// Returns the texture's colour. `shift` is the offset in pixels to the right and up.
 vec3 textureSeen(Seen seen, vec2 shift) {
   precise vec2 uv = seen.at + seen.across * shift.x + seen.up * shift.y;
   return albedoAt(uv, footprintOf(seen, albedoShape()), albedoShape());

@@ -24,7 +24,7 @@ int samplesOfGround(ivec2 pixel) {
   return samples;
 }
 
-// Returns the ground's light in a pixel. `samples`: mask of the samples that show the ground.
+// Returns the ground's light in a pixel. `samples` is the mask of the samples that show the ground.
 vec4 lightGround(ivec2 pixel, int samples) {
   int first = findLSB(samples);
   vec3 ray = rayThrough(shadingPlace(pixel, -1));

@@ -115,7 +115,7 @@ void showId(uint id) {
 #ifdef SHADOW
 // Returns 2 if a shadow may reach the ground everywhere in the pixel, 1 if no shadow can reach it anywhere in the
 // pixel, else 3. For a point p of the ground at depth d, the test uses p / d = eye / d + ray, which is affine in the
-// picture position, times the near plane's depth. `middle`: near plane / d at the pixel's centre.
+// picture position, times the near plane's depth. `middle` is near plane / d at the pixel's centre.
 int shadowAround(ivec2 pixel, float middle) {
   precise vec2 place = vec2(pixel) + 0.5f;
   vec3 ray = rayThrough(place);
@@ -157,7 +157,7 @@ int groundOf(ivec2 pixel, uvec4 keys) {
   precise float leastNear = view.nearOverFar * 1.001f;
   bool seen = farther >= leastNear && steep >= leastSteep && nearer <= 0.999f && within >= raysAround.x;
 #ifdef PARALLEL
-  seen = false;  // The bounds above hold only for perspective views, so all samples are tested one by one.
+  seen = false;  // The bounds above hold only for perspective views. Here, all samples are tested one by one.
 #endif
   bool all_ = seen && nearKey(max(farther, 0.0f)) < nearest;
   return none ? 0 : all_ ? kind : 3;

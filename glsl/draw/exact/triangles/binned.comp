@@ -97,7 +97,7 @@ ivec4 idsAt(ivec2 pixel, int j) {
   return ivec4(min(found, uvec4(noId)));
 }
 
-// Converts keys to floats, whose comparison is fastest. `none`: value for empty samples.
+// Converts keys to floats, whose comparison is fastest. `none` is the value for empty samples.
 vec4 nearOf(uvec4 keys, float none) {
   vec4 near = uintBitsToFloat(0x7fffffffu - keys);
   return vec4(keys.x == ~0u ? none : near.x, keys.y == ~0u ? none : near.y, keys.z == ~0u ? none : near.z,

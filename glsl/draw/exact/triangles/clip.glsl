@@ -21,7 +21,7 @@ FUNCTION bool inside(vec3 v, vec2 size, float nearest) {
   return all_;
 }
 
-// True if the triangle is completely beyond one side of the picture, or nearer than the near plane.
+// Returns true if the triangle is completely beyond one side of the picture, or nearer than the near plane.
 FUNCTION bool beside(vec3 a, vec3 b, vec3 c, vec2 size, float nearest) {
   precise vec3 x = size.x * vec3(a.z, b.z, c.z) - vec3(a.x, b.x, c.x);
   precise vec3 y = size.y * vec3(a.z, b.z, c.z) - vec3(a.y, b.y, c.y);

@@ -1,6 +1,6 @@
 // Conservative ranges of the pixels or tiles of a row that are inside a triangle's edges, in float arithmetic. An edge
-// crosses rows at x = at + slope (y - from), in 1/256 pixel. `side`: 1 if the triangle is to the right of the edge, -1
-// if it is to the left.
+// crosses rows at x = at + slope (y - from), in 1/256 pixel. `side` is 1 if the triangle is to the right of the edge,
+// -1 if it is to the left.
 struct Crossing {
   float slope;
   int side;
@@ -12,8 +12,8 @@ Crossing crossingOf(Edge edge) {
   return Crossing(slope, sign(edge.step_.y));
 }
 
-// Limits the range `span` of a row to the pixels that may be inside one edge. Returns the first and last pixel. `top`:
-// upper side of the row (1/256 pixel).
+// Limits the range `span` of a row to the pixels that may be inside one edge. Returns the first and last pixel. `top`
+// is the upper side of the row (1/256 pixel).
 ivec2 between(ivec2 span, Edge edge, Crossing crossing, int top) {
   precise float upper = crossing.slope * float(top - edge.from.y);
   precise float lower = upper + crossing.slope * 256.0f;

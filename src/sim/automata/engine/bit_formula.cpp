@@ -42,7 +42,8 @@ class Diagram {
  private:
   struct Node {
     unsigned cell;
-    int dead, alive;  ///< Node indices: 0 and 1 are constants, 2 is nodes_[0].
+    int dead, alive;  ///< Indices of the child nodes for a dead and for a live cell: 0 is the constant
+                      ///< false, 1 the constant true, and i is nodes_[i - 2].
   };
 
   int node(unsigned depth, const std::vector<bool>& table) {

@@ -5,10 +5,10 @@
 
 namespace simreel::sim {
 
-/// Returns the GLSL body of nextCells (glsl/life/formula_model.glsl) for a rule on bits: statements of
-/// which the last is a return. Builds a reduced ordered binary decision diagram (Bryant 1986) over the nine
-/// cells; each node selects between two words. Tries several variable orders and uses the one with the
-/// fewest nodes. The result is the same on every machine.
+/// Returns the GLSL body of nextCells (glsl/life/formula_model.glsl) for a rule whose cells are bits. The
+/// body ends with a return statement. It is built as a reduced ordered binary decision diagram (Bryant
+/// 1986) over the nine cells; each node selects between two words. Of several variable orders, the one with
+/// the fewest nodes is used. The result is the same on every machine.
 [[nodiscard]] std::string bitFormula(const CellRule& rule);
 
 }  // namespace simreel::sim

@@ -172,7 +172,7 @@ struct PlacesKernel {
 
 constexpr int columnRows = 64;
 
-/// Number of elements that a kernel may read past the last cell of a row.
+/// Number of elements after the last cell of a row that a kernel may read.
 constexpr int spareItems = 64;
 
 /// Maximum range for which the sum of 2 range + 1 cells fits in a byte.

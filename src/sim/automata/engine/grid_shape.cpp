@@ -49,7 +49,7 @@ shader::GridJoin GridShape::join(glm::ivec2 size) const {
   shader::GridJoin join;
   join.width = size.x;
   join.height = size.y;
-  // In Golly's sign convention, reversed edges are shifted in the opposite direction.
+  // In Golly's sign convention, an edge that is reversed is shifted in the opposite direction.
   join.shiftX = border == GridBorder::klein ? -shift.x : shift.x;
   join.shiftY = border == GridBorder::kleinSideways ? -shift.y : shift.y;
   const bool x = border != GridBorder::dead;

@@ -26,8 +26,8 @@ std::string lowWord(std::string_view text) {
   return low;
 }
 
-/// Returns the permutations of n neighbours that belong to a symmetry; a permutation lists the new index of
-/// each neighbour. Empty for an unknown symmetry; "permute" is handled separately.
+/// Returns the permutations of n neighbours that belong to a symmetry. A permutation lists the new index of
+/// each neighbour. The list is empty for an unknown symmetry; "permute" is handled separately.
 std::vector<std::vector<int>> permutations(const std::string& symmetry, int n) {
   const auto turned = [&](int steps, bool reflected) {
     std::vector<int> result(static_cast<std::size_t>(n));

@@ -23,8 +23,8 @@ struct RuleTransition {
 enum class TableShape { vonNeumann, moore, hexagonal, oneDimensional };
 [[nodiscard]] int neighboursOf(TableShape shape);
 
-/// Returns the decision diagram of a table; cells to which no transition applies keep their state. Null if
-/// it would have more than maxTreeItems items.
+/// Returns the decision diagram of a table. Cells to which no transition applies keep their state. Returns
+/// null if the diagram would have more than maxTreeItems items.
 [[nodiscard]] std::shared_ptr<const RuleTree> treeOf(const std::vector<RuleTransition>& table,
                                                      TableShape shape, int states);
 inline constexpr std::size_t maxTreeItems = std::size_t{1} << 21;

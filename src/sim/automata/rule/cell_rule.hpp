@@ -29,7 +29,7 @@ struct CountRange {
   int low, high;
 };
 
-/// Offset of a counted cell from the centre, and its weight.
+/// Offset of a counted cell from the centre cell, and the weight of the counted cell.
 struct NeighbourPlace {
   int dx, dy, weight;
   bool operator==(const NeighbourPlace&) const = default;
@@ -38,7 +38,7 @@ struct NeighbourPlace {
 /// Larger than Life (Evans 1996): the number of surrounding cells in state 1 determines the next state.
 struct WideRule {
   int range = 1;
-  bool middle = false;  ///< true if a cell counts itself, too
+  bool middle = false;  ///< true if the centre cell is counted, too
   std::vector<CountRange> survive{{2, 3}}, born{{3, 3}};
   NeighbourShape shape = NeighbourShape::moore;
   std::vector<NeighbourPlace> places;  ///< used only for the shape `places`; includes the centre

@@ -202,7 +202,7 @@ class CountsReader {
   std::string_view text_;
   std::size_t at_ = 0;
   NeighbourShape shape_ = NeighbourShape::moore;
-  Counts counts_[2] = {};  ///< counts for birth and counts for survival
+  Counts counts_[2] = {};  ///< Allowed counts: [0] for birth, [1] for survival.
   int states_ = 2;
 };
 

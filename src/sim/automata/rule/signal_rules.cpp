@@ -205,7 +205,7 @@ class HuttonCell {
     if (arrow(Kind::special)) return 0;
     if (hit(Kind::ordinary)) {
       const bool onSpecial = kindOf(output()) == Kind::special && !isExcited(output());
-      if (outputBecomesOrdinary() || onSpecial) return 0;  // the end of the wire is retracted
+      if (outputBecomesOrdinary() || onSpecial) return 0;  // The end of the wire is retracted.
       return outputBecomesConfluent() ? 1 : excited(c_);
     }
     if (outputBecomesConfluent()) return 0;

@@ -66,8 +66,8 @@ class WideReader {
   }
 
  private:
-  /// Reads the neighbourhood first, because it is at the end of the text but determines the maximum of the
-  /// limits before it.
+  /// Reads the neighbourhood first. It is at the end of the text, but the maximum of the limits before it
+  /// depends on it.
   void neighbourhood() {
     const std::string upper = upperText(text_);
     const std::size_t at = upper.find(",N");

@@ -113,7 +113,7 @@ void MeshBuilder::vertex(const glm::vec3& position, const glm::vec3& normal, con
                          const glm::vec3& color) {
   const auto within = [](float part) {
     return part >= 0 ? std::min(part, 1e4F) : 0.0F;
-  };  // also turns NaN into 0
+  };  // also replaces NaN by 0
   vertex(position, normal, uv);
   mesh_.colors.resize(mesh_.positions.size(), glm::vec3(1));
   mesh_.colors.back() = {within(color.r), within(color.g), within(color.b)};

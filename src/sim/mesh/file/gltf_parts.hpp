@@ -71,7 +71,8 @@ class GltfParts {
   void eachPart(std::size_t mesh, const GltfSkin& skin, const Visit& visit) const {
     forEachPrimitive(mesh, [&](const JsonValue& primitive) { visit(part(mesh, primitive, skin)); });
   }
-  /// Returns a description of the counted primitives that are lines or points, for example "lines (2)".
+  /// Returns a description of each kind of counted primitive that is not drawn (lines or points), for
+  /// example "lines (2)".
   [[nodiscard]] std::vector<std::string> undrawn() const;
   /// Returns the matrices of a skin's joints; `nodes` holds the nodes' world transforms.
   [[nodiscard]] std::vector<glm::mat4> poseOf(std::uint64_t skin,

@@ -72,8 +72,7 @@ class LibraryReader {
 
   void read(const std::string& library) {
     if (!libraries_.insert(library).second)
-      return;  // some programs repeat the line, so each library is
-               // read only once
+      return;  // Some programs repeat the line, so each library is read only once.
     const std::optional<std::string> text = beside(library, "material library");
     eachKey(text ? std::string_view(*text) : std::string_view(),
             [&](std::string_view key, std::string_view rest) {
@@ -287,8 +286,9 @@ class LibraryReader {
     return true;
   }
 
-  /// Returns the texture that a line names after its options. The texture's u coordinate is -s u + -o, as
-  /// programs that write such files define it; v is computed likewise, counted from the bottom.
+  /// Returns the texture that a line names after its options. If the options -s and -o have the values s
+  /// and o, the texture's u coordinate is s u + o, as programs that write such files define it. The v
+  /// coordinate is computed in the same way, counted from the bottom.
   Named map(std::string_view key, std::string_view rest) {
     Named named;
     glm::vec2 scale(1), offset(0);

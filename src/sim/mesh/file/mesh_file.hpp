@@ -118,7 +118,7 @@ inline constexpr const char* meshEndings = ".obj, .ply, .stl, .gltf and .glb";
 /// gives inputOutput.
 [[nodiscard]] Mesh loadMesh(const std::filesystem::path& file, MeshNormals normals = MeshNormals::shown);
 
-/// Reads a mesh as loadMesh() does, but within this process; for fuzzing.
+/// Reads a mesh as loadMesh() does, but in the calling process instead of a separate one. Used for fuzzing.
 [[nodiscard]] Mesh importMesh(const std::filesystem::path& file, MeshNormals normals = MeshNormals::shown);
 
 /// Returns true if the file name has the extension of a glTF file.

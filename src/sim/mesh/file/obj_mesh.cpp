@@ -21,7 +21,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Key of a vertex: its position, its uv, the source of its normal, and the index within that source.
+/// Key of a vertex: its position, its uv, the source of its normal, and an index within that source.
 enum class NormalOf : std::uint32_t { file, group, face };
 using VertexKey = std::array<std::uint32_t, 4>;
 

@@ -225,7 +225,7 @@ class PlyMesh {
 
   PlyFile ply_;
   MeshBuilder builder_;
-  Mesh mesh_;  ///< used only for its lists `ignored` and `undrawn`
+  Mesh mesh_;  ///< Mesh of which only the lists `ignored` and `undrawn` are used.
   std::size_t vertices_ = noElement;
   VertexLayout layout_{PlyElement()};
   std::array<double, 4> brightest_{1, 1, 1, 1};

@@ -171,7 +171,8 @@ Facets facetsOf(std::string_view bytes) {
   return binaryFacets(bytes);
 }
 
-/// Sums the normals around each vertex, for each face over the faces within the crease angle of it.
+/// Computes the normal of each corner as the sum of face normals around the vertex, weighted by area. Only
+/// faces whose angle to the corner's face is at most the crease angle contribute.
 class Creases {
  public:
   Creases(const std::vector<glm::vec3>& corners, const std::vector<unsigned>& vertices, std::size_t count)

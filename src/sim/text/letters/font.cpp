@@ -148,7 +148,7 @@ Font::Font(std::filesystem::path file) : file_(std::move(file)), library_(std::m
   if (has(U'H'))
     for (const auto& polygon : glyph(U'H').outlines)
       for (const glm::dvec2& point : polygon) height = std::max(height, point.y);
-  if (!(height > 0)) height = 0.7;  // typical cap height as a fraction of the em
+  if (!(height > 0)) height = 0.7;  // Typical cap height, as a fraction of the em.
   perUnit_ /= height;
   glyphs_.clear();
 }

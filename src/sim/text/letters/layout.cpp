@@ -55,7 +55,7 @@ TextOutlines written(Font& font, std::string_view text, const TextAnchor& anchor
   const auto lines = linesOf(text);
   const double apart = spacing * font.lineHeight();
   const double depth = apart * static_cast<double>(lines.size() - 1);
-  // y of the first baseline.
+  // Height of the baseline of the first line.
   double y = 0;
   if (anchor.down == TextAnchor::Down::top) y = -1;
   if (anchor.down == TextAnchor::Down::middle) y = 0.5 * (depth - 1);
