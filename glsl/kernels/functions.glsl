@@ -123,14 +123,14 @@ float xAtan(const float x) {
 // Returns atan2(y, x), or zero if both arguments are zero.
 float xAtan2(const float y, const float x) {
   float a = xAtan(xDiv(y, x));
-  float half_ = mix(3.14159265, -3.14159265, floatBitsToInt(y) < 0);
+  float half_ = mix(3.14159265, -3.14159265, floatBitsToUint(y) > 0x80000000u);
   precise float behind = a + half_;
   a = mix(a, behind, x < 0.0);
   float quarter = mix(1.57079633, -1.57079633, floatBitsToInt(y) < 0);
   return mix(a, mix(quarter, 0.0, xMagnitude(y) < xTiny), xMagnitude(x) < xTiny);
 }
 float xAsin(const float x) {
-  precise float c = 1.0 - xMul(x, x);
+  precise float c = 1.0 - TIMES(x, x);
   return mix(xAtan2(x, xSqrt(max(c, 0.0))), xNan(), xMagnitude(x) > 0x3f800000);
 }
 float xAcos(const float x) {
@@ -158,17 +158,18 @@ float xTanh(const float x) {
 }
 float xAsinh(const float x) {
   float a = abs(x);
-  precise float root = xSqrt(xMul(a, a) + 1.0);
+  precise float root = xSqrt(TIMES(a, a) + 1.0);
   precise float sum = a + root;
   float l = xLog(sum);
   return mix(l, -l, floatBitsToInt(x) < 0);
 }
 float xAcosh(const float x) {
-  precise float square = xMul(x, x) - 1.0;
+  precise float square = TIMES(x, x) - 1.0;
   precise float sum = x + xSqrt(square);
   return mix(xLog(sum), xNan(), floatBitsToInt(x) < 0);
 }
 float xAtanh(const float x) {
   precise float more = 1.0 + x, less = 1.0 - x;
-  return xMul(0.5, xLog(xDiv(more, less)));
+  precise float half_ = TIMES(0.5, xLog(xDiv(more, less)));
+  return half_;
 }

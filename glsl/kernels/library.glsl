@@ -32,32 +32,32 @@ EACH_1(xToInt, ivec, vec) EACH_1(xToUint, uvec, vec) EACH_1(xIsNan, bvec, vec) E
 EACH_2(xUdiv, uvec, uvec, uvec) EACH_2(xUmod, uvec, uvec, uvec) EACH_2(xSdiv, ivec, ivec, ivec)
 EACH_2(xSrem, ivec, ivec, ivec) EACH_2(xSmod, ivec, ivec, ivec) EACH_2(xLdexp, vec, vec, ivec)
 
-// Sums of products are flushed only once, because a product that is subnormal does not change a sum above 1e-30.
 float xDot(const float a, const float b) {
-  return xMul(a, b);
+  precise float p = TIMES(a, b);
+  return p;
 }
 float xDot(const vec2 a, const vec2 b) {
-  precise float sum = a.x * b.x + a.y * b.y;
-  return xFlush(sum);
+  precise float sum = PLUS(TIMES(a.x, b.x), TIMES(a.y, b.y));
+  return sum;
 }
 float xDot(const vec3 a, const vec3 b) {
-  precise float sum = a.x * b.x + a.y * b.y + a.z * b.z;
-  return xFlush(sum);
+  precise float sum = PLUS(PLUS(TIMES(a.x, b.x), TIMES(a.y, b.y)), TIMES(a.z, b.z));
+  return sum;
 }
 float xDot(const vec4 a, const vec4 b) {
-  precise float sum = a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
-  return xFlush(sum);
+  precise float sum = PLUS(PLUS(PLUS(TIMES(a.x, b.x), TIMES(a.y, b.y)), TIMES(a.z, b.z)), TIMES(a.w, b.w));
+  return sum;
 }
 vec3 xCross(const vec3 a, const vec3 b) {
-  precise vec3 c = a.yzx * b.zxy - a.zxy * b.yzx;
-  return xFlush(c);
+  precise vec3 c = MINUS(TIMES(a.yzx, b.zxy), TIMES(a.zxy, b.yzx));
+  return c;
 }
 
 float xLength(const float v) {
   return abs(v);
 }
 float xDistance(const float a, const float b) {
-  precise float d = a - b;
+  precise float d = MINUS(a, b);
   return abs(d);
 }
 float xNormalize(const float v) {
@@ -66,21 +66,25 @@ float xNormalize(const float v) {
 // Normalizing a zero vector gives zero. For a vector shorter than 1e-15, the result is shorter than 1.
 #define GEOMETRY(T) \
   float xLength(const T v) { return xSqrt(xDot(v, v)); } \
-  float xDistance(const T a, const T b) { precise T d = a - b; return xLength(d); } \
-  T xNormalize(const T v) { return xMul(v, T(xInverseSqrt(xMax(xDot(v, v), 1e-30)))); }
+  float xDistance(const T a, const T b) { precise T d = MINUS(a, b); return xLength(d); } \
+  T xNormalize(const T v) { \
+    int square = max(floatBitsToInt(xDot(v, v)), xTiny); \
+    precise T unit = TIMES(v, T(xInverseSqrt(intBitsToFloat(square)))); \
+    return unit; \
+  }
 GEOMETRY(vec2) GEOMETRY(vec3) GEOMETRY(vec4)
 #define REFLECTION(T) \
   T xReflect(const T i, const T n) { \
-    precise float twice = 2.0 * xDot(n, i); \
-    precise T r = i - xMul(T(twice), n); \
+    precise float twice = TIMES(2.0, xDot(n, i)); \
+    precise T r = MINUS(i, TIMES(T(twice), n)); \
     return r; \
   } \
   T xRefract(const T i, const T n, const float eta) { \
     float d = xDot(n, i); \
-    precise float sine = 1.0 - xMul(d, d); \
-    precise float k = 1.0 - xMul(xMul(eta, eta), sine); \
-    precise float along = xMul(eta, d) + xSqrt(xMax(k, 0.0)); \
-    precise T r = xMul(T(eta), i) - xMul(T(along), n); \
+    precise float sine = MINUS(1.0, TIMES(d, d)); \
+    precise float k = MINUS(1.0, TIMES(TIMES(eta, eta), sine)); \
+    precise float along = PLUS(TIMES(eta, d), xSqrt(xMax(k, 0.0))); \
+    precise T r = MINUS(TIMES(T(eta), i), TIMES(T(along), n)); \
     return k < 0.0 ? T(0.0) : r; \
   } \
   T xFaceForward(const T n, const T i, const T reference) { return xDot(reference, i) < 0.0 ? n : -n; }
@@ -89,9 +93,9 @@ REFLECTION(float) REFLECTION(vec2) REFLECTION(vec3) REFLECTION(vec4)
 // Matrices with C columns and R rows, stored column by column.
 #define MATRIX(M, R, C) \
   R xTimes(const M m, const vec##C v) { \
-    precise R sum = m[0] * R(v[0]) + m[1] * R(v[1]); \
-    for (int i = 2; i < C; ++i) sum = sum + m[i] * R(v[i]); \
-    return xFlush(sum); \
+    precise R sum = PLUS(TIMES(m[0], R(v[0])), TIMES(m[1], R(v[1]))); \
+    for (int i = 2; i < C; ++i) sum = PLUS(sum, TIMES(m[i], R(v[i]))); \
+    return sum; \
   } \
   vec##C xTimes(const R v, const M m) { \
     vec##C sums; \
@@ -100,12 +104,12 @@ REFLECTION(float) REFLECTION(vec2) REFLECTION(vec3) REFLECTION(vec4)
   } \
   M xTimes(const M m, const float s) { \
     M scaled; \
-    for (int i = 0; i < C; ++i) scaled[i] = xMul(m[i], R(s)); \
+    for (int i = 0; i < C; ++i) scaled[i] = TIMES(m[i], R(s)); \
     return scaled; \
   } \
   M xOuter(const R a, const vec##C b) { \
     M product; \
-    for (int i = 0; i < C; ++i) product[i] = xMul(a, R(b[i])); \
+    for (int i = 0; i < C; ++i) product[i] = TIMES(a, R(b[i])); \
     return product; \
   }
 MATRIX(mat2x2, vec2, 2) MATRIX(mat2x3, vec3, 2) MATRIX(mat2x4, vec4, 2)
@@ -124,7 +128,7 @@ PRODUCTS(2, 2) PRODUCTS(2, 3) PRODUCTS(2, 4) PRODUCTS(3, 2) PRODUCTS(3, 3) PRODU
 PRODUCTS(4, 4)
 
 float xDeterminant(const mat2 m) {
-  precise float d = xMul(m[0].x, m[1].y) - xMul(m[1].x, m[0].y);
+  precise float d = MINUS(TIMES(m[0].x, m[1].y), TIMES(m[1].x, m[0].y));
   return d;
 }
 float xDeterminant(const mat3 m) {

@@ -3,9 +3,16 @@
 // passes them by value. `mix` with a bool selects without a branch. NaN and infinities are detected by their bits,
 // because compilers may assume that comparisons never involve NaN. Magnitudes are also compared as integers, because
 // NVIDIA's compiler converts the result of a comparison of floats before it uses it for a selection.
+//
+// The sign of a zero is undefined, because NVIDIA's compiler computes 0.0 + x as x, which is wrong for x = -0.0. No function
+// depends on it, and stored zeros become positive (kernels/run).
+//
+// Subnormal numbers count as zero: drivers that flush them to zero after rounding (sim/kernels/arithmetic) need no code for that.
+// For all others, the library is compiled with CAREFUL, which flushes in software.
 #include "common/exact.glsl"
 
 const int xTiny = 0x0da24260;      // bits of 1e-30
+const int xNormal = 0x00800000;    // bits of the smallest normal number, 2^-126
 const int xInfinity = 0x7f800000;  // bits of infinity; larger magnitudes are NaN
 
 int xMagnitude(const float x) {
@@ -21,77 +28,153 @@ float xNan() {
   return intBitsToFloat(0x7fc00000);
 }
 
-// Replaces magnitudes below 1e-30 by zero, because drivers disagree on subnormal numbers.
+// Replaces magnitudes below 1e-30 by zero.
 float xFlush(const float x) {
   return mix(x, 0.0, xMagnitude(x) < xTiny);
 }
-vec2 xFlush(const vec2 x) {
-  return mix(x, vec2(0.0), lessThan(floatBitsToInt(x) & 0x7fffffff, ivec2(xTiny)));
-}
-vec3 xFlush(const vec3 x) {
-  return mix(x, vec3(0.0), lessThan(floatBitsToInt(x) & 0x7fffffff, ivec3(xTiny)));
-}
-vec4 xFlush(const vec4 x) {
-  return mix(x, vec4(0.0), lessThan(floatBitsToInt(x) & 0x7fffffff, ivec4(xTiny)));
+
+// Replaces subnormal numbers by zero with the same sign.
+float xFlushSubnormal(const float x) {
+  return mix(x, intBitsToFloat(floatBitsToInt(x) & int(0x80000000)), xMagnitude(x) < xNormal);
 }
 
+// Returns a b, with a software flush. Without CAREFUL, only products with a tiny constant call it, because compilers
+// that compute a constant result do not flush it.
+#ifdef CAREFUL
+// A product that rounds up to 2^-126 is flushed if it is smaller with an unlimited exponent. The smaller factor times
+// 2^64 shows that.
+float xMul(const float a, const float b) {
+  float c = xFlushSubnormal(a), d = xFlushSubnormal(b);
+  bool first = xMagnitude(c) < xMagnitude(d);
+  precise float p = c * d;
+  precise float scaled = mix(d, c, first) * 18446744073709551616.0;
+  scaled = scaled * mix(c, d, first);
+  return mix(p, intBitsToFloat(floatBitsToInt(p) & int(0x80000000)), xMagnitude(scaled) < 0x20800000);  // 2^-62
+}
+float xAdd(const float a, const float b) {
+  precise float sum = xFlushSubnormal(a) + xFlushSubnormal(b);
+  return xFlushSubnormal(sum);
+}
+float xSub(const float a, const float b) {
+  return xAdd(a, -b);
+}
+#else
 float xMul(const float a, const float b) {
   precise float p = a * b;
-  return xFlush(p);
+  return xFlushSubnormal(p);
 }
-vec2 xMul(const vec2 a, const vec2 b) {
-  precise vec2 p = a * b;
-  return xFlush(p);
-}
-vec3 xMul(const vec3 a, const vec3 b) {
-  precise vec3 p = a * b;
-  return xFlush(p);
-}
-vec4 xMul(const vec4 a, const vec4 b) {
-  precise vec4 p = a * b;
-  return xFlush(p);
+#endif
+#define TWICE(F) \
+  vec2 F(const vec2 a, const vec2 b) { return vec2(F(a.x, b.x), F(a.y, b.y)); } \
+  vec3 F(const vec3 a, const vec3 b) { return vec3(F(a.x, b.x), F(a.y, b.y), F(a.z, b.z)); } \
+  vec4 F(const vec4 a, const vec4 b) { return vec4(F(a.x, b.x), F(a.y, b.y), F(a.z, b.z), F(a.w, b.w)); }
+TWICE(xMul)
+
+// Products and sums within the library.
+#ifdef CAREFUL
+TWICE(xAdd) TWICE(xSub)
+#define TIMES(a, b) xMul(a, b)
+#define PLUS(a, b) xAdd(a, b)
+#define MINUS(a, b) xSub(a, b)
+#else
+#define TIMES(a, b) ((a) * (b))
+#define PLUS(a, b) ((a) + (b))
+#define MINUS(a, b) ((a) - (b))
+#endif
+
+// Returns c ? b : a. As a vector, NVIDIA's compiler selects without a branch, which halves the time of such a kernel.
+float xPick(const float a, const float b, const bool c) {
+  return mix(vec2(a), vec2(b), bvec2(c)).x;
 }
 
-// Returns a / b with a relative error below 3e-7, as a times exactReciprocal(b). Zeros, infinities and NaN follow IEEE
-// 754, but |b| below 1e-30 counts as zero. The Newton steps preserve the sign of b, and NaN.
+// True if the driver's fma() rounds once and its 1 / x and inversesqrt() need a correction; false if its 1 / x and
+// sqrt() are rounded correctly. text/glsl.cpp replaces this function by a macro, which the runtime sets.
+bool xFused() {
+#ifdef SIMREEL_FUSED
+  return SIMREEL_FUSED;
+#else
+  return true;
+#endif
+}
+
+// Returns 1 / b rounded to nearest: infinity for zero and subnormal b of either sign, zero for |b| above 2^126.
+float xReciprocal(const float b) {
+#ifdef CAREFUL
+  // With b = m 2^e and integers M = m 2^23 and Y = 2^24 / m: a Newton iteration gives Y within two units, and the
+  // remainder 2^47 - M Y corrects it.
+  int bits = xMagnitude(b), e = (bits >> 23) - 127, M = (bits & 0x007fffff) | xNormal;
+  float m = intBitsToFloat((bits & 0x007fffff) | 0x3f800000);
+  precise float near = exactReciprocal(m) * 16777216.0;
+  int Y = int(near);
+  for (int i = 0; i < 3; ++i) {
+    int rest = -(M * Y);
+    Y += int(2 * rest > M) - int(2 * rest < -M);
+  }
+  precise float y = float(Y) * 5.96046448e-8;
+  int made = floatBitsToInt(y) - (e << 23);
+  made = mix(made, 0, e > 126 || (e == 126 && M != xNormal));
+  made |= floatBitsToInt(b) & int(0x80000000);
+  made = mix(made, xInfinity, bits < xNormal);
+  return intBitsToFloat(mix(made, 0x7fc00000, bits > xInfinity));
+#else
+  precise float y = 1.0 / b;
+  if (!xFused()) return mix(y, abs(y), xMagnitude(y) == xInfinity);
+  precise float error = fma(-b, y, 1.0);  // NaN if b is zero or infinite
+  precise float better = fma(y, error, y);
+  return xPick(abs(y), better, xMagnitude(error) < 0x3f000000);  // 0.5
+#endif
+}
+
+// Returns a times the rounded 1 / b. The relative error is below 1.8e-7; b counts as zero below 2^-126 and as infinite
+// above 2^126, which is the range for which GLSL defines divisions.
 float xDiv(const float a, const float b) {
-  int m = xMagnitude(b);
-  float scale = mix(1.0, 5.42101086e-20, m > 0x7149f2ca);  // 2^-64 if |b| > 1e30, because 1 / b could be subnormal
-  precise float c = b * scale;
-  precise float y = intBitsToFloat(0x7ef311c7 - floatBitsToInt(c));
-  y = y * (2.0 - c * y);
-  y = y * (2.0 - c * y);
-  y = y * (2.0 - c * y);
-  y = mix(y, 0.0, m == xInfinity);
-  y = mix(y, intBitsToFloat(xInfinity | (floatBitsToInt(b) & int(0x80000000))), m < xTiny);
-  precise float q = a * y;
-  q = q * scale;
-  return xFlush(q);
+  precise float q = TIMES(a, xReciprocal(b));
+  return q;
 }
 
-// Returns NaN for x <= -1e-30, `zero` for |x| < 1e-30, otherwise `root`.
-float xRootEnds(const float x, const float root, const float zero) {
-  float r = mix(root, zero, floatBitsToInt(x) < xTiny);
-  return mix(r, xNan(), floatBitsToUint(x) >= 0x8da24260u);
-}
-// Returns 1 / sqrt(x), which is infinity for zero and NaN for negative x.
-float xInverseSqrt(const float x) {
-  float y = exactInverseSqrt(x);
-  y = mix(y, 0.0, floatBitsToInt(x) == xInfinity);
-  return xRootEnds(x, y, intBitsToFloat(xInfinity));
-}
-// Returns sqrt(x), which is NaN for negative x. abs() is needed because the Newton steps turn infinity into -infinity.
+// Returns sqrt(x) rounded to nearest: zero for |x| below 2^-100, and NaN for other negative x.
 float xSqrt(const float x) {
-  precise float root = x * exactInverseSqrt(x);
-  return xRootEnds(x, abs(root), 0.0);
+  float root;
+#ifdef CAREFUL
+  // With x = m 4^k, 1 <= m < 4 and integers N = m 2^46 and R = sqrt(N): a Newton iteration gives R within two units,
+  // and the remainder N - R R corrects it.
+  int bits = xMagnitude(x), e = (bits >> 23) - 127, odd = e & 1;
+  float m = intBitsToFloat((bits & 0x007fffff) | (0x3f800000 + (odd << 23)));
+  precise float near = exactSqrt(m) * 8388608.0;
+  int R = int(near), N = ((bits & 0x007fffff) | xNormal) << (23 + odd);
+  for (int i = 0; i < 3; ++i) {
+    int rest = N - R * R;
+    R += int(rest > R) - int(rest <= -R);
+  }
+  root = intBitsToFloat((R & 0x007fffff) + (((e >> 1) + 127) << 23) + ((R >> 24) << 23));
+  root = mix(root, xNan(), floatBitsToInt(x) < 0 || bits > xInfinity);
+#else
+  if (xFused()) {
+    precise float y = inversesqrt(x);
+    precise float near = x * y;
+    precise float error = fma(-near, near, x);
+    precise float half_ = 0.5 * y;
+    root = fma(error, half_, near);
+  } else {
+    root = sqrt(x);
+  }
+#endif
+  root = xPick(0.0, root, xMagnitude(x) >= 0x0d800000);  // 2^-100
+  return xPick(root, x, floatBitsToInt(x) == xInfinity);
+}
+
+// Returns 1 / sqrt(x) from both rounded results: infinity for |x| below 2^-100, NaN for other
+// negative x.
+float xInverseSqrt(const float x) {
+  return xReciprocal(xSqrt(x));
 }
 
 // xMod() returns a - b floor(a / b), with the sign of b. xRem() returns a - b trunc(a / b), with the sign of a. If
 // rounding moves the quotient to another integer, the result is corrected so that its magnitude stays below |b|.
 float xMod(const float a, const float b) {
   float q = floor(xDiv(a, b));
-  precise float r = a - xMul(b, q);
-  precise float more = r + b, less = r - b;
+  precise float r = MINUS(a, TIMES(b, q));
+  precise float more = PLUS(r, b), less = MINUS(r, b);
   r = mix(r, more, mix(r, -r, b < 0.0) < 0.0);
   return mix(r, less, mix(less, -less, b < 0.0) >= 0.0);
 }
@@ -101,32 +184,31 @@ float xRem(const float a, const float b) {
   return intBitsToFloat(floatBitsToInt(r) ^ (floatBitsToInt(a) & int(0x80000000)));
 }
 float xFract(const float x) {
-  precise float r = x - floor(x);
-  return xFlush(r);
+  precise float r = MINUS(x, floor(x));
+  return r;
 }
 float xFma(const float a, const float b, const float c) {
-  precise float sum = xMul(a, b) + c;
+  precise float sum = PLUS(TIMES(a, b), c);
   return sum;
 }
 float xMix(const float a, const float b, const float t) {
-  precise float d = b - a;
-  precise float sum = a + xMul(d, t);
+  precise float d = MINUS(b, a);
+  precise float sum = PLUS(a, TIMES(d, t));
   return sum;
 }
 
-// Returns an integer key for min and max, for which -0 is below +0. If one operand is NaN, min and max return the other
-// operand.
+// Returns an integer that orders numbers: -NaN, -infinity .. -0, +0 .. infinity, NaN.
 int xOrder(const float x) {
   int bits = floatBitsToInt(x);
   return bits ^ ((bits >> 31) & 0x7fffffff);
 }
+// If one operand is NaN, min and max return the other operand. As unsigned integers, the keys of all NaN follow each
+// other, so that a shift puts them above all numbers (min) or below (max).
 float xMin(const float a, const float b) {
-  float least = mix(a, b, xOrder(b) < xOrder(a));
-  return mix(mix(least, a, xIsNan(b)), b, xIsNan(a));
+  return mix(a, b, uint(xOrder(b) - int(0x807fffff)) < uint(xOrder(a) - int(0x807fffff)));
 }
 float xMax(const float a, const float b) {
-  float greatest = mix(a, b, xOrder(a) < xOrder(b));
-  return mix(mix(greatest, a, xIsNan(b)), b, xIsNan(a));
+  return mix(a, b, uint(xOrder(a) - 0x7f800001) < uint(xOrder(b) - 0x7f800001));
 }
 float xClamp(const float x, const float low, const float high) {
   return xMin(xMax(x, low), high);
@@ -138,10 +220,11 @@ float xStep(const float edge, const float x) {
   return mix(1.0, 0.0, x < edge);
 }
 float xSmoothstep(const float a, const float b, const float x) {
-  precise float far = x - a, whole = b - a;
+  precise float far = MINUS(x, a), whole = MINUS(b, a);
   float t = xClamp(xDiv(far, whole), 0.0, 1.0);
   precise float slope = 3.0 - 2.0 * t;
-  return xMul(xMul(t, t), slope);
+  precise float smoothed = TIMES(TIMES(t, t), slope);
+  return smoothed;
 }
 float xSign(const float x) {
   float one = intBitsToFloat(0x3f800000 | (floatBitsToInt(x) & int(0x80000000)));
@@ -151,16 +234,18 @@ float xRound(const float x) {
   return roundEven(x);
 }
 float xRadians(const float x) {
-  return xMul(x, 0.0174532925);
+  precise float angle = TIMES(x, 0.0174532925);
+  return angle;
 }
 float xDegrees(const float x) {
-  return xMul(x, 57.2957795);
+  precise float angle = TIMES(x, 57.2957795);
+  return angle;
 }
 float xLdexp(const float x, const int n) {
   int held = clamp(n, -252, 252), part = held >> 1;
-  precise float r = x * intBitsToFloat((part + 127) << 23);
-  r = r * intBitsToFloat((held - part + 127) << 23);
-  return xFlush(r);
+  precise float r = TIMES(x, intBitsToFloat((part + 127) << 23));
+  r = TIMES(r, intBitsToFloat((held - part + 127) << 23));
+  return r;
 }
 
 // Converts with saturation: NaN becomes 0, and values out of range become the nearest limit.

@@ -2,7 +2,7 @@
 #include "kernels/numbers.glsl"
 
 uint xToHalf(const float x) {
-  uint bits = floatBitsToUint(x), sign = (bits >> 16) & 0x8000u;
+  uint bits = floatBitsToUint(x), sign = bits > 0x80000000u ? 0x8000u : 0u;
   int m = int(bits & 0x7fffffffu);
   // normal half float: exponent reduced by 112, mantissa rounded to 10 bits
   uint rounded = uint(m) + 0xfffu + ((uint(m) >> 13) & 1u);

@@ -14,7 +14,7 @@ int xLevel(const float lod, const int levels) {
 // Returns the interpolation weight of the next texel for a normalized coordinate `at`, and the index of the
 // lower texel in `texel`.
 float xPlace(const float at, const int n, const uint state, out int texel) {
-  precise float place = xMul(at, float(n));
+  precise float place = TIMES(at, float(n));
   precise float middle = place - 0.5;
   float from = floor((state & 1u) != 0u ? middle : place);
   precise float share = middle - from;
@@ -23,7 +23,7 @@ float xPlace(const float at, const int n, const uint state, out int texel) {
 }
 vec4 xBetween(const vec4 a, const vec4 b, const float t) {
   precise vec4 d = b - a;
-  precise vec4 sum = a + xMul(d, vec4(t));
+  precise vec4 sum = PLUS(a, TIMES(d, vec4(t)));
   return t == 0.0 ? a : sum;
 }
 
@@ -93,8 +93,8 @@ ivec3 xCubeTexel(const int face, const int x, const int y, const int n) {
   if (min(x, y) >= 0 && max(x, y) < n) return ivec3(x, y, face);
   precise float s = xDiv(float(x) + 0.5, float(n)), t = xDiv(float(y) + 0.5, float(n));
   vec3 other = xFace(xDirection(face, s, t));
-  return ivec3(clamp(xToInt(floor(xMul(other.x, float(n)))), 0, n - 1),
-               clamp(xToInt(floor(xMul(other.y, float(n)))), 0, n - 1), int(other.z));
+  return ivec3(clamp(xToInt(floor(TIMES(other.x, float(n)))), 0, n - 1),
+               clamp(xToInt(floor(TIMES(other.y, float(n)))), 0, n - 1), int(other.z));
 }
 #define TEXEL_CUBE(T, U) texelFetch(t, xCubeTexel(face, x + T, y + U, n), level)
 #define SAMPLE_CUBE(TEXTURE) \

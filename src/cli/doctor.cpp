@@ -11,6 +11,7 @@
 #include "gl/machine.hpp"
 #include "scene/scene.hpp"
 #include "sim/core/numerics.hpp"
+#include "sim/kernels/arithmetic.hpp"
 
 #include <cstdlib>
 #include <string>
@@ -78,6 +79,7 @@ void doctor(const std::string& device) {
   const auto numerics = sim::probeNumerics();
   print("Exact numerics: {}\n",
         numerics.exactHolds ? "hold, bit for bit" : "BROKEN: " + numerics.firstFailure);
+  print("Arithmetic of users' kernels: {}\n", sim::arithmeticText(sim::kernelArithmetic()));
   print("Numerics fingerprint: {}\n", numerics.fingerprint);
   print("Drawing fingerprint: {}\n", draw::probePictures());
   print("Processor: {}\n", gl::machineOf(context).processor);

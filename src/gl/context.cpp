@@ -5,6 +5,7 @@
 #include "gl/driver_environment.hpp"
 #include "gl/driver_threads.hpp"
 #include "gl/errors.hpp"
+#include "gl/flushed_subnormals.hpp"
 #include "gl/kernel_compiler.hpp"
 #include "gl/limits.hpp"
 #include "gl/linked_program.hpp"
@@ -83,6 +84,7 @@ EGLDisplay openDisplay(EGLDeviceEXT device) {
 }
 
 Display::Display(EGLDeviceEXT device, bool debug) {
+  const FlushedSubnormals forThreads;
   display_ = openDisplay(device);
   if (display_ == EGL_NO_DISPLAY) fail(ExitCode::device, "EGL cannot open a display on it");
   EGLint major = 0;

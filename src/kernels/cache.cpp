@@ -51,11 +51,12 @@ std::string program() {
 fs::path entryOf(const Request& request) {
   std::vector<std::string> folders;
   for (const fs::path& one : request.folders) folders.push_back(one.string());
-  const std::string key = fmt::format(
-      "{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", program(), request.file.string(),
-      fs::absolute(request.file).string(), fmt::join(folders, ":"), fmt::join(request.kernels, ","),
-      fmt::join(request.keywords, ","), request.fast, request.pass, request.upsideDown, request.report,
-      request.maxIterations, fmt::join(request.previous, ","), static_cast<int>(request.race));
+  const std::string key =
+      fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", program(), request.file.string(),
+                  fs::absolute(request.file).string(), fmt::join(folders, ":"),
+                  fmt::join(request.kernels, ","), fmt::join(request.keywords, ","), request.fast,
+                  request.careful, request.pass, request.upsideDown, request.report, request.maxIterations,
+                  fmt::join(request.previous, ","), static_cast<int>(request.race));
   return folder() / fmt::format("{}.kernel", hashHex(key));
 }
 

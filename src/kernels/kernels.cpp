@@ -60,7 +60,8 @@ Module prepared(Files& files, const Unit& unit, const Request& request, Report* 
       limitLoops(module, request.maxIterations, unrolled, report);
       if (report != nullptr) report->hold(module);
     }
-    if (!request.fast) linkLibrary(module, placeCalls(module, unit.language));
+    if (!request.fast)
+      linkLibrary(module, placeCalls(module, unit.language, request.careful), request.careful);
     return Module(optimized(module.words(), hlsl));
   };
   Module plain = made(!hlsl);
@@ -99,7 +100,7 @@ Kernel lowered(Files& files, const Unit& unit, const Request& request) {
   const std::set<Id> cubes = flattenCubes(module);
   std::set<std::string> cubeNames;
   for (const Id cube : cubes) cubeNames.insert(module.name(cube));
-  if (!request.fast || !cubes.empty()) filterExactly(module, cubes, request.fast);
+  if (!request.fast || !cubes.empty()) filterExactly(module, cubes, request.fast, request.careful);
   layOut(module, hlsl);
   const std::uint32_t guards = request.fast ? 0 : guardElements;
   if (request.race == Race::record) recordWrites(module, hlsl, guards);

@@ -18,6 +18,9 @@ struct Request {
   std::vector<std::string> keywords;           ///< selected keywords of multi_compile
   bool fast = false;                           ///< true to compile the shader as written, without exact
                                                ///< operations
+  /// True to flush subnormal numbers, divide and take roots in integers, for drivers whose arithmetic
+  /// differs (sim/kernels/arithmetic.hpp). The results have the same bits.
+  bool careful = false;
   /// Name of the pass for a ShaderToy file, which has mainImage() instead of a kernel. The pass writes the
   /// image PASS_Output and reads PASS_Channel0 to PASS_Channel3. Empty for other files.
   std::string pass;

@@ -5,6 +5,7 @@
 #include "gl/program.hpp"
 #include "gpu/context.hpp"
 #include "kernels/kernels.hpp"
+#include "sim/kernels/arithmetic.hpp"
 
 #include <cstdint>
 #include <fstream>
@@ -27,6 +28,7 @@ inline kernels::Kernel guarded(const std::string& text, kernels::Request request
   const auto path = temporaryFile(name);
   std::ofstream(path) << text;
   request.file = path;
+  request.careful = !request.fast && sim::kernelArithmetic() == sim::Arithmetic::careful;
   kernels::Shader shader = kernels::loadHere(request);
   std::filesystem::remove(path);
   return std::move(shader.kernels.at(0));
@@ -74,7 +76,7 @@ inline Buffers ran(const kernels::Kernel& kernel, const Buffers& given, GLuint g
   const gl::Buffer report = gl::Buffer::of<std::uint32_t>(
       "report", given.contains("report") ? given.at("report") : untouched(kernel.places.size() + 1));
   if (kernel.report >= 0) report.bindStorage(static_cast<GLuint>(kernel.report));
-  gl::Program::computeText("kernel", kernel.body()).dispatchGroups(groups, 1, 1);
+  sim::kernelProgram("kernel", kernel.body()).dispatchGroups(groups, 1, 1);
   gl::barrier();
   Buffers made;
   for (const auto& one : bound) {

@@ -1,6 +1,6 @@
 // Fills a user's texture with another object's field (grid/field.glsl), interpolated bilinearly between the centres of
 // the field's cells unless the values are categories. A field of the texture's size is copied. Colours give red, green,
-// blue and the value; other fields give their value three times, and 1. One invocation per texel. TEXELS is 0 for
+// blue and the value; other fields give their value three times, and 1. Each invocation takes every `threads`-th texel. TEXELS is 0 for
 // floats, 1 for ints, 2 for uints.
 #include "common/exact.glsl"
 #include "common/words.glsl"
@@ -10,6 +10,7 @@ const int fieldUnit = 1;
 #include "grid/field.glsl"
 STATE_WORDS(0, TexelBlock, texels)
 uniform ivec2 size;     // size of the texture
+uniform int threads;    // number of invocations
 uniform bool upward;    // true if the first row of texels is the lowest row of the field
 uniform bool separate;  // true if values must not be interpolated between cells
 
@@ -32,9 +33,7 @@ vec4 between(vec4 a, vec4 b, float share) {
   return mixed;
 }
 
-void main() {
-  int i = int(gl_GlobalInvocationID.x);
-  if (i >= size.x * size.y) return;
+void fillTexel(int i) {
   int row = i / size.x;
   Between across = betweenCells(i % size.x, size.x, fieldSize.x);
   Between down = betweenCells(upward ? size.y - 1 - row : row, size.y, fieldSize.y);
@@ -54,4 +53,8 @@ void main() {
 #else
   STORE_WORDS(texels, i, uvec4(clamp(texel, 0.0, 4294967000.0)));
 #endif
+}
+
+void main() {
+  for (int i = int(gl_GlobalInvocationID.x); i < size.x * size.y; i += threads) fillTexel(i);
 }

@@ -1,5 +1,5 @@
-// Copies up to four numbers of each element of a user's buffer into a vec4 array for drawing. One invocation
-// per element.
+// Copies up to four numbers of each element of a user's buffer into a vec4 array for drawing. Each
+// invocation takes every `threads`-th element.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 layout(local_size_x = 64) in;
@@ -8,6 +8,7 @@ STATE_ARRAY(1, DrawnBlock, drawn)
 layout(std430, binding = 2) buffer NotedBlock { uvec4 noted[]; };  // x: number of elements that are not finite; y:
                                                                    // index of the first of them
 uniform int count;     // number of elements
+uniform int threads;   // number of invocations
 uniform int start;     // word offset of the first element
 uniform int stride;    // number of words per element
 uniform ivec4 places;  // word offsets of the four numbers within an element; -1 for the value of `fill`
@@ -35,9 +36,7 @@ bool allFinite(vec4 numbers) {
   return all(notEqual(floatBitsToUint(numbers) & 0x7f800000u, uvec4(0x7f800000u)));
 }
 
-void main() {
-  int i = int(gl_GlobalInvocationID.x);
-  if (i >= count) return;
+void copyElement(int i) {
   int element = start + i * stride;
   bool drawnToo = alive < 0 || numberAt(element + alive, aliveNumber) > 0.0;
   vec4 result = fill;
@@ -51,4 +50,8 @@ void main() {
     for (int c = 0; c < 3; ++c) result[c] = linearOf(clamp(result[c], 0.0, 1.0));
   if (marked && !drawnToo) result.w = -1.0;
   STORE_STATE(drawn, i, result);
+}
+
+void main() {
+  for (int i = int(gl_GlobalInvocationID.x); i < count; i += threads) copyElement(i);
 }

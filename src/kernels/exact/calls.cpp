@@ -10,13 +10,26 @@ namespace simreel::kernels {
 
 namespace {
 
-/// Returns the library function for a floating-point operation, or for an integer operation with undefined
-/// cases; nullptr for other operations.
-const char* functionFor(SpvOp op) {
+/// Returns the library function for an operation that drivers compute equally, except that some do not
+/// flush subnormal results to zero; nullptr for other operations.
+const char* flushingFunctionFor(SpvOp op) {
   switch (op) {
     case SpvOpFMul:
     case SpvOpVectorTimesScalar:
       return "xMul";
+    case SpvOpFAdd:
+      return "xAdd";
+    case SpvOpFSub:
+      return "xSub";
+    default:
+      return nullptr;
+  }
+}
+
+/// Returns the library function for a floating-point operation, or for an integer operation with undefined
+/// cases; nullptr for other operations.
+const char* functionFor(SpvOp op) {
+  switch (op) {
     case SpvOpFDiv:
       return "xDiv";
     case SpvOpFMod:
@@ -141,8 +154,11 @@ bool isArithmetic(SpvOp op) {
 
 class Placing {
  public:
-  Placing(Module& module, Language language)
-      : module_(module), set_(module.extendedSet(false)), hlsl_(language == Language::hlsl) {}
+  Placing(Module& module, Language language, bool careful)
+      : module_(module),
+        set_(module.extendedSet(false)),
+        hlsl_(language == Language::hlsl),
+        careful_(careful) {}
 
   std::vector<PlacedCall> run() {
     std::vector<Instruction> body = std::move(module_.body);
@@ -166,6 +182,8 @@ class Placing {
     } else if (!dividesByConstant(one)) {
       // glslang emits FMod for fmod and %. In HLSL the result has the sign of the first operand.
       function = one.op == SpvOpFMod && hlsl_ ? "xRem" : functionFor(one.op);
+      if (careful_ || hasTinyFactor(one))
+        if (const char* flushing = flushingFunctionFor(one.op); flushing != nullptr) function = flushing;
     }
     if (function != nullptr && one.op == SpvOpVectorTimesScalar)
       arguments[1] = spread(one.type, arguments[1]);
@@ -279,6 +297,23 @@ class Placing {
                : positive(one.operands[1]);
   }
 
+  /// True for a product with a constant below 2^-62 in magnitude. A compiler may compute such a product
+  /// without flushing it.
+  bool hasTinyFactor(const Instruction& one) const {
+    if (one.op != SpvOpFMul && one.op != SpvOpVectorTimesScalar) return false;
+    const auto tiny = [&](Id id) {
+      const std::uint32_t bits = module_.constant(id).value_or(0) & 0x7fffffffU;
+      return bits > 0 && bits < 0x20800000U;
+    };
+    return std::any_of(one.operands.begin(), one.operands.end(), [&](Id id) {
+      const Instruction* made = module_.global(id);
+      if (made == nullptr) return false;
+      return made->op == SpvOpConstantComposite
+                 ? std::any_of(made->operands.begin(), made->operands.end(), tiny)
+                 : tiny(id);
+    });
+  }
+
   /// Masks shift counts modulo 32, as in Direct3D.
   void holdShift(Instruction& one) {
     const auto small = [&](Id id) {
@@ -307,6 +342,7 @@ class Placing {
   Module& module_;
   Id set_;
   bool hlsl_;
+  bool careful_;
   std::vector<PlacedCall> calls_;
 };
 
@@ -323,8 +359,8 @@ void forbidContraction(Module& module) {
       module.decorate(one.result, SpvDecorationNoContraction);
 }
 
-std::vector<PlacedCall> placeCalls(Module& module, Language language) {
-  std::vector<PlacedCall> calls = Placing(module, language).run();
+std::vector<PlacedCall> placeCalls(Module& module, Language language, bool careful) {
+  std::vector<PlacedCall> calls = Placing(module, language, careful).run();
   forbidContraction(module);
   return calls;
 }

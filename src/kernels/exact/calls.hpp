@@ -17,11 +17,12 @@ struct PlacedCall {
 
 /// Replaces every operation whose result depends on the driver by a library call, and adds NoContraction to
 /// the remaining operations. Returns the calls, whose function ids linkLibrary() fills in.
-[[nodiscard]] std::vector<PlacedCall> placeCalls(Module& module, Language language);
+/// `careful`: also products and sums, for drivers that do not flush subnormal results to zero.
+[[nodiscard]] std::vector<PlacedCall> placeCalls(Module& module, Language language, bool careful);
 
 /// Appends the called library functions, and the functions that they call in turn, with new ids of the
 /// module.
-void linkLibrary(Module& module, const std::vector<PlacedCall>& calls);
+void linkLibrary(Module& module, const std::vector<PlacedCall>& calls, bool careful);
 
 /// Adds NoContraction to every arithmetic operation of the body.
 void forbidContraction(Module& module);

@@ -15,6 +15,12 @@ namespace simreel::kernels {
 
 namespace {
 
+std::string textOf(bool careful) {
+  gl::Defines defines = {{gl::extensionDefine, "GL_EXT_samplerless_texture_functions"}};
+  if (careful) defines.emplace_back("CAREFUL", "1");
+  return gl::loadShader("kernels/library.glsl", defines).text;
+}
+
 /// The compiled library, with the instruction range of each function.
 struct Library {
   struct Function {
@@ -25,11 +31,7 @@ struct Library {
   std::unordered_map<Id, Function> functions;
   Id set = 0;  ///< id of the import of the instruction set GLSL.std.450
 
-  Library()
-      : module(
-            compileLibrary(gl::loadShader("kernels/library.glsl",
-                                          {{gl::extensionDefine, "GL_EXT_samplerless_texture_functions"}})
-                               .text)) {
+  explicit Library(bool careful) : module(compileLibrary(textOf(careful))) {
     forbidContraction(module);
     set = module.extendedSet();
     for (const Instruction& one : module.head)
@@ -43,14 +45,18 @@ struct Library {
   }
 };
 
-const Library& library() {
-  static const Library compiled;
+const Library& library(bool careful) {
+  if (careful) {
+    static const Library compiled(true);
+    return compiled;
+  }
+  static const Library compiled(false);
   return compiled;
 }
 
 class Linking {
  public:
-  explicit Linking(Module& module) : module_(module) {}
+  Linking(Module& module, const Library& library) : module_(module), library_(library) {}
 
   /// Returns the id in the user's module of the library function `theirs`. Appends the function at its
   /// first use.
@@ -117,19 +123,20 @@ class Linking {
   }
 
   Module& module_;
-  const Library& library_ = library();
+  const Library& library_;
   std::unordered_map<Id, Id> ids_;
   std::vector<Instruction> pending_;
 };
 
 }  // namespace
 
-void linkLibrary(Module& module, const std::vector<PlacedCall>& calls) {
+void linkLibrary(Module& module, const std::vector<PlacedCall>& calls, bool careful) {
   if (calls.empty()) return;
-  Linking linking(module);
+  const Library& exact = library(careful);
+  Linking linking(module, exact);
   for (const PlacedCall& call : calls) {
-    const auto found = library().names.find(call.function);
-    if (found == library().names.end())
+    const auto found = exact.names.find(call.function);
+    if (found == exact.names.end())
       throw std::runtime_error(fmt::format("there is no exact function {}", call.function));
     module.body[call.at].operands[0] = linking.function(found->second);
   }

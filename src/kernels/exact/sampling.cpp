@@ -17,8 +17,8 @@ namespace {
 
 class Filtering {
  public:
-  Filtering(Module& module, const std::set<Id>& cubes, bool only)
-      : module_(module), cubes_(cubes), only_(only) {}
+  Filtering(Module& module, const std::set<Id>& cubes, bool only, bool careful)
+      : module_(module), cubes_(cubes), only_(only), careful_(careful) {}
 
   void run() {
     std::vector<Instruction> body = std::move(module_.body);
@@ -33,7 +33,7 @@ class Filtering {
     module_.index();
     if (calls_.empty()) return;
     module_.head.push_back({SpvOpCapability, 0, 0, {SpvCapabilityImageQuery}});
-    linkLibrary(module_, calls_);
+    linkLibrary(module_, calls_, careful_);
   }
 
  private:
@@ -154,6 +154,7 @@ class Filtering {
   Module& module_;
   const std::set<Id>& cubes_;
   bool only_;
+  bool careful_;
   std::unordered_map<Id, Id> loaded_;
   std::unordered_map<Id, Pair> joined_;  ///< pairs of image and sampler, by the id of the sampled image
                                          ///< that combines them
@@ -164,8 +165,8 @@ class Filtering {
 
 }  // namespace
 
-void filterExactly(Module& module, const std::set<Id>& cubes, bool only) {
-  Filtering(module, cubes, only).run();
+void filterExactly(Module& module, const std::set<Id>& cubes, bool only, bool careful) {
+  Filtering(module, cubes, only, careful).run();
 }
 
 }  // namespace simreel::kernels

@@ -12,6 +12,6 @@ inline constexpr const char* samplerBlock = "simreel_Samplers";
 /// Replaces reads of 2-D, 3-D and array textures by calls of the library's filter. `cubes` holds the array
 /// textures that replace cube maps; these are read by a direction. If `only` is true, only reads of `cubes`
 /// are replaced. The driver still performs depth comparisons, gathers and reads with an offset.
-void filterExactly(Module& module, const std::set<Id>& cubes, bool only);
+void filterExactly(Module& module, const std::set<Id>& cubes, bool only, bool careful);
 
 }  // namespace simreel::kernels

@@ -52,12 +52,6 @@ void setOptions(const Cross& cross) {
   cross.check(spvc_compiler_install_compiler_options(cross.compiler, options));
 }
 
-/// Directive that makes NVIDIA's compiler use selections instead of branches; other compilers ignore it.
-/// Exact functions contain many selections. On an H200, gravity takes 1.3 times as long if they are
-/// branches. The directive is not used for sines, because their reduction of large angles must stay behind
-/// a branch.
-constexpr const char* selectNotBranch = "#pragma optionNV(ifcvt all)\n";
-
 Texture texture(const Module& module, Id variable) {
   Texture made;
   made.name = module.name(variable);
@@ -79,6 +73,26 @@ void orderShared(std::string& text) {
   for (auto at = text.find(bare); at != std::string::npos; at = text.find(bare, at + ordered.size()))
     text.replace(at, bare.size(), ordered);
 }
+
+/// Replaces the result of the library's xFused() by a macro. The text has two such functions if both the
+/// kernel and its texture filters use the library. Returns false if it has none.
+bool chooseFused(std::string& text) {
+  constexpr std::string_view name = "bool xFused", result = "return true;";
+  bool found = false;
+  for (auto at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
+    const auto body = text.find(result, at);
+    if (body == std::string::npos) continue;
+    text.replace(body, result.size(), "return SIMREEL_FUSED;");
+    found = true;
+  }
+  return found;
+}
+
+/// Definition that the runtime may change (sim/kernels/arithmetic.hpp).
+constexpr const char* fusedMacro =
+    "#ifndef SIMREEL_FUSED\n"
+    "#define SIMREEL_FUSED true\n"
+    "#endif\n";
 
 /// Collects the textures: combined GLSL samplers, and pairs of separate textures and samplers, which this
 /// function combines.
@@ -127,8 +141,10 @@ void writeGlsl(const Module& module, Kernel& kernel, bool exact) {
   kernel.glsl = text;
   orderShared(kernel.glsl);
   moveIncrements(kernel.glsl);
-  if (exact && kernel.glsl.find("xFarAngle(") == std::string::npos)
-    kernel.glsl.insert(kernel.glsl.find('\n') + 1, selectNotBranch);
+  if (!exact || !chooseFused(kernel.glsl)) return;
+  std::size_t behind = 0;  // the first line that is not a directive
+  while (kernel.glsl[behind] == '#') behind = kernel.glsl.find('\n', behind) + 1;
+  kernel.glsl.insert(behind, fusedMacro);
 }
 
 }  // namespace simreel::kernels

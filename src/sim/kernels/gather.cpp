@@ -7,6 +7,7 @@ namespace simreel::sim {
 struct GatherKernel {
   static constexpr auto file = "kernels/run/gather.comp";
   gl::Uniform<"count", int> count;
+  gl::Uniform<"threads", int> threads;
   gl::Uniform<"start", int> start;
   gl::Uniform<"stride", int> stride;
   gl::Uniform<"places", glm::ivec4> places;
@@ -82,20 +83,22 @@ void KernelGather::run(const KernelNumbers& from, const Chosen& chosen, const gl
   const KernelSlot* living = chosen.alive.empty() ? nullptr : slotNamed(from.slots, chosen.alive);
   const KernelWatch& watch = chosen.watch;
   if (last != nullptr) places.w = static_cast<int>(last->offsets[0] / 4);
-  kernel_.dispatch(from.count, {.count = from.count,
-                                .start = from.start,
-                                .stride = from.stride,
-                                .places = places,
-                                .fill = chosen.fill,
-                                .number = number,
-                                .alive = living == nullptr ? -1 : static_cast<int>(living->offsets[0] / 4),
-                                .aliveNumber = living == nullptr ? 0 : typeOf(*living),
-                                .marked = chosen.marked,
-                                .watched = watch.reports == nullptr ? -1 : watch.place,
-                                .encoded = chosen.encoded,
-                                .words = *from.words,
-                                .drawn = to,
-                                .noted = watch.reports == nullptr ? unwatched_ : *watch.reports});
+  const int threads = std::min(from.count, maxThreads);
+  kernel_.dispatch(threads, {.count = from.count,
+                             .threads = threads,
+                             .start = from.start,
+                             .stride = from.stride,
+                             .places = places,
+                             .fill = chosen.fill,
+                             .number = number,
+                             .alive = living == nullptr ? -1 : static_cast<int>(living->offsets[0] / 4),
+                             .aliveNumber = living == nullptr ? 0 : typeOf(*living),
+                             .marked = chosen.marked,
+                             .watched = watch.reports == nullptr ? -1 : watch.place,
+                             .encoded = chosen.encoded,
+                             .words = *from.words,
+                             .drawn = to,
+                             .noted = watch.reports == nullptr ? unwatched_ : *watch.reports});
 }
 
 }  // namespace simreel::sim

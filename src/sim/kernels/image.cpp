@@ -247,12 +247,13 @@ void ImageParameters::build(scene::Fields& f) {
   shown.encoded = true;
   shown.display = display;
   auto shader = std::make_shared<kernels::Shader>();
+  requests.clear();
   std::vector<std::string> names;
   try {
     for (const ImagePass& pass : all) {
       if (pass.file.empty())
         return f.errorIn({"buffers", pass.name}, 0, 1, "a buffer needs \"file\", its shader");
-      kernels::Request one;
+      kernels::Request& one = requests.emplace_back();
       one.file = pass.file;
       for (const auto& folder : scene::foldersAround(pass.file)) one.folders.push_back(folder);
       one.pass = pass.name;

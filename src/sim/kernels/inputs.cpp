@@ -17,6 +17,7 @@ struct TakeKernel {
   };
   FieldPart field;
   gl::Uniform<"size", glm::ivec2> size;
+  gl::Uniform<"threads", int> threads;
   gl::Uniform<"upward", bool> upward;
   gl::Uniform<"separate", bool> separate;
   gl::Out<"texels"> words;
@@ -64,11 +65,13 @@ void KernelInputs::fill(KernelStore& store, std::size_t texture, const Field& fi
     kernels_.emplace(
         key, gl::Kernel<TakeKernel>(gl::kernelDefines(false), {.cells = field.cells, .texels = texels}));
   gl::barrier();
-  kernels_.at(key).dispatch(static_cast<int>(planned.count()), {.field = partOf(field),
-                                                                .size = glm::ivec2(planned.size),
-                                                                .upward = planned.given->upward,
-                                                                .separate = field.categories,
-                                                                .words = store.texels(texture)});
+  const int threads = std::min(static_cast<int>(planned.count()), maxThreads);
+  kernels_.at(key).dispatch(threads, {.field = partOf(field),
+                                      .size = glm::ivec2(planned.size),
+                                      .threads = threads,
+                                      .upward = planned.given->upward,
+                                      .separate = field.categories,
+                                      .words = store.texels(texture)});
   store.putBackOne(texture);
 }
 

@@ -61,7 +61,7 @@ class Kernels : public Simulation, public RaceChecked, public FrameStarter {
         finite_(name_, *plan_, parameters_.nonFinite),
         drawn_(name_, *plan_, finite_, object.material, setting.frameSeconds),
         reports_(name_, *plan_, finite_, parameters_.bounds == KernelDescription::Bounds::ignore),
-        programs_(name_, plan_->shaderPointer()),
+        programs_(name_, parameters_.requests),
         inputs_(*plan_, object, setting.links),
         startTime_(setting.startTime),
         kind_(object.kind) {
@@ -128,10 +128,10 @@ class Kernels : public Simulation, public RaceChecked, public FrameStarter {
     return arrays;
   }
   [[nodiscard]] std::vector<std::string> races(double time) override {
-    if (parameters_.request.file.empty())
+    if (!parameters_.requests.front().pass.empty())
       return {};  // an image needs no race check, because each invocation writes only its pixel
     const KernelStore::Saved before = store_.save();
-    races_ = std::make_unique<KernelRaces>(name_, parameters_.request);
+    races_ = std::make_unique<KernelRaces>(name_, parameters_.requests.front());
     run(plan_->first(), nowAt(time, 0), true);
     store_.restore(before);
     for (int i = 0; i < std::min(parameters_.steps, 2); ++i) run(plan_->step(), nowAt(time, i), false);

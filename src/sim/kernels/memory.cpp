@@ -18,6 +18,7 @@ struct CanonicalKernel {
   gl::Uniform<"count", int> count;
   gl::Uniform<"start", int> start;
   gl::Uniform<"stride", int> stride;
+  gl::Uniform<"threads", int> threads;
   gl::InOut<"words"> words;
   gl::In<"floats"> floats;
 };
@@ -30,6 +31,7 @@ struct TexelCopy {
     gl::Flag<"WHOLE"> whole;
   };
   gl::Uniform<"size", glm::ivec4> size;
+  gl::Uniform<"threads", int> threads;
   gl::In<"source"> source;
   gl::Out<"texels"> texels;
 };
@@ -247,16 +249,21 @@ void KernelStore::settle() {
     const PlannedBuffer& planned = plan_.buffers()[i];
     if (floats_[i].bytes() == 0) continue;
     const auto words = static_cast<int>(planned.count() * planned.stride / 4);
-    canonical_.dispatch(words, {.count = words,
-                                .start = static_cast<int>(planned.header / 4),
-                                .stride = static_cast<int>(planned.stride / 4),
-                                .words = buffers_[i],
-                                .floats = floats_[i]});
+    const int threads = std::min(words, maxThreads);
+    canonical_.dispatch(threads, {.count = words,
+                                  .start = static_cast<int>(planned.header / 4),
+                                  .stride = static_cast<int>(planned.stride / 4),
+                                  .threads = threads,
+                                  .words = buffers_[i],
+                                  .floats = floats_[i]});
   }
   for (std::size_t i = 0; i < textures_.size(); ++i) {
     const PlannedTexture& planned = plan_.textures()[i];
-    copies_[i].dispatch(static_cast<int>(planned.count()),
-                        {.size = glm::ivec4(planned.size, 0), .source = textures_[i], .texels = words_[i]});
+    const int threads = std::min(static_cast<int>(planned.count()), maxThreads);
+    copies_[i].dispatch(threads, {.size = glm::ivec4(planned.size, 0),
+                                  .threads = threads,
+                                  .source = textures_[i],
+                                  .texels = words_[i]});
   }
   everythingVisible();
 }

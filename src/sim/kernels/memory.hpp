@@ -11,6 +11,10 @@
 
 namespace simreel::sim {
 
+/// Maximum number of invocations of one dispatch over the elements of a buffer, because some drivers allow
+/// only 65,535 groups. A group has 64 invocations.
+inline constexpr int maxThreads = 65535 * 64;
+
 struct CanonicalKernel;
 struct TexelCopy;
 

@@ -287,7 +287,8 @@ void KernelsParameters::describeDrawn(scene::Fields& f) {
 void KernelsParameters::compile(scene::Fields& f) {
   plan.reset();
   problem.clear();
-  request = {};
+  requests.clear();
+  kernels::Request& request = requests.emplace_back();
   request.file = file;
   request.fast = fast;
   request.report = bounds != Bounds::silent;

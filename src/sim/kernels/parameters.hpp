@@ -21,7 +21,8 @@ namespace simreel::sim {
 struct KernelsParameters : ObjectParameters, HasColorRange, KernelDescription {
   /// Created by describe() while a scene is loaded; null if the file cannot be compiled.
   std::shared_ptr<const KernelPlan> plan;
-  kernels::Request request;  ///< request from which the shader was compiled
+  /// Requests from which the shader was compiled: one per pass of an image, otherwise one.
+  std::vector<kernels::Request> requests;
   /// Error message of the compiler; empty if none exists.
   std::string problem;
   bool problemIsReport = false;  ///< true if the message already contains source positions and carets

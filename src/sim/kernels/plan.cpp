@@ -51,9 +51,9 @@ std::shared_ptr<const kernels::Shader> KernelPlan::shaderOf(const kernels::Reque
   static std::mutex mutex;
   const std::scoped_lock lock(mutex);
   const std::string key = fmt::format(
-      "{} {} {} {} {} {} {} {} {} {}", request.file.string(), request.pass, request.upsideDown,
+      "{} {} {} {} {} {} {} {} {} {} {}", request.file.string(), request.pass, request.upsideDown,
       fmt::join(request.kernels, " "), fmt::join(request.keywords, " "), fmt::join(request.previous, " "),
-      request.fast, request.maxIterations, static_cast<int>(request.race), request.report);
+      request.fast, request.careful, request.maxIterations, static_cast<int>(request.race), request.report);
   const auto changed = [](const Known& known) {
     return std::any_of(known.files.begin(), known.files.end(), [](const auto& file) {
       std::error_code error;

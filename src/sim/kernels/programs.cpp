@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "scene/json/words.hpp"
+#include "sim/kernels/arithmetic.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -12,17 +13,24 @@
 
 namespace simreel::sim {
 
-KernelPrograms::KernelPrograms(const std::string& name, std::shared_ptr<const kernels::Shader> shader)
-    : name_(name), shader_(std::move(shader)) {
-  const std::string file =
-      shader_->files.empty() ? name : std::filesystem::path(shader_->files.front()).filename().string();
-  for (const kernels::Kernel& kernel : shader_->kernels) {
-    programs_.push_back(
-        gl::Program::computeText(fmt::format("{}: kernel {}", file, kernel.name), kernel.body()));
-    std::vector<gl::Buffer>& blocks = blocks_.emplace_back();
-    for (const kernels::Block& block : kernel.blocks)
-      blocks.emplace_back(fmt::format("{} constants of {}", name, kernel.name),
-                          std::max<std::size_t>(16, block.bytes));
+KernelPrograms::KernelPrograms(const std::string& name, const std::vector<kernels::Request>& requests)
+    : name_(name) {
+  for (kernels::Request request : requests) {
+    request.careful = !request.fast && kernelArithmetic() == Arithmetic::careful;
+    const auto shader = KernelPlan::shaderOf(request);
+    const std::string file =
+        shader->files.empty() ? name : std::filesystem::path(shader->files.front()).filename().string();
+    for (const kernels::Kernel& kernel : shader->kernels) {
+      const std::string label = fmt::format("{}: kernel {}", file, kernel.name);
+      programs_.push_back(request.fast ? gl::Program::computeText(label, kernel.body())
+                                       : kernelProgram(label, kernel.body()));
+      std::vector<UniformBlock>& blocks = blocks_.emplace_back();
+      for (const kernels::Block& block : kernel.blocks)
+        blocks.push_back({gl::Buffer(fmt::format("{} constants of {}", name, kernel.name),
+                                     std::max<std::size_t>(16, block.bytes)),
+                          {}});
+      kernels_.push_back(kernel);
+    }
   }
 }
 
@@ -47,12 +55,16 @@ glm::uvec3 KernelPrograms::groups(const KernelPlan& plan, const PlannedEntry& en
 
 void KernelPrograms::dispatch(KernelStore& store, const PlannedEntry& entry, const KernelPlan::Now& now) {
   const auto place = static_cast<std::size_t>(entry.kernel);
-  const kernels::Kernel& kernel = shader_->kernels[place];
+  const kernels::Kernel& kernel = kernels_[place];
   for (std::size_t b = 0; b < kernel.blocks.size(); ++b) {
-    const std::vector<std::byte> bytes = store.plan().blockBytes(kernel.blocks[b], now);
-    blocks_[place][b].write(0, bytes);
-    blocks_[place][b].bindUniform(static_cast<GLuint>(kernel.blocks[b].binding), 0,
-                                  blocks_[place][b].bytes());
+    UniformBlock& block = blocks_[place][b];
+    // A write makes a card wait for the dispatches that read the block.
+    if (std::vector<std::byte> bytes = store.plan().blockBytes(kernel.blocks[b], now);
+        bytes != block.bytes) {
+      block.buffer.write(0, bytes);
+      block.bytes = std::move(bytes);
+    }
+    block.buffer.bindUniform(static_cast<GLuint>(kernel.blocks[b].binding), 0, block.buffer.bytes());
   }
   store.bind(kernel);
   gl::AccessLog::barrier(GL_ALL_BARRIER_BITS);

@@ -13,10 +13,11 @@ namespace simreel::sim {
 /// Owns the compiled kernels of one shader and their uniform blocks.
 class KernelPrograms {
  public:
-  KernelPrograms(const std::string& name, std::shared_ptr<const kernels::Shader> shader);
+  /// Compiles the kernels of all requests for the arithmetic of the current context's driver.
+  KernelPrograms(const std::string& name, const std::vector<kernels::Request>& requests);
 
   [[nodiscard]] const kernels::Kernel& kernel(int place) const {
-    return shader_->kernels[static_cast<std::size_t>(place)];
+    return kernels_[static_cast<std::size_t>(place)];
   }
   /// Returns the workgroup counts of an entry; 1 for an indirect dispatch.
   [[nodiscard]] static glm::uvec3 groups(const KernelPlan& plan, const PlannedEntry& entry,
@@ -26,12 +27,17 @@ class KernelPrograms {
   void dispatch(KernelStore& store, const PlannedEntry& entry, const KernelPlan::Now& now);
 
  private:
+  struct UniformBlock {
+    gl::Buffer buffer;
+    std::vector<std::byte> bytes;  ///< content of the buffer; empty before the first dispatch
+  };
+
   void holdGroups(const kernels::Kernel& kernel, const glm::uvec3& groups) const;
 
   std::string name_;
-  std::shared_ptr<const kernels::Shader> shader_;
+  std::vector<kernels::Kernel> kernels_;
   std::vector<gl::Program> programs_;
-  std::vector<std::vector<gl::Buffer>> blocks_;
+  std::vector<std::vector<UniformBlock>> blocks_;
 };
 
 }  // namespace simreel::sim

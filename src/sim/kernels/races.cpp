@@ -12,10 +12,10 @@ namespace simreel::sim {
 
 namespace {
 
-std::shared_ptr<const kernels::Shader> variant(kernels::Request request, kernels::Race race) {
+std::vector<kernels::Request> variant(kernels::Request request, kernels::Race race) {
   request.race = race;
   request.report = race == kernels::Race::check;
-  return KernelPlan::shaderOf(request);
+  return {request};
 }
 
 constexpr unsigned unknown = UINT_MAX;
@@ -73,10 +73,8 @@ void bindShadows(const KernelPlan& plan, const kernels::Kernel& kernel, Shadows&
 
 KernelRaces::KernelRaces(const std::string& name, const kernels::Request& request)
     : name_(name),
-      recording_(variant(request, kernels::Race::record)),
-      checking_(variant(request, kernels::Race::check)),
-      record_(name, recording_),
-      check_(name, checking_) {}
+      record_(name, variant(request, kernels::Race::record)),
+      check_(name, variant(request, kernels::Race::check)) {}
 
 void KernelRaces::dispatch(KernelStore& store, const PlannedEntry& entry, const KernelPlan::Now& now) {
   Shadows shadows;

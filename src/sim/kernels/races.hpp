@@ -32,7 +32,6 @@ class KernelRaces {
                const std::vector<glm::uvec4>& words);
 
   std::string name_;
-  std::shared_ptr<const kernels::Shader> recording_, checking_;
   KernelPrograms record_, check_;
   std::map<const PlannedEntry*, int> searches_;
   std::set<std::pair<int, std::size_t>> told_;  ///< kernels and source positions in them for which a race
