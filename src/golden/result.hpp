@@ -63,7 +63,8 @@ struct Metrics {
 /// First pass and pixel at which a picture differs from its baseline.
 struct PassPlace {
   std::string pass;  ///< first pass whose hash differs; empty if the baseline has no pass hashes
-  /// First differing pixel whose samples all show the same thing; if none exists, first differing pixel.
+  /// Coordinates of the first differing pixel whose samples all show the same object and primitive, or of
+  /// the first differing pixel if there is no such pixel.
   int x = 0, y = 0;
   std::string shows;    ///< object and primitive visible at the pixel: "triangle 12 of flag"
   std::string message;  ///< description of the difference in one line

@@ -9,9 +9,8 @@
 namespace simreel::golden {
 
 /// Returns text that every program can display. U+FFFD replaces invalid UTF-8, control characters that
-/// affect terminals (except tab and newline), and code points that XML 1.0 forbids. "\r
-/// " and "\r" become "
-/// ".
+/// affect terminals (except tab and newline), and code points that XML 1.0 forbids. A carriage return, or a
+/// carriage return and a newline, becomes one newline.
 [[nodiscard]] std::string cleanText(std::string_view text);
 /// Returns the text up to the first newline.
 [[nodiscard]] std::string_view firstLine(std::string_view text);
