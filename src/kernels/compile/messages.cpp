@@ -23,7 +23,7 @@ std::string trimmed(std::string_view text) {
 }
 
 /// Parses "name:line: 'token' : message", the text after "ERROR: ". `count`: number of files. The line is 0
-/// if the text has none.
+/// if the text has no line number.
 Mistake located(std::string_view rest, std::size_t count) {
   Mistake mistake;
   const std::size_t first = rest.find(':');
@@ -187,7 +187,7 @@ std::vector<Mistake> explained(std::string_view log, const Files& files,
     if (const auto* include = failedInclude(mistake, failed)) {
       mistake.token = include->first;
       mistake.message = include->second;
-      return {mistake};  // the other errors are consequences of this one
+      return {mistake};  // The other errors are consequences of this one.
     }
     reword(mistake);
     const bool known = std::any_of(mistakes.begin(), mistakes.end(), [&](const Mistake& other) {

@@ -12,7 +12,7 @@ inline constexpr std::uint32_t guardElements = 2;
 /// shared and private memory, vectors, and texels. Must run after HLSL functions are inlined. There is one
 /// exception: an out-of-bounds read of a whole struct from an array of fixed length returns the last
 /// element. OpenGL itself drops out-of-bounds image writes. `report`: records each out-of-bounds access;
-/// nullptr for no reports.
+/// nullptr to record none.
 void keepInside(Module& module, Report* report);
 
 }  // namespace simreel::kernels

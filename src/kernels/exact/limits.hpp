@@ -13,8 +13,8 @@ namespace simreel::kernels {
 [[nodiscard]] std::vector<Mistake> beyondLimits(const Module& module, const Files& files,
                                                 const std::string& entry, int line);
 
-/// Returns mistakes of the [numthreads(x, y, z)] of the kernel `entry` in an HLSL file that name constants,
-/// for which glslang crashes.
+/// Returns mistakes for a [numthreads(x, y, z)] of the kernel `entry` in an HLSL file that contains names
+/// of constants. glslang crashes for them.
 [[nodiscard]] std::vector<Mistake> variableGroups(const Files& files, const std::string& entry);
 
 /// Returns a mistake if a GLSL shader does not give its workgroups a size, or gives it only by a

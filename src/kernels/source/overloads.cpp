@@ -11,8 +11,8 @@ namespace simreel::kernels {
 
 namespace {
 
-constexpr std::size_t mostShortened = 5;  // max shortened parameters of one function; n of them make 2^n -
-                                          // 1 overloads
+constexpr std::size_t mostShortened = 5;  // max number of shortened parameters of one function; n shortened
+                                          // parameters make 2^n - 1 overloads
 
 /// A parameter of a function.
 struct Parameter {

@@ -52,7 +52,7 @@ void setOptions(const Cross& cross) {
   cross.check(spvc_compiler_install_compiler_options(cross.compiler, options));
 }
 
-/// Directive that makes NVIDIA's compiler use selections instead of branches; other compilers ignore it.
+/// Directive that makes NVIDIA's compiler use selections instead of branches. Other compilers ignore it.
 /// Exact functions contain many selections. On an H200, gravity takes 1.3 times as long if they are
 /// branches. The directive is not used for sines, because their reduction of large angles must stay behind
 /// a branch.
@@ -80,8 +80,8 @@ void orderShared(std::string& text) {
     text.replace(at, bare.size(), ordered);
 }
 
-/// Collects the textures: combined GLSL samplers, and pairs of separate textures and samplers, which this
-/// function combines.
+/// Collects the textures. These are combined GLSL samplers, and pairs of separate textures and samplers,
+/// which this function combines.
 void joinSamplers(const Module& module, const Cross& cross, Kernel& kernel) {
   const auto bind = [&](Id id, Texture made, const std::string& name) {
     made.uniform = name;

@@ -150,7 +150,7 @@ class Baselines(GoldenCase):
         self.assertEqual({(s["path"], s["removed"]) for s in report["stale"]}, {(path, True) for path in stale})
         self.assertEqual(sorted(p.name for p in self.golden("a/any").glob("*.png")), ["000000.png", "000003.png"])
         self.assertEqual(self.run_suite(0, "--strict")[0]["stale"], [])
-        # The files that an update writes replace all earlier ones.
+        # The files that an update writes replace all files of earlier updates.
         self.set_scene({"test.frames": [0, 4]})
         self.one(0, "--update")
         self.assertEqual(sorted(p.name for p in self.golden("a/any").glob("*.png")), ["000000.png", "000004.png"])

@@ -26,8 +26,8 @@ class Kernels(Case):
 
     def test_printed_scenes_are_accepted(self):
         for shader in (
-            # One kernel has rows that write a texture and a buffer. The other has groups in two axes that write a
-            # buffer.
+            # The first kernel processes rows, and writes a texture and a buffer. The second has workgroups in two axes,
+            # and writes a buffer.
             "RWStructuredBuffer<float> _Sum; RWTexture2D<float4> _Seen; [numthreads(64, 1, 1)] void A(uint3 id : SV_DispatchThreadID) { _Sum[id.x] = 1; _Seen[id.xy] = 1; }",
             "RWStructuredBuffer<float> _Sum; Texture2D<float4> _Seen; [numthreads(8, 8, 1)] void A(uint3 id : SV_DispatchThreadID) { _Sum[id.x] = _Seen[id.xy].x; }",
             "RWStructuredBuffer<float> _Sum; [numthreads(8, 8, 1)] void A(uint3 id : SV_DispatchThreadID) { _Sum[id.x] = 1; }",

@@ -95,7 +95,7 @@ class Data(Case):
         rows = list(csv.DictReader((self.folder / "out/sheet.csv").read_text().splitlines()))
         self.assertEqual([row["frame"] for row in rows], ["0", "1", "2", "3"])
         self.assertEqual(list(rows[0])[:3], ["frame", "time", "population"])
-        # For free fall by semi-implicit Euler, v = g t, so E = m (g t)^2 / 2 with m = 25 kg.
+        # For free fall with semi-implicit Euler, v = g t, so E = m (g t)^2 / 2 with m = 25 kg.
         for row in rows:
             self.assertAlmostEqual(float(row["kineticEnergy"]), 0.5 * 25 * (10 * float(row["time"])) ** 2, 3)
         self.bad(6, "exists; use --overwrite", "bake", "a.json", "-o", "out", "--format", "csv")

@@ -81,7 +81,7 @@ class DataPictures(Case):
                 ends = self.ends(self.good("render", "a.json", "-o", f"{quantity}{mesh}/", "--frames", "0", "--size", "32x18").err)
                 self.assertAlmostEqual(ends["colorFrom"], 0, 5)
                 self.assertAlmostEqual(ends["colorTo"], expected, 3)
-            # For free fall without pins, v = g t after two steps in each of three frames.
+            # Without pins the cloth falls freely, so v = g t. There are two steps in each of three frames.
             for fabric in ({}, {"fabric": {"material": "cotton", "stretchDamping": 0}, "substeps": 4}):
                 self.scene({"sheet": {"cloth": {**shape, **fabric, "gravity": [0, -10, 0], "damping": 0, "pins": [], "colorBy": "speed", **auto}}})
                 ends = self.ends(self.good("render", "a.json", "-o", "fall/", "--frames", "0", "--size", "32x18", "--overwrite").err)
@@ -214,7 +214,7 @@ class DataPictures(Case):
         # The picture shows 4 m in 200 pixels. The bar may cover at most 0.25 of 400 pixels, which is 2 m.
         self.assertEqual(self.bar({}, camera=flat), (20, 120))
         self.assertEqual(self.bar({"length": 3}, camera=flat), (20, 170))
-        # The picture shows 2 * 5 m * tan(20 degrees) in 200 pixels.
+        # The visible height of 2 * 5 m * tan(20 degrees) has 200 pixels.
         deep = {"fieldOfView": 40, "position": [0, 0, 5], "target": [0, 0, 0]}
         first, last = self.bar({"length": 1}, camera=deep)
         self.assertAlmostEqual(last - first, 200 / (10 * math.tan(math.radians(20))), delta=1)

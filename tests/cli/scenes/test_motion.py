@@ -109,7 +109,7 @@ class Track(Case):
         self.assertGreater(low, level + 3)
 
     def test_keyed_targets_and_paths_can_be_damped(self):
-        # With damping T, the camera's target lags by the time T behind an object in steady motion, after an initial
+        # With damping T, the camera's target lags behind an object in steady motion by the time T, after an initial
         # phase.
         keys = [[0, [-3, 0, 0]], [2, [3, 0, 0]]]
         scene = {**self.SCENE, "camera": {"position": [0, 0, 6], "target": {"keys": keys}, "damping": 0.2},

@@ -1,4 +1,4 @@
-// Tests that rays find the same hits in a hierarchy as a loop over all items does, bit by bit.
+// Tests that rays find the same hits in a hierarchy as in a loop over all items, bit by bit.
 #include "draw/exact/rays/hierarchy.hpp"
 
 #include "draw/exact/rays/ray_kernels.hpp"
@@ -28,7 +28,7 @@ struct TracedRay {
 
 #include "glsl/draw/exact/rays/look_table.glsl"
 
-/// Triangles, or balls whose first corner holds centre and radius, on the GPU, with their hierarchy.
+/// Triangles or balls on the GPU, with their hierarchy. The first corner of a ball holds centre and radius.
 class HierarchyStage {
  public:
   HierarchyStage(const std::vector<glm::vec4>& places, bool balls)
