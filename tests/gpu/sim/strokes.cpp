@@ -1,5 +1,5 @@
-// Tests strokes in every simulation that supports them. A stroke at the start must be in the first state,
-// and strokes must wrap around a torus.
+// Tests strokes in every simulation that supports them. A stroke at the start time must be in the first
+// state, and strokes must wrap around a torus.
 #include "base/file.hpp"
 #include "frame/image.hpp"
 #include "gpu/sim/spread.hpp"

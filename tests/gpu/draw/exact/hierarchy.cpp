@@ -223,7 +223,7 @@ TEST_CASE("hierarchy: what rays meet of triangles and balls, in float64") {
   const auto hits = stage.traced(rays);
   int compared = 0, wrong = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    if (i % 4 == 1) continue;  // a ray through a corner may hit or miss
+    if (i % 4 == 1) continue;  // Skips these rays, because a ray through a corner may hit or miss.
     const glm::dvec3 origin(rays[i].origin), along(rays[i].along);
     double nearest = static_cast<double>(rays[i].far), margin = 1;
     for (std::size_t k = 0; k < places.size(); k += 3) {
