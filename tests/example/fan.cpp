@@ -1,6 +1,6 @@
-// Tests the worked example of src/sim/ports/README.md, which is built from its listings. The kind is
-// defined only in its own folder and blows wind on particles and cloth. Its relations must be checked,
-// ordered and connected like those of all other kinds.
+// Tests the worked example of src/sim/ports/README.md, which is built from its listings. The example is a
+// fan, a kind of object that blows wind on particles and cloth. It is defined only in its own folder. Its
+// relations to other objects must be checked, ordered and connected like those of all other kinds.
 #include "sim/fan/fan.hpp"
 
 #include "base/error.hpp"

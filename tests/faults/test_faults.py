@@ -192,7 +192,7 @@ class Disturbed:
         if self.name != "update" and len(errors) != 1:
             return f"{len(errors)} lines of error"
         if not contents(made):
-            return None  # Without files, there is nothing that a later run could wrongly trust.
+            return None  # No files remain that could mislead a later run.
         found = signature(folder)
         if found not in self.tried:
             self.tried[found] = self.next_run(folder)

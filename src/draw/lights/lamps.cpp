@@ -40,8 +40,8 @@ Lamps::Lamps(const scene::Scene& scene, Rasterizer rasterizer)
   glowAges_ = gl::Buffer("colours of lamps", count * sizeof(glm::vec4));
   glowPlacesView_ = gl::Texture::view("glows of lamps", GL_RGBA32F, glowPlaces_);
   glowAgesView_ = gl::Texture::view("colours of lamps", GL_RGBA32F, glowAges_);
-  // The radius of a glow is passed as a mass. The colour of a lamp is selected by the glow's position in
-  // the colour map.
+  // A glow is an instance. Its mass holds the glow's radius, and its age selects the lamp's colour in the
+  // colour map.
   glows_.positions = &glowPlacesView_;
   glows_.velocities = &glowAgesView_;
   glows_.capacity = static_cast<int>(count);

@@ -70,7 +70,7 @@ int FieldPass::reductionFor(glm::ivec2 cells, glm::dvec2 perPixel) {
   const double under = std::min(std::min(perPixel.x, perPixel.y), 2.0 * FieldKernel::maxReduction);
   const int wanted = std::max(1, static_cast<int>(under / 2));
   const int min = (std::max(cells.x, cells.y) + maxTexels - 1) / maxTexels;
-  // A reduced field must not be too large for a texture. If it would be, the cells are read directly.
+  // If a reduced field would exceed `maxTexels`, the cells are read directly.
   return wanted < min ? 1 : wanted;
 }
 

@@ -55,7 +55,7 @@ class Baselines(GoldenCase):
         report, _ = self.run_suite(1)
         self.assertEqual([s["status"] for s in report["scenes"]], ["fail", "missing"])
         kept = {f["frame"]: (self.folder / f["actualImage"]).read_bytes() for f in report["scenes"][0]["frames"]}
-        # `accept` renders nothing, so it works without a device.
+        # `accept` renders nothing, so it must work without a device.
         done = self.good("accept", "report.json", "--only", "a", "--reason", "red is in",
                          env={"__EGL_VENDOR_LIBRARY_FILENAMES": "/nothing"})
         self.assertEqual(done.stdout.decode(), "accepted  a\n")

@@ -72,7 +72,8 @@ class KernelLinks(Case):
                 self.assertAlmostEqual(found, wanted, delta=1e-6)
 
     def test_a_finer_terrain_lies_on_a_smooth_surface_through_the_heights(self):
-        # The surface is a polynomial of the second degree. The interpolation reproduces it except at the borders. 1 s
+        # The surface is a polynomial of the second degree, which the interpolation reproduces except at the borders.
+        # This test takes 1 s.
         self.kernel("""RWTexture2D<float> _Heights;
             [numthreads(8, 8, 1)] void Raise(uint3 id : SV_DispatchThreadID) { if (all(id.xy < uint2(9, 7))) _Heights[id.xy] = id.x*(id.x - 2.0*id.y) + 3; }""")
         hill = lambda **more: {"hill": {"kernels": {"file": "a.compute", "textures": {"_Heights": [9, 7]}, "terrain": {"of": "_Heights", "width": 4, **more}}}}

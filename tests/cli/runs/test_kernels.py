@@ -40,7 +40,7 @@ class Kernels(Case):
             self.good("validate", "k.json")
 
     def test_constants_of_a_printed_scene_have_the_sizes_that_it_chooses(self):
-        # 0.3 s
+        # This test takes 0.3 s.
         def printed(shader):
             (self.folder / "a.compute").write_text("#pragma kernel A\n" + shader)
             return json.loads(self.good("kernels", "a.compute", "--scene").stdout)["objects"]["mine"]["kernels"]
@@ -57,7 +57,7 @@ class Kernels(Case):
         self.assertEqual(cloth["step"], ["A"])
 
     def test_drawn_numbers_that_are_not_finite_are_told(self):
-        # 2 s
+        # This test takes 2 s.
         shader = """#pragma kernel A
 struct P { float3 pos; float life; };
 RWStructuredBuffer<P> _P; RWTexture2D<float4> _H; float _T;

@@ -52,7 +52,7 @@ class Sweep(Case):
         self.assertEqual(self.status(0), ["3 jobs: 3 done"])
 
     def test_the_last_frame_of_each_job(self):
-        # 2 s
+        # This test takes 2 s.
         self.good("sweep", "dish.json", "--vary", "time.duration=0.1,0.2", "-o", "sw/", "--frames", "last")
         self.assertEqual([sorted(file.name for file in (self.folder / f"sw/jobs/000{job}").rglob("*.png")) for job in (0, 1)], [["000002.png"], ["000005.png"]])
 

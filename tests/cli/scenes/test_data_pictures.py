@@ -140,14 +140,14 @@ class DataPictures(Case):
         return [[255 - pixels[4 * (size[0] * y + x)] for x in range(size[0])] for y in range(size[1])]
 
     def test_a_field_of_version_2_is_in_the_picture_as_a_whole(self):
-        # 0.3 s
+        # This test takes 0.3 s.
         for version, fit in ((1, "cover"), (2, "contain")):
             self.write("a.json", {"version": version, "render": {"size": [64, 16]}, "objects": {"f": {"lenia": {"size": [32, 32]}}}})
             said = self.good("explain", "a.json").stdout.decode()
             self.assertIn(fit, next(line for line in said.splitlines() if line.startswith("objects.f.lenia.display.fit")))
 
     def test_a_chart_outside_of_the_picture_is_refused(self):
-        # 0.1 s
+        # This test takes 0.1 s.
         for key, value in (("x", 1.2), ("x", -0.6), ("y", 1)):
             self.write("a.json", {"version": 2, "objects": {"s": {"cloth": {}}, "c": {"chart": {"curves": [{"of": "s.speed"}], "width": 0.5, "height": 0.3, key: value}}}})
             self.bad(2, "the chart lies outside of the picture", "validate", "a.json")

@@ -29,7 +29,7 @@ class Motion(Case):
             self.good("render", "scene.json", "-o", f"one{number}/", "--frames", str(number), "-q")
             self.assertEqual(pixels(self.frame(f"one{number}", number)), pixels(self.frame("all", number)), number)
         self.good("render", "scene.json", "-o", "sharp/", "-D", "camera.shutter=false", "-q")
-        # For the first frame there is no earlier state from which to blur.
+        # The first frame has no motion blur, because there is no earlier state.
         self.assertEqual(pixels(self.frame("sharp", 0)), pixels(self.frame("all", 0)))
         self.assertNotEqual(pixels(self.frame("sharp", 7)), pixels(self.frame("all", 7)))
         states = [json.loads((self.folder / name / "manifest.json").read_text())["frames"] for name in ("all", "sharp")]
@@ -38,7 +38,7 @@ class Motion(Case):
     def test_motion_blur_is_equal_in_resumed_runs_and_pieces(self):
         self.write("scene.json", FALL)
         self.good("render", "scene.json", "-o", "all/", "-q")
-        for number in (5, 6):  # the frame of a kept state, and the next one
+        for number in (5, 6):  # Frame 5 has the state of the checkpoint, and frame 6 is the next one.
             with self.subTest(number):
                 self.good("render", "scene.json", "-o", "part/", "--frames", "0-5", "--checkpoint-at", "5", "-q", "--overwrite")
                 self.frame("part", number) if number == 5 else None

@@ -152,7 +152,8 @@ TEST_CASE("damage to a trace file is detected, and damage with a valid hash neve
 
 TEST_CASE("absurd sizes in a trace file allocate no memory") {
   const auto whole = encodeTrace(made({{"a", "b", 5, 5, 2}}, 0, 2, 1000));
-  // magic, first frame, frames, detailed, arrays, "a", "b", elements, elements per block, steps
+  // Offsets of the number fields: first frame, frames, detailed, arrays, then two name lengths, elements,
+  // elements per block, steps.
   for (const std::size_t at : {8U, 12U, 16U, 20U, 24U, 29U, 34U, 38U, 42U})
     for (const std::uint32_t value : {0xffffffffU, 0x7fffffffU, 0x40000000U, 0x00ffffffU, 0x80000000U}) {
       if (at == 8 && value == 0xffffffffU) continue;  // Skips a first frame of -1, which is valid.

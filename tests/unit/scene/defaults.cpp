@@ -161,7 +161,7 @@ TEST_CASE("defaults: stating the default of any parameter of a shipped scene cha
     refused.merge(scene.refused);
   }
   CHECK(same > 800);
-  // These parameters need another parameter, which the message names.
+  // The following parameters are refused without another parameter, which the message names.
   const std::set<std::string> allowed = {
       "mesh.grip", "mesh.distanceCells", "mesh.file", "particles.bounce", "particles.cloths",
       ".camera.position", ".camera.target", ".camera.height", "particles.margin", "grayScott.preset",

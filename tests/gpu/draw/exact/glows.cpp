@@ -88,7 +88,8 @@ TEST_CASE("glows: the sum of their formula in double precision, in any order and
     speeds.emplace_back(dice.cube(), 0.5F);
   }
   scene::Material material;
-  material.color = glm::vec3(1, 0.5F, 300.0F);  // the blue light exceeds the lower words of the sums
+  material.color = glm::vec3(1, 0.5F, 300.0F);  // the sums of the blue light do not fit into their lower
+                                                // words
   const auto run = [&](int smallPixels, int mediumPixels = 0) {
     InstanceStage group(places, speeds);
     group.instances.size = 0.7F;
