@@ -139,7 +139,7 @@ class SequenceSink final : public FrameSink {
     /// true if the file is empty or not a decodable picture, so that it must be drawn again
     bool damaged = false;
     std::optional<ManifestFrame> whole = {};  ///< manifest entry of the frame if the frame is complete;
-                                              ///< nothing if the manifest does not list it
+                                              ///< otherwise nothing
     /// description of how the file differs from pictures of this run; empty if it does not differ
     std::string difference = {};
   };
