@@ -160,7 +160,7 @@ class Chart(Case):
         for frame, share in ((0, 0), (5, 0.5), (9, 0.9)):
             picture = pixels((self.folder / f"all/{frame:06}.png").read_bytes())
             red = [(at % 200, at // 200) for at, (r, g, b) in enumerate(picture) if r > 200 and g < 90 and b < 90 and 30 <= at // 200 <= 72]
-            # The plot area spans 29 to 171 and 30 to 72 in chartLayout(). This is half of its height.
+            # The plot area spans x from 29 to 171 and y from 30 to 72 in chartLayout(). The curve is at half of its height.
             rows = [y + 0.5 for _, y in red]
             self.assertAlmostEqual(sum(rows) / len(rows), 51, delta=0.6)
             self.assertAlmostEqual(max(x for x, _ in red), 29 + share * 142, delta=3)

@@ -256,7 +256,8 @@ TEST_CASE(
   const auto above = [](const glm::dvec3& p) { return glm::dvec2(p.x / 3 + 0.5, p.z / 2 + 0.5); };
   holds(mapped(sheet + "}"), above);
   holds(mapped(sheet + R"X(, "maps": "top"})X"), above);
-  // A subdivided sheet has no texture coordinates. Seen from the front, it is a line.
+  // A subdivided sheet has no texture coordinates, and seen from the front it would be a line. It is
+  // therefore mapped from the top.
   holds(mapped(sheet + R"X(, "refine": 1, "maps": "top"})X"), above);
   holds(mapped(R"X({"shape": "sphere", "radius": 2, "resolution": [33, 17], "maps": "front"})X"),
         [](const glm::dvec3& p) { return glm::dvec2(p.x / 4 + 0.5, 0.5 - p.y / 4); });
