@@ -307,7 +307,7 @@ class Scene:
         """Returns the values of a field: (rows, columns), float32."""
         return self._native.field(_arguments.text("the name of a field", name))
 
-    # Whole runs
+    # Runs from the first frame
 
     def check(self, frames: Iterable[int] = (0,)) -> list[dict[str, Any]]:
         """Runs the scene from its start and returns the results of its checks, one dict for each check and frame."""

@@ -131,7 +131,7 @@ TextureCube<float4> _Sky; SamplerState sampler_linear_clamp, sampler_point_clamp
         self.bad(2, "the faces of a cube are squares, found 4 x 8", "validate", "k.json")
 
     def test_an_array_of_textures_is_refused(self):
-        # A scene would set only the first texture.
+        # Arrays of textures are refused, because a scene would set only the first texture.
         self.scene("#pragma kernel K\nTexture2D<float4> _Seen[3]; RWStructuredBuffer<float4> _Data;\n"
                    "[numthreads(8, 1, 1)] void K(uint3 id : SV_DispatchThreadID) { _Data[id.x] = _Seen[id.x % 3][uint2(0, 0)]; }\n",
                    textures={"_Seen": [4, 4]}, constants={}, buffers={"_Data": 8})

@@ -254,7 +254,7 @@ TEST_CASE("small glows conserve their light at any size") {
   const double wide = total(0.14F, 0.3F, glm::vec3(0));
   const double fine = total(0.0336F, 0.3F * 0.14F * 0.14F / (0.0336F * 0.0336F), glm::vec3(0));
   CHECK(fine == doctest::Approx(wide).epsilon(0.05).scale(0));
-  // The subpixel position has little effect.
+  // The total depends little on the position within a pixel.
   CHECK(total(0.0336F, 5.2F, glm::vec3(0.028F, 0.028F, 0)) == doctest::Approx(fine).epsilon(0.3).scale(0));
 }
 

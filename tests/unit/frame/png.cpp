@@ -114,7 +114,7 @@ TEST_CASE("png: files declare sRGB with the gamma and primaries of the specifica
   REQUIRE(chunks.size() == 6);
   CHECK(chunks[1].type == "sRGB");
   CHECK(chunks[1].data == std::string(1, '\0'));
-  // PNG specification, table of 11.3.3.5.
+  // The expected values are in the table of section 11.3.3.5 of the PNG specification.
   CHECK(chunks[2].type == "gAMA");
   CHECK(chunks[2].data == std::string("\x00\x00\xb1\x8f", 4));
   CHECK(chunks[3].type == "cHRM");

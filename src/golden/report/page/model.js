@@ -90,7 +90,7 @@ function curveValue(curve, frame) {
   return equalPixels(frame) || frame.alternate > 0 ? 0 : null;
 }
 
-// ---- text ----
+// ---- formatting of text ----
 
 function format(value, digits = 4) {
   if (value === null || value === undefined) return "–";
@@ -131,7 +131,7 @@ function divergenceText(divergence) {
   return "first leaves the baseline " + when + step + (where ? ": " + where + ", " + elements : "");
 }
 
-// ---- document ----
+// ---- elements of the document ----
 
 const byId = (id) => document.getElementById(id);
 
