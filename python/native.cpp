@@ -1,4 +1,4 @@
-// The module simreel._native: libsimreel for Python. The classes of the package simreel wrap it.
+// Defines the Python module simreel._native, which the classes of the package simreel wrap.
 #include "unlocked.hpp"
 
 #include <chrono>
@@ -21,8 +21,8 @@ namespace {
 
 using namespace simreel::python;
 
-/// The device of the process. Never destroyed by the C++ runtime, because the driver ends first; close()
-/// does it.
+/// Returns the device of the process. close() destroys it. C++ destructors at the end of the process would
+/// be too late, because the driver ends before them.
 std::optional<simreel::Device>& device() {
   static auto* held = new std::optional<simreel::Device>();
   return *held;
@@ -40,8 +40,8 @@ py::dtype typeOf(simreel::NumberType type) {
   return py::dtype::of<float>();
 }
 
-/// Hands bytes over to a numpy array without a copy. The array is read-only, because a change would reach
-/// neither the device nor the next array.
+/// Returns a numpy array that takes over the bytes without a copy. The array is read-only, because changes
+/// would not reach the device.
 template <class Bytes>
 py::array handOver(simreel::NumberType type, const std::vector<std::size_t>& shape,
                    const std::vector<std::size_t>& strides, Bytes&& bytes) {
@@ -64,7 +64,8 @@ py::array toNumpy(simreel::Picture&& picture) {
                   std::move(picture.bytes));
 }
 
-/// Ends the calls of daemon threads at the end of the interpreter, and waits for them.
+/// Stops daemon threads when they enter or leave the library at the end of the interpreter, and waits until
+/// no thread is inside.
 void endCalls() {
   endsPython = true;
   ending = true;
@@ -73,7 +74,8 @@ void endCalls() {
   while (inside > 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
-/// True if a signal handler raised or the interpreter ends, so that the running call must end.
+/// Returns true if the running call must end, because a signal handler raised an exception or the
+/// interpreter ends.
 bool signalled() {
   if (ending && !endsPython) return true;
   const py::gil_scoped_acquire acquire;
@@ -101,7 +103,8 @@ const char* nameOf(simreel::ErrorKind kind) {
   return "internal";
 }
 
-/// Raises simreel.Error, or leaves the exception of a signal handler as it is.
+/// Raises simreel.Error. If a signal handler interrupted the call, keeps its exception, or raises
+/// KeyboardInterrupt if it raised none.
 void raise(const simreel::Error& error) {
   if (error.kind() == simreel::ErrorKind::interrupted) {
     if (PyErr_Occurred() == nullptr) PyErr_SetNone(PyExc_KeyboardInterrupt);
@@ -115,13 +118,14 @@ void raise(const simreel::Error& error) {
   PyErr_SetObject(type.ptr(), made.ptr());
 }
 
-/// Options of the last device that was opened, for scenes that are loaded later.
+/// Returns the options with which the device was last opened. Scenes that are loaded later use them.
 simreel::DeviceOptions& chosen() {
   static simreel::DeviceOptions options;
   return options;
 }
 
-/// Opens a device. Closes the present one if no scene uses it; otherwise its options must be the same.
+/// Opens a device. If no scene uses the current device, closes it first; otherwise `options` must equal the
+/// current options.
 simreel::Device& openDevice(const simreel::DeviceOptions& options) {
   unlocked([&] {
     device().reset();
@@ -145,7 +149,7 @@ simreel::LoadOptions optionsOf(const std::vector<std::pair<std::string, std::str
   return options;
 }
 
-/// A scene that close() can release before Python forgets it.
+/// A scene for Python. close() releases it while the Python object still exists.
 class Held {
  public:
   explicit Held(simreel::Scene scene) : scene_(std::make_shared<simreel::Scene>(std::move(scene))) {}
@@ -155,7 +159,7 @@ class Held {
   Held(const Held&) = delete;
   Held& operator=(const Held&) = delete;
 
-  /// Returns the scene; the caller's copy keeps it alive while another thread closes it.
+  /// Returns the scene. The returned pointer keeps it alive even if another thread closes it.
   [[nodiscard]] std::shared_ptr<simreel::Scene> get() const {
     if (!scene_) throw simreel::Error(simreel::ErrorKind::usage, "the scene is closed");
     return scene_;
@@ -217,7 +221,7 @@ py::list check(const Held& held, const std::vector<int>& frames) {
   return all;
 }
 
-/// Adds what reads and writes the state.
+/// Adds the methods that read and write the state.
 void addState(py::class_<Held>& type) {
   type.def("arrays", describeArrays)
       .def("read",
@@ -251,7 +255,7 @@ void addScene(py::module_& module) {
   py::class_<simreel::Snapshot>(module, "Snapshot")
       .def_property_readonly("frame", &simreel::Snapshot::frame)
       .def_property_readonly("nbytes", &simreel::Snapshot::bytes);
-  // Returns a function that calls a function of the scene without the interpreter's lock.
+  // Returns a Python method that calls a function of the scene without the interpreter's lock.
   const auto call = [](auto function) {
     return [function](const Held& held) {
       const auto scene = held.get();

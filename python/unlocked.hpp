@@ -5,9 +5,10 @@
 
 namespace simreel::python {
 
-/// Number of threads inside the library. Zero in a fork.
+/// Number of threads inside the library. It is reset to zero in a forked process.
 inline std::atomic<int> inside = 0;
-/// True from the end of the interpreter on: daemon threads no longer enter or leave the library.
+/// True since the interpreter began to end. From then on, daemon threads must not enter or leave the
+/// library.
 inline std::atomic<bool> ending = false;
 inline thread_local bool endsPython = false;
 
@@ -17,7 +18,7 @@ inline thread_local bool endsPython = false;
   for (;;) ::pause();
 }
 
-/// Releases the interpreter's lock, and takes it again at its end.
+/// Releases the interpreter's lock in the constructor, and takes it again in the destructor.
 class Unlocked {
  public:
   Unlocked() : thread_(PyEval_SaveThread()) {
@@ -32,7 +33,7 @@ class Unlocked {
       stopThread();
     }
     PyEval_RestoreThread(thread_);
-    --inside;  // last, because the interpreter's end waits for it
+    --inside;  // this is last, because the ending interpreter waits until no thread is inside
   }
   Unlocked(const Unlocked&) = delete;
   Unlocked& operator=(const Unlocked&) = delete;
@@ -41,7 +42,7 @@ class Unlocked {
   PyThreadState* thread_;
 };
 
-/// Runs work without the interpreter's lock. A signal such as Ctrl-C ends it between two frames.
+/// Runs work without the interpreter's lock.
 template <class Work>
 auto unlocked(const Work& work) {
   const Unlocked release;

@@ -37,7 +37,7 @@ def run(test):
     with tempfile.TemporaryFile() as output:
         child = subprocess.Popen(test["command"], cwd=own.get("WORKING_DIRECTORY"), env=environment, stdout=output,
                                  stderr=output)
-        _, status, used = os.wait4(child.pid, 0)  # includes its waited-for children
+        _, status, used = os.wait4(child.pid, 0)  # The usage includes the children for which the child has waited.
         child.returncode = os.waitstatus_to_exitcode(status)
         if child.returncode not in (0, own.get("SKIP_RETURN_CODE", 0)):
             output.seek(0)

@@ -6,7 +6,8 @@
 
 #include <doctest/doctest.h>
 
-/// Returns the value called `name` from `measured`, which has the order of the parameters' quantities.
+/// Returns the value of the quantity `name` from `measured`, which is in the order of the parameters'
+/// quantities.
 inline double named(const simreel::scene::Parameters& parameters, const std::vector<double>& measured,
                     const std::string& name) {
   const auto table = parameters.quantities();

@@ -1,6 +1,7 @@
-# Writes OUT: a C++ table of (path below PREFIX, text) of FILES, whose paths are relative to ROOT. HEADER declares
-# FUNCTION, which returns a span of ENTRY, a struct {const char* path; const char* text;}. String literals are used
-# because they compile a hundred times faster than arrays of numbers.
+# Writes the C++ file OUT with a table that contains the path below PREFIX and the text of each file in FILES. The paths
+# in FILES are relative to ROOT. The file includes HEADER, which declares FUNCTION. FUNCTION returns the table as a span
+# of ENTRY, a struct {const char* path; const char* text;}. The texts are string literals, because they compile a
+# hundred times faster than arrays of numbers.
 set(TABLE "")
 string(LENGTH "${PREFIX}" PREFIX_LENGTH)
 foreach(FILE IN LISTS FILES)

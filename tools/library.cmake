@@ -1,16 +1,16 @@
-# The shared library libsimreel and the Python module, and their installation.
+# Builds and installs the shared library libsimreel and the Python module.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(SIMREEL_HEADERS ${CMAKE_SOURCE_DIR}/src/api)
-# The names of the static libraries stay hidden, so that they cannot clash with those of another library.
+# The symbols of the static libraries are not exported, so that they cannot clash with symbols of other libraries.
 target_link_options(simreel_api PRIVATE -Wl,--exclude-libs,ALL)
 target_include_directories(simreel_api PUBLIC $<BUILD_INTERFACE:${SIMREEL_HEADERS}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_compile_features(simreel_api INTERFACE cxx_std_20)
 set_target_properties(simreel_api PROPERTIES OUTPUT_NAME simreel EXPORT_NAME simreel VERSION ${PROJECT_VERSION}
                       SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
 
-# The package of libsimreel for CMake and for pkg-config. A moved tree works, because both find their files relative to
-# themselves.
+# Installs the files with which CMake and pkg-config find libsimreel. The installed tree can be moved, because both find
+# their files relative to themselves.
 set(SIMREEL_CMAKE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/simreel)
 install(TARGETS simreel_api EXPORT simreel LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library
         NAMELINK_COMPONENT development)
@@ -23,7 +23,7 @@ configure_file(${CMAKE_SOURCE_DIR}/tools/simreel.pc.in ${CMAKE_BINARY_DIR}/simre
 install(FILES ${CMAKE_BINARY_DIR}/simreel-config-version.cmake DESTINATION ${SIMREEL_CMAKE_FOLDER} COMPONENT development)
 install(FILES ${CMAKE_BINARY_DIR}/simreel.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
 
-# The Python module, for the Python that finds pybind11. Importable from build/python.
+# Builds the Python module for the Python for which pybind11 is found. The module can be imported from build/python.
 set(SIMREEL_PYTHON_FOLDER lib/python3/dist-packages CACHE STRING "Folder of the Python module below the prefix")
 find_program(SIMREEL_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH)
 find_program(SIMREEL_PYTHON NAMES python3)
@@ -37,7 +37,8 @@ endif()
 set(MODULE_FOLDER ${CMAKE_BINARY_DIR}/python/simreel)
 pybind11_add_module(simreel_python MODULE NO_EXTRAS python/native.cpp)
 target_link_libraries(simreel_python PRIVATE simreel_api)
-# A third of the compile time, and no speed: the module only passes calls on. pybind11's headers shadow names.
+# -O1 takes a third of the compile time and costs no speed, because the module only calls the library. The warnings are
+# disabled because of pybind11's headers.
 target_compile_options(simreel_python PRIVATE -O1 -Wno-shadow -Wno-pedantic)
 file(RELATIVE_PATH TO_LIBRARY /${SIMREEL_PYTHON_FOLDER}/simreel /${CMAKE_INSTALL_LIBDIR})
 set_target_properties(simreel_python PROPERTIES OUTPUT_NAME _native LIBRARY_OUTPUT_DIRECTORY ${MODULE_FOLDER}
@@ -55,7 +56,7 @@ add_custom_command(OUTPUT ${MODULE_FOLDER}/_types.pyi VERBATIM
 list(APPEND MODULE_COPIES ${MODULE_FOLDER}/_types.pyi)
 add_custom_target(simreel_python_files ALL DEPENDS ${MODULE_COPIES})
 add_dependencies(simreel_python simreel_python_files)
-# The metadata by which pytest finds its plugin.
+# pytest finds its plugin by these metadata.
 set(METADATA_FOLDER simreel-${PROJECT_VERSION}.dist-info)
 file(WRITE ${CMAKE_BINARY_DIR}/python/${METADATA_FOLDER}/METADATA
      "Metadata-Version: 2.1\nName: simreel\nVersion: ${PROJECT_VERSION}\nSummary: GPU simulations as numpy arrays and pictures\n")

@@ -1,6 +1,6 @@
-# Rules of `cmake --install`. The installed tree can be moved, because the program finds share/simreel relative to
-# itself and has its shaders built in. `cpack` in the build folder makes a .deb of each component: the program with the
-# assets, the library, its headers, and the Python module.
+# Rules of `cmake --install`. The installed tree can be moved, because the program finds share/simreel relative to its
+# own file and contains the shaders. `cpack` in the build folder makes four .deb packages: the program with the assets,
+# the library, its headers, and the Python module.
 include(GNUInstallDirs)
 install(TARGETS simreel)
 install(DIRECTORY glsl DESTINATION ${CMAKE_INSTALL_DATADIR}/simreel)
@@ -20,8 +20,8 @@ the same from run to run, on a GPU or on Mesa's software driver.")
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
-# dpkg-shlibdeps finds the linked libraries. The listed packages are those that libepoxy and libglvnd load by name at
-# run time.
+# dpkg-shlibdeps finds the linked libraries. libepoxy and libglvnd also load libraries by name at run time; their
+# packages are listed here.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libegl1, libopengl0 | libgl1, libegl-mesa0, libgl1-mesa-dri")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS ffmpeg)
@@ -41,6 +41,6 @@ if(TARGET simreel_python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "libsimreel (= ${PROJECT_VERSION}), python3-numpy, python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}), python3 (<< ${Python_VERSION_MAJOR}.${NEXT_PYTHON})")
 endif()
-# The module links libsimreel, which belongs to no installed package yet.
+# dpkg-shlibdeps must find libsimreel in the build folder, because no installed package contains it.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR})
 include(CPack)

@@ -1,6 +1,7 @@
-# Defines simreel_shader_compilers: glslang, SPIRV-Tools and SPIRV-Cross, as packaged in Debian 12 and 13 and Ubuntu
-# 24.04. Each archive is searched by name. glslang's archives change with the version (HLSL, OGLCompiler and OSDependent
-# were merged into others), and its CMake package requires programs of other packages.
+# Defines the target simreel_shader_compilers, which links glslang, SPIRV-Tools and SPIRV-Cross, as packaged in Debian
+# 12 and 13 and Ubuntu 24.04. Archives are searched by name, because the list of glslang's archives depends on its
+# version (later versions contain HLSL, OGLCompiler and OSDependent in other archives), and because glslang's CMake
+# package requires programs that other packages contain.
 add_library(simreel_shader_compilers INTERFACE)
 find_path(GLSLANG_INCLUDE glslang/Public/ShaderLang.h REQUIRED)
 find_path(SPIRV_TOOLS_INCLUDE spirv-tools/optimizer.hpp REQUIRED)
@@ -17,7 +18,7 @@ foreach(name SPIRV HLSL MachineIndependent GenericCodeGen OGLCompiler OSDependen
   endif()
 endforeach()
 find_package(Threads REQUIRED)
-# The archives depend on each other in a cycle.
+# The archives depend on one another in a cycle.
 target_link_libraries(simreel_shader_compilers INTERFACE
   -Wl,--start-group ${COMPILER_ARCHIVES} ${SPIRV_TOOLS_OPT} ${SPIRV_TOOLS} -Wl,--end-group Threads::Threads)
 pkg_check_modules(SPIRV_CROSS REQUIRED IMPORTED_TARGET spirv-cross-c-shared)

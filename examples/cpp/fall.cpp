@@ -1,4 +1,4 @@
-// Lets a cloth fall, prints how far, and writes its picture: the library libsimreel in one program.
+// Example of the library libsimreel: simulates a falling cloth, prints its height, and writes its picture.
 #include <cstdio>
 #include <fstream>
 #include <simreel/simreel.hpp>
@@ -17,7 +17,8 @@ int main() {
 
     for (int frame = 0; frame <= 20; frame += 10) {
       run.advanceTo(frame);
-      const simreel::Array positions = run.read("sheet", "positions");  // rows, columns, 3; metres
+      const simreel::Array positions = run.read("sheet", "positions");  // shape: rows, columns, 3; in
+                                                                        // metres
       std::printf("frame %2d: height of the middle %.3f m\n", frame,
                   positions.at<float>({positions.shape[0] / 2, positions.shape[1] / 2, 1}));
     }
@@ -26,7 +27,7 @@ int main() {
     std::ofstream("fall.png", std::ios::binary)
         .write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
 
-    // Errors are exceptions that say where a mistake is and what was probably meant.
+    // An error is an exception. It contains the location of each mistake and the probable correction.
     simreel::Scene::parse(device, R"({"version": 2, "objects": {"a": {"cloth": {"fabrik": "silk"}}}})");
   } catch (const simreel::Error& error) {
     for (const simreel::Mistake& one : error.mistakes())

@@ -31,7 +31,7 @@ __version__: str = _native.version()
 __all__ = ["Error", "Frame", "Image", "Mistake", "Object", "Scene", "Sweep", "Video", "Warning", "device", "load",
            "program", "schema", "sweep"]
 
-_native.prepare()  # the driver's environment variables, before other threads start
+_native.prepare()  # sets the driver's environment variables before other threads start
 _atexit.register(_native.close)
 
 

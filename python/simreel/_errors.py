@@ -38,7 +38,7 @@ class Error(Exception):
         self.file, self.line, self.column = first.file, first.line, first.column
         self.path, self.suggestion = first.path, first.suggestion
 
-    def __reduce__(self):  # so that an error of a worker process arrives whole
+    def __reduce__(self):  # allows pickling, so that errors of worker processes keep all their members
         return Error, (str(self), self.kind, [tuple(one) for one in self.mistakes])
 
 

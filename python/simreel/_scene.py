@@ -58,7 +58,7 @@ class _Kernels:
 
     def __init__(self):
         self.folder = None
-        self.paths = {}  # of the texts in the scene, by the names of their files
+        self.paths = {}  # maps the file name of a kernel to the path of its text in the scene
 
     def write(self, sections):
         """Returns the scene with a file in place of each "source"."""
@@ -138,7 +138,7 @@ class Scene:
             self._native = _native.load(self._source, self._changes, self._assets, motion)
         self._kinds = self._native.objects()
         self._arrays = None
-        self._steps = 0  # counts what makes earlier frames invalid
+        self._steps = 0  # number of changes that have made earlier Frame objects invalid
         for remark in self._native.remarks():
             warn(remark, level)
         _report(level + 1)
@@ -257,7 +257,7 @@ class Scene:
         self._steps += 1
         self._native.restore(snapshot)
 
-    # State and pictures of the present frame
+    # State and pictures of the current frame
 
     def _table(self):
         if self._arrays is None:
@@ -307,7 +307,7 @@ class Scene:
         """Returns the values of a field: (rows, columns), float32."""
         return self._native.field(_arguments.text("the name of a field", name))
 
-    # Whole runs
+    # Runs from the first frame
 
     def check(self, frames: Iterable[int] = (0,)) -> list[dict[str, Any]]:
         """Runs the scene from its start and returns the results of its checks, one dict for each check and frame."""

@@ -61,7 +61,7 @@ class _Golden:
             said = done.stdout + done.stderr
             if baselines is not None:
                 said = said.replace(*map(str, baselines))
-            # Lines about folders that are removed here help nobody.
+            # Lines about removed temporary folders are left out.
             lines = [line for line in said.splitlines()
                      if spare not in line and not (baselines and line.startswith("To accept:"))]
             pytest.fail("\n".join([*lines, f"{kept}, --simreel-update writes the baselines"]), pytrace=False)

@@ -20,14 +20,15 @@ namespace {
 
 constexpr std::size_t wordBytes = 4, elementWords = 4;
 
-/// Words of an array's elements that its name describes, and their unit.
+/// Number of words per element that belong to an array, and the unit of these words.
 struct Meaning {
   std::string_view name, unit;
   std::size_t components;
 };
 constexpr Meaning meanings[] = {{"positions", "m", 3}, {"velocities", "m/s", 3}, {"trends", "m/s", 3}};
 
-/// Returns the meaning of an array. Users' kernels choose the names of their arrays.
+/// Returns the meaning of an array. Arrays of users' kernels have no known meaning, because users choose
+/// their names.
 Meaning meaningOf(std::string_view kind, std::string_view array) {
   if (kind != "kernels")
     for (const Meaning& one : meanings)
@@ -39,7 +40,7 @@ NumberType typeOf(const sim::StateArray& array) {
   return array.integers ? NumberType::uint32 : NumberType::float32;
 }
 
-/// Finds the buffers that a simulation carries over from frame to frame, and may write into one of them.
+/// Finds the buffers that a simulation keeps from frame to frame, and can write into one of them.
 class ArrayVisitor final : public sim::CarryOver {
  public:
   explicit ArrayVisitor(std::string_view object) : object_(object) {}
@@ -47,7 +48,7 @@ class ArrayVisitor final : public sim::CarryOver {
   void array(const char* /*name*/, gl::Buffer& buffer) override {
     if (present_ == object_) buffers_.push_back(&buffer);
   }
-  /// Returns the buffer of a state array; null if the simulation computes it from others.
+  /// Returns the buffer of a state array, or null if the simulation computes the array from other arrays.
   [[nodiscard]] gl::Buffer* of(const sim::StateArray& array) const {
     const gl::Buffer* buffer = array.planes.count > 0 ? array.planes.part.buffer : array.buffer;
     const auto found = std::find(buffers_.begin(), buffers_.end(), buffer);
@@ -66,7 +67,7 @@ ArrayVisitor visit(sim::World& world, std::string_view object) {
   return visitor;
 }
 
-/// Writes elements of four words, in the array's layout.
+/// Writes elements of four words, in the layout of the array.
 void store(const sim::StateArray& array, gl::Buffer& buffer, const std::vector<std::uint32_t>& words) {
   if (array.planes.count == 0) return buffer.write(0, std::as_bytes(std::span(words)));
   const auto each = static_cast<std::size_t>(array.planes.elements);
@@ -82,8 +83,8 @@ std::string indexText(std::size_t number, const std::vector<std::size_t>& shape)
   return text;
 }
 
-/// Throws Error(usage) for the first value that is NaN or infinite, unless `present` (elements of four
-/// words) has the same bits there.
+/// Throws Error(usage) for the first value that is NaN or infinite. A value is allowed if `present`
+/// (elements of four words) has the same bits at the same index.
 void requireFinite(const std::string& name, const std::vector<std::size_t>& shape,
                    std::span<const std::byte> values, const std::vector<std::uint32_t>& present) {
   for (std::size_t i = 0; i < values.size() / wordBytes; ++i) {
@@ -110,7 +111,7 @@ std::vector<std::size_t> denseStrides(const std::vector<std::size_t>& shape, std
 Array toArray(const sim::StateArray& state, const ArrayInfo& info) {
   Array array{info.name, info.unit, info.type, info.shape, {}, {}};
   array.strides = denseStrides(array.shape, wordBytes);
-  // The last axis shows the described words of elements that all have four words.
+  // Each element has four words. The last axis covers only the words that the array's name describes.
   std::size_t stride = elementWords * wordBytes;
   for (std::size_t i = array.shape.size() - 1; i-- > 0;) {
     array.strides[i] = stride;
@@ -133,7 +134,8 @@ ArrayInfo Scene::State::describe(std::size_t object, const sim::StateArray& arra
   const auto elements = static_cast<std::size_t>(array.elements());
   ArrayInfo info{
       world->objectName(object), array.name, std::string(meaning.unit), typeOf(array), {elements}, false};
-  // A cloth of a grid is drawn as a grid of the same elements.
+  // If a cloth is a grid, it is drawn as a grid with the same elements, so the grid gives the array's
+  // shape.
   const sim::Drawables drawables = world->drawables();
   for (const sim::Surface& surface : drawables.surfaces) {
     const auto columns = static_cast<std::size_t>(surface.grid.x),
@@ -182,7 +184,7 @@ void Scene::State::write(std::string_view object, std::string_view array, std::s
   for (std::size_t i = 0; i < count; ++i)
     std::memcpy(&words[elementWords * (i / components) + i % components], values.data() + i * wordBytes,
                 wordBytes);
-  gl::beforeWrites();  // kernels that read the present state may still be running
+  gl::beforeWrites();  // Kernels that read the current state may still be running.
   store(state, *buffer, words);
   world->resumeAt(world->frame());
   changed = true;

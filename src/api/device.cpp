@@ -23,10 +23,11 @@ namespace {
 
 std::mutex openMutex;
 std::weak_ptr<Device::State> opened;
-/// Process that opened the device; it stays set after the device is closed. 0: none yet.
+/// Process that opened the device. It stays set after the device is closed. 0 if no process has opened a
+/// device.
 pid_t openedBy = 0;
 
-/// True while a call of this thread runs. The hook of such a call must not call the library.
+/// True while a call of this thread is running. The hook of such a call must not call the library.
 thread_local bool isCalling = false;
 
 constexpr std::size_t mostMessages = 1000;
@@ -62,7 +63,7 @@ Device::State::State(const DeviceOptions& wanted)
 }
 
 Device::State::~State() {
-  if (isForked()) {  // neither the thread nor the driver's threads exist here
+  if (isForked()) {  // In a forked process, neither the worker thread nor the driver's threads exist.
     static_cast<void>(worker.release());
     static_cast<void>(context.release());
     return;
@@ -91,11 +92,13 @@ void Device::State::runTask(const std::function<void()>& task) {
   const auto ask = [&] {
     if (ended || !asks()) return;
     ended = true;
-    if (begun) frame::setInterrupt(SIGINT);  // not the call of another thread that this one waits for
+    if (begun)
+      frame::setInterrupt(SIGINT);  // If the task has not begun, the running call belongs to
+                                    // another thread and must not be interrupted.
   };
   std::exception_ptr failure;
   const auto work = [&] {
-    frame::setInterrupt(0);  // of an earlier call
+    frame::setInterrupt(0);  // Removes an interrupt that was meant for an earlier call.
     begun = true;
     if (!ended) task();
   };

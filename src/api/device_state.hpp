@@ -15,14 +15,14 @@
 
 namespace simreel {
 
-/// The open device: its context, and the thread on which the context is current.
+/// State of the open device: the OpenGL context, and the thread on which the context is current.
 struct Device::State {
   explicit State(const DeviceOptions& wanted);
   ~State();
   State(const State&) = delete;
   State& operator=(const State&) = delete;
 
-  /// Runs work on the device's thread and returns its result. Throws Error.
+  /// Runs `work` on the device's thread and returns its result. Throws Error.
   template <class Work>
   auto run(const Work& work) {
     if constexpr (std::is_void_v<std::invoke_result_t<Work>>) {
@@ -33,8 +33,9 @@ struct Device::State {
       return std::move(*result);
     }
   }
-  /// Runs work that must not fail and cannot be interrupted, such as releasing memory. Does not wait for it
-  /// if a call of this thread is running, as in a hook. Does nothing in a fork.
+  /// Runs `work`, which must not fail and cannot be interrupted, such as releasing memory. Does not wait
+  /// for `work` if a call of the same thread is running, for example in a hook. Does nothing in a forked
+  /// process.
   void release(const std::function<void()>& work) noexcept;
   [[nodiscard]] bool isForked() const;
 

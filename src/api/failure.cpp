@@ -44,7 +44,7 @@ ErrorKind kindOf(const UserError& error) {
   }
 }
 
-/// Returns the name that a message suggests: the one in `did you mean "x"?`.
+/// Returns the name that a message suggests, which is x in `did you mean "x"?`.
 std::string suggestedBy(std::string_view message) {
   constexpr std::string_view words = "did you mean \"";
   const std::size_t at = message.find(words);
@@ -61,7 +61,8 @@ std::vector<Mistake> mistakesOf(const std::vector<scene::Problem>& problems) {
   return mistakes;
 }
 
-/// Returns the mistakes of a compiler's report: its lines "file:line:column: error: message".
+/// Returns the mistakes in a compiler's report. They are its lines of the form "file:line:column: error:
+/// message".
 std::vector<Mistake> mistakesIn(std::string_view report) {
   constexpr std::string_view mark = ": error: ";
   std::vector<Mistake> mistakes;
@@ -85,7 +86,7 @@ std::vector<Mistake> mistakesIn(std::string_view report) {
   return mistakes;
 }
 
-/// Returns a mistake with the name that a sentence suggests, or none.
+/// Returns one mistake with the name that a sentence suggests, or an empty list if it suggests no name.
 std::vector<Mistake> suggestionIn(const std::string& sentence) {
   std::string name = suggestedBy(sentence);
   if (name.empty()) return {};

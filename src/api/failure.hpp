@@ -6,7 +6,7 @@
 
 namespace simreel::api {
 
-/// Throws the Error that stands for an exception of the lower layers.
+/// Throws the Error that corresponds to an exception of the program's internal functions.
 [[noreturn]] void rethrowAsError(const std::exception_ptr& failure);
 
 /// Throws an Error with one sentence.

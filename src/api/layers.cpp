@@ -14,7 +14,7 @@ namespace {
 
 using draw::Layer;
 
-/// Returns the layer of this name; nothing for "light".
+/// Returns the layer with this name, or nothing for "light".
 std::optional<Layer> layerNamed(const std::string& name) {
   if (name == "light") return std::nullopt;
   std::vector<std::string> known(draw::layerNames.begin(), draw::layerNames.end());

@@ -20,7 +20,7 @@ namespace simreel {
 
 namespace {
 
-/// Returns the error of calls after an error that ended a frame midway.
+/// Returns the error that calls throw after an error has ended a frame midway.
 std::exception_ptr endedMidway() {
   return std::make_exception_ptr(
       Error(ErrorKind::usage,
@@ -60,7 +60,7 @@ Scene::State::~State() {
     static_cast<void>(world.release());
     return;
   }
-  // The members move, because the device may release them after this destructor.
+  // Moves the members into a shared object, because the device may release them after this destructor.
   struct Remains {
     std::unique_ptr<scene::Scene> scene;
     std::unique_ptr<sim::World> world;
@@ -111,7 +111,7 @@ void Scene::State::requireState() const {
 }
 
 void Scene::State::makeWorld() {
-  loss_ = endedMidway();  // also if an error ends the pre-roll between two frames
+  loss_ = endedMidway();  // This error also applies if an error ends the pre-roll between two frames.
   keepLoss([this] { buildWorld(); });
   loss_ = nullptr;
 }
@@ -130,7 +130,7 @@ void Scene::State::buildWorld() {
   seen = true;
   changed = false;
   movedTo_.reset();
-  if (moves) {  // new renderers, because those before remember earlier motion
+  if (moves) {  // Creates new renderers, because the existing ones store earlier motion.
     renderer_.reset();
     layerRenderer_.reset();
     if (scene->camera.shutter) makeRenderer();
@@ -219,7 +219,7 @@ void Scene::State::restore(const Snapshot::State& from) {
   try {
     complete();
   } catch (const UserError&) {
-    makeWorld();  // the present frame was lost, and nothing had asked for it yet
+    makeWorld();  // The current frame was lost, and no call had needed its state so far.
   }
   frame::putBack(*world, from.world.frame, from.world.parts, from.world.bytes, "the snapshot");
   seen = true;
@@ -228,8 +228,8 @@ void Scene::State::restore(const Snapshot::State& from) {
   summaries->start();
 }
 
-/// Places camera and colours as `simreel render` does. A simulation may hold the ranges of its colours, so
-/// it is made again with the current state.
+/// Places the camera and sets colour ranges as `simreel render` does. A simulation may store the ranges of
+/// its colours, so it is created again with the current state.
 void Scene::State::placeCamera() {
   if (placed_) return;
   if (!sim::needsSurvey(*scene) && !sim::needsRanges(*scene)) {
@@ -267,7 +267,7 @@ void Scene::State::makeLayerRenderer() {
     layerRenderer_->keepLayers({{draw::Layer::velocity, draw::Layer::vector}, false, 32, true});
 }
 
-/// Frame 0 has no frame before, and nothing moves in it.
+/// Frame 0 has no preceding frame, and nothing moves in it.
 void Scene::State::requireMotion(const draw::Renderer& renderer, const char* what) const {
   if (renderer.hearsBefore() && world->frame() > world->firstFrame() && movedTo_ != world->frame())
     api::fail(ErrorKind::usage,
@@ -307,7 +307,7 @@ draw::PictureLayers Scene::State::layers(const std::vector<draw::Layer>& wanted)
   frame::drawWorld(*layerRenderer_, *world);
   draw::PictureLayers layers = layerRenderer_->takeLayers();
   layerObjects = layers.objects;
-  if (source.motion)  // so that the next step keeps the frame before
+  if (source.motion)  // Makes the next step store the preceding frame.
     layerRenderer_->keepLayers({{draw::Layer::velocity, draw::Layer::vector}, false, 32, true});
   return layers;
 }

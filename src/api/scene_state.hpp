@@ -18,23 +18,23 @@
 namespace simreel {
 
 struct Snapshot::State {
-  std::string simulation;  ///< hash of what the state depends on
+  std::string simulation;  ///< hash of the scene values on which the state depends
   frame::WorldState world;
-  bool changed = false;  ///< true if the state was written
+  bool changed = false;  ///< true if write() has changed the state
 };
 
-/// A scene on the device. All functions but the constructor and begin() run on the device's thread.
+/// A scene on the device. All functions except the constructor and begin() run on the device's thread.
 struct Scene::State {
-  /// Stores the source of the scene. `text` null: it is read from the file.
+  /// Stores the source of the scene. If `text` is null, the scene is read from the file `name`.
   State(std::shared_ptr<Device::State> on, std::string name, const std::string* text,
         const LoadOptions& how);
   ~State();
-  /// Reads the scene and makes its world. Call it from the calling thread.
+  /// Reads the scene and creates its world. Must be called on the calling thread of the library.
   void begin();
   State(const State&) = delete;
   State& operator=(const State&) = delete;
 
-  /// Source of the scene, from which it can be read again.
+  /// Source of the scene. It is stored so that the scene can be read again.
   struct Source {
     std::string name;
     std::optional<std::string> text;
@@ -42,19 +42,19 @@ struct Scene::State {
     std::vector<std::filesystem::path> assets;
     bool motion = false;
   };
-  /// Reads the scene again; `tested`: with the test settings beside a file.
+  /// Reads the scene again. `tested`: true to include the test settings of the sidecar.
   [[nodiscard]] std::unique_ptr<scene::Scene> read(bool tested) const;
 
   void restart();
   void advanceTo(int frame);
-  /// Completes the present frame and waits for its state hash. Throws if a simulation lost its state, and
-  /// then throws the same error until restart() or restore().
+  /// Completes the current frame and waits for its state hash. Throws if a simulation lost its state. Later
+  /// calls throw the same error until restart() or restore().
   void complete();
   /// Throws the error that ended the state. Does nothing if the scene has a state.
   void requireState() const;
   [[nodiscard]] std::size_t indexOf(std::string_view object) const;
   [[nodiscard]] sim::StateArray arrayOf(std::string_view object, std::string_view array) const;
-  /// Returns the description of a state array that exists.
+  /// Returns the description of a state array. The array must exist.
   [[nodiscard]] const ArrayInfo& infoOf(std::string_view object, std::string_view array);
   /// Describes all state arrays. They are the same in all frames, so they are described once.
   [[nodiscard]] const std::vector<ArrayInfo>& arrays();
@@ -73,14 +73,14 @@ struct Scene::State {
   std::string stateHash;
   bool seen = true;      ///< false if the current frame was stepped without being prepared for drawing
                          ///< (World::passTo), so that complete() must finish it
-  bool changed = false;  ///< true after write()
+  bool changed = false;  ///< true if write() has changed the state
   std::vector<std::string> layerObjects;
 
  private:
   void makeWorld();
   void buildWorld();
   void stepTo(int frame);
-  /// Runs work that changes the state or waits for it. Keeps the error if the state is lost.
+  /// Runs work that changes the state or waits for it. If the state is lost, stores the error.
   template <class Work>
   void keepLoss(const Work& work);
   [[nodiscard]] ArrayInfo describe(std::size_t object, const sim::StateArray& array) const;
@@ -90,13 +90,13 @@ struct Scene::State {
   void makeLayerRenderer();
   void requireMotion(const draw::Renderer& renderer, const char* what) const;
 
-  std::vector<ArrayInfo> infos_;  ///< empty: not described yet
-  /// Error that ended the state, until restart() or restore(). Null: the scene has a state.
+  std::vector<ArrayInfo> infos_;  ///< descriptions of all state arrays; empty until they are first needed
+  /// Error that ended the state, until restart() or restore(). Null if the scene has a state.
   std::exception_ptr loss_;
   bool placed_ = false;
   std::unique_ptr<draw::Renderer> renderer_, layerRenderer_;
   std::unique_ptr<draw::Readback> readback_;
-  std::optional<int> movedTo_;  ///< frame whose frame before the renderers have, for motion
+  std::optional<int> movedTo_;  ///< frame for which the renderers have the preceding frame, for motion
 };
 
 }  // namespace simreel

@@ -16,17 +16,17 @@ class Worker {
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  /// Runs a task on the thread and waits for it. Runs `hook` on the calling thread about ten times a
-  /// second. Rethrows the task's exception.
+  /// Runs a task on the thread and waits for it. Meanwhile runs `hook` on the calling thread about ten
+  /// times a second. Rethrows the task's exception.
   void run(const std::function<void()>& task, const std::function<void()>& hook);
-  /// Runs a task that must not throw on the thread, after the present one. Does not wait for it.
+  /// Runs a task, which must not throw, on the thread after the current task. Does not wait for it.
   void later(std::function<void()> task);
 
  private:
   void loop();
   void runLater(std::unique_lock<std::mutex>& lock);
 
-  std::timed_mutex turn_;  ///< held by the caller whose task runs
+  std::timed_mutex turn_;  ///< locked by the caller whose task is running
   std::mutex mutex_;
   std::condition_variable changed_;
   const std::function<void()>* task_ = nullptr;

@@ -11,7 +11,7 @@ using Clock = std::chrono::steady_clock;
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// Returns the processor time of this process in seconds: user and system time of all threads.
+/// Returns the CPU time of this process in seconds, which is the user and system time of all threads.
 [[nodiscard]] inline double processSeconds() {
   std::timespec now{};
   ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);

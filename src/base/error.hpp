@@ -22,8 +22,8 @@ enum class ExitCode {
 /// it.
 class UserError : public std::runtime_error {
  public:
-  /// sentence: main() prints the message after "simreel: error: ". report: main() prints the message
-  /// unchanged, because its lines contain "place: error: ".
+  /// Form of the message. sentence: main() prints the message after "simreel: error: ". report: main()
+  /// prints the message unchanged, because its lines contain "place: error: ".
   enum class Form { sentence, report };
 
   /// Replaces zero bytes in `message` by \x00, because what() would end at a zero byte.

@@ -64,8 +64,9 @@ bool synced(int descriptor) {
   return result == 0 || errno == EINVAL || errno == EROFS || errno == EOPNOTSUPP;
 }
 
-/// True if the path must be written in place and not replaced: a device, FIFO or socket, or a link of the
-/// system such as /dev/stdout or /dev/fd/3, whatever its target. Files in /dev/shm are ordinary files.
+/// True if the path must be written in place and not replaced. This holds for a device, FIFO or socket, and
+/// for a link of the system such as /dev/stdout or /dev/fd/3, regardless of its target. Files in /dev/shm
+/// are ordinary files.
 bool isDevice(const std::filesystem::path& path) {
   struct stat status {
   }, own{};
@@ -294,7 +295,8 @@ bool liesBelow(const std::filesystem::path& path, const std::filesystem::path& f
 
 namespace {
 
-/// Sets `data`, a path, to the name of the loaded file that holds this function; empty for the program.
+/// Sets `data`, a path, to the name of the loaded file that contains this function. The name is empty for
+/// the program.
 int findOwnFile(dl_phdr_info* info, std::size_t /*size*/, void* data) {
   const auto here = reinterpret_cast<ElfW(Addr)>(&findOwnFile);
   for (int i = 0; i < info->dlpi_phnum; ++i) {

@@ -9,17 +9,17 @@
 namespace simreel {
 
 /// Returns the contents of a file. `what`: role of the file in messages ("scene", "texture"). Throws
-/// UserError: `usage` if the file does not exist, is larger than `maxBytes` or is not a regular file (pipes
-/// and devices may never end); `inputOutput` if it cannot be read.
+/// UserError(usage) if the file does not exist, is larger than `maxBytes` or is not a regular file (pipes
+/// and devices may never end). Throws UserError(inputOutput) if it cannot be read.
 [[nodiscard]] std::string readFile(const std::filesystem::path& path, const char* what,
                                    std::size_t maxBytes = std::size_t{1} << 30);
 
-/// Returns the text on standard input. The first call reads and keeps it, because it can be read only once.
-/// Throws like readFile().
+/// Returns the text on standard input. The first call reads and stores it, because standard input can be
+/// read only once. Throws the same errors as readFile().
 [[nodiscard]] const std::string& standardInput(const char* what, std::size_t maxBytes);
 
 /// Time at which the folder entry of a written file is synced to disk. now: together with the file. later:
-/// by a call of syncFolder(), once for all files of a folder.
+/// by a call of syncFolder(), which syncs the entries of all files of a folder.
 enum class NameSync { now, later };
 
 /// Writes a file so that readers see either the old file or the complete new one, even after a power
@@ -83,12 +83,13 @@ void makeFolders(const std::filesystem::path& folder);
 /// current folder. Neither path has to exist.
 [[nodiscard]] bool liesBelow(const std::filesystem::path& path, const std::filesystem::path& folder);
 
-/// Returns the first existing folder of shipped assets among: $SIMREEL_ASSETS; share/simreel/assets or
-/// assets next to the program's folder; the assets of the source tree of this build. Returns an empty path
-/// if none exists.
+/// Returns the first existing folder of shipped assets. Tries $SIMREEL_ASSETS, then share/simreel/assets
+/// and assets next to the program's folder, then the assets of the source tree of this build. Returns an
+/// empty path if no such folder exists.
 [[nodiscard]] std::filesystem::path assetFolder();
 
-/// Returns the file that holds this code: the running program, or the shared library in it.
+/// Returns the file that contains this code. It is the running program, or a shared library that the
+/// program has loaded.
 [[nodiscard]] std::filesystem::path programFile();
 /// Returns the folder of programFile().
 [[nodiscard]] std::filesystem::path programFolder();

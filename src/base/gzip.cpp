@@ -41,8 +41,8 @@ std::string unpackedGzip(std::string_view bytes, const std::string& name, std::s
     }
     bytes.remove_prefix(bytes.size() - state->avail_in);
     if (!isGzip(bytes))
-      break;  // The remaining bytes may be, for example, zeros that pad the file to a
-              // whole block.
+      break;  // The remaining bytes need not be a further member. They may be, for example, zeros that pad
+              // the file to a multiple of the block size.
   }
   return all;
 }

@@ -9,8 +9,8 @@ namespace simreel {
 [[nodiscard]] bool isGzip(std::string_view bytes);
 
 /// Returns the contents of a gzip file, with all its members concatenated. `name`: name of the file in
-/// messages. Throws UserError: `inputOutput` if the data are truncated or damaged, `usage` if they unpack
-/// to more than `maxBytes`.
+/// messages. Throws UserError(inputOutput) if the data are truncated or damaged, and UserError(usage) if
+/// they unpack to more than `maxBytes`.
 [[nodiscard]] std::string unpackedGzip(std::string_view bytes, const std::string& name,
                                        std::size_t maxBytes);
 

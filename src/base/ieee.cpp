@@ -34,7 +34,7 @@ Pair sumOf(double a, double b) {
 
 /// Splits a into its upper and lower 26 bits (Veltkamp).
 Pair halvesOf(double a) {
-  const double scaled = 134217729.0 * a;  // 2^27 + 1
+  const double scaled = 134217729.0 * a;  // the factor is 2^27 + 1
   const double high = scaled - (scaled - a);
   return {high, a - high};
 }
@@ -47,7 +47,7 @@ Pair productOf(double a, double b) {
   return {high, ((x.high * y.high - high) + x.high * y.low + x.low * y.high) + x.low * y.low};
 }
 
-/// Returns c[0] + c[1] z + c[2] z^2 + ...
+/// Returns the polynomial c[0] + c[1] z + c[2] z^2 + ...
 template <int Count>
 double polynomial(const double (&c)[Count], double z) {
   double sum = c[Count - 1];
@@ -79,8 +79,8 @@ double expOf(Pair x) {
   return expOfSmall(r.high, r.low) * powerOfTwo(n);
 }
 
-/// Returns the natural logarithm. With x = 2^e m, m between sqrt(1/2) and sqrt(2), and s = (m - 1) / (m +
-/// 1): log m = 2 (s + s^3 / 3 + s^5 / 5 + ...). The first term is computed as a Pair.
+/// Returns the natural logarithm. Writes x = 2^e m with m between sqrt(1/2) and sqrt(2), and s = (m - 1) /
+/// (m + 1). Then log m = 2 (s + s^3 / 3 + s^5 / 5 + ...). The first term is computed as a Pair.
 Pair logOf(double x) {
   constexpr double c[] = {1.0 / 3,  1.0 / 5,  1.0 / 7,  1.0 / 9,  1.0 / 11, 1.0 / 13,
                           1.0 / 15, 1.0 / 17, 1.0 / 19, 1.0 / 21, 1.0 / 23};
@@ -103,7 +103,7 @@ Pair logOf(double x) {
   return all;
 }
 
-/// Angle reduced modulo pi/2: x = quarters * pi/2 + r.
+/// Angle x reduced modulo pi/2, so that x = quarters * pi/2 + r.
 struct Turned {
   Pair r;
   unsigned quarters;  ///< number of quarter turns, modulo 4

@@ -35,8 +35,8 @@ std::string_view withoutPrefix(std::string_view text, std::string_view prefix) {
 std::mutex takerMutex;
 MessageTaker taker;
 
-/// Passes a message to the taker, or writes it to standard error: as plain text, or as a JSON object
-/// without `prefix`.
+/// Passes a message to the taker if there is one. Otherwise writes it to standard error, as plain text, or
+/// as a JSON object without `prefix`.
 void say(const char* kind, std::string_view prefix, const std::string& text) {
   if (const std::scoped_lock lock(takerMutex); taker)
     return taker(kind, std::string(withoutPrefix(text, prefix)));

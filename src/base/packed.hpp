@@ -10,8 +10,8 @@
 namespace simreel {
 
 /// Serializes values to bytes for another process of the same program (runIsolated). A list or text is
-/// written as its length followed by its items. A struct declares its members once for both directions:
-/// `template <class A> void pack(A& a)`.
+/// written as its length followed by its items. A struct declares its members once for both directions in a
+/// member function: `template <class A> void pack(A& a)`.
 class Packer {
  public:
   template <class T>

@@ -94,8 +94,8 @@ pid_t forkProcess() {
   }
   ::setpgid(0, 0);
   for (std::atomic<pid_t>& slot : running) slot = 0;
-  // The kernel kills this child when the parent ends. Finished files of the child are complete, and a child
-  // without parent would hold resources that the next run needs.
+  // The kernel kills this child when the parent ends. Killing does no harm, because finished files of the
+  // child are complete. A child without a parent would hold resources that the next run needs.
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(1);  // The parent ended before prctl() took effect.
   return 0;

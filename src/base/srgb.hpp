@@ -3,7 +3,7 @@
 
 namespace simreel {
 
-/// Returns the linear value, 0 to 1, of an sRGB value from 0 to 1.
+/// Returns the linear value (0 to 1) of an sRGB value from 0 to 1.
 [[nodiscard]] double linearOfSrgb(double encoded);
 /// Returns the sRGB value of a linear value from 0 to 1. Values above 1 continue the curve.
 [[nodiscard]] double srgbOfLinear(double linear);

@@ -80,7 +80,8 @@ class Builder final : public nlohmann::json_sax<Json> {
   const JsonLimits& limits_;
   Json root_;
   std::vector<Json*> open_;
-  Json* place_ = nullptr;  ///< the last value, or the position of the value that follows the last key
+  Json* place_ = nullptr;  ///< last value that was read, or the place for the value of the last key that
+                           ///< was read
   std::size_t containers_ = 0;
 };
 

@@ -17,9 +17,9 @@
 
 namespace simreel {
 
-// Reader of JSON that is not a scene: files of this program, and glTF. (Scenes have their own reader, which
-// records lines and columns.) The members of an object are sorted by key, so that reading an object with a
-// million keys does not take quadratic time.
+// Reader of JSON other than scenes, which are files of this program, and glTF. (Scenes have a separate
+// reader, which records lines and columns.) The members of an object are sorted by key, so that reading an
+// object with a million keys does not take quadratic time.
 
 /// Error in a JSON text: "frames[2].pixels must be text".
 class JsonError : public std::runtime_error {
@@ -29,9 +29,9 @@ class JsonError : public std::runtime_error {
 
 /// Limits on a JSON text.
 struct JsonLimits {
-  /// Maximum nesting depth. Copying or writing much deeper values would overflow the stack.
+  /// Max nesting depth. Copying or writing much deeper values would overflow the stack.
   std::size_t depth = 100;
-  /// Maximum number of objects and lists.
+  /// Max number of objects and lists.
   std::size_t containers = std::numeric_limits<std::size_t>::max();
   bool comments = false;  ///< true if comments are allowed
 };
@@ -41,7 +41,7 @@ struct JsonLimits {
 [[nodiscard]] nlohmann::json parseStrictJson(std::string_view text, const JsonLimits& limits = {});
 
 /// Value in a parsed JSON text, with the path that names it in error messages. The parsed text must outlive
-/// it. Functions throw JsonError if the value has another type.
+/// this object. Functions throw JsonError if the value has another type.
 class JsonValue {
  public:
   explicit JsonValue(const nlohmann::json& json, std::string path = {})

@@ -34,8 +34,8 @@ namespace simreel {
 /// direction.
 [[nodiscard]] bool steersTerminal(std::string_view character);
 
-/// Returns the text with control characters and invalid UTF-8 escaped as
-/// , \x1b, \u202e, \xff, so that text from any file, name or argument is printed as one line.
+/// Returns the text as one line. Newlines, other control characters and invalid UTF-8 are escaped (\x1b,
+/// \u202e, \xff), so that text from any file, name or argument can be printed safely.
 [[nodiscard]] std::string oneLine(std::string_view text);
 
 /// Does the same as oneLine(), but keeps newlines and tabs.

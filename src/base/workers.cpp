@@ -26,8 +26,8 @@ namespace simreel {
 
 namespace {
 
-/// Milliseconds between checks for a signal. A signal may arrive just before a wait, which it then does not
-/// interrupt.
+/// Time (ms) between checks for a signal. The checks are needed because a signal that arrives just before a
+/// wait does not interrupt it.
 constexpr int glance = 50;
 
 enum class Word : std::uint32_t { ready, answer, mistake, failure };

@@ -10,16 +10,16 @@ namespace simreel {
 /// Item of work that is assigned to a worker.
 struct Task {
   std::size_t item = 0;
-  int losses = 0;  ///< number of workers that have already ended during this item
+  int losses = 0;  ///< number of workers that have already ended while they worked on this item
 };
 
-/// Description of how a worker ended during an item.
+/// Description of how a worker ended while it worked on an item.
 struct Loss {
   std::string how;    ///< reason in words, such as "was ended by signal 9 (Killed)"
   bool late = false;  ///< true if the item took longer than WorkForce::patience
 };
 
-/// Worker's end of the connection to the program that started it.
+/// The worker's end of the connection to the program that started it.
 class WorkerLine {
  public:
   WorkerLine(int in, int out, std::size_t place) : in_(in), out_(out), place_(place) {}
@@ -51,10 +51,10 @@ struct WorkForce {
   std::function<void(std::size_t item, const std::string& answer)> done;
   /// Called in the order of the items for each item whose worker ended before it answered.
   std::function<void(std::size_t item, const Loss&)> lost;
-  /// Called as soon as a worker ends during an item. Must return true to give the item to another worker.
-  /// If it returns false or is empty, the item is lost.
+  /// Called as soon as a worker ends while it works on an item. Must return true to give the item to
+  /// another worker. If it returns false or is empty, the item is lost.
   std::function<bool(std::size_t item, const Loss&)> again;
-  /// Maximum seconds for an item; 0 for unlimited. After that time, the item's worker is killed with all
+  /// Max time (s) for an item; 0 means unlimited. After that time, the item's worker is killed with all
   /// processes that it has started.
   double patience = 0;
   /// Returns true for items that must run in order and not in parallel with each other.
@@ -64,8 +64,8 @@ struct WorkForce {
   std::function<int()> interrupted;
 };
 
-/// Does all the work. A worker that ends during an item affects only this item, because another worker
-/// takes its slot. Throws UserError if no worker can be started or none becomes ready.
+/// Does all the work. A worker that ends while it works on an item affects only this item, because another
+/// worker takes its slot. Throws UserError if no worker can be started or no worker becomes ready.
 void employ(const WorkForce& force);
 
 }  // namespace simreel

@@ -5,8 +5,8 @@
 
 namespace simreel {
 
-/// Returns the width of help texts in columns: $COLUMNS if it is set, else the width of the terminal on
-/// standard output, else 100. Always 40 to 200.
+/// Returns the width of help texts in columns. This is $COLUMNS if it is set, otherwise the width of the
+/// terminal on standard output, and otherwise 100. The result is always 40 to 200.
 [[nodiscard]] std::size_t textWidth();
 
 /// Returns the width of UTF-8 text in columns, one per code point.
@@ -18,8 +18,8 @@ namespace simreel {
 [[nodiscard]] std::string wrapped(std::string_view text, std::size_t width, std::size_t indent = 0,
                                   std::size_t taken = 0);
 
-/// Returns one entry of a printed list: `name` indented by two columns, and `text` starting at `column`. A
-/// name that does not fit gets its own line. The entry ends with a newline.
+/// Returns one entry of a printed list, with `name` indented by two columns and `text` starting at
+/// `column`. A name that does not fit gets a separate line. The entry ends with a newline.
 [[nodiscard]] std::string listEntry(std::string_view name, std::string_view text, std::size_t column,
                                     std::size_t width);
 

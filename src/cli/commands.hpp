@@ -10,10 +10,10 @@ class App;
 namespace simreel::cli {
 
 /// Runs the command in the arguments and returns the exit code. Prints a UserError on standard error as
-/// "simreel: error: ...", or unchanged if it is a report.
+/// "simreel: error: ...", or unchanged if the error is a report.
 int run(int argc, char** argv);
-/// Installs a terminate handler. If an exception cannot be caught (out of memory in a destructor, or a
-/// thread that a library could not start), the process then ends immediately with one line and a documented
+/// Installs a terminate handler for exceptions that cannot be caught (out of memory in a destructor, or a
+/// thread that a library could not start). The process then ends immediately with one line and a documented
 /// exit code.
 void explainTermination();
 
@@ -45,7 +45,8 @@ void addKernels(CLI::App& app);
 /// Returns the command line as typed, quoted for a shell where needed.
 [[nodiscard]] const std::string& commandLine();
 
-/// Prints an error on standard error: a sentence after "simreel: error: ", or a report unchanged.
+/// Prints an error on standard error. A sentence follows "simreel: error: ", and a report is printed
+/// unchanged.
 void printError(const UserError& error);
 
 /// Sets the exit code of a command that ends without an exception (130 after an interrupt).

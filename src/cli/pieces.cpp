@@ -56,7 +56,7 @@ void checkRequest(const PiecesRequest& request, const frame::OutputName& output)
          "of pictures");
 }
 
-/// Throws UserError if an unfinished plan or an output file exists that would be overwritten.
+/// Throws UserError if an unfinished plan or an output file exists that the new plan would overwrite.
 void refuseExisting(const batch::PiecePlan& plan, const frame::OutputName& output) {
   if (pathExists(plan.planFile()))
     fail(ExitCode::inputOutput, "{} belongs to pieces that were not joined; use --resume or --overwrite",
@@ -67,13 +67,13 @@ void refuseExisting(const batch::PiecePlan& plan, const frame::OutputName& outpu
 }
 
 batch::PiecePlan planOf(const PiecesRequest& request) {
-  batch::RenderJob job(request.render);  // The constructor throws on any error before something is written.
+  batch::RenderJob job(request.render);  // The constructor throws on any error before any file is written.
   checkRequest(request, job.output());
   const batch::RenderRequest& render = request.render;
   batch::PiecePlan plan;
   plan.folder = job.output().piecesFolder();
-  // The trailing slash marks a folder. Without it, parseOutput() would decide by what exists on disk at
-  // that time.
+  // The trailing slash marks a folder. Without it, parseOutput() would decide between file and folder by
+  // what exists on disk at that time.
   plan.output = fs::absolute(render.output).lexically_normal().string();
   if (job.output().wholeFolder && !plan.output.ends_with('/')) plan.output += '/';
   if (render.scene != "-")
@@ -181,8 +181,8 @@ void join(const StepOptions& o) {
   joinAll(batch::readPiecePlan(o.folder));
 }
 
-/// Returns the manifest next to a folder of pieces that was removed after joining, or an empty text if
-/// there is no such manifest.
+/// Returns the manifest of an output whose pieces' folder was removed after joining. It is next to that
+/// folder. Returns an empty text if there is no such manifest.
 std::string joinedOutput(const std::string& folder) {
   fs::path pieces(folder);
   if (!pieces.has_filename()) pieces = pieces.parent_path();
@@ -204,7 +204,7 @@ void status(const StepOptions& o) {
   if (const std::string whole = joinedOutput(o.folder); !whole.empty())
     return printText(fmt::format("all pieces are joined: {}\n", whole));
   const batch::PiecePlan plan = batch::readPiecePlan(o.folder);
-  // The queue is read before the pieces, because a piece may start between the two reads.
+  // Reads the queue before the pieces, because a piece may start between the two reads.
   const batch::SlurmQueue queue(slurmFolder(plan));
   std::size_t drawn = 0, queued = 0;
   for (std::size_t i = 0; i < plan.pieces.size(); ++i) {

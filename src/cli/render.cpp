@@ -149,7 +149,7 @@ void render(const RenderOptions& o) {
   } catch (const UserError& error) {
     const int signal = frame::interruptSignal();
     if (signal == 0 || error.code() != ExitCode::inputOutput) throw;
-    printError(error);  // The signal caused the error, so the exit code names the signal.
+    printError(error);  // The signal caused the error, so the exit code contains the signal's number.
     return setExitCode(128 + signal);
   }
   info("{}", frame::closingLine(result.frames, result.seconds, result.stages, job.summary()));

@@ -36,7 +36,7 @@ int print(const std::string& message, ExitCode code) {
 
 /// Opens /dev/null on each of the descriptors 0 to 2 that the caller closed. Otherwise a file opened later
 /// would get such a descriptor, and messages would be written into that file. /dev/null is opened
-/// read-only, so that writing fails as on a closed descriptor.
+/// read-only, so that writing fails as it does on a closed descriptor.
 void holdStandardDescriptors() {
   for (int descriptor = 0; descriptor <= 2; ++descriptor)
     if (::fcntl(descriptor, F_GETFD) < 0) (void)::open("/dev/null", O_RDONLY);
@@ -125,7 +125,7 @@ int explained(int argc, char** argv) {
     return runCommand(argc, argv);
   } catch (const UserError& error) {
     return print(error);
-  } catch (const frame::Interrupted& interrupted) {  // The interrupt came while a command built its world.
+  } catch (const frame::Interrupted& interrupted) {  // A signal arrived while a command created its world.
     info("simreel: interrupted");
     return 128 + interrupted.signal;
   } catch (const std::bad_alloc&) {

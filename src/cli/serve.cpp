@@ -33,8 +33,8 @@ struct ServePageOptions {
   std::vector<std::string> beside;
 };
 
-/// Returns the settings of the right side: another scene with the same options, or the same scene with
-/// other values.
+/// Returns the settings of the right side, which shows another scene with the same options, or the same
+/// scene with other values.
 serve::CounterpartOptions counterpart(const ServePageOptions& o) {
   if (o.other == "-") fail(ExitCode::usage, "serve watches both files; standard input cannot be watched");
   serve::CounterpartOptions other;

@@ -17,8 +17,8 @@ void takeStackRoom(char** arguments) {
   const rlim_t before = room.rlim_cur;
   // NOLINTNEXTLINE(concurrency-mt-unsafe): no other thread runs yet.
   if (std::getenv(again) == nullptr) {
-    // `most` raises both limits if that is allowed. `some` raises the soft limit as far as the hard limit
-    // permits.
+    // `most` raises the soft and the hard limit if that is allowed. `some` raises the soft limit as far as
+    // the hard limit permits.
     const rlimit most{good, std::max(good, room.rlim_max)},
         some{std::min(good, room.rlim_max), room.rlim_max};
     if (::setrlimit(RLIMIT_STACK, &most) != 0) static_cast<void>(::setrlimit(RLIMIT_STACK, &some));

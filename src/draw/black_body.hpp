@@ -4,13 +4,13 @@
 
 namespace simreel::draw {
 
-/// Returns the linear sRGB colour, scaled to luminance 1, of a black body at `kelvin` (1667 to 25000 K),
-/// from the cubic fit of its CIE 1931 chromaticity by Kim et al. (J. Korean Phys. Soc. 41, 2002, 865).
-/// Colours outside sRGB, below 1900 K, are clamped.
+/// Returns the linear sRGB colour of a black body at `kelvin` (1667 to 25000 K), scaled to luminance 1.
+/// Computes it from the cubic fit of the CIE 1931 chromaticity by Kim et al. (J. Korean Phys. Soc. 41,
+/// 2002, 865). Below 1900 K the colour is outside sRGB and is clamped.
 [[nodiscard]] glm::vec3 blackBodyColor(double kelvin);
 
-/// Returns the matrix from linear sRGB to linear sRGB that adapts light with the white point of a black
-/// body at `kelvin` to the white of sRGB, in Bradford's sharpened cone space (CIE 159:2004).
+/// Returns the white balance matrix for linear sRGB. It adapts light whose white point is a black body at
+/// `kelvin` to the white point of sRGB, in Bradford's sharpened cone space (CIE 159:2004).
 [[nodiscard]] glm::mat3 whiteBalance(double kelvin);
 
 }  // namespace simreel::draw

@@ -39,8 +39,8 @@ Stand standOf(const scene::Camera& camera, double seconds, const sim::Drawables&
 }
 
 /// Returns the distance (m) by which an orthographic camera above the ground must move back so that the
-/// lowest corner of its near plane is above the ground. Each metre back raises the corner by -forward.y.
-/// The distance is limited, because no ground is visible beyond its fade distance.
+/// lowest corner of its near plane is above the ground. Each metre of movement raises the corner by
+/// -forward.y. The distance is limited, because no ground is visible beyond its fade distance.
 float missingBehind(const View& view, float near, const scene::Ground& ground) {
   constexpr float level = 1e-4F, slack = 1e-4F;
   const float rise = -view.forward.y, above = view.eye.y - ground.height;

@@ -15,11 +15,12 @@ struct View {
   glm::vec3 eye{0};
   glm::vec3 target{0};
   glm::vec3 forward{0, 0, -1};  ///< unit direction of the picture's centre
-  /// True for orthographic cameras: all rays have the direction `forward`.
+  /// True for orthographic cameras. All their rays have the direction `forward`.
   bool parallel = false;
   glm::vec3 right{1, 0, 0};  ///< vector from the centre to the right edge of the picture, at distance 1
                              ///< along `forward` (orthographic: at any distance)
-  glm::vec3 up{0, 1, 0};     ///< vector from the centre to the top edge
+  glm::vec3 up{0, 1, 0};     ///< vector from the centre to the top edge of the picture, at the same
+                             ///< distance as `right`
   glm::vec2 reach{1, 1};     ///< lengths of `right` and `up`
   /// Distance (m) by which an orthographic eye is moved back from the scene's position, so that no visible
   /// ground lies behind the near plane.
@@ -31,10 +32,10 @@ struct View {
   return camera.projection == scene::Projection::orthographic;
 }
 
-/// Returns the camera at `seconds`. `size` (pixels) gives the aspect ratio. +y is up; a positive roll turns
+/// Returns the camera at `seconds`. `size` (pixels) gives the aspect ratio. +y is up. A positive roll turns
 /// the camera clockwise, so the picture turns counter-clockwise. `ground`: the visible ground, or null. An
 /// orthographic camera that looks down on the ground is moved back until no visible ground lies behind its
-/// picture plane, because a strip of the ground would be missing otherwise.
+/// near plane. Otherwise a strip of the ground would be missing.
 [[nodiscard]] View viewAt(const scene::Camera& camera, double seconds, glm::ivec2 size,
                           const sim::Drawables& drawables, const scene::Ground* ground = nullptr);
 /// Returns the ground that pictures of the scene show, or null.

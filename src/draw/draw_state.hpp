@@ -49,7 +49,8 @@ class VertexArray {
   void bind(const gl::Buffer& indices) const {
     glVertexArrayElementBuffer(handle_.get(), indices.name());
     bind();
-    gl::checkCalls();  // must report an unset index buffer here, because drivers would read from address 0
+    gl::checkCalls();  // Reports an unset index buffer, because drivers would read from address 0 during
+                       // the draw.
   }
 
  private:

@@ -26,7 +26,7 @@ using std::numbers::pi;
 constexpr int finestSide = 1024, coarsestSide = 64;  // limits of the side of the finest map
 constexpr int terms = 9;
 
-/// An equirectangular picture, rotated around the vertical axis.
+/// An equirectangular image that is rotated around the vertical axis.
 class Panorama {
  public:
   Panorama(const sim::LightFile& file, double strength, double turn)
@@ -90,7 +90,7 @@ struct Ray {
   glm::dvec3 from, light;
 };
 
-/// Returns the picture as some thousand rays. Each ray is the mean of a block of pixels.
+/// Returns some thousand rays that represent the image. Each ray is the mean of a block of pixels.
 std::vector<Ray> raysOf(const Panorama& picture) {
   constexpr int most = 64;  // max number of rows of rays
   const int step = (picture.size().y + most - 1) / most;
@@ -109,9 +109,9 @@ std::vector<Ray> raysOf(const Panorama& picture) {
   return rays;
 }
 
-/// Returns the spherical harmonics coefficients of the picture's light. They include the factors of the
-/// cosine lobe divided by pi (1, 2/3, 1/4) and the squared constants of the basis functions, so the sum of
-/// coefficients times the monomials of environmentAmbient() is irradiance / pi.
+/// Returns the spherical harmonics coefficients of the image's light. They include the factors of the
+/// cosine lobe divided by pi (1, 2/3, 1/4) and the squared constants of the basis functions. The sum of the
+/// coefficients times the monomials of environmentAmbient() is therefore irradiance / pi.
 std::array<glm::dvec3, terms> harmonicsOf(const Panorama& picture) {
   std::array<glm::dvec3, terms> sums{};
   for (int y = 0; y < picture.size().y; ++y)

@@ -14,36 +14,37 @@
 
 namespace simreel::draw {
 
-/// Environment light from an equirectangular picture, stored in the layout of glsl/draw/environment.glsl.
+/// Environment light from an equirectangular image, stored in the layout of glsl/draw/environment.glsl.
 struct EnvironmentTexels {
   int side = 0;  ///< cells per side of the finest map
   std::vector<glm::vec4> texels;
 };
 
-/// Converts an equirectangular picture. The picture's centre faces -z and its left half is on the side of
-/// -x; `turn` (degrees) rotates the centre towards +x. Uses only operations that IEEE 754 rounds exactly.
-/// Throws UserError(inputOutput), with a message that starts with `label`, if the picture is not twice as
+/// Converts an equirectangular image. The image's centre faces -z and its left half is on the side of -x.
+/// `turn` (degrees) rotates the centre towards +x. Uses only operations that IEEE 754 rounds exactly.
+/// Throws UserError(inputOutput), with a message that starts with `label`, if the image is not twice as
 /// wide as high or contains invalid light values.
 [[nodiscard]] EnvironmentTexels environmentOf(const sim::LightFile& picture, double strength, double turn,
                                               const std::string& label);
 
-/// The sky of a scene that has a sky picture.
+/// The sky of a scene whose sky is an image.
 class Environment {
  public:
-  /// Throws UserError if the picture cannot be read.
+  /// Loads the sky image. Throws UserError if it cannot be read.
   explicit Environment(const scene::Sky& sky);
 
   /// Returns the defines of shader programs that read the environment.
   [[nodiscard]] gl::Defines defines() const;
   void bind() const;
-  /// Sets a sky gradient similar to the picture, for shaders that support only gradients.
+  /// Sets a sky gradient similar to the image, for shaders that support only gradients.
   void setGradient(shader::Frame& frame, float ambient) const;
 
  private:
   int side_;
   gl::Buffer buffer_;
   gl::Texture view_;
-  glm::vec3 up_{0}, around_{0}, down_{0};  ///< irradiance / pi on surfaces that face up, sideways and down
+  glm::vec3 up_{0}, around_{0}, down_{0};  ///< irradiance divided by pi on surfaces that face up, sideways
+                                           ///< and down
 };
 
 }  // namespace simreel::draw

@@ -16,7 +16,7 @@ namespace simreel::draw {
 namespace {
 
 constexpr double radiansPerDegree = 0.017453292519943295;
-/// Radius of the widest penumbra as a fraction of the shadow map's side. The map has a margin of this width
+/// Max width of a penumbra, as a fraction of the shadow map's side. The map has a margin of this width
 /// around the casters.
 constexpr float penumbraShare = 0.12F;
 

@@ -15,7 +15,8 @@ namespace {
 using std::numbers::pi;
 constexpr double pictureHeight = 0.024;  // sensor height (m) for which focal lengths are given
 
-/// True if a point of the disc is inside the polygon. Always true for blades = 0, a disc.
+/// True if a point of the disc is inside the polygon. Always true if `blades` is 0, because the aperture is
+/// then the disc.
 bool isOpen(glm::dvec2 at, int blades) {
   if (blades == 0) return true;
   const double side = ieee::cos(pi / blades);  // distance of the polygon's sides from the centre
@@ -28,8 +29,8 @@ bool isOpen(glm::dvec2 at, int blades) {
 
 }  // namespace
 
-// Golden angle spiral (Vogel 1979): point i of n has the radius sqrt((i + 1/2) / n). The number of points
-// on the disc is raised until at least `count` of them lie in the polygon.
+// Uses the golden angle spiral (Vogel 1979), in which point i of n has the radius sqrt((i + 1/2) / n). The
+// number n of points on the disc is raised until at least `count` of them lie in the polygon.
 std::vector<glm::vec2> openingPoints(int count, int blades) {
   const double golden = pi * (3 - std::sqrt(5.0));
   std::vector<glm::vec2> points;
@@ -49,8 +50,8 @@ std::vector<LensPoint> lensPoints(const scene::Camera& camera, const View& view,
   if (!camera.lens) return {LensPoint{}};
   const scene::Lens& lens = *camera.lens;
   const float focus = lens.focus ? lens.focus->at(seconds) : glm::length(view.target - view.eye);
-  // reach.y is the tangent of half the angle of view, so the focal length is half the sensor height divided
-  // by reach.y.
+  // reach.y is the tangent of half the angle of view. The focal length is half the sensor height divided by
+  // reach.y.
   const double focal = 0.5 * pictureHeight / static_cast<double>(view.reach.y);
   const auto radius = static_cast<float>(0.5 * focal / static_cast<double>(lens.fNumber.at(seconds)));
   const glm::vec3 right = view.right / view.reach.x, up = view.up / view.reach.y;

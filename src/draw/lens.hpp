@@ -9,8 +9,9 @@
 
 namespace simreel::draw {
 
-/// Returns `count` points, spread evenly over an aperture of radius 1. The aperture is a disc (blades = 0),
-/// or a regular polygon with `blades` sides, inscribed in the disc, with a corner at the top.
+/// Returns `count` points that are spread evenly over an aperture of radius 1. If `blades` is 0, the
+/// aperture is a disc. Otherwise it is a regular polygon with `blades` sides, inscribed in the disc, with a
+/// corner at the top.
 [[nodiscard]] std::vector<glm::vec2> openingPoints(int count, int blades);
 
 /// A point of the lens through which a picture is drawn.

@@ -4,7 +4,7 @@
 namespace simreel::draw {
 
 /// Kind of rasterizer. driver: the rasterizer of the OpenGL driver. exact: compute kernels in exact
-/// arithmetic, with the same bits on every machine.
+/// arithmetic, which give the same bits on every machine.
 using scene::Rasterizer;
 
 }  // namespace simreel::draw

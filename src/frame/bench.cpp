@@ -22,8 +22,8 @@ double milliseconds(Clock::time_point begin, Clock::time_point end) {
   return std::chrono::duration<double, std::milli>(end - begin).count();
 }
 
-/// Timestamps of one frame: the first at the frame's start, then one after each mark. Later frames reuse
-/// them.
+/// Timestamps of one frame. The first is at the frame's start, and one follows each mark. Later frames
+/// reuse the objects.
 using Stamps = std::vector<gl::Timestamp>;
 
 scene::Scene framed(scene::Scene shown) {
@@ -36,7 +36,7 @@ struct Pending {
   int frame = 0;
   bool timed = false;
   double waited = 0;
-  std::vector<std::size_t> order;  ///< index of the stage that each mark ends
+  std::vector<std::size_t> order;  ///< for each mark, the index of the stage that ends there
   std::vector<double> cpu;         ///< CPU time (ms) of each stage, up to its mark
   Stamps stamps;
   /// number of marks that have a GPU timestamp
@@ -145,7 +145,7 @@ struct BenchRun::State {
     SIMREEL_CHECK_EQ(picture->first, oldest.frame);
     const auto end = Clock::now();
     // With Timing::wait, the CPU has already waited for every stage, so only the copy of the summary
-    // remains.
+    // remains to be waited for.
     const double waited = milliseconds(begin, there);
     if (timing == Timing::wait) {
       oldest.order.push_back(stage("state hash"));

@@ -12,8 +12,8 @@ namespace simreel::frame {
 
 /// Selects how the time of a frame is measured. `wait`: the CPU calls glFinish after each stage. This
 /// separates stages even if a software driver defers work to threads and tiles, but stages cannot overlap.
-/// `query`: GPU timestamps, with several frames in flight as in `render`. `whole`: as in `render`, without
-/// stage times.
+/// `query`: GPU timestamps, with several frames in flight as in `render`. `whole`: only whole frames are
+/// timed, with several frames in flight as in `render`.
 enum class Timing { wait, query, whole };
 
 /// Returns the suitable timing for the current context: `wait` on a software driver, otherwise `query`.
@@ -25,8 +25,8 @@ struct StageSeries {
   /// CPU time; with Timing::wait it includes waiting for the device to finish the stage
   std::vector<double> cpu;
   std::vector<double> gpu;  ///< time between GPU timestamps; empty unless the timing is Timing::query
-  /// Sub-stage times (ms) reported by Simulation::stageTimes, for the latest frame that was known when the
-  /// frame was issued.
+  /// Sub-stage times (ms) reported by Simulation::stageTimes. They belong to the latest frame whose times
+  /// were known when this frame was issued.
   struct Part {
     std::string name;
     std::vector<double> values;

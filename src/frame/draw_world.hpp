@@ -12,8 +12,8 @@ inline void followMotion(draw::Renderer& renderer, sim::World& world) {
 }
 
 /// Draws the world's current frame. If a simulation's draw buffers are too small, World::grow() enlarges
-/// them and the frame is drawn again, so that incomplete frames are never output. Usually the frame is
-/// drawn once: the device draws while the CPU checks.
+/// them and the frame is drawn again, so that incomplete frames are never output. The CPU checks the
+/// buffers while the device draws.
 inline void drawWorld(draw::Renderer& renderer, sim::World& world,
                       const draw::Renderer::StageWatch& watch = {}) {
   renderer.draw(world.time(), world.drawables(), watch);

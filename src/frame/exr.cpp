@@ -75,8 +75,8 @@ class Channels {
   [[nodiscard]] const Imf::FrameBuffer& frame() const { return frame_; }
 
  private:
-  /// Converts to half. Values above the largest half become the largest half, so that none becomes
-  /// infinite.
+  /// Converts to half. Values above the largest finite half become the largest finite half, so that no
+  /// value becomes infinite.
   static half asHalf(float value) { return half(std::min(value, 65504.0F)); }
 
   template <class Value>

@@ -9,10 +9,10 @@
 
 namespace simreel::frame {
 
-/// Encodes a picture as an OpenEXR file. Channels: R, G, B and optionally A (half or float). If the layers
-/// exist: depth as Z, position as P.X, P.Y, P.Z, normal as N.X ..., albedo as albedo.R ..., velocity as
-/// velocity.X ..., and objects as Cryptomatte "CryptoObject" (Friedman and Jones, specification 1.2) in
-/// floats. `text` becomes header attributes. Thread-safe.
+/// Encodes a picture as an OpenEXR file. The channels R, G, B and optionally A are half or float. Layers
+/// that exist become further channels: depth as Z, position as P.X, P.Y, P.Z, normal as N.X ..., albedo as
+/// albedo.R ..., velocity as velocity.X ..., and objects as Cryptomatte "CryptoObject" (Friedman and Jones,
+/// specification 1.2) in floats. `text` becomes header attributes. Thread-safe.
 [[nodiscard]] std::vector<std::byte> encodeExr(const draw::PictureLayers& picture, const ImageText& text);
 /// Encodes a filmed (display-referred) picture as a PNG with 16 bits per channel: RGBA if the picture has
 /// alpha, otherwise RGB.

@@ -72,7 +72,8 @@ class Reader {
 
   const std::string& text_;
   const char* option_;
-  std::optional<int> last_;  ///< value of the word "last"; nullopt if the word is not allowed
+  std::optional<int> last_;  ///< frame number that the word "last" stands for; nullopt if the word is not
+                             ///< allowed
   std::size_t at_ = 0;
 };
 

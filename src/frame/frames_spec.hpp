@@ -10,10 +10,10 @@ namespace simreel::frame {
 constexpr int largestFrame = 9'999'999;
 constexpr std::size_t maxFrames = 1'000'000;
 
-/// Parses a frame list such as `0-99x2,150`: numbers and inclusive ranges with an optional step, separated
-/// by commas. If `last` is set, the word "last" stands for that number. Returns the frames sorted, without
-/// duplicates. `option`: name of the option, for error messages. Throws UserError(usage) with the position
-/// of the mistake.
+/// Parses a frame list such as `0-99x2,150`. The list consists of numbers and inclusive ranges with an
+/// optional step, separated by commas. If `last` is set, the word "last" stands for that number. Returns
+/// the frames sorted, without duplicates. `option`: name of the option, for error messages. Throws
+/// UserError(usage) with the position of the mistake.
 [[nodiscard]] std::vector<int> parseFrames(const std::string& text, const char* option = "--frames",
                                            std::optional<int> last = std::nullopt);
 

@@ -30,9 +30,10 @@ namespace {
 /// object.
 struct Deflater {
   isal_zstream stream;
-  // Compression level 1, chosen by measurements with tools/bench/png.cpp. The fixed Huffman code of level 0
-  // makes files up to 1.23 times as large as stb's files. Level 2 makes files 1 % smaller than level 1 but
-  // needs more memory. Level 3 and libdeflate's fastest level do not reach 10 times the speed of stb.
+  // Compression level 1 was chosen by measurements with tools/bench/png.cpp. Level 0 has a fixed Huffman
+  // code and makes files up to 1.23 times as large as the files of stb. Level 2 makes files 1 % smaller
+  // than level 1 but needs more memory. Level 3 and libdeflate's fastest level do not reach 10 times the
+  // speed of stb.
   static constexpr std::uint32_t level = 1;
   alignas(64) std::array<std::uint8_t, ISAL_DEF_LVL1_DEFAULT> levelBuffer;
 };
@@ -118,9 +119,9 @@ PackedPixels pixelsOf(const Image& image, Bytes bytes) {
   return {{image.width, image.height}, image.alpha ? 4 : 3, 8, bytes};
 }
 
-/// Returns the RGB bytes of an image, or its RGBA bytes if `withAlpha`. The RGB buffer is thread-local and
-/// valid until the thread's next call, because allocating new pages for every frame takes up to a tenth of
-/// the encoding time.
+/// Returns the RGB bytes of an image, or its RGBA bytes if `withAlpha` is true. The RGB buffer is
+/// thread-local, because allocating new pages for every frame takes up to a tenth of the encoding time. The
+/// result is valid until the thread's next call.
 Bytes packed(const Image& image, bool withAlpha) {
   const std::size_t pixels = std::size_t(image.width) * std::size_t(image.height);
   SIMREEL_CHECK(image.width > 0 && image.height > 0);
@@ -135,10 +136,10 @@ Bytes packed(const Image& image, bool withAlpha) {
   return Bytes(rgb).first(pixels * 3);
 }
 
-/// Returns the rows as PNG stores them: each starts with its filter type, Sub (difference to the pixel on
-/// the left). The filter was chosen by measurements with tools/bench/png.cpp. Paeth alone takes longer than
-/// the other encoding steps together. None and Sub have the smallest worst-case file, and Sub has smaller
-/// files on average. The buffer is thread-local, as in packed().
+/// Returns the rows as PNG stores them. Each row starts with its filter type, Sub (difference from the
+/// pixel on the left). The filter was chosen by measurements with tools/bench/png.cpp. Paeth alone takes
+/// longer than the other encoding steps together. None and Sub have the smallest worst-case file, and Sub
+/// has smaller files on average. The buffer is thread-local, as in packed().
 Bytes filterRows(Bytes rgb, std::size_t stride, std::size_t pixel) {
   constexpr unsigned char sub = 1;
   thread_local std::vector<unsigned char> rows;
@@ -199,14 +200,14 @@ void appendColorSpace(File& file, bool linear) {
 void appendText(File& file, const std::string& keyword, std::string_view value) {
   SIMREEL_CHECK(!keyword.empty() && keyword.size() <= 79);
   const ChunkText text = convertText(value);
-  // The bytes after the keyword's NUL in iTXt: uncompressed, method 0, empty language, empty translated
-  // keyword.
+  // The bytes after the keyword's NUL in iTXt mean: uncompressed, method 0, empty language, empty
+  // translated keyword.
   appendPngChunk(
       file, text.fitsLatin1 ? "tEXt" : "iTXt",
       keyword + std::string(text.fitsLatin1 ? 1 : 5, '\0') + (text.fitsLatin1 ? text.latin1 : text.utf8));
 }
 
-/// Returns the pixel hash of `image`, with its packed pixels in `bytes`. An image whose alpha is 255
+/// Returns the pixel hash of `image`. `bytes`: packed pixels of the image. An image whose alpha is 255
 /// everywhere has the same hash as the image without alpha.
 std::string hashOf(const Image& image, Bytes bytes) {
   const bool withAlpha = image.alpha && !isOpaque(image);

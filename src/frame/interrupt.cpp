@@ -25,7 +25,7 @@ std::atomic<int> still = 0;       ///< number of consecutive seconds in which th
 std::atomic<double> busyBefore = 0;
 
 /// Returns the CPU time (s) of the process and its children. Even a process that waits for a slow disk or
-/// reader uses some CPU time now and then.
+/// pipe uses some CPU time now and then.
 double busy() {
   timespec time{};
   ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
@@ -37,7 +37,7 @@ double busy() {
   ::_exit(128 + number);
 }
 
-/// Handles SIGALRM, once a second after an interrupting signal.
+/// Handles SIGALRM, which arrives once a second after an interrupting signal.
 void onSecond(int /*number*/) {
   const int error = errno;
   const double now = busy();
@@ -72,7 +72,7 @@ void catchInterrupts() {
   for (const int number : {SIGINT, SIGTERM, SIGXFSZ, SIGHUP}) {
     struct sigaction before {};
     ::sigaction(number, nullptr, &before);
-    // nohup started the program and has already ignored the signal
+    // nohup started the program and has already ignored the signal.
     if (number == SIGHUP && before.sa_handler == SIG_IGN) continue;
     ::sigaction(number, &action, nullptr);
   }

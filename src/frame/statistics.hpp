@@ -13,7 +13,7 @@ struct Statistics {
 [[nodiscard]] Statistics statisticsOf(std::span<const double> values);
 
 /// Returns the percentile of `sorted` at fraction `p` (0 to 1), linearly interpolated between the two
-/// nearest values; the min is at 0 and the max at 1 (definition 7 of Hyndman and Fan 1996, the default of
+/// nearest values. The min is at 0 and the max at 1 (definition 7 of Hyndman and Fan 1996, the default of
 /// NumPy and R). Returns 0 if `sorted` is empty.
 [[nodiscard]] double percentile(std::span<const double> sorted, double p);
 

@@ -12,8 +12,8 @@ inline void checkState(sim::World& world) {
   static_cast<void>(world.takeSummary(true));
 }
 
-/// Pipelines the state summaries of a world. As many summaries as the world allows are in flight, so that
-/// the device keeps stepping. Passes each summary to `take` in frame order. Throws UserError(device) if a
+/// Pipelines the state summaries of a world. Keeps as many summaries in flight as the world allows, so that
+/// the device never waits. Passes each summary to `take` in frame order. Throws UserError(device) if a
 /// simulation lost its state.
 class Summaries {
  public:
@@ -29,7 +29,7 @@ class Summaries {
   }
   void takeOldest() {
     SIMREEL_CHECK(underWay_ > 0);
-    --underWay_;  // first, because the world drops the summary of a lost state, too
+    --underWay_;  // Decrements first, because the world drops the summary of a lost state, too.
     const auto summary = world_.takeSummary(true);
     take_(*summary);
   }

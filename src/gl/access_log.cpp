@@ -10,7 +10,7 @@ namespace simreel::gl {
 
 namespace {
 
-/// Time as a number of barriers: an access after the n-th barrier has the time n + 1.
+/// Time measured in barriers. An access after the n-th barrier has the time n + 1.
 using Time = std::uint64_t;
 struct Stamp {
   Time read = 0, written = 0, together = 0;
@@ -22,11 +22,11 @@ constexpr std::array<GLbitfield, 5> kinds = {
 
 Time now = 1;
 std::array<Time, kinds.size()> lastBarrier{};
-Time together = 0;  ///< start time of the current AccessTogether; 0 if none exists
+Time together = 0;  ///< start time of the current AccessTogether object; 0 if none exists
 
 /// Returns the stamp of a buffer or texture, found by its OpenGL name (names start at 1). Names that differ
-/// by a multiple of 65,536 share a stamp, and a new object inherits the stamp of a deleted one. Both cases
-/// cause at most one unneeded barrier.
+/// by a multiple of 65,536 share a stamp, and a new object inherits the stamp of a deleted object with the
+/// same name. Both cases cause at most one unneeded barrier.
 Stamp& stampOf(AccessLog::Memory memory) {
   constexpr std::size_t most = 1 << 16;
   static std::vector<Stamp> stamps[2];

@@ -7,8 +7,8 @@ namespace simreel::gl {
 
 /// Records which buffers and textures the typed kernels (gl::Kernel) of the current context have accessed
 /// since the last barriers. Before a dispatch, a kernel issues the barriers that this log reports. Explicit
-/// barriers are recorded if they are issued with AccessLog::barrier, as gl::barrier() does. Accesses by a
-/// gl::Program are not recorded; code that uses a gl::Program must issue barriers.
+/// barriers are recorded if they are issued with AccessLog::barrier(), as gl::barrier() does. Accesses by a
+/// gl::Program are not recorded, so code that uses a gl::Program must issue barriers.
 class AccessLog {
  public:
   /// A buffer, or a texture with separate storage, identified by its OpenGL name.
@@ -17,12 +17,13 @@ class AccessLog {
     bool texture = false;
   };
 
-  /// `together`: reads and writes whose order relative to each other does not matter (gl::Shared).
+  /// Type of access. `together` means reads and writes whose order relative to each other does not matter
+  /// (gl::Shared).
   enum class Way { read, write, together };
 
   /// Returns the barrier bits that must be issued before an access of `memory` through `kind` (one bit of
-  /// glMemoryBarrier), or 0 if no barrier is needed. An access waits for all accesses of the other two
-  /// types; a write also waits for writes.
+  /// glMemoryBarrier), or 0 if no barrier is needed. An access waits for all earlier accesses of the other
+  /// two types. A write also waits for earlier writes.
   [[nodiscard]] static GLbitfield needed(Memory memory, GLbitfield kind, Way way);
   /// Records an access that the next dispatch makes.
   static void note(Memory memory, Way way);

@@ -13,8 +13,8 @@ namespace simreel::gl {
 
 namespace {
 
-/// Max size (bytes) of a buffer that the CPU writes directly, and size of one staged copy into a larger
-/// buffer.
+/// directBytes: max size of a buffer that the CPU writes directly. stagedBytes: size of one staged copy
+/// into a larger buffer.
 constexpr std::size_t directBytes = 4 << 20, stagedBytes = 64 << 20;
 /// Min size (bytes) of a buffer for which large pages are requested, because address lookups (TLB misses)
 /// slow down large buffers.
@@ -85,11 +85,11 @@ void Buffer::store(const std::string& label, const void* items) {
   glObjectLabel(GL_BUFFER, name(), -1, label.c_str());
 }
 
-// Large buffers are written through a staging buffer. NVIDIA's driver 580 keeps a second copy of a large
-// buffer that the CPU may write, and kernels on 1 GiB of such buffers sometimes ran at a third of their
-// speed. This never happened with buffers that only the GPU accesses. With a software driver, a staging
-// buffer would not help: it is in the same memory, and touching its pages for the first time would take
-// much of a short run.
+// Returns true if the buffer is written through a staging buffer, which is the case for large buffers.
+// NVIDIA's driver 580 keeps a second copy of a large buffer that the CPU may write, and kernels on 1 GiB of
+// such buffers sometimes ran at a third of their speed. This never happened with buffers that only the GPU
+// accesses. With a software driver, a staging buffer would not help: it is in the same memory, and touching
+// its pages for the first time would take much of a short run.
 bool Buffer::staged() const {
   return bytes_ > directBytes && memory_ == nullptr && !softwareDriver();
 }

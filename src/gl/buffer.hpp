@@ -36,9 +36,9 @@ class Buffer {
   /// device's block limit, but each part must be within the limit.
   static Buffer inParts(const std::string& label, std::size_t bytes);
 
-  /// Creates a buffer that stays persistently and coherently mapped: for CPU writes if `writing`, otherwise
-  /// for CPU reads. The caller must use fences so that CPU and GPU never access the same bytes at the same
-  /// time. The initial contents are undefined.
+  /// Creates a buffer that stays persistently and coherently mapped. The mapping is for CPU writes if
+  /// `writing` is true, and otherwise for CPU reads. The caller must use fences so that CPU and GPU never
+  /// access the same bytes at the same time. The initial contents are undefined.
   static Buffer mapped(const std::string& label, std::size_t bytes, bool writing);
   /// Returns the CPU address of a mapped buffer, or null for other buffers.
   [[nodiscard]] void* memory() const { return memory_; }
@@ -77,7 +77,8 @@ class Buffer {
                             ///< buffer is not mapped
 };
 
-/// A part of a buffer. The buffer must outlive the part. Kernels can use the part like a whole buffer.
+/// A part of a buffer. The buffer must outlive the part. Kernels can use the part in the same way as a
+/// buffer.
 struct BufferPart {
   const Buffer* buffer = nullptr;
   std::size_t offset = 0;  ///< offset in bytes, a multiple of `alignment`

@@ -15,7 +15,7 @@ Condition::Condition() : point_(Program::graphics("common/point.vert", "common/p
   vertices_ = Handle<DeleteVertexArray>(name);
 }
 
-// Draws points, using the indirect dispatch command as an indirect draw command: the group counts x and y
+// Draws points. Uses the indirect dispatch command as an indirect draw command, so the group counts x and y
 // become the vertex count and the instance count. The occlusion query passes if at least one point is
 // drawn.
 void Condition::begin(GLuint commands, GLintptr offset) const {

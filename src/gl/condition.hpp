@@ -4,9 +4,9 @@
 
 namespace simreel::gl {
 
-/// Skips dispatches depending on a GPU-side result, without making the CPU wait. An indirect dispatch with
-/// zero groups costs a graphics card about two microseconds; a dispatch skipped by this class costs about
-/// one.
+/// Skips dispatches depending on a GPU-side result, without making the CPU wait. Even without this class,
+/// an indirect dispatch with zero groups costs a graphics card about two microseconds. A dispatch that this
+/// class skips costs about one.
 class Condition {
  public:
   Condition();

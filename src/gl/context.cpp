@@ -105,7 +105,8 @@ Display::Display(EGLDeviceEXT device, bool debug) {
     EGLint count = 0;
     eglChooseConfig(display_, wanted, &config, 1, &count);
   }
-  // Tries robust access first, with which an index beyond a buffer reads zero on every driver.
+  // Tries robust access first, because it makes a read beyond the end of a buffer return zero on every
+  // driver.
   for (const bool robust : {true, false}) {
     std::vector<EGLint> attributes = {EGL_CONTEXT_MAJOR_VERSION,       4,
                                       EGL_CONTEXT_MINOR_VERSION,       5,
@@ -278,7 +279,8 @@ struct Context::State {
           length < 0 ? std::string(text) : std::string(text, static_cast<std::size_t>(length));
       if (severity == GL_DEBUG_SEVERITY_HIGH && state->message.empty()) state->message = line;
       detail("GL: {}", line);
-    } catch (...) {  // an exception must not leave the driver while it holds locks
+    } catch (...) {  // An exception must not leave this callback, because the driver holds locks while it
+                     // calls it.
       state->unheard = state->unheard || severity == GL_DEBUG_SEVERITY_HIGH;
     }
   }

@@ -25,13 +25,13 @@ struct DeviceInfo {
 [[nodiscard]] std::vector<DeviceInfo> listDevices();
 
 struct ContextOptions {
-  std::string device;  ///< index or part of a name (case-insensitive) of the device; empty: a hardware
-                       ///< device if possible, else a software driver
+  std::string device;  ///< index of the device, or part of its name (case-insensitive); if empty, a
+                       ///< hardware device is chosen if possible, and otherwise a software driver
   bool debug = false;  ///< creates a debug context; high-severity messages become UserError(device) at the
                        ///< next check
-  std::string memoryPath;  ///< "storage", "texel", or empty (the driver determines the path)
+  std::string memoryPath;  ///< "storage" or "texel"; if empty, the driver determines the path
 
-  /// Returns the options for worker process number `place` (zero-based) of several parallel processes. If
+  /// Returns the options for the worker process with index `place` among several parallel processes. If
   /// `device` is a list such as "0,1", successive workers get successive devices. A comma before a space is
   /// part of a device name.
   [[nodiscard]] ContextOptions ofWorker(std::size_t place) const;
@@ -39,9 +39,9 @@ struct ContextOptions {
   [[nodiscard]] std::size_t deviceCount() const;
 };
 
-/// Owns an OpenGL 4.5 core context without a surface, which is current on the thread that created it. The
-/// constructor throws UserError(device) whose message says what was required, what was found and what to
-/// install.
+/// Owns an OpenGL 4.5 core context without a surface, which is current on the thread that created it. If no
+/// suitable context can be created, the constructor throws UserError(device) whose message says what was
+/// required, what was found and what to install.
 class Context {
  public:
   explicit Context(const ContextOptions& options = {});
@@ -52,9 +52,10 @@ class Context {
   Context& operator=(const Context&) = delete;
 
   [[nodiscard]] const DeviceInfo& device() const;
-  [[nodiscard]] const std::string& reason() const;  ///< returns the reason for the choice of this device,
-                                                    ///< one clause
-  /// Throws UserError(device) with the first high-severity debug message since the last call, if any.
+  [[nodiscard]] const std::string& reason() const;  ///< Returns the reason for the choice of this device as
+                                                    ///< one clause.
+  /// Throws UserError(device) with the first high-severity debug message since the last call. Does nothing
+  /// if there is no such message.
   void check() const;
 
  private:

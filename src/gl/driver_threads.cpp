@@ -63,8 +63,8 @@ std::size_t driverThreads() {
 }
 
 void chooseDriverThreads() {
-  // llvmpipe starts this many threads for drawing and the same number for compute, at most 32 each. The
-  // program's threads come on top.
+  // llvmpipe starts `threads` threads for drawing and the same number for compute, at most 32 each. The
+  // program's own threads must be added.
   constexpr std::size_t most = 32;
   const std::size_t processors = std::clamp<std::size_t>(processorCount() / sharers, 1, most);
   const auto needed = [&](std::size_t threads) { return 2 * threads + processors + 4; };

@@ -72,7 +72,7 @@ inline void barrier(GLbitfield more = 0) {
                      GL_TEXTURE_FETCH_BARRIER_BIT | GL_UNIFORM_BARRIER_BIT | more);
 }
 
-/// Returns the defines that select the memory path and, if `fast`, the define for built-in (not
+/// Returns the defines that select the memory path. If `fast` is true, adds the define for built-in (not
 /// bit-reproducible) arithmetic.
 inline Defines kernelDefines(bool fast) {
   Defines defines;

@@ -5,8 +5,8 @@
 
 namespace simreel::gl {
 
-/// Owns one GL name and deletes it once. The class is move-only: a moved-from handle is empty, and
-/// assignment releases the old name first.
+/// Owns one GL name and deletes it once. The class is move-only. A moved-from handle is empty, and
+/// assignment deletes the old name first.
 template <class Deleter>
 class Handle {
  public:

@@ -17,7 +17,8 @@ struct Limits {
                             ///< (GL_KHR_shader_subgroup)
   bool ballot = false;      ///< true if subgroup ballot operations are supported (GL_KHR_shader_subgroup)
   bool atomics64 = false;   ///< true if 64-bit atomic min is supported (GL_NV_shader_atomic_int64)
-  float anisotropy = 1.0F;  ///< GL_MAX_TEXTURE_MAX_ANISOTROPY, or 1 without the extension
+  float anisotropy = 1.0F;  ///< GL_MAX_TEXTURE_MAX_ANISOTROPY, or 1 if anisotropic filtering is not
+                            ///< supported
 };
 
 /// Returns the limits of the current context, which are read once when the context is created.

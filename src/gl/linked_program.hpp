@@ -41,13 +41,13 @@ class LinkedProgram {
   /// Returns the stages; empty after link().
   [[nodiscard]] const std::vector<Stage>& stages() const { return stages_; }
 
-  /// Returns the Program or Kernel whose uniform values are currently set, or null.
+  /// Returns the Program or Kernel whose uniform values the linked program currently holds, or null.
   [[nodiscard]] const void* user() const { return user_; }
   /// Sets the uniform values of `user`, which must cover all active uniforms. Requires link().
   void giveTo(const void* user, std::vector<UniformSlot>& uniforms);
   /// Returns the interface that the driver reports. Requires link().
   [[nodiscard]] const ProgramInterface& interface() const { return interface_; }
-  /// Clears the owner of the current uniform values if it is `user`. Called before `user` is destroyed.
+  /// If `user` owns the current uniform values, clears the owner. Called before `user` is destroyed.
   void leave(const void* user) {
     if (user_ == user) user_ = nullptr;
   }

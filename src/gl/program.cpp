@@ -137,8 +137,8 @@ void Program::dispatchGroups(GLuint x, GLuint y, GLuint z) const {
 
 void Program::dispatchIndirect(const Buffer& commands, std::size_t offset) const {
   if (Rehearsal::note(own_->linked)) return;
-  // On software drivers, reads the group counts back. The readback takes microseconds, but compiling
-  // machine code for a kernel takes up to half a second.
+  // On software drivers, reads the group counts back and skips a command without groups. The readback takes
+  // microseconds, but compiling machine code for a kernel takes up to half a second.
   if (softwareDriver() && !own_->linked->dispatched()) {
     std::array<GLuint, 3> groups{};
     commands.read(offset, std::as_writable_bytes(std::span(groups)));

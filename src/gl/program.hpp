@@ -43,7 +43,7 @@ class Program {
   /// Makes the program current and sets its uniform values. The first use throws UserError(device) if the
   /// shader reads a uniform that has not been set.
   void use() const;
-  /// Runs at least `items` (or x by y) invocations; shaders must ignore the surplus ones. Throws
+  /// Runs at least `items` (or x by y) invocations. Shaders must ignore the surplus invocations. Throws
   /// UserError(device) if a dimension needs more than GL_MAX_COMPUTE_WORK_GROUP_COUNT groups.
   void dispatch(int items) const { dispatch(items, 1); }
   void dispatch(int x, int y) const;
@@ -65,8 +65,8 @@ class Program {
   void set(const char* uniform, const glm::vec4& value) const;
   void set(const char* uniform, const glm::mat4& value) const;
 
-  /// Makes the first use throw unless the uniform block has exactly `bytes` bytes, the size of the C++
-  /// struct.
+  /// Checks at the first use that the uniform block has exactly `bytes` bytes, the size of the C++ struct.
+  /// If not, the first use throws.
   void checkUniformBlock(const char* block, std::size_t bytes) const;
 
   /// Returns the OpenGL name of the linked program, or 0 for a default-constructed Program.

@@ -10,7 +10,7 @@ namespace simreel::gl {
 
 /// The interface of a linked program that the driver reports, without names that the driver optimised away.
 struct ProgramInterface {
-  /// A uniform outside blocks, named "a" or "a.b". An array of numbers is named "a"; its elements have
+  /// A uniform outside blocks, named "a" or "a.b". An array of numbers is named "a", and its elements have
   /// consecutive locations.
   struct Number {
     std::string name;
@@ -27,7 +27,7 @@ struct ProgramInterface {
     std::string name;
     GLuint binding = 0;
     bool storage = false;
-    std::size_t bytes = 0;             ///< size as declared in the shader
+    std::size_t bytes = 0;             ///< size in bytes, as declared in the shader
     std::vector<std::string> members;  ///< only for storage blocks: names of the members, such as "name"
                                        ///< for "name[]" and for "name[].x"
   };

@@ -16,7 +16,7 @@ struct EmbeddedShader {
 
 /// Preprocessor names and values for a program, for example {"GRID", "1"}.
 using Defines = std::vector<std::pair<std::string, std::string>>;
-/// Special name in Defines: its value is a GLSL extension that the shader requires.
+/// Special name in Defines. Its value is a GLSL extension that the shader requires.
 inline constexpr const char* extensionDefine = "#extension";
 
 /// The source of one shader for the driver: version line, defines, and the file with its includes.
@@ -31,10 +31,11 @@ struct ShaderSource {
 
 /// Reads the file `path` (below glsl/), adds those `defines` that its files mention, and replaces each
 /// `#include "path/below/glsl"` by the file. Only the first compiled copy of a file has an effect. Files
-/// are read from $SIMREEL_GLSL, else from share/simreel/glsl next to the program's folder, else from the
-/// embedded copies. Throws UserError(device) that names the file, the line and the missing part.
+/// are read from $SIMREEL_GLSL if it is set, otherwise from share/simreel/glsl next to the program's folder
+/// if it exists, and otherwise from the embedded copies. Throws UserError(device) that names the file, the
+/// line and the missing part.
 [[nodiscard]] ShaderSource loadShader(const std::string& path, const Defines& defines);
-/// Does the same for a text called `name` instead of a file below glsl/.
+/// Does the same as loadShader() for a text called `name` instead of a file below glsl/.
 [[nodiscard]] ShaderSource loadShaderText(const std::string& name, const std::string& text,
                                           const Defines& defines);
 

@@ -8,13 +8,14 @@
 
 namespace simreel::gl {
 
-/// A texture: 2-D, multisampled, layered or 3-D, or a texel view of a Buffer.
+/// A texture. It may be 2-D, multisampled, layered or 3-D, or a texel view of a Buffer.
 class Texture {
  public:
   Texture() = default;
-  /// Creates a 2-D texture with immutable storage. If `levels` is 0, it has the whole mip chain.
+  /// Creates a 2-D texture with immutable storage. If `levels` is 0, the texture has the full mip chain.
   static Texture image(const std::string& label, GLenum format, int width, int height, int levels = 1);
-  /// Creates a 2-D array (`array`) or a 3-D texture with immutable storage of one level.
+  /// Creates a texture with immutable storage of one level. It is a 2-D array if `array` is true, and
+  /// otherwise 3-D.
   static Texture layered(const std::string& label, GLenum format, int width, int height, int depth,
                          bool array);
   static Texture multisampled(const std::string& label, GLenum format, int width, int height, int samples);
@@ -34,7 +35,7 @@ class Texture {
     if (depth_ == 0) Rehearsal::bound(unit, *this);
     glBindTextureUnit(unit, name());
   }
-  /// Sets the wrap mode for reads outside the texture: GL_REPEAT or GL_CLAMP_TO_EDGE.
+  /// Sets the wrap mode for reads outside the texture. `mode` is GL_REPEAT or GL_CLAMP_TO_EDGE.
   void wrap(GLint mode) const {
     glTextureParameteri(name(), GL_TEXTURE_WRAP_S, mode);
     glTextureParameteri(name(), GL_TEXTURE_WRAP_T, mode);

@@ -3,8 +3,8 @@
 
 namespace simreel::gl {
 
-/// A point in time on the device's clock: the completion of all commands issued before record(). Intervals
-/// between timestamps may overlap and nest, unlike the intervals of TimerQuery.
+/// A point in time on the device's clock, at which all commands issued before record() are complete.
+/// Intervals between timestamps may overlap and nest, unlike the intervals of TimerQuery.
 class Timestamp {
  public:
   Timestamp() : handle_(create()) {}

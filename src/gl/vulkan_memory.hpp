@@ -22,7 +22,7 @@ class VulkanMemory {
   VulkanMemory& operator=(const VulkanMemory&) = delete;
 
   /// Returns a file descriptor for `bytes` bytes of GPU memory, or a negative number if there is not enough
-  /// memory. The memory is freed after its last user has released it.
+  /// memory. The memory is freed when no object uses it any more.
   [[nodiscard]] int lend(std::size_t bytes) const;
 
  private:

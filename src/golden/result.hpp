@@ -15,7 +15,7 @@ enum class Status {
   pass,
   updated,           ///< baselines were written, as requested by --update
   xfail,             ///< failed, as the scene expects
-  flaky,             ///< failed first, then passed on a retry
+  flaky,             ///< passed on a retry after it failed first
   fail,              ///< failed: pixels, state or a check differs
   nondeterministic,  ///< nondeterministic: two runs of the same program differ
   missing,           ///< there is no baseline
@@ -44,14 +44,15 @@ struct StatusWords {
 struct Metrics {
   /// largest difference of one channel, 0 to 255; fractional for deep pictures
   double worst = 0;
-  int worstX = 0, worstY = 0;  ///< pixel with the largest difference
+  int worstX = 0, worstY = 0;  ///< coordinates of the pixel with the largest difference
   long differentPixels = 0;    ///< number of pixels with any difference
   /// number of pixels with a channel that differs by more than maxChannelDiff
   long pixelsBeyond = 0;
   double ratioBeyond = 0;          ///< pixelsBeyond divided by the number of pixels
   double windowRatio = 0;          ///< fraction of pixelsBeyond in the densest window
   int windowX = 0, windowY = 0;    ///< pixel coordinates of the top left corner of the densest window
-  double psnr = 0;                 ///< dB over R, G and B; infinite if equal (null in JSON)
+  double psnr = 0;                 ///< PSNR (dB) over R, G and B; infinite if the pictures are equal (null
+                                   ///< in JSON)
   std::optional<double> ssim = 1;  ///< structural similarity; empty if not measured (null in JSON)
   std::optional<double> flipMean = 0;
   /// Number of ignored pixels: inside masks, on antialiased edges, or found within the search radius.
@@ -62,14 +63,15 @@ struct Metrics {
 /// First pass and pixel at which a picture differs from its baseline.
 struct PassPlace {
   std::string pass;  ///< first pass whose hash differs; empty if the baseline has no pass hashes
-  /// First differing pixel whose samples all show the same thing; if none exists, first differing pixel.
+  /// Coordinates of the first differing pixel whose samples all show the same object and primitive, or of
+  /// the first differing pixel if there is no such pixel.
   int x = 0, y = 0;
-  std::string shows;    ///< what is visible at the pixel: "triangle 12 of flag"
+  std::string shows;    ///< object and primitive visible at the pixel: "triangle 12 of flag"
   std::string message;  ///< description of the difference in one line
   bool operator==(const PassPlace&) const = default;
 };
 
-/// Picture of another attempt or run, for display next to the compared pictures.
+/// Picture of another attempt or run, shown next to the compared pictures.
 struct OtherPicture {
   std::string label;  ///< label such as "attempt 1", "run 3"
   std::string image;  ///< path of the picture, relative to the folder of report.json
@@ -82,16 +84,16 @@ struct FrameResult {
   Status status = Status::pass;
   std::string message;                 ///< reason for the status in one line; empty if the frame passed
   std::string pixels, expectedPixels;  ///< pixel hashes; `expectedPixels` is empty if there is no baseline
-  /// index of the closest accepted alternate, from 1; 0 means the baseline itself
+  /// number of the closest accepted alternate, from 1; 0 means the baseline itself
   int alternate = 0;
   std::string state;  ///< "equal", "different", "missing" or "not compared"
   /// How closely the pixels had to match: askedName() in golden/baseline/origin.hpp. Empty if there is no
   /// baseline.
   std::string asked;
-  std::optional<Metrics> metrics;  ///< empty unless the pictures were compared pixel by pixel
+  std::optional<Metrics> metrics;  ///< differences; empty unless the pictures were compared pixel by pixel
   /// place of the first difference, if an exact picture fails although the state is equal
   std::optional<PassPlace> pass;
-  /// Paths relative to the folder of report.json; empty if the picture does not exist.
+  /// Paths relative to the folder of report.json. A path is empty if the picture does not exist.
   std::string expectedImage, actualImage, differenceImage;
   std::string flipImage;  ///< path of the FLIP error map
   std::vector<OtherPicture> others;
@@ -109,11 +111,11 @@ struct CheckResult {
 
 /// First position at which the state of a run differs from the state in the baseline.
 struct Divergence {
-  int frame = 0;  ///< frame that the run was stepping to; negative during pre-roll
-  int step = 0;   ///< step within the frame, from 1; 0 if only the frame is known
-  int steps = 0;  ///< number of simulation steps per frame
+  int frame = 0;  ///< frame in which the state first differs; negative during pre-roll
+  int step = 0;   ///< step within the frame, counted from 1; 0 if only the frame is known
+  int steps = 0;  ///< number of simulation steps in the frame
   std::string object, buffer;
-  /// Range of elements that contains the difference. Both are equal if a single element is known.
+  /// Range of elements that contains the first difference. Both are equal if the element is known.
   long firstElement = 0, lastElement = 0;
   std::string message;
   bool operator==(const Divergence&) const = default;
@@ -141,7 +143,8 @@ struct Place {
 };
 
 struct SceneResult {
-  std::string name;  ///< unique within the run: path of the scene below the folder, without extension
+  std::string name;  ///< name that is unique within the run: path of the scene below the folder, without
+                     ///< extension
   std::string file;
   std::string baselines;  ///< folder of the scene's baselines
   Status status = Status::pass;
@@ -149,12 +152,12 @@ struct SceneResult {
   /// remarks, such as a fallback or a tolerance that is much looser than needed
   std::vector<std::string> notes;
   std::string xfail;    ///< reason for the expected failure, from the scene
-  std::string profile;  ///< profile whose baselines were used; empty if none
+  std::string profile;  ///< profile whose baselines were used; empty if there were no baselines
   /// weakest requirement on the pixels of any frame; empty if there is no baseline
   std::string asked;
-  /// Data of the run that wrote the baseline last. The processor is empty if unknown.
+  /// Data of the latest run that wrote the baseline. The processor is empty if unknown.
   std::string baselineDriver, baselineProcessor, baselineVersion, baselineReason;
-  std::map<std::string, Bound> tolerance;  ///< bounds in force, by field name
+  std::map<std::string, Bound> tolerance;  ///< bounds that apply, by field name
   double seconds = 0;                      ///< total time for the scene (s)
   double simulateSeconds = 0;              ///< part of `seconds` spent stepping the simulation
   int repeats = 0;
@@ -162,13 +165,14 @@ struct SceneResult {
   std::vector<FrameResult> frames;
   std::vector<CheckResult> checks;
   std::optional<Divergence> divergence;
-  /// Folder with the data that `simreel accept` would promote, relative to report.json; may be empty.
+  /// Folder with the data that `simreel accept` would promote, relative to report.json. Empty if there is
+  /// nothing to promote.
   std::string candidate;
   /// If there is a candidate: the scene's input files and their hashes (baseline/inputs.hpp).
   std::map<std::string, std::string> inputs;
   std::optional<Place> blame;  ///< file and line that caused the result; set if the scene did not pass
-  /// If the picture has no baseline: name of the baseline with equal pixels whose picture no longer exists;
-  /// may be empty.
+  /// If the picture has no baseline: name of the baseline with equal pixels whose picture no longer exists.
+  /// Empty if there is no such baseline.
   std::string renamedFrom;
   bool operator==(const SceneResult&) const = default;
 };

@@ -8,7 +8,7 @@ enum class Update {
   missing,  ///< writes baselines that do not exist
   changed,  ///< writes baselines that differ
   all,      ///< writes missing and changed baselines
-  prune,    ///< writes none; removes baselines that no test uses
+  prune,    ///< writes no baselines; removes baselines that no test uses
 };
 
 }  // namespace simreel::golden

@@ -5,7 +5,7 @@
 
 namespace simreel::kernels {
 
-/// Mode of the search for races. A dispatch runs twice from the same state. `record` stores in shadow
+/// Step of the search for races. A dispatch runs twice from the same state. `record` stores in shadow
 /// buffers which invocation changed each word (Buffer::shadowOf). `check` compares each access with the
 /// shadows.
 enum class Race { none, record, check };
@@ -24,17 +24,16 @@ struct Request {
   /// Name of the pass for a ShaderToy file, which has mainImage() instead of a kernel. The pass writes the
   /// image PASS_Output and reads PASS_Channel0 to PASS_Channel3. Empty for other files.
   std::string pass;
-  bool upsideDown = false;  ///< true if the first row of PASS_Output is the top one
+  bool upsideDown = false;  ///< true if the first row of PASS_Output is the top row
   /// True to record faults in the block Kernel::report: out-of-bounds reads and writes (unless `fast`), and
   /// loops that reach the limit.
   bool report = false;
-  unsigned maxIterations = 0;  ///< maximum number of iterations of a loop, after which the loop is stopped;
-                               ///< 0 for no limit
+  unsigned maxIterations = 0;  ///< max iterations of a loop, after which it is stopped; 0 means no limit
   /// Names of buffers whose reads are redirected. A kernel that both reads and writes such a buffer reads
   /// the state from before the dispatch, from a separate buffer (Buffer::previousOf). Atomic operations on
   /// it are errors.
   std::vector<std::string> previous;
-  /// Mode of the search for races. With `check`, only races are reported, whatever the value of `report`.
+  /// Search for races. `check` reports only races, regardless of `report`.
   Race race = Race::none;
 };
 

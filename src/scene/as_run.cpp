@@ -18,8 +18,8 @@ namespace simreel::scene {
 
 namespace {
 
-/// Top-level members of a scene that the simulation does not depend on. A camera with damping is an
-/// exception, because its lag is part of the simulation's state.
+/// Top-level members of a scene on which the simulation does not depend. A camera with damping is an
+/// exception, because the camera's lag is part of the simulation's state.
 constexpr std::array<std::string_view, 9> drawingMembers = {"$schema", "title",  "render", "camera", "sun",
                                                             "sky",     "lights", "test",   "checks"};
 
@@ -29,7 +29,7 @@ std::string quoted(const std::string& text) {
 
 /// Returns the shortest text that reads back as the same number.
 std::string numberText(double value) {
-  // 2^53: smaller whole numbers are written without a fraction
+  // Whole numbers below 2^53 are written without a fraction.
   constexpr double exact = 9007199254740992.0;
   if (value == std::floor(value) && std::abs(value) < exact && !(value == 0 && std::signbit(value)))
     return fmt::format("{}", static_cast<long long>(value));
@@ -59,7 +59,7 @@ void write(const Node& node, const std::string& indent, std::string& text) {
       break;
   }
   const bool isList = node.kind == Node::Kind::list;
-  // A list of simple values, or of lists of simple values, is written on one line.
+  // A list is written on one line if its items are simple values or lists of simple values.
   const bool oneLine = std::all_of(node.children.begin(), node.children.end(), [&](const Node& child) {
     return isSimple(child) || (isList && child.kind == Node::Kind::list &&
                                std::all_of(child.children.begin(), child.children.end(), isSimple));

@@ -5,13 +5,13 @@
 
 namespace simreel::scene {
 
-/// Interface of the parameters of objects that bring a finish of their own.
+/// Interface of the parameters of objects that define a finish.
 class Dressed {
  public:
   virtual ~Dressed() = default;
   /// Returns the finish that the object has on a stage: roughness, translucency, sheen, clear coat, and
-  /// normals with their `textureScale`. Keys of the scene's material replace parts of this finish. Returns
-  /// nullopt if the object uses the stage's finish.
+  /// normals with their `textureScale`. Keys of the scene's material override parts of this finish. Returns
+  /// nullopt if the object uses the finish of the stage.
   [[nodiscard]] virtual std::optional<Material> look() const = 0;
 };
 

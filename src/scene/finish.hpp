@@ -34,7 +34,7 @@ struct Map {
 };
 
 /// Use of a surface's opacity. opaque: the opacity is ignored. cut: texels with an opacity below a
-/// threshold are not drawn. blend: the background shines through.
+/// threshold are not drawn. blend: the surface is blended with the background.
 enum class Alpha { opaque, cut, blend };
 
 /// Material properties in addition to colour, roughness and metallic, as in glTF 2.0: maps, emission,
@@ -44,8 +44,9 @@ struct Finish {
   Map color;    ///< sRGB colour and opacity map; replaces the material's texture
   Map normals;  ///< normal map in tangent space; x points along +u, y along -v (up in the image)
   float normalStrength = 1.0F;
-  Map metalRough;  ///< map of factors: the green channel on roughness, the blue channel on metallic
-  Map occlusion;   ///< occlusion map; red channel: fraction of ambient light that reaches the surface
+  Map metalRough;  ///< factors on roughness (green channel) and on metallic (blue channel)
+  Map occlusion;   ///< occlusion map; its red channel is the fraction of ambient light that reaches the
+                   ///< surface
   float occlusionStrength = 1.0F;
   glm::vec3 emission{0};  ///< emitted radiance, linear RGB, before multiplication by emissionStrength
   float emissionStrength = 1.0F;
@@ -59,11 +60,11 @@ struct Finish {
   glm::vec3 sheen{0};  ///< linear RGB colour of light that a cloth's upright fibres scatter at grazing
                        ///< angles
   float sheenRoughness = 0.3F;
-  float transmission = 0.0F;  ///< fraction of the light that passes through, among the light that is not
-                              ///< reflected; 1 for glass
+  float transmission = 0.0F;  ///< fraction of the unreflected light that passes through; 1 for glass
   float ior = 1.5F;           ///< index of refraction relative to air
-  bool thin = false;         ///< true: transparent thin sheet without refraction; false: surface of a solid
-  glm::vec3 attenuation{1};  ///< linear RGB transmittance of the solid over attenuationDistance
+  bool thin = false;          ///< true for a transparent thin sheet without refraction, false for the
+                              ///< surface of a solid
+  glm::vec3 attenuation{1};   ///< linear RGB transmittance of the solid over attenuationDistance
   /// Distance in metres over which light in the solid is multiplied by `attenuation`.
   float attenuationDistance = 1.0F;
 

@@ -17,7 +17,7 @@ namespace simreel::scene {
 
 namespace {
 
-/// Returns the unit vector from the target to the camera. The camera sees flat boxes from above. It sees
+/// Returns the unit vector from the target to the camera. The camera views flat boxes from above. It views
 /// tall boxes almost level and slightly from the side, so that their depth shows.
 glm::vec3 backFrom(const Box& box) {
   const glm::vec3 extent = box.max - box.min;
@@ -63,8 +63,8 @@ float distanceOf(const Look& look, const glm::vec3& target, const std::vector<gl
   return distance;
 }
 
-/// Returns the target moved sideways so that opposite margins around the points are equal. Approximate:
-/// uses a few iterations.
+/// Returns the target moved sideways so that opposite margins around the points are equal. Uses a few
+/// iterations, so the result is approximate.
 glm::vec3 centred(const Look& look, glm::vec3 target, const std::vector<glm::vec3>& points) {
   constexpr int looks = 4;
   for (int i = 0; i < looks; ++i) {
@@ -84,8 +84,8 @@ glm::vec3 centred(const Look& look, glm::vec3 target, const std::vector<glm::vec
   return target;
 }
 
-/// Returns all points that must be in view. An object contributes its outermost points if it has them, else
-/// points of the ellipsoid in a round box, else the box's corners.
+/// Returns all points that must be in view. An object with outermost points contributes these points.
+/// Otherwise a round box contributes points of its ellipsoid, and another box contributes its corners.
 std::vector<glm::vec3> pointsOf(const std::vector<Framed>& framed) {
   std::vector<glm::vec3> points;
   for (const Framed& one : framed)
@@ -131,8 +131,9 @@ void reach(Camera& camera, float distance, float nearest, bool staged) {
   camera.far = std::max(camera.far, (staged ? 12.0F : 4.0F) * distance);
 }
 
-/// Returns the point that the scene aims the camera at: its target, or the middle of the extent that the
-/// tracked object has over its whole motion. Returns nullopt if the scene gives neither.
+/// Returns the point at which the scene aims the camera. This is the scene's target, or the centre of the
+/// extent that the tracked object has over its whole motion. Returns nullopt if the scene gives neither a
+/// target nor a tracked object.
 std::optional<glm::vec3> aimOf(const Scene& scene) {
   const Camera& camera = scene.camera;
   if (camera.aimed) return camera.target.at(0);
@@ -144,7 +145,7 @@ std::optional<glm::vec3> aimOf(const Scene& scene) {
   return std::nullopt;
 }
 
-/// Places an orbiting camera. The target is the middle of all extents or of the tracked object. The
+/// Places an orbiting camera. The target is the centre of all extents or of the tracked object. The
 /// distance keeps all points in view at every angle of the orbit and at every key of the elevation.
 void frameOrbit(Scene& scene, const std::vector<Framed>& framed) {
   Camera& camera = scene.camera;

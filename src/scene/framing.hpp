@@ -11,9 +11,9 @@ struct Framed {
   std::vector<glm::vec3> points = {};  ///< outermost points in metres; if empty, `box` is used
 };
 
-/// Returns the extent to show, or nullopt if the object's parameters give none (Parameters::framed).
+/// Returns the extent to show, or nullopt if the object's parameters define no extent (Parameters::framed).
 [[nodiscard]] std::optional<Framed> framedOf(const Object& object);
-/// Returns the extents of all objects that give one.
+/// Returns the extents of all objects that have one.
 [[nodiscard]] std::vector<Framed> framedObjects(const Scene& scene);
 /// Returns the smallest box around all extents. `framed` must not be empty.
 [[nodiscard]] Box boxAround(const std::vector<Framed>& framed);

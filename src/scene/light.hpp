@@ -12,8 +12,8 @@
 namespace simreel::scene {
 
 inline constexpr std::size_t maxLights = 256;
-/// Max number of lights with shadows. Each light with shadows draws all shadow casters six times, once for
-/// each of its shadow maps.
+/// Max number of lights with shadows. For each light with shadows, all shadow casters are drawn six times,
+/// once for each of its shadow maps.
 inline constexpr std::size_t maxShadowedLights = 8;
 
 /// Range of temperatures in kelvin for which the colour of a black body is defined (draw/black_body.hpp).
@@ -66,7 +66,8 @@ struct Light {
   Unit unit = Unit::candela;
   Animated<float> intensity = 20.0F;  ///< intensity in `unit`, for the colour (1, 1, 1)
   Animated<float> radius = 0.05F;     ///< radius of the luminous ball in metres
-  float range = 0.0F;                 ///< metres beyond which the light has no effect; 0: unlimited
+  float range = 0.0F;                 ///< distance in metres beyond which the light has no effect; 0 means
+                                      ///< unlimited
   Animated<float> glow = 1.0F;        ///< factor on the brightness of the luminous ball in the picture
   std::optional<Flicker> flicker;
   bool shadow = true;

@@ -90,8 +90,8 @@ Object readObject(const Node& node, ReadContext context, std::span<const Kind> k
   return object;
 }
 
-/// Returns the member `key` of an object, or the list item with the zero-based index `key`; null if it does
-/// not exist.
+/// Returns the member `key` of an object, or the list item with the zero-based index `key`. Returns null if
+/// it does not exist.
 const Node* memberOf(const Node& node, const std::string& key) {
   if (node.kind == Node::Kind::object) return node.find(key);
   std::size_t index = 0;
@@ -138,7 +138,7 @@ void readObjects(const Node& node, ReadContext context, const Kinds& kinds, std:
                 const auto i = static_cast<std::size_t>(&object - objects.data());
                 const PathEnd end = endOf(node.children[i], path);
                 // Some values of an object with errors are defaults. A message about such a value would be
-                // misleading, so only values that were read without error get messages.
+                // misleading, so only values that were read without an error get messages.
                 if (good[i] || (end.whole && !context.diagnostics.anyWithin(end.place())))
                   context.diagnostics.add(end.place(), message);
               });
@@ -164,10 +164,11 @@ std::optional<int> versionOf(const Node* version, const Node& root, Diagnostics&
 struct Sources {
   std::string file;
   std::string sidecar;    ///< path of the sidecar, which need not exist
-  int sidecarNumber = 0;  ///< source number of the sidecar's text; 0: no sidecar was read
+  int sidecarNumber = 0;  ///< source number of the sidecar's text; 0 if no sidecar was read
 };
 
-/// Returns the origin of each bound that test.tolerance gives: the file that contains it, or "-D".
+/// Returns the origin of each bound in test.tolerance. The origin is the file that contains the bound, or
+/// "-D".
 std::map<std::string, std::string> toleranceOrigin(const Node& root, const Sources& sources) {
   std::map<std::string, std::string> origins;
   const Node* test = root.find("test");
@@ -184,7 +185,7 @@ std::map<std::string, std::string> toleranceOrigin(const Node& root, const Sourc
   return origins;
 }
 
-/// Replaces the scene's "test" and "checks" with the sidecar's.
+/// Replaces the scene's "test" and "checks" with the members of the sidecar.
 void applySidecar(Node& root, Node sidecar, ReadContext context) {
   if (!ValueReader("", context.diagnostics).expect(sidecar, Node::Kind::object, "an object")) return;
   Reader fields(&sidecar, sidecar.headPlace(), context);
@@ -299,7 +300,7 @@ void noteSurroundings(const Node& root, Stage& stage) {
 void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool heldToLength, Scene& scene) {
   if (!ValueReader("", context.diagnostics).expect(root, Node::Kind::object, "a scene in { }")) return;
   const Node* versionNode = root.find("version");
-  // In another version the other members may have other meanings.
+  // In another version, the other members may have other meanings.
   const std::optional<int> version = versionOf(versionNode, root, context.diagnostics);
   if (!version) return;
   context.version = *version;
@@ -307,7 +308,7 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
   static_cast<void>(fields.consume("version"));  // The version has been read above.
   const std::size_t errorsBefore = context.diagnostics.count();
   describeScene(fields, scene);
-  // The length of a scene with errors is not reliable, so test frames are then not checked against it.
+  // The length of a scene with errors is not reliable. In that case test frames are not checked against it.
   const bool lengthKnown = heldToLength && context.diagnostics.count() == errorsBefore;
   const Node* objects = fields.consume("objects");
   if (objects != nullptr) readObjects(*objects, context, kinds, scene.objects);
@@ -339,7 +340,7 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
   fields.finish();
 }
 
-/// Inputs for reading a scene, in addition to its text.
+/// Inputs for reading a scene, in addition to the scene's text.
 struct With {
   std::span<const Override> overrides;
   const Kinds& kinds;
@@ -397,8 +398,8 @@ Scene parse(std::string_view text, const std::filesystem::path& file, const std:
 Scene parseScene(std::string_view text, const std::filesystem::path& file,
                  std::span<const Override> overrides, const Kinds& kinds,
                  std::span<const std::filesystem::path> folders) {
-  // An override may shorten the scene. Test frames after the new end are not errors then, because no test
-  // runs.
+  // An override may shorten the scene. In that case test frames after the new end are not errors, because
+  // no test runs.
   return parse(text, file, nullptr, {overrides, kinds, folders}, !changesTime(overrides));
 }
 

@@ -20,10 +20,10 @@ namespace simreel::scene {
 /// Returns the path of the sidecar, a file in the folder of a scene that can contain the scene's tests:
 /// flag.test.json for flag.json.
 [[nodiscard]] std::filesystem::path sidecarOf(const std::filesystem::path& sceneFile);
-/// Loads a scene for testing, like loadScene(). If the sidecar exists, its "test" and "checks" replace the
-/// same members of the scene, each as a whole. Overrides are applied after that. Errors in the sidecar are
-/// reported at the sidecar's file:line:column. Test frames after the scene's end are errors even if an
-/// override changes the length; loadScene() does not report them in that case.
+/// Loads a scene for testing, like loadScene(). If the sidecar exists, its members "test" and "checks"
+/// replace the scene's members of the same name. Overrides are applied after that. Errors in the sidecar
+/// are reported at the sidecar's file:line:column. Test frames after the scene's end are errors even if an
+/// override changes the length. loadScene() does not report them in that case.
 [[nodiscard]] Scene loadTestScene(const std::filesystem::path& file, std::span<const Override> overrides,
                                   const Kinds& kinds, std::span<const std::filesystem::path> folders = {});
 

@@ -37,7 +37,8 @@ std::vector<glm::vec3> outermost(std::span<const glm::vec3> points, double stray
   std::vector<std::pair<float, const glm::vec3*>> ranks(points.size());
   for (const glm::vec3& way : directions()) {
     for (std::size_t i = 0; i < points.size(); ++i) ranks[i] = {glm::dot(points[i], way), &points[i]};
-    // Ties are broken by the coordinates, so that the result does not depend on the order of the points.
+    // Points with equal distances are sorted by their coordinates, so that the result does not depend on
+    // the order of the points.
     const auto wanted = ranks.begin() + static_cast<std::ptrdiff_t>(skipped);
     std::nth_element(ranks.begin(), wanted, ranks.end(), [](const auto& a, const auto& b) {
       return a.first != b.first ? a.first > b.first : comesFirst(*a.second, *b.second);

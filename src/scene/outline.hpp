@@ -19,8 +19,8 @@ class Outlined {
 /// Returns the farthest point in each of 98 directions, moved outwards by `beyond` metres. For points on a
 /// sphere, the hull of the result lies at most 5% of the radius inside the sphere. In each direction, the
 /// farthest fraction `stray` of the points (rounded down to a whole number) is skipped, so that a few stray
-/// points do not move the camera back. The result depends on the set of points, not on their order. Returns
-/// an empty list if there are no points.
+/// points do not move the camera back. The result does not depend on the order of the points. Returns an
+/// empty list if there are no points.
 [[nodiscard]] std::vector<glm::vec3> outermost(std::span<const glm::vec3> points, double stray = 0,
                                                float beyond = 0);
 

@@ -56,7 +56,7 @@ Node* listItem(Node& list, std::string_view segment, Place place, Diagnostics& d
 bool addsSilently(const Node& object, const std::string& path, std::size_t begin, std::size_t end,
                   int source, Diagnostics& diagnostics) {
   const std::string_view segment = std::string_view(path).substr(begin, end - begin);
-  if (end == path.size()) return false;  // the override gives the whole member
+  if (end == path.size()) return false;  // The override gives the whole member.
   const std::string_view next = std::string_view(path).substr(end + 1, path.find('.', end + 1) - end - 1);
   for (const auto& [prefix, one] : {std::pair("objects.", "object"), {"lights.", "light"}}) {
     if (!path.starts_with(prefix) || begin > std::string_view(prefix).size()) continue;
@@ -154,7 +154,7 @@ void applyOverride(Node& scene, const Override& change, Diagnostics& diagnostics
     return;
   }
   value->key = place->key;
-  // Errors about the key, such as an unknown name, also point into the text of the -D option.
+  // Errors about the key, such as an unknown name, also refer to the text of the -D option.
   value->keyBegin = static_cast<std::uint32_t>(dot == std::string::npos ? 0 : dot + 1);
   value->keyEnd = static_cast<std::uint32_t>(change.path.size());
   *place = std::move(*value);

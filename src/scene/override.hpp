@@ -4,9 +4,10 @@
 
 namespace simreel::scene {
 
-/// Sets the value of one -D override in the tree. Creates missing members along the path; a reader checks
-/// their names later. Reports an error if the override would create an object, a light or a list item from
-/// a single member. Places of new nodes lie in the text of the override. Reports errors to `diagnostics`.
+/// Sets the value of one -D override in the tree. Creates missing members along the path. A reader checks
+/// the names of these members later. Reports an error to `diagnostics` if the override would create an
+/// object, a light or a list item from a single member. Places of new nodes lie in the text of the
+/// override.
 void applyOverride(Node& scene, const Override& change, Diagnostics& diagnostics);
 
 }  // namespace simreel::scene

@@ -7,8 +7,8 @@ namespace simreel::scene {
 class Papered {
  public:
   virtual ~Papered() = default;
-  /// Returns the name of the object whose field colours this object if its material has no "skin". Returns
-  /// an empty string if none exists. `object`: name of this object.
+  /// Returns the name of the object whose field is shown on this object if the material has no "skin".
+  /// Returns an empty string if there is no such object. `object`: name of this object.
   [[nodiscard]] virtual std::string fieldShown(const std::string& object) const = 0;
 };
 

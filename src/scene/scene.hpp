@@ -25,17 +25,25 @@ enum class Numerics { exact, fast };
 
 /// Material that is generated from a simulated field and drawn on an object's surface.
 struct Skin {
-  enum class Look { leather, spots, cracks, map };  ///< `map` shows the field in its own colours
+  enum class Look {
+    leather,
+    spots,
+    cracks,
+    map
+  };  ///< Style of the skin. `map` shows the field in the
+      ///< field's colours.
   enum class Projection { uv, triplanar };
   std::string field;  ///< name of the object whose field is used
   Look look = Look::leather;
   Projection projection = Projection::uv;
-  float repeats = 1.0F;  ///< number of repeats of the field along u and v, or per metre without uv
-                         ///< (triplanar mapping)
+  float repeats = 1.0F;  ///< number of repeats of the field along u and v; on a surface without uv
+                         ///< (triplanar mapping), number of repeats per metre
   /// Field value at the boundary between low and high colour. nullopt: default of `look`.
   std::optional<double> threshold;
-  glm::vec3 low{-1};                ///< linear RGB for low field values; negative: default of `look`
-  glm::vec3 high{-1};               ///< linear RGB for high field values; negative: default of `look`
+  glm::vec3 low{-1};                ///< linear RGB for low field values; a negative value means the default
+                                    ///< of `look`
+  glm::vec3 high{-1};               ///< linear RGB for high field values; a negative value means the
+                                    ///< default of `look`
   float bump = 1.0F;                ///< factor on the height of the relief
   std::optional<double> roughness;  ///< surface roughness; nullopt: default of `look`
   void describe(Fields& fields);
@@ -44,8 +52,8 @@ struct Skin {
 /// Surface with metallic/roughness shading. Colours are linear RGB.
 struct Material {
   glm::vec3 color{0.8F, 0.7F, 0.6F};
-  std::filesystem::path texture;  ///< file of an sRGB image that is multiplied by the colour; empty: no
-                                  ///< image
+  std::filesystem::path texture;  ///< file of an sRGB image that is multiplied by the colour; empty if
+                                  ///< there is none
   /// Number of repeats along u and v, or per metre on surfaces without uv. z is unused.
   glm::vec3 textureScale{1, 1, 1};
   float roughness = 0.8F;
@@ -60,9 +68,9 @@ struct Material {
 
 /// Light that scatters around bright areas of the picture.
 struct Bloom {
-  Animated<float> strength = 0.0F;  ///< fraction of the light above the threshold that is scattered; 0:
-                                    ///< bloom is off
-  float threshold = 1.0F;           ///< linear light; only the light above this value is scattered
+  Animated<float> strength = 0.0F;  ///< fraction of the light above the threshold that is scattered; 0
+                                    ///< turns bloom off
+  float threshold = 1.0F;           ///< threshold in linear light, above which light is scattered
   float radius = 0.1F;              ///< radius of the scattering as a fraction of the picture's height
   void describe(Fields& fields);
 };
@@ -92,7 +100,7 @@ struct Render {
   Tone tone = Tone::aces;
   /// White balance in kelvin: light of this black-body colour is shown as white.
   std::optional<Animated<float>> whiteBalance;
-  bool transparent = false;  ///< true: pictures have an alpha channel in place of a background
+  bool transparent = false;  ///< true if pictures have an alpha channel instead of a background
   float vignette = 0.0F;
   Bloom bloom;
   void describe(Fields& fields);
@@ -108,16 +116,17 @@ struct Time {
 /// Camera that moves along a path found by an object.
 struct Follow : PathPlace {
   float ahead = 4.0F;  ///< length in metres of the part of the path ahead of the camera; the camera looks
-                       ///< at the mean of its points
-  double damping = 0;  ///< time in seconds that the camera lags behind steady motion; 0: no lag
+                       ///< at the mean of the points of this part
+  double damping = 0;  ///< time in seconds that the camera lags behind steady motion; 0 means no lag
   void describe(Fields& fields);
 };
 
 /// Camera that keeps looking at a moving object.
 struct Track {
   std::string object;
-  glm::vec3 offset{0};  ///< offset in metres from the object's middle to the point that the camera looks at
-  double damping = 0;   ///< time in seconds that the camera lags behind a steadily moving object; 0: no lag
+  glm::vec3 offset{0};  ///< offset in metres from the object's centre to the point that the camera looks at
+  double damping = 0;   ///< time in seconds that the camera lags behind a steadily moving object; 0 means
+                        ///< no lag
   void describe(Fields& fields);
 };
 
@@ -134,20 +143,22 @@ class CameraShot {
   virtual ~CameraShot() = default;
   /// Returns the pose at the scene's time `seconds`.
   [[nodiscard]] virtual CameraPose at(double seconds) const = 0;
-  /// Vertical angle of view in degrees; only for perspective cameras.
+  /// Returns the vertical angle of view in degrees. Only for perspective cameras.
   [[nodiscard]] virtual double fieldOfView() const = 0;
-  /// Height of the view in metres; nullopt for a perspective camera.
+  /// Returns the height of the view in metres, or nullopt for a perspective camera.
   [[nodiscard]] virtual std::optional<double> height() const = 0;
-  [[nodiscard]] virtual double near() const = 0;  ///< distance of the near plane in metres
-  /// Distance of the far plane in metres; nullopt: unlimited.
+  [[nodiscard]] virtual double near() const = 0;  ///< Returns the distance of the near plane in metres.
+  /// Returns the distance of the far plane in metres, or nullopt if it is unlimited.
   [[nodiscard]] virtual std::optional<double> far() const = 0;
 };
 
 /// Camera whose pose and motion come from a glTF file.
 struct CameraFile {
   std::filesystem::path file;
-  std::string name;       ///< name of the camera or its node; empty: the only camera of the file
-  std::string animation;  ///< name of the animation; empty: the first animation that moves the camera
+  std::string name;       ///< name of the camera or of the camera's node; if empty, the file must contain
+                          ///< exactly one camera
+  std::string animation;  ///< name of the animation; if empty, the first animation that moves the camera is
+                          ///< used
   double speed = 1, start = 0;
   bool loop = false;
   float distance = 6;                    ///< distance from the camera to its target along the line of
@@ -157,12 +168,13 @@ struct CameraFile {
   void describe(Fields& fields);
 };
 
-/// f-number (focal length divided by aperture diameter) for a sensor 24 mm high
+/// Depth of field of a camera.
 struct Lens {
-  Animated<float> fNumber = 2.8F;  ///< focal length / aperture diameter, for a picture 24 mm high
-  /// Focus distance in metres along the line of sight. nullopt: distance of the target.
+  Animated<float> fNumber = 2.8F;  ///< f-number (focal length divided by aperture diameter) for a sensor 24
+                                   ///< mm high
+  /// Focus distance in metres along the line of sight; nullopt means the distance of the target.
   std::optional<Animated<float>> focus;
-  int blades = 0;    ///< number of sides of the aperture polygon; 0: round aperture
+  int blades = 0;    ///< number of sides of the aperture polygon; 0 means a round aperture
   int samples = 32;  ///< number of points of the aperture from which each picture is drawn
   void describe(Fields& fields);
 };
@@ -184,8 +196,8 @@ struct Orbit {
   void describe(Fields& fields);
 };
 
-/// Type of a camera's rays. perspective: all rays start at one point. orthographic: all rays are parallel,
-/// perpendicular to the picture.
+/// Type of a camera's rays. perspective: all rays start at one point. orthographic: all rays are parallel
+/// and perpendicular to the picture.
 enum class Projection { perspective, orthographic };
 
 struct Camera {
@@ -196,19 +208,19 @@ struct Camera {
   Animated<float> height = 4.0F;  ///< height of an orthographic view in metres
   bool hasHeight = false;         ///< true if the scene gives the height
   Animated<float> roll = 0.0F;    ///< rotation about the line of sight in degrees
-  double damping = 0;  ///< time in seconds that the line of sight lags behind a steadily moving `target`;
-                       ///< 0: no lag
+  double damping = 0;  ///< time in seconds that the line of sight lags behind a steadily moving `target`; 0
+                       ///< means no lag
   std::optional<Follow> follow;    ///< camera on a path; replaces position and target
   std::optional<Track> track;      ///< tracked object; replaces target
   std::optional<Orbit> orbit;      ///< orbit around the target; replaces position
   std::optional<CameraFile> gltf;  ///< camera of a glTF file; replaces position and target
   bool placed = false;             ///< true if the scene determines the camera's position or target
-  /// True if the scene gives the target but not the position, which then follows from the extents of the
-  /// objects. Only scenes since version 2 can do so.
+  /// True if the scene gives the target but not the position. The position is then computed from the
+  /// extents of the objects. Only scenes since version 2 can do so.
   bool aimed = false;
   bool hasAngle = false;           ///< true if the scene gives the field of view
-  std::optional<Lens> lens;        ///< depth of field; nullopt: everything is sharp
-  std::optional<Shutter> shutter;  ///< motion blur; nullopt: each picture shows one moment
+  std::optional<Lens> lens;        ///< depth of field; if nullopt, everything is sharp
+  std::optional<Shutter> shutter;  ///< motion blur; if nullopt, each picture shows one moment
   float near = 0.05F;
   float far = 200.0F;
   void describe(Fields& fields);
@@ -220,18 +232,18 @@ struct Sun {
   /// Black-body temperature in kelvin, which sets the colour in place of `color`.
   std::optional<double> temperature;
   Animated<float> intensity = 4.0F;
-  float diameter = 0.0F;  ///< angular diameter in degrees, which widens penumbras with distance; 0: their
-                          ///< width is constant
+  float diameter = 0.0F;  ///< angular diameter in degrees, which widens penumbras with distance; if 0,
+                          ///< penumbras have constant width
   bool shadow = true;
   int shadowSize = 1024;        ///< side of the shadow map in texels
   float shadowSoftness = 1.5F;  ///< radius of the shadow filter in texels
   void describe(Fields& fields);
 };
 
-/// Ambient light and background: a gradient, or a panorama.
+/// Ambient light and background, which are a gradient or a panorama image.
 struct Sky {
-  std::filesystem::path picture;  ///< equirectangular HDR image whose middle lies in direction -z; empty:
-                                  ///< no image
+  std::filesystem::path picture;  ///< equirectangular HDR image whose centre lies in direction -z; empty
+                                  ///< for a gradient
   float strength = 1.0F;          ///< factor on the image's light
   float turn = 0.0F;              ///< rotation of the image about the vertical in degrees
   Animated<glm::vec3> zenith = glm::vec3(0.08F, 0.22F, 0.52F);
@@ -243,9 +255,9 @@ struct Sky {
 
 /// true if objects collide with the plane; false for the floor of a stage
 struct Ground {
-  bool solid = false;    ///< true if objects collide with it; false for the floor of a stage
+  bool solid = false;    ///< true if objects collide with the plane; false for the floor of a stage
   float height = -5.0F;  ///< height of the plane in metres
-  /// Coulomb's coefficient. nullopt: the speed of sliding objects decays at a rate of 25.3 1/s.
+  /// Coulomb's friction coefficient. If nullopt, the speed of sliding objects decays at a rate of 25.3 1/s.
   std::optional<double> friction;
   bool visible = true;
   glm::vec3 color{0.32F, 0.29F, 0.25F};
@@ -259,8 +271,8 @@ struct Ground {
 /// Preset that supplies the values that a scene leaves out of sun, sky, ground, lights and materials
 /// (stage.hpp).
 struct Stage {
-  /// `none`: plain defaults. `automatic`: studio, or a dark stage for objects that glow. `hollow`: the
-  /// preset "void".
+  /// Preset values. `none`: plain defaults. `automatic`: studio, or a dark stage for objects that glow.
+  /// `hollow`: the preset "void".
   enum class Preset {
     none,
     automatic,
@@ -275,9 +287,9 @@ struct Stage {
   };
   enum class Palette { preset, vivid, earth, pastel, grey, ocean, neon };
   Preset preset = Preset::automatic;
-  Palette palette = Palette::preset;       ///< colours for objects without a colour in the scene
-  std::optional<glm::vec3> backdrop = {};  ///< linear RGB of floor and background; nullopt: colour of the
-                                           ///< preset
+  Palette palette = Palette::preset;       ///< colours for objects that have no colour in the scene
+  std::optional<glm::vec3> backdrop = {};  ///< linear RGB of floor and background; nullopt means the colour
+                                           ///< of the preset
   std::set<std::string, std::less<>> given = {};  ///< paths of the members that the scene gives, such as
                                                   ///< "sun" and "sun.color"
   [[nodiscard]] bool leaves(std::string_view path) const { return !given.contains(path); }
@@ -293,8 +305,9 @@ struct Object {
   [[nodiscard]] bool hasMaterial() const { return !materialKeys.empty(); }
 };
 
-/// Reports an error of an object at the value that `path` names below it. If the scene does not give that
-/// value, the error is reported at the last part of `path` that the scene gives.
+/// Callback that reports an error of an object. `path` names a value below the object, at which the error
+/// is reported. If the scene does not give that value, the error is reported at the last part of `path`
+/// that the scene gives.
 using Report = std::function<void(const Object& object, const std::vector<std::string>& path,
                                   const std::string& message)>;
 
@@ -322,7 +335,8 @@ struct Scene {
   bool staged = false;    ///< true if the stage supplies the values that the scene leaves out
   bool surveyed = false;  ///< true if camera and stage were placed by a trial run (sim/world/survey.hpp)
   std::optional<Ground> ground;
-  /// Lights at positions in the scene: at most maxLights, of which at most maxShadowedLights cast shadows.
+  /// Lights at positions in the scene. There are at most maxLights, of which at most maxShadowedLights cast
+  /// shadows.
   std::vector<Light> lights;
   std::vector<Object> objects;
   Test test;
@@ -341,11 +355,11 @@ struct Scene {
   [[nodiscard]] bool drawsExactly() const {
     return numerics == Numerics::exact && render.rasterizer == Rasterizer::exact;
   }
-  /// Returns the indices of the objects that measure the quantity named by `check`, or only of
-  /// `check.object` if it is given. For a valid check, the result has exactly one index.
+  /// Returns the indices of the objects that measure the quantity named by `check`. If `check.object` is
+  /// given, only that object is considered. For a valid check, the result has exactly one index.
   [[nodiscard]] std::vector<std::size_t> owners(const Check& check) const;
-  /// Returns the frames that a test compares, ascending and without repeats: the frames that the scene
-  /// gives, or the first, middle and last.
+  /// Returns the frames that a test compares, in ascending order without repeats. These are the frames that
+  /// the scene gives, or the first, middle and last frame.
   [[nodiscard]] std::vector<int> testFrames() const;
 };
 

@@ -8,9 +8,9 @@ namespace simreel::scene {
 /// asset folder.
 [[nodiscard]] std::vector<std::string> shippedScenes();
 
-/// Returns the file that the name of a scene stands for. If no such file exists, "flag" and
-/// "scenes/flag.json" name a shipped scene, and a message is printed. Throws UserError(usage) for a
-/// misspelt name or a picture.
+/// Returns the file that the name of a scene stands for. If no file of that name exists, a name such as
+/// "flag" or "scenes/flag.json" stands for a shipped scene, and a message is printed. Throws
+/// UserError(usage) for a misspelt name or a picture.
 [[nodiscard]] std::string sceneFile(const std::string& name);
 
 }  // namespace simreel::scene

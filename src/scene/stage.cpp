@@ -21,8 +21,9 @@ namespace simreel::scene {
 namespace {
 
 constexpr glm::vec3 flame(1.0F, 0.52F, 0.22F);  ///< colour of objects that glow
-// Luminance L of a background above which black text has more contrast than white text: the contrast ratio
-// of black, (L + 0.05) / 0.05, is then greater than the ratio of white, 1.05 / (L + 0.05) (WCAG 2.1).
+// Luminance L of a background above which black text has more contrast than white text (WCAG 2.1). Above
+// it, the contrast ratio of black, (L + 0.05) / 0.05, is greater than the ratio of white, 1.05 / (L +
+// 0.05).
 constexpr float inkedDark = 0.18F;
 constexpr glm::vec3 darkInk(0.012F, 0.013F, 0.016F);
 
@@ -45,8 +46,8 @@ StageLook lookOf(const Scene& scene) {
   return look;
 }
 
-/// Returns a height for a ground with which objects collide: the lowest point of all objects at the start.
-/// Infinite if the scene has only particles that fall from above.
+/// Returns the height for a ground with which objects collide. This is the lowest point of all objects at
+/// the start. Returns infinity if the scene has only particles that fall from above.
 std::optional<float> groundBelow(const Scene& scene) {
   std::optional<float> lowest;
   for (const Object& object : scene.objects) {
@@ -65,7 +66,7 @@ float floorBelow(const std::vector<Framed>& framed) {
   return box.min.y - (flat ? 0.1F : 1e-3F) * radius;
 }
 
-/// Gives a material those parts of the object's own finish `own` that the scene's material leaves out.
+/// Adds those parts of the object's finish `own` to a material that the scene's material leaves out.
 /// `pictured`: true if the material has an image, whose scale would also apply to the normals of `own`.
 template <class Leaves>
 void wear(const Material& own, const Leaves& leaves, bool pictured, Material& material) {
@@ -85,7 +86,7 @@ void wear(const Material& own, const Leaves& leaves, bool pictured, Material& ma
   material.textureScale = own.textureScale;
 }
 
-/// Gives an object the colour and finish that the scene's material leaves out.
+/// Gives an object the colour and finish that the scene's material does not give.
 void dress(Object& object, std::size_t number, const Stage& stage, const StageLook& look) {
   Material& material = object.material;
   const auto leaves = [&](const char* key) { return !object.materialKeys.contains(key); };
@@ -152,7 +153,7 @@ void setStage(Scene& scene, const std::vector<Framed>& framed, int version) {
   if (hasSun && stage.leaves("sun.shadowSize")) scene.sun.shadowSize = 2048;
   if (!scene.ground && stage.leaves("ground") && look.hasFloor && !landscape) scene.ground.emplace();
   if (scene.ground) {
-    // A transparent picture has no background, and the floor is part of the background.
+    // A transparent picture has no background, and the floor counts as background.
     if (stage.leaves("ground")) scene.ground->visible = !scene.render.transparent;
     if (stage.leaves("ground.height")) {
       const bool flows = std::any_of(scene.objects.begin(), scene.objects.end(), [](const Object& object) {
@@ -175,7 +176,7 @@ void setStage(Scene& scene, const std::vector<Framed>& framed, int version) {
 }
 
 std::string stageAdvice(const Scene& scene) {
-  constexpr float bright = 0.3F;  // luminance of a background on which added light is hardly seen
+  constexpr float bright = 0.3F;  // luminance of a background above which added light is hardly visible
   if (!scene.staged || !anyIs(Parameters::Looks::shining, scene)) return {};
   if (luminance(lookOf(scene).floor) < bright) return {};
   return "\"additive\" particles add light, which is hardly visible on a bright stage; leave out "
@@ -188,7 +189,7 @@ void openFloor(Scene& scene) {
 
 std::string groundAdvice(const Scene& scene) {
   if (scene.stage.leaves("ground") || !isBelowGround(scene) || !scene.ground->visible) return {};
-  // If the target is also below the ground, the ground does not hide it.
+  // If the target is also below the ground, the ground does not hide the target.
   if (!scene.camera.track && scene.camera.target.at(0).y < scene.ground->height) return {};
   return fmt::format(
       "the camera is below the ground, at {:.4g} m, which hides everything above it; move the camera up, "
@@ -229,7 +230,8 @@ void moveStage(Scene& scene, const std::vector<Framed>& framed) {
     supply("ground.fadeEnd", ground.fadeEnd, std::max(look.reach * radius, 1.01F * ground.fadeStart));
     if (!stage.leaves("ground.fadeEnd"))
       ground.fadeStart = std::min(ground.fadeStart, 0.5F * ground.fadeEnd);
-    // The colour is chosen so that the lit floor has the background's colour: see groundLight in glsl/draw.
+    // The floor's colour is chosen so that the lit floor has the background's colour; see groundLight in
+    // glsl/draw.
     const glm::vec3 fill = look.ambient * glm::mix(look.zenith, look.horizon, 0.3F);
     const glm::vec3 direct = look.keyColor * (look.key * 0.31830989F * key.y);
     supply("ground.color", ground.color, glm::min(look.floor / (fill + direct), glm::vec3(look.most)));

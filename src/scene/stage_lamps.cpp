@@ -41,7 +41,7 @@ bool isGlossy(const Scene& scene) {
 }
 
 void placeRim(Light& rim, bool high, const StageLook& look, const StageSpace& space) {
-  // The floor's mirror image of a high and distant lamp lies below the edge of the picture.
+  // The floor's mirror image of a high and distant lamp is below the lower edge of the picture.
   const float far = (high ? 6.0F : 3.0F) * space.radius;
   const glm::vec3 way = high ? -0.2F * space.back + 0.19F * space.right + glm::vec3(0, 1, 0)
                              : -0.8F * space.back + 0.75F * space.right + glm::vec3(0, 0.9F, 0);
@@ -51,9 +51,9 @@ void placeRim(Light& rim, bool high, const StageLook& look, const StageSpace& sp
   rim.radius = (high ? 1.0F : 0.5F) * space.radius;
 }
 
-/// Places an area light that causes the illuminance `lux` in the middle of the stage. `way` is the vector
-/// from the middle to the light, and `size` is the light's width and height. Both are in radii of the
-/// stage.
+/// Places an area light that causes the illuminance `lux` in the centre of the stage. `way` is the vector
+/// from the centre to the light, and `size` is the light's width and height. Both are in units of the
+/// stage's radius.
 void placeSoft(Light& lamp, const StageSpace& space, const glm::vec3& way, const glm::vec2& size,
                float lux) {
   const float far = glm::length(way) * space.radius;

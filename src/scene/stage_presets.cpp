@@ -55,7 +55,7 @@ constexpr StageLook sunset{.floor = {0.34F, 0.17F, 0.12F},
                            .rim = 2.4F,
                            .most = 0.5F,
                            .reach = 14.0F};
-// Preset dark enough to show objects that glow.
+// A preset that is dark enough to show objects that glow.
 constexpr StageLook glow{.floor = {0.012F, 0.013F, 0.018F},
                          .horizon = {0.030F, 0.036F, 0.062F},
                          .zenith = {0.010F, 0.012F, 0.022F},

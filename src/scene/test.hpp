@@ -19,8 +19,8 @@ struct Bound {
   [[nodiscard]] std::string formerName() const;
 };
 
-/// Allowed difference between a picture and its baseline if they were made with different numerics. All
-/// bounds that are given must hold. The fields have the same names as in scene files.
+/// Allowed difference between a picture and its baseline if they were made with different numerics. The
+/// picture must satisfy all bounds that are given. The fields have the same names as in scene files.
 struct Tolerance {
   int maxChannelDiff = 12;  ///< a pixel differs if one of its channels (0 to 255) differs by more than this
   std::optional<double> maxDiffPixels;  ///< maximum number of differing pixels
@@ -28,7 +28,8 @@ struct Tolerance {
   std::optional<double> maxDiffRatio;
   int windowSize = 16;                   ///< side N in pixels of the N x N window with the most differing
                                          ///< pixels
-  std::optional<double> maxWindowRatio;  ///< maximum fraction of differing pixels in that window
+  std::optional<double> maxWindowRatio;  ///< max fraction of differing pixels in the window of side
+                                         ///< windowSize
   std::optional<double> maxFlipMean;     ///< maximum mean FLIP error, 0 to 1
   std::optional<double> hardFail;        ///< maximum difference of any channel of any pixel
   void describe(Fields& fields);
@@ -38,26 +39,29 @@ struct Tolerance {
 
 /// Section "test" of a scene: the frames that `simreel test` compares, and the allowed differences.
 struct Test {
-  /// Frames to compare, ascending, without repeats; empty: the first, middle and last frame.
+  /// Frames to compare, in ascending order without repeats. If empty, the first, middle and last frame are
+  /// compared.
   std::vector<int> frames;
   glm::ivec2 size{320, 180};   ///< width and height in pixels
-  std::optional<int> samples;  ///< samples per pixel; nullopt: as in the scene
+  std::optional<int> samples;  ///< samples per pixel; nullopt means the scene's number
   Tolerance tolerance;
-  /// Origin of each given tolerance: field name -> file path or "-D". Absent fields have their default.
+  /// Maps the name of each given tolerance to its origin, a file path or "-D". Fields that are not in the
+  /// map have their default.
   std::map<std::string, std::string> toleranceOrigin;
-  std::string xfail;  ///< reason why the scene is expected to fail; empty: it is expected to pass
+  std::string xfail;  ///< reason why the scene is expected to fail; if empty, it is expected to pass
   void describe(Fields& fields);
 };
 
 /// One condition of "checks".
 struct Check {
-  /// Name of the condition: "not-blank"; "no-nan"; a statistic of an array's component ("mean", "min",
-  /// "max", "sum" with `of`); or a quantity that the simulation measures ("mass", "energy", "population",
-  /// ...).
+  /// Name of the condition. It is "not-blank", "no-nan", a statistic of an array's component ("mean",
+  /// "min", "max", "sum" with `of`), or a quantity that the simulation measures ("mass", "energy",
+  /// "population", ...).
   std::string what;
-  std::string object;  ///< name of the object; empty: the only object that has the quantity
+  std::string object;  ///< name of the object; empty means the only object that has the quantity
   std::string of;  ///< state array and component, such as "positions.y" (x, y, z, w, or "length" of xyz)
-  std::vector<int> frames;  ///< frames at which the check applies; empty: all frames that the test compares
+  std::vector<int> frames;  ///< frames at which the check applies; empty means all frames that the test
+                            ///< compares
   std::optional<double> min, max;
   std::optional<double> drift;  ///< maximum relative change from the value at the check's first frame
   void describe(Fields& fields);

@@ -26,7 +26,7 @@ class Firefox:
         try:
             self.number = 0
             self.socket = socket.create_connection(("127.0.0.1", self.port()), timeout=600)
-            self.receive()  # skips Firefox's greeting message
+            self.receive()  # reads the greeting message of Firefox, which is not needed
             self.command("WebDriver:NewSession", capabilities={"alwaysMatch": {"acceptInsecureCerts": True}})
         except BaseException:
             self.quit()

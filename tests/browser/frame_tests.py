@@ -154,7 +154,7 @@ class WordsTest(ReportTest):
         self.assertEqual(b.text("#name"), name)
 
     def test_copying_the_command(self):
-        for refuse in (False, True):  # tests a page with the asynchronous clipboard, and a page without it
+        for refuse in (False, True):  # tests the page with the asynchronous clipboard API and without it
             b = self.open(FLAG + "side")
             if refuse:
                 b.run("Object.defineProperty(navigator, 'clipboard', {value: undefined})")

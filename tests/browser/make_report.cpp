@@ -1,5 +1,6 @@
-// Writes a report for tests of the page: make_report FOLDER showcase|bulk N|none. The showcase contains
-// every status, and text that must be escaped. The bulk report has N failing scenes of three frames.
+// Writes a report for tests of the page. Usage: make_report FOLDER showcase|bulk N|none. The showcase
+// contains every status, and text that must be escaped. The bulk report has N failing scenes of three
+// frames.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "frame/image.hpp"
@@ -34,8 +35,8 @@ struct Maker {
 Json metricsOf(const frame::Image& a, const frame::Image& b) {
   int worst = 0, worstX = 0, worstY = 0, different = 0, far = 0, max = 0, windowX = 0, windowY = 0;
   double squares = 0;
-  std::map<std::pair<int, int>, int>
-      tiles;  // sums over overlapping windows, on a grid whose spacing is half the window size
+  std::map<std::pair<int, int>, int> tiles;  // differences summed over overlapping windows, on a grid whose
+                                             // spacing is half the window size
   for (int y = 0; y < a.height; ++y)
     for (int x = 0; x < a.width; ++x) {
       const int much = apart(a, b, x, y);
@@ -73,8 +74,8 @@ Json equalFrame(int frame) {
           {"differenceImage", ""}, {"flipImage", ""},        {"others", Json::array()}};
 }
 
-/// Returns a frame whose wave differs from the baseline's by the phase `shift`, and writes the pictures of
-/// the frame.
+/// Returns a frame whose wave differs from the wave of the baseline by the phase `shift`, and writes the
+/// pictures of the frame.
 Json failedFrame(const Maker& make, const std::string& scene, int frame, double shift) {
   const auto expected = picture(make.width, make.height, frame * 0.05);
   auto actual = picture(make.width, make.height, frame * 0.05 + shift);

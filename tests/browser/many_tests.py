@@ -169,7 +169,7 @@ class ManyTests:
         stride = width * channels
         half = height // 2 + 1
         row = cli.unfiltered(rows[:half * (stride + 1)], stride, channels)[-1]
-        # The position is slightly off the middle, because pixels may be mixed where the pictures meet.
+        # The position is slightly beside the middle, because pixels may be mixed where the pictures meet.
         at = (width // 2 + 9) * channels
         return row[at:at + 3]
 

@@ -42,7 +42,8 @@ inline int apart(const simreel::frame::Image& a, const simreel::frame::Image& b,
   return max;
 }
 
-/// Returns the difference of two pictures: dark where they are equal, from yellow to red where they differ.
+/// Returns the difference of two pictures. It is dark where they are equal, and yellow to red where they
+/// differ.
 inline simreel::frame::Image difference(const simreel::frame::Image& a, const simreel::frame::Image& b) {
   simreel::frame::Image image = a;
   for (int y = 0; y < a.height; ++y)

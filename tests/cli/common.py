@@ -28,15 +28,15 @@ SCENE = {
 }
 FRAMES = 6
 
-# Seconds after which a test considers a program to hang. No test depends on the speed of the machine: no shorter limit
-# is used, and if a program ends before a test's signal arrives, the test starts the program again.
+# Time (s) after which a test considers a program to hang. No test depends on the speed of the machine, because no
+# shorter limit is used. If a program ends before a test's signal arrives, the test starts the program again.
 PATIENCE = 1200
 
 # A stable simulation whose frames take long enough that a signal can arrive in the middle of one.
 SLOW = {"render.size": [320, 240], "time.fps": 30, "time.duration": 2, "objects.flag.cloth.size": [64, 48],
         "objects.flag.cloth.spacing": 0.02, "objects.flag.cloth.substeps": 64}
 
-# Texts that must never appear in the output, whatever fails.
+# Texts that must never appear in the output, regardless of the failure.
 CRASH = ("terminate called", "Aborted", "Segmentation", "Assertion", "core dumped", "AddressSanitizer",
          "runtime error:", "internal error at", "std::")
 

@@ -174,8 +174,8 @@ def random_case(family, rng):
         size[:] = (max(s, 24) for s in size)
         case["fill"] = rng.choice([0.3, 0.5])
     elif family in ("far", "farthest"):
-        # "far" runs for many generations. Its ranges are small enough for few operations per cell and step in both
-        # programs. One case in sixteen exceeds the sums that fit into a byte and the loop length that a software driver
+        # "far" runs for many generations. Its ranges are so small that both programs need few operations per cell and
+        # step. One case in sixteen exceeds the sums that fit into a byte and the loop length that a software driver
         # handles in one pass. "farthest" runs for few generations with ranges up to Golly's maximum. Golly requires
         # grids at least twice as wide as the range. Half of the cells live, so the limits are close to half of the
         # neighbourhood.
@@ -234,7 +234,7 @@ def shaped_rule(rng):
 def random_table(rng):
     """Returns a rule file of random transitions, some of them with wildcards for neighbours."""
     neighbourhood = rng.choice(["Moore", "vonNeumann", "hexagonal"])
-    moore = neighbourhood == "Moore"  # Decision diagrams of the Moore neighbourhood become large quickly.
+    moore = neighbourhood == "Moore"  # Decision diagrams of the Moore neighbourhood quickly become large.
     states = rng.randrange(2, 4 if moore else 6)
     neighbours = {"Moore": 8, "vonNeumann": 4, "hexagonal": 6}[neighbourhood]
     symmetries = rng.choice({"Moore": ["none", "rotate4", "rotate8", "reflect_horizontal", "rotate4reflect", "rotate8reflect", "permute"],

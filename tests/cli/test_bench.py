@@ -33,7 +33,7 @@ class BenchCase(Case):
                 self.assertTrue(all(stage["gpu"] is None for stage in row["stages"]))
                 continue
             # With frames in flight, a stage's time may belong to frames before the measured ones. Stages lie within
-            # their frame only if each stage is waited for.
+            # their frame only if the program waits for each stage.
             if result["timing"] == "wait":
                 spent = sum(stage[side]["mean"] for stage in row["stages"])
                 self.assertLessEqual(spent, row["frame"]["mean"] * 1.0001)
@@ -73,7 +73,7 @@ class Bench(BenchCase):
                                       "objects": {"sheet": {"mesh": {"shape": "plane", "size": [50, 0, 50]}}}})
             return self.bench("sheet.json", "--frames", "1", "--warm-up", "0", "--rounds", "1")["rows"][0]["rays"]
 
-        each = 65 * 37 * 8  # number of pixels that show only the sheet, times samples
+        each = 65 * 37 * 8  # number of samples in pixels that show only the sheet
         dark = rays(0)
         self.assertGreaterEqual(dark, each)  # Each sample traces a ray into the sky, and a few trace reflections.
         self.assertLess(dark, 1.1 * each)

@@ -1,6 +1,6 @@
-// The worked example of src/sim/ports/README.md, built from its listings. A kind that is defined only in
-// its own folder blows on particles and cloth, and its relations are checked, ordered and connected like
-// all others.
+// Tests the worked example of src/sim/ports/README.md, which is built from its listings. The example is a
+// fan, a kind of object that blows wind on particles and cloth. It is defined only in its own folder. Its
+// relations to other objects must be checked, ordered and connected like those of all other kinds.
 #include "sim/fan/fan.hpp"
 
 #include "base/error.hpp"
@@ -73,7 +73,7 @@ TEST_CASE("example: the fan of the README blows on particles, harder on the near
   setting.colliders = &none;
   setting.links = &links;
   REQUIRE(links.order().size() == 2);
-  CHECK(links.order()[0].objects[0] == 1);  // the fan comes first, although it is last in the scene
+  CHECK(links.order()[0].objects[0] == 1);  // The fan comes first, although it is last in the scene.
   for (const sim::StepNode& node : links.order()) {
     const scene::Object& object = scene.objects[node.objects[0]];
     const sim::SimulationKind kind =

@@ -1,5 +1,5 @@
-// The worked example of src/sim/README.md, built from its listings: it compiles, its scene is valid, and it
-// follows the heat equation.
+// Tests the worked example of src/sim/README.md, which is built from its listings. It must compile, its
+// scene must be valid, and it must follow the heat equation.
 #include "sim/heat/heat.hpp"
 
 #include "base/error.hpp"

@@ -1,11 +1,11 @@
-// Loaded before simreel (LD_PRELOAD): makes the Nth call of one class fail, or counts the calls of each
-// class.
+// Library that is loaded before simreel (LD_PRELOAD). It makes the Nth call of one class fail, or counts
+// the calls of each class.
 //
-//     FAULTS=write:3          the third write fails; "none": nothing fails
+//     FAULTS=write:3          the third write fails; "none": no call fails
 //     FAULTS_LOG=FILE         file for the failed call and, at the end, the number of calls of each class
 //
-// Only calls by simreel's own code are counted. Calls that the driver makes inside a GL call are not,
-// although the driver's libraries use the same functions of the C++ library as the program.
+// Only calls by simreel's own code are counted. Calls that the driver makes inside a GL call are not
+// counted, although the driver's libraries use the same functions of the C++ library as the program.
 #include "calls.hpp"
 
 #include <atomic>

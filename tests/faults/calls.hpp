@@ -26,7 +26,8 @@ constexpr const char* classNames[] = {"open",   "read",    "write", "sync", "clo
                                       "thread", "process", "alloc", "gl",   "egl"};
 constexpr int classes = sizeof classNames / sizeof *classNames;
 
-/// Marks its thread as inside the driver while the object exists. Calls of the driver are not counted.
+/// Marks the current thread as inside the driver while the object exists. Calls by the driver are not
+/// counted.
 class InDriver {
  public:
   InDriver();

@@ -1,6 +1,6 @@
 // Makes calls of OpenGL and EGL fail. simreel calls every entry point through epoxy's function pointer with
-// the entry point's name, which this file replaces. A failing call does nothing, returns its failure value,
-// and makes glGetError return GL_OUT_OF_MEMORY, as the specification requires.
+// the name of the entry point. This file replaces that pointer. A failing call does nothing, returns its
+// failure value, and makes glGetError return GL_OUT_OF_MEMORY, as the specification requires.
 #include "calls.hpp"
 
 #include <atomic>

@@ -48,7 +48,7 @@ bool isKernels(const char* path) {
     return real arguments;                                              \
   }
 
-// The mode is always passed on. If the caller did not give one, the value is unused.
+// Always passes the mode on. If the caller did not give a mode, the value is unused.
 #define MODE                                \
   std::va_list list;                        \
   va_start(list, flags);                    \
@@ -107,7 +107,7 @@ FAILING(unlink, int, unlinkat, (int folder, const char* path, int flags), (folde
 FAILING(unlink, int, rmdir, (const char* path), (path), -1, EIO)
 FAILING(mkdir, int, mkdir, (const char* path, mode_t mode), (path, mode), -1, ENOSPC)
 FAILING(lock, int, flock, (int file, int how), (file, how), -1, ENOLCK)
-// Only commands that lock are counted.
+// Only commands that lock a file are counted.
 extern "C" int fcntl(int file, int command, ...) {
   static auto* const real = next<int(int, int, ...)>("fcntl");
   std::va_list list;

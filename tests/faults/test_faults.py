@@ -126,7 +126,7 @@ class Disturbed:
     def __init__(self, name, scratch, first, stride):
         self.name, self.run, self.first, self.stride = name, RUNS[name], first, stride
         self.before = None
-        self.tried = {}  # result of the run that follows, by signature of the folder that it found
+        self.tried = {}  # exit status and output of the following run, by the contents of the folder in which it starts
         if self.run.before:
             self.before = scratch / f"{name}.before"
             self.before.mkdir()
@@ -192,7 +192,7 @@ class Disturbed:
         if self.name != "update" and len(errors) != 1:
             return f"{len(errors)} lines of error"
         if not contents(made):
-            return None  # Without files, there is nothing that a later run could wrongly trust.
+            return None  # No files remain that could mislead a later run.
         found = signature(folder)
         if found not in self.tried:
             self.tried[found] = self.next_run(folder)

@@ -10,7 +10,7 @@
 namespace simreel::fuzz {
 namespace {
 
-/// Returns the run information in the seed files.
+/// Returns the run information that the seed files contain.
 frame::RunInfo run() {
   return {.title = "t",
           .sceneHash = "s",

@@ -12,8 +12,8 @@
 
 using namespace simreel;
 
-// Files of a harness need not survive a power failure, and waiting for the disk would take almost all of
-// the time.
+// Replaces fsync(), because files of a harness need not survive a power failure, and waiting for the disk
+// would take almost all of the time.
 extern "C" int fsync(int /*descriptor*/) {
   return 0;
 }

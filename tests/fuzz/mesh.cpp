@@ -10,8 +10,8 @@
 namespace simreel::fuzz {
 namespace {
 
-/// True for a text that starts with "solid", and for bytes with a zero where a binary STL has its count of
-/// triangles.
+/// True for a text that starts with "solid", and for bytes that have a zero where the triangle count of a
+/// binary STL is.
 bool isStl(std::string_view bytes) {
   return bytes.starts_with("solid") || (bytes.size() > 84 && bytes[83] == '\0');
 }

@@ -1,4 +1,4 @@
-// Fuzzes -D: each line of the input changes one value of a scene that uses every feature.
+// Fuzzes -D. Each line of the input changes one value of a scene that uses every feature.
 #include "base/error.hpp"
 #include "fuzz/reader.hpp"
 #include "scene/load.hpp"

@@ -4,7 +4,7 @@
 
 namespace simreel::fuzz {
 
-/// A harness, which tests one reader of the program with damaged bytes. Each harness is a constant of its
+/// A harness that tests one reader of the program with damaged bytes. Each harness is a constant of its
 /// source file.
 struct Reader {
   /// Reads the bytes as the program would. A UserError is a valid refusal, whose message is then checked.

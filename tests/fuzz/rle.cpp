@@ -13,8 +13,7 @@ constexpr long maxWords = 1 << 16;
 
 void readRle(std::string_view bytes) {
   if (bytes.starts_with("[M2]"))
-    return;  // macrocell.cpp tests these patterns, with a limit on the number
-             // of cells.
+    return;  // macrocell.cpp tests these patterns, because they need a limit on the number of cells.
   const sim::CellPattern pattern = sim::parsePattern(bytes, "fuzz.rle");
   const long rowWords = sim::CellRows::rowWords(pattern.size.x);
   for (const auto& run : pattern.runs)

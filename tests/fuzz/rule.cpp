@@ -1,5 +1,5 @@
-// Fuzzes the reader of rules. A valid rule must be a function of every neighbourhood: all paths through its
-// decision diagram end in a state.
+// Fuzzes the reader of rules. A valid rule must define a result for every neighbourhood, so all paths
+// through its decision diagram must end in a state.
 #include "base/error.hpp"
 #include "fuzz/reader.hpp"
 #include "sim/automata/file/rule_file.hpp"

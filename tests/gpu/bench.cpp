@@ -32,7 +32,7 @@ TEST_CASE("bench: all timing modes record the same frames and stages") {
     const auto count = [&] { return ++done != 14; };
     run.run(3, 5, count);
     CHECK(done == 8);
-    run.run(1, 50, count);  // `count` returns false at the sixth frame and ends the run
+    run.run(1, 50, count);  // `count` returns false at the sixth frame, which ends the run.
     const frame::FrameTimes& times = run.times();
     CHECK(times.frames.size() == 10);
     CHECK(times.frames.front() == 4);  // frame 0 and three warm-up frames are not measured

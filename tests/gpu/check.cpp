@@ -116,8 +116,8 @@ TEST_CASE("checks: statistics of a falling cloth equal semi-implicit Euler") {
   CHECK(*results[0].value == doctest::Approx(10 - 9.8 * dt * dt * n * (n + 1) / 2).epsilon(1e-6));
   CHECK(*results[1].value == doctest::Approx(-9.8 * n * dt).epsilon(1e-5));
   CHECK(*results[2].value == doctest::Approx(9.8 * n * dt).epsilon(1e-5));
-  CHECK(*results[3].value == 384);  // positions.w holds inverse masses: 96 free particles, each 1 / (0.25
-                                    // kg)
+  CHECK(*results[3].value == 384);  // positions.w holds inverse masses, which sum to 96 particles times 1 /
+                                    // (0.25 kg)
   for (const golden::CheckResult& result : results) CHECK(result.passed);
 }
 
@@ -164,8 +164,8 @@ TEST_CASE("checks: a value below \"min\" or above \"max\" fails with a message")
 
 TEST_CASE("checks: drift is relative to the first of the check's frames") {
   testContext();
-  // The energy m g y0 decreases by m g^2 dt^2 n / 2, which is a fraction of 0.00102 at frame 30. Without
-  // spring forces or gravity, the loss would be larger.
+  // The energy m g y0 decreases by m g^2 dt^2 n / 2 in n substeps, which is a fraction of 0.00102 at frame
+  // 30. Without spring forces or gravity, the decrease would be larger.
   CHECK(messageOf(falling(R"({"what": "energy", "drift": 0.0011})"), {0, 30}).empty());
   const std::string message = messageOf(falling(R"({"what": "energy", "drift": 0.0009})"), {0, 30});
   INFO(message);
@@ -259,7 +259,7 @@ TEST_CASE("checks: an unknown array, object or component is refused with the val
   CHECK(refusal(falling(R"({"what": "not-blank", "frames": [0, 59]})"), tested) ==
         "checks[0]: \"not-blank\" needs a picture of frame 59, which is not tested; tested: 0, 9");
   CHECK(refusal(falling(R"({"what": "not-blank"}, {"what": "mass", "max": 1})"), tested).empty());
-  // the checks are set in memory, because the scene reader would reject the mistakes below
+  // Sets the checks in memory, because the scene reader would reject the mistakes below.
   auto made = falling("");
   made.checks.resize(1);
   made.checks[0].what = "max";

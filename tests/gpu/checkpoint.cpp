@@ -1,4 +1,4 @@
-// Tests that a world resumed from a checkpoint continues exactly like an uninterrupted world.
+// Tests that a world resumed from a checkpoint continues exactly as if it had not been interrupted.
 #include "frame/file/checkpoint.hpp"
 
 #include "base/error.hpp"
@@ -72,7 +72,7 @@ TEST_CASE("checkpoint: shipped scenes of every object kind resume with identical
   testContext();
   const test::TemporaryFile place("checkpoint", "");
   ::setenv("SIMREEL_ASSETS", (fs::path(sourceFolder()) / "assets").c_str(), 1);
-  // Skips the slow scenes. The other scenes cover every kind of object in them.
+  // Skips the slow scenes. The other scenes cover every kind of object that they contain.
   const std::string longOnes =
       "\n" + readFile(fs::path(sourceFolder()) / "tests/long_scenes.txt", "list") + "\n";
   std::vector<fs::path> scenes;
@@ -94,7 +94,9 @@ TEST_CASE("checkpoint: shipped scenes of every object kind resume with identical
       if (object.kind == "grayScott")
         atOnce.push_back(scene::parseOverride("objects." + object.name + ".grayScott.presteps=0"));
     }
-    if (kinds.size() == before) continue;  // earlier scenes cover all kinds of objects in this scene
+    if (kinds.size() == before)
+      continue;  // Skips the scene if earlier scenes cover all kinds of objects
+                 // in it.
     const scene::Scene scene = scene::loadScene(file, atOnce, sim::kinds());
     sim::World whole(scene);
     const auto at = summaryAt(whole, 1);
@@ -117,8 +119,8 @@ TEST_CASE("checkpoint: shipped scenes of every object kind resume with identical
     changed += later.stateHash == at.stateHash ? 0 : 1;
   }
   CHECK(kinds.size() >= 15);
-  CHECK(changed >= 9);  // the state must change between frames, because otherwise equal states would prove
-                        // nothing
+  CHECK(changed >= 9);  // The state must change between frames, because equal states would otherwise prove
+                        // nothing.
   ::unsetenv("SIMREEL_ASSETS");
 }
 
@@ -315,7 +317,7 @@ TEST_CASE("checkpoint: a path camera with damping T lags by T seconds, also afte
   const sim::Stand before = sim::standOn(*path->points, *scene.camera.follow, seconds - 0.3);
   const sim::Stand now = sim::standOn(*path->points, *scene.camera.follow, seconds);
   REQUIRE(found.size() == 2);
-  CHECK(glm::distance(found[0], before.target) < 0.01F);  // the path bends slightly at its end
+  CHECK(glm::distance(found[0], before.target) < 0.01F);  // The path bends slightly at its end.
   CHECK(glm::distance(found[1], before.eye) < 1e-3F);
   CHECK(glm::distance(now.eye, before.eye) > 0.25F);
 }

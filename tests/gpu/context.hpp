@@ -5,8 +5,8 @@
 #include <string>
 #include <unistd.h>
 
-/// Returns the single GL context of the test process. It has debug output; check() fails on high-severity
-/// messages.
+/// Returns the single GL context of the test process. The context has debug output, so that check() fails
+/// on high-severity messages.
 simreel::gl::Context& testContext();
 
 /// Returns a temporary path that contains the process ID, because tests run in parallel.

@@ -68,7 +68,7 @@ TEST_CASE("shader errors name the source file and line, also inside includes") {
   CHECK(messageOf("late.comp").find("glsl/late.comp:3") != std::string::npos);
   CHECK(messageOf("missing.comp").find("nowhere.glsl") != std::string::npos);
   try {
-    testContext().check();  // some drivers also report the error here; it must not reach the next test
+    testContext().check();  // Some drivers also report the error here. It must not reach the next test.
   } catch (const UserError&) {
   }
 }
@@ -142,7 +142,7 @@ TEST_CASE("memory in large pages comes back: allocating many times the device me
     glCreateBuffers(1, &name);
     const gl::Handle<gl::DeleteBuffer> buffer(name);
     const bool stored = gl::storeInLargePages(name, bytes);
-    if (i == 0 && !stored) return;  // skips the test if the driver does not support large pages
+    if (i == 0 && !stored) return;  // Skips the test if the driver does not support large pages.
     REQUIRE(stored);
     GLint64 has = 0;
     glGetNamedBufferParameteri64v(name, GL_BUFFER_SIZE, &has);
@@ -157,8 +157,7 @@ TEST_CASE("exceeding a limit is reported before memory is allocated") {
                        doctest::Contains("GL_MAX_SHADER_STORAGE_BLOCK_SIZE"), UserError);
   CHECK_THROWS_WITH_AS(gl::Texture::image("wide", GL_RGBA8, gl::limits().textureSize + 1, 1),
                        doctest::Contains("GL_MAX_TEXTURE_SIZE"), UserError);
-  // The limit of a buffer that is only read as texels is the texel limit, which is larger on software
-  // drivers.
+  // A buffer that shaders read only as texels has the texel limit, which is larger on software drivers.
   if (tooMany > std::size_t{256} << 20 || gl::limits().texelBufferTexels < 1 << 27) return;
   const std::vector<glm::vec2> texels(tooMany / sizeof(glm::vec2));
   const gl::Buffer buffer = gl::Buffer::ofTexels<glm::vec2>("maps", texels);

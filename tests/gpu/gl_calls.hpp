@@ -18,7 +18,7 @@ class GlCalls {
   static inline long count = 0;
 
  private:
-  /// Replacement of one libepoxy function pointer that counts calls.
+  /// Replacement for one libepoxy function pointer, which counts calls.
   template <auto* Pointer>
   struct Counted;
   template <class Result, class... Args, Result (**Pointer)(Args...)>
@@ -31,7 +31,7 @@ class GlCalls {
     }
     static void install(bool on, const char* name) {
       if (on) {
-        // The driver's function is not read from the variable: before the first call, the variable holds
+        // The driver's function is not read from the variable. Before the first call, the variable holds
         // libepoxy's resolver, which overwrites the variable.
         driver = reinterpret_cast<Result (*)(Args...)>(eglGetProcAddress(name));
         before = *Pointer;

@@ -140,15 +140,15 @@ TEST_CASE("a kernel waits for what was written of what it reads, and makes no ot
     kernel.dispatchGroups({1, 1, 1}, given);
     return GlCalls::count;
   };
-  const long without = callsOf(stage.given(0, 1));  // writes resources that have not been accessed since
-                                                    // the last barrier
+  const long without = callsOf(stage.given(0, 1));  // The dispatch writes resources that have not been
+                                                    // accessed since the last barrier.
   CopyKernel reading = stage.given(0, 1);
   const gl::Buffer apart("words", 8);
   reading.words = apart;
   CHECK(callsOf(reading) == without);
   reading.picture = words;
   CHECK(callsOf(reading) == without + 1);
-  CHECK(callsOf(stage.given(0, 1)) == without + 1);  // the dispatch needs a barrier after the read
+  CHECK(callsOf(stage.given(0, 1)) == without + 1);  // The dispatch needs a barrier after the read.
   gl::barrier();
   CHECK(callsOf(reading) == without);
 }

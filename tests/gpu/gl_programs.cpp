@@ -82,7 +82,7 @@ TEST_CASE("a program is linked at its first use") {
   CHECK(!static_cast<bool>(gl::Program()));
   try {
     testContext().check();
-  } catch (const std::exception&) {  // some drivers also report the error here
+  } catch (const std::exception&) {  // Some drivers also report the failed compilation as a debug message.
   }
 }
 

@@ -95,7 +95,7 @@ TEST_CASE("kernel guards: endless loops end at the limit, and loops around them 
   const Buffers made = ran(kernel, {{"_A", Numbers(8)}}, 1);
   CHECK(text(made.at("_A")) == "1000 1001 1007 2 1005 1008 1016 1003");
   CHECK(faults(kernel, made) == "loop :7 1 3 50 50");
-  // the Collatz sequence of 27 takes 111 steps
+  // The Collatz sequence of 27 takes 111 steps.
   std::string more = source;
   more.replace(more.find("i + 1"), 5, "i + 24");
   more.replace(more.find("i == 3"), 6, "false");
@@ -174,14 +174,14 @@ TEST_CASE(
   CHECK(races(kernel("  InterlockedAdd(_B[0], i); _A[i] = 4;"), given, 4) == "");
   CHECK(races(kernel("  _A[i + 32] = i;"), given, 4) == "");  // out-of-range writes are dropped
   CHECK(races(kernel("  if (i % 8 == 3)\n    _B[1] = i;"), given, 4) == "race-write _B:4 3 3 27 1");
-  // one of the two invocations stores a value that is already there, so only the other invocation counts
+  // One of the two invocations stores a value that is already there, so only the other invocation counts.
   CHECK(races(kernel("  if (i % 16 == 3)\n    _B[1] = i - 3;"), given, 4) == "race-write _B:4 1 3 19 1");
 }
 
 namespace {
 
-/// Returns the source of a kernel in the style of tutorials, which computes spring forces between the
-/// neighbours in an 8 x 8 cloth.
+/// Returns the source of a kernel in the style of tutorials. The kernel computes spring forces between
+/// neighbouring particles of an 8 x 8 cloth.
 std::string cloth(const std::string& in, const std::string& out) {
   return "struct Particle { float3 position; float invMass; float3 velocity; float padding; };\n"
          "RWStructuredBuffer<Particle> " +
@@ -282,8 +282,8 @@ TEST_CASE("kernel guards: words of GLSL's blocks have their own shadows, matrice
            "void main() { uint i = gl_GlobalInvocationID.x; \n" +
            code + "\n}\n";
   };
-  // Layout in words: 4 for the total and padding, 12 for a matrix, then 16 per body. A body has at, w, and
-  // three rows of two numbers with padding.
+  // Layout in words: 4 for the total and padding, 12 for a matrix, then 16 per body. A body has the members
+  // `at` and `w`, and three rows of two numbers with padding.
   const Buffers given = {{"Values", counted(4 + 12 + 16 * 8)}};
   const auto told = [&](const std::string& code) { return races(kernel(code), given, 2, "guards.comp"); };
   CHECK(told("bodies[i].at = vec3(total) + bodies[(i + 1) % 8].w;") == "");

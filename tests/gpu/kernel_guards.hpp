@@ -107,8 +107,8 @@ inline std::string text(const Numbers& words) {
   return fmt::format("{}", fmt::join(words, " "));
 }
 
-/// Returns the races of a dispatch. The dispatch runs twice from equal states: once to record accesses,
-/// once to check them. `prepare` sets the state outside of buffers, such as images.
+/// Returns the races of a dispatch. The dispatch runs twice from equal states, first to record accesses and
+/// then to check them. `prepare` sets state other than buffers, such as images.
 template <class Prepare>
 std::string racesWith(Prepare prepare, const std::string& source, const Buffers& given, GLuint groups,
                       const std::string& name = "guards.hlsl") {

@@ -10,7 +10,7 @@ using simreel::gl::Context;
 
 namespace {
 
-/// Returns the memory path from SIMREEL_TEST_MEMORY_PATH: "storage" or "texel". The value "other" selects
+/// Returns the memory path from SIMREEL_TEST_MEMORY_PATH, "storage" or "texel". The value "other" selects
 /// the path that is not the driver's default. An empty result means the default.
 std::string wantedPath() {
   // NOLINTNEXTLINE(concurrency-mt-unsafe): the environment is only read.

@@ -58,7 +58,7 @@ class Contours(unittest.TestCase):
 
     def expected(self, values, level):
         found = measure.find_contours(values, level, fully_connected="high")
-        return [points[:, ::-1] for points in found]  # rows come first there
+        return [points[:, ::-1] for points in found]  # In these arrays, the row index comes first.
 
     def check_same(self, loops, expected):
         self.assertEqual(len(loops), len(expected))
@@ -74,11 +74,12 @@ class Contours(unittest.TestCase):
         self.check_same(loops, self.expected(rock, 0.5))
         open_regions, rooms = measure.label(rock == 0, connectivity=1, return_num=True)
         rocks = measure.label(rock == 1, connectivity=2, return_num=True)[1]
-        self.assertEqual(len(loops), rooms + rocks - 1)  # around each room, and around each rock in one
+        self.assertEqual(len(loops), rooms + rocks - 1)  # There is one loop around each room, and one around each rock
+                                                         # in a room.
         if cave["connect"]:
             self.assertLessEqual(rooms, 1)
         sizes = numpy.bincount(open_regions.ravel())[1:]
-        if rooms > 1:  # the largest stays whatever its size
+        if rooms > 1:  # The largest room is kept regardless of its size.
             self.assertGreaterEqual(sorted(sizes)[0], cave["smallestRoom"])
         steps = numpy.load(self.baked(f"{name}.distance", "npy")) if rooms else None
         if rooms == 1:

@@ -27,8 +27,8 @@ glm::dvec3 direction(Random& random) {
   return {r * std::cos(angle), r * std::sin(angle), z};
 }
 
-/// Returns a random point of a Plummer sphere with scale 1 m. The mass fraction m is inside the radius
-/// 1/sqrt(m^(-2/3) - 1).
+/// Returns a random point of a Plummer sphere with scale 1 m. The sphere of radius 1 / sqrt(m^(-2/3) - 1)
+/// contains the mass fraction m.
 glm::dvec3 inPlummer(Random& random) {
   const double mass = std::min(random(), 0.999);
   return direction(random) / std::sqrt(std::pow(mass, -2.0 / 3.0) - 1);

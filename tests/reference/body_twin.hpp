@@ -6,12 +6,12 @@
 
 #include <glm/vec4.hpp>
 
-/// CPU twin of skinning: runs the kernel's own model (glsl/body/model.glsl compiled as C++).
+/// CPU twin of skinning. It runs the kernel's own model (glsl/body/model.glsl compiled as C++).
 class BodyTwin {
  public:
   explicit BodyTwin(const simreel::sim::Figure& figure) : figure_(figure) {}
 
-  /// Skins all vertices for a moment between two poses (BodyMotion::rowsAt). `now`: the moment as a
+  /// Skins all vertices for a moment between two poses (BodyMotion::rowsAt). `now`: the moment, as a
   /// fraction of the frame.
   void skin(std::vector<glm::vec4> begin, const std::vector<glm::vec4>& end, double now) {
     begin.insert(begin.end(), end.begin(), end.end());

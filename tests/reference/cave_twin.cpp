@@ -81,8 +81,8 @@ void CaveTwin::clean() {
   remove(true, parameters_.smallestRock);
 }
 
-/// Returns the index of the nearest open cell for each cell, by breadth-first search from all open cells.
-/// Among equally near cells, the one with the lowest index is returned.
+/// Returns the index of the nearest open cell for each cell, found by breadth-first search from all open
+/// cells. If several open cells are equally near, returns the one with the lowest index.
 std::vector<int> CaveTwin::nearestOpen() const {
   std::vector<int> source(rock.size(), -1);
   std::vector<std::size_t> wave;
@@ -114,8 +114,8 @@ std::vector<int> CaveTwin::nearestOpen() const {
   return source;
 }
 
-/// Returns the corridors of Kruskal's spanning tree. Its edges are the paths across each border between two
-/// cells, sorted by length, then by the border's index.
+/// Returns the corridors of Kruskal's spanning tree. The edges of the graph are the paths across each
+/// border between two cells, sorted by length, then by the border's index.
 std::vector<CaveTwin::Corridor> CaveTwin::corridors() const {
   std::vector<Corridor> dug;
   const std::vector<int> room = regions(false);

@@ -7,7 +7,7 @@
 #include <glm/vec2.hpp>
 
 /// CPU twin of the cave automaton, in plain loops over cells. It uses queues, sorted edges and neighbour
-/// counts where the kernels use labels, minima and bitwise adders. Equals the GPU bit for bit.
+/// counts instead of the kernels' labels, minima and bitwise adders. Equals the GPU bit for bit.
 class CaveTwin {
  public:
   CaveTwin(const simreel::sim::CaveParameters& parameters, int seed);
@@ -25,8 +25,8 @@ class CaveTwin {
   [[nodiscard]] std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x) + static_cast<std::size_t>(x);
   }
-  /// Returns for each cell of the given kind the lowest cell index (row by row) in the cell's region.
-  /// Returns -1 for other cells.
+  /// Returns, for each cell, the lowest cell index (row by row) in the cell's region, or -1 for cells of
+  /// the other kind. `ofRock`: true for regions of rock, false for open regions.
   [[nodiscard]] std::vector<int> regions(bool ofRock) const;
   /// Returns the number of steps from an open cell to each cell, or -1 for an unreachable cell.
   [[nodiscard]] std::vector<int> distancesFrom(glm::ivec2 start) const;

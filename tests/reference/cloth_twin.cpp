@@ -157,7 +157,8 @@ void solveLine(Kernel& kernel, std::vector<vec4>& particles, std::vector<vec4>& 
         moved[k];
 }
 
-/// Relaxes the families of pairs one after the other. Each family is split into two colours.
+/// Relaxes the families of pairs one after the other. Each family is divided into two colours, whose pairs
+/// share no particle.
 void relaxPairs(Kernel& kernel, const simreel::sim::ClothParameters& parameters,
                 const std::vector<vec4>& positions, std::vector<vec4>& next) {
   const ivec2 size = parameters.size;

@@ -19,7 +19,7 @@ class ClothTwin {
   /// Steps one frame that starts at `time` (seconds). `threads`: number of threads; 0 to use all
   /// processors.
   void step(double time, int threads = 1);
-  /// Steps one substep with the given data. `index` is the substep's index in the frame.
+  /// Steps one substep with the given data. `index`: index of the substep in the frame.
   void substep(const simreel::shader::ClothStep& data, int threads = 1, int index = 0);
   /// predict() and finish() are the two halves of a substep. Between them, contact may change `next`;
   /// settle() then resolves collisions.
@@ -27,14 +27,14 @@ class ClothTwin {
   void settle(const simreel::shader::ClothStep& data, int index = 0, bool again = true);
   void finish();
 
-  std::vector<glm::vec4> positions;   ///< xyz in metres; w: inverse mass
-  std::vector<glm::vec4> velocities;  ///< xyz in m/s; w: pin group
+  std::vector<glm::vec4> positions;   ///< positions (xyz, metres); w: inverse mass
+  std::vector<glm::vec4> velocities;  ///< velocities (xyz, m/s); w: pin group
   std::vector<glm::vec4> trends;      ///< velocity changes (glsl/cloth/motion.glsl), xyz in m/s
   std::vector<glm::vec4> next;        ///< positions after the substep; valid between predict() and finish()
   /// Deformed mesh that the cloth may touch.
   std::optional<simreel::sim::HeightPlan> heightPlan;
-  std::vector<glm::vec4> heights;      ///< heights of the mesh in metres; x: at the frame's start, y: at
-                                       ///< its end
+  std::vector<glm::vec4> heights;      ///< heights of the mesh in metres: x at the frame's start, y at the
+                                       ///< frame's end
   std::optional<DistanceTwin> meshes;  ///< rigid meshes that the cloth may touch
   std::optional<WallsTwin> walls;      ///< solid that the cloth may touch
   std::optional<WindTwin> wind;        ///< fluid whose wind acts on the cloth

@@ -24,7 +24,7 @@ inline std::vector<glm::uvec3> facesOfSheet(glm::ivec2 size) {
   return faces;
 }
 
-/// A solid whose vertex positions at a time are `at`; w is 0.
+/// A solid. The function `at` returns its vertex positions at a time, with w = 0.
 struct PileSolid {
   std::function<std::vector<glm::vec4>(double time)> at;
   std::vector<glm::uvec3> faces;
@@ -34,7 +34,7 @@ struct PileSolid {
 /// CPU twins of cloths that touch themselves, each other, balls and solids.
 struct Pile {
   std::vector<std::unique_ptr<ClothTwin>> cloths;
-  std::unique_ptr<ParticlesTwin> balls;  ///< twin of the balls; null if none exist
+  std::unique_ptr<ParticlesTwin> balls;  ///< twin of the balls; null if there are no balls
   std::vector<PileSolid> solids;
   std::unique_ptr<ContactTwin> contact;
   std::vector<glm::uvec3> faces;  ///< faces of all parts, with global vertex indices

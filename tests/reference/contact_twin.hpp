@@ -23,7 +23,8 @@ class ContactTwin {
   /// Resolves the contacts again after push(), because colliders may have moved `next`.
   void hold(const std::vector<Part>& parts);
 
-  /// Counts of the last substep.
+  /// Counts of the last substep: candidate pairs, near pairs, touching pairs, vertices whose motion was
+  /// shortened, and vertices that moving solids carried along.
   std::size_t pairs = 0, nears = 0, touching = 0, stopped = 0, carried = 0;
   long searches = 0;  ///< total number of searches so far
   bool allStopped = false;

@@ -31,9 +31,9 @@ struct Cylinder {
 };
 
 /// Returns case 2D-2 of Schaefer and Turek (1996), "Benchmark computations of laminar flow around a
-/// cylinder", in metres and seconds. The channel has 2.2 x 0.41, and the cylinder has diameter 0.1 at (0.2,
-/// 0.2). The inflow is parabolic with peak speed 1.5 and mean speed 1, and Re is 100. `n`: cells per
-/// diameter.
+/// cylinder", in metres and seconds. The channel is 2.2 long and 0.41 high. The cylinder has the diameter
+/// 0.1 and its centre at (0.2, 0.2). The inflow is parabolic with peak speed 1.5 and mean speed 1, and Re
+/// is 100. `n`: number of cells per diameter.
 [[nodiscard]] Cylinder schaeferTurek(int n);
 /// Returns a cylinder at Re 100 between two slip sides that are 30 diameters apart. `n`: cells per
 /// diameter.
@@ -45,8 +45,8 @@ void note(Wake& wake, const Cylinder& cylinder, double time, std::span<const dou
 /// Returns a square cavity of n x n cells whose top moves at n cells/s.
 [[nodiscard]] simreel::sim::FluidParameters cavity(int n, double reynolds);
 
-/// Tables I and II of Ghia, Ghia and Shin (1982) without the end points: u along the vertical centre line
-/// and v along the horizontal one, both divided by the lid's speed. y and v point upwards.
+/// Tables I and II of Ghia, Ghia and Shin (1982) without the end points. They contain u along the vertical
+/// centre line and v along the horizontal one, both divided by the lid's speed. y and v point upwards.
 struct Ghia {
   double reynolds;
   std::vector<double> u, v;
@@ -58,8 +58,8 @@ struct Ghia {
 [[nodiscard]] double ghiaError(const Ghia& table, int n, std::span<const glm::vec4> flow,
                                std::vector<double>* where = nullptr);
 
-/// Extrema on the centre lines of a cavity: the minimum of u on the vertical one, and the maximum and
-/// minimum of v on the horizontal one. They are refined by parabolas through three nodes.
+/// Extrema on the centre lines of a cavity. These are the minimum of u on the vertical line, and the
+/// maximum and minimum of v on the horizontal line. They are refined by parabolas through three nodes.
 struct Extremes {
   double u, most, least;
 };

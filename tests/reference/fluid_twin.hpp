@@ -20,7 +20,7 @@ class FluidTwin {
   void setStep(const simreel::shader::FluidStep& step) { step_ = step; }
   /// Gives the obstacles their state after `step` substeps of the frame that starts at `time` (seconds).
   void place(double time, int step);
-  void advect();  ///< also applies forces
+  void advect();  ///< Advects the flow, and applies forces.
   void paint(double time, int step);
   void project();
   void moveDye();
@@ -109,6 +109,6 @@ class FluidTwin {
   std::shared_ptr<const simreel::sim::FluidSolids> solids_;
   simreel::shader::FluidStep step_{};
   std::vector<glm::vec4> carried_;
-  std::vector<glm::vec2> sum_;  ///< sum of the corrections of each cell (x), and its rounding error (y)
+  std::vector<glm::vec2> sum_;  ///< x: sum of the corrections of each cell; y: rounding error of the sum
   std::vector<Level> levels_;
 };

@@ -18,19 +18,19 @@ class GarmentTwin {
 
   /// Steps one frame that starts at `time` (seconds).
   void step(double time);
-  /// Steps one substep with the given data. `index` is the substep's index in the frame.
+  /// Steps one substep with the given data. `index`: index of the substep in the frame.
   void substep(const simreel::shader::ClothStep& data, int index = 0);
   /// Returns the normals of the cloth's vertices.
   [[nodiscard]] std::vector<glm::vec3> normals() const;
 
-  std::vector<glm::vec4> positions;   ///< xyz in metres; w: inverse mass
-  std::vector<glm::vec4> velocities;  ///< xyz in m/s; w: pin group
+  std::vector<glm::vec4> positions;   ///< positions (xyz, metres); w: inverse mass
+  std::vector<glm::vec4> velocities;  ///< velocities (xyz, m/s); w: pin group
   std::vector<glm::vec4> trends;      ///< velocity changes, xyz in m/s; for pinned vertices the rest
                                       ///< position in metres
   /// Deformed mesh that the cloth may touch.
   std::optional<simreel::sim::HeightPlan> heightPlan;
-  std::vector<glm::vec4> heights;      ///< heights of the mesh in metres; x: at the frame's start, y: at
-                                       ///< its end
+  std::vector<glm::vec4> heights;      ///< heights of the mesh in metres: x at the frame's start, y at the
+                                       ///< frame's end
   std::optional<DistanceTwin> meshes;  ///< rigid meshes that the cloth may touch
   std::optional<WallsTwin> walls;      ///< solid that the cloth may touch
   std::optional<WindTwin> wind;        ///< fluid whose wind acts on the cloth

@@ -17,18 +17,22 @@ class GravityTreeTwin {
     std::int64_t leaves = 0;  ///< number of opened leaves
   };
 
-  /// Sorts the bodies and builds the tree. Bodies have xyz in metres and w in kg. `threads`: number of
-  /// threads; 0 to use all processors.
+  /// Sorts the bodies and builds the tree. xyz of a body is the position in metres, and w is the mass in
+  /// kg. `threads`: number of threads; 0 to use all processors.
   GravityTreeTwin(std::span<const glm::vec4> bodies, float opening, int threads = 1);
 
-  /// Returns the accelerations in m/s^2, in the order in which the bodies were given; w is 0.
+  /// Returns the accelerations in m/s^2, in the order in which the bodies were given. w is 0.
   [[nodiscard]] std::vector<glm::vec4> accelerations(float gravity, float softening);
 
   std::vector<unsigned> order;     ///< indices of the bodies in order along the Hilbert curve
-  std::vector<glm::vec4> sorted;   ///< bodies in order along the curve, padded with zeros to whole trees
-  std::vector<glm::vec4> boxes;    ///< two elements per node: min and max corner
-  std::vector<glm::vec4> cells;    ///< one element per node: centre of mass; w: squared opening radius
-  std::vector<glm::vec4> moments;  ///< two elements per node: mass and second moments
+  std::vector<glm::vec4> sorted;   ///< bodies in order along the Hilbert curve, padded with zeros to whole
+                                   ///< trees
+  std::vector<glm::vec4> boxes;    ///< boxes of the nodes, two elements per node: the min and the max
+                                   ///< corner
+  std::vector<glm::vec4> cells;    ///< centres of mass of the nodes, one element per node; w: squared
+                                   ///< opening radius
+  std::vector<glm::vec4> moments;  ///< multipoles of the nodes, two elements per node: mass and second
+                                   ///< moments
   Work work;                       ///< work of the last call of accelerations()
 
  private:

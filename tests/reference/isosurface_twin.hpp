@@ -3,9 +3,9 @@
 
 #include <functional>
 
-/// CPU twin of marching cubes, which processes one sample after another. It uses the kernels' vertex
-/// numbering and triangle order and equals the GPU bit for bit. `value` returns the value of a volume's
-/// cell. uvs.x is the colour number of each vertex.
+/// CPU twin of marching cubes. It processes one sample after another. It uses the kernels' vertex numbering
+/// and triangle order and equals the GPU bit for bit. `value`: function that returns the value of a
+/// volume's cell. uvs.x is the colour number of each vertex.
 [[nodiscard]] simreel::sim::MeshTable isosurfaceTwin(const simreel::sim::IsosurfaceShape& shape,
                                                      float level,
                                                      const std::function<float(int, int, int)>& value,

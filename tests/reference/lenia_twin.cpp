@@ -66,8 +66,8 @@ LeniaInDouble::LeniaInDouble(const LeniaPlan& plan) : size_(plan.parameters().si
     for (int x = 0; x < size_.x; ++x)
       cells.push_back(
           static_cast<double>(first[static_cast<std::size_t>(y * plan.rowItems() + x / 4)][x % 4]));
-  // The kernels are computed from their definition: normalized rings of (4 r (1 - r))^4 or exp(4 - 1 / (r
-  // (1 - r))), where r is the fraction of the ring's width.
+  // Computes the kernels from their definition. They are normalized rings of (4 r (1 - r))^4 or exp(4 - 1 /
+  // (r (1 - r))), where r is the fraction of the ring's width.
   for (const LeniaKernel& kernel : p_.kernels)
     range_ = std::max(range_, static_cast<int>(std::ceil(kernel.radius)));
   for (const LeniaKernel& kernel : p_.kernels) {
@@ -140,7 +140,7 @@ double SmoothLifeInDouble::at(int x, int y) const {
 }
 
 void SmoothLifeInDouble::step() {
-  // The edge of a disc is a linear ramp one cell wide, half of which is outside.
+  // The edge of a disc is a linear ramp that is one cell wide. Half of it is outside the disc.
   const auto disc = [](double d, double radius) {
     return d < radius - 0.5 ? 1.0 : d > radius + 0.5 ? 0.0 : radius + 0.5 - d;
   };

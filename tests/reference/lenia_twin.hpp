@@ -15,9 +15,9 @@ class LeniaTwin {
   simreel::sim::LeniaPlan plan_;
 };
 
-/// SmoothLife in double precision, written from its paper (Rafler 2011, arXiv:1111.1567): the equations of
-/// M, N, sigma_1, sigma_2, sigma_m and s, and smooth steps f + dt (2 s - 1). There is one value per cell;
-/// rows have no padding.
+/// SmoothLife in double precision, implemented independently from its paper (Rafler 2011, arXiv:1111.1567).
+/// It has the equations of M, N, sigma_1, sigma_2, sigma_m and s, and smooth steps f + dt (2 s - 1). There
+/// is one value per cell. Rows have no padding.
 class SmoothLifeInDouble {
  public:
   explicit SmoothLifeInDouble(const simreel::sim::LeniaPlan& plan);
@@ -30,8 +30,8 @@ class SmoothLifeInDouble {
   simreel::sim::LeniaParameters p_;
 };
 
-/// Lenia's equations in double precision, written independently as sums over neighbours. There is one value
-/// per cell; rows have no padding.
+/// Lenia's equations in double precision, implemented independently as sums over neighbours. There is one
+/// value per cell. Rows have no padding.
 class LeniaInDouble {
  public:
   explicit LeniaInDouble(const simreel::sim::LeniaPlan& plan);

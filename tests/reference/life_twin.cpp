@@ -148,7 +148,7 @@ void fastBytes(std::vector<std::uint8_t>& cells, std::vector<std::uint8_t>& next
       const auto n = static_cast<std::uint8_t>(a[x - 1] + a[x] + a[x + 1] + b[x - 1] + b[x + 1] + c[x - 1] +
                                                c[x] + c[x + 1]);
       out[x] = static_cast<std::uint8_t>((n | b[x]) == 3);  // True if n is 3, or if n is 2 and the cell is
-                                                            // alive.
+                                                            // alive. n is the number of living neighbours.
     }
   }
 }

@@ -11,7 +11,7 @@
 /// Uses one byte per cell and rows without padding.
 std::vector<std::uint8_t> nextBytes(const std::vector<std::uint8_t>& cells, glm::ivec2 size,
                                     const simreel::sim::LifeRule& rule, bool torus);
-/// Computes the next generation of B3/S23 on a torus, optimized for one byte per cell: a single loop, which
+/// Computes the next generation of B3/S23 on a torus, optimized for one byte per cell. A single loop, which
 /// compilers vectorize, handles a whole row. `cells` has size.y + 2 rows of size.x + 2 bytes. This function
 /// fills the ghost cells at the borders.
 void fastBytes(std::vector<std::uint8_t>& cells, std::vector<std::uint8_t>& next, glm::ivec2 size);

@@ -21,7 +21,7 @@ struct OcclusionTwin {
   /// because the keys do not contain it.
   void see(const simreel::shader::Frame& frame, int samples, const std::vector<std::uint32_t>& keys,
            bool ground);
-  /// Returns the openness of each pixel of half resolution: 0 if fully occluded, 1 if not occluded.
+  /// Returns the openness of each half-resolution pixel, from 0 (fully occluded) to 1 (not occluded).
   [[nodiscard]] std::vector<float> openness() const;
   /// Returns the interpolated openness for shading point `p` (metres) at `pixel` of the full-size picture.
   [[nodiscard]] float opennessOn(const std::vector<float>& openness, glm::ivec2 pixel, glm::vec3 p) const;

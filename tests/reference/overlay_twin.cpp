@@ -33,7 +33,7 @@ T texelFetch(const std::vector<T>& texels, int i) {
 
 struct FieldModel : FieldInputs {
   static constexpr bool magnified = false;  // The value `false` selects the loops that kernels with the
-                                            // define omit.
+                                            // define MAGNIFIED leave out.
   const std::vector<vec4>& reduced;
 
   [[nodiscard]] vec4 reducedAt(ivec2 at) const {

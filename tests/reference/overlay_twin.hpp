@@ -42,11 +42,11 @@ class FieldTwin {
   /// Returns the texels of the averaged field, x fastest. If the field is colored, rgb is light and a is
   /// the normalized value. Otherwise all components are the value.
   [[nodiscard]] std::vector<glm::vec4> averaged(glm::ivec2 texels) const;
-  /// Sets averaged texels that later calls read in place of cells. inputs.size must be the number of these
+  /// Sets averaged texels, which later calls read instead of cells. inputs.size must be the number of these
   /// texels.
   void setReduced(std::vector<glm::vec4> texels) { reduced_ = std::move(texels); }
-  /// over() draws the field over a part of a picture (left, top, right, bottom). behind() draws it behind
-  /// the picture.
+  /// over() draws the field over a part of a picture (left, top, right, bottom). behind() draws the field
+  /// behind the picture.
   void over(OverlayPicture<OverlayBytes>& picture, glm::ivec4 part) const;
   void behind(OverlayPicture<glm::vec4>& light, glm::ivec4 part) const;
 

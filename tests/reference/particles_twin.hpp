@@ -28,14 +28,14 @@ class ParticlesTwin {
   void predict(int index, int threads = 1);
   void settle(int index);
 
-  std::vector<glm::vec4> positions;      ///< xyz in metres; w: mass in kg
-  std::vector<glm::vec4> velocities;     ///< xyz in m/s; w: age in seconds
-  std::vector<glm::vec4> accelerations;  ///< xyz in m/s^2
+  std::vector<glm::vec4> positions;      ///< positions (xyz, metres); w: mass in kg
+  std::vector<glm::vec4> velocities;     ///< velocities (xyz, m/s); w: age in seconds
+  std::vector<glm::vec4> accelerations;  ///< accelerations (xyz, m/s^2)
   std::vector<glm::vec4> starts;         ///< positions before predict()
   /// Deformed mesh that the particles may touch.
   std::optional<simreel::sim::HeightPlan> heightPlan;
-  std::vector<glm::vec4> heights;      ///< heights of the mesh in metres; x: at the frame's start, y: at
-                                       ///< its end
+  std::vector<glm::vec4> heights;      ///< heights of the mesh in metres: x at the frame's start, y at the
+                                       ///< frame's end
   std::optional<DistanceTwin> meshes;  ///< rigid meshes that the particles may touch
   std::optional<WallsTwin> walls;      ///< solid that the particles may touch
   std::optional<WindTwin> wind;        ///< fluid whose wind acts on the particles

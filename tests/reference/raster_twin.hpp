@@ -6,7 +6,7 @@
 
 #include <glm/vec3.hpp>
 
-/// The visible primitive of each sample, in row order: the primitive's depth key and index.
+/// Result for each sample, in row order: the depth key and the index of the visible primitive.
 struct RasterTwinResult {
   std::vector<std::uint32_t> keys, ids;
 };

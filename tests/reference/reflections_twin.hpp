@@ -15,8 +15,8 @@ struct ReflectionsTwin {
   /// Stores the nearness (1/m) of half-resolution pixels and the light of full-size pixels, row by row, and
   /// builds the mip levels of both.
   void see(const std::vector<float>& nearness, const std::vector<glm::vec4>& light);
-  /// A reflection ray from `p` in a unit direction. `facing` is the surface's normal, and `towards` is the
-  /// unit direction to the eye.
+  /// A reflection ray from `p` in a unit direction. `facing`: normal of the surface. `towards`: unit
+  /// direction to the eye.
   struct Ray {
     glm::vec3 p{0}, direction{0}, facing{0}, towards{0};
     float roughness = 0, turns = 0;

@@ -86,7 +86,8 @@ void SolidTwin::addPoint(const Edge& edge, int level) {
     return at.x >= 0 && at.y >= 0 && at.x < shape_.size.x && at.y < shape_.size.y;
   };
   float part = 0.5F;
-  glm::vec2 out(edge.to > edge.from ? -1 : 1, 0);  // x is across the edge, y along it.
+  glm::vec2 out(edge.to > edge.from ? -1 : 1, 0);  // Position of a crossing, with x across the edge and y
+                                                   // along the edge.
   if (isWithin(cell) && isWithin(next)) {
     const glm::ivec2 side(edge.along.y, edge.along.x);
     const auto at = [&](glm::ivec2 place) { return valueAt(place.x, place.y); };
@@ -141,7 +142,7 @@ void SolidTwin::addSquares() {
     }
 }
 
-/// Adds the contour segments and walls of a square. Visits the square's sides in order, up to twice: a
+/// Adds the contour segments and walls of a square. Visits the square's sides in order, up to twice. A
 /// contour that enters at one side leaves at the next crossing of the same level.
 void SolidTwin::addWalls(int x, int y) {
   const glm::ivec2 corners[] = {{x, y}, {x + 1, y}, {x + 1, y + 1}, {x, y + 1}};

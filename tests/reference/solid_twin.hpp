@@ -6,17 +6,17 @@
 
 #include <glm/vec2.hpp>
 
-/// CPU twin of a field's solid. It processes squares one after the other and polygons as lists. It uses the
-/// kernels' vertex numbering and triangle order and equals the GPU bit for bit.
+/// CPU twin of a field's solid. It processes squares one after the other and stores polygons as lists. It
+/// uses the kernels' vertex numbering and triangle order and equals the GPU bit for bit.
 struct SolidTwin {
-  /// `value` returns the value of the field's cell (x, y).
+  /// `value`: function that returns the value of the field's cell (x, y).
   SolidTwin(const simreel::sim::SolidShape& shape, const std::function<float(int x, int y)>& value);
 
   simreel::sim::MeshTable mesh;
   simreel::sim::ContourLines lines;
 
-  /// Returns the class of a sample: the number of levels that its value reaches. The field's cells begin at
-  /// sample (1, 1).
+  /// Returns the class of a sample, which is the number of levels that the sample's value reaches. The
+  /// field's cells begin at sample (1, 1).
   [[nodiscard]] int classAt(int x, int y) const;
 
  private:

@@ -89,7 +89,7 @@ struct Grid {
     if (x < 0 || y < 0 || x >= size.x || y >= size.y) return false;
     return (cells[index(x, y)] & classMask) == classActive;
   }
-  /// Returns one bit per neighbour, row by row; the bit is set if the neighbour is active.
+  /// Returns one bit per neighbour, row by row. The bit is set if the neighbour is active.
   [[nodiscard]] std::uint32_t neighbours(int x, int y) const {
     std::uint32_t bits = 0;
     int d = 0;

@@ -23,8 +23,8 @@ class Around {
   simreel::shader::GridJoin join_;
 };
 
-/// Returns the next state for rules in which living cells that do not survive age. State 0 is dead, 1
-/// alive, and 2 and higher ageing.
+/// Returns the next state for rules in which living cells that do not survive grow older. State 0 is dead,
+/// state 1 is alive, and states 2 and higher are stages of ageing.
 int aged(int state, bool born, bool survives, int states) {
   if (state == 0) return born ? 1 : 0;
   if (state == 1 && survives) return 1;

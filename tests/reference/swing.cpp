@@ -49,9 +49,9 @@ Case springs(double degrees, double spacing) {
   Case made = sheet(degrees, spacing);
   made.name = "springs";
   made.parameters.mass = static_cast<float>(spacing * spacing);  // The mass per area is 1 kg/m^2.
-  made.parameters.substeps = spacing < 0.03 ? 64 : 32;           // These substeps limit w dt, with the
-                                                                 // highest angular frequency w of the
-                                                                 // lattice, to 0.7.
+  made.parameters.substeps = spacing < 0.03 ? 64 : 32;           // These numbers of substeps limit w dt to
+                                                                 // 0.7, where w is the highest angular
+                                                                 // frequency of the lattice.
   return made;
 }
 
@@ -136,8 +136,8 @@ auto withTwin(const Case& given, const Use& use) {
 Course courseOf(const Case& given, double seconds, const std::function<double()>& energyAfter) {
   const auto [first, hanging] = withTwin(
       given, [&](auto twin) { return std::pair(twin.energy(), twin.energyHanging(given.degrees)); });
-  // A hanging chain of length L swings with the angular frequency j01 / 2 sqrt(g / L), where j01 = 2.405 is
-  // the first zero of the Bessel function J0.
+  // A hanging chain of length L swings with the angular frequency (j01 / 2) sqrt(g / L), where j01 = 2.405
+  // is the first zero of the Bessel function J0.
   const double period = 2 * 3.14159265358979 / (1.2024 * std::sqrt(gravity / given.length));
   const int frames = static_cast<int>(std::lround(seconds / frameSeconds));
   const int window = static_cast<int>(std::lround(period / frameSeconds));

@@ -13,7 +13,7 @@ struct Case {
   std::string name;
   sim::ClothParameters parameters;
   double degrees = 0;  ///< angle in degrees at release; 0 is straight down
-  double length = 0;   ///< length in metres from the pins down
+  double length = 0;   ///< length of the cloth in metres, from the pins down
 };
 
 /// Test cases: a grid of springs, a fabric and a strip of triangles. Each is 1 m long and 0.5 m wide.
@@ -22,9 +22,9 @@ struct Case {
 [[nodiscard]] Case fabric(double degrees, double spacing);
 [[nodiscard]] Case strip(double degrees, double spacing);
 
-/// Energy of a swing over time, as a fraction: 1 at release, 0 when the cloth hangs at rest.
+/// Energy of a swing over time, as a fraction. It is 1 at release, and 0 when the cloth hangs at rest.
 struct Course {
-  /// Means over one swing each, in order of time, without the first swing.
+  /// Means over one swing each, in order of time. The first swing is left out.
   std::vector<double> means;
   double rise = 0;  ///< maximum amount by which a mean exceeds an earlier one
   [[nodiscard]] double drift() const { return means.back() - means.front(); }

@@ -13,7 +13,7 @@
 /// samples, which are computed independently.
 class WallsTwin {
  public:
-  /// `value` returns the value of the field's cell (x, y).
+  /// `value`: function that returns the value of the field's cell (x, y).
   WallsTwin(const simreel::sim::SolidShape& shape, std::function<float(int x, int y)> value,
             const glm::vec3& position, float grip)
       : shape_(shape), value_(std::move(value)), position_(position), grip_(grip), heights_(shape.heights) {
@@ -33,8 +33,8 @@ class WallsTwin {
   }
   void setHeights(const std::vector<float>& heights) { heights_ = heights; }
 
-  /// Returns the class of a sample: the number of levels that its value reaches. The field's cells begin at
-  /// sample (1, 1).
+  /// Returns the class of a sample, which is the number of levels that the sample's value reaches. The
+  /// field's cells begin at sample (1, 1).
   [[nodiscard]] int classAt(int x, int y) const {
     return classes_[static_cast<std::size_t>(y * (shape_.size.x + 2) + x)];
   }

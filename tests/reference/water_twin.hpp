@@ -20,8 +20,8 @@ class WaterTwin {
   [[nodiscard]] std::vector<glm::vec4> look() const;
   [[nodiscard]] const simreel::sim::WaterPlan& plan() const { return plan_; }
 
-  /// Moves the floats and computes the water that they displace, for step `index` (zero-based) of the frame
-  /// at `time` (seconds). If `index` is -1, only computes the water displaced in the first state.
+  /// Moves the floats and computes the water that they displace. `index`: zero-based index of the step in
+  /// the frame at `time` (seconds). If it is -1, only computes the water displaced in the first state.
   void drift(double time, int index);
 
   std::vector<glm::vec4> cells;       ///< one element per cell, x fastest

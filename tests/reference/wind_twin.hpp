@@ -18,7 +18,7 @@ struct WindTwin {
 };
 
 /// Provides the wind that kernels read (glsl/fluid/wind_array.glsl). There is no wind until blow() has been
-/// called with one.
+/// called with a wind.
 struct WindKernel {
   bool blown = false;
   const WindTwin* windTwin = nullptr;

@@ -123,7 +123,7 @@ class OnCluster(Case):
         self.assertEqual(len(table), 25)
         for name in ("sheet.png", "index.html"):
             self.assertTrue((self.folder / "sweep" / name).exists())
-        # A job equals the run that a user would start by hand.
+        # A job must equal the run that a user would start by hand.
         self.good("render", "dish.json", "-o", "alone/", "-D", "objects.dish.grayScott.feed=0.03", "-D",
                   "objects.dish.grayScott.kill=0.065")
         job, alone = self.content("sweep/jobs/0008"), self.content("alone")
@@ -149,8 +149,8 @@ class OnCluster(Case):
         end = time.monotonic() + 3000
         first, asked = {}, 0
         while time.monotonic() < end:
-            # Earlier attempts may have left frames, so one more frame proves that this process draws. Some frames must
-            # be left, so that the piece can continue.
+            # Earlier attempts may have left frames. One more frame than these proves that this process draws. Some
+            # frames must be missing, so that the piece can continue.
             held = [(piece, process) for piece, (process, frames) in self.drawing().items()
                     if frames < 20 and frames != first.setdefault(process, frames) and sent(process, signal.SIGSTOP)]
             running = self.queue("RUNNING") if held else []
@@ -174,17 +174,18 @@ class OnCluster(Case):
         self.simreel(0, *pieces)
         self.assertIn("0 done, 6 queued or being drawn, states under way", self.simreel(7, "pieces", "status", "out/pieces"))
         self.assertIn("the cluster still has jobs of these pieces", self.simreel(2, *pieces, "--resume"))
-        # A node fails together with its processes: Slurm detects the failure and restarts the job elsewhere.
+        # A node fails together with its processes. Slurm detects the failure and restarts the job on another node.
         piece, process, job = self.catch_one("n3")
         step = parent(process)
         self.cluster.daemons["n3"].kill()
         self.cluster.daemons.pop("n3").wait()
         os.kill(step, signal.SIGKILL)
         os.kill(process, signal.SIGKILL)
-        # A requeue: the program gets the signal, and the new run continues from the existing frames.
+        # The job is requeued. The program gets the signal, and the new run continues from the existing frames.
         piece, process, job = self.catch_one()
         (path,) = (self.folder / "out/pieces/slurm").glob(f"draw.*_{piece}.log")
-        log = self.enterContext(path.open())  # the path is removed once the pieces are joined
+        log = self.enterContext(path.open())  # Opens the file now, because its path is removed when the pieces are
+                                              # joined.
         self.cluster.call("scontrol", "requeue", job)
         self.wait_for(lambda: not is_held(process))
         sent(process, signal.SIGCONT)

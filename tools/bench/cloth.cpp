@@ -1,6 +1,6 @@
-// Measures cloth substeps on the device and on the CPU twin, with one thread and with all. One item is one
-// particle in one step. A substep with springs moves 64 bytes per particle: it reads position and velocity
-// and writes both. The positions of neighbours come from the cache.
+// Measures cloth substeps on the device and on the CPU twin, with one thread and with all threads. One item
+// is one particle in one step. A substep with springs moves 64 bytes per particle, because it reads and
+// writes position and velocity. Neighbours' positions are assumed to be cached.
 #include "gl/context.hpp"
 #include "reference/cloth_twin.hpp"
 #include "sim/world/list.hpp"

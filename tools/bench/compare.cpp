@@ -1,5 +1,5 @@
 // Measures the comparison of 1920x1080 pictures: pairs of encoded files, and the metrics of a pair that
-// differs. The required time for a pair of files with identical pixels is below 5 ms.
+// differs. A pair of files with identical pixels must take less than 5 ms.
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_STATIC
 #define STBI_WRITE_NO_STDIO
@@ -84,7 +84,7 @@ class Files {
   std::filesystem::path folder_;
 };
 
-/// Returns the same pixels, encoded by unmodified stb_image_write, with alpha.
+/// Returns a PNG with the same pixels and an alpha channel, encoded by unmodified stb_image_write.
 std::vector<std::byte> otherEncoder(const frame::Image& image) {
   int size = 0;
   unsigned char* png =

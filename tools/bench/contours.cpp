@@ -1,6 +1,6 @@
-// Measures marching squares for the floor and the walls of a cave, rebuilt in every frame: milliseconds on
-// the device, memory size and memory rate. The cave is noise that is smoothed five times. Each process
-// measures one size: bench_contours [SIDE [FRAMES]].
+// Measures marching squares for the floor and the walls of a cave, which is rebuilt in every frame. Prints
+// milliseconds on the device, memory size and memory rate. The cave is noise that is smoothed five times.
+// Each process measures one size: bench_contours [SIDE [FRAMES]].
 #include "gl/context.hpp"
 #include "gl/texture.hpp"
 #include "sim/cave/growth.hpp"

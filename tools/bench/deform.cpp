@@ -1,6 +1,6 @@
-// Compares the five deformation techniques on a 401x401 grid with the ripple. Prints the milliseconds from
-// the start of a frame's deformation to the start of drawing, and of the stages in between. "compute" runs
-// a second time with readback. The machine should be idle.
+// Compares the five deformation techniques on a 401x401 grid with the simulation "ripple". Prints the
+// milliseconds from the start of a frame's deformation to the start of drawing, and of the stages of that
+// time. The technique "compute" also runs with readback. The machine should be idle.
 #include "gl/context.hpp"
 #include "sim/mesh/parameters.hpp"
 #include "sim/world/list.hpp"

@@ -1,10 +1,12 @@
-// Measures a step of gravity by the tree: milliseconds per phase by timer queries, compared with the CPU
-// twin on one thread and on all, and the error relative to all pairs in double precision for 512 bodies.
+// Measures a step of gravity with the tree. Prints the milliseconds of each phase by timer queries, the
+// times of the CPU twin on one thread and on all threads, and the error relative to a sum over all pairs in
+// double precision for 512 bodies.
 //
 //     bench_gravity_tree [N...]     default 16384 on software drivers, 1048576 on GPUs
 //
-// Also counts the work of a step. src/sim/particles/gravity_tree.cpp states the operations and bytes of the
-// walk. Sorting moves 48 bytes per body in each of 12 passes, and building moves about 100 bytes per body.
+// Also counts the work of a step. The operations and bytes of the tree traversal are stated in
+// src/sim/particles/gravity_tree.cpp. Sorting moves 48 bytes per body in each of 12 passes, and building
+// the tree moves about 100 bytes per body.
 #include "sim/particles/gravity_tree.hpp"
 
 #include "gl/context.hpp"
@@ -27,7 +29,8 @@ constexpr float softening = 0.01F;
 
 struct Phases {
   double sort, build, walk,
-      total;  ///< milliseconds; total: wall-clock time of the whole step until the device is done
+      total;  ///< times in milliseconds; total: wall-clock time of the whole step until the device has
+              ///< finished
 };
 
 double milliseconds(const auto& work) {
@@ -36,8 +39,8 @@ double milliseconds(const auto& work) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Measures the device time with a timer query. For software drivers, whose queries return zero, uses the
-/// clock.
+/// Measures the device time of `work` with a timer query. Uses the clock on software drivers, because their
+/// queries return zero.
 double deviceMilliseconds(const auto& work) {
   if (gl::softwareDriver())
     return milliseconds([&] {

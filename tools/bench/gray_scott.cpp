@@ -1,15 +1,16 @@
 // Measures Gray-Scott steps on the device with several partitions of the work, compared with the CPU twin
-// on one thread and on all. Items are cell-steps. A pass reads and writes u and v of every cell, 16 bytes.
-// A step is 35 operations: 16 for two Laplacians with shared side sums (8 each: about 4 additions and 3
-// multiplications), 3 for the reaction, 12 for the two sums and 4 for the bounds. With several steps per
-// pass, there are fewer bytes per step, but the border of a strip is computed repeatedly.
+// on one thread and on all threads. One item is a step of one cell. A pass reads and writes u and v of
+// every cell, 16 bytes. A step has 35 operations per cell: 16 for two Laplacians, which share sums of
+// neighbours (8 each: about 4 additions and 3 multiplications), 3 for the reaction, 12 for the two sums and
+// 4 for the bounds. With several steps per pass, a step moves fewer bytes, but the border of each strip is
+// computed repeatedly.
 //
-//   bench_gray_scott [SIDE]     8192 on a GPU, 512 on a software driver
+//     bench_gray_scott [SIDE]     8192 on a GPU, 512 on a software driver
 //
-// Use --benchmark_filter to measure one line at a time, because on NVIDIA's driver, large arrays that are
-// created after others were freed are up to a half slower.
+// Use --benchmark_filter to measure one line per process: on NVIDIA's driver, large arrays that are created
+// after other arrays were freed take up to 1.5 times as long.
 //
-// With --patterns, prints the result of each preset after 10,000 steps on 129x127, as in the table of
+// With --patterns, prints the result of each preset after 10,000 steps on 129x127 cells, as in the table of
 // src/sim/gray_scott/README.md.
 #include "gl/context.hpp"
 #include "reference/gray_scott_twin.hpp"

@@ -1,8 +1,11 @@
-// Measures generations of B3/S23 on a torus: a loop over bytes, the bit-sliced CPU twin on one thread and
-// on all, and the kernel with several partitions of the work, all on the same grid. Figures are cells/s;
-// the ratio is relative to the plain loop.
-//   bench_life [WIDTH HEIGHT [STEPS [plain]]]     defaults 4096 4096 64; "plain": no CPU loops
-// A grid has 2 bits per cell. A pass reads and writes 2 bits per cell, whatever its number of generations.
+// Measures generations of B3/S23 on a torus. Compares a loop over bytes, the bit-sliced CPU twin on one
+// thread and on all threads, and the kernel with several partitions of the work, all on the same grid.
+// Prints cells/s and the ratio to the loop over bytes.
+//
+//     bench_life [WIDTH HEIGHT [STEPS [plain]]]     defaults 4096 4096 64; "plain" skips the CPU loops
+//
+// A grid has 2 bits per cell. A pass reads and writes these bits once, however many generations it
+// computes.
 #include "gl/context.hpp"
 #include "gl/element_array.hpp"
 #include "plain/plain.hpp"
@@ -30,8 +33,8 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Cells/s by wall-clock time, and by processor time of all threads. Other load on the machine affects the
-/// latter less.
+/// Rates in cells/s, by wall-clock time and by processor time of all threads. Other load on the machine
+/// affects processor time less.
 struct Rate {
   double wall = 0;
   double processor = 0;
@@ -68,8 +71,8 @@ void print(const std::string& name, Rate found, Rate plain) {
   std::fflush(stdout);
 }
 
-/// Measures the loops over bytes and the twin on a grid small enough for a CPU. Returns the rate of the
-/// plain loop.
+/// Measures the loop over bytes and the CPU twin on a grid small enough for a CPU. Returns the rate of the
+/// loop over bytes.
 Rate onCpu(glm::ivec2 size) {
   const double cells = static_cast<double>(size.x) * size.y;
   sim::LifeParameters parameters;
@@ -90,7 +93,7 @@ Rate onCpu(glm::ivec2 size) {
   return plain;
 }
 
-/// Returns a random pattern that repeats one band, so that a huge grid is filled quickly.
+/// Returns random cells. One random band is repeated, so that a huge grid is filled quickly.
 std::vector<glm::uvec4> soup(glm::ivec2 size) {
   sim::LifeParameters parameters;
   parameters.size = {size.x, std::min(size.y, std::max(1, (1 << 22) / size.x))};

@@ -1,8 +1,9 @@
-// Measures all-pairs gravity on the device, exact and fast, and plain loops on the CPU in the same run:
-// interactions/s (one body attracted by one body), best of several runs. Then particles without mutual
-// attraction, in particle-steps/s. If particles/pairs.cu is built in (nvcc was found), also a plain CUDA
-// kernel.
-//   bench_particles [bodies] [free particles]
+// Measures gravity between all pairs of bodies. Compares the device in exact and in fast mode with plain
+// loops on the CPU, and with a plain CUDA kernel if particles/pairs.cu is built in (nvcc was found). Prints
+// interactions/s, the best of several runs, where an interaction is the attraction of one body by another.
+// Then measures particles without mutual attraction, in particle-steps/s.
+//
+//     bench_particles [bodies] [free particles]
 #include "sim/particles/particles.hpp"
 
 #include "base/processor.hpp"
@@ -26,19 +27,19 @@
 
 using namespace simreel;
 
-/// Function of particles/soa.cpp, vectorised by the compiler for this machine. Writes three floats per
+/// Function of particles/soa.cpp, which the compiler vectorises for this machine. Writes three floats per
 /// target to `sums`.
 void soaPairs(const float* x, const float* y, const float* z, const float* mass, int count, int first,
               int end, float softening, float* sums);
 
-/// Function of particles/native.cpp: the plain loop with this machine's instruction set. Bodies have four
-/// floats, xyzw.
+/// Function of particles/native.cpp: the plain loop, compiled for this machine's instruction set. Each body
+/// has four floats, xyzw.
 void nativePairs(const float* bodies, float* accelerations, int count, int first, int end, float gravity,
                  float softening);
 
 #ifdef SIMREEL_BENCH_CUDA
 /// Function of particles/pairs.cu. Returns the seconds of the fastest of `runs` runs, or a negative number
-/// without a device. Writes four floats, xyzw, per body to `accelerations`.
+/// if there is no CUDA device. Writes four floats, xyzw, per body to `accelerations`.
 double cudaPairs(const float* bodies, float* accelerations, int count, float gravity, float softening,
                  int runs);
 #endif
@@ -58,8 +59,8 @@ std::vector<glm::vec4> cloud(int count) {
   return bodies;
 }
 
-/// Minimum processor seconds of all threads over the runs of the last call of best(). Other load on the
-/// machine does not count.
+/// Shortest processor time of a run in the latest call of best(), summed over all threads. Unlike
+/// wall-clock time, it excludes other load on the machine.
 double processorSeconds = 0;
 
 /// Returns the seconds of the fastest run. Runs `body` at least three times and for half a second.
@@ -122,7 +123,8 @@ void soaLoop(const Soa& bodies, std::vector<glm::vec4>& out, unsigned threads) {
     out[i] = glm::vec4(sums[i * 3], sums[i * 3 + 1], sums[i * 3 + 2], 0) * gravity;
 }
 
-/// Returns reference sums in double precision, which give the errors of the implementations.
+/// Returns reference accelerations, summed in double precision. The error of each implementation is
+/// measured against them.
 std::vector<glm::vec4> exactSums(const std::vector<glm::vec4>& bodies, std::size_t targets) {
   std::vector<glm::vec4> out;
   for (std::size_t i = 0; i < targets; ++i) {
@@ -137,7 +139,7 @@ std::vector<glm::vec4> exactSums(const std::vector<glm::vec4>& bodies, std::size
   return out;
 }
 
-/// Returns the maximum difference relative to the maximum acceleration. This checks that all
+/// Returns the maximum difference of accelerations relative to the maximum acceleration. It shows that all
 /// implementations solve the same problem.
 double difference(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
   float max = 0;

@@ -1,12 +1,12 @@
-// Compares every simulation with a straightforward loop (tools/bench/plain/, one thread, -O3, not exact)
-// and with its CPU twin on one thread: rates by wall-clock time and per processor second, and the ratios of
-// both to the plain loop. The three run alternately, so that other load affects all alike. Figures are
-// medians over the rounds. This benchmark is for software drivers; other benchmarks give the figures of a
-// GPU. If the minimum work per item is counted, the last columns show the rate to which this work limits
-// one processor, and the fraction of that rate that the kernel reaches.
+// Compares every simulation with a simple loop (tools/bench/plain/, one thread, -O3, not exact) and with
+// its CPU twin on one thread. Prints rates by wall-clock time and per processor second, and their ratios to
+// the simple loop. The three implementations run alternately, so that other load affects all equally. Rates
+// are medians over the rounds. This benchmark is meant for software drivers; other benchmarks measure GPUs.
+// If the minimum work per item is known, the last columns show the maximum rate of one processor for that
+// work, and the percentage of it that the kernel reaches.
 //
-//   bench_plain [NAME [SECONDS]]     only cases whose name contains NAME; SECONDS: runs only the kernel,
-//                                    for profilers
+//     bench_plain [NAME [SECONDS]]     only cases whose name contains NAME; with SECONDS, runs only
+//                                      the kernel, for profilers
 #include "plain/plain.hpp"
 
 #include "base/processor.hpp"
@@ -239,7 +239,7 @@ Subject deform() {
           frames(device, sim::StepWatch{})};
 }
 
-/// Returns the case of a cave whose map is computed from noise to walls each time.
+/// Returns the case of a cave. Each turn computes its map from noise and then the mesh of its walls.
 Subject walls() {
   constexpr int side = 1024;
   sim::CaveParameters p;

@@ -1,7 +1,7 @@
 // Measures rays per processor second through 320,000 triangles of a waving sheet, and through as many
 // randomly placed triangles. Compares the kernel of render.quality "high", the same algorithm as a plain
-// loop, and Embree if its library is installed. All trace the same rays: from points on the sheet into the
-// hemisphere (as for lighting), in the order of a picture's pixels.
+// loop, and Embree if it is installed. All trace the same rays, which start on the sheet and point into the
+// hemisphere above it, as for lighting. The rays are in the order of a picture's pixels.
 #include "base/hash.hpp"
 #include "draw/exact/rays/bindings.hpp"
 #include "draw/exact/rays/hierarchy.hpp"

@@ -1,13 +1,14 @@
-// Compares steps of a rule that a scene defines (Gray-Scott's equations as expressions) with the
-// hand-written kernels of the same stencil, the expression evaluator on the CPU, a plain loop, and the
-// limit of memory bandwidth. Items are cell-steps. A pass reads and writes two floats per cell, 16 bytes.
+// Measures steps of a rule that a scene defines as expressions (Gray-Scott's equations). Compares them with
+// the hand-written kernels of the same stencil, the expression evaluator on the CPU, a plain loop, and the
+// limit of memory bandwidth. One item is a step of one cell. A pass reads and writes two floats per cell,
+// 16 bytes.
 //
-//   bench_reaction [SIDE]     8192 on a GPU, 512 on a software driver
+//     bench_reaction [SIDE]     8192 on a GPU, 512 on a software driver
 //
 // The lines "volume" measure the same in a volume with 64 cells per side, or 256 on a GPU.
 //
-// Before the measurements, prints the time of each preset's kernels from their text to their first steps;
-// set MESA_SHADER_CACHE_DISABLE=1 to exclude the driver's cache.
+// First prints how long the kernels of each preset take from their source text to their first steps. Set
+// MESA_SHADER_CACHE_DISABLE=1 to exclude the driver's cache.
 #include "gl/context.hpp"
 #include "plain/plain.hpp"
 #include "sim/gray_scott/kernels.hpp"
@@ -38,8 +39,8 @@ sim::GrayScottPlan byHand(int side) {
   return {p, "dish", 1, frameSeconds};
 }
 
-/// Returns the plan of the same equations as a rule. The rule's diffusion coefficients are 0.3 times the
-/// coefficients of the kernels, because its Laplacian is larger by 1 / 0.3.
+/// Returns the plan of a rule with Gray-Scott's equations. Its diffusion coefficients are 0.3 times the
+/// coefficients of the hand-written kernels, because its Laplacian is 1 / 0.3 times as large.
 sim::ReactionPlan asRule(int side) {
   sim::ReactionParameters p;
   p.size = {side, side};
@@ -73,7 +74,8 @@ sim::ReactionPlan closed(int side) {
   return {p, "dish", 1, frameSeconds};
 }
 
-/// Returns a rule with a cycle of species, each of which is displaced by the next (May and Leonard 1975).
+/// Returns a rule of cyclic competition, in which each species is displaced by the next (May and Leonard
+/// 1975).
 sim::ReactionPlan inCircle(int side, int species) {
   sim::ReactionParameters p;
   p.size = {side, side};
@@ -149,7 +151,8 @@ void plainLoop(benchmark::State& state) {
   report(state, side, 1);
 }
 
-/// Copies four planes on the processor, which moves the bytes of a step without computing.
+/// Copies four planes of memory on the processor. This moves the bytes of a step without computing
+/// anything.
 void bytesAlone(benchmark::State& state, bool volume) {
   const int side = static_cast<int>(state.range(0)), depth = volume ? side : 1;
   const std::size_t cells =

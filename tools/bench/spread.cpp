@@ -1,5 +1,5 @@
-// Measures cells per second of an endless epidemic and of a growing wildfire: on the device, and on the CPU
-// twin with one thread and with all. All perform the same steps from the same start.
+// Measures cells per second of an endless epidemic and of a growing wildfire, on the device and on the CPU
+// twin with one thread and with all threads. All compute the same steps from the same initial state.
 #include "base/clock.hpp"
 #include "gl/context.hpp"
 #include "reference/spread_twin.hpp"
@@ -58,7 +58,7 @@ struct Times {
   double processor = 1e9;
 };
 
-/// Runs half of the frames as a warm-up. Returns the best times of the others.
+/// Runs half of the frames as a warm-up. Returns the shortest times of the remaining frames.
 template <class Frame>
 Times secondsOf(int frames, const Frame& frame) {
   Times best;
@@ -92,7 +92,8 @@ void line(const char* what, int side, const Times& times) {
 template <class Parameters>
 void device(const char* name, const sim::SimulationKind& kind, const Parameters& parameters, int frames) {
   const std::unique_ptr<sim::Simulation> simulation = onDevice(kind, parameters);
-  if (!gl::softwareDriver()) {  // An idle GPU starts at a sixth of its clock rate.
+  if (!gl::softwareDriver()) {  // This loop is a warm-up, because an idle GPU starts at a sixth of its
+                                // clock rate.
     const std::unique_ptr<sim::Simulation> other = onDevice(kind, parameters);
     const auto start = Clock::now();
     for (int i = 0; secondsSince(start) < 0.5; ++i) {

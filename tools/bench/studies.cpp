@@ -36,7 +36,8 @@ constexpr double flagWidth = 95 * 0.0215, flagHeight = 63 * 0.0215;  // size in 
                                                                      // flag.json
 constexpr int coarsest = 48;
 
-/// A mean over time and its standard error, which is estimated from the means of single seconds.
+/// A mean over time and its standard error. The error is estimated from the scatter of the means of single
+/// seconds.
 class Mean {
  public:
   void add(double squared, int frame) {
@@ -62,20 +63,20 @@ class Mean {
   std::vector<double> seconds_;
 };
 
-/// Result for a flag: root mean square angles in degrees between neighbouring chords, along the fly edge
-/// and along the last tenth of the rows. The chords are as long as a link of the coarsest grid, or twice as
-/// long.
+/// Results for a flag. alongEdge and toEdge are root mean square angles in degrees between adjacent chords:
+/// along the fly edge, and along the last tenth of each row. Index 0 is for chords as long as a link of the
+/// coarsest grid, index 1 for chords twice as long.
 struct Flag {
   int columns = 0, substeps = 0;
   std::array<Mean, 2> alongEdge, toEdge;
   double stretch = 0;   ///< maximum stretch over all frames
-  double strained = 0;  ///< number of links that are more than 5% longer than at rest, per frame
-  double reach = 0;     ///< distance (m) from the pole to the fly edge, along x
-  double height = 0;    ///< height (m) of the fly edge
-  double kinetic = 0;   ///< kinetic energy, J
+  double strained = 0;  ///< mean number of links per frame that are more than 5% longer than at rest
+  double reach = 0;     ///< mean distance in metres from the pole to the fly edge, along x
+  double height = 0;    ///< mean height in metres of the fly edge
+  double kinetic = 0;   ///< mean kinetic energy in joules
 };
 
-/// Sum of squared angles between chords of `pace` links along lines of particles.
+/// Sum of squared angles between adjacent chords, each of which spans `pace` links of a line of particles.
 struct Angles {
   double sum = 0;
   long count = 0;
@@ -174,7 +175,7 @@ bool resolution(int seconds, const std::vector<scene::Override>& more) {
   return spread(&Flag::alongEdge, 0) <= 20 && spread(&Flag::alongEdge, 1) <= 20;
 }
 
-/// Runs on the device, so that the study may be long and use fine grids.
+/// The device simulates, so that the study may be long and use fine grids.
 bool energy(int seconds) {
   fmt::print("{:<20} {:>8} {:>8} {:>9} {:>11} {:>11}   of the energy of the swing, {} s\n", "", "degrees",
              "spacing", "substeps", "drift", "rise", seconds);

@@ -1,8 +1,10 @@
-// Measures Larger than Life on a torus, for any range: two plain loops on one thread, the kernels, and the
-// limit of memory bandwidth. Figures are cells/s. Ratios are relative to the plain loop that adds up all
+// Measures Larger than Life on a torus for any range. Compares two plain loops on one thread, the kernels,
+// and the limit of memory bandwidth. Prints cells/s, and ratios to the plain loop that adds up all
 // neighbours of each cell.
-//   bench_wide [WIDTH HEIGHT [RANGE [STEPS]]] [M|N|C] [plain]     defaults 2048 2048 5 8 M
-// M: squares, N: diamonds, C: circles; "plain": no loops on the CPU
+//
+//     bench_wide [WIDTH HEIGHT [RANGE [STEPS]]] [M|N|C] [plain]     defaults 2048 2048 5 8 M
+//
+// M is for squares, N for diamonds, C for circles; "plain" skips the loops on the CPU
 #include "plain/wide.hpp"
 
 #include "beside/memory.hpp"
@@ -81,8 +83,8 @@ int main(int argc, char** argv) {
     limits.half.push_back(around.wide.span(dy).last);
     n += 2 * limits.half.back() + 1;
   }
-  // share() scales the limits of Bosco's rule (range 5), which are fractions of the neighbourhood of 121
-  // cells.
+  // The limits of Bosco's rule are given for range 5, whose neighbourhood has 121 cells. share() scales
+  // them to the `n` cells of this neighbourhood.
   const auto share = [&](int of121) { return static_cast<int>(std::int64_t{n} * of121 / 121); };
   limits.surviveMin = limits.bornMin = share(34);
   limits.surviveMax = share(58);
@@ -99,7 +101,7 @@ int main(int argc, char** argv) {
   if (loops) {
     plain::Wide loop(size.x, size.y, limits);
     for (std::size_t i = 0; i < loop.cells.size(); ++i) loop.cells[i] = i * 2654435761U % 97 < 48 ? 1 : 0;
-    // For long ranges, a few rows are enough.
+    // For long ranges, only a few rows are measured.
     const int rows = static_cast<int>(std::clamp(1e9 / n / size.x, 1.0, static_cast<double>(size.y)));
     direct = bestRate(static_cast<double>(size.x) * rows, [&] { loop.direct(rows); });
     line("loop over bytes, all around, 1 thread", direct, direct);
@@ -122,8 +124,9 @@ int main(int argc, char** argv) {
   const double rate = bestRate(cells * steps, run);
   line("device", rate, direct);
   const double copied = bench::copiedBySecond();
-  // The bits are read and written once. Each pass writes and reads the engine's buffers once. For squares
-  // and long ranges, the padded cells are also read and written once as bytes, for the column sums.
+  // The bits of the cells are read and written once. Each byte of the engine's buffers is written once and
+  // read once. For squares and long ranges, the column sums also read and write the padded cells once, as
+  // bytes.
   const bool sums = range > 90 || shape == "M";
   const double bytesPerCell = 2.0 / 8 + 2.0 * static_cast<double>(engine.bytes()) / cells + (sums ? 1 : 0);
   fmt::print(

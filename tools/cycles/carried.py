@@ -15,7 +15,7 @@ KNOWN = {
     "objects.*.capsule": SOLID | {"length"},
     "objects.*.material": {"color", "texture", "roughness", "metallic", "translucency"},
 }
-# Values that a scene must give, because simreel's defaults for them do not exist in Blender.
+# Values that a scene must give, because Blender does not have simreel's defaults.
 NEEDED = {"camera": ("position", "target", "fieldOfView"), "sun": ("direction", "color", "intensity"),
           "ground": ("height", "color", "roughness", "fadeStart", "fadeEnd"), "render": ("size",)}
 

@@ -1,6 +1,6 @@
-// Prints the man page or a shell's completions, from the same declarations as --help:
+// Prints the man page or a shell's completion script, from the same declarations as --help:
 //
-//   simreel_manual man|bash|zsh|fish
+//     simreel_manual man|bash|zsh|fish
 #include "base/version.hpp"
 #include "cli/commands.hpp"
 #include "cli/help/exit_codes.hpp"
@@ -51,7 +51,8 @@ Command commandOf(const CLI::App& app) {
   return command;
 }
 
-/// Returns a command that is merged with its subcommands: "report merge reports..." becomes one entry.
+/// Returns one entry for a command and all its subcommands. The arguments of a subcommand follow its name,
+/// as in "report merge reports...".
 Command wholeCommandOf(const CLI::App& app) {
   Command command = commandOf(app);
   for (const CLI::App* below : app.get_subcommands([](const CLI::App*) { return true; })) {
@@ -63,8 +64,8 @@ Command wholeCommandOf(const CLI::App& app) {
   return command;
 }
 
-/// Returns the commands. The first entry has no name and contains the program's own flags, which are
-/// allowed anywhere.
+/// Returns the program's commands. The first entry has no name and contains the flags that are allowed
+/// anywhere.
 std::vector<Command> commandsOf(const CLI::App& app) {
   std::vector<Command> all = {commandOf(app)};
   all.front().name.clear();
@@ -73,8 +74,8 @@ std::vector<Command> commandsOf(const CLI::App& app) {
   return all;
 }
 
-// Escapes text for groff(7). A backslash begins an escape, a dot or quote at the start of a line begins a
-// request, and a bare - is a hyphen.
+// Escapes text for groff(7). A backslash starts an escape sequence, a dot or quote at the start of a line
+// starts a request, and an unescaped - is printed as a hyphen.
 std::string roff(const std::string& text) {
   std::string safe = replaced(replaced(text, "\\", "\\e"), "-", "\\-");
   safe = replaced(replaced(safe, "\n.", "\n\\&."), "\n'", "\n\\&'");
@@ -125,8 +126,7 @@ std::vector<std::string> namesOf(const std::vector<Command>& commands) {
   return names;
 }
 
-/// Returns the completion script for bash. If the script finds no completion, the shell completes file
-/// names.
+/// Returns the completion script for bash. If it offers nothing, the shell completes file names.
 std::string bash(const std::vector<Command>& commands) {
   const auto names = namesOf(commands);
   std::string values, flags;

@@ -12,7 +12,7 @@ from mutants.equivalent import EQUIVALENT
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 GLSL = ROOT / "glsl"
-# Files of binding numbers and of memory layout, which are not mutated.
+# files with binding numbers or memory layouts, which are not mutated
 NOT_MUTATED = re.compile(r"(bindings|types)\.glsl$")
 SWAPS = {
     "+": ["-"], "-": ["+"], "*": ["+"], "<": [">", "<="], ">": ["<", ">="], "<=": ["<", ">="], ">=": [">", "<="],
@@ -90,7 +90,7 @@ def mutants_of(file, seed, every=False):
     move of the file to another folder, keep the order."""
     found = []
     met = collections.Counter()  # number of earlier lines with the same text
-    inside = False  # inside a declaration that is not code
+    inside = False  # true inside a struct or layout block, whose lines are not mutated
     for number, line in enumerate((GLSL / file).read_text(encoding="utf-8").split("\n"), 1):
         code = line.split("//")[0]
         if inside:
@@ -152,7 +152,8 @@ def reported(report):
         head = len(os.path.commonprefix([before, after]))
         tail = len(os.path.commonprefix([before[head:][::-1], after[head:][::-1]]))
         mutant = Mutant(file, number, text, at + head, before[head:len(before) - tail], after[head:len(after) - tail])
-        if mutant.name() not in names:  # The report repeats survivors after its last line.
+        if mutant.name() not in names:  # A report may list a survivor twice, because it repeats survivors after its
+                                        # last line.
             names.add(mutant.name())
             last = mutant
             found[last] = (kind, by + what, "")

@@ -6,7 +6,7 @@ import dataclasses
 class Code:
     folders: tuple  # folders below glsl
     others: bool    # true if the group consists of all folders except `folders`
-    # for drawing: arguments of test_gpu for each group of tests; the first group runs before all scenes are drawn
+    # for drawing: arguments of test_gpu for each group of tests; the first group runs before the scenes are drawn
     tests: tuple
     bar: float      # fraction of mutants that must be caught
 

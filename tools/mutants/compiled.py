@@ -84,7 +84,7 @@ def lines_of(folder, files, known):
             chunks, places, for_cpp = pasted(source.read_text(encoding="utf-8"))
             names = {number: files.named(lines) for number, lines in chunks.items()}
             here = {(names.get(places[at - 1][0]), places[at - 1][1]) for at in kept(for_cpp)}
-            for name, line in list(here):  # adds the continuation lines of a macro
+            for name, line in list(here):  # also adds the continuation lines of a macro
                 lines = files.lines.get(name, ())
                 while line < len(lines) and lines[line - 1].endswith("\\"):
                     line += 1

@@ -19,9 +19,10 @@ from mutants import code, compiled, selection
 from mutants.changes import GLSL, ROOT
 from mutants.processes import run
 
-FIRST_SCENES = 5  # number of scenes drawn before the first group of tests, which takes as long as ten scenes
+FIRST_SCENES = 5  # number of scenes that are drawn before the first group of tests; that group takes as long as ten
+                  # scenes
 FRAME = 8  # frame number of the small pictures
-PATIENCE = 120  # seconds per picture; a mutant that takes longer counts as caught
+PATIENCE = 120  # time limit in seconds per picture; a mutant that exceeds it counts as caught
 ARGUMENTS = []  # arguments that select the driver variant
 
 
@@ -74,7 +75,8 @@ def looked_through(folder, program, scene, frame):
     sources.mkdir()
     files = [file for file in copy.rglob("*") if file.is_file()]
     for file in files:
-        # The access time is set to 0, so that a read is visible even if the file system rarely updates access times.
+        # The access time is set to 0, so that a later read is detected even if the file system rarely updates access
+        # times.
         os.utime(file, (0, time.time()))
     begin = time.monotonic()
     entry = exact_pictures.drawn(program, scene, frame, *ARGUMENTS,
@@ -92,7 +94,7 @@ class Scenes:
 
     def __init__(self, program, jobs, names=None):
         self.program = program
-        self.compiled = {}  # by mutant: true if a scene compiles the mutated line
+        self.compiled = {}  # maps a mutant to true if any scene compiles the mutated line
         names = selection.scenes(exact_pictures.scenes()) if names is None else sorted(names)
         with tempfile.TemporaryDirectory(prefix="simreel-mutate-") as folder, \
                 concurrent.futures.ThreadPoolExecutor(jobs) as pool:
@@ -139,7 +141,7 @@ class Scenes:
                 print(f"without a change, too, {scene} is not as its baseline", file=sys.stderr, flush=True)
                 os._exit(2)
             self.sound.add(scene)
-        # The first tested frame catches most mutants, so it is tested first on its own.
+        # The first tested frame reveals most mutants, so it is tested alone before the other frames.
         return tested_frames_differ(self.program, scene, glsl, 1) or tested_frames_differ(self.program, scene, glsl)
 
     def reads(self, mutant, folder):
@@ -158,7 +160,7 @@ def tested_frames_differ(program, scene, glsl, frames=None):
     with tempfile.TemporaryDirectory(prefix="tested-") as folder:
         file = ROOT / f"assets/scenes/{scene}.json"
         if frames is not None:
-            # Keeps strings and removes comments.
+            # removes comments but not text in strings
             text = json.loads(re.sub(r'("(?:\\.|[^"\\])*")|//[^\n]*', lambda m: m.group(1) or "", file.read_text(encoding="utf-8")))
             text["test"]["frames"] = text["test"]["frames"][:frames]
             file = pathlib.Path(folder) / file.name

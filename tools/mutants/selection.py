@@ -8,7 +8,7 @@ import subprocess
 from mutants.changes import ROOT
 
 LABELS = {"quick": ["-L", "^quick$"], "ci": ["-LE", "^long$"], "all": []}
-chosen = None  # the selection as (scenes, names of cases); None for everything
+chosen = None  # selection as a tuple (scenes, names of test cases); None selects everything
 
 
 def cases(program, *arguments):

@@ -1,5 +1,5 @@
-// Search of the site. Finds pages and sections that contain all words, and lists those with the words in their title
-// first. search_index.js is a script rather than JSON, so that the site also works from a local folder.
+// Search of the site. Lists the pages and sections that contain all words, those with all words in their title first.
+// The index is a script, search_index.js, because a page opened from a local folder cannot load JSON.
 "use strict";
 (() => {
   const root = document.body.dataset.root.replace(/\/?$/, "/");

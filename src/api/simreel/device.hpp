@@ -10,21 +10,20 @@ namespace simreel {
 
 /// Choice of the device.
 struct DeviceOptions {
-  std::string
-      device;  ///< index, or part of a name; empty: a GPU if there is one, else Mesa's software driver
-  std::string memoryPath;  ///< "storage", "texel" or empty: the faster one
+  std::string device;  ///< index of the device, or part of its name; if empty, a GPU if there is one, and
+                       ///< otherwise Mesa's software driver
+  std::string memoryPath;  ///< "storage" or "texel"; if empty, the faster one for the device
 };
 
 /// The device of the process, and the thread that works on it.
-///
-/// Threads: all functions of the library may be called from any thread. One call runs at a time; others
-/// wait. Lifetime: the device stays open while a Device or a Scene of it exists. Processes: a fork cannot
-/// use the device of its parent; every call in it throws Error(process). Open the device after the fork.
+/// All functions of the library may be called from any thread. One call runs at a time, and other calls
+/// wait. The device stays open while a Device or a Scene on the device exists. A forked process cannot use
+/// the device of its parent, and every call in it throws Error(process). Open the device after the fork.
 class SIMREEL_API Device {
  public:
-  /// Opens the device, or returns the open one. Throws Error(usage) if one is open with other options,
-  /// Error(device) if none exists. The first call sets $LP_NUM_THREADS unless it is set, so call it
-  /// before other threads read the environment.
+  /// Opens the device, or returns the open one. Throws Error(usage) if a device is open with other options,
+  /// and Error(device) if there is no device. The first call sets $LP_NUM_THREADS unless it is already set,
+  /// so make this call before other threads read the environment.
   static Device open(const DeviceOptions& options = {});
   ~Device();
   Device(const Device&);
@@ -32,15 +31,16 @@ class SIMREEL_API Device {
   Device& operator=(const Device&);
   Device& operator=(Device&&) noexcept;
 
-  [[nodiscard]] std::string name() const;    ///< GL_RENDERER
-  [[nodiscard]] std::string driver() const;  ///< GL_VERSION
+  [[nodiscard]] std::string name() const;    ///< name of the device (GL_RENDERER)
+  [[nodiscard]] std::string driver() const;  ///< version of the driver (GL_VERSION)
   [[nodiscard]] bool isSoftware() const;     ///< true if the CPU draws
-  /// Ends the running call at its next frame with Error(interrupted). The scene can be used further.
+  /// Ends the running call at its next frame with Error(interrupted). The scene remains usable.
   void interrupt();
-  /// Sets a function that a waiting call runs about ten times a second on its own thread; if it returns
-  /// true, the call ends as by interrupt(). Empty: none.
+  /// Sets a function that is called about ten times a second while a call waits, on the thread of that
+  /// call. If the function returns true, the call ends as if interrupt() had been called. An empty function
+  /// removes the hook.
   void whileWaiting(std::function<bool()> hook);
-  /// Returns the messages since the last call, the oldest first.
+  /// Returns the messages since the last call of this function, oldest first.
   [[nodiscard]] std::vector<Message> takeMessages();
 
   struct State;
@@ -51,8 +51,8 @@ class SIMREEL_API Device {
   std::shared_ptr<State> state_;
 };
 
-/// Sets the environment variables of the driver, as the first Device does. Call it at the program's start
-/// if the program starts threads before it opens a device.
+/// Sets the environment variables of the driver, as the first Device::open() does. Call this function at
+/// the program's start if the program starts threads before it opens a device.
 SIMREEL_API void prepareEnvironment();
 
 /// Returns the version of the library: "major.minor.patch".

@@ -10,25 +10,27 @@ namespace simreel {
 enum class ErrorKind {
   scene,        ///< the scene has mistakes; see Error::mistakes()
   usage,        ///< a call has a wrong argument, or the scene does not allow it
-  device,       ///< no device, a limit of the device, or a simulation lost its state (NaN)
+  device,       ///< no device, a limit of the device, or a lost state (NaN) of a simulation
   inputOutput,  ///< a file cannot be read or written
-  process,      ///< this process is a fork of one that had a device open
+  process,      ///< this process is a fork of a process that had a device open
   interrupted,  ///< Device::interrupt() or the hook of Device::whileWaiting() ended the call
   internal      ///< an error of the library
 };
 
 /// One mistake in a scene or in a user's kernel.
 struct Mistake {
-  std::string file;        ///< file; empty for an override and for a scene given as text without a name
-  int line = 0;            ///< counted from 1; 0: unknown
-  int column = 0;          ///< counted from 1, in code points; 0: unknown
-  std::string path;        ///< dotted path in the scene: "objects.flag.cloth.fabric"; empty: unknown
-  std::string message;     ///< one line
-  std::string suggestion;  ///< name that was probably meant; empty: none is similar
+  std::string file;        ///< name of the file; empty for an override and for a scene given as text
+                           ///< without a name
+  int line = 0;            ///< line number, counted from 1; 0 if unknown
+  int column = 0;          ///< column in code points, counted from 1; 0 if unknown
+  std::string path;        ///< dotted path in the scene, such as "objects.flag.cloth.fabric"; empty if
+                           ///< unknown
+  std::string message;     ///< description of the mistake in one line
+  std::string suggestion;  ///< name that was probably meant; empty if no name is similar
 };
 
-/// Exception of all functions of the library. what() is the whole message: a sentence, or for mistakes in a
-/// file the same report as the command line's, with source lines and carets.
+/// Exception that all functions of the library throw. what() returns the whole message. This is a sentence
+/// or, for mistakes in a file, the report of the command line, with source lines and carets.
 class SIMREEL_API Error : public std::exception {
  public:
   Error(ErrorKind kind, std::string message, std::vector<Mistake> mistakes = {});
@@ -37,8 +39,8 @@ class SIMREEL_API Error : public std::exception {
   Error& operator=(const Error&);
   [[nodiscard]] const char* what() const noexcept override;
   [[nodiscard]] ErrorKind kind() const noexcept;
-  /// Returns every mistake, in the order of the file. For errors about other things than a file's content:
-  /// one mistake without a place if the message suggests a name, else none.
+  /// Returns every mistake, in the order of the file. For errors that do not concern a file's content,
+  /// returns one mistake without a position if the message suggests a name, and otherwise an empty list.
   [[nodiscard]] const std::vector<Mistake>& mistakes() const noexcept;
 
  private:

@@ -1,4 +1,4 @@
 #pragma once
 
-/// Marks what libsimreel offers; everything else of the library is hidden.
+/// Marks a declaration as part of libsimreel's interface. Everything else in the library is hidden.
 #define SIMREEL_API __attribute__((visibility("default")))

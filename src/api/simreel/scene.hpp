@@ -14,23 +14,24 @@ namespace simreel {
 
 /// Replaces one value of a scene, as -D does.
 struct Change {
-  std::string path;   ///< dotted: "objects.flag.cloth.fabric"
-  std::string value;  ///< JSON; a word without quotes is a string
+  std::string path;   ///< dotted path, such as "objects.flag.cloth.fabric"
+  std::string value;  ///< value as JSON; a word without quotes is a string
 };
 
-/// How a scene is read.
+/// Options for reading a scene.
 struct LoadOptions {
   std::vector<Change> changes = {};
-  std::vector<std::string> assets = {};  ///< further folders that files of the scene may lie in
-  /// True: layers "velocity" and "vector" are available, which cost time in each frame.
+  std::vector<std::string> assets = {};  ///< additional folders from which the scene may read files
+  /// True to make the layers "velocity" and "vector" available, which cost time in each frame.
   bool motion = false;
 };
 
-/// How render() writes.
+/// Options of Scene::render().
 struct RenderOptions {
-  std::optional<std::string> frames = {};  ///< as --frames takes them: "0-99x2,150"; nullopt: all
+  std::optional<std::string> frames = {};  ///< frames in the syntax of --frames, such as "0-99x2,150";
+                                           ///< nullopt for all frames
   bool overwrite = false;
-  bool manifest = true;  ///< false: no manifest.json, run.json and as-run.json beside the pictures
+  bool manifest = true;  ///< false to write no manifest.json, run.json and as-run.json next to the pictures
 };
 
 /// State of a scene between two frames, in CPU memory.
@@ -51,16 +52,16 @@ class SIMREEL_API Snapshot {
   std::shared_ptr<const State> state_;
 };
 
-/// A scene with its simulations on the device. It is at frame 0 at first, after the pre-roll. Several
-/// scenes may exist at once. All functions throw Error. After an Error(device) of a stepping function, such
-/// as a simulation that blew up, every function that needs the state throws the same error until restart()
-/// or restore().
+/// A scene with its simulations on the device. The scene starts at frame 0, after the pre-roll. Several
+/// scenes may exist at the same time. All functions throw Error. If a stepping function throws
+/// Error(device), for example because a simulation became unstable, every function that needs the state
+/// throws the same error until restart() or restore().
 class SIMREEL_API Scene {
  public:
-  /// Reads a scene file, a mesh, a pattern or a shipped scene by its name, as `simreel render` does.
+  /// Reads a scene file, a mesh, a pattern or a shipped scene by name, as `simreel render` does.
   static Scene load(const Device& device, const std::string& file, const LoadOptions& options = {});
-  /// Reads a scene from JSON text. `name` stands for the file in messages, and its folder is the first one
-  /// that is searched for files.
+  /// Reads a scene from JSON text. `name` is the file name in messages. The folder of `name` is searched
+  /// first for the files of the scene.
   static Scene parse(const Device& device, const std::string& text, const std::string& name = "<scene>",
                      const LoadOptions& options = {});
   ~Scene();
@@ -71,64 +72,71 @@ class SIMREEL_API Scene {
 
   [[nodiscard]] std::string title() const;
   [[nodiscard]] double fps() const;
-  [[nodiscard]] int frameCount() const;  ///< frames of the scene's duration; a scene can go on after them
-  [[nodiscard]] int width() const;       ///< of pictures, in pixels
+  [[nodiscard]] int frameCount() const;  ///< Returns the number of frames in the scene's duration. The
+                                         ///< scene can be simulated beyond the last one.
+  [[nodiscard]] int width() const;       ///< Returns the width of pictures in pixels; height() returns the
+                                         ///< height.
   [[nodiscard]] int height() const;
   [[nodiscard]] std::vector<ObjectInfo> objects() const;
   /// Returns the warnings about the scene's text.
   [[nodiscard]] std::vector<std::string> remarks() const;
 
-  /// Returns the present frame.
+  /// Returns the current frame.
   [[nodiscard]] Frame frame() const;
-  /// Simulates up to a frame. Throws Error(usage) for an earlier frame than the present one.
+  /// Simulates up to a frame. Throws Error(usage) if the frame is before the current one.
   Frame advanceTo(int frame);
-  /// Simulates a number of frames from the present one. Calls of several threads add up.
+  /// Simulates a number of frames from the current one. If several threads call this function, the numbers
+  /// add up.
   Frame advanceBy(int frames);
-  /// Goes back to frame 0 of the scene as it was read.
+  /// Returns to frame 0 of the scene as it was read.
   void restart();
-  /// Returns the hash of all state arrays (32 hexadecimal digits), as `simreel trace` and manifests have
-  /// it.
+  /// Returns the hash of all state arrays (32 hexadecimal digits), which `simreel trace` and manifests also
+  /// contain.
   [[nodiscard]] std::string stateHash();
-  /// True after write(), until restart(): the command line would not reach this state.
+  /// True from a call of write() until restart(). In this time, the command line would not reach the same
+  /// state.
   [[nodiscard]] bool isChanged() const;
 
   /// Returns the state arrays of all objects.
   [[nodiscard]] std::vector<ArrayInfo> arrays();
   /// Copies a state array from the device.
   [[nodiscard]] Array read(std::string_view object, std::string_view array);
-  /// Replaces a state array. `values`: as many as the array's shape has, the last axis fastest. Numbers
-  /// beside them, such as the w of positions, stay. Throws Error(usage) for NaN and infinity, unless the
-  /// array has the same bits there already.
+  /// Replaces a state array. `values`: one value per entry of the array's shape, with the last axis
+  /// fastest. Other numbers of the elements, such as the w of positions, stay unchanged. Throws
+  /// Error(usage) for NaN and infinity, unless the array already has the same bits at this index.
   void write(std::string_view object, std::string_view array, std::span<const float> values);
   void write(std::string_view object, std::string_view array, std::span<const std::uint32_t> values);
-  /// Returns the names of the fields: grids of cells with one value each.
+  /// Returns the names of the fields. A field is a grid of cells with one value each.
   [[nodiscard]] std::vector<std::string> fields();
-  /// Copies a field's values from the device: (rows, columns), float32, as --fields writes them.
+  /// Copies a field's values from the device. The array has the shape (rows, columns) and the type float32,
+  /// as in files of --fields.
   [[nodiscard]] Array field(std::string_view name);
-  /// Returns what an object measures at the present frame; empty if it measures nothing.
+  /// Returns the quantities that an object measures at the current frame. Returns an empty list if the
+  /// object measures none.
   [[nodiscard]] std::vector<Quantity> measure(std::string_view object);
-  /// Returns the mesh of an object. Throws Error(usage) if it has none.
+  /// Returns the mesh of an object. Throws Error(usage) if the object has no mesh.
   [[nodiscard]] Mesh mesh(std::string_view object);
 
   [[nodiscard]] Snapshot snapshot();
-  /// Goes on from a state of a scene with the same simulations.
+  /// Continues from a state of this scene, or of a scene with the same simulations.
   void restore(const Snapshot& snapshot);
 
-  /// Draws the present frame: the bytes of `simreel render`. If the scene places no camera and objects move
-  /// freely, the first call simulates the whole scene once to place it.
+  /// Draws the current frame. The bytes equal those of `simreel render`. If the scene does not place a
+  /// camera and objects move freely, the first call simulates the whole scene once to place the camera.
   [[nodiscard]] Picture picture();
-  /// Draws the present frame and returns layers by name, as --layers of `simreel render` names them, or
-  /// "light" (rows, columns, 4): linear light before lens and film. "object" holds indices into
-  /// layerObjects(), 0xffffffff where nothing is. Needs the exact rasterizer.
+  /// Draws the current frame and returns layers. `names`: layer names as in --layers of `simreel render`,
+  /// or "light", which is linear light before lens and film, with the shape (rows, columns, 4). The layer
+  /// "object" holds indices into layerObjects(), and 0xffffffff for empty pixels. Requires the exact
+  /// rasterizer.
   [[nodiscard]] std::vector<Array> layers(const std::vector<std::string>& names);
-  /// Returns the names of the objects that the layer "object" numbers.
+  /// Returns the names of the objects, in the order of the indices in the layer "object".
   [[nodiscard]] std::vector<std::string> layerObjects() const;
 
-  /// Runs the scene from its start and evaluates its checks. `frames`: drawn frames, from 0, in any
-  /// order. Leaves the present frame as it is.
+  /// Runs the scene from its start and evaluates its checks. `frames`: frames to draw, from 0, in any
+  /// order. The scene's current frame does not change.
   [[nodiscard]] std::vector<CheckResult> check(const std::vector<int>& frames);
-  /// Renders the scene from its start to a folder, pictures or a video: the files of `simreel render`.
-  /// Returns the names of the files in words. Leaves the present frame as it is.
+  /// Renders the scene from its start to a folder, pictures or a video, with the same files as `simreel
+  /// render`. Returns text that names the written files. The scene's current frame does not change.
   std::string render(const std::string& output, const RenderOptions& options = {});
 
  private:

@@ -1,6 +1,7 @@
 #pragma once
 
-// The public interface of libsimreel: a Device, Scenes on it, and Errors as exceptions.
+// The public interface of libsimreel. It consists of a Device, Scenes on the Device, and Errors, which are
+// exceptions.
 #include <simreel/device.hpp>
 #include <simreel/error.hpp>
 #include <simreel/scene.hpp>

@@ -9,17 +9,17 @@ namespace simreel {
 /// Type of an array's numbers, in the byte order of the machine.
 enum class NumberType { float32, uint32, uint8 };
 
-/// Array of numbers in CPU memory, which the caller owns. Axes run from slowest to fastest. An element may
-/// occupy more bytes than its axis describes, so use `strides`.
+/// Array of numbers in CPU memory. The caller owns the memory. Axes run from slowest to fastest. An element
+/// may occupy more bytes than its axis describes, so use `strides`.
 struct Array {
-  std::string name;  ///< "positions", or the name of a field or layer
-  std::string unit;  ///< "m", "m/s" or empty if unknown or mixed
+  std::string name;  ///< name of the array, such as "positions", or of a field or layer
+  std::string unit;  ///< unit, such as "m" or "m/s"; empty if unknown or mixed
   NumberType type = NumberType::float32;
-  std::vector<std::size_t> shape;    ///< for example rows, columns, 3
-  std::vector<std::size_t> strides;  ///< bytes from one entry of each axis to the next
+  std::vector<std::size_t> shape;    ///< length of each axis, for example rows, columns, 3
+  std::vector<std::size_t> strides;  ///< distance in bytes between consecutive entries along each axis
   std::vector<std::byte> bytes;
 
-  /// Returns the number at an index of each axis. The type T must be the one that `type` names.
+  /// Returns the number at `index`, which has one entry per axis. T must be the type that `type` names.
   template <class T>
   [[nodiscard]] const T& at(const std::vector<std::size_t>& index) const {
     std::size_t offset = 0;
@@ -33,29 +33,30 @@ struct ArrayInfo {
   std::string object, name, unit;
   NumberType type = NumberType::float32;
   std::vector<std::size_t> shape;
-  bool writable = false;  ///< false if the simulation computes the array from others
+  bool writable = false;  ///< false if the simulation computes the array from other arrays
 };
 
-/// Picture of 8 bits per channel, sRGB encoded, rows from the top.
+/// Picture with 8 bits per channel, sRGB encoded, with rows from the top.
 struct Picture {
   int width = 0, height = 0;
-  int channels = 3;                 ///< 3, or 4 with straight alpha if the scene has render.transparent
-  std::vector<std::uint8_t> bytes;  ///< width * height * channels
+  int channels = 3;                 ///< number of channels: 3, or 4 with straight alpha if the scene has
+                                    ///< render.transparent
+  std::vector<std::uint8_t> bytes;  ///< pixel values; the size is width * height * channels
 };
 
-/// Moment of a run.
+/// Frame that a scene has reached.
 struct Frame {
   int number = 0;
-  double time = 0;  ///< seconds of scene time
+  double time = 0;  ///< scene time (s)
 };
 
 /// Object of a scene.
 struct ObjectInfo {
   std::string name;
-  std::string kind;  ///< as in the scene: "cloth", "particles"
+  std::string kind;  ///< name of the kind in scenes, such as "cloth" or "particles"
 };
 
-/// Number that an object measures, such as an energy.
+/// Quantity that an object measures, such as an energy.
 struct Quantity {
   std::string name, unit;
   double value = 0;
@@ -63,24 +64,25 @@ struct Quantity {
 
 /// Result of one of the scene's checks at one frame.
 struct CheckResult {
-  std::string what;  ///< for example "max of flag positions.y"
+  std::string what;  ///< description, for example "max of flag positions.y"
   int frame = 0;
-  double value = 0;  ///< measured value; NaN if the check measures none
+  double value = 0;  ///< measured value; NaN if the check does not measure a value
   bool passed = false;
-  std::string problem;  ///< one line; empty if the check passed
+  std::string problem;  ///< reason for the failure in one line; empty if the check passed
 };
 
-/// Triangle mesh in the world, with the object's placement applied.
+/// Triangle mesh in world space, with the object's placement applied.
 struct Mesh {
-  Array positions;  ///< (n, 3), metres
-  Array normals;    ///< (n, 3)
-  Array uvs;        ///< (n, 2), v = 0 is the top row; no numbers if the mesh has none
-  Array triangles;  ///< (m, 3), uint32
+  Array positions;  ///< positions (m), shape (n, 3)
+  Array normals;    ///< normals, shape (n, 3)
+  Array uvs;        ///< texture coordinates, shape (n, 2), with v = 0 at the top row; empty if the mesh has
+                    ///< none
+  Array triangles;  ///< vertex indices, shape (m, 3), uint32
 };
 
 /// Message that the command line would print.
 struct Message {
-  std::string level;  ///< "warning", "info" or "detail"
+  std::string level;  ///< severity: "warning", "info" or "detail"
   std::string text;
 };
 

@@ -25,7 +25,7 @@ namespace {
 using Color = std::array<std::uint8_t, 4>;
 constexpr Color paper{24, 24, 27, 255}, ink{235, 235, 235, 255}, nothing{60, 60, 66, 255},
     bad{255, 120, 100, 255};
-constexpr int maxSide = 8192;  ///< maximum width and height of the sheet in pixels
+constexpr int maxSide = 8192;  ///< max width and height of the sheet in pixels
 constexpr int gap = 12, border = 2;
 
 void fill(frame::Image& image, int left, int top, int right, int bottom, const Color& color) {
@@ -55,7 +55,7 @@ void paste(frame::Image& image, const frame::Image& small, int left, int top) {
 }
 
 /// Returns the number of values of the last parameter if the jobs form a full grid in which that parameter
-/// varies fastest; otherwise 0.
+/// varies fastest. Otherwise returns 0.
 std::size_t gridColumns(const SweepPlan& plan) {
   const auto& jobs = plan.jobs;
   std::set<std::string> last;

@@ -20,10 +20,10 @@ struct CollectedSweep {
 };
 [[nodiscard]] CollectedSweep collect(SweepPlan plan);
 
-/// Returns a CSV table with a row for each job. The columns are the job, its state, each varied path, the
-/// value of each check at the check's last frame and whether it passed at all its frames, each quantity at
-/// the last frame, and each last count. Missing values are empty cells. The table contains no machines or
-/// times, so it is the same wherever the jobs ran.
+/// Returns a CSV table with a row for each job. The columns are the job, the job's state, each varied path,
+/// the value of each check at the check's last frame and whether the check passed at all its frames, each
+/// quantity at the last frame, and each count at the last step. Missing values are empty cells. The table
+/// contains no machines or times, so it is the same wherever the jobs ran.
 [[nodiscard]] std::string tableText(const CollectedSweep& sweep);
 
 /// Returns the count tables of all jobs as one CSV table. The first column of each row is the job. Returns

@@ -193,7 +193,7 @@ class Join {
     }
     writeFileAtomically(whole_.runFile(), runLogText(mergedLog(before)), NameSync::later);
     Manifest manifest = manifest_;
-    // Other processes have drawn the frames, and the log must say so.
+    // Other processes have drawn the frames, and run.json must not record this process.
     for (auto& [number, frame] : manifest.frames) frame.drawn = false;
     claim->write(std::move(manifest),
                  manifest_.counts.empty() ? std::string() : readFile(countFile(), "table of counts"));
@@ -231,7 +231,7 @@ class Join {
   frame::OutputName whole_;
   std::vector<Drawn> drawn_;
   Manifest manifest_;
-  std::map<int, std::size_t> owner_;  ///< frame number -> index of the piece that provides the frame
+  std::map<int, std::size_t> owner_;  ///< index of the piece that provides each frame, by frame number
 };
 
 }  // namespace

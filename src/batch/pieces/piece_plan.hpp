@@ -11,7 +11,7 @@ namespace simreel::batch {
 
 /// One piece of a sequence of frames.
 struct Piece {
-  /// Frames to draw. Except in the last piece, they end with the first frame of the next piece.
+  /// Frames to draw. In all pieces except the last, the last frame is the first frame of the next piece.
   std::vector<int> frames;
   /// Returns the first frame. The piece begins with the state at this frame. The first piece begins at the
   /// scene's start.

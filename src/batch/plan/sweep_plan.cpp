@@ -31,7 +31,8 @@ constexpr int planVersion = 1;
 /// Parameter name that simulations use for the number of steps before the first frame.
 constexpr const char* stepsBefore = "presteps";
 
-/// Returns the frames of a job; 0 alone stands for all.
+/// Returns the frames that --frames selects. Without --frames, all frames are drawn, and only frame 0 is
+/// returned.
 std::vector<int> framesOf(const SweepPlan& plan, const scene::Scene& scene) {
   if (plan.frames.empty()) return {0};
   return frame::parseFrames(plan.frames, "--frames", scene.frameCount() - 1);

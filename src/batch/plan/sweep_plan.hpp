@@ -49,8 +49,8 @@ struct SweepPlan {
   [[nodiscard]] std::string label(std::size_t job) const;
 };
 
-/// Returns the paths without their leading names. They are as short as possible while all are different,
-/// and have at least one name each.
+/// Returns the paths without their leading names. Each is as short as possible as long as all are
+/// different, and consists of at least one name.
 [[nodiscard]] std::vector<std::string> shortNames(const std::vector<std::string>& paths);
 
 [[nodiscard]] std::string jobHash(const std::string& sceneHash, const std::string& frames,

@@ -19,8 +19,8 @@ namespace simreel::batch {
 
 /// Input of one run. A run is a `simreel render`, a sweep's job, or a piece of a sequence.
 struct RenderRequest {
-  std::filesystem::path scene;  ///< path of the scene; "-": standard input
-  /// Text of the scene, which `scene` names in messages; nullopt: the text of that file.
+  std::filesystem::path scene;  ///< path of the scene; "-" means standard input
+  /// Text of the scene; if nullopt, it is read from `scene`. With a text, `scene` is used only in messages.
   std::optional<std::string> text = std::nullopt;
   std::vector<scene::Override> overrides;
   std::vector<std::filesystem::path> assets;  ///< additional folders for assets
@@ -33,11 +33,13 @@ struct RenderRequest {
   bool manifest = true;              ///< false to write no manifest.json, run.json and as-run.json
   std::optional<double> checkpoint;  ///< seconds between two checkpoints; nullopt for the default
   std::set<int> checkpointAt;        ///< frames whose checkpoints remain after the run
-  std::filesystem::path from;        ///< checkpoint to start from; empty to begin at the scene's start
-  bool mayDoWithout = false;         ///< true to begin at the scene's start if `from` cannot be used
+  std::filesystem::path from;        ///< checkpoint to start from; if empty, the run starts at the scene's
+                                     ///< start
+  bool mayDoWithout = false;         ///< true to start at the scene's start if `from` cannot be used
   std::string streamFormat = "rgba";
   std::vector<draw::Layer> layers;  ///< layers of OpenEXR pictures in addition to colour
-  std::optional<int> bits;          ///< bits per number: 8 or 16 in PNG, 16 or 32 in OpenEXR's colour
+  std::optional<int> bits;          ///< number of bits per value: 8 or 16 in PNG, 16 or 32 for colour in
+                                    ///< OpenEXR
   std::string command;              ///< command line to record in run.json
 };
 

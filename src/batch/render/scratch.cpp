@@ -28,7 +28,7 @@ bool isManifest(const fs::path& file) {
   return file.filename().string().ends_with("manifest.json");
 }
 
-/// Returns the files directly in a folder, manifests last. Skips incomplete files (.part) and locks.
+/// Returns the files directly in a folder, with manifests last. Skips incomplete files (.part) and locks.
 std::vector<fs::path> filesOf(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code error;

@@ -9,10 +9,10 @@ namespace simreel::batch {
 /// UserError(usage) if a variable is not set.
 [[nodiscard]] std::filesystem::path scratchRoot(const std::string& text);
 
-/// Folder on a node's local disk that replaces a shared folder during one run. The constructor copies files
-/// of an earlier attempt from the shared folder. deliver() copies the results back, and must be called even
-/// after an error or an interrupt, so that any other node can continue. If a node dies, its local files are
-/// lost.
+/// Folder on a node's local disk that is used instead of a shared folder during one run. The constructor
+/// copies files of an earlier attempt from the shared folder. deliver() copies the results back. It must be
+/// called even after an error or an interrupt, so that any other node can continue. If a node dies, its
+/// local files are lost.
 class Scratch {
  public:
   /// `root`: local folder in which a new folder is created. If it is empty, folder() is the shared folder.
@@ -25,9 +25,10 @@ class Scratch {
   Scratch& operator=(Scratch&&) = delete;
 
   [[nodiscard]] const std::filesystem::path& folder() const { return own_.empty() ? shared_ : own_; }
-  /// Copies all changed files back. Manifests come last, so that the files they list exist. Removes files
-  /// of the shared folder that the run has removed from its local copy. Copies instead of renaming, because
-  /// a rename does not cross file systems. Throws UserError(inputOutput).
+  /// Copies all changed files back to the shared folder. Manifests come last, so that the files that they
+  /// list exist. Removes files of the shared folder that the run has removed from its local copy. Copies
+  /// instead of renaming, because a rename cannot move files to another file system. Throws
+  /// UserError(inputOutput).
   void deliver();
 
  private:

@@ -42,7 +42,7 @@ struct Wanted {
   fs::path asRun;  ///< scene as run; empty if it is not in the picture's folder
 };
 
-/// Returns the path of another file of a manifest's output, whose name ends in `ending` in place of
+/// Returns the path of another file of a manifest's output. The file's name ends in `ending` instead of
 /// "manifest.json".
 fs::path besideManifest(const fs::path& manifest, const std::string& ending) {
   constexpr std::string_view own = "manifest.json";
@@ -97,8 +97,8 @@ std::optional<std::pair<fs::path, int>> manifestFor(const fs::path& picture, fra
   return std::nullopt;
 }
 
-/// Returns the path of the manifest: `file` itself, or the manifest of the folder or video `file`. Returns
-/// an empty path for a picture.
+/// Returns the path of the manifest. This is `file` itself, or the manifest of the folder or video `file`.
+/// Returns an empty path for a picture.
 fs::path manifestNamed(const fs::path& file) {
   if (isManifestName(file)) return file;
   std::error_code error;
@@ -207,8 +207,8 @@ std::string assetWords(const ReproduceRequest& request, const Wanted& wanted) {
   return words;
 }
 
-/// Adds possible causes if the results differ. If the results are equal, adds the differences in origin as
-/// well.
+/// Adds possible causes of differences if the results differ. If the results are equal, still adds the
+/// differences in origin.
 void compareOrigins(const ReproduceRequest& request, const Wanted& wanted, const frame::Manifest& again,
                     const frame::RunLog& log, Reproduction& result) {
   const auto say = [&](std::string line) { result.differences.push_back(std::move(line)); };

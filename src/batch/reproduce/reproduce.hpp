@@ -9,7 +9,7 @@
 namespace simreel::batch {
 
 struct ReproduceRequest {
-  std::filesystem::path file;   ///< a picture, a manifest, or a folder or video that has a manifest
+  std::filesystem::path file;   ///< a picture, a manifest, or a folder or video with a manifest
   std::optional<int> frame;     ///< frame number in the manifest; nullopt for the manifest's last frame
   std::filesystem::path scene;  ///< path of the scene; empty to use as-run.json in the picture's folder
   std::vector<std::filesystem::path> assets;

@@ -18,11 +18,11 @@ struct Submitted {
 /// UserError(inputOutput).
 void noteSubmitted(const std::filesystem::path& folder, const Submitted& job);
 
-/// Jobs that were submitted from a folder and that Slurm still has, waiting or running.
+/// Jobs that were submitted from a folder and that are still waiting or running in Slurm.
 class SlurmQueue {
  public:
-  /// Runs `squeue` if jobs were submitted from `folder`. An empty path means that none were. If squeue
-  /// fails, warns and treats the queue as empty.
+  /// Runs `squeue` if jobs were submitted from `folder`. An empty path means that no jobs were submitted.
+  /// If squeue fails, warns and treats the queue as empty.
   explicit SlurmQueue(const std::filesystem::path& folder);
 
   /// True if item `number` of this work is queued. A job that is not an array has only item 0.

@@ -14,7 +14,7 @@ class Slurm {
   /// Throws UserError(usage) if Slurm is not installed.
   Slurm(const std::filesystem::path& folder, std::vector<std::string> more);
 
-  /// Work of one job, or of each job of an array.
+  /// Arguments of simreel for one job, or for each job of an array.
   struct Work {
     std::string name;                     ///< name of the job and of its script
     std::vector<std::string> arguments;   ///< arguments for simreel; in an array, the item's number is

@@ -33,10 +33,10 @@ struct CheckFiles {
 /// Evaluates a scene's checks while it is rendered, and measures all quantities at the last frame.
 class Measurements final : public frame::FrameWatch {
  public:
-  /// Checks without frames of their own are evaluated at the tested frames that are drawn and, if `ends` is
-  /// true, at the last frame. Frames after the last one are not evaluated. Removes frames without a picture
-  /// from the "not-blank" checks of `scene`, which must outlive this object. `hear`: called with each new
-  /// result, but not with results of an earlier run.
+  /// Checks for which the scene gives no frames are evaluated at the tested frames that are drawn and, if
+  /// `ends` is true, at the last frame. Frames after the last one are not evaluated. Removes frames without
+  /// a picture from the "not-blank" checks of `scene`, which must outlive this object. `hear`: called with
+  /// each new result, but not with results of an earlier run.
   Measurements(scene::Scene& scene, std::span<const int> drawn, CheckFiles files,
                std::function<void(const golden::CheckResult&)> hear = {}, bool ends = true);
 

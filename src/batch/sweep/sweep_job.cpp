@@ -304,7 +304,7 @@ int makeShared(const SweepPlan& plan, const gl::Context& context, frame::Progres
   if (!lacksShared(plan)) return 0;
   RenderRequest request;
   request.scene = plan.sceneFile();
-  // The values of any job serve, because the varied values do not affect the simulation.
+  // The values of any job can be used, because the varied values do not affect the simulation.
   request.overrides = plan.overridesOf(0);
   request.assets = plan.assets;
   request.output = plan.sharedFolder().string() + "/";

@@ -36,15 +36,14 @@ struct JobEnd {
   bool elsewhere = false;  ///< true if another process runs the job, so that the call did nothing
 };
 
-/// Renders a job into its folder, or continues an interrupted one, and writes the result, even after an
-/// error. Does nothing if the job is already done. `scratch`: local folder to render in; empty if none is
-/// used.
+/// Renders a job into its folder, or continues an interrupted one. Writes the result, even after an error.
+/// Does nothing if the job is already done. `scratch`: local folder to render in; empty if none is used.
 [[nodiscard]] JobEnd runSweepJob(const SweepPlan& plan, std::size_t job, const gl::Context& context,
                                  frame::Progress& progress, const std::string& command,
                                  const std::filesystem::path& scratch = {});
-/// Simulates the part that all jobs have in common, if there is one, and stores its last state for them.
-/// Jobs can also run without that state. Returns the signal that interrupted the simulation, or 0. Throws
-/// UserError.
+/// Simulates the frames that are equal in all jobs, if there are any, and stores the last state for the
+/// jobs. Jobs can also run without that state. Returns the signal that interrupted the simulation, or 0.
+/// Throws UserError.
 [[nodiscard]] int makeShared(const SweepPlan& plan, const gl::Context& context, frame::Progress& progress,
                              const std::string& command);
 [[nodiscard]] bool lacksShared(const SweepPlan& plan);

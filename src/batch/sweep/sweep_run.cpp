@@ -86,8 +86,8 @@ int SweepTally::exitCode() const {
 
 namespace {
 
-/// Simulates the common part in a worker process, like a job. If it fails, the jobs simulate that part
-/// themselves, so the error only causes a warning.
+/// Simulates the common frames in a worker process, like a job. If the simulation fails, the jobs simulate
+/// these frames themselves, so the error only causes a warning.
 void shareWork(const SweepPlan& plan, const LocalRun& how) {
   WorkForce force;
   force.items = 1;

@@ -19,15 +19,15 @@ struct SweepTally {
   [[nodiscard]] std::size_t jobs() const { return done + failed + aborted + running + queued + missing; }
   /// Returns a summary: "24 jobs: 20 done (1 with failed checks), 3 failed, 1 missing".
   [[nodiscard]] std::string text() const;
-  /// Returns the first exit code that applies: 1 if a job or a check failed; 7 if a job has begun or is
-  /// queued but is not done; 3 if a job is missing; 0 if all jobs are done.
+  /// Returns the first exit code that applies. 1: a job or a check failed. 7: a job has begun or is queued
+  /// but is not done. 3: a job is missing. 0: all jobs are done.
   [[nodiscard]] int exitCode() const;
 };
 
 /// Settings for running a sweep on this machine.
 struct LocalRun {
   std::size_t workers = 1;
-  gl::ContextOptions on;  ///< GPU selection; if it lists several devices, each worker takes the next one
+  gl::ContextOptions on;  ///< device selection; if it lists several devices, each worker takes the next one
   /// True to write an event to standard error for each check and at the end of each job.
   bool ndjson = false;
   /// Scratch folder on a local disk to render in. If empty, jobs render into their own folders.

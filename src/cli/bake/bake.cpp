@@ -38,13 +38,13 @@ struct BakeOptions {
   SceneOptions scene;
   std::string output, object, format, look;
   gl::ContextOptions on;
-  std::vector<std::string> fields;  ///< names of the fields to write; empty: all
+  std::vector<std::string> fields;  ///< names of the fields to write; if empty, all fields are written
   std::optional<std::string> frames;
   bool overwrite = false;
   bool sequence = false;  ///< true if all frames of an object are written to one file
 };
 
-/// A file that is written for each baked frame: the object's index, the file's name and its format.
+/// A file that is written for each baked frame, with the object's index, the file's name and format.
 struct BakedFile {
   std::size_t object;
   std::string name, format;
@@ -169,8 +169,8 @@ void bake(BakeOptions o) {
   frame::interruptFrames();
   const gl::Context context(o.on);
   sim::World world(scene);
-  static_cast<void>(world.grow());  // enlarges buffers of meshes that are too small for the first frame, so
-                                    // that each object reports everything that it can write
+  static_cast<void>(world.grow());  // Enlarges buffers of meshes that are too small for the first frame, so
+                                    // that each object reports everything that it can write.
   if (o.format == "csv") return bakeSeries(scene, world, o.output, o.object, frames, o.overwrite);
   auto all = bakedFiles(world, o);
   chooseFields(all, o.fields);

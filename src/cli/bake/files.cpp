@@ -56,8 +56,8 @@ std::vector<std::byte> bytesOf(const std::string& text) {
 /// other columns of `points`, whose rows are the vertices. The triangles follow.
 std::vector<std::byte> meshPly(const sim::MeshTable& mesh, const sim::PointTable& points,
                                std::span<const std::string> comments) {
-  constexpr std::size_t own = 3;  // The first three columns of `points` are x, y and z, which have been
-                                  // written.
+  constexpr std::size_t own = 3;  // The first three columns of `points` are x, y and z. They have already
+                                  // been written.
   std::vector<const char*> columns = {"x", "y", "z", "nx", "ny", "nz"};
   if (!mesh.uvs.empty()) columns.insert(columns.end(), {"s", "t"});
   const std::size_t width = points.columns.size();
@@ -116,8 +116,7 @@ std::vector<std::string> fileNames(const sim::World& world, std::size_t object, 
   for (const sim::Field& field : drawables.fields)
     if (*field.name == name || field.name->starts_with(name + ".")) names.push_back(*field.name);
   if (fieldOf(drawables, name) == nullptr)
-    return {name};  // The name is the object's, whose points
-                    // are written.
+    return {name};  // The file has the object's name, because the object's points are written.
   return names;
 }
 

@@ -34,7 +34,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int largestSide =
-    8192;  // maximum texels per side; larger maps would take gigabytes of memory during encoding
+    8192;  // max number of texels per side; larger maps would take gigabytes of memory during encoding
 
 /// Returns the size of the maps, or nullopt without --size. Since --size overrides render.size, the size is
 /// read from the scene.
@@ -47,7 +47,7 @@ std::optional<glm::ivec2> mapSize(const MapsOptions& o, const scene::Scene& scen
   return size;
 }
 
-/// Applies --look: if no object has the field as its skin, gives the object with the field a skin with that
+/// Applies --look. If no object has the field as its skin, gives the object with the field a skin with that
 /// look.
 void wearOwnField(const MapsOptions& o, scene::Scene& scene) {
   static const std::array<std::string, 4> looks = {"leather", "spots", "cracks", "map"};
@@ -160,8 +160,8 @@ void bakeMaps(const MapsOptions& o) {
   frame::catchInterrupts();
   const gl::Context context(o.on);
   if (sim::needsRanges(scene))
-    static_cast<void>(sim::frameMotion(scene));  // The appearance depends on the
-                                                 // ranges.
+    static_cast<void>(sim::frameMotion(scene));  // The appearance depends on the ranges of colours, which
+                                                 // are measured first.
   sim::World world(scene);
   MapWriter writer(o, scene, size);
   makeFolders(o.output);

@@ -9,11 +9,11 @@ namespace simreel::cli {
 
 /// Options of `simreel bake --format maps`.
 struct MapsOptions {
-  SceneOptions scene;  ///< `scene.size` is the size of the maps; if absent, a map has one texel per cell of
-                       ///< the field
+  SceneOptions scene;  ///< options of the scene; `scene.size` is the size of the maps, and if absent, a map
+                       ///< has one texel per cell of the field
   std::string output, object, look;
   gl::ContextOptions on;
-  std::optional<std::string> frames;  ///< frames to bake; if absent, the last frame
+  std::optional<std::string> frames;  ///< frames to bake; if absent, only the last frame is baked
   bool overwrite = false;
 };
 

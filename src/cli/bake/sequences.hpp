@@ -19,7 +19,7 @@ struct SequencesOptions {
   bool overwrite = false;
   /// Returns the comment lines about an object at the current frame, for formats that allow comments.
   std::function<std::vector<std::string>(std::size_t object)> comments;
-  frame::SkinPicturesOf skins = {};  ///< pictures of materials at the current frame, for glb
+  frame::SkinPicturesOf skins = {};  ///< returns the pictures of a material at the current frame, for glb
 };
 
 /// Writes OUTPUT/NAME.glb, or OUTPUT/NAME.pc2 or .mdd together with the first frame as OUTPUT/NAME.obj.

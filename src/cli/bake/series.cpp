@@ -23,7 +23,7 @@ struct Series {
   std::string text;
 };
 
-/// Returns the tables, which contain only the header line so far.
+/// Returns the tables, which at first contain only the header line.
 std::vector<Series> seriesOf(const scene::Scene& scene, const sim::World& world, const fs::path& output,
                              const std::string& object) {
   std::vector<Series> all;

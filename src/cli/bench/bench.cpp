@@ -65,8 +65,8 @@ void checkFiles(const BenchOptions& o) {
     if (!file.empty() && file != "-") checkWritable(file);
 }
 
-/// Returns one row per case and stores the cases' scenes in `scenes`. Errors in values are thrown here,
-/// before a device starts.
+/// Returns one row per case and stores the scenes of the cases in `scenes`. Errors in values are thrown in
+/// this function, before a device starts.
 std::vector<BenchRow> rowsOf(const BenchOptions& o, std::vector<scene::Scene>& scenes) {
   std::vector<std::vector<BenchChoice>> lists;
   if (!o.technique.empty())

@@ -43,7 +43,7 @@ struct Color {
 };
 
 /// Returns the colour of a stage. Named stages have the same colour in every chart. The steps of objects
-/// cycle through blues and greens; `number` is the index of the step.
+/// cycle through blues and greens. `number`: index of the step.
 Color colorOf(const std::string& stage, int number) {
   struct Named {
     const char* name;
@@ -63,13 +63,14 @@ Color colorOf(const std::string& stage, int number) {
   return steps[static_cast<std::size_t>(number) % steps.size()];
 }
 
-/// One coloured segment of a bar: a whole stage if `part` is empty, else one part of the stage.
+/// One coloured segment of a bar. It stands for a whole stage if `part` is empty, and otherwise for one
+/// part of the stage.
 struct Key {
   std::string stage, part, color;
   [[nodiscard]] std::string label() const { return part.empty() ? stage : stage + ": " + part; }
 };
 
-/// Returns the entries of the legend: all shown stages, each followed by its parts.
+/// Returns the entries of the legend. These are all shown stages, each followed by its parts.
 std::vector<Key> keysOf(const std::vector<RowFigures>& rows) {
   std::vector<Key> keys;
   int number = 0;
@@ -88,8 +89,8 @@ std::vector<Key> keysOf(const std::vector<RowFigures>& rows) {
   return keys;
 }
 
-/// Returns the length of a segment in ms. The segment of a stage that has parts gets the time that the
-/// parts do not account for. `side`: CPU or GPU time.
+/// Returns the length of a segment in ms. If a stage has parts, its own segment gets the time that the
+/// parts do not account for. `side`: member that holds the CPU or the GPU time.
 double lengthOf(const RowFigures& row, const Key& key, double StageFigures::*side) {
   for (const StageFigures& stage : row.stages) {
     if (stage.name != key.stage) continue;

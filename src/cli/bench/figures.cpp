@@ -9,8 +9,8 @@ namespace simreel::cli {
 
 namespace {
 
-/// Returns the longest stage and its fraction of the median frame time: "surfaces, 61%", or "step mesh
-/// (deform), 61%" if the stage reports its parts.
+/// Returns the longest stage and its fraction of the median frame time, such as "surfaces, 61%". If the
+/// stage reports its parts, the text is such as "step mesh (deform), 61%".
 std::string largest(const RowFigures& row, double StageFigures::*side) {
   const auto max =
       std::max_element(row.stages.begin(), row.stages.end(),

@@ -19,8 +19,8 @@ constexpr std::array timingNames = {"wait", "query", "whole"};
 
 using Lines = std::vector<std::vector<std::string>>;
 
-/// Aligns the columns of a table: the first to the left, the others to the right. `tail`: true to leave the
-/// last column unaligned.
+/// Aligns the columns of a table. The first column is aligned to the left, the others to the right. `tail`:
+/// true to leave the last column unaligned.
 std::string aligned(const Lines& lines, bool tail) {
   std::vector<std::size_t> width;
   for (const auto& line : lines) {
@@ -78,7 +78,8 @@ std::string frameTable(const BenchReport& report, const std::vector<RowFigures>&
   return aligned(lines, true);
 }
 
-/// One column of the stage table: a stage if `part` is empty, else one part of the stage.
+/// One column of the stage table. It shows a whole stage if `part` is empty, and otherwise one part of the
+/// stage.
 struct Column {
   std::string stage, part;
 };
@@ -102,8 +103,8 @@ std::string cell(const RowFigures& row, const Column& column, double StageFigure
   for (const StageFigures& stage : row.stages) {
     if (stage.name != column.stage) continue;
     if (column.part.empty()) return ms(stage.*side);
-    // A step reports its parts once. The table shows the parts on the side (CPU or GPU) with the longer
-    // time.
+    // A step reports its parts only once, not for CPU and GPU separately. The table shows the parts on the
+    // side (CPU or GPU) with the longer time.
     if (stage.*side < std::max(stage.cpu, stage.gpu)) return "";
     for (const auto& [name, value] : stage.parts)
       if (name == column.part) return ms(value);

@@ -26,7 +26,7 @@ struct BenchReport {
   bool software = false;
   std::size_t processors = 1;  ///< number of processors that this process may use
   frame::Timing timing = frame::Timing::wait;
-  int frames = 0, warmUp = 0, rounds = 0;  ///< numbers that the user requested
+  int frames = 0, warmUp = 0, rounds = 0;  ///< numbers of frames that the user requested
   bool interrupted = false;
   std::vector<BenchRow> rows;
 };
@@ -43,11 +43,11 @@ struct StageFigures {
 struct RowFigures {
   frame::Statistics frame;  ///< statistics of frame times, ms
   frame::Outliers outliers;
-  double perSecond = 0;   ///< frames per second, outliers included
+  double perSecond = 0;   ///< frames per second, computed from all frames including outliers
   double processors = 0;  ///< average number of processors that this process kept busy
   std::vector<StageFigures> stages;
   double cpu = 0, gpu = 0;  ///< sum of the stages' median times, ms
-  /// The cause that limits the frame time: "surfaces, 61%", "GPU: shadow, 40%", "CPU: step a, 90%" or
+  /// The stage that limits the frame time: "surfaces, 61%", "GPU: shadow, 40%", "CPU: step a, 90%" or
   /// "waiting". Empty if stages were not timed. Percentages are relative to the median frame time.
   std::string bound;
 };

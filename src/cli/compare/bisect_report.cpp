@@ -65,7 +65,7 @@ std::string differenceText(const BisectReport& report) {
   return text;
 }
 
-/// Returns the name of the differing pass: "pass shadow (sun)".
+/// Returns the name of the differing pass, such as "pass shadow (sun)".
 std::string passName(const golden::PassDifference& found) {
   return found.pass + (found.part.empty() ? "" : fmt::format(" ({})", found.part));
 }
@@ -129,7 +129,7 @@ Json valuesJson(const std::array<std::uint32_t, 4>& words) {
   Json values = Json::array();
   Json bits = Json::array();
   for (const std::uint32_t word : words) {
-    values.push_back(std::bit_cast<float>(word));  // JSON writes NaN and infinity as null
+    values.push_back(std::bit_cast<float>(word));  // JSON writes NaN and infinity as null.
     bits.push_back(fmt::format("0x{:08x}", word));
   }
   return {{"values", values}, {"bits", bits}};
@@ -149,7 +149,7 @@ Json passSideJson(const golden::PassDifference& found, const golden::SeenThing& 
       for (const unsigned shift : {0U, 8U, 16U}) values.push_back(words[i] >> shift & 255U);
     } else {
       const auto value = found.light ? std::bit_cast<float>(words[i]) : golden::nearnessOf(words[i]);
-      values.push_back(value ? Json(*value) : Json());  // JSON writes NaN and infinity as null
+      values.push_back(value ? Json(*value) : Json());  // JSON writes NaN and infinity as null.
     }
   }
   return {{"object", seen.object}, {"primitive", seen.primitive}, {"values", values}, {"bits", bits}};

@@ -54,7 +54,7 @@ void checkFrame(int frame, int first) {
     fail(ExitCode::usage, "frame {} is above the largest, {}", frame, frame::largestFrame);
 }
 
-/// Parses a frame range: "all", "7", "0-99", "-30-99" or "start-99". Frames before 0 belong to the
+/// Parses a frame range such as "all", "7", "0-99", "-30-99" or "start-99". Frames before 0 belong to the
 /// pre-roll.
 Range parseRange(const std::string& text, int firstFrame, int frameCount) {
   if (text == "all") return {firstFrame, frameCount - 1};

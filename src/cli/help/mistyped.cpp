@@ -18,8 +18,8 @@ namespace simreel::cli {
 
 namespace {
 
-/// Returns the innermost command that was recognized in the command line: `report merge`, or the program
-/// itself.
+/// Returns the innermost command that was recognized in the command line, such as `report merge`. If there
+/// is none, returns the program itself.
 const CLI::App& typedCommand(const CLI::App& app) {
   const CLI::App* command = &app;
   while (!command->get_subcommands().empty()) command = command->get_subcommands().front();

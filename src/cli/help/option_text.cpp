@@ -67,8 +67,8 @@ void takeValue(const CLI::Option& option, OptionText& text) {
   const std::string type = option.get_type_name();
   const auto open = type.find('{');
   const auto close = type.rfind('}');
-  if (open != std::string::npos && close != std::string::npos) {  // The words come from CLI::IsMember or
-                                                                  // type_name().
+  if (open != std::string::npos && close != std::string::npos) {  // The allowed words come from
+                                                                  // CLI::IsMember or type_name().
     text.choices = CLI::detail::split(type.substr(open + 1, close - open - 1), ',');
     text.value = fmt::format("{}", fmt::join(text.choices, "|"));
     std::erase(text.choices, "NAME");  // NAME stands for any name.

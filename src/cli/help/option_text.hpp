@@ -16,7 +16,7 @@ struct OptionText {
   std::string argument;                    ///< name of a positional argument; empty for an option
   std::string doc;                         ///< description of the option, with default and range
   std::string value;                       ///< placeholder of the value; empty for a flag without a value
-  std::vector<std::string> choices;        ///< the allowed words; empty if any value is allowed
+  std::vector<std::string> choices;        ///< allowed words; empty if any value is allowed
   bool required = false;
   bool several = false;  ///< true for an argument that accepts several values
 

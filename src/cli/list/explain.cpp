@@ -30,8 +30,8 @@ struct ExplainOptions {
   gl::ContextOptions on;
 };
 
-/// Returns lines with path, value and origin in columns. A path or value that is too wide shifts the rest
-/// of its line.
+/// Returns lines with path, value and origin in columns. If a path or value is too wide, the columns after
+/// it are shifted.
 std::string explainedText(const std::vector<scene::ExplainedValue>& values) {
   constexpr std::size_t mostPath = 44, mostValue = 36;
   std::size_t path = 0, value = 0;

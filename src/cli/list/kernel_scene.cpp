@@ -88,8 +88,8 @@ Json buffersOf(const Memory& memory, const KernelGuess& guess, const std::set<st
   return buffers;
 }
 
-/// Returns the entry of a kernel in the schedule: with a guess of its threads if the sizes of its memory do
-/// not determine them.
+/// Returns the entry of a kernel in the schedule. Adds a guess of the kernel's thread count if the sizes of
+/// its memory do not determine it.
 Json entryOf(const kernels::Kernel& kernel, const KernelGuess& guess,
              const std::set<std::string>& counted) {
   const sim::KernelSizes sizes = {

@@ -41,7 +41,8 @@ bool hasOneOf(const Words& words, std::initializer_list<std::string_view> list) 
   return std::any_of(words.begin(), words.end(), [&](const std::string& w) { return isOneOf(w, list); });
 }
 
-/// Axis whose number of cells a scalar names: 0 to 2; -1 if it names none.
+/// Returns the axis (0 to 2) whose number of cells a scalar with this name holds, or -1 if the name means
+/// no axis.
 int axisOf(const Words& words) {
   if (words.empty() || hasOneOf(words, {"line", "wall", "wave", "brush", "band", "stroke", "border"}))
     return -1;
@@ -52,7 +53,7 @@ int axisOf(const Words& words) {
   return -1;
 }
 
-/// Returns true if a name means the number of cells of a grid: "_Resolution", "gridSize", "texSize".
+/// True if a name means the number of cells of a grid: "_Resolution", "gridSize", "texSize".
 bool isExtent(const Words& words) {
   if (hasOneOf(words, {"resolution", "res", "dim", "dims", "dimension", "dimensions", "rez"})) return true;
   if (!hasOneOf(words, {"size", "extent", "extents"})) return false;
@@ -70,7 +71,7 @@ bool isTexel(const Words& words) {
          hasOneOf(words, {"size", "res", "resolution"});
 }
 
-/// Returns the names of a kernel's memory, what it writes first.
+/// Returns the names of a kernel's buffers and textures. Those that the kernel writes come first.
 template <class Memory, class Pick>
 Words namesOf(const std::vector<Memory>& all, const Pick& pick) {
   Words names;
@@ -156,7 +157,7 @@ std::string KernelGuess::countValue(const kernels::Kernel& kernel, const std::st
     return isOpen(b) && b.counterOf.empty() && b.previousOf.empty();
   });
   if (names.empty()) return {};
-  // _NumParticles is the length of _Particles, whatever else the kernel writes.
+  // _NumParticles is the length of _Particles, regardless of other memory that the kernel writes.
   for (const std::string& buffer : names)
     for (const std::string& of : wordsOf(buffer))
       for (const std::string& word : wordsOf(name))

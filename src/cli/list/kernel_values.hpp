@@ -15,12 +15,12 @@ class KernelGuess {
  public:
   explicit KernelGuess(const kernels::Shader& shader);
 
-  /// Returns the number of elements along each axis of a buffer without a length. It is a grid if the
-  /// shader has constants for the width of one and no textures.
+  /// Returns the number of elements along each axis for a buffer that has no length in the shader. The
+  /// buffer is a 2-D grid if the shader has constants for the width of a grid and no textures.
   [[nodiscard]] glm::ivec3 bufferSize() const { return bufferSize_; }
   [[nodiscard]] static glm::ivec3 textureSize(const kernels::Texture& texture);
-  /// Returns the value of a constant that `kernel` reads: the time, a size of the memory that the kernel
-  /// writes, a seed and so on, else 1. One number or expression sets all components.
+  /// Returns the value of a constant that `kernel` reads. This is the time, a size of the memory that the
+  /// kernel writes, a seed and so on, and otherwise 1. One number or expression sets all components.
   [[nodiscard]] nlohmann::ordered_json value(const kernels::Kernel& kernel,
                                              const sim::KernelSlot& constant) const;
 
@@ -28,14 +28,15 @@ class KernelGuess {
   [[nodiscard]] nlohmann::ordered_json sizeValue(const kernels::Kernel& kernel,
                                                  const sim::KernelSlot& constant) const;
   [[nodiscard]] std::string countValue(const kernels::Kernel& kernel, const std::string& name) const;
-  /// Returns the name of the grid whose size a constant of `kernel` may be; empty if none exists.
+  /// Returns the name of the grid whose size a constant of `kernel` may be. Returns an empty text if there
+  /// is no such grid.
   [[nodiscard]] std::string gridOf(const kernels::Kernel& kernel) const;
 
   const kernels::Shader& shader_;
   glm::ivec3 bufferSize_{1024, 1, 1};
 };
 
-/// Returns true for an array without a length in the shader.
+/// True for an array without a length in the shader.
 [[nodiscard]] bool isOpen(const kernels::Buffer& buffer);
 
 }  // namespace simreel::cli

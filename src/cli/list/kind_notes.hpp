@@ -7,8 +7,8 @@ namespace simreel::cli {
 /// Facts about a kind of object that the reference prints in addition to the kind's parameters.
 struct KindNotes {
   std::string_view kind;
-  std::string_view states;   ///< state arrays under the names that `simreel trace` and `bake` use: "name:
-                             ///< meaning|..."
+  std::string_view states;   ///< state arrays under the names that `simreel trace` and `bake` use, in the
+                             ///< form "name: meaning|..."
   std::string_view sources;  ///< papers and books, separated by "|"; may be empty
 };
 

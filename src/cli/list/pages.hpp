@@ -8,9 +8,9 @@
 
 namespace simreel::cli {
 
-/// Returns the description of a parameter such as "cloth.pins": full sentence, default, range, unit and an
-/// example. The description of a group also has its members. Throws UserError(usage) with a suggestion for
-/// an unknown name.
+/// Returns the description of a parameter such as "cloth.pins". It consists of a full sentence, default,
+/// range, unit and an example. The description of a group also has its members. Throws UserError(usage)
+/// with a suggestion for an unknown name.
 [[nodiscard]] std::string parameterText(std::string_view path, std::size_t width);
 /// Returns all parameters and measured quantities whose name or description contains all of the words.
 [[nodiscard]] std::string searchText(const std::string& words, std::size_t width);

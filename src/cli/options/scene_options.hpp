@@ -20,7 +20,7 @@ struct SceneOptions {
   std::optional<int> seed;
   std::optional<std::string> size;  ///< value of --size, "WxH"
   std::optional<double> fps;
-  std::optional<double> turn;  ///< seconds in which the camera orbits the scene once
+  std::optional<double> turn;  ///< time (s) in which the camera orbits the scene once
   std::optional<int> samples;
   std::optional<std::string> rasterizer;
   std::vector<std::string> assets;  ///< additional folders from which the scene may read files

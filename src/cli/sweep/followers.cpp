@@ -1,4 +1,5 @@
-// simreel sweep status, retry, collect and job: work on an existing plan of a sweep. A cluster runs `job`.
+// simreel sweep status, retry, collect and job: subcommands that work on an existing plan of a sweep. A
+// cluster runs `job`.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/log.hpp"
@@ -64,7 +65,7 @@ batch::JobState stateIn(const batch::SlurmQueue& queue, std::size_t job, batch::
 /// Prints a line for each job that is not done, and the totals.
 void status(const FollowerOptions& o) {
   const batch::SweepPlan plan = batch::readSweepPlan(o.folder);
-  // The queue is read before the jobs, because a job may start between the two reads.
+  // Reads the queue before the jobs, because a job may start between the two reads.
   const batch::SlurmQueue queue(slurmFolder(plan));
   auto sweep = batch::collect(plan);
   for (std::size_t i = 0; i < sweep.jobs.size(); ++i)
@@ -161,7 +162,7 @@ void SweepRunOptions::add(CLI::App& command) {
 
 namespace {
 
-/// Submits the jobs as Slurm job arrays; the cluster runs `simreel sweep job` for each.
+/// Submits the jobs as Slurm job arrays. The cluster runs `simreel sweep job` for each job.
 void submitSweep(const batch::SweepPlan& plan, const std::vector<std::size_t>& jobs,
                  const SweepRunOptions& how) {
   batch::Slurm slurm = how.cluster.cluster(slurmFolder(plan));
@@ -190,8 +191,8 @@ void runSweep(const batch::SweepPlan& plan, const std::vector<std::size_t>& jobs
   batch::checkProgram(plan);
   std::vector<std::size_t> waiting;
   std::size_t queued = 0;
-  // With --slurm, jobs that are in the cluster's queue are not submitted again. Without --slurm, they run
-  // here.
+  // With --slurm, jobs that are in the cluster's queue are not submitted again. Without --slurm, these jobs
+  // run in this process.
   const batch::SlurmQueue queue(how.cluster.slurm ? slurmFolder(plan) : fs::path());
   for (const std::size_t number : jobs) {
     const auto state = stateIn(queue, number, batch::statusOf(plan, number).state);

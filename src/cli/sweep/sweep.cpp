@@ -48,8 +48,8 @@ void checkOptions(const SweepOptions& o) {
 
 /// Simulates each job once to measure color ranges that are "auto", and gives all jobs the same ranges.
 void shareRanges(batch::SweepPlan& plan, const std::string& text, const SweepOptions& o) {
-  // The ranges are measured in a separate process. Jobs are forked from the current process, which
-  // therefore must not have had a GL context.
+  // The ranges are measured in a separate process, because jobs are later forked from the current process,
+  // which must not have had a GL context by then.
   constexpr Allotment unlimited{std::size_t{1} << 40, 1 << 30};
   std::string lines;
   try {

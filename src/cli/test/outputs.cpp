@@ -109,7 +109,7 @@ fs::path folderOutside(const golden::SuiteResult& suite) {
 }
 
 /// Returns the command line that accepts this run. It contains --expected if baselines are outside the
-/// current folder, and --scenes if scenes are.
+/// current folder, and --scenes if scenes are outside of it.
 std::string acceptCommand(const golden::SuiteResult& suite, const std::string& reportFile) {
   std::string command = "simreel accept " + inShellQuotes(reportFile);
   if (const fs::path expected = suite.expected;

@@ -13,16 +13,16 @@ namespace simreel::cli {
 /// Output files of a test run.
 struct TestOutputs {
   std::string report, junit, json, markdown;
-  /// Form of pictures in Markdown: "files", "data", "none" or a URL that serves the report's folder. Empty
-  /// means "files", but "data" in a job summary.
+  /// Form of pictures in Markdown: "files", "data", "none" or a URL that serves the report's folder. If
+  /// empty, the form is "data" in a job summary and "files" elsewhere.
   std::string pictures;
   bool github = false;
   void add(CLI::App& command);
   /// Adds all options except --report.
   void addFiles(CLI::App& command);
 
-  /// Returns the folder of report.json. The paths of images are relative to it. An empty path means that
-  /// images are not kept.
+  /// Returns the folder of report.json. The paths of images are relative to this folder. An empty path
+  /// means that images are not kept.
   [[nodiscard]] std::filesystem::path folder() const;
   /// Returns the folder for pictures of failures: <report>/files, or a folder next to the JSON report or
   /// the Markdown file. An empty path means that pictures are not written.

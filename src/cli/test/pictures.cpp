@@ -121,8 +121,8 @@ bool chosen(const TestOptions& o, const std::string& name) {
          });
 }
 
-/// One run of `simreel test` on pictures: renders them if requested, and compares all selected ones with
-/// their baselines.
+/// One run of `simreel test` on pictures. Renders them if requested, and compares all selected pictures
+/// with their baselines.
 class PictureRun {
  public:
   explicit PictureRun(const TestOptions& o) : o_(o), begin_(Clock::now()) {
@@ -289,7 +289,7 @@ class PictureRun {
     for (golden::SceneResult& result : results) tell(std::move(result));
   }
 
-  /// Renders the scenes of failed pictures again and compares those pictures again.
+  /// Renders the scenes of failed pictures again, and compares these pictures again.
   void retry(std::vector<golden::SceneResult>& results) {
     std::vector<golden::SceneResult*> failed;
     std::vector<std::size_t> chosen;

@@ -165,8 +165,8 @@ class SceneRun {
     };
     force.done = [this](std::size_t item, const std::string& text) {
       golden::Outcome outcome = golden::parseOutcome(text);
-      nameScene(scenes_[item], outcome.scene);  // The name is set again here, because JSON cannot contain
-                                                // names that are not valid UTF-8.
+      nameScene(scenes_[item], outcome.scene);  // Sets the name again, because JSON cannot contain names
+                                                // that are not valid UTF-8.
       golden::addLosses(losses_[item], outcome);
       addOutcome(std::move(outcome));
     };
@@ -185,8 +185,8 @@ class SceneRun {
       addOutcome(std::move(outcome));
     };
     force.patience = o_.timeout;
-    // A renamed scene takes over the baseline of a scene that no longer exists. Such scenes run one at a
-    // time, in order, so that the first one gets the baseline.
+    // A renamed scene takes over the baseline of a scene that no longer exists. If this may happen, scenes
+    // are tested one at a time, in order, so that the first matching scene gets the baseline.
     const bool mayMove = options_.update != golden::Update::none && !options_.orphans.empty();
     force.alone = [this, mayMove](std::size_t item) {
       return mayMove && !pathExists(golden::baselineFolder(scenes_[item].file));
@@ -227,7 +227,7 @@ class SceneRun {
     result_.scenes.push_back(std::move(outcome.scene));
   }
 
-  /// Reports baselines of scenes that no longer exist and that no renamed scene took over.
+  /// Reports baselines of scenes that no longer exist, if no renamed scene took over the baseline.
   void addOrphans() {
     for (const fs::path& folder : options_.orphans) {
       if (!pathExists(folder)) continue;

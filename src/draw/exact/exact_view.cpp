@@ -10,16 +10,16 @@ namespace simreel::draw {
 
 shader::ExactView exactView(const View& view, const scene::Camera& camera, glm::ivec2 size,
                             const LensPoint& through) {
-  // A point p has the depth d = f . (p - e), where e is the eye and f the forward direction. With the
-  // vector r to the right, p appears half a width to the right of the picture's centre if r . (p - e) = d
-  // reach.x, so the pixel position times d is linear in p - e. In orthographic views the pixel position
-  // itself is linear in p - e. Their nearness 1 - (d - near) / span must be above 0 for all depths up to
+  // A point p has the depth d = f . (p - e), where e is the eye and f the forward direction. With the unit
+  // vector r to the right, p appears at the right edge of the picture if r . (p - e) = d reach.x, so the
+  // pixel position times d is linear in p - e. In orthographic views the pixel position itself is linear in
+  // p - e. The nearness in orthographic views, 1 - (d - near) / span, must be above 0 for all depths up to
   // twice the far distance.
   const glm::vec2 half = 0.5F * glm::vec2(size);
   const glm::vec3 across = view.right / (view.reach.x * view.reach.x);
   const glm::vec3 up = view.up / (view.reach.y * view.reach.y);
-  // If the eye moves by o, points in the focal plane keep their picture positions if rays turn by -o /
-  // focus.
+  // If the eye moves by a vector o, points in the focal plane keep their picture positions if -o / focus is
+  // added to the ray directions.
   const glm::vec3 turned = through.aside / through.focus;
   const float far = camera.far + view.farther;
   const float right = glm::dot(across, turned), above = glm::dot(up, turned);
@@ -48,7 +48,7 @@ shader::ExactView exactView(const View& view, const scene::Camera& camera, glm::
 namespace {
 
 /// Returns nearOfGround() for orthographic views. The ray through a pixel starts o.y above the eye's height
-/// and descends by -forward.y per metre. A ground at the height `down` relative to the eye therefore has
+/// and descends by -forward.y per metre. A ground whose height relative to the eye is `down` therefore has
 /// the depth (down - o.y) / forward.y.
 glm::vec4 nearOfLevel(const shader::ExactView& view, float down) {
   const float steep = view.forward.y, perSpan = view.forward.w;

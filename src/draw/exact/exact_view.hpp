@@ -20,7 +20,7 @@ namespace simreel::draw {
 
 /// True if the view is orthographic (parallel rays).
 [[nodiscard]] bool isParallel(const shader::ExactView& view);
-/// Converts a nearness, the value that depth keys store (draw/exact/depth.glsl), to a depth (m).
+/// Converts a nearness to a depth (m). Nearness is the value that depth keys store (draw/exact/depth.glsl).
 [[nodiscard]] float depthOf(const shader::ExactView& view, float near);
 /// Returns the point at depth `depth` (m) on the ray through a picture position (pixels).
 [[nodiscard]] glm::vec3 placeOf(const shader::ExactView& view, glm::vec2 pixel, float depth);
@@ -32,16 +32,17 @@ namespace simreel::draw {
 [[nodiscard]] std::optional<glm::dvec2> pixelTowards(const shader::ExactView& view,
                                                      const glm::dvec3& direction);
 
-/// Returns the range [x, y) of the band's pixel rows whose rays may hit a ground plane at `height` (m).
-/// Rows count from the band's first row. The limits are rounded to multiples of `step`.
+/// Returns the range of the band's pixel rows whose rays may hit a ground plane at `height` (m): first row
+/// (x, inclusive) and last row (y, exclusive). Rows count from the band's first row. Both limits are
+/// rounded to multiples of `step`.
 [[nodiscard]] glm::ivec2 rowsTowardsGround(const shader::ExactView& view, float height, int step);
 
-/// Returns the nearness of a ground plane at `height` (m). x: nearness at the centre of the first pixel; y
-/// and z: its increase per pixel to the right and down; w: max difference between a pixel's samples and its
-/// centre, including rounding errors.
+/// Returns the nearness of a ground plane at `height` (m). x: nearness at the centre of the first pixel. y
+/// and z: increase of the nearness per pixel to the right and down. w: max difference of nearness between a
+/// pixel's samples and centre, including rounding errors.
 [[nodiscard]] glm::vec4 nearOfGround(const shader::ExactView& view, float height);
-/// Returns bounds of the rays of depth 1, multiplied by the near distance. x: max |x| and |z| of any ray; y
-/// and z: max difference of x and of z within a pixel, including rounding errors.
+/// Returns bounds of the ray directions, scaled to depth 1 and multiplied by the near distance. x: max |x|
+/// and |z| of any ray. y and z: max difference of x and of z within a pixel, including rounding errors.
 [[nodiscard]] glm::vec3 raysAside(const shader::ExactView& view);
 
 }  // namespace simreel::draw

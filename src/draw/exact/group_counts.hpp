@@ -25,8 +25,8 @@ class GroupCounts {
     gl::Uniform<"times", unsigned> times = 1U;  ///< factor of each count; the product must be below 2^32
     gl::Uniform<"each", unsigned> each = 1U;    ///< items per workgroup
     gl::Uniform<"parts", unsigned> parts = 1U;  ///< workgroups in the third dimension
-    gl::Uniform<"fewerParts", unsigned> fewerParts = ~0U;  ///< min workgroups in the third dimension;
-                                                           ///< applies if there are many items
+    gl::Uniform<"fewerParts", unsigned> fewerParts = ~0U;  ///< min number of workgroups in the third
+                                                           ///< dimension if there are many items
   };
   struct Arguments {
     static constexpr auto file = "draw/exact/arguments.comp";

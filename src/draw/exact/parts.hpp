@@ -7,8 +7,8 @@
 
 namespace simreel::draw {
 
-/// Returns the min number of workgroups that share the tiles of a large primitive. With fewer, a loop could
-/// exceed 65,535 iterations, after which some drivers silently end it.
+/// Returns the min number of workgroups that share the tiles of a large primitive. With fewer workgroups, a
+/// loop could exceed 65,535 iterations, after which some drivers silently end it.
 [[nodiscard]] inline unsigned leastParts(glm::ivec2 size, int samples) {
   constexpr int maxTurns = 60000;
   const int tiles = ((size.x + 15) / 8) * ((size.y + 15) / 8);
@@ -16,8 +16,8 @@ namespace simreel::draw {
   return static_cast<unsigned>((tiles + each - 1) / each);
 }
 
-/// Returns the number of workgroups that share the tiles of a large primitive: leastParts(), but at least 4
-/// on software drivers and 32 on GPUs.
+/// Returns the number of workgroups that share the tiles of a large primitive. This is leastParts(), but at
+/// least 4 on software drivers and 32 on GPUs.
 [[nodiscard]] inline unsigned partsFor(glm::ivec2 size, int samples) {
   return std::max(gl::softwareDriver() ? 4U : 32U, leastParts(size, samples));
 }

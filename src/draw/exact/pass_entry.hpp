@@ -20,7 +20,7 @@ class Pass {
   virtual void run() = 0;
   /// Runs the pass again to restore the contents of a band. May write only resources of the band (ofBands).
   virtual void again() { run(); }
-  /// Prepares the pass to store light and layers (ExactFrame::wanted).
+  /// Prepares the pass to store the light and layers that the caller has requested (ExactFrame::wanted).
   virtual void asked() {}
 };
 using PassMaker = std::unique_ptr<Pass>(ExactFrame& frame);
@@ -43,15 +43,15 @@ class Names {
   std::size_t count_ = 0;
 };
 
-/// Frequency of a pass: once per picture; once per moment of the shutter; once per view (moment and lens
-/// point); or once per band of a view.
+/// How often a pass runs: once per picture, once per moment of the shutter, once per view (moment and lens
+/// point), or once per band of a view.
 enum class Each { picture, moment, view, band };
 
 /// One entry of the pass list.
 struct PassEntry {
   std::string_view name;
   Each each;
-  const char* stage;  ///< stage name in `simreel bench`; null: the time counts towards the next stage
+  const char* stage;  ///< stage name in `simreel bench`; if null, the time counts towards the next stage
   Names reads, writes;
   Names kept;  ///< names under which `simreel bisect --passes` compares the pass's output
   PassMaker* make;
@@ -76,8 +76,8 @@ struct PassFault {
   const auto reads = [](std::string_view name) {
     return [name](const PassEntry& entry) { return entry.reads.has(name); };
   };
-  int before = 0;  // loop level of the previous entry: 0 picture, 1 moments, 2 views and bands, 3 picture
-                   // again
+  int before = 0;  // loop level of the previous entry: 0 for the picture before the loops, 1 for moments, 2
+                   // for views and bands, 3 for the picture after the loops
   for (auto entry = list.entries.begin(); entry != list.entries.end(); ++entry) {
     const bool ofPicture = entry->each == Each::picture;
     const int part = ofPicture ? (before == 0 ? 0 : 3) : entry->each == Each::moment ? 1 : 2;

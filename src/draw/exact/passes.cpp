@@ -52,8 +52,8 @@ void PassPicture::keep(const char* pass, const char* part, std::span<const std::
 void PassPicture::keepLight(const char* pass, const char* part, const gl::Texture& light, glm::ivec2 rows) {
   const auto words = added(pass, part, {light.width(), rows.y - rows.x}, 4, true);
   copyOut(light, rows, GL_FLOAT, words);
-  // Replaces -0 by 0, because devices differ in the sign of a zero that min and max return. Pictures do not
-  // depend on the sign.
+  // Replaces -0 by 0, because min and max return zeros of different sign on different devices. Pictures do
+  // not depend on the sign.
   std::replace(words.begin(), words.end(), 0x80000000U, 0U);
 }
 

@@ -14,11 +14,12 @@ namespace simreel::draw {
 /// Output of a pass, or one part of the output. Row 0 is at the top.
 struct PassArray {
   std::string pass;    ///< name of the pass, one of passNames()
-  std::string part;    ///< name of the part: "keys", "numbers"; "sun", "lamps", "openness"; "lens" (mean
-                       ///< over all views); "glows", "fields"; "film", "finished"
+  std::string part;    ///< name of the part: "keys" or "numbers" of visibility; "sun", "lamps" or
+                       ///< "openness" of shadow; "lens" (mean over all views) of light; "glows" or "fields"
+                       ///< of glow; "film" or "finished" of picture
   int width = 0;       ///< width in pixels, or in texels for shadow maps and the bloom texture
   int height = 0;      ///< height, in the same unit as the width
-  int each = 1;        ///< words per pixel: one for each sample, or four for RGBA light
+  int each = 1;        ///< number of 32-bit words per pixel: one for each sample, or four for RGBA light
   bool light = false;  ///< true if the words are floats; -0 is stored as 0
   std::vector<std::uint32_t> words;
 };
@@ -36,18 +37,19 @@ struct PassPicture {
   std::vector<PassArray> arrays;   ///< outputs in the order of the passes
   std::vector<DrawnThing> things;  ///< objects with primitive ids, sorted by firstId
 
-  // The keep functions append rows to an array, or create the array. They wait for the GPU.
+  // The keep functions append rows to an array, or create the array if it does not exist. They wait for the
+  // GPU.
 
   /// Appends rows of 32-bit words. `words` may be longer than the rows; the surplus is ignored.
   void keep(const char* pass, const char* part, std::span<const std::uint32_t> words, glm::ivec2 size,
             int each);
-  /// Appends the rows [rows.x, rows.y) of an RGBA32F texture.
+  /// Appends the rows from rows.x (inclusive) to rows.y (exclusive) of an RGBA32F texture.
   void keepLight(const char* pass, const char* part, const gl::Texture& light, glm::ivec2 rows);
   /// Appends all rows of an RGBA8 texture.
   void keepBytes(const char* pass, const char* part, const gl::Texture& picture);
 
  private:
-  /// Appends `size.y` rows to an array and returns the words of the new rows.
+  /// Appends `size.y` rows to an array and returns the memory of the new rows.
   std::span<std::uint32_t> added(const char* pass, const char* part, glm::ivec2 size, int each,
                                  bool light = false);
 };

@@ -6,8 +6,8 @@
 
 namespace simreel::draw {
 
-/// Ensures that the buffer has at least `bytes`. Returns true if the buffer was replaced and its contents
-/// are lost; the new buffer may have the same GL name.
+/// Ensures that the buffer has at least `bytes`. Returns true if the buffer was replaced, which loses the
+/// contents. The new buffer may have the same GL name.
 inline bool reserve(gl::Buffer& buffer, const char* label, std::size_t bytes) {
   constexpr std::size_t least = 256;
   if (buffer.name() != 0 && buffer.bytes() >= bytes) return false;
@@ -16,8 +16,8 @@ inline bool reserve(gl::Buffer& buffer, const char* label, std::size_t bytes) {
   return true;
 }
 
-/// Ensures the size of the buffer like the function above, and recreates the buffer's texel view if the
-/// buffer was replaced.
+/// Ensures that the buffer has at least `bytes`, and recreates the buffer's texel view if the buffer was
+/// replaced.
 inline bool reserve(gl::Buffer& buffer, gl::Texture& view, const char* label, std::size_t bytes,
                     GLenum format, std::size_t texelBytes) {
   if (!reserve(buffer, label, bytes)) return false;

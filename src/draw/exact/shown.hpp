@@ -34,7 +34,7 @@ struct SceneLight {
   gl::In<"lampKeys"> lampKeys;
   gl::In<"sunMap"> sunMap;
   gl::In<"openness"> openness;
-  gl::In<"nearestLevels"> nearestLevels;  ///< mip levels of nearness, read by reflections
+  gl::In<"nearestLevels"> nearestLevels;  ///< mip pyramid of nearness, which reflections read
   gl::In<"litLevels"> litLevels;
   gl::Uniform<"mirrorReach", glm::vec2> mirrorReach;  ///< max length of reflected rays, and assumed
                                                       ///< thickness of reflected objects (m)
@@ -65,8 +65,9 @@ struct ThingVariant {
   gl::Flag<"GROUND_BELOW"> groundBelow;
 };
 
-/// Returns the variant of a kernel that shades `layer`. 0: light; i: layer i of `shownLayers`, counted from
-/// 1; shownReflections: the change by reflections. `smooth`: true if the object reflects.
+/// Returns the variant of a kernel that computes `layer`. 0 selects light. i selects layer i of
+/// `shownLayers`, counted from 1. shownReflections selects the change of light by reflections. `smooth`:
+/// true if the object reflects.
 [[nodiscard]] inline ThingVariant showing(ThingVariant variant, int layer, bool smooth) {
   if (layer == shownReflections) {
     variant.shade.reflected = true;
@@ -80,7 +81,7 @@ struct ThingVariant {
   return variant;
 }
 
-/// Lighting of a scene, as defines of the shading kernels.
+/// Lighting of a scene as defines for shading kernels.
 struct Lighting {
   ThingVariant variant;
   gl::Defines lights;  ///< defines of the sun's shadow, the lamps and the environment

@@ -13,7 +13,7 @@
 namespace simreel::draw {
 
 /// Memory layout of a picture's depth keys and primitive ids, and the method that finds them. `apart`: keys
-/// and ids are in separate buffers and are found in two passes; one read returns four keys or four ids.
+/// and ids are in separate buffers and are found in two passes. One read returns four keys or four ids.
 /// `pairs`: the id and key of a sample are stored together and are found in two passes. `wholes`: like
 /// `pairs`, but found in one pass with 64-bit atomics. All layouts give the same picture.
 enum class SampleLayout { apart, pairs, wholes };
@@ -79,16 +79,16 @@ struct LaneVariant {
 [[nodiscard]] LaneVariant laneVariant();
 /// Position of a shadow map in the key buffer, and its rasterization parameters.
 struct MapPart {
-  float slopeOffset = 0;  ///< casters are moved away from the light by the depth change of their slope over
-                          ///< this many texels
+  float slopeOffset = 0;  ///< distance (texels) over which the depth slope of a caster is measured; casters
+                          ///< are moved away from the light by the depth change over this distance
   int side = 0;           ///< lamp map only: texels per side
-  int firstKey = 0;       ///< lamp map only: index of its first key
-  int keyStride = 0;      ///< lamp map only: number of keys from one row to the next
+  int firstKey = 0;       ///< lamp map only: index of the map's first key
+  int keyStride = 0;      ///< lamp map only: number of keys between the starts of consecutive rows
 };
 /// One face of a lamp's shadow maps. It is rasterized like a picture, with its own view.
 struct MapFace {
   const gl::Buffer* views = nullptr;
-  std::size_t view = 0;  ///< offset of its shader::ExactView in `views` (bytes)
+  std::size_t view = 0;  ///< offset (bytes) of the face's shader::ExactView in `views`
   MapPart part;
 };
 /// Returns the view block of a face, or an empty resource if the face has no views.
@@ -154,15 +154,15 @@ class Visibility {
   gl::Kernel<ClearSamples> clear_;
 };
 
-/// Max side (pixels) of a triangle's bounding box up to which one invocation rasterizes the triangle alone
-/// (small), or sixteen invocations do (medium; 0: never). The values are tuned for the device: software
-/// drivers execute all lanes of a workgroup anyway, while GPUs need more invocations.
+/// Max side (pixels) of a triangle's bounding box up to which one invocation rasterizes the triangle
+/// (small), or sixteen invocations do (medium; 0 if the medium step is not used). The values are tuned for
+/// the device. Software drivers execute all lanes of a workgroup anyway, while GPUs need more invocations.
 int smallTriangle();
-int smallCopyTriangle();  ///< limit for small triangles of mesh copies; it is larger because each use
-                          ///< transforms the corners again
+int smallCopyTriangle();  ///< Same limit for small triangles of mesh copies. It is larger because each use
+                          ///< of a triangle transforms the corners again.
 int mediumTriangle();
-/// Corresponding limits for balls, which need a ray per sample, and for glows. One workgroup handles a
-/// medium ball or glow.
+/// Same limits for balls, which need a ray per sample, and for glows. One workgroup handles a medium ball
+/// or glow.
 int smallBall();
 int smallGlow();
 int mediumBall();

@@ -9,8 +9,8 @@
 
 namespace simreel::draw {
 
-/// Uniforms, buffers and textures that draw/instances/glow_sums.comp declares, for one level of additive
-/// sprites.
+/// Uniforms, buffers and textures that draw/instances/glow_sums.comp declares, for one level of detail of
+/// additive sprites.
 struct GlowFields {
   InstanceFields instance;
   InstanceLook look;
@@ -30,11 +30,12 @@ class GlowSums {
   /// True if this class sums the light of `instances`.
   [[nodiscard]] static bool takes(const sim::Instances& instances);
 
-  /// Throws UserError(device), which names the limit, if the sums exceed the device's buffer size.
+  /// Allocates the sums. Throws UserError(device), which names the limit, if they exceed the device's max
+  /// buffer size.
   GlowSums(glm::ivec2 size, int samples);
 
-  /// Adds up to `capacity` instances. `large` selects level 1, whose sprites may cover the whole picture,
-  /// instead of level 0.
+  /// Adds the light of up to `capacity` instances. `large` selects level 1, whose sprites may cover the
+  /// whole picture, instead of level 0.
   void add(bool large, const GlowFields& glows, const gl::Texture& depth, int capacity) const;
 
   /// Returns the sums, for a kernel that reads and clears them.
@@ -43,8 +44,8 @@ class GlowSums {
  private:
   gl::Buffer sums_;
   gl::Kernel<SumGlows> small_, large_;
-  static constexpr int slices = 8;  ///< number of horizontal slices of the picture; several workgroups
-                                    ///< split a large glow by them
+  static constexpr int slices = 8;  ///< number of horizontal slices of the picture; each slice of a large
+                                    ///< glow is handled by a separate workgroup
 };
 
 }  // namespace simreel::draw

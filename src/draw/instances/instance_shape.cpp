@@ -56,9 +56,10 @@ float depthOfFacets(const Triangles& sphere) {
   return depth;
 }
 
-/// Returns the scale at which the facets' outline has the same area as the unit sphere's, averaged over all
-/// directions. The mean outline area of a convex body is a quarter of its surface area (Cauchy). Unscaled
-/// icospheres would look too small by up to 2% of the radius.
+/// Returns the scale factor at which the outline of the faceted sphere has, averaged over all view
+/// directions, the area of the unit sphere's outline. The mean outline area of a convex body is a quarter
+/// of its surface area (Cauchy). Without scaling, icospheres would look too small by up to 2% of the
+/// radius.
 float fullScale(const Triangles& sphere) {
   double twice = 0;
   for (std::size_t i = 0; i < sphere.corners.size(); i += 3) {

@@ -9,8 +9,8 @@
 
 namespace simreel::draw {
 
-/// The shape of instances, in GPU buffers. An index value is copy << vertexBits | vertex, and the indices
-/// of each level contain `batch` copies; glsl/draw/instances/instance_pull.glsl explains why.
+/// The shape of instances, in GPU buffers. An index value is copy << vertexBits | vertex. The indices of
+/// each level contain `batch` copies. glsl/draw/instances/instance_pull.glsl explains why.
 class InstanceShape {
  public:
   struct Level {
@@ -18,8 +18,8 @@ class InstanceShape {
     int firstIndex = 0;
     int indexCount = 0;  ///< number of indices of all copies
     int batch = 1;
-    float swell = 0;  ///< spheres only: depth of facet centres below the corners, as a fraction of the
-                      ///< radius
+    float swell = 0;  ///< for spheres only: distance from the sphere through the corners to the facet
+                      ///< centres, as a fraction of the radius
   };
 
   /// Returns a sprite of diameter 1, without vertex data. Level 0, for sprites of a few pixels, is a point,

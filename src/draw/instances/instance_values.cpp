@@ -26,8 +26,8 @@ struct BoundsOfInstances {
 
 namespace {
 
-/// Smaller glows would flicker when they move from pixel to pixel; smaller balls would fall between
-/// samples.
+/// Smaller glows would flicker when they move from pixel to pixel. Smaller balls would be missed if they
+/// lie between samples.
 constexpr float minGlow = 1.25F;  // min radius of glows in pixels
 constexpr float minBall = 0.57F;
 

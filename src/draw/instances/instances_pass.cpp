@@ -13,7 +13,8 @@ namespace {
 
 /// Max point size (pixels). Some drivers support only points up to 255 pixels.
 constexpr float maxPointGlow = 64.0F;
-/// Glows larger than this (pixels) are split between the invocations of a workgroup.
+/// The light of glows with a larger radius (pixels) is summed by all invocations of a workgroup instead of
+/// by one.
 constexpr float maxSmallSum = 5.0F;
 
 gl::Defines lightingDefines(const ShadowPass& shadow, const Lamps& lamps) {
@@ -67,7 +68,7 @@ const gl::Program& InstancesPass::program(const sim::Instances& instances) {
   if (instances.material->translucency > 0) defines.emplace_back("TRANSLUCENT", "1");
   defines.emplace_back("SAMPLES", std::to_string(samples_));
   if (isSprite(instances)) return cached("draw/instances/ball.vert", "draw/instances/ball.frag", defines);
-  // A mesh may be open, so both sides can be visible.
+  // A mesh may be open, so the inner sides of its triangles can be visible.
   if (instances.shape == sim::Instances::Shape::mesh) defines.emplace_back("DOUBLE_SIDED", "1");
   return cached("draw/screen/copy.vert", "draw/screen/copy.frag", defines);
 }
@@ -112,11 +113,12 @@ void InstancesPass::fill(const sim::Instances& instances, std::size_t i, Viewer 
   const Entry& own = entry(instances, i);
   const InstanceShape& form = shape(instances);
   const bool forLight = viewer != Viewer::camera;
-  // Software drivers use coarser meshes, because triangles are expensive there, except for shadows, because
-  // a small ball's shadow on a surface shows each texel.
+  // Software drivers use coarser meshes, because triangles are expensive there. Shadows always use fine
+  // meshes, because each texel of a small ball's shadow may be visible.
   const bool coarse = !forLight && gl::softwareDriver() && !isSprite(instances);
-  // Up to this size (pixels) balls are drawn as squares of equal area, whose edge differs from the disc's
-  // edge by 1/8 of the radius. Glows look the same as points.
+  // Up to this size (pixels) balls are drawn as squares whose area equals the area of the disc. The edge of
+  // the square differs from the edge of the disc by 1/8 of the radius. Glows look the same if they are
+  // drawn as points.
   const float maxGlow = GlowSums::takes(instances) ? maxSmallSum : maxPointGlow;
   const SightFields sight{.instance = seenBy(viewer, instances),
                           .pointPixels = instances.additive ? maxGlow

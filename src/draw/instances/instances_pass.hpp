@@ -33,7 +33,7 @@ class InstancesPass {
   /// castShadows() draws them into the bound shadow map.
   void cullForLight(const sim::Drawables& drawables);
   void castShadows(const sim::Drawables& drawables);
-  /// These functions do the same for the lamps' shadow maps. `cells`: number of maps.
+  /// These functions do the same for the lamps' shadow maps. `cells`: number of shadow maps.
   void cullForLamps(const sim::Drawables& drawables);
   void castLampShadows(const sim::Drawables& drawables, int cells);
   /// Lists the instances that the camera may show.

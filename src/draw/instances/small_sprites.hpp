@@ -9,8 +9,8 @@
 
 namespace simreel::draw {
 
-/// Uniforms, buffers and textures that draw/instances/small_sprites.comp declares, for one level of
-/// sprites.
+/// Uniforms, buffers and textures that draw/instances/small_sprites.comp declares, for one level of detail
+/// of sprites.
 struct SpriteFields {
   InstanceFields instance;
   InstanceLook look = {};        ///< colours; only used for balls and glows
@@ -21,8 +21,8 @@ struct SpriteFields {
 struct PrepareSprites;
 
 /// Draws sprites of a few pixels. A kernel writes four words for each visible sprite, from which a point or
-/// square is drawn. All instances and viewers share one buffer of 16 bytes per sprite, which is filled
-/// right before each draw.
+/// square is drawn. The buffer (16 bytes per sprite) is shared by all instances and viewers, so it is
+/// filled right before each draw.
 class SmallSprites {
  public:
   /// True if the driver rasterizes points as precisely as triangles.
@@ -31,8 +31,8 @@ class SmallSprites {
   enum class Use { ball, glow, shadow };
   struct Kind {
     Use use = Use::ball;
-    bool reflective = false, translucent = false;  ///< true if the balls' material is reflective, or
-                                                   ///< translucent
+    bool reflective = false, translucent = false;  ///< reflective: true if the balls' material is
+                                                   ///< reflective; translucent: true if it is translucent
   };
   /// `lighting`: defines of draw/surface/lighting.glsl, used for balls.
   explicit SmallSprites(const gl::Defines& lighting);

@@ -30,7 +30,7 @@ double flickerNoise(std::uint32_t light, int seed, double x) {
 }
 
 Flickered flickered(const scene::Flicker& flicker, std::string_view name, int seed, double seconds) {
-  // Uses a hash of the name, so that a light keeps its flicker when other lights are added or removed.
+  // Hashes the name, so that a light keeps its flicker when other lights are added or removed.
   const auto light = static_cast<std::uint32_t>(std::stoul(hashHex(name).substr(0, 8), nullptr, 16));
   const double x = seconds * flicker.rate;
   const auto channel = [&](std::uint32_t number) {

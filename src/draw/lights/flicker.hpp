@@ -8,8 +8,8 @@
 
 namespace simreel::draw {
 
-/// Returns smooth noise of time with mean 0 and the same bits on every machine. At an integer x the value
-/// is an integer hash of (light, x, seed) in -1 to 1; between integers, 3u^2 - 2u^3 of the fractional part
+/// Returns smooth noise of time x with mean 0 and the same bits on every machine. At an integer x the noise
+/// is an integer hash of (light, x, seed) in -1 to 1. Between integers, 3u^2 - 2u^3 of the fractional part
 /// u interpolates. A second noise, 2.7 times as fast, has a weight of one third. `light` is a different
 /// number for each light and channel.
 [[nodiscard]] double flickerNoise(std::uint32_t light, int seed, double x);

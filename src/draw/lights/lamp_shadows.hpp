@@ -13,8 +13,8 @@
 
 namespace simreel::draw {
 
-/// Shadow maps of the lamps: six per lamp with shadows, along the positive and negative axes, side by side
-/// in one texture. The ground and objects within a lamp's radius cast no shadow.
+/// Shadow maps of the lamps, in one texture. Each lamp with shadows has six maps side by side, along the
+/// positive and negative axes. The ground and objects within a lamp's radius cast no shadow.
 class LampShadows {
  public:
   /// Throws UserError(device) if the maps do not fit into a texture.
@@ -22,7 +22,8 @@ class LampShadows {
 
   [[nodiscard]] bool on() const { return count_ > 0; }
   /// Draws the shadow maps of the lamps as of their last update. `drawMore(cells)` draws the objects of
-  /// other passes into the maps 0 to cells - 1. The texture and the drawing state are already set.
+  /// other passes into the maps with indices 0 to cells - 1. The texture and the drawing state are already
+  /// set when it is called.
   void draw(const sim::Drawables& drawables, const std::function<void(int cells)>& drawMore);
   /// Binds the maps for shaders.
   void bind() const;

@@ -40,8 +40,8 @@ void setMaps(shader::Lamp& lamp, const LampOrder& order, std::size_t i) {
   lamp.sampling = glm::vec4(lamp.place.w, 2.0F / inner, light.shadowSoftness, 1.0F / side);
 }
 
-/// Cosines of two angles from a cone's axis: at the edge, where the fraction of light is 0, and where the
-/// fraction reaches 1.
+/// Cosines of two angles from a cone's axis. edge: angle beyond which the light is 0. full: angle up to
+/// which the light has full intensity.
 struct Cone {
   double edge, full;
 };
@@ -54,8 +54,8 @@ Cone coneAt(const scene::Spot& spot, double seconds) {
   return {edge, std::max(ieee::cos(inner), edge + least)};
 }
 
-/// Returns the cone for coneShare() in glsl/draw/lights/point_light.glsl. For point lights, coneShare()
-/// returns 1 everywhere.
+/// Returns the argument for coneShare() in glsl/draw/lights/point_light.glsl. For point lights, the
+/// argument makes coneShare() return 1 everywhere.
 glm::vec4 coneOf(const scene::Light& light, glm::vec3 place, double seconds) {
   if (light.type != scene::Light::Type::spot) return {0, 0, 0, 1};
   const auto [edge, full] = coneAt(light.spot, seconds);
@@ -66,12 +66,11 @@ glm::vec4 coneOf(const scene::Light& light, glm::vec3 place, double seconds) {
 }
 
 /// Returns the ratio of a light's luminous flux to its intensity (steradians). For a cone, the ratio is 2
-/// pi times the integral over the cosine of the fraction of light. The fraction is 1 up to `full`. Beyond,
-/// it is the square of a linear function, with the mean 1/3.
+/// pi times the integral of the light's relative intensity over the cosine of the angle. The relative
+/// intensity is 1 up to `full`. Beyond, it is the square of a linear function, with the mean 1/3.
 double filledBy(const scene::Light& light, double seconds) {
   if (light.type == scene::Light::Type::area)
-    return std::numbers::pi;  // solid angle pi: a Lambertian
-                              // emitter with one side
+    return std::numbers::pi;  // a Lambertian emitter with one side has the solid angle pi
   if (light.type != scene::Light::Type::spot) return 4 * std::numbers::pi;
   const auto [edge, full] = coneAt(light.spot, seconds);
   return 2 * std::numbers::pi * ((1 - full) + (full - edge) / 3);

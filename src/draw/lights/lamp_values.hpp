@@ -28,8 +28,8 @@ struct LampOrder {
 };
 
 /// Returns all lamps at `seconds` of scene time. Light is in the units of glsl/draw/frame.glsl: irradiance
-/// / pi, where a sun of intensity 1 gives as much light as 1 lux or as a lamp of 1 cd at 1 m. Lamps on a
-/// path take their position from `drawables`, and have no power if the path is missing.
+/// / pi. In these units a sun of intensity 1 gives as much light as 1 lux, or as a lamp of 1 cd at 1 m. A
+/// lamp on a path takes its position from `drawables`, and has no power if the path is missing.
 [[nodiscard]] std::vector<shader::Lamp> lampValues(const LampOrder& order, int seed, double seconds,
                                                    const sim::Drawables& drawables);
 
@@ -38,7 +38,7 @@ struct LampOrder {
 [[nodiscard]] float candelas(const scene::Light& light, double seconds);
 
 /// Divides the box around the ranges of the last `ranged` lamps into cells. Returns bits that say which
-/// lamps reach which cell, in the layout of lampCells in glsl/draw/lights/lamps.glsl.
+/// lamps light which cell, in the layout of lampCells in glsl/draw/lights/lamps.glsl.
 [[nodiscard]] std::vector<std::uint32_t> lampCells(const std::vector<shader::Lamp>& lamps, int ranged);
 
 /// Writes the positions of the maps in whole texels to `maps`, as glsl/draw/exact/shadows/lamp_maps.glsl

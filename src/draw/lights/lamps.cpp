@@ -40,7 +40,8 @@ Lamps::Lamps(const scene::Scene& scene, Rasterizer rasterizer)
   glowAges_ = gl::Buffer("colours of lamps", count * sizeof(glm::vec4));
   glowPlacesView_ = gl::Texture::view("glows of lamps", GL_RGBA32F, glowPlaces_);
   glowAgesView_ = gl::Texture::view("colours of lamps", GL_RGBA32F, glowAges_);
-  // The glow's radius is passed as a mass. The position in the colour map selects the lamp's colour.
+  // A glow is an instance. Its mass holds the glow's radius, and its age selects the lamp's colour in the
+  // colour map.
   glows_.positions = &glowPlacesView_;
   glows_.velocities = &glowAgesView_;
   glows_.capacity = static_cast<int>(count);
@@ -54,8 +55,8 @@ Lamps::Lamps(const scene::Scene& scene, Rasterizer rasterizer)
     return light->type != scene::Light::Type::area &&
            std::ranges::any_of(light->glow.keys(), [](const auto& key) { return key.value > 0; });
   });
-  // Glows are discs in space. A circle in screen space whose centre is outside the picture would extend
-  // less far into it.
+  // Glows are discs in world space. A circle in screen space would extend less far into the picture if its
+  // centre were outside the picture.
   glows_.discs = true;
   glows_.material = &glowMaterial_;
 }

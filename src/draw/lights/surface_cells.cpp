@@ -35,7 +35,7 @@ struct ListCells {
 namespace {
 
 constexpr std::size_t boxWords = 6;
-constexpr std::size_t argumentWords = 5;  // words in the argument set of glDrawElementsIndirect
+constexpr std::size_t argumentWords = 5;  // number of words in the arguments of glDrawElementsIndirect
 
 }  // namespace
 
@@ -67,7 +67,7 @@ void SurfaceCells::growBox(const sim::Surface& surface, int number) {
                               .boxes = boxes_});
 }
 
-/// Copies the index counts of surfaces whose triangles the GPU generates.
+/// Copies the index counts of surfaces whose triangles are generated on the GPU.
 void SurfaceCells::copyCounts(const std::vector<sim::Surface>& surfaces) const {
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   for (std::size_t i = 0; i < surfaces.size(); ++i)

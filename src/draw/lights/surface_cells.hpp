@@ -12,9 +12,9 @@ namespace simreel::draw {
 struct SurfaceBox;
 struct ListCells;
 
-/// Finds, on the GPU, the lamp shadow maps in which each surface may be visible, from the bounding box of
-/// its vertices. Most surfaces are visible in one or two of a lamp's six maps, and software drivers
-/// transform vertices on a single thread.
+/// Finds, on the GPU, the lamp shadow maps in which each surface may be visible. Uses the bounding box of
+/// the surface's vertices. Most surfaces are visible in one or two of a lamp's six maps. Skipping the other
+/// maps pays because software drivers transform vertices on a single thread.
 class SurfaceCells {
  public:
   /// `cells`: number of shadow maps, six for each lamp with shadows. `lampDefines`: result of
@@ -23,7 +23,7 @@ class SurfaceCells {
 
   /// Finds the maps of all surfaces. The lamps must be bound.
   void find(const std::vector<sim::Surface>& surfaces);
-  /// Draws surface i, one instance for each map that may show it. A program that includes
+  /// Draws the surface with index i, as one instance for each map that may show it. A program that includes
   /// glsl/draw/lights/lamp_surface.vert must be in use, and vertices and indices must be bound.
   void draw(const gl::Program& program, std::size_t i) const;
 

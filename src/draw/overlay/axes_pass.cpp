@@ -15,10 +15,10 @@ namespace {
 constexpr glm::vec3 groundColor(0.045F, 0.047F, 0.060F);  // colours of the axes' background and ticks,
                                                           // sRGB-encoded
 constexpr glm::vec3 letterColor(0.80F, 0.82F, 0.86F);
-constexpr glm::vec3 letterLight(0.604F, 0.639F, 0.711F);  // the same as linear RGB
+constexpr glm::vec3 letterLight(0.604F, 0.639F, 0.711F);  // letter colour as linear RGB
 
-/// A text beside an axis: `at` is a point of the top of its capitals, at the fraction `aligned` of its
-/// width. It stays between the pixels `least` and `most`, if they differ.
+/// A text of an axis. `at` is a point at the top of the text's capitals, at the fraction `aligned` of the
+/// text's width. If `least` and `most` differ, the text stays between these pixel positions.
 struct AxisText {
   std::string text;
   glm::vec2 at;
@@ -26,7 +26,8 @@ struct AxisText {
   float least = 0, most = 0;
 };
 
-/// Rectangles (left, top, right, bottom, each followed by its colour) and texts of the axes of one field.
+/// Rectangles (each as its edges left, top, right, bottom, followed by its colour) and texts of the axes of
+/// one field.
 struct AxisParts {
   std::vector<glm::vec4> boxes;
   std::vector<AxisText> texts;
@@ -39,7 +40,7 @@ struct AxisParts {
 
 struct Decade {
   int exponent;
-  double value;  ///< 10^exponent, correctly rounded from 1e-22 to 1e22
+  double value;  ///< value of 10^exponent, correctly rounded from 1e-22 to 1e22
 };
 
 /// Returns the largest power of ten that is at most x; x > 0.
@@ -67,7 +68,7 @@ std::vector<Tick> ticksBetween(double first, double last, int max) {
     }
   const int digits = std::max(0, -decadeBelow(step * (1 + 1e-9)).exponent);
   const double low = std::min(first, last);
-  const double hair = 1e-4 * step;  // tolerance for the rounding of the ends, which are floats
+  const double hair = 1e-4 * step;  // tolerance for the rounding of the axis ends, which are floats
   std::vector<Tick> ticks;
   for (double i = std::ceil((low - hair) / step); i * step <= low + span + hair; ++i)
     ticks.push_back({(i * step - first) / (last - first), fmt::format("{:.{}f}", i * step + 0.0, digits)});
@@ -76,7 +77,7 @@ std::vector<Tick> ticksBetween(double first, double last, int max) {
 
 namespace {
 
-constexpr float axisCapital = 7.5F;  // height of a axisCapital, in letter units
+constexpr float axisCapital = 7.5F;  // height of a capital, in letter units
 
 /// Adds the axis below the field.
 void addAcross(AxisParts& out, const sim::FieldDisplay& display, glm::ivec4 part, double first, double last,
@@ -94,7 +95,8 @@ void addAcross(AxisParts& out, const sim::FieldDisplay& display, glm::ivec4 part
   out.texts.push_back({display.across->name, {part.x + length / 2, part.w + 19 * u}, 0.5F});
 }
 
-/// Adds the axis at the left. A name such as "k, kill rate" takes two lines in the corner below.
+/// Adds the axis at the left. A name with a comma such as "k, kill rate" takes two lines in the corner
+/// below.
 void addDown(AxisParts& out, const sim::FieldDisplay& display, glm::ivec4 part, int margin, double first,
              double last, int u) {
   const int length = part.w - part.y;
@@ -102,7 +104,7 @@ void addDown(AxisParts& out, const sim::FieldDisplay& display, glm::ivec4 part, 
   for (const Tick& tick : ticksBetween(first, last, length / (40 * u))) {
     const int y = part.y + static_cast<int>(std::lround(tick.place * length));
     out.fill(glm::vec4(part.x - 4 * u, y - u / 2, part.x, y - u / 2 + u), letterColor);
-    // Leaves room for the name in the corner.
+    // Leaves space for the name in the corner.
     const int top = std::clamp(y - tall / 2, part.y + 2 * u, std::max(part.y + 2 * u, part.w - tall));
     out.texts.push_back({tick.label, {part.x - 6 * u, top}, 1});
   }

@@ -15,17 +15,17 @@
 
 namespace simreel::draw {
 
-/// A tick of an axis: its position between the ends (0 to 1) and its label.
+/// A tick of an axis, with the position between the axis ends (0 to 1) and the label.
 struct Tick {
   double place;
   std::string label;
 };
-/// Returns ticks at round numbers between `first` and `last`, approximately `max` at most. `first` may be
-/// greater than `last`.
+/// Returns ticks at round numbers between `first` and `last`. Their number exceeds `max` only slightly, if
+/// at all. `first` may be greater than `last`.
 [[nodiscard]] std::vector<Tick> ticksBetween(double first, double last, int max);
 
-/// Draws the axes of fields (FieldDisplay::Axis) beside them, over the finished picture: background and
-/// ticks. The renderer draws their letters with other texts.
+/// Draws the axes of fields (FieldDisplay::Axis) next to the fields, over the finished picture. Draws the
+/// background and the ticks. The renderer draws the letters together with other texts.
 class AxesPass {
  public:
   explicit AxesPass(glm::ivec2 picture, Rasterizer rasterizer = Rasterizer::driver)

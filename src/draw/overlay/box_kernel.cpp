@@ -36,8 +36,8 @@ std::vector<Box> layered(const std::vector<glm::vec4>& boxes, glm::ivec2 picture
   for (std::size_t i = 0; i + 1 < boxes.size(); i += 2) {
     Box box{glm::clamp(glm::ivec4(boxes[i]), glm::ivec4(0), glm::ivec4(picture, picture)), boxes[i + 1]};
     if (box.at.x >= box.at.z || box.at.y >= box.at.w) continue;
-    // Puts the rectangle above all rectangles that it overlaps, or into the same layer as an overlapped
-    // rectangle of the same colour.
+    // Puts the rectangle into a layer above all rectangles that it overlaps. If the overlapped rectangle
+    // has the same colour, both may be in one layer.
     for (const Box& below : found)
       if (overlap(box.at, below.at))
         box.layer = std::max(box.layer, below.layer + (below.color == box.color ? 0 : 1));

@@ -10,11 +10,11 @@
 
 namespace simreel::draw {
 
-/// Rectangles in layers, painted from the first layer to the last.
+/// Rectangles sorted into layers. The layers are painted from the first to the last.
 struct BoxLayers {
-  std::vector<glm::vec4> boxes;  ///< two entries per rectangle: left, top, right, bottom in whole pixels;
-                                 ///< then the sRGB-encoded colour
-  std::vector<int> ends;         ///< end of each layer, as an index of rectangles
+  std::vector<glm::vec4> boxes;  ///< two entries per rectangle: the edges (left, top, right, bottom) in
+                                 ///< whole pixels, then the sRGB-encoded colour
+  std::vector<int> ends;         ///< for each layer, the index after its last rectangle
 };
 /// Sorts rectangles into layers that give the same picture as painting `boxes` in order. Rectangles of one
 /// layer do not overlap unless they have the same colour. The rectangles are split into pieces of at most

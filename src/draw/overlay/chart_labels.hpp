@@ -17,11 +17,11 @@ struct LabelWord {
   float width = 0;
 };
 
-/// Texts of labels in the font that ships with simreel, so that pixels are the same everywhere. Keeps those
-/// that were asked for.
+/// Caches the outlines of label texts, in the font that ships with simreel, so that pixels are the same
+/// everywhere.
 class LabelWords {
  public:
-  /// Returns the first 64 characters of a text; valid until forget().
+  /// Returns the outlines of the first 64 characters of a text. The result is valid until forget().
   const LabelWord& of(const std::string& text);
   /// Empties the cache if it is large.
   void forget();
@@ -35,8 +35,9 @@ class LabelWords {
 class ChartLabels {
  public:
   explicit ChartLabels(glm::ivec2 picture) : picture_(picture) {}
-  /// Returns the text of all charts that have room for letters, for WritingPass: the names in a row above
-  /// the curves and the scales below. The result is valid until the next call.
+  /// Returns the text of all charts that are large enough for letters, for WritingPass. The names are in a
+  /// line above the curves, and the numbers of the scales are below. The result is valid until the next
+  /// call.
   [[nodiscard]] std::vector<sim::Writing> of(const sim::Drawables& drawables);
 
  private:

@@ -65,7 +65,7 @@ ChartFields chartFields(const sim::Chart& chart, const ChartLayout& layout, cons
       static_cast<float>(std::max(chart.steps - 1, 0)) / static_cast<float>(std::max(chart.width - 1, 1));
   const int curves = curveCount(chart);
   std::vector<glm::vec3> colors(4, glm::vec3(0));
-  // Encodes the colours with the same approximation as the kernels.
+  // Encodes the colours as sRGB with the same approximation as the kernels.
   std::transform(chart.colors.begin(), chart.colors.begin() + curves, colors.begin(),
                  [](glm::vec3 linear) { return shader::encoded(glm::clamp(linear, 0.0F, 1.0F)); });
   return {.counts = *chart.counts,
@@ -92,7 +92,7 @@ ChartLayout chartLayout(const sim::Chart& chart, glm::ivec2 picture) {
   const glm::ivec2 end(glm::round((chart.corner + chart.extent) * whole));
   layout.panel = {from, end};
   layout.plot = {from.x + 9 * u, from.y + 20 * u, end.x - 9 * u, end.y - 18 * u};
-  // Without room for letters, a chart shows only curves. The curves are at least one pixel high.
+  // If the chart is too small for letters, it shows only curves. The curves are at least one pixel high.
   layout.hasLetters = layout.plot.w - layout.plot.y >= 12 * u && layout.plot.z - layout.plot.x >= 24 * u;
   if (!layout.hasLetters)
     layout.plot = {from.x + 2, from.y + 2, std::max(end.x - 2, from.x + 3),

@@ -19,7 +19,7 @@ namespace simreel::draw {
 struct ChartLayout {
   glm::ivec4 panel{0};      ///< edges of the panel: left, top, right, bottom
   glm::ivec4 plot{0};       ///< edges of the area of the curves: left, top, right, bottom
-  int unit = 1;             ///< width of thin lines (pixels); letters scale with it
+  int unit = 1;             ///< width of thin lines (pixels); the size of letters is proportional to it
   bool hasLetters = false;  ///< true if there is room for letters (ChartLabels)
 };
 [[nodiscard]] ChartLayout chartLayout(const sim::Chart& chart, glm::ivec2 picture);
@@ -27,8 +27,9 @@ struct ChartLayout {
 struct CondenseChart;
 struct DrawChart;
 
-/// Draws the curves of charts over the finished picture; ChartLabels draws the letters. A kernel reduces
-/// the steps to columns of pixels, so a frame takes the same time after a million steps.
+/// Draws the curves of charts over the finished picture. ChartLabels draws the letters. A kernel reduces
+/// the simulation steps to one value range per pixel column, so a frame takes the same time after a million
+/// steps.
 class ChartPass {
  public:
   explicit ChartPass(glm::ivec2 picture, Rasterizer rasterizer = Rasterizer::driver)

@@ -10,8 +10,9 @@ namespace simreel::draw {
 
 namespace {
 
-/// Accumulates the areas to the right of polygon edges. Each entry of a row holds the amount that an edge
-/// in this pixel adds to all pixels to the right, so a prefix sum gives the coverage.
+/// Accumulates the areas to the right of polygon edges. Each entry of a row holds the area that an edge in
+/// this pixel adds to this pixel and all pixels to the right. A prefix sum of the row therefore gives the
+/// coverage.
 class Areas {
  public:
   explicit Areas(glm::ivec2 size)
@@ -52,7 +53,9 @@ class Areas {
 
   /// Adds the part of an edge that lies within one row, column by column.
   void addInRow(int row, glm::dvec2 from, glm::dvec2 to, double turn) {
-    if (to.x < from.x) std::swap(from, to);  // only the height of the part matters
+    if (to.x < from.x)
+      std::swap(from, to);  // The direction of the edge does not matter for the area, only
+                            // its height does.
     const double tall = std::abs(to.y - from.y), wide = to.x - from.x;
     const double right = size_.x;
     for (double x = from.x;;) {

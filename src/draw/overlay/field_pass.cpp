@@ -49,8 +49,8 @@ bool hasRelief(const sim::Field& field) {
   return field.display->relief != 0 && !field.categories;
 }
 
-/// True if no pixel covers more than one element, so that a pixel's box touches at most two elements per
-/// side.
+/// True if no pixel covers more than one element along an axis, so that a pixel's box touches at most two
+/// elements along each axis.
 bool isMagnified(const sim::Field& field, int reduction, glm::ivec2 picture, double seconds) {
   const glm::dvec2 perPixel = fieldView(*field.display, field.size, picture, seconds).perPixel;
   constexpr double most = 0.999;  // slightly below 1, to allow for float rounding
@@ -58,8 +58,8 @@ bool isMagnified(const sim::Field& field, int reduction, glm::ivec2 picture, dou
 }
 
 /// Returns the number of vertically adjacent pixels per invocation. For fields with relief, the number is
-/// 1: they compute eight more means over up to 42 elements per side, and some drivers silently end a loop
-/// after 65,535 iterations.
+/// 1. Relief needs eight more means over up to 42 elements along each axis, and some drivers silently end a
+/// loop after 65,535 iterations.
 int rowsFor(const sim::Field& field) {
   return hasRelief(field) ? 1 : rowsAtOnce();
 }
@@ -70,8 +70,7 @@ int FieldPass::reductionFor(glm::ivec2 cells, glm::dvec2 perPixel) {
   const double under = std::min(std::min(perPixel.x, perPixel.y), 2.0 * FieldKernel::maxReduction);
   const int wanted = std::max(1, static_cast<int>(under / 2));
   const int min = (std::max(cells.x, cells.y) + maxTexels - 1) / maxTexels;
-  // If a reduced field with the required resolution would be too large for a texture, the cells are read
-  // directly.
+  // If a reduced field would exceed `maxTexels`, the cells are read directly.
   return wanted < min ? 1 : wanted;
 }
 
@@ -97,8 +96,8 @@ void FieldPass::reduce(const sim::Field& field, Kept& kept, double seconds) {
 
 namespace {
 
-/// Returns the indices of the fields in drawing order: scene order, with decorations last, above the
-/// others.
+/// Returns the indices of the fields in drawing order. This is the scene order, except that decorations
+/// come last, above the other fields.
 std::vector<std::size_t> decorationsLast(const sim::Drawables& drawables) {
   std::vector<std::size_t> order(drawables.fields.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -122,8 +121,8 @@ FieldDrawVariant FieldPass::variant(const sim::Field& field, const Kept& kept, d
   FieldDrawVariant all{.field = fieldVariant(field, kept.colored),
                        .reduced = kept.reduction > 1,
                        .over = over,
-                       // OPAQUE avoids reading the hidden picture; software drivers would read it even in a
-                       // branch that is not taken.
+                       // OPAQUE avoids reading the picture that the field hides. Software drivers would
+                       // read the picture even in a branch that is not taken.
                        .opaque = exact_ && over && field.display->opacity.at(seconds) >= 1,
                        .magnified = isMagnified(field, kept.reduction, picture_, seconds),
                        .smoothColors = hasSmoothColors(field),

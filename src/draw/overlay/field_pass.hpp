@@ -51,19 +51,19 @@ class FieldPass {
 
   /// Averages the fields that are drawn at reduced resolution. Call once per frame, before drawing.
   void prepare(const sim::Drawables& drawables, double seconds);
-  /// Draws into the bound framebuffer, in scene order. Layer `behind`: linear light and coverage, bottom
-  /// row first. Layer `over`: encoded, on the finished picture, top row first. Only for the driver's
-  /// rasterizer.
+  /// Draws into the bound framebuffer, in scene order. For the layer `behind`, writes linear light and
+  /// coverage, with the bottom row first. For the layer `over`, writes encoded colours over the finished
+  /// picture, with the top row first. Only for the driver's rasterizer.
   void draw(const sim::Drawables& drawables, sim::FieldDisplay::Layer layer, double seconds);
   /// Draws over the finished RGBA8 picture, whose first row is the top row. Only for the exact rasterizer.
   void drawOver(const sim::Drawables& drawables, double seconds, const gl::Texture& picture);
-  /// Draws behind everything in `light` (RGBA32F: premultiplied light and coverage). `topFirst`: the first
-  /// row of `light` is the top row of the picture; otherwise, the last row is. Only for the exact
-  /// rasterizer.
+  /// Draws behind everything in `light` (RGBA32F: premultiplied light and coverage). `topFirst`: true if
+  /// the first row of `light` is the top row of the picture, false if it is the bottom row. Only for the
+  /// exact rasterizer.
   void drawBehind(const sim::Drawables& drawables, double seconds, const gl::Texture& light,
                   bool topFirst = false);
-  /// Returns the number of cells per side that are averaged into one texel. The reduced field then has two
-  /// to three texels per pixel.
+  /// Returns the number of cells along each axis that are averaged into one texel. With this number, the
+  /// reduced field has two to three texels per pixel.
   [[nodiscard]] static int reductionFor(glm::ivec2 cells, glm::dvec2 perPixel);
   /// True if an opaque field covers the whole picture.
   [[nodiscard]] bool hidesAll(const sim::Drawables& drawables, double seconds) const;

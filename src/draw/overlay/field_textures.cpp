@@ -11,7 +11,8 @@ FieldTextures::FieldTextures(const scene::Scene& scene, Rasterizer rasterizer)
     : exact_(rasterizer == Rasterizer::exact) {
   for (const scene::Object& object : scene.objects)
     if (object.material.skin) wanted_.insert(object.material.skin->field);
-  // Four texels per pixel of the picture's longer side, so that skins are sharp in close-ups.
+  // The texture has four texels per pixel of the picture's longer side, so that skins are sharp in
+  // close-ups.
   const glm::ivec2 picture = scene.render.size;
   const auto fine = std::bit_ceil(static_cast<unsigned>(4 * std::max({picture.x, picture.y, 1})));
   maxSide_ = std::min({static_cast<int>(fine), 4096, gl::limits().textureSize});

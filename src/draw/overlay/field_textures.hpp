@@ -17,8 +17,8 @@ namespace simreel::draw {
 /// updates each texture once per frame. FieldPass draws other fields directly from their cells.
 class FieldTextures {
  public:
-  /// Takes the fields of skins from the scene's materials, and the texture resolution from the picture's
-  /// size. For the exact rasterizer, the textures have no mip maps.
+  /// Determines the fields of skins from the scene's materials, and the texture resolution from the
+  /// picture's size. For the exact rasterizer, the textures have no mip maps.
   explicit FieldTextures(const scene::Scene& scene, Rasterizer rasterizer = Rasterizer::driver);
 
   /// Texture of one field. The colours (`stops`, `stopCount`) are used only for fields of values.
@@ -28,7 +28,7 @@ class FieldTextures {
                           ///< exact.
     glm::ivec2 cells{0, 0};  ///< size of the field in cells; the texture may be smaller, but covers exactly
                              ///< the field
-    int reduction = 1;       ///< cells per side that a texel averages
+    int reduction = 1;       ///< number of cells along each axis that a texel averages
     glm::vec2 range{0, 1};
     bool colored = false;  ///< true for categories: the texture holds colours
   };

@@ -9,7 +9,8 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr float reliefCells = 7.0F;  // relief height (cells) of the whole value range for relief 1
+constexpr float reliefCells = 7.0F;  // height (cells) of the relief of the full value range if the relief
+                                     // is 1
 
 glm::dvec2 wrapped(glm::dvec2 at, glm::dvec2 size) {
   return at - size * glm::floor(at / size);
@@ -19,8 +20,8 @@ glm::dvec2 wrapped(glm::dvec2 at, glm::dvec2 size) {
 
 FieldPlace fieldPlace(const sim::Field& field, const FieldView& view, glm::ivec2 size) {
   const glm::dvec2 elements = glm::dvec2(size) / glm::dvec2(field.size);  // elements per cell
-  // Integer and fractional part are separate, so that the fractional part is precise as a float even for
-  // large fields.
+  // The integer and the fractional part are stored separately, so that the fractional part is precise as a
+  // float even for large fields.
   glm::dvec2 first = glm::clamp(view.origin * elements, -1e9, 1e9);
   if (field.display->tiled) first = wrapped(first, glm::dvec2(size));
   const glm::dvec2 base = glm::floor(first);

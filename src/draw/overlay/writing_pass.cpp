@@ -53,7 +53,7 @@ void WritingPass::draw(const sim::Drawables& drawables, const gl::Texture& pictu
     cover(writing, kept);
     const Coverage& coverage = kept.coverage;
     if (coverage.share.empty() || !(writing.opacity > 0)) continue;
-    // The background box extends half the height of a capital beyond the letters.
+    // The background box extends beyond the letters by half the height of a capital.
     const auto margin =
         static_cast<int>(std::lround(0.5F * writing.height * static_cast<float>(picture_.y)));
     const int around = writing.backdrop > 0 ? margin : 0;

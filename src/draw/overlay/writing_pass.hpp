@@ -18,8 +18,8 @@ struct WritingKernel;
 class WritingPass {
  public:
   explicit WritingPass(glm::ivec2 picture) : picture_(picture) {}
-  /// Draws over an RGBA8 picture whose first row is the top row. Later readers of the picture need a
-  /// barrier.
+  /// Draws over an RGBA8 picture whose first row is the top row. The caller must issue a barrier before the
+  /// picture is read.
   void draw(const sim::Drawables& drawables, const gl::Texture& picture);
 
  private:

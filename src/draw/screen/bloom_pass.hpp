@@ -50,8 +50,8 @@ class BloomPass {
   /// `samples`: samples per pixel of the light given to draw().
   BloomPass(const scene::Bloom& bloom, glm::ivec2 size, int samples);
   [[nodiscard]] bool on() const { return on_; }
-  /// Returns the scattered light at half the size of `light`, with the same total. May be called only if
-  /// on().
+  /// Returns the scattered light at half the size of `light`, with the same total light. May be called only
+  /// if on() is true.
   const gl::Texture& draw(const gl::Texture& light) const;
 
  private:
@@ -60,7 +60,8 @@ class BloomPass {
   };
   bool on_;
   float threshold_;
-  float reach_;  ///< number of levels that receive light, the last one with a fractional weight
+  float reach_;  ///< number of levels that receive light; the fractional part is the weight of the last
+                 ///< level
   ScreenProgram<BrightLight> first_;
   ScreenProgram<BrightLightDown> down_;
   ScreenProgram<BrightLightUp> up_;

@@ -127,7 +127,7 @@ void DriverScene::draw(double seconds, const sim::Drawables& all, const Watch& w
   s.ground.draw();
   issued("ground", s.ground.on());
   s.instances.drawAdditive(drawables);
-  if (s.resolve.on()) {  // from here on, kernels read light and depth; nothing draws into them any more
+  if (s.resolve.on()) {  // From here on, kernels read light and depth. No pass draws into them any more.
     s.picture.framebuffer.bind();
     glTextureBarrier();
   }

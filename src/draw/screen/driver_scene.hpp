@@ -10,9 +10,9 @@
 
 namespace simreel::draw {
 
-/// Draws a scene, except the overlays on the finished picture, with the driver's rasterizer. First it draws
-/// the shadow maps. Then it draws fields behind the scene, surfaces, instances and ground into a
-/// multisampled linear target. Finally it applies bloom, resolve, tone mapping and sRGB encoding.
+/// Draws a scene, except the overlays on the finished picture, with the driver's rasterizer. First draws
+/// the shadow maps. Then draws fields behind the scene, surfaces, instances and ground into a multisampled
+/// linear target. Finally applies bloom, resolve, tone mapping and sRGB encoding.
 class DriverScene {
  public:
   /// Objects that DriverScene shares with the overlay passes. All must outlive the DriverScene.

@@ -39,7 +39,7 @@ constexpr glm::ivec2 size(64, 48);  // size of the test picture in pixels
 constexpr glm::ivec2 imageSize(40, 36);
 constexpr int triangles = 120;
 
-/// Returns the n-th pseudo-random number (-1 to 1) of a sequence `kind`.
+/// Returns the pseudo-random number (-1 to 1) with index `n` of the sequence `kind`.
 float number(unsigned kind, unsigned n) {
   return shader::signedUnit(shader::hash3({n, kind, 19}).x);
 }

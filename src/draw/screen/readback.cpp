@@ -31,22 +31,24 @@ Readback::~Readback() {
 void Readback::start(const gl::Framebuffer& framebuffer, int tag) {
   SIMREEL_CHECK(!full());
   Slot& slot = slots_[(oldest_ + count_) % slots_.size()];
-  // A draw framebuffer is bound too. Without it and without a default framebuffer, NVIDIA's driver 580
-  // copies a hundred times more slowly.
+  // Also binds a draw framebuffer. Without a draw framebuffer and a default framebuffer, NVIDIA's driver
+  // 580 copies a hundred times more slowly.
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
   glBindBuffer(GL_PIXEL_PACK_BUFFER, slot.buffer.get());
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
   glReadPixels(0, 0, size_.x, size_.y, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
   glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   slot.done = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-  glFlush();  // without a flush the fence could wait for unsent commands
+  glFlush();  // Without a flush, the fence could wait for commands that have not been sent.
   slot.tag = tag;
   ++count_;
   copyOn();
 }
 
 void Readback::copyOn() {
-  if (gl::softwareDriver()) return;  // software drivers use all processors themselves
+  if (gl::softwareDriver())
+    return;  // Software drivers use all processors, so a separate thread would not
+             // help.
   for (std::size_t i = 0; i < count_; ++i) {
     Slot& slot = slots_[(oldest_ + i) % slots_.size()];
     if (slot.copies) continue;

@@ -33,8 +33,8 @@ class Readback {
   [[nodiscard]] bool empty() const { return count_ == 0; }
   /// Blocks until the oldest copy is complete, so that nextPicture() does not wait for the GPU.
   void waitForOldest() const { static_cast<void>(reached(true)); }
-  /// Returns the oldest picture, in the order of start(): its tag and width * height * 4 bytes, row 0 of
-  /// the framebuffer first. Returns nothing if no copy is in progress. Also returns nothing if the oldest
+  /// Returns the oldest picture, in the order of start(): its tag and its bytes (width * height * 4,
+  /// starting with row 0 of the framebuffer). Returns nothing if no copy is in progress, or if the oldest
   /// copy is not complete and `wait` is false.
   [[nodiscard]] std::optional<std::pair<int, std::vector<std::uint8_t>>> nextPicture(bool wait);
 

@@ -107,8 +107,8 @@ void Renderer::State::tellFrame(double seconds, const sim::Drawables& drawables)
   frame.bindUniform(frameBinding, 0, sizeof values);
 }
 
-/// Draws a frame with the exact rasterizer. The exposure time is divided into equal parts; the moments are
-/// at their centres, the latest one first.
+/// Draws a frame with the exact rasterizer. The exposure time is divided into equal intervals. A moment is
+/// at the centre of each interval, and the latest moment comes first.
 void Renderer::State::drawExactly(const ExactScene::Moment& shown, const StageWatch& watch) {
   ExactScene::Exposure exposure{1, [&](int) { return shown; }};
   const double frameSeconds = 1.0 / scene.time.fps;
@@ -158,8 +158,8 @@ void Renderer::draw(double seconds, const sim::Drawables& drawables, const Stage
   s.fieldTextures.update(drawables);
   s.fields.prepare(drawables, seconds);
   if (watch && !drawables.fields.empty()) watch("fields");
-  if (s.filmed || !s.fields.hidesAll(drawables, seconds)) {  // the requested light also shows objects that
-                                                             // opaque fields hide
+  if (s.filmed || !s.fields.hidesAll(drawables, seconds)) {  // If light is requested, the scene is drawn
+                                                             // even where opaque fields hide it.
     if (s.exact)
       s.drawExactly({seconds, &drawables}, watch);
     else

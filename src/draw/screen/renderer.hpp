@@ -42,8 +42,8 @@ class Renderer {
   /// Issues the commands that draw the frame at `seconds` of scene time. Does not wait for the GPU.
   void draw(double seconds, const sim::Drawables& drawables, const StageWatch& watch = {});
 
-  /// Sets the objects of the frame that precedes the next draw(); motion starts at their positions.
-  /// Required if hearsBefore() is true; without it, objects do not move.
+  /// Sets the objects of the frame that precedes the next draw(). Motion starts at their positions.
+  /// Required if hearsBefore() is true; otherwise objects are drawn without motion.
   void keepBefore(const sim::Drawables& before);
 
   /// True if the renderer needs keepBefore(), which a shutter and the velocities of keepLayers() require.

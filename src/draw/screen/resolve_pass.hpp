@@ -9,17 +9,17 @@ namespace simreel::draw {
 
 struct Resolve;
 
-/// Resolves the scene's samples into one texture for later kernels and adds the sums of glows, on the
-/// storage path. On the texel path, later passes read the samples directly, so this pass does nothing.
+/// On the storage path, resolves the scene's samples into one texture for later kernels and adds the sums
+/// of glows. On the texel path, later passes read the samples directly, so this pass does nothing.
 class ResolvePass {
  public:
   ResolvePass(glm::ivec2 size, int samples);
-  /// Returns true on the storage path. On the texel path this pass does nothing.
+  /// True on the storage path. On the texel path this pass does nothing.
   [[nodiscard]] bool on() const { return static_cast<bool>(resolved_); }
   /// Returns the samples per pixel of the light that draw() returns.
   [[nodiscard]] int samples() const { return on() ? 1 : samples_; }
-  /// True if draw() reads the light of samples without depth, so that the light must be cleared. Clearing
-  /// is expensive on compute GPUs: the light is two thirds of the bytes of the targets.
+  /// True if the light must be cleared, because draw() reads the light of samples without depth. Clearing
+  /// is expensive on compute GPUs, because light takes two thirds of the bytes of the render targets.
   [[nodiscard]] bool needsClearedLight(const sim::Drawables& drawables) const;
   /// Returns the sums for additive sprites, or null if the sprites are blended.
   [[nodiscard]] const GlowSums* glows(const sim::Drawables& drawables);

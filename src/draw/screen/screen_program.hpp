@@ -13,7 +13,7 @@ namespace simreel::draw {
 /// A texture that a ScreenProgram writes and other passes read.
 struct ScreenTarget {
   ScreenTarget() = default;
-  /// Creates the texture. Reads beyond its border return the nearest border texel.
+  /// Creates the texture. Reads beyond the texture's border return the nearest border texel.
   ScreenTarget(const char* label, GLenum format, glm::ivec2 size);
   gl::Texture texture;
   gl::Framebuffer framebuffer;

@@ -6,7 +6,7 @@
 
 namespace simreel::draw {
 
-/// The uniform block of the frame's values, with the size of the C++ struct.
+/// Uniform block of the frame's values. Its size is the size of the C++ struct.
 struct FrameBlock : gl::Ambient<"FrameBlock"> {
   static constexpr std::size_t blockBytes = sizeof(shader::Frame);
 };
@@ -32,7 +32,7 @@ class ToneMapPass {
   /// `render`: settings for the conversion of light to pictures. `samples`: samples per pixel of the light
   /// given to draw().
   ToneMapPass(const scene::Render& render, int samples, bool bloom);
-  /// Writes the picture. Adds `strength` times the bloom texture `glow`; adds nothing if `glow` is null.
+  /// Writes the picture. Adds `strength` times the bloom texture `glow`, or nothing if `glow` is null.
   void draw(const gl::Texture& light, const Picture& picture, const gl::Texture* glow,
             float strength) const;
 

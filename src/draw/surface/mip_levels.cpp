@@ -36,10 +36,10 @@ constexpr std::array<std::uint16_t, 256> linearTable = {
     57105, 57646, 58190, 58737, 59287, 59840, 60396, 60955, 61517, 62082, 62650, 63221, 63795, 64372, 64952,
     65535};
 
-/// A texel in linear light with its weight, which is 255 times the alpha byte plus 1. Transparent texels
-/// have almost no weight, but determine the colour of fully transparent areas.
+/// A texel in linear light with its weight. The weight is 255 times the alpha byte plus 1. Transparent
+/// texels have almost no weight, but determine the colour of fully transparent areas.
 struct Weighted {
-  std::uint32_t r, g, b;  ///< light times weight, in units of 1/65535
+  std::uint32_t r, g, b;  ///< linear light (units of 1/65535) multiplied by the weight
   std::uint32_t weight;   ///< weight of the texel in units of 1/256
 };
 
@@ -63,14 +63,14 @@ class Encoder {
       starts_[i] = static_cast<std::uint8_t>(byte);
     }
   }
-  /// Returns the byte of a light value in units of 1/(65535 * 256).
+  /// Returns the byte for a light value in units of 1/(65535 * 256).
   [[nodiscard]] std::uint8_t byteOf(std::uint32_t light) const {
-    // Each bucket contains at most one interval end.
+    // Each bucket contains at most one boundary between two bytes.
     const std::uint8_t byte = starts_[light >> bucketBits];
     return light < ends_[byte] ? byte : static_cast<std::uint8_t>(byte + 1);
   }
   void encode(const Weighted& from, std::uint8_t* texel) const {
-    // The min is needed because rounding may raise a weighted mean slightly above white.
+    // Rounding may raise a weighted mean slightly above white, so the mean is limited.
     const auto light = [](std::uint32_t color, std::uint32_t weight) {
       return static_cast<std::uint32_t>(
           std::min<std::uint64_t>((std::uint64_t{color} << 16U) / weight, 65535U * 256U));
@@ -95,15 +95,15 @@ class Encoder {
   std::array<std::uint8_t, (65535U * 256U >> bucketBits) + 1> starts_{};
 };
 
-/// Range of texels of the level above, along one axis, that a texel covers, with their weights.
+/// Texels of the level above that one texel covers along one axis, with their weights.
 struct Cover {
   int first;
   std::array<std::uint32_t, 3> weights;
 };
 
-/// If the level above has 2n texels, each of the n texels covers two of them. If it has 2n + 1, each covers
-/// (2n + 1) / n. Texel i then covers (n - i) / n of the first, all of the second, and (i + 1) / n of the
-/// third of three texels. Weights are in units of 1/n.
+/// If the level above has 2n texels, each of the n texels covers two of them. If the level above has 2n + 1
+/// texels, each texel covers (2n + 1) / n of them. Texel i then covers three texels: (n - i) / n of the
+/// first, all of the second, and (i + 1) / n of the third. Weights are in units of 1/n.
 Cover coverOf(int i, int above) {
   if (above == 1) return {0, {1, 0, 0}};
   if (above % 2 == 0) return {2 * i, {1, 1, 0}};
@@ -124,12 +124,13 @@ struct Sum {
   std::uint64_t r = 0, g = 0, b = 0, weight = 0;
 };
 
-/// Computes one row of a level. The row covers `Down` rows of the level above; each texel covers `Across`
-/// texels per row.
+/// Computes one row of a level. The row covers `Down` rows of the level above. Each texel covers `Across`
+/// texels in each of these rows.
 template <int Across, int Down>
 void averageRow(const std::array<const Weighted*, 3>& rows, const Cover& down, int above, int width,
                 std::uint64_t fractions, Weighted* made) {
-  // If the total is the constant 4, the compiler uses a shift. Most pictures have even sides.
+  // Most pictures have even sides. In this case the divisor is the constant 4, and the compiler uses a
+  // shift.
   const std::uint64_t total = Across == 2 && Down == 2 ? 4 : fractions;
   for (int x = 0; x < width; ++x) {
     const Cover across = coverOf(x, above);
@@ -156,7 +157,8 @@ constexpr AverageRow averages[3][3] = {{averageRow<1, 1>, averageRow<2, 1>, aver
                                        {averageRow<1, 2>, averageRow<2, 2>, averageRow<3, 2>},
                                        {averageRow<1, 3>, averageRow<2, 3>, averageRow<3, 3>}};
 
-/// The level above: either the original picture, decoded row by row, or averaged texels.
+/// The level above the computed level. It is either the original picture, which is decoded row by row, or
+/// averaged texels.
 struct Above {
   glm::ivec2 size;
   std::span<const std::uint8_t> picture;  ///< bytes of the picture; if empty, `texels` is used instead

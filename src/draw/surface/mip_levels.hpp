@@ -13,11 +13,12 @@ struct MipLevel {
   std::vector<std::uint8_t> rgba;
 };
 
-/// Returns the smaller mip levels of a picture with sRGB colour and straight alpha, each half as large
-/// (rounded down), to 1x1. A texel is the alpha-weighted mean, in linear light, of the area that it covers
-/// in the level above; if that area is fully transparent, the unweighted mean. Uses only integers, so the
-/// bytes are the same on every machine, whereas glGenerateTextureMipmap in Mesa's software driver depends
-/// on the CPU vendor. Requires rgba.size() == 4 * size.x * size.y and sides of at most 32768.
+/// Returns the mip levels below a picture with sRGB colour and straight alpha. Each level has half the size
+/// of the level above (rounded down), to 1x1. A texel is the alpha-weighted mean, in linear light, of the
+/// area that it covers in the level above. If that area is fully transparent, the mean is unweighted. Uses
+/// only integers, so the bytes are the same on every machine, whereas glGenerateTextureMipmap in Mesa's
+/// software driver depends on the CPU vendor. Requires rgba.size() == 4 * size.x * size.y and sides of at
+/// most 32768.
 [[nodiscard]] std::vector<MipLevel> mipLevels(glm::ivec2 size, std::span<const std::uint8_t> rgba);
 
 /// Returns the linear light of an sRGB byte, in units of 1/65535.

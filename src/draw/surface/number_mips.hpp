@@ -8,7 +8,7 @@ struct MipKernel;
 
 /// Computes mip levels of half-float textures with a kernel in exact arithmetic
 /// (glsl/draw/surface/mip_level.comp), because the results of glGenerateTextureMipmap differ between
-/// drivers. mip_levels.hpp computes the mip levels of pictures.
+/// drivers. mip_levels.hpp computes the mip levels of image files.
 class NumberMips {
  public:
   /// Computes all levels from level 0 and makes them visible to texture fetches. Level 0 may have been

@@ -85,8 +85,8 @@ void ShadowPass::fit(const sim::Drawables& drawables, const GrowMore& growMore) 
   growMore(boundKeys_);
   fit_.dispatch(1, {.bounds = boundKeys_, .light = light_});
   gl::barrier();
-  lightView_.bind(lightUnit);  // the following instance culling reads the transform; simulations bind other
-                               // textures to this unit
+  lightView_.bind(lightUnit);  // The following instance culling reads the transform. Simulations bind other
+                               // textures to this unit, so the transform must be bound again.
 }
 
 void ShadowPass::draw(const sim::Drawables& drawables, const std::function<void()>& drawMore) const {

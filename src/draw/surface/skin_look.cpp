@@ -15,8 +15,8 @@ glm::vec3 orOwn(const glm::vec3& given, const glm::vec3& own) {
 }  // namespace
 
 SkinLook lookOf(const scene::Skin& skin) {
-  // Looks in the order of scene::Skin::Look. The dark lines of leather are creases. Cracks are deep and
-  // glow.
+  // Defaults of the looks, in the order of scene::Skin::Look. The dark lines of leather are creases. Cracks
+  // are deep and glow.
   static constexpr SkinLook looks[] = {
       {"LOOK_LEATHER", {0.3F, 0.15F, 0.05F}, {0.1F, 0.05F, 0.02F}, 0.5F, 0.7F, -3.0F},
       {"LOOK_SPOTS", {0.62F, 0.33F, 0.10F}, {0.035F, 0.018F, 0.008F}, 0.5F, 0.75F, 0.8F},

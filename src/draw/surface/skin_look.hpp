@@ -13,8 +13,8 @@ struct SkinLook {
                        ///< 1
   float threshold;     ///< threshold as a fraction of the field's range
   float roughness;
-  float depth;  ///< relief height of the field's whole value range, in cells, times the skin's bump; if
-                ///< negative, high values are low
+  float depth;  ///< relief height of the field's full value range, in cells, including the factor `bump` of
+                ///< the skin; if negative, high values are low
 };
 
 [[nodiscard]] SkinLook lookOf(const scene::Skin& skin);

@@ -125,7 +125,7 @@ void SurfacePass::setPlain(const scene::Material& material, bool isGrid, const g
   shader.set("perMetre", glm::vec2(material.textureScale));
   shader.set("bump", material.bump);
   if (const gl::Texture* albedo = textures_.load(material.texture)) {
-    // For a sheet that shows the picture exactly once, opposite borders must not blend.
+    // On a sheet that shows an image exactly once, opposite borders must not blend.
     const bool once = isGrid && glm::vec2(material.textureScale) == glm::vec2(1);
     albedo->wrap(once ? GL_CLAMP_TO_EDGE : GL_REPEAT);
     albedo->bind(albedoUnit);

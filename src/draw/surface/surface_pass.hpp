@@ -27,7 +27,7 @@ class SurfacePass {
  public:
   /// Compiles the programs and loads the textures that the scene's materials need.
   SurfacePass(const scene::Scene& scene, const ShadowPass& shadow, const Lamps& lamps);
-  /// Draws into the bound framebuffer. A skin without a field has no effect.
+  /// Draws into the bound framebuffer. A skin whose field is missing is ignored.
   void draw(const sim::Drawables& drawables, const SkinTextures& skins);
 
  private:

@@ -6,13 +6,13 @@
 
 namespace simreel::draw {
 
-/// Loads the picture files of materials as textures with the mip levels of mip_levels.hpp. Each file is
-/// read once. Texture reads decode sRGB. Row 0 of the file is at v = 0.
+/// Loads the image files of materials as textures with the mip levels of mip_levels.hpp. Each file is read
+/// once. Texture reads decode sRGB. Row 0 of the file is at v = 0.
 class TextureStore {
  public:
-  /// Returns the texture of a file, or null for an empty path. Throws UserError(usage) if the file is not a
-  /// picture, UserError(inputOutput) (or what readFile() throws) if it cannot be read, UserError(device) if
-  /// it is larger than the device allows.
+  /// Returns the texture of a file, or null for an empty path. Throws UserError(usage) if the file is not
+  /// an image, UserError(device) if it is larger than the device allows, and UserError(inputOutput) (or
+  /// what readFile() throws) if it cannot be read.
   const gl::Texture* load(const std::filesystem::path& file);
 
  private:

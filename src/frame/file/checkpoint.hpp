@@ -12,10 +12,10 @@
 
 namespace simreel::frame {
 
-/// Saved state of a simulation between two frames. File layout: a JSON header line (simulation, frame, and
-/// names and sizes of the parts), the table of counts, the parts, and a hash of everything before it
-/// (src/batch/README.md). Only the program version that wrote a checkpoint can read it. It fits any run of
-/// the same simulation, regardless of which frames the run draws.
+/// Saved state of a simulation between two frames. The file consists of a JSON header line (simulation,
+/// frame, and names and sizes of the parts), the table of counts, the parts, and a hash of everything
+/// before it (src/batch/README.md). Only the program version that wrote a checkpoint can read it. A
+/// checkpoint fits any run of the same simulation, regardless of which frames the run draws.
 class Checkpoint {
  public:
   /// Reads back the world's state and writes it atomically. `counts`: the table of counts up to the current
@@ -25,8 +25,9 @@ class Checkpoint {
   /// Loads a checkpoint. Throws UserError(usage) if the file is not a complete checkpoint of this program
   /// version, and UserError(inputOutput) if it cannot be read.
   [[nodiscard]] static Checkpoint load(const std::filesystem::path& file);
-  /// Returns the reason why `run` cannot continue from the checkpoint, or nothing if it can. Reasons:
-  /// another simulation, or fast numerics and a driver with another numerics fingerprint.
+  /// Returns the reason why `run` cannot continue from the checkpoint, or nothing if it can. One reason is
+  /// that the simulation differs. The other is that the numerics are fast and the numerics fingerprint of
+  /// the driver differs.
   [[nodiscard]] std::optional<std::string> mismatch(const RunInfo& run) const;
   /// Reads a checkpoint. Returns nothing if the file does not exist. If `run` cannot continue from the
   /// file, warns and returns nothing. `lastFrame`: last frame of the run; a checkpoint of a later frame is
@@ -34,8 +35,8 @@ class Checkpoint {
   [[nodiscard]] static std::optional<Checkpoint> read(const std::filesystem::path& file, const RunInfo& run,
                                                       int lastFrame);
 
-  /// Restores the state into a world of the same scene; the world's current frame becomes frame(). If a
-  /// part does not fit, throws UserError(usage); the world is then unusable.
+  /// Restores the state into a world of the same scene. The world's current frame becomes frame(). If a
+  /// part does not fit, throws UserError(usage), and the world is then unusable.
   void restore(sim::World& world) const;
 
   [[nodiscard]] int frame() const { return frame_; }

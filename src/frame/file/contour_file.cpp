@@ -53,7 +53,7 @@ std::string encodeSvg(const sim::ContourLines& lines, glm::ivec2 size,
   fmt::format_to(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-1 -1 {} {}\">\n", size.x + 1,
                  size.y + 1);
   for (std::string comment : comments) {
-    std::replace(comment.begin(), comment.end(), '-', '_');  // "--" would end the SVG comment
+    std::replace(comment.begin(), comment.end(), '-', '_');  // "--" would end the SVG comment.
     fmt::format_to(out, "<!-- {} -->\n", comment);
   }
   const std::vector<ContourLoop> loops = contourLoops(lines);

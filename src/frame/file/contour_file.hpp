@@ -18,15 +18,15 @@ struct ContourLoop {
 [[nodiscard]] std::vector<ContourLoop> contourLoops(const sim::ContourLines& lines);
 
 /// Returns the contours as SVG. Each level has one path with all its loops, filled by the even-odd rule.
-/// One unit is one cell, y grows downwards. `size`: size of the field in cells.
+/// One SVG unit is one cell, and y grows downwards. `size`: size of the field in cells.
 [[nodiscard]] std::string encodeSvg(const sim::ContourLines& lines, glm::ivec2 size,
                                     std::span<const std::string> comments);
 
 /// Returns the contours as a GeoJSON FeatureCollection (RFC 7946). Each loop becomes a LineString whose
-/// last point equals the first, with the property "level". Coordinates are cells with y upwards, because
-/// maps have north at the top: cell (x, y) is at [x, -y]. `path` (in cells; may be empty) becomes a
+/// last point equals the first, with the property "level". Coordinates are in cells. Because maps have
+/// north at the top, y points upwards: cell (x, y) is at [x, -y]. `path` (in cells; may be empty) becomes a
 /// LineString with the property "path". Each room becomes a Point at its centre with the properties "room"
-/// (from 1), "cells" and "area" (m^2).
+/// (number from 1), "cells" and "area" (m^2).
 [[nodiscard]] std::string encodeGeoJson(const sim::ContourLines& lines, std::span<const glm::vec2> path,
                                         std::span<const std::string> comments);
 

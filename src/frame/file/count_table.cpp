@@ -31,14 +31,15 @@ void CountTable::add(const sim::World::Summary& summary) {
   const auto count = [&](std::size_t i) {
     return static_cast<long>(summary.counts[i].size()) / names_[i].elements;
   };
-  if (rows_ == 0) {  // frame 0 has one row with the counts of every object
+  if (rows_ == 0) {  // Frame 0 has one row with the counts of every object.
     std::vector<const glm::uvec4*> row;
     for (const auto& counts : summary.counts) row.push_back(counts.empty() ? nullptr : counts.data());
     addRow(summary.frame / fps_, row);
     return;
   }
-  // Row j of n (from 1) is at fraction j / n of the frame. The loop merges the rows of all objects in time
-  // order. Fractions are compared by cross-multiplication, so equal times match exactly.
+  // An object with n rows in this frame has row j (from 1) at the fraction j / n of the frame. The loop
+  // merges the rows of all objects in time order. Fractions are compared by cross-multiplication, so equal
+  // times match exactly.
   std::vector<long> next(names_.size(), 1);
   while (true) {
     long top = 0;

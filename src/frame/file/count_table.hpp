@@ -7,9 +7,10 @@
 
 namespace simreel::frame {
 
-/// Table of the simulations' counts (one row per step) or measurements (one row per frame), as CSV.
-/// Columns: step (the start is step 0), time (s), and "object.column" for each count. Objects with
-/// different step lengths share a row if their times are equal; other cells are empty.
+/// Table of the simulations' counts (one row per step) or measurements (one row per frame), as CSV. The
+/// columns are step (the start is step 0), time (s), and "object.column" for each count. If objects have
+/// different step lengths, they share a row where their times are equal. The cells of an object that has no
+/// step at a row's time are empty.
 class CountTable {
  public:
   /// `fps` is the scene's frame rate.
@@ -23,7 +24,7 @@ class CountTable {
   /// True if the table has no rows: if no object has counts, or before the first frame.
   [[nodiscard]] bool empty() const { return names_.empty() || rows_ == 0; }
   [[nodiscard]] const std::string& text() const { return text_; }
-  /// Returns the column names, comma separated. lastRow() returns the last row.
+  /// header() returns the column names, comma separated. lastRow() returns the last row.
   [[nodiscard]] std::string_view header() const;
   [[nodiscard]] std::string_view lastRow() const;
 

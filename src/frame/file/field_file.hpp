@@ -10,17 +10,18 @@ namespace simreel::frame {
 
 /// File format for the raw values of a field.
 enum class FieldFormat {
-  npy,  ///< NumPy array, version 1.0: little-endian float32 of shape (rows, columns), row 0 first
-  pfm   ///< portable float map "Pf", little endian: one channel, last row first
+  npy,  ///< NumPy array, version 1.0, little-endian float32, with the shape (rows, columns) and row 0 first
+  pfm   ///< portable float map "Pf", little endian, with one channel and the last row first
 };
 
 /// Choice of field files by the option --fields.
 struct FieldChoice {
   FieldFormat format = FieldFormat::npy;
-  std::vector<std::string> names;  ///< names of fields, OBJECT or OBJECT.PART; empty: all fields
+  std::vector<std::string> names;  ///< names of fields, OBJECT or OBJECT.PART; if empty, all fields are
+                                   ///< written
 };
-/// Parses a list such as "npy", "dish.u,dish.v" or "pfm,dish": a format and names of fields, separated by
-/// commas. Throws UserError(usage) for an empty item and for two formats.
+/// Parses a list such as "npy", "dish.u,dish.v" or "pfm,dish". Its items, separated by commas, are names of
+/// fields and at most one format. Throws UserError(usage) for an empty item and for two formats.
 [[nodiscard]] FieldChoice parseFieldChoice(const std::string& text);
 
 /// Parses "npy" or "pfm". Throws UserError(usage) for other names.

@@ -20,11 +20,12 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* manifestFormat = "simreel-manifest";
-// changes by version: 2 added hashes of files; 3 moved machines to run.json; 4 added the manifest's hash
+// Version 2 added hashes of files, version 3 moved machines to run.json, and version 4 added the manifest's
+// hash.
 constexpr int formatVersion = 4;
 constexpr int oldestVersion = 3;
 
-/// Returns the end of a manifest, with a hash of the text `before`.
+/// Returns the closing text of a manifest, which contains a hash of the text `before`.
 std::string closing(std::string_view before) {
   return fmt::format(",\n  \"hash\": \"{}\"\n}}\n", hashHex(before));
 }
@@ -61,7 +62,7 @@ std::string manifestText(const Manifest& manifest) {
     return value.dump(indent, ' ', false, Json::error_handler_t::replace);
   };
   std::string text = dump(object, 2);
-  text.resize(text.size() - 2);  // removes the closing "\n}", so that more members can be appended
+  text.resize(text.size() - 2);  // Removes the closing " }", so that more members can be appended.
   if (!manifest.counts.empty()) text += ",\n  \"counts\": " + dump(manifest.counts, -1);
   text += ",\n  \"frames\": [";
   // Each frame is one line, so that a text diff of two manifests shows the frames.

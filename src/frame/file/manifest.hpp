@@ -17,10 +17,10 @@ struct ManifestFrame {
   std::string state;   ///< state hash of the simulations; empty if unknown
   /// hashes of the frame's other files (fields) by file name
   std::map<std::string, std::string> files = {};
-  bool drawn = false;  ///< true if this process drew the frame; for run.json
+  bool drawn = false;  ///< true if this process drew the frame; recorded in run.json
 };
 
-/// Content of manifest.json, the file next to the frames that describes the run and holds the hashes of
+/// Content of manifest.json. This file is next to the frames, describes the run and holds the hashes of
 /// each frame. The manifest contains no time, path or machine, so all runs of one scene write the same
 /// bytes. If the pictures depend on the driver, the manifest also contains the fingerprint of the driver's
 /// numerics. The text ends with a hash of everything before it, so that later changes are detected.
@@ -34,13 +34,15 @@ struct Manifest {
 /// Reads a manifest from JSON. Ignores unknown members, because a later program version may have written
 /// them. Throws JsonError.
 [[nodiscard]] Manifest manifestOf(const JsonValue& object);
-/// Reads a manifest from text and checks the hash at its end. Throws UserError(usage) with the file's
-/// `name` and the mistake.
+/// Reads a manifest from text and checks the hash at its end. On failure, throws UserError(usage), whose
+/// message contains the file's `name` and the mistake.
 [[nodiscard]] Manifest parseManifest(const std::string& text, const std::string& name);
-/// Reads a manifest file. Returns nothing if the file does not exist. Throws like parseManifest.
+/// Reads a manifest file. Returns nothing if the file does not exist. Throws the same errors as
+/// parseManifest().
 [[nodiscard]] std::optional<Manifest> readManifest(const std::filesystem::path& path);
-/// Returns the first setting that differs between two runs and may change pixels by more than a few bits,
-/// as text: "seed is 1 in this run and 2 in the earlier one". Returns nothing if there is none.
+/// Returns the first setting that differs between two runs and may change pixels by more than a few bits.
+/// The result is text such as "seed is 1 in this run and 2 in the earlier one". Returns nothing if no such
+/// setting differs.
 [[nodiscard]] std::optional<std::string> runDifference(const RunInfo& wanted, const RunInfo& stored);
 /// Returns a hash that is equal for two runs exactly if runDifference() finds no difference.
 [[nodiscard]] std::string runIdentity(const RunInfo& run);

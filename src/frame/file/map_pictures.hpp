@@ -17,10 +17,10 @@ struct MapPicture {
 /// Returns the names of a material's pictures in order. "emission" is included only if `glow` is not black.
 [[nodiscard]] std::vector<std::string> mapNames(const glm::vec3& glow);
 
-/// Encodes a material's maps as PNG files with the given text chunks. Albedo: sRGB. Normal: components from
-/// -1 to 1 are mapped to 0 to 255, green is up. Height: 16-bit linear grey. Roughness and occlusion: linear
-/// grey values. Emission: sRGB, as fractions of the brightest channel of `glow`; omitted if `glow` is
-/// black.
+/// Encodes a material's maps as PNG files with the given text chunks. Albedo is sRGB. Normals have
+/// components from -1 to 1, mapped to 0 to 255, and green points up. Height is 16-bit linear grey.
+/// Roughness and occlusion are linear grey values. Emission is sRGB, as fractions of the brightest channel
+/// of `glow`, and is omitted if `glow` is black.
 [[nodiscard]] std::vector<MapPicture> encodeMaps(const draw::SkinMaps& maps, const glm::vec3& glow,
                                                  const ImageText& text);
 

@@ -18,7 +18,7 @@ namespace {
 /// Byte range of the lock file. It may be beyond the end of the file.
 struct Range {
   off_t begin;
-  off_t length;  ///< length in bytes; 0 locks everything up to the end of the file, wherever that is
+  off_t length;  ///< length in bytes; 0 means up to the end of the file, even if the file grows
 };
 constexpr Range sharedFiles{0, 1};
 constexpr Range checkpoint{1, 1};
@@ -54,8 +54,9 @@ void leave(int file, Range range) {
   (void)::fcntl(file, F_OFD_SETLK, &lock);
 }
 
-/// Returns the byte ranges of consecutive frames. The kernel keeps locks in a list. If there are more than
-/// 8192 ranges, they are therefore merged into one range that also covers frames outside the list.
+/// Returns the byte ranges of consecutive frames. The kernel keeps locks in a list, which must stay short.
+/// More than 8192 ranges are therefore merged into one range, which then also covers frames that are not in
+/// `frames`.
 std::vector<Range> rangesOf(std::span<const int> frames) {
   constexpr std::size_t max = 8192;
   std::vector<Range> ranges;
@@ -86,7 +87,8 @@ OutputLock::OutputLock(const std::filesystem::path& manifest, const std::string&
       return;
     }
     if (stillThere()) break;
-    ::close(std::exchange(file_, -1));  // the last user has just removed the file, so a new one is needed
+    ::close(std::exchange(file_, -1));  // The last program that used the file has just removed it, so a new
+                                        // file is needed.
   }
   try {
     claim(run, frames);
@@ -163,8 +165,8 @@ bool OutputLock::ownsCheckpoint() const {
 
 void OutputLock::release() noexcept {
   if (file_ < 0) return;
-  // The file is unlinked while the shared range is locked. If another program has opened the file
-  // meanwhile, its constructor detects that the file is gone and creates a new one.
+  // Removes the file while the shared range is locked. If another program has opened the file meanwhile,
+  // its constructor detects that the file is gone and creates a new one.
   if (waitFor(file_, sharedFiles) && tryLock(file_, {checkpoint.begin, 0})) ::unlink(path_.c_str());
   ::close(std::exchange(file_, -1));
 }

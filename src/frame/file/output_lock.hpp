@@ -8,15 +8,16 @@ namespace simreel::frame {
 
 /// Prevents two running programs from writing the same frames. The lock consists of byte ranges of the file
 /// "manifest.json.lock" next to the manifest. The kernel releases the locks when the process ends for any
-/// reason. The last user removes the file; a file left by a killed process is harmless. Runs that differ
-/// only in their frames may run at the same time. If the file system does not support locks (some NFS
-/// mounts), the class has no effect. If NFS supports locks, they work between machines.
+/// reason. The last program that uses the file removes it. A file left by a killed process is harmless.
+/// Runs that differ only in their frames may run at the same time. If the file system does not support
+/// locks (some NFS mounts), the class has no effect. If NFS supports locks, they also work between
+/// machines.
 class OutputLock {
  public:
   OutputLock() = default;
-  /// Locks `frames`, which must be ascending. `run`: identifies everything else that the output depends on.
-  /// Throws UserError(inputOutput) if a running program has locked one of the frames or renders another
-  /// run, or if the lock file cannot be created.
+  /// Locks `frames`, which must be ascending. `run`: hash of everything except the frames that the output
+  /// depends on. Throws UserError(inputOutput) if a running program has locked one of the frames or renders
+  /// another run, or if the lock file cannot be created.
   OutputLock(const std::filesystem::path& manifest, const std::string& run, std::span<const int> frames);
   ~OutputLock() { release(); }
   OutputLock(OutputLock&& other) noexcept
@@ -42,8 +43,8 @@ class OutputLock {
     int file_;
   };
 
-  /// True if this program may write the checkpoint. Of several programs, the first one that calls this
-  /// function may write it, until release() or the end of the program.
+  /// True if this program may write the checkpoint. If several programs call this function, only the first
+  /// may write the checkpoint, until it calls release() or ends.
   [[nodiscard]] bool ownsCheckpoint() const;
   void release() noexcept;
 
@@ -56,8 +57,8 @@ class OutputLock {
   std::filesystem::path path_;
 };
 
-/// True if a running program has locked frames of the output with this manifest. False if locks do not
-/// work.
+/// True if a running program has locked frames of the output with this manifest. False if the file system
+/// does not support locks.
 [[nodiscard]] bool isOutputLocked(const std::filesystem::path& manifest);
 
 }  // namespace simreel::frame

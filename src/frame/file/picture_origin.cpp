@@ -37,8 +37,8 @@ PictureHeader headerOfPng(std::span<const std::byte> file, std::string_view byte
   return header;
 }
 
-/// Reads the attributes of an OpenEXR header up to the empty name. An attribute has a name, a type, a
-/// 4-byte size and a value (OpenEXR file layout).
+/// Reads the attributes of an OpenEXR header up to the empty name that ends it. An attribute has a name, a
+/// type, a 4-byte size and a value (OpenEXR file layout).
 PictureHeader headerOfExr(std::string_view bytes) {
   PictureHeader header;
   constexpr std::size_t magicAndVersion = 8, box = 16;

@@ -21,24 +21,28 @@ struct RunInfo {
   int width = 0;
   int height = 0;
   double fps = 60;
-  std::string numerics;  ///< arithmetic of the simulations: "exact" or "fast"
-  /// fingerprint of the driver's numerics; in the manifest unless exact()
+  std::string numerics;  ///< arithmetic of the simulations, "exact" or "fast"
+  /// fingerprint of the driver's numerics; written to the manifest unless exact() is true
   std::string fingerprint;
-  std::string driver;  ///< renderer and version string of the driver; in run.json
-  /// CPU model, which together with the driver identifies the machine; empty if unknown; in run.json
+  std::string driver;  ///< renderer and version string of the driver; written to run.json
+  /// CPU model, which together with the driver identifies the machine; empty if unknown; written to
+  /// run.json
   std::string processor = {};
-  std::string rasterizer = "driver";  ///< "driver" (rasterization by the OpenGL driver) or "exact"
+  std::string rasterizer = "driver";  ///< rasterizer: "driver" (rasterization by the OpenGL driver) or
+                                      ///< "exact"
   /// Scene changes as "path=value", from -D, --seed, --size, --fps, --samples and --rasterizer.
   std::vector<std::string> overrides = {};
-  /// Scene changes that place the camera so that the whole scene is visible, and ranges of colours, as
-  /// found in a trial run. In the manifest.
+  /// Scene changes as found in a trial run. They place the camera so that the whole scene is visible, and
+  /// set the ranges of colours. Written to the manifest.
   std::vector<std::string> camera = {};
   /// result of scene::simulationHash; a run can resume only from a checkpoint with the same hash
   std::string simulation = {};
   std::string asRun = {};                 ///< scene text with all changes applied; written to as-run.json
-  std::string asRunHash = {};             ///< hash of `asRun`; in the manifest; empty if unknown
-  std::string command = {};               ///< command line as typed by the user; in run.json
-  std::vector<std::string> folders = {};  ///< folders searched for files of the scene; in run.json
+  std::string asRunHash = {};             ///< hash of `asRun`, which is written to the manifest; empty if
+                                          ///< unknown
+  std::string command = {};               ///< command line as typed by the user; written to run.json
+  std::vector<std::string> folders = {};  ///< folders in which files of the scene are searched; written to
+                                          ///< run.json
 
   /// True if every machine produces the same bytes, regardless of the driver.
   [[nodiscard]] bool exact() const { return numerics == "exact" && rasterizer == "exact"; }

@@ -42,7 +42,8 @@ struct RunLog {
 /// Returns a record for this process with the current time as start.
 [[nodiscard]] RunRecord beginRecord(const RunInfo& run);
 [[nodiscard]] std::string runLogText(const RunLog& log);
-/// Parses run.json. Throws UserError(usage) with the file's `name` and the mistake.
+/// Parses run.json. On failure, throws UserError(usage), whose message contains the file's `name` and the
+/// mistake.
 [[nodiscard]] RunLog parseRunLog(const std::string& text, const std::string& name);
 /// Reads run.json. Returns an empty log if the file is missing or unreadable, because the log is only
 /// documentation.

@@ -17,8 +17,8 @@ namespace simreel::frame {
 
 namespace {
 
-/// Returns the frames to lock. A single picture or video is one file, so number 0 is locked, regardless of
-/// its frames.
+/// Returns the frame numbers to lock. For a single picture or a video, this is the number 0, because all
+/// its frames are in one file.
 std::vector<int> claimed(const OutputName& output, std::span<const int> frames) {
   if (output.kind != OutputName::Kind::sequence) return {0};
   return {frames.begin(), frames.end()};
@@ -80,7 +80,7 @@ void SharedManifest::write(Manifest manifest, std::string_view counts) {
   try {
     if (!counts.empty() && (!manifest.frames.empty() || !others_.frames.empty())) storeCounts(counts);
   } catch (const UserError&) {
-    // the frames are complete nevertheless, so the manifest is still written
+    // The frames are complete nevertheless, so the manifest is still written.
     failure = std::current_exception();
   }
   try {
@@ -147,7 +147,7 @@ void SharedManifest::merge() {
 
 void SharedManifest::store(Manifest manifest) {
   manifest.counts = others_.counts;
-  // insert() adds only frames that the manifest lacks
+  // insert() adds only frames that are not in the manifest yet.
   manifest.frames.insert(others_.frames.begin(), others_.frames.end());
   if (manifest.frames.empty()) return;
   storeScene();

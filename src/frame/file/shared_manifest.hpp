@@ -24,17 +24,17 @@ class SharedManifest {
 
   /// Reads the manifest of an earlier run with the same settings. Returns the entries for the frames of
   /// this run. Keeps entries for other frames whose files exist, so that rendering some frames again does
-  /// not drop the others. If `existing` is resume or skip, throws UserError(usage) for a manifest of a
-  /// different run, and warns if the manifest cannot be read.
+  /// not remove the other entries. If `existing` is resume or skip, throws UserError(usage) for a manifest
+  /// of a different run, and warns if the manifest cannot be read.
   [[nodiscard]] std::map<int, ManifestFrame> inherit(Existing existing);
-  /// Returns the machine that drew a frame found by inherit(). Returns an empty text if this machine drew
-  /// the frame or if pictures do not depend on the machine.
+  /// Returns the machine that drew a frame found by inherit(). Returns an empty text if that machine is
+  /// this one or if pictures do not depend on the machine.
   [[nodiscard]] std::string otherMachineOf(int frame) const;
-  /// Writes the manifest, after syncing the folder so that the names of its frames are durable. Merges
+  /// Writes the manifest, after syncing the folder so that the file names of the frames are durable. Merges
   /// entries that other programs have added meanwhile. Writes nothing if there are no frames, because an
   /// empty manifest would only block the next scene. If the output has no manifest, writes only the table
-  /// of counts. `counts`: the table of counts, if any. An existing longer table is kept if it starts with
-  /// `counts` and matches its stored hash. Throws UserError(inputOutput).
+  /// of counts. `counts`: the table of counts; empty if there is none. An existing longer table is kept if
+  /// it starts with `counts` and matches its stored hash. Throws UserError(inputOutput).
   void write(Manifest manifest, std::string_view counts = {});
   [[nodiscard]] bool ownsCheckpoint() const { return lock_.ownsCheckpoint(); }
   /// Releases the locks, so that other programs may render the frames.
@@ -59,7 +59,7 @@ class SharedManifest {
   OutputLock lock_;
   Manifest others_;  ///< content of the manifest when it was last read from disk, without the frames in
                      ///< own_
-  Version known_;    ///< version of the file on disk whose other frames are all in others_
+  Version known_;    ///< version of the manifest file whose frames of other programs are all in others_
   Clock::time_point began_ = Clock::now();
   RunRecord record_;  ///< record of this run for run.json
   RunLog log_;        ///< run.json as it was when this run began

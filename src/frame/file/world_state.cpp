@@ -79,7 +79,7 @@ WorldState stateOf(sim::World& world) {
 
 void putBack(sim::World& world, int frame, const std::vector<StatePart>& parts, std::string_view bytes,
              const std::string& from) {
-  gl::beforeWrites();  // waits because kernels that read the current state may still be running
+  gl::beforeWrites();  // Waits because kernels that read the current state may still be running.
   StateRestorer restorer(parts, bytes, from);
   world.carryOver(restorer, [&](const std::string& object) { restorer.begin(object); });
   if (!restorer.ended())

@@ -14,7 +14,7 @@ struct StatePart {
   std::size_t bytes = 0;
 };
 
-/// State between two frames of a simulation in CPU memory. A checkpoint stores it on disk; the player
+/// State of a simulation between two frames, in CPU memory. A checkpoint stores it on disk. The player
 /// restores it to jump back.
 struct WorldState {
   int frame = 0;
@@ -26,8 +26,8 @@ struct WorldState {
 [[nodiscard]] WorldState stateOf(sim::World& world);
 
 /// Restores parts into a world of the same simulation, and sets the world's current frame to `frame`.
-/// Throws UserError(usage) if a part does not fit, for example because it belongs to another simulation;
-/// the world is then unusable. `from`: origin of the parts, for the message.
+/// Throws UserError(usage) if a part does not fit, for example because it belongs to another simulation.
+/// The world is then unusable. `from`: origin of the parts, for the message.
 void putBack(sim::World& world, int frame, const std::vector<StatePart>& parts, std::string_view bytes,
              const std::string& from);
 

@@ -13,7 +13,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Returns the mean of the copies' colours, for light, which no attribute of a copy colours.
+/// Returns the mean colour of the copies. It is used for emitted light, because no glTF attribute gives a
+/// copy a separate emission.
 glm::vec3 meanColor(const sim::ShownCopies& copies) {
   if (copies.colors.empty()) return copies.material->color;
   glm::dvec3 sum(0);
@@ -21,7 +22,7 @@ glm::vec3 meanColor(const sim::ShownCopies& copies) {
   return glm::vec3(sum / static_cast<double>(copies.colors.size()));
 }
 
-/// Adds a node of copies to the document.
+/// Adds a node with all copies of one mesh to the document.
 class CopyWriter {
  public:
   CopyWriter(Json& document, GltfContents& contents, GltfMaterials& materials)
@@ -52,7 +53,7 @@ class CopyWriter {
   std::size_t rows(const std::vector<T>& items, const char* type) {
     return contents_.list(std::span(items), 0, gltfFloat, type);
   }
-  /// Returns the turns in the order of glTF: x, y, z, w.
+  /// Returns the rotations of the copies as quaternions in the order of glTF: x, y, z, w.
   static std::vector<glm::vec4> quaternions(const sim::ShownCopies& copies) {
     std::vector<glm::vec4> all;
     all.reserve(copies.turns.size());

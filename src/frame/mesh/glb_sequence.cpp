@@ -24,8 +24,8 @@ std::string GlbSequence::text() const {
   return document.dump();
 }
 
-/// Adds views and accessors for the morph targets. Each holds the positions and normals of one frame after
-/// the first, minus the first frame's values.
+/// Adds views and accessors for the morph targets. Each morph target holds the positions and normals of one
+/// frame after the first, minus the values of the first frame.
 void GlbSequence::describeTargets(std::vector<Json>& primitives) {
   const std::size_t count = first_.positions.size();
   const std::uint64_t bytes = sizeof(glm::vec3) * std::uint64_t{count};
@@ -46,12 +46,13 @@ void GlbSequence::describeAnimation(std::size_t times, std::size_t weights) {
   const Json channel = {{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}};
   document_["animations"] = Json::array(
       {{{"name", plan_.name}, {"samplers", Json::array({sampler})}, {"channels", Json::array({channel})}}});
-  // names of the morph targets, by a convention of glTF importers
+  // The morph targets are named after frames, by a convention of glTF importers.
   for (std::size_t i = 1; i < plan_.frames.size(); ++i)
     document_["meshes"][0]["extras"]["targetNames"].push_back(fmt::format("frame {}", plan_.frames[i]));
 }
 
-/// Writes the key times and weights. At frame i the weight of target i - 1 is 1, and all others are 0.
+/// Writes the key times and weights. At frame i the weight of morph target i - 1 is 1, and all other
+/// weights are 0.
 void GlbSequence::writeTimesAndWeights() {
   std::vector<float> row(plan_.frames.size());
   for (std::size_t i = 0; i < row.size(); ++i) row[i] = plan_.seconds(i);
@@ -115,7 +116,7 @@ void GlbSequence::add(const sim::MeshTable& mesh) {
 
 void GlbSequence::finish() {
   const std::string document = text();
-  SIMREEL_CHECK(document.size() <= room_);  // the unused space still contains blanks
+  SIMREEL_CHECK(document.size() <= room_);  // The unused part of the reserved space still contains blanks.
   file_.put(glbHeader(0, 0).size(), std::as_bytes(std::span(document)));
   file_.finish();
 }

@@ -6,9 +6,9 @@
 
 namespace simreel::frame {
 
-/// Writes a surface sequence as binary glTF with one morph target for each frame after the first. All sizes
-/// are known after the first frame. The JSON document comes before the binary data but contains the bounds
-/// of every target. Space for the document is therefore reserved first and filled last.
+/// Writes a surface sequence as binary glTF with one morph target for each frame after the first. The JSON
+/// document comes before the binary data, but contains the bounds of every morph target. Its size is known
+/// after the first frame, so space for it is reserved first and filled last.
 class GlbSequence : public MeshSequence {
  public:
   GlbSequence(const std::filesystem::path& file, SequencePlan plan);
@@ -30,8 +30,9 @@ class GlbSequence : public MeshSequence {
   PartFile file_;
   sim::MeshTable first_;
   nlohmann::ordered_json document_;
-  GltfContents contents_;             ///< its bytes are dropped when they are written
-  std::vector<std::size_t> bounded_;  ///< accessor indices of the targets' positions
+  GltfContents contents_;             ///< document parts and pending binary data; the bytes are dropped
+                                      ///< when they have been written
+  std::vector<std::size_t> bounded_;  ///< accessor indices of the morph targets' positions
   std::uint64_t room_ = 0;            ///< number of bytes reserved for the JSON document
 };
 

@@ -25,7 +25,7 @@ Json rgb(const glm::vec3& color) {
   return {within.x, within.y, within.z};
 }
 
-/// Encodes RGBA rows as PNG, without alpha if all pixels are opaque.
+/// Encodes RGBA rows as PNG. Leaves out alpha if all pixels are opaque.
 std::vector<std::byte> pngOf(glm::ivec2 size, const std::vector<std::uint8_t>& rgba, bool linear) {
   bool opaque = true;
   for (std::size_t i = 3; i < rgba.size(); i += 4) opaque = opaque && rgba[i] == 255;
@@ -46,7 +46,7 @@ std::uint8_t texelByte(float fraction) {
   return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(fraction, 0.0F, 1.0F)));
 }
 
-/// Encodes texels, of which `colorOf` takes the colour, as an opaque PNG.
+/// Encodes texels as an opaque PNG. `colorOf` returns the colour of a texel.
 template <class ColorOf>
 std::vector<std::byte> skinPng(const std::vector<glm::vec4>& texels, glm::ivec2 size, bool linear,
                                ColorOf colorOf) {
@@ -160,7 +160,7 @@ void GltfMaterials::addFinish(Json& json, const scene::Material& material, bool 
   json["alphaCutoff"] = finish.cutoff;
 }
 
-/// Adds the maps of a skin. The pictures' colours are absolute, so the factors become 1.
+/// Adds the maps of a skin. The maps hold absolute colours, so the glTF factors become 1.
 void GltfMaterials::addSkin(Json& json, const SkinPictures& skin) {
   const draw::SkinMaps& maps = skin.maps;
   Json& pbr = json["pbrMetallicRoughness"];

@@ -83,7 +83,7 @@ std::size_t GltfContents::file(std::span<const std::byte> file) {
 
 namespace {
 
-/// Adds the indices of each part behind each other, in one view.
+/// Adds the indices of all parts to one view, part by part.
 std::vector<Json> addParts(GltfContents& contents, const sim::MeshTable& mesh, const sim::MeshLooks& looks,
                            const Json& attributes) {
   const std::size_t parts = std::max<std::size_t>(1, looks.materials.size());

@@ -52,32 +52,33 @@ struct GltfContents {
   GltfLayout layout;
   std::vector<std::byte> bytes;
 
-  /// Adds rows of `type` and returns their accessor's index.
+  /// Adds rows of `type` and returns the index of their accessor.
   template <class T>
   std::size_t list(std::span<const T> rows, int target, int component, const char* type) {
     const std::size_t number = layout.list(target, component, rows.size(), type);
     append(std::as_bytes(rows));
     return number;
   }
-  /// Adds bytes of any length and returns their view's index.
+  /// Adds bytes of any length and returns the index of their buffer view.
   std::size_t file(std::span<const std::byte> file);
   void append(std::span<const std::byte> more) { bytes.insert(bytes.end(), more.begin(), more.end()); }
 };
 
-/// Adds positions, normals, optional uvs, colours and indices of a mesh. Returns a primitive for each part
-/// (sim::MeshLooks), in that order and without material; parts without triangles are null.
+/// Adds positions, normals, optional uvs, colours and indices of a mesh. Returns one primitive without
+/// material for each part, in the order of sim::MeshLooks. Parts without triangles are null.
 [[nodiscard]] std::vector<nlohmann::ordered_json> addSurface(GltfContents& contents,
                                                              const sim::MeshTable& mesh,
                                                              const sim::MeshLooks& looks);
 
-/// Returns a glTF document with one empty node; GltfLayout adds accessors and buffer.
+/// Returns a glTF document with one empty node. GltfLayout::into() adds the accessors and the buffer.
 [[nodiscard]] nlohmann::ordered_json gltfDocument(const std::string& name,
                                                   std::span<const std::string> comments);
 /// Adds an extension to extensionsUsed if it is not there yet.
 void useExtension(nlohmann::ordered_json& document, const std::string& extension);
 
-/// glbHeader() returns the bytes of a GLB file before its JSON text of `json` bytes (glTF 2.0
-/// specification, 4.4). glbBinaryHeader() returns the bytes before the binary chunk.
+/// glbHeader() returns the bytes that precede the JSON text in a GLB file (glTF 2.0 specification, 4.4).
+/// `json`: length of the JSON text in bytes. glbBinaryHeader() returns the bytes that precede the binary
+/// chunk.
 [[nodiscard]] std::vector<std::byte> glbHeader(std::uint64_t json, std::uint64_t binary);
 [[nodiscard]] std::vector<std::byte> glbBinaryHeader(std::uint64_t binary);
 

@@ -14,7 +14,7 @@ class NamedVertices {
   /// Returns `mesh` without unused vertices. `mesh` must have the same triangles as the mesh of the
   /// constructor.
   [[nodiscard]] sim::MeshTable of(const sim::MeshTable& mesh) const;
-  /// Returns the rows of the used vertices; `rows` has one per vertex of the mesh, or none.
+  /// Returns the rows of the used vertices. `rows` has one row per vertex of the mesh, or is empty.
   template <class Row>
   [[nodiscard]] std::vector<Row> of(const std::vector<Row>& rows) const {
     std::vector<Row> named;

@@ -6,8 +6,8 @@
 
 namespace simreel::frame {
 
-/// Encodes points as PLY (binary, little endian, 32-bit floats). `values`: the rows in sequence, one value
-/// per column. Each comment becomes a header line.
+/// Encodes points as PLY (binary, little endian, 32-bit floats). `values`: all rows, one after another,
+/// with one value per column. Each comment becomes a header line.
 [[nodiscard]] std::vector<std::byte> encodePly(std::span<const char* const> columns,
                                                std::span<const float> values,
                                                std::span<const std::string> comments);

@@ -13,7 +13,7 @@ int stepOf(const SequencePlan& plan) {
   return frames.size() > 1 ? frames[1] - frames[0] : 1;
 }
 
-/// Checks the frames and returns `file`. It is called before the file is created.
+/// Checks that the format can hold the frames, and returns `file`. It is called before the file is created.
 std::filesystem::path checked(PointCache::Format format, const SequencePlan& plan,
                               const std::filesystem::path& file) {
   const std::vector<int>& frames = plan.frames;
@@ -33,7 +33,8 @@ PointCache::PointCache(Format format, const std::filesystem::path& file, Sequenc
 
 void PointCache::append(std::uint32_t word) {
   for (unsigned i = 0; i < 4; ++i) {
-    const unsigned byte = format_ == Format::pc2 ? i : 3 - i;  // PC2 is little endian, MDD is big endian
+    const unsigned byte = format_ == Format::pc2 ? i : 3 - i;  // PC2 is little endian, and MDD is big
+                                                               // endian.
     bytes_.push_back(static_cast<std::byte>(word >> (8 * byte) & 255U));
   }
 }

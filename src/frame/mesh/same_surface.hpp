@@ -11,8 +11,8 @@ class SameSurface {
  public:
   explicit SameSurface(const SequencePlan& plan) : plan_(plan) {}
 
-  /// Returns the next frame without unused vertices. Throws UserError(usage) if its triangles or uvs differ
-  /// from the first frame.
+  /// Returns the mesh of the next frame without unused vertices. Throws UserError(usage) if the triangles
+  /// or uvs differ from the first frame.
   [[nodiscard]] sim::MeshTable next(const sim::MeshTable& mesh);
   /// Returns the number of frames passed to next().
   [[nodiscard]] std::size_t seen() const { return seen_; }

@@ -22,8 +22,9 @@ void CheckpointKeeper::resume(const std::vector<int>& frames, const std::functio
   if (!how_.file.empty() && how_.resume) {
     const int last = std::max({lastFrame_, frames.empty() ? 0 : frames.back(), lastKept()});
     const auto checkpoint = found(last);
-    // Valid stored states up to the checkpoint need no work. If any other state at or before the checkpoint
-    // must be stored, it must be simulated again, so the run cannot resume from the checkpoint.
+    // A valid stored state needs no work if its frame is not after the checkpoint. If any other state up to
+    // the checkpoint must be stored, it must be simulated again, so the run cannot resume from the
+    // checkpoint.
     std::erase_if(how_.keep, [&](const auto& kept) {
       return checkpoint && kept.first <= checkpoint->frame() &&
              (kept.second == checkpoint->file() || Checkpoint::read(kept.second, how_.run, last));
@@ -64,7 +65,8 @@ std::optional<Checkpoint> CheckpointKeeper::given(const std::vector<int>& frames
   }
 }
 
-/// Returns the run's periodic checkpoint, or else the last valid permanent checkpoint.
+/// Returns the run's periodic checkpoint. If it does not exist or does not fit, returns the last valid
+/// permanent checkpoint.
 std::optional<Checkpoint> CheckpointKeeper::found(int last) {
   auto checkpoint = Checkpoint::read(how_.file, how_.run, last);
   stored_ = checkpoint ? checkpoint->frame() : beforeAll;

@@ -19,16 +19,17 @@ namespace simreel::frame {
 /// Settings for checkpoints. A run writes its state periodically, so that it can be resumed after a crash.
 /// It also writes its state at chosen frames, so that other runs can start there.
 struct Checkpoints {
-  std::filesystem::path file;  ///< periodic checkpoint; if empty, none is written or read
+  std::filesystem::path file;  ///< file of the periodic checkpoint; if empty, no periodic checkpoint is
+                               ///< written or read
   double seconds = 60;         ///< interval between checkpoints (s); if 0, none are written
   bool resume = false;         ///< true to resume from the existing periodic checkpoint
   RunInfo run = {};
   /// Frames whose states are stored permanently, and the files of these states. With `resume`, valid
   /// existing files are kept.
   std::map<int, std::filesystem::path> keep = {};
-  /// checkpoint at which the run begins; if empty, the run begins at the scene's start
+  /// checkpoint from which the run starts; if empty, the run starts at the scene's start
   std::filesystem::path from = {};
-  /// if `from` cannot be used: true to warn and begin at the scene's start, false to fail
+  /// if `from` cannot be used: true to warn and start at the scene's start, false to fail
   bool mayDoWithout = false;
 };
 
@@ -44,11 +45,11 @@ class CheckpointKeeper {
   /// before that checkpoint is missing. Otherwise restores Checkpoints::from, if it is set.
   void resume(const std::vector<int>& frames, const std::function<bool(int frame)>& isMissing,
               sim::World& world, CountTable& counts);
-  /// Returns the frame of the restored checkpoint. If none was restored, returns a number below every
-  /// frame.
+  /// Returns the frame of the restored checkpoint. If no checkpoint was restored, returns a number that is
+  /// less than every frame number.
   [[nodiscard]] int resumedFrame() const { return resumedFrame_; }
   /// True if the summary belongs to a frame after the restored checkpoint. Throws UserError(different) if
-  /// it belongs to the checkpoint's frame but has another state hash.
+  /// the summary belongs to the checkpoint's frame but has another state hash.
   [[nodiscard]] bool isAfterResume(const sim::World::Summary& summary) const;
 
   [[nodiscard]] bool isDue() const { return how_.seconds > 0 && secondsSince(saved_) >= how_.seconds; }
@@ -56,8 +57,8 @@ class CheckpointKeeper {
   [[nodiscard]] bool writes() const;
   /// True if the state of this frame must be stored permanently and does not exist yet.
   [[nodiscard]] bool keeps(int frame) const { return how_.keep.contains(frame); }
-  /// Returns the last frame whose state must be stored permanently. If none exists, returns a number
-  /// below every frame.
+  /// Returns the last frame whose state must be stored permanently. If no state must be stored, returns a
+  /// number that is less than every frame number.
   [[nodiscard]] int lastKept() const { return how_.keep.empty() ? beforeAll : how_.keep.rbegin()->first; }
   /// Writes the world's current state to the permanent file of its frame. Throws UserError(inputOutput).
   void keep(const std::string& stateHash, const std::string& counts, sim::World& world) const;

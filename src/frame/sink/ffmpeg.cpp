@@ -25,8 +25,8 @@ bool hasH264(const std::string& extension) {
 /// Returns the encoder options for an extension (lower case, with dot). Unknown extensions use ffmpeg's
 /// default encoder.
 std::vector<std::string> encoderArguments(const std::string& extension) {
-  // 4:2:0 needs even sizes. The colour matrix is also stored in the file, because players otherwise guess
-  // it from the size.
+  // The pixel format 4:2:0 needs even sizes. The colour matrix is also stored in the file, because players
+  // otherwise guess it from the size.
   const std::string even =
       "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv,format=yuv420p";
   const std::vector<std::string> colour = {"-colorspace", "bt709", "-color_primaries", "bt709",

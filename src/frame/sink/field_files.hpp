@@ -10,16 +10,17 @@
 
 namespace simreel::frame {
 
-/// Writes the raw values of a scene's fields next to the pictures: frame 000042.png gets 000042.NAME.npy
-/// for each field NAME, or for each chosen one. Existing files are treated like existing pictures. --resume
-/// keeps the files that are complete according to the hashes in the manifest.
+/// Writes the raw values of a scene's fields next to the pictures. The frame 000042.png gets
+/// 000042.NAME.npy for each field NAME, or for each chosen field. Existing field files are treated like
+/// existing pictures. --resume keeps the files that are complete according to the hashes in the manifest.
 class FieldFiles {
  public:
   /// Throws UserError(usage) if the output has no picture files (video, standard output).
   FieldFiles(const OutputName& pictures, FieldChoice choice, Existing existing, std::vector<int> frames);
 
-  /// Call once, before the first frame is stored. Throws UserError(usage) if the scene has no field or
-  /// lacks a chosen one, and UserError(inputOutput) if files exist that must not be replaced.
+  /// Checks the fields and the existing files. Call once, before the first frame is stored. Throws
+  /// UserError(usage) if the scene has no field or lacks a chosen one, and UserError(inputOutput) if files
+  /// exist that must not be replaced.
   void begin(const std::vector<sim::Field>& fields);
   /// True if a field file of the frame must be written. `sink` knows which files are already complete.
   [[nodiscard]] bool misses(int frame, const FrameSink& sink) const;

@@ -23,7 +23,8 @@ FrameQueue::FrameQueue(std::size_t threads, std::size_t max, Handler handler)
     while (threads_.size() < threads) threads_.emplace_back([this] { work(); });
   } catch (const std::system_error& error) {
     detail("{} of {} threads for encoding: {}", threads_.size(), threads, error.what());
-  } catch (const std::bad_alloc&) {  // destroying a thread before it is joined would terminate the program
+  } catch (const std::bad_alloc&) {  // Joins the threads first, because destroying an unjoined thread would
+                                     // terminate the program.
     abandon();
     throw;
   }

@@ -41,7 +41,8 @@ class FrameQueue {
   void close();
   /// Drops waiting frames and ends the threads. Waits for handlers in progress.
   void abandon() noexcept;
-  [[nodiscard]] double seconds() const;  ///< CPU time of the handler so far, summed over all threads
+  [[nodiscard]] double seconds() const;  ///< Returns the CPU time (s) of the handler so far, summed over
+                                         ///< all threads.
 
  private:
   struct Item {
@@ -49,7 +50,8 @@ class FrameQueue {
     std::optional<Image> image;
   };
   void work() noexcept;
-  void handle(const Item& item) noexcept;  ///< calls the handler; stores an exception in error_
+  void handle(const Item& item) noexcept;  ///< Calls the handler. If the handler throws, stores the
+                                           ///< exception in error_.
   void join() noexcept;
   void rethrow();
 

@@ -26,13 +26,14 @@ struct FrameInfo {
 class FrameSink {
  public:
   virtual ~FrameSink() = default;
-  /// False if this frame need not be drawn. With --skip-existing, this means that it exists and does not
-  /// belong to another run; with --resume, that it matches the hash in the manifest.
+  /// False if this frame need not be drawn. With --skip-existing, this means that the frame's file exists
+  /// and does not belong to another run. With --resume, it means that the file matches the hash in the
+  /// manifest.
   [[nodiscard]] virtual bool wants(int frame) = 0;
   /// For a frame that need not be drawn again, returns the state hash in an earlier run's manifest.
   [[nodiscard]] virtual std::optional<std::string> knownStateHash(int frame) const = 0;
-  /// For a frame that need not be drawn again: true if an earlier run's manifest lists this additional file
-  /// and the file is complete.
+  /// True if an earlier run's manifest lists this additional file and the file is complete. For a frame
+  /// that need not be drawn again.
   [[nodiscard]] virtual bool holds(int /*frame*/, const std::string& /*file*/) const { return false; }
   /// Stores one frame. The image is empty if the picture exists and only additional files must be stored.
   /// Blocks while too many frames wait. Throws UserError(inputOutput).
@@ -47,9 +48,10 @@ class FrameSink {
   [[nodiscard]] virtual bool ownsCheckpoint() const { return true; }
   /// Writes all pending frames, then the manifest. Must be called once, even after an interrupt.
   virtual void finish() = 0;
-  /// Returns the CPU time (s) spent encoding and writing so far, over all threads.
+  /// Returns the CPU time (s) spent on encoding and writing so far, summed over all threads.
   [[nodiscard]] virtual double encodeSeconds() const = 0;
-  /// Returns the text for the closing line: "out/flag_0000.png ... out/flag_0119.png".
+  /// Returns the names of the written files for the closing line: "out/flag_0000.png ...
+  /// out/flag_0119.png".
   [[nodiscard]] virtual std::string summary() const = 0;
 };
 

@@ -37,7 +37,7 @@ class FramesUnderWay {
   void follow(sim::World& world);
   /// Makes the following pictures store their light and the requested layers.
   void keepLayers(const draw::LightRequest& wanted);
-  /// Sets a callback that receives each picture before the sink does.
+  /// Sets a callback that receives each picture before the sink receives it.
   void onPicture(std::function<void(int frame, const Image& image)> hear) { hear_ = std::move(hear); }
   /// True if a picture or additional file of the frame must be written.
   [[nodiscard]] bool misses(int frame) const;
@@ -46,7 +46,7 @@ class FramesUnderWay {
   void draw(sim::World& world, std::optional<std::string> stateHash);
   /// Sets the state hash of a frame in flight. Ignored for other frames.
   void know(int frame, const std::string& stateHash);
-  /// Counts a frame that an earlier run has already stored.
+  /// Counts a frame that need not be drawn, because an earlier run has already stored it.
   void pass(int frame);
   /// Passes all frames in flight to the sink.
   void drain();
@@ -56,7 +56,8 @@ class FramesUnderWay {
   struct Waiting {
     int frame;
     bool drawn;
-    std::vector<FrameFile> files;  ///< stored when the frame's state is known to be valid
+    std::vector<FrameFile> files;  ///< additional files of the frame, which are stored when the frame's
+                                   ///< state is known to be valid
     std::shared_ptr<const draw::PictureLayers> layers;
     std::optional<std::string> stateHash;
   };
@@ -78,8 +79,8 @@ class FramesUnderWay {
   draw::Readback readback_;
   std::deque<Waiting> waiting_;
   int delivered_ = 0;
-  double toldEncode_ = 0;  ///< the time of the sink's encodeSeconds() that has been reported to progress_
-                           ///< so far
+  double toldEncode_ = 0;  ///< part of the sink's encodeSeconds() that has already been reported to
+                           ///< progress_
 };
 
 }  // namespace simreel::frame

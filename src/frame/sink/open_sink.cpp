@@ -39,9 +39,9 @@ std::unique_ptr<FrameSink> openSink(const OutputName& output, Existing existing,
 
 namespace {
 
-/// Throws UserError(inputOutput) if `folder` cannot be created. Tests this by creating a temporary folder
-/// with a random name in the nearest existing parent, because another run may be creating `folder` at the
-/// same time.
+/// Throws UserError(inputOutput) if `folder` cannot be created. Creates a temporary folder with a random
+/// name in the nearest existing parent as a test. Does not create `folder`, because another run may be
+/// creating it at the same time.
 void checkFolder(const std::filesystem::path& folder) {
   std::filesystem::path above = folder;
   while (!above.empty() && !pathExists(above)) above = above.parent_path();
@@ -55,8 +55,8 @@ void checkFolder(const std::filesystem::path& folder) {
 
 namespace {
 
-/// Returns the first file of `frames` that exists and how many others do, as "NAME and 2 more exist"; empty
-/// if none does.
+/// Returns the name of the first existing file of `frames` and the number of other existing files, as "NAME
+/// and 2 more exist". Returns an empty text if no file exists.
 std::string existingFiles(const OutputName& output, std::span<const int> frames) {
   std::size_t count = 0;
   std::filesystem::path first;

@@ -18,11 +18,11 @@ namespace simreel::frame {
 /// Throws UserError(inputOutput) if an output file of one of the frames exists.
 void refuseExisting(const OutputName& output, std::span<const int> frames);
 
-/// Warns if output files of frames exist without a manifest, so that a run which resumes overwrites them.
+/// Warns if output files of frames exist without a manifest, because a run with --resume overwrites them.
 void warnOfUnlisted(const OutputName& output, std::span<const int> frames);
 
-/// Performs the checks of openSink() that need no device: existing files, and whether the location is
-/// writable. Leaves no files behind. Throws like openSink().
+/// Performs the checks of openSink() that need no device. Checks for existing files and for a writable
+/// location. Leaves no files behind. Throws the same errors as openSink().
 void checkOutput(const OutputName& output, Existing existing, std::span<const int> frames);
 
 }  // namespace simreel::frame

@@ -23,13 +23,13 @@ class Progress {
  public:
   enum class Mode { automatic, terminal, ndjson, none };
 
-  /// `automatic`: a bar on a terminal, otherwise nothing. Tests pass another `descriptor`.
+  /// `automatic`: shows a bar on a terminal, and otherwise nothing. Tests pass another `descriptor`.
   explicit Progress(Mode mode, int descriptor = 2);
   void start(int total);
   /// Reports the progress of the pre-roll steps before the first frame.
   void prepare(long done, long total);
   /// Reports that a frame is done or already existed. `stages`: times of the frame and of preceding frames
-  /// that are not written. `stages.encode`: encoding time since the last call, of any frames, because
+  /// that are not written. `stages.encode`: encoding time of any frames since the last call, because
   /// encoding runs in parallel.
   void frame(int number, const StageTimes& stages);
   /// Reports the result of a check of the scene.
@@ -44,7 +44,7 @@ class Progress {
   void ofJob(std::string job) { job_ = std::move(job); }
   /// Clears the bar, before other messages are printed.
   void clear();
-  /// Clears the bar and, in mode ndjson, writes the event "end". `status`: "ok", "interrupted" or "failed";
+  /// Clears the bar and, in mode ndjson, writes the event "end". `status`: "ok", "interrupted" or "failed".
   /// `stages`: times of the whole run.
   void finish(const char* status = "ok", const StageTimes& stages = {});
 

@@ -112,7 +112,7 @@ class Run {
 
   /// Advances frame by frame and checks for signals, because a pre-roll or a distant frame takes long.
   /// Intermediate frames use World::passTo(), after which the state must not be drawn or read. Frame `next`
-  /// uses it, too, unless `seen` is true.
+  /// also uses World::passTo(), unless `seen` is true.
   void advanceTo(int next, bool seen) {
     const long preroll = -world_.firstFrame();
     while (world_.frame() < next) {
@@ -172,7 +172,7 @@ class Run {
       if (!counts_.empty() && summary.frame >= 0)
         progress_.counts(summary.frame, counts_.header(), counts_.lastRow());
     }
-    // a frame's summary arrives after all device work of the previous frame
+    // A frame's summary arrives after all device work of the previous frame.
     timers_.collect(summary.frame - 1);
     frames_.know(summary.frame, summary.stateHash);
     latest_ = summary;
@@ -194,7 +194,7 @@ class Run {
   FrameWatch* watch_;
   std::optional<sim::World::Summary> latest_;
   bool started_ = false;
-  /// true if the current frame is ready to be drawn; false if it was passed with World::passTo
+  /// true if the current frame is ready to be drawn; false if World::passTo() advanced to it
   bool seen_ = true;
 };
 
@@ -238,7 +238,7 @@ SequenceResult renderSequence(const scene::Scene& scene, const gl::Context& cont
     result.stages = run.stages();
     result.stages.start = start;
     if (whole && !failure) run.removeCheckpoint(frames);
-  } catch (const Interrupted& interrupted) {  // interrupted while the world was being created
+  } catch (const Interrupted& interrupted) {  // A signal arrived while the world was being created.
     result.signal = interrupted.signal;
   } catch (...) {
     failure = std::current_exception();

@@ -40,7 +40,7 @@ class FrameWatch {
 struct BesideFrames {
   /// writes raw field values of the same frames; if null, none are written
   FieldFiles* fields = nullptr;
-  /// start of the command; used to measure the time before the first step
+  /// start time of the command, from which StageTimes::start is measured
   Clock::time_point began = Clock::now();
   bool counts = true;  ///< true to pass the simulations' counts to the sink
   Checkpoints checkpoints = {};

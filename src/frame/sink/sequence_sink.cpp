@@ -37,7 +37,7 @@ namespace {
 namespace fs = std::filesystem;
 constexpr std::chrono::milliseconds manifestEvery{1000};
 
-/// Sink for PNG or OpenEXR files and their additional files, encoded by worker threads, with a manifest.
+/// Sink that writes PNG or OpenEXR files, additional files and a manifest. Worker threads encode the files.
 class SequenceSink final : public FrameSink {
  public:
   SequenceSink(OutputName output, Existing existing, const RunInfo& run, std::span<const int> frames)
@@ -138,13 +138,13 @@ class SequenceSink final : public FrameSink {
     bool exists = false;
     /// true if the file is empty or not a decodable picture, so that it must be drawn again
     bool damaged = false;
-    std::optional<ManifestFrame> whole = {};  ///< manifest entry of a complete frame; nothing if the
-                                              ///< manifest does not list the frame
+    std::optional<ManifestFrame> whole = {};  ///< manifest entry of the frame if the frame is complete;
+                                              ///< otherwise nothing
     /// description of how the file differs from pictures of this run; empty if it does not differ
     std::string difference = {};
   };
 
-  /// Determines which frames need not be drawn. Uses all cores, because it reads all the files.
+  /// Determines which frames need not be drawn. Uses all cores, because it must read every existing file.
   void keepWholeFrames(Existing existing, const std::map<int, ManifestFrame>& known) {
     std::vector<Kept> found(frames_.size());
     tbb::parallel_for(std::size_t{0}, frames_.size(), [&](std::size_t i) {
@@ -191,8 +191,8 @@ class SequenceSink final : public FrameSink {
           count, kept_.size(), scene::printable(machine));
   }
 
-  /// Returns the manifest entry of a listed frame, reduced to its complete additional files. Returns
-  /// nothing if the picture's hash does not match.
+  /// Returns the manifest entry of a listed frame. The entry contains only the complete additional files.
+  /// Returns nothing if the picture's hash does not match.
   [[nodiscard]] std::optional<ManifestFrame> wholeFrame(int frame, ManifestFrame listed) const {
     if (hashOfFile(output_.file(frame)) != listed.bytes) return std::nullopt;
     std::erase_if(listed.files, [&](const auto& file) {
@@ -202,8 +202,8 @@ class SequenceSink final : public FrameSink {
     return listed;
   }
 
-  /// Examines a picture that the manifest does not list. If its header says that it belongs to this run, it
-  /// counts as listed. If it belongs to another run, sets `difference`.
+  /// Examines a picture that the manifest does not list. If the picture's header says that the picture
+  /// belongs to this run, it counts as listed. If it belongs to another run, sets `difference`.
   [[nodiscard]] Kept unlistedFrame(int frame) const {
     const fs::path path = output_.file(frame);
     Kept kept;
@@ -223,7 +223,7 @@ class SequenceSink final : public FrameSink {
         return kept;
       }
       const auto header = pngHeaderOf(bytes);
-      // the file is deeper than 8 bits, but decodeImage() returns 8 bits
+      // The file may have more than 8 bits per channel, but decodeImage() returns 8 bits.
       const bool deep = !header || header->depth != 8;
       if (!origin.told || !origin.difference.empty() || output_.isLight() || deep ||
           origin.driver != (manifest_.run.exact() ? std::string() : manifest_.run.driver)) {
@@ -353,7 +353,7 @@ class SequenceSink final : public FrameSink {
   std::vector<int> frames_;
   Folder folder_;
   SharedManifest file_;
-  ReservedRoom room_;  ///< reserved disk space for the manifest on a full disk
+  ReservedRoom room_;  ///< disk space that is reserved so that the manifest can be written on a full disk
   std::map<int, ManifestFrame> kept_;
   std::string counts_;
   bool finished_ = false;

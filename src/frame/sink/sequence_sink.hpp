@@ -8,7 +8,8 @@
 
 namespace simreel::frame {
 
-/// Opens a sink for a numbered sequence of pictures or a single picture. Throws like openSink.
+/// Opens a sink for a numbered sequence of pictures or a single picture. Throws the same errors as
+/// openSink().
 [[nodiscard]] std::unique_ptr<FrameSink> openSequenceSink(const OutputName& output, Existing existing,
                                                           const RunInfo& run, std::span<const int> frames);
 

@@ -12,7 +12,7 @@ namespace simreel::frame {
 class Stopwatch {
  public:
   explicit Stopwatch(double& stage) : stage_(stage), begin_(Clock::now()) {}
-  /// Also adds that time to the time of one frame. `ofFrame` must outlive the stopwatch.
+  /// Also adds the measured time to the time of one frame. `ofFrame` must outlive the stopwatch.
   Stopwatch(double& stage, double& ofFrame) : stage_(stage), ofFrame_(&ofFrame), begin_(Clock::now()) {}
   ~Stopwatch() {
     const double seconds = secondsSince(begin_);
@@ -28,8 +28,8 @@ class Stopwatch {
   Clock::time_point begin_;
 };
 
-/// Measures the stages of a run. On a GPU, timer queries measure device work, because commands run later.
-/// On a software driver, the CPU clock does.
+/// Measures the stages of a run. On a GPU, timer queries measure the device work, because commands run
+/// later than they are issued. On a software driver, the CPU clock measures it.
 class StageTimers {
  public:
   StageTimers() : byQuery_(!gl::softwareDriver()) {}
@@ -65,8 +65,8 @@ class StageTimers {
     work();
     pending_.back().query.end();
   }
-  /// Measures the wait for the device, only on a software driver. On a GPU, the timer queries already
-  /// include it.
+  /// Measures the time that the CPU waits for the device, only on a software driver. On a GPU, the timer
+  /// queries already include this time.
   template <class Work>
   void wait(double StageTimes::*stage, int frame, const Work& work) {
     if (byQuery_) return work();

@@ -96,8 +96,8 @@ int writeAll(int descriptor, std::span<const std::byte> bytes) {
 std::vector<std::uint8_t> toFullRangeYuv444(const Image& image) {
   const std::size_t pixels = std::size_t(image.width) * std::size_t(image.height);
   std::vector<std::uint8_t> planes(pixels * 3);
-  // Y = 0.299 R + 0.587 G + 0.114 B; Cb = 128 + (B - Y) / 1.772; Cr = 128 + (R - Y) / 1.402 (as in JFIF),
-  // in units of 1/65536. Each row of factors sums to 65536 or 0, so greys stay grey.
+  // Y = 0.299 R + 0.587 G + 0.114 B, Cb = 128 + (B - Y) / 1.772 and Cr = 128 + (R - Y) / 1.402 (as in
+  // JFIF), in units of 1/65536. Each row of factors sums to 65536 or 0, so greys stay grey.
   const auto clamp = [](int value) { return static_cast<std::uint8_t>(std::clamp(value >> 16, 0, 255)); };
   constexpr int half = 1 << 15, middle = (128 << 16) + half;
   for (std::size_t i = 0; i < pixels; ++i) {

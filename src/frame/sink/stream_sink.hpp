@@ -11,9 +11,9 @@
 
 namespace simreel::frame {
 
-/// Opens a sink that writes raw frames to a descriptor (standard output). `format` "rgba": bytes as in
-/// Image. `format` "y4m": YUV4MPEG2 C444, 8 bits, full range, with the BT.601 matrix, which readers assume
-/// if a stream specifies none. playedRate() computes the frame rate.
+/// Opens a sink that writes raw frames to a descriptor (standard output). The format "rgba" writes bytes as
+/// in Image. The format "y4m" writes YUV4MPEG2 C444 with 8 bits, full range, and the BT.601 matrix, which
+/// readers assume if a stream specifies no matrix. playedRate() computes the frame rate.
 [[nodiscard]] std::unique_ptr<FrameSink> openStreamSink(const std::string& format, const RunInfo& run,
                                                         std::span<const int> frames, int descriptor = 1);
 

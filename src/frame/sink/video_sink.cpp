@@ -22,8 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Sink for a video file and its manifest. ffmpeg writes to a temporary name; the file is renamed when it
-/// is complete.
+/// Sink for a video file and its manifest. ffmpeg writes to a file with a temporary name, which is renamed
+/// when it is complete.
 class VideoSink final : public FrameSink {
  public:
   VideoSink(OutputName output, Existing existing, const RunInfo& run, std::span<const int> frames)
@@ -60,7 +60,8 @@ class VideoSink final : public FrameSink {
 
   ~VideoSink() override {
     if (!queue_) return;
-    ffmpeg_->kill();  // ends ffmpeg first, because the queue's thread might block on it
+    ffmpeg_->kill();  // Ends ffmpeg first, because the queue's thread might be blocked while it writes to
+                      // ffmpeg.
     queue_->abandon();
     removePart();
   }
@@ -86,8 +87,7 @@ class VideoSink final : public FrameSink {
     if (skipped_ || !queue_) return;
     queue_->close();
     if (manifest_.frames.empty())
-      return;  // the run was interrupted before the first frame, so there is no
-               // video
+      return;  // The run was interrupted before the first frame, so there is no video.
     ffmpeg_->finish();
     seconds_ = queue_->seconds();
     queue_.reset();
@@ -149,7 +149,7 @@ class VideoSink final : public FrameSink {
   fs::path part_;
   bool skipped_ = false;
   double seconds_ = 0;
-  Manifest manifest_;  ///< only the queue's thread writes it until the queue is closed
+  Manifest manifest_;  ///< accessed only by the queue's thread until the queue is closed
   std::string counts_;
   std::optional<SharedManifest> shared_;
   std::optional<Ffmpeg> ffmpeg_;

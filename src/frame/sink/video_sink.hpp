@@ -8,7 +8,7 @@
 
 namespace simreel::frame {
 
-/// Opens a sink for a video encoded by ffmpeg. Throws like openSink.
+/// Opens a sink for a video encoded by ffmpeg. Throws the same errors as openSink().
 [[nodiscard]] std::unique_ptr<FrameSink> openVideoSink(const OutputName& output, Existing existing,
                                                        const RunInfo& run, std::span<const int> frames);
 

@@ -49,7 +49,7 @@ consteval GLenum uniformType() {
   return GL_FLOAT_MAT4;
 }
 
-/// A uniform outside blocks: a variable "a", a member "a.b" or an element "a[1]".
+/// A uniform outside blocks. It may be a variable "a", a member "a.b" or an element "a[1]".
 template <Name label, class T>
 struct Uniform {
   using Field = void;
@@ -101,9 +101,10 @@ using Uniforms = typename UniformsOf<label, T, std::make_index_sequence<most>>::
 
 enum class Access { read, write, both, together };
 
-/// A resource of a shader: a storage block (`label` is the name of the block or of one of its members), a
-/// uniform block, a sampler, an image, or an array declared with the macros of glsl/common/memory.glsl or
-/// words.glsl. Such arrays are storage blocks or texel views, depending on gl::memoryPath().
+/// A resource of a shader. It is a storage block (`label` is the name of the block or of one of its
+/// members), a uniform block, a sampler, an image, or an array declared with the macros of
+/// glsl/common/memory.glsl or words.glsl. Such arrays are storage blocks or texel views, depending on
+/// gl::memoryPath().
 template <Name label, Access wanted>
 struct ResourceField : Resource {
   using Field = void;
@@ -123,8 +124,8 @@ using Out = ResourceField<label, Access::write>;
 template <Name label>
 using InOut = ResourceField<label, Access::both>;
 
-/// A resource that several dispatches read and write in any order relative to each other: with atomics
-/// whose results do not depend on the order, or each at separate addresses. These dispatches wait only for
+/// A resource that several dispatches read and write in any order relative to each other. They use atomics
+/// whose results do not depend on the order, or access separate addresses. These dispatches wait only for
 /// other types of access.
 template <Name label>
 using Shared = ResourceField<label, Access::together>;
@@ -202,7 +203,8 @@ struct Choice {
 template <Name label>
 using Switch = Choice<label, 0, 1>;
 
-/// An integer within a range. Tools compile both ends of the range. If it is not set, it is not defined.
+/// An integer within a range. Tools compile both ends of the range. If it has no value, the name is not
+/// defined.
 template <Name label, int least, int most>
 struct Range {
   using Field = void;
@@ -218,7 +220,7 @@ struct Range {
   static std::vector<Defines> all() {
     return {{{name, std::to_string(least)}}, {{name, std::to_string(most)}}};
   }
-  /// Number of keys. The first key means "not defined", the last one "out of range".
+  /// Number of keys. The first key means "not defined", and the last key means "out of range".
   static constexpr std::uint64_t keys = most - least + 3;
   [[nodiscard]] std::uint64_t key() const {
     if (!defined) return 0;
@@ -228,8 +230,8 @@ struct Range {
   bool defined = false;
 };
 
-/// Generated GLSL code as a define, for example the rule of a cell as a formula. If it is empty, it is not
-/// defined. Tools compile `sample`.
+/// Generated GLSL code as a define, for example the rule of a cell as a formula. If the code is empty, the
+/// name is not defined. Tools compile the code `sample`.
 template <Name label, Name sample>
 struct Code {
   using Field = void;

@@ -7,7 +7,8 @@
 
 namespace simreel::gl {
 
-/// If a linked program has a sampler or block of that name, binds a resource to it.
+/// Binds a resource to the sampler or block of that name. Does nothing if a linked program has no such
+/// sampler or block.
 void bindByName(GLuint program, const char* name, const Resource& resource);
 
 /// Passes kernel fields (uniforms, resources) to a graphics program. Names that the driver optimised away
@@ -23,7 +24,8 @@ void give(const Program& program, const Fields& fields) {
   });
 }
 
-/// Calls Program::checkUniformBlock for each uniform block among the fields that has a C++ struct.
+/// Calls Program::checkUniformBlock() for each uniform block among the fields that has a corresponding C++
+/// struct.
 template <class Fields>
 void checkBlocks(const Program& program) {
   const Fields none{};

@@ -122,8 +122,8 @@ class Kernel {
     return kernel;
   }
 
-  /// Creates a kernel from generated GLSL text. The `file` of the interface is used in messages. The text
-  /// may declare fewer names than the interface has.
+  /// Creates a kernel from generated GLSL text. The `file` of the interface is used only in messages. The
+  /// text may declare fewer names than the interface has.
   static Kernel generated(const std::string& text, const Defines& defines) {
     Kernel kernel;
     kernel.base_ = std::make_unique<KernelBase>(namesOf<Interface>(), defines, text.c_str(), true);
@@ -185,7 +185,7 @@ consteval bool distinctKeys(const Variant& variant) {
   return distinct;
 }
 
-/// Owns the kernels of one interface, one per variant. Each is created at its first use.
+/// Owns the kernels of one interface, one per variant. A kernel is created at the first use of its variant.
 template <class Interface>
 class Kernels {
  public:

@@ -22,7 +22,7 @@ struct KernelNames {
   struct Memory {
     const char* name;
     Access access;
-    std::size_t blockBytes;  ///< size (bytes) of a uniform block; 0: unknown
+    std::size_t blockBytes;  ///< size (bytes) of a uniform block; 0 if unknown
     bool ambient;            ///< true if the resource may stay bound between dispatches (gl::Ambient)
   };
   const char* file = "";
@@ -46,8 +46,8 @@ class KernelBase {
     std::span<const Resource* const> memories;
   };
 
-  /// `text`: used instead of the shader file if it is not null. `generated`: true if `text` may lack
-  /// declarations.
+  /// `text`: if not null, replaces the shader file. `generated`: true if `text` may lack declarations of
+  /// the interface.
   KernelBase(const KernelNames& names, const Defines& defines, const char* text = nullptr,
              bool generated = false);
   ~KernelBase() { linked_->leave(this); }

@@ -7,8 +7,8 @@
 
 namespace simreel::gl {
 
-/// A memory argument of a dispatch: a buffer or a part of one, a texture, or an array (a buffer with a
-/// texel view). It holds only references, so the objects must exist until the dispatch.
+/// A memory argument of a dispatch. It is a buffer, a part of a buffer, a texture, or an array (a buffer
+/// with a texel view). It holds only references, so the objects must exist until the dispatch.
 class Resource {
  public:
   /// Creates an empty resource, for a name that a variant of the shader does not have.
@@ -36,11 +36,11 @@ class Resource {
       : texture_(&texture), level_(level), format_(format) {}
 
   [[nodiscard]] bool empty() const { return buffer_ == 0 && texture() == nullptr; }
-  /// Returns the OpenGL name of the buffer, or 0 if none exists.
+  /// Returns the OpenGL name of the buffer, or 0 if the resource has no buffer.
   [[nodiscard]] GLuint buffer() const { return buffer_; }
   [[nodiscard]] std::size_t offset() const { return offset_; }
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
-  /// Returns the texture, or null if none exists.
+  /// Returns the texture, or null if the resource has no texture.
   [[nodiscard]] const Texture* texture() const {
     return texture_ != nullptr && *texture_ ? texture_ : nullptr;
   }

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Returns the profile of a candidate: the name of the only folder in the candidate that has a
+/// Returns the profile of a candidate. This is the name of the only folder in the candidate that has a
 /// baseline.json.
 std::string profileOf(const fs::path& folder) {
   std::error_code error;
@@ -50,8 +50,8 @@ Candidate readCandidate(const fs::path& folder, const SceneResult& scene) {
   return kept;
 }
 
-/// Throws UserError(usage) if a frame's baseline is neither the one that the report saw nor the stored
-/// picture, because another update has happened since.
+/// Throws UserError(usage) if another update has happened since the run. In that case a frame's baseline is
+/// neither the one that the report lists nor the stored picture.
 void checkBaseline(const SceneResult& scene, const Candidate& kept) {
   const auto current =
       scene.profile.empty() ? std::nullopt : readPictures(baselineFolder(scene.file), scene.profile);
@@ -66,9 +66,9 @@ void checkBaseline(const SceneResult& scene, const Candidate& kept) {
   }
 }
 
-/// Removes passed frames from the candidate, so that they keep their baselines.
+/// Removes frames that passed from the candidate, so that they keep their baselines.
 void leaveOutPassed(const SceneResult& scene, const std::string& profile, Candidate& kept) {
-  // a new profile must be complete, so its passed frames are promoted, too
+  // A new profile must be complete, so frames that passed are promoted, too.
   if (profile != scene.profile) return;
   for (const FrameResult& frame : scene.frames)
     if (frame.status == Status::pass || frame.pixels == frame.expectedPixels) kept.png.erase(frame.frame);

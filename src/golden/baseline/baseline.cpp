@@ -82,7 +82,7 @@ PictureBaseline picturesOf(JsonObject& root) {
       for (const std::string& name : {std::string(field.name), field.formerName()})
         if (const auto bound = tolerance.find(name)) {
           result.tolerance[field.name] = bound->number();
-          break;  // if both spellings are present, the former name is not read and is reported as unknown
+          break;  // If both spellings are present, the former name is not read and is reported as unknown.
         }
     tolerance.finish();
   }
@@ -158,8 +158,8 @@ std::string dump(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-/// Adds an accepted picture to the frame's entry. Returns the number of the picture's file: 0 for the
-/// baseline, else the number of the alternate.
+/// Adds an accepted picture to the frame's entry. Returns 0 if the picture is the baseline, and otherwise
+/// the number of the alternate.
 int accept(PictureBaseline::Frame& stored, const PictureBaseline::Frame& made, bool alternate, int frame) {
   if (!alternate || stored.pixels.empty()) {
     stored = made;
@@ -189,7 +189,7 @@ void removeUnlisted(const fs::path& folder, const PictureBaseline& baseline) {
       removeFile(entry.path());
 }
 
-/// Returns the existing baseline, or an empty one if it cannot be read, so that it is written again.
+/// Returns the existing baseline. If it cannot be read, returns an empty one, so that it is written again.
 /// writeBaseline() still refuses to overwrite Git LFS pointers and files with merge conflicts.
 template <class Result>
 Result orFresh(const std::function<std::optional<Result>()>& read) {

@@ -35,7 +35,7 @@ struct PictureBaseline {
     std::map<std::string, std::string> passes = {};
   };
   std::string profile;
-  std::string version, driver, reason;      ///< properties of the run that wrote the baseline last
+  std::string version, driver, reason;      ///< data of the latest run that wrote the baseline
   int width = 0, height = 0;                ///< size of the pictures in pixels
   std::map<std::string, double> tolerance;  ///< bounds added by hand; they override the scene's tolerance
   std::map<int, Frame> frames;
@@ -63,33 +63,35 @@ struct Candidate {
                                                 const std::string& profile, bool exact);
 
 /// Throws UserError(inputOutput) if a file of the baseline is a Git LFS pointer or has merge conflicts
-/// (standsForAnother()). The real file then exists elsewhere, and overwriting would lose it.
+/// (standsForAnother()). In these cases the real file exists elsewhere, and overwriting would lose it.
 void checkReplaceable(const std::filesystem::path& folder, const std::string& profile, bool exact);
 
 /// Reads the picture baseline of a profile. Returns nothing if the file does not exist. Throws
-/// UserError(inputOutput) with the file's name and the mistake.
+/// UserError(inputOutput), whose message contains the file's name and the mistake.
 [[nodiscard]] std::optional<PictureBaseline> readPictures(const std::filesystem::path& folder,
                                                           const std::string& profile);
 [[nodiscard]] std::optional<StateBaseline> readState(const std::filesystem::path& stateFolder);
 [[nodiscard]] std::vector<std::byte> readSteps(const std::filesystem::path& stateFolder);
-/// Returns the picture baseline of the driver's profile, or else the shared one.
+/// Returns the picture baseline of the driver's profile. If it does not exist, returns the shared baseline.
 [[nodiscard]] std::optional<PictureBaseline> choosePictures(const std::filesystem::path& folder,
                                                             const std::string& ownProfile);
-/// Returns the profile for a new baseline drawn by a driver: `ownProfile` if its folder exists, else the
-/// shared profile, unless the shared baseline was drawn with other numerics. `numerics` is a fingerprint as
-/// in Origin. Do not use it for exact pictures, which have only the shared profile.
+/// Returns the profile for a new baseline drawn by a driver. Returns `ownProfile` if it has a baseline.json
+/// or if the shared baseline was drawn with other numerics, and otherwise the shared profile. `numerics`:
+/// fingerprint as in Origin. Do not use this function for exact pictures, which have only the shared
+/// profile.
 [[nodiscard]] std::string profileToWrite(const std::filesystem::path& folder, const std::string& ownProfile,
                                          const std::string& numerics);
 
 /// Options of promote().
 struct Promotion {
-  std::string reason;      ///< stored in baseline.json; if empty, the existing reason is kept
-  bool alternate = false;  ///< true to keep the baseline's frames that the candidate lacks
+  std::string reason;      ///< reason for the update, stored in baseline.json; if empty, the existing
+                           ///< reason is kept
+  bool alternate = false;  ///< true to add the pictures as alternates instead of replacing the baseline
   bool keepOthers = true;  ///< true to keep frames that the candidate lacks
 };
-/// Writes the candidate's pictures and then its state into the baseline. Each file is written atomically. A
-/// tolerance that was added by hand remains. Throws UserError(inputOutput), and UserError(usage) for a
-/// fourth alternate.
+/// Writes the candidate's pictures and then the candidate's state into the baseline. Each file is written
+/// atomically. A tolerance that was added by hand is kept. Throws UserError(inputOutput), and
+/// UserError(usage) for a fourth alternate.
 void promote(const std::filesystem::path& folder, const std::string& profile, const Candidate& candidate,
              const Promotion& how);
 
@@ -98,9 +100,9 @@ void promote(const std::filesystem::path& folder, const std::string& profile, co
 bool renewPasses(const std::filesystem::path& folder, const std::string& profile,
                  const std::map<int, std::map<std::string, std::string>>& passes);
 
-/// Parse the contents of baseline.json and state.json. Throw UserError(inputOutput) with the file's name
-/// and the mistake. parsePictures() leaves PictureBaseline::profile empty, because the folder's name is the
-/// profile.
+/// Parse the contents of baseline.json and state.json. Throw UserError(inputOutput), whose message contains
+/// the file's name and the mistake. parsePictures() leaves PictureBaseline::profile empty, because the
+/// folder's name is the profile.
 [[nodiscard]] PictureBaseline parsePictures(const std::string& text, const std::string& name);
 [[nodiscard]] StateBaseline parseState(const std::string& text, const std::string& name);
 /// Return the texts of baseline.json and state.json, ending in a newline.

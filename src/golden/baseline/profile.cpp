@@ -22,7 +22,7 @@ std::string lowered(std::string text) {
   return text;
 }
 
-/// Returns the words of a text: maximal sequences of letters and digits.
+/// Returns the words of a text. A word is a maximal sequence of letters and digits.
 std::vector<std::string> wordsOf(std::string_view text) {
   std::vector<std::string> words(1);
   for (const char c : text) {
@@ -52,9 +52,9 @@ bool matches(const std::string& text, const char* pattern) {
   return std::regex_search(text, std::regex(pattern, std::regex::ECMAScript));
 }
 
-/// Returns the name of NVIDIA's architecture for a product. The first match wins, because names overlap:
-/// "Quadro RTX 4000" (Turing), "RTX 4000 Ada" and "GeForce RTX 4090" have words in common, and the GeForce
-/// RTX 2050 is an Ampere.
+/// Returns the name of NVIDIA's architecture for a product. The first matching pattern counts, because
+/// names overlap. For example, "Quadro RTX 4000" (Turing), "RTX 4000 Ada" and "GeForce RTX 4090" have words
+/// in common, and the GeForce RTX 2050 is an Ampere.
 std::string nvidiaName(const std::string& renderer) {
   struct Family {
     const char* pattern;
@@ -73,7 +73,7 @@ std::string nvidiaName(const std::string& renderer) {
   };
   for (const Family& family : families)
     if (matches(renderer, family.pattern)) return std::string("nvidia-") + family.name;
-  // In "NVIDIA GeForce GTX 970/PCIe/SSE2", the bus and the processor follow the slash.
+  // In "NVIDIA GeForce GTX 970/PCIe/SSE2", the part from the slash on names the bus and the processor.
   std::vector<std::string> words = wordsOf(renderer.substr(0, renderer.find('/')));
   std::erase(words, "nvidia");
   std::erase(words, "corporation");
@@ -105,8 +105,8 @@ std::string amdName(const std::string& renderer) {
   return nameOf(words);
 }
 
-/// Returns the name of an Intel device, such as "Mesa Intel(R) UHD Graphics 630 (CFL GT2)": the product
-/// name if it contains a number, otherwise product and chip name.
+/// Returns the name of an Intel device, such as "Mesa Intel(R) UHD Graphics 630 (CFL GT2)". This is the
+/// product name if it contains a number, and otherwise the product name and the chip name.
 std::string intelName(const std::string& renderer) {
   auto [product, chip] = splitParentheses(renderer);
   if (chip == "r" || chip == "tm") product = renderer, chip.clear();

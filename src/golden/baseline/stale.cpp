@@ -66,8 +66,8 @@ class StaleParts {
     found_.push_back({path.generic_string(), message, removed});
   }
 
-  /// Runs `look`, which checks the file `path`. If it throws a UserError, lists the file with the error, as
-  /// not removed.
+  /// Runs `look`, which checks the file `path`. If `look` throws a UserError, adds the file and the error
+  /// to the result, and marks the file as not removed.
   template <class Look>
   void looking(const fs::path& path, const Look& look) {
     try {
@@ -101,7 +101,8 @@ class StaleParts {
         pictures->frames.erase(frame);
         add(place / pictureName(frame), fmt::format("frame {} is not tested", frame), remove_);
       }
-      // Writes the list before deleting files: if deleting fails, an unlisted picture does no harm.
+      // Writes the list before deleting files. If deleting fails, a picture that is not listed does no
+      // harm.
       if (remove_ && !gone.empty()) writeFileAtomically(place / "baseline.json", picturesText(*pictures));
       ofFiles(place, *pictures, gone);
     });

@@ -8,19 +8,20 @@
 
 namespace simreel::golden {
 
-/// Finds the parts of a scene's baselines (`<scene's folder>/golden/<scene>`) that no test uses: frames not
-/// in `frames`, pictures that no baseline.json lists, and driver profiles if pictures are exact. `remove`
-/// also deletes them. Files that are unreadable, Git LFS pointers or in merge conflict (standsForAnother())
-/// are reported but kept. Throws UserError(inputOutput) if removing fails.
+/// Finds the parts of a scene's baselines (`<scene's folder>/golden/<scene>`) that no test uses. These are
+/// frames not in `frames`, pictures that no baseline.json lists, and driver profiles if pictures are exact.
+/// If `remove` is true, also deletes them. Files that are unreadable, Git LFS pointers or in merge conflict
+/// (standsForAnother()) are reported but kept. Throws UserError(inputOutput) if removing fails.
 [[nodiscard]] std::vector<Stale> staleParts(const std::filesystem::path& folder,
                                             std::span<const int> frames, bool exactPictures, bool remove);
 
-/// Returns the baseline folders `<folder>/golden/<scene>` at any depth below `paths` whose scene does not
-/// exist, sorted. Throws UserError(inputOutput) if a folder cannot be listed.
+/// Returns the baseline folders without a scene, sorted. These are the folders `<folder>/golden/<scene>` at
+/// any depth below `paths` whose scene does not exist. Throws UserError(inputOutput) if a folder cannot be
+/// listed.
 [[nodiscard]] std::vector<std::filesystem::path> baselinesWithoutScene(std::span<const std::string> paths);
 
-/// Removes the files of a baseline and then its empty folders. Keeps other files; returns false if there
-/// are any. Throws UserError(inputOutput).
+/// Removes the files of a baseline and then the folders that are empty. Keeps other files, and returns
+/// false if there are any. Throws UserError(inputOutput).
 bool removeBaselines(const std::filesystem::path& folder);
 
 }  // namespace simreel::golden

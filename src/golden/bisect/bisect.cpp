@@ -125,8 +125,8 @@ class Search {
   }
 
  private:
-  /// Returns the next lines of both sides, or nothing after the last ones. Fails unless both lines are for
-  /// the same step. `before`: describes what is missing if one side ends early.
+  /// Returns the next lines of both sides, or nothing after the last lines. Fails unless both lines are for
+  /// the same step. `before`: text for the message if one side ends early.
   std::optional<std::pair<StateLine, StateLine>> nextLines(Tracing& a, Tracing& b,
                                                            const std::string& before) {
     const auto x = a.state();
@@ -207,7 +207,7 @@ class Search {
                            found.step, found.frame));
   }
 
-  /// Compares the passes of a frame's pictures; the states are equal.
+  /// Compares the passes of a frame's pictures. The states are equal.
   void comparePictures(int frame) {
     detail("bisect: the passes of frame {}", frame);
     const std::vector<std::string> arguments = {fmt::format("--dump={}:passes", frame), "-o", "-"};

@@ -13,7 +13,8 @@ namespace simreel::golden {
 struct BisectSide {
   std::string name;                    ///< name in messages: "this side"
   std::string command;                 ///< command for /bin/sh; `trace` and arguments are appended
-  std::vector<std::string> arguments;  ///< arguments that select the run: scene, its options, device
+  std::vector<std::string> arguments;  ///< arguments that select the run: the scene, its options and the
+                                       ///< device
 };
 
 /// An array that differs after the first differing step.
@@ -24,7 +25,8 @@ struct DifferentArray {
 
 struct StateDifference {
   int frame = 0;
-  int step = 0;  ///< step of `steps`, from 1; 0 means the initial state, before any step
+  int step = 0;  ///< number of the step in the frame, from 1 to `steps`; 0 means the initial state, before
+                 ///< any step
   int steps = 0;
   std::vector<DifferentArray> arrays;  ///< arrays of one object; empty if the runs are not repeatable
   /// reason if the search stopped because a side is not repeatable; may be empty
@@ -40,11 +42,11 @@ struct BisectResult {
   std::optional<PassDifference> pass;
 };
 
-/// Finds the first frame, step and element at which two runs differ. Runs `trace` on both sides: first all
-/// frames in parallel, then the steps of the first differing frame, then the state itself. With `passes`,
-/// also compares the passes of exact pictures in frames with equal state. If a child process fails, throws
-/// UserError with its message. Throws UserError(usage) if the sides simulate different arrays, and
-/// Interrupted after SIGINT or SIGTERM.
+/// Finds the first frame, step and element at which two runs differ. Runs `trace` on both sides in three
+/// stages. The first compares all frames in parallel, the second the steps of the first differing frame,
+/// and the third the state itself. With `passes`, also compares the passes of exact pictures in frames with
+/// equal state. If a child process fails, throws UserError with its message. Throws UserError(usage) if the
+/// sides simulate different arrays, and Interrupted after SIGINT or SIGTERM.
 [[nodiscard]] BisectResult bisect(const BisectSide& here, const BisectSide& there, int lastFrame,
                                   bool passes = false);
 

@@ -22,8 +22,8 @@ constexpr int patience = 50;  ///< timeout of poll() in ms; needed because a sig
                               ///< poll()
 constexpr std::size_t longestLine = std::size_t{16} << 20;
 
-/// Returns the most informative line of a program's messages: the first simreel error, else the first line
-/// with "error:", else the last line.
+/// Returns the most informative line of a program's messages. This is the first simreel error, otherwise
+/// the first line with "error:", and otherwise the last line.
 std::string decisiveLine(const std::string& messages) {
   const std::string own = "simreel: error: ";
   std::string last;

@@ -15,7 +15,7 @@ namespace simreel::golden {
 class ChildCommand {
  public:
   /// Starts the command. `arguments` become $1, $2 and so on. `name` appears in messages: "this side".
-  /// After `timeout` seconds (0: never) the command is killed and waiting for it throws
+  /// After `timeout` seconds (0 means never) the command is killed, and waiting for it throws
   /// UserError(inputOutput). Throws UserError(inputOutput) if the command cannot be started.
   ChildCommand(const std::string& command, std::string name, const std::vector<std::string>& arguments = {},
                double timeout = 0);

@@ -11,7 +11,7 @@ namespace simreel::golden {
 
 namespace {
 
-/// Pixel values of a picture, with the queries that both tests need.
+/// Pixel values of a picture, with the queries that excuses() needs.
 class Values {
  public:
   Values(const std::vector<float>& values, int width, int height)
@@ -20,7 +20,8 @@ class Values {
   [[nodiscard]] const float* at(int x, int y) const {
     return values_.data() + 4 * (std::size_t(y) * std::size_t(width_) + std::size_t(x));
   }
-  /// Returns the Rec. 601 luma over white, so that transparent pixels also have a brightness.
+  /// Returns the Rec. 601 luma of the pixel blended over white, so that transparent pixels also have a
+  /// brightness.
   [[nodiscard]] float brightness(int x, int y) const {
     const float* p = at(x, y);
     const float luma = 0.299F * p[0] + 0.587F * p[1] + 0.114F * p[2];
@@ -32,8 +33,8 @@ class Values {
     for (int v = std::max(0, y - radius); v <= std::min(height_ - 1, y + radius); ++v)
       for (int u = std::max(0, x - radius); u <= std::min(width_ - 1, x + radius); ++u) visit(u, v);
   }
-  /// True if more than two neighbours have exactly the pixel's colour. The border of the picture counts as
-  /// one such neighbour.
+  /// True if more than two neighbours have exactly the pixel's colour. If the pixel is at the picture's
+  /// border, the border counts as one such neighbour.
   [[nodiscard]] bool inEvenPatch(int x, int y) const {
     int same = atBorder(x, y) ? 1 : 0;
     const float* middle = at(x, y);
@@ -62,7 +63,7 @@ class Values {
   int width_, height_;
 };
 
-/// True if the pixel of `one` is on an antialiased edge, and `other` has this edge, too.
+/// True if the pixel of `one` is on an antialiased edge, and `other` has the same edge.
 bool smooths(const Values& one, const Values& other, int x, int y) {
   const float middle = one.brightness(x, y);
   float darkest = 0, brightest = 0;

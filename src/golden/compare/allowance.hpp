@@ -6,18 +6,18 @@
 
 namespace simreel::golden {
 
-/// Reason why a differing pixel is ignored in a comparison.
+/// Reason why a comparison ignores a differing pixel.
 enum class Excuse : std::uint8_t {
   none,
   masked,       ///< inside a mask, where pixels are not compared
   antialiased,  ///< on an antialiased edge
-  moved,        ///< within the search radius, each of the two colours occurs in the other picture
+  moved,        ///< each of the two colours occurs in the other picture, within the search radius
 };
 
 /// Differences to ignore when two pictures are compared.
 struct Allowance {
-  std::vector<std::uint8_t> mask;  ///< 1 for pixels to ignore, row by row from the top; empty: all pixels
-                                   ///< count
+  std::vector<std::uint8_t> mask;  ///< 1 for each pixel to ignore, row by row from the top; if empty, all
+                                   ///< pixels count
   /// Ignores pixels on antialiased edges, which are detected as in pixelmatch, odiff and Playwright (V.
   /// Vysniauskas, "Anti-aliased Pixel and Intensity Slope Detector", 2009). Among the eight neighbours of
   /// such a pixel, at most two are equally bright, one is darker and one is brighter. In both pictures, the

@@ -54,7 +54,7 @@ RowDifference compareRow(const std::uint8_t* a, const std::uint8_t* b, int width
 void densestWindow(const std::vector<std::uint8_t>& beyond, int width, int height, int size,
                    Metrics& metrics) {
   const std::size_t stride = std::size_t(width) + 1;
-  // sums[y][x] is the number of marks above row y and to the left of column x.
+  // sums[y][x] is the number of marked pixels above row y and to the left of column x.
   std::vector<std::int32_t> sums(stride * (std::size_t(height) + 1), 0);
   for (int y = 0; y < height; ++y) {
     const std::uint8_t* marks = beyond.data() + std::size_t(y) * std::size_t(width);

@@ -110,15 +110,15 @@ struct DeepPair {
       if (x == y || (std::isnan(x) && std::isnan(y))) return 0;
     }
     const double between = std::abs(double{a[i]} - double{b[i]});
-    if (std::isnan(between)) return 255;  // one value is NaN, or two infinities differ in sign
+    if (std::isnan(between)) return 255;  // one of the values is NaN
     // smallest reported difference; used for values closer than the sRGB encoding resolves
     constexpr double hair = 1e-6;
     return between == 0 ? (sameDepth ? hair : 0) : std::min(between, 255.0);
   }
 };
 
-/// Returns the PSNR over R, G and B of 16-bit pictures, whose small differences are lost in 8 bits.
-/// Transparent pictures are measured over black and over white; the worse result counts.
+/// Returns the PSNR over R, G and B of deep pictures, whose small differences are lost in 8 bits.
+/// Transparent pictures are measured over black and over white, and the worse result counts.
 double deepPsnr(const DeepPair& pair) {
   double worst = std::numeric_limits<double>::infinity();
   for (const double background : {0.0, 255.0}) {
@@ -154,7 +154,7 @@ bool equalPixels(const Picture& a, const Picture& b) {
                     [](float x, float y) { return x == y || (std::isnan(x) && std::isnan(y)); });
 }
 
-/// Copies the ignored pixels of `a` into `b`, so that they compare as equal, and counts them.
+/// Copies the ignored pixels of `a` into `b`, so that they count as equal, and counts them.
 void excuse(const Picture& a, Picture& b, Comparison& made) {
   for (std::size_t pixel = 0; pixel < made.excuses.size(); ++pixel) {
     const Excuse why = made.excuses[pixel];

@@ -13,14 +13,14 @@ namespace simreel::golden {
 
 /// Result of comparing two pictures.
 struct Comparison {
-  Metrics metrics;    ///< measured over the pixels that are not ignored
+  Metrics metrics;    ///< differences, measured over the pixels that are not ignored
   std::string sizes;  ///< text such as "the picture is 20x12, its baseline 19x12"; empty if the sizes are
                       ///< equal
-  /// Remark if the files declare different colour interpretations (profile, gamma), which are not applied.
-  /// Empty if they declare the same.
+  /// Remark if the files declare different colour interpretations (profile, gamma), which the comparison
+  /// does not apply. Empty if they declare the same.
   std::string colours;
-  /// Layer differences that no tolerance permits: layers that only one file has, or layers whose
-  /// differences cannot be measured. Empty if none exist.
+  /// Layer differences that no tolerance permits. These are layers that only one file has, or layers whose
+  /// differences cannot be measured. Empty if no such difference exists.
   std::string layers;
   std::string layerNote;        ///< layers that differ, each with its worst pixel
   frame::Image a, b;            ///< 8-bit versions for display, padded to the larger width and height
@@ -32,14 +32,14 @@ struct Comparison {
 
 /// Compares pictures of any bit depth. Pictures of different sizes are padded at the right and bottom to
 /// the larger size, and the padding counts as different. Ignored pixels count as equal. Differences of deep
-/// pictures may be fractions of 1/255; differences of layers are in 1/255 of the layer's unit. PSNR, SSIM
+/// pictures may be fractions of 1/255. Differences of layers are in 1/255 of the layer's unit. PSNR, SSIM
 /// and FLIP use the 8-bit versions.
 [[nodiscard]] Comparison compare(const Picture& baseline, const Picture& picture,
                                  const scene::Tolerance& tolerance, const Allowance& allowance,
                                  Measures measures = Measures::all);
 
-/// Returns the difference image, with ignored pixels tinted by reason: violet inside a mask, light grey on
-/// an antialiased edge, brown if found within the search radius.
+/// Returns the difference image. Ignored pixels are tinted by reason: violet inside a mask, light grey on
+/// an antialiased edge, and brown if found within the search radius.
 [[nodiscard]] frame::Image differenceImage(const Comparison& comparison);
 /// Returns the FLIP map in false colours: black (0) over violet and orange to light yellow (1).
 [[nodiscard]] frame::Image flipImage(const Comparison& comparison);

@@ -11,7 +11,7 @@ namespace simreel::golden {
 using HalfKernel = std::vector<float>;
 
 /// Returns the Gaussian exp(-x^2 / (2 sigma^2)) for x = 0 to radius, normalized so that the whole kernel
-/// sums to 1. Drops weights below `least` times the centre weight.
+/// sums to 1. Leaves out weights below `least` times the centre weight.
 [[nodiscard]] HalfKernel gaussianKernel(double sigma, int radius, double least = 0);
 
 /// Number of values that filters compute at a time. Filters therefore read and write beyond the end of a
@@ -33,31 +33,31 @@ class Rows {
   std::vector<float> values_;
 };
 
-/// Type of a kernel k, applied to the values v[i] around a position, where v[0] is the value at the
-/// position.
+/// Formula that applies a half kernel k to the values v around a position. v[0] is the value at the
+/// position, and v[i] and v[-i] are the values at distance i.
 enum class Shape {
   even,  ///< k[0] v[0] + sum over i of k[i] (v[i] + v[-i])
   odd,   ///< sum over i of k[i] (v[i] - v[-i])
-  /// sum over i of k[i] ((v[i] + v[-i]) - 2 v[0]): even, with weights that sum to 0; the result is exactly
-  /// 0 if v is constant
+  /// sum over i of k[i] ((v[i] + v[-i]) - 2 v[0]); an even kernel whose weights sum to 0, so the result is
+  /// exactly 0 if v is constant
   bend,
 };
 
-/// One filter of a group that reads the same input.
+/// One of several filters that read the same input.
 struct Sum {
   const HalfKernel* kernel;
   float* out;
 };
 
-/// Filters in[x + i * step] into out[x], for x from 0 to width - 1, rounded up to a multiple of filterStep.
-/// `step` is 1 to filter along a row and Rows::stride() to filter down the columns. All kernels must have
-/// the same size.
+/// Filters in[x + i * step] into the output x of each sum, for x from 0 to width - 1, rounded up to a
+/// multiple of filterStep. `step` is 1 to filter along a row and Rows::stride() to filter down the columns.
+/// All kernels must have the same size.
 template <Shape... shapes>
 void filterRow(const float* in, std::ptrdiff_t step, int width,
                const std::array<Sum, sizeof...(shapes)>& sums) {
   constexpr std::size_t count = sizeof...(shapes);
   constexpr std::array<Shape, count> shapeOf = {shapes...};
-  // number of SIMD vectors per sum, small enough that all sums stay in registers
+  // Number of SIMD vectors per sum. It is so small that all sums stay in registers.
   constexpr std::size_t wide = count == 1 ? 8 : count == 2 ? 4 : 2;
   static_assert(filterStep % (4 * wide) == 0);
   const auto taps = static_cast<std::ptrdiff_t>(sums[0].kernel->size());

@@ -19,11 +19,11 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double pixelsPerDegree = 3840 * pi / 180;  // 0.7 m * (3840 / 0.7 m) * pi / 180
 
-/// All filters of the paper as one-dimensional half kernels, because Gaussians and their derivatives are
-/// separable.
+/// All filters of the paper as one-dimensional half kernels. This is possible because Gaussians and their
+/// derivatives are separable.
 struct Filters {
-  /// Contrast sensitivity filters (section 4.1.1): sums of Gaussians a sqrt(pi / b) exp(-pi^2 d^2 / b),
-  /// with d in degrees.
+  /// Contrast sensitivity filters (section 4.1.1). They are sums of Gaussians a sqrt(pi / b) exp(-pi^2 d^2
+  /// / b), where d is the distance in degrees.
   HalfKernel achromatic, redGreen, blueYellow1, blueYellow2;
   float share1 = 0, share2 = 0;  ///< weights of the two Gaussians of the blue-yellow filter
   /// Feature detectors (section 4.2.1): a Gaussian and its first and second derivative.
@@ -44,8 +44,9 @@ double contrastWeight(double a, double b, int radius) {
   return a * std::sqrt(pi / b) * line * line;
 }
 
-/// Returns the half kernel of -x g(x) (first derivative) or (x^2 / sd^2 - 1) g(x) (second derivative) of a
-/// Gaussian g. Over the whole kernel, positive weights are scaled to sum to 1 and negative ones to -1.
+/// Returns a half kernel that detects edges or points. With a Gaussian g of standard deviation sd, it is -x
+/// g(x) (first derivative), or (x^2 / sd^2 - 1) g(x) if `second` (second derivative). Over the whole
+/// kernel, positive weights are scaled to sum to 1 and negative ones to -1.
 HalfKernel detector(double sd, int radius, bool second) {
   std::vector<double> weights;
   double positive = 0, negative = 0;
@@ -91,16 +92,17 @@ const Filters& filters() {
   return all;
 }
 
-/// A picture as the model of FLIP perceives it around one tile: contrast-filtered colours in Hunt-adjusted
-/// L*a*b*, and feature strengths. Computes one row at a time: filters along the columns first, then along
-/// the row.
+/// A picture as the model of FLIP perceives it around one tile. It consists of contrast-filtered colours in
+/// Hunt-adjusted L*a*b*, and feature strengths. Computes one row at a time: filters along the columns
+/// first, then along the row.
 class Seen {
  public:
   Seen(const frame::Image& image, const Tile& tile);
   /// Computes the perceived values of one row of the tile.
   void look(int row);
   [[nodiscard]] ThreeConstRows lab() const { return {made_.row(3), made_.row(4), made_.row(5)}; }
-  /// Return the gradient magnitudes of the edge and point detectors, which are applied to Y = 116 y.
+  /// Return the gradient magnitudes of the edge and point detectors, which are applied to the luminance Y =
+  /// 116 y.
   [[nodiscard]] const float* edges() const { return made_.row(6); }
   [[nodiscard]] const float* points() const { return made_.row(7); }
 
@@ -174,8 +176,9 @@ void Seen::look(int row) {
   addSquares(points, across2);
 }
 
-/// Computes the FLIP errors of a row: dE = dEc^(1 - dEf) with dEf = (feature / sqrt(2))^0.5. `feature` is
-/// the larger of the differences of edge and point gradient magnitudes.
+/// Computes the FLIP errors of a row. The error is dEc^(1 - dEf) with the colour error dEc and dEf =
+/// (feature / sqrt(2))^0.5. `feature` is the larger of two differences: of the edge magnitudes and of the
+/// point magnitudes.
 void combine(const Seen& a, const Seen& b, int width, float* errors) {
   colourErrors(a.lab(), b.lab(), width, errors);
   constexpr float scale = 1 / (116 * std::numbers::sqrt2_v<float>);

@@ -14,7 +14,7 @@ namespace simreel::golden {
 
 namespace {
 
-/// Returns the matrix from linear RGB to XYZ relative to white. These are the rows of the sRGB matrix
+/// Returns the matrix from linear RGB to XYZ relative to white. Its rows are those of the sRGB matrix
 /// (exact fractions from the primaries' chromaticities), each divided by its sum. The matrix is transposed
 /// for GLM, which is column-major.
 glm::dmat3 relativeXyz() {
@@ -53,7 +53,7 @@ Four unit(Four value) {
   return smaller(larger(value, Four{}), Four{} + 1);
 }
 
-/// Returns the CIELAB function f(t): a cube root, linear near 0.
+/// Returns the CIELAB function f(t), which is a cube root, and linear near 0.
 Four labRoot(Four t) {
   constexpr float delta = 6.0f / 29, knee = delta * delta * delta;
   const Four line = t * (1 / (3 * delta * delta)) + 4.0f / 29, root = cubeRoot(larger(t, Four{} + knee));

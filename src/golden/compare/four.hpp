@@ -34,10 +34,10 @@ inline Four squareRoot(Four x) {
   return Four{std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3])};
 }
 
-// The functions below need positive normal numbers and have relative errors below 1e-6.
+// Each function below needs positive normal numbers and has a relative error below 1e-6.
 
-/// Returns the cube root: first an estimate within 4% from the float's bits, then two Halley steps, each of
-/// which triples the correct digits.
+/// Returns the cube root. The float's bits give an estimate within 4%. Two Halley steps follow, each of
+/// which triples the number of correct digits.
 inline Four cubeRoot(Four x) {
   const Four third = __builtin_convertvector(std::bit_cast<FourInts>(x), Four) * (1 / 3.0f);
   Four root = std::bit_cast<Four>(__builtin_convertvector(third, FourInts) + 0x2a5137a0);
@@ -48,8 +48,8 @@ inline Four cubeRoot(Four x) {
   return root;
 }
 
-/// Returns the base-2 logarithm: x = 2^n m with m between sqrt(1/2) and sqrt(2); ln m = 2 artanh((m - 1) /
-/// (m + 1)).
+/// Returns the base-2 logarithm. Uses x = 2^n m with m between sqrt(1/2) and sqrt(2), and ln m = 2
+/// artanh((m - 1) / (m + 1)).
 inline Four log2Of(Four x) {
   const auto bits = std::bit_cast<FourInts>(x);
   const FourInts exponent = (bits - 0x3f3504f3) >> 23;
@@ -59,8 +59,8 @@ inline Four log2Of(Four x) {
   return __builtin_convertvector(exponent, Four) + 2.88539008f * t * series;  // the constant is 2 / ln 2
 }
 
-/// Returns 2^y for y from -126 to 127. The integer part sets the exponent; a power series computes the
-/// factor of the fraction (at most 1/2 in magnitude).
+/// Returns 2^y for y from -126 to 127. The integer part of y sets the exponent. A power series computes the
+/// factor for the fractional part (at most 1/2 in magnitude).
 inline Four exp2Of(Four y) {
   constexpr float toWhole = 12582912;  // 1.5 * 2^23: floats of this size have no fraction bits
   const Four shifted = y + toWhole;
@@ -71,7 +71,7 @@ inline Four exp2Of(Four y) {
   return series * std::bit_cast<Four>((whole + 127) << 23);
 }
 
-/// Returns x^y; exactly 0 if x = 0. |y log2 x| must be below 126.
+/// Returns x^y, or exactly 0 if x = 0. |y log2 x| must be below 126.
 inline Four powerOf(Four x, Four y) {
   const Four power = exp2Of(y * log2Of(x));
   return x > 0 ? power : Four{};

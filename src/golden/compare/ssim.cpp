@@ -33,8 +33,8 @@ int mirrored(int i, int count) {
   return std::min(at, period - 1 - at);
 }
 
-/// Range of window centres along a side: all whose window is inside the picture, or every pixel if the side
-/// is shorter than a window.
+/// Range of window centres along one side of the picture. It contains all centres whose window is inside
+/// the picture. If the side is shorter than a window, it contains every pixel.
 struct Span {
   explicit Span(int side) : first(side > 2 * radius ? radius : 0), count(side - 2 * first) {}
   int first, count;
@@ -48,7 +48,8 @@ class TileSsim {
   [[nodiscard]] double sum(int channel);
 
  private:
-  /// Number of windowed sums: of a, b, a^2 + b^2 and a b. They determine means, variances and covariance.
+  /// Number of windowed sums. The sums of a, b, a^2 + b^2 and a b determine means, variances and
+  /// covariance.
   static constexpr int mapCount = 4;
 
   void load(int channel);

@@ -8,10 +8,10 @@
 
 namespace simreel::golden {
 
-/// Part of a picture that is processed at a time. It is small enough for the filter results to stay in a
-/// core's cache.
+/// Part of a picture that is processed as a unit. It is so small that the filter results stay in a core's
+/// cache.
 struct Tile {
-  int index = 0;  ///< index of the tile in reading order
+  int index = 0;  ///< index of the tile, counted row by row
   int x = 0, y = 0;
   int width = 0, height = 0;
 };

@@ -57,7 +57,8 @@ Words ofPng(std::string_view bytes) {
   return words;
 }
 
-/// Returns the orientation: tag 0x0112 of the first directory (Exif 2.3, 4.6.4). 1 is upright.
+/// Returns the orientation, which is tag 0x0112 of the first directory (Exif 2.3, 4.6.4). The value 1 means
+/// upright.
 std::uint32_t orientation(std::string_view tiff) {
   const bool little = tiff.starts_with("II");
   const std::size_t directory = number(tiff, 4, 4, little);

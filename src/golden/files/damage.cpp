@@ -8,8 +8,8 @@ namespace simreel::golden {
 
 namespace {
 
-/// Returns the line number (from 1) of the first merge conflict mark if the text has all three marks, else
-/// 0.
+/// Returns the line number (from 1) of the first merge conflict mark if the text has all three marks, and
+/// otherwise 0.
 long conflictLine(std::string_view text) {
   const auto lineAt = [&](std::string_view mark, std::size_t from) {
     if (from == 0 && text.starts_with(mark)) return std::size_t{0};

@@ -22,8 +22,8 @@ struct PictureLayer {
 
   /// Returns a pixel's value as a float. Requires Kind::number.
   [[nodiscard]] float number(std::size_t pixel) const;
-  /// Returns the difference of the two layers at a pixel in units of 1/255: 0 if the values are equal, else
-  /// more than 0 and at most 255.
+  /// Returns the difference of the two layers at a pixel in units of 1/255. It is 0 if the values are
+  /// equal, and otherwise more than 0 and at most 255.
   [[nodiscard]] double apart(const PictureLayer& other, std::size_t pixel) const;
 };
 

@@ -50,7 +50,7 @@ std::string foreignKind(std::string_view bytes) {
   return {};
 }
 
-/// True if a JPEG is complete. Follows its segments up to the scan, then the scan's bytes up to the next
+/// True if a JPEG is complete. Reads all segments up to a scan, then the scan's bytes up to the next
 /// marker, and so on (ITU-T T.81, annex B). The check is needed because the decoder silently fills missing
 /// parts with grey.
 bool jpegHasItsEnd(std::string_view bytes) {
@@ -120,7 +120,7 @@ void readBytes(const fs::path& path, const char* what, std::string& bytes) {
 namespace {
 
 /// Calls `read`. Removes the advice to restore the file from error messages, unless the file is a baseline.
-/// A picture that a program has just made cannot be restored; the program must make it again.
+/// A picture that a program has just made cannot be restored. The program must make it again.
 template <class Read>
 auto advised(const char* what, const Read& read) {
   try {
@@ -226,8 +226,8 @@ Picture decode(std::string_view bytes, const char* what, const std::string& name
     Picture picture = ofLight(sim::decodeExr(bytes, labelOf(what, name), restoreIt));
     picture.layers = readExrLayers(bytes, labelOf(what, name));
     picture.layered = true;
-    // If a layer's part has another display window, the layer does not have a value for each pixel, so it
-    // is only compared by hash.
+    // If a layer's part has another display window, the layer does not have a value for each pixel. Such a
+    // layer is compared only by its hash.
     for (PictureLayer& layer : picture.layers)
       if (layer.kind != PictureLayer::Kind::content && layer.bits.size() != picture.values.size() / 4)
         layer = {

@@ -17,7 +17,7 @@ inline constexpr std::size_t mostPicturePixels = std::size_t{1} << 28;
 enum class Depth {
   unorm8,   ///< integers from 0 to 255, sRGB encoded
   unorm16,  ///< integers from 0 to 65535, sRGB encoded
-  linear,   ///< linear light; 1 is screen white; any float
+  linear,   ///< floats of linear light, where 1 is screen white; any value is allowed
 };
 
 /// A decoded picture file. Row 0 is at the top.
@@ -46,8 +46,8 @@ void readBytes(const std::filesystem::path& path, const char* what, std::string&
 [[nodiscard]] Picture decodePicture(std::string_view bytes, const char* what, const std::string& name);
 [[nodiscard]] Picture readPicture(const std::filesystem::path& path, const char* what);
 
-/// Throws like decodePicture() if the file is visibly incomplete or of another format. Does not decode the
-/// pixels.
+/// Throws the same errors as decodePicture() if the file is visibly incomplete or of another format. Does
+/// not decode the pixels.
 void checkPicture(std::string_view bytes, const char* what, const std::string& name);
 
 /// True if the file name has the extension of a picture. Includes formats that decodePicture() rejects with

@@ -37,7 +37,7 @@ std::string formatProblem(std::string_view header) {
   return fmt::format("is corrupt (colour type {} of {} bits); {}", colour, depth, restoreIt);
 }
 
-/// Returns a description of the file's mistake that follows the file name, or an empty text.
+/// Returns a description of what is wrong with the file, to follow the file name, or an empty text.
 std::string problem(std::string_view file) {
   if (std::string other = standsForAnother(file); !other.empty()) return other;
   if (file.empty()) return fmt::format("is empty; {}", restoreIt);
@@ -64,7 +64,7 @@ std::string problem(std::string_view file) {
     pixels = pixels || chunk->type == "IDAT";
     if (chunk->type != "IEND") continue;
     if (!pixels) return fmt::format("is corrupt (it holds no pixels); {}", restoreIt);
-    return {};  // data after IEND is not part of the picture (PNG specification 5.6)
+    return {};  // Data after IEND is not part of the picture (PNG specification 5.6).
   }
   return cutOff;
 }

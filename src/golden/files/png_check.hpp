@@ -10,13 +10,13 @@
 
 namespace simreel::golden {
 
-/// Rejects files that cannot be compared exactly: empty, cut off, corrupt (checks every chunk's checksum),
-/// animated, not PNG, or not the real file (standsForAnother()). Throws UserError(inputOutput) with a
-/// one-line message that starts with `what` ("baseline") and `name`.
+/// Rejects files that cannot be compared exactly. These are files that are empty, cut off, corrupt (every
+/// chunk's checksum is checked), animated, not PNG, or not the real file (standsForAnother()). Throws
+/// UserError(inputOutput) with a one-line message that starts with `what` ("baseline") and `name`.
 void checkPng(std::span<const std::byte> file, const char* what, const std::string& name);
 
-/// Reads, checks and decodes a PNG of at most 8 bits per channel. Throws like checkPng, also if the file
-/// cannot be read.
+/// Reads, checks and decodes a PNG of at most 8 bits per channel. Throws the same errors as checkPng(),
+/// also if the file cannot be read.
 [[nodiscard]] frame::Image readPng(const std::filesystem::path& path, const char* what);
 
 /// Returns width and height of a file that passed checkPng, or nothing if it is not a PNG.

@@ -8,7 +8,7 @@ namespace simreel::golden {
 /// Files below a folder, as sorted relative paths with '/'.
 struct PictureFolder {
   std::vector<std::string> pictures;
-  /// Files that are no pictures, and folders that are not searched, which end in '/'.
+  /// Files that are not pictures, and folders that are not searched. The paths of folders end in '/'.
   std::vector<std::string> others;
 };
 

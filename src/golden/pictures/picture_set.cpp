@@ -25,7 +25,7 @@ std::string hashOfFile(const fs::path& file) {
   }
 }
 
-/// Pairs pictures that have no baseline with equal baselines whose picture no longer exists.
+/// Pairs each picture without a baseline with an equal baseline whose picture no longer exists.
 void findRenamed(std::vector<PictureCase>& cases) {
   std::multimap<std::string, PictureCase*> gone;
   const bool anyNew =

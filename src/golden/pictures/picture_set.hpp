@@ -11,8 +11,8 @@ struct PictureCase {
   std::string name;
   std::filesystem::path expected, actual;  ///< paths of baseline and picture; empty if the file does not
                                            ///< exist
-  /// If the picture has no baseline under its name: name of a baseline with the same pixels whose picture
-  /// no longer exists. `expected` is then the path of that baseline.
+  /// name of a baseline with the same pixels, if the picture has no baseline under its name and the picture
+  /// of that baseline no longer exists; `expected` is then the path of that baseline
   std::string renamedFrom;
 };
 
@@ -21,9 +21,9 @@ struct PictureSet {
   std::vector<std::string> passedOver;  ///< skipped paths: files that are no pictures, and hidden folders
 };
 
-/// Pairs the pictures of two folders by path, and the remaining ones by pixels. Only pairs names for which
-/// `counts` returns true. The argument `made` of `counts` is true if the picture exists, false if only its
-/// baseline does. Throws like listPictures().
+/// Pairs the pictures of two folders by path, and the unpaired ones by pixels. Pairs only names for which
+/// `counts` returns true. The argument `made` of `counts` is true if the picture exists, and false if only
+/// its baseline exists. Throws the same errors as listPictures().
 [[nodiscard]] PictureSet pairPictures(
     const std::filesystem::path& expected, const std::filesystem::path& actual,
     const std::function<bool(const std::string& name, bool made)>& counts);

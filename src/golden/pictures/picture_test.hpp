@@ -17,9 +17,11 @@ struct PictureOptions {
   std::filesystem::path expected;  ///< folder of the baselines
   std::vector<Rule> rules;
   Update update = Update::none;
-  Measures measures = Measures::all;   ///< quick: SSIM and FLIP are measured only if a bound needs them
+  Measures measures = Measures::all;   ///< selection of measurements; with `quick`, SSIM and FLIP are
+                                       ///< measured only if a bound needs them
   std::filesystem::path reportFolder;  ///< folder of report.json; image paths are relative to it
-  std::filesystem::path artifacts;     ///< folder for pictures of failures; if empty, none are stored
+  std::filesystem::path artifacts;     ///< folder for pictures of failures; if empty, no pictures are
+                                       ///< stored
 };
 
 /// Compares one picture with its baseline. Depending on the options, updates the baseline or stores files

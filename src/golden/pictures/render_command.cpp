@@ -36,7 +36,7 @@ void RenderCommand::check() const {
          "{{output}}'");
 }
 
-/// Returns the value of {output} when the character `after` follows it.
+/// Returns the value of {output} if the character `after` follows the placeholder.
 std::string RenderCommand::outputOf(const SceneFile& scene, char after) const {
   if (!eachScene()) return folder.string();
   const std::string base = (folder / scene.name).string();

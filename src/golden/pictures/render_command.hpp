@@ -19,14 +19,14 @@ struct CommandEnd {
 };
 
 /// A shell command that makes pictures with any program. {scene} is replaced by the scene's file. {output}
-/// is replaced by the picture's path FOLDER/name.png, or by FOLDER/name if "." or "/" follows, so that
-/// {output}.exr selects another format and {output}/####.png makes several pictures. A command without
-/// {scene} runs once, and {output} is FOLDER. The command also gets both values as $SIMREEL_SCENE and
-/// $SIMREEL_OUTPUT.
+/// is normally replaced by the picture's path FOLDER/name.png. If "." or "/" follows, {output} is replaced
+/// by FOLDER/name, so that {output}.exr selects another format and {output}/####.png makes several
+/// pictures. A command without {scene} runs once, with FOLDER for {output}. The command also gets both
+/// values as $SIMREEL_SCENE and $SIMREEL_OUTPUT.
 struct RenderCommand {
   std::string text;
   std::filesystem::path folder;
-  double timeout = 0;  ///< seconds until the command is killed; 0: never
+  double timeout = 0;  ///< time (s) after which the command is killed; 0 means never
   int retries = 0;     ///< number of further attempts after a failure
 
   /// Throws UserError(usage) if the command has no {output}.
@@ -34,9 +34,9 @@ struct RenderCommand {
   [[nodiscard]] bool eachScene() const { return text.find("{scene}") != std::string::npos; }
   /// Returns the command for display. Fills in both placeholders if the names need no shell quotes.
   [[nodiscard]] std::string of(const SceneFile& scene) const;
-  /// Runs the command for each of the chosen scenes (indices), up to `jobs` at the same time. First removes
-  /// pictures of an earlier run. Returns the error of each scene; a scene for which no picture was made has
-  /// an error, too. Throws Interrupted after a signal.
+  /// Runs the command for each of the chosen scenes (indices), with up to `jobs` commands at the same time.
+  /// First removes pictures of an earlier run. Returns the error of each scene. A scene for which no
+  /// picture was made also has an error. Throws Interrupted after a signal.
   [[nodiscard]] std::vector<CommandEnd> runAll(const std::vector<SceneFile>& scenes,
                                                std::vector<std::size_t> chosen, std::size_t jobs) const;
 
@@ -53,12 +53,13 @@ struct RenderCommand {
                                                 const std::vector<SceneFile>& scenes) const;
 };
 
-/// Returns the files to render: the given files, and all files below given folders except hidden ones. The
-/// name of a file is its path without extension. Throws like findScenes().
+/// Returns the files to render. These are the given files, and all files except hidden ones below the given
+/// folders. The name of a file is its path without extension. Throws the same errors as findScenes().
 [[nodiscard]] std::vector<SceneFile> findInputs(std::span<const std::string> paths);
 
-/// Returns the scene to which a picture belongs: the one with the longest name that the picture's path
-/// starts with, followed by ".", "/" or the end. Returns nullptr if no scene matches.
+/// Returns the scene to which a picture belongs. The picture's path must start with the scene's name,
+/// followed by ".", "/" or the end. If several names match, the longest one counts. Returns nullptr if no
+/// scene matches.
 [[nodiscard]] const SceneFile* ownerOf(const std::string& picture, const std::vector<SceneFile>& scenes);
 
 }  // namespace simreel::golden

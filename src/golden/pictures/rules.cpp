@@ -45,7 +45,7 @@ void readMask(const JsonValue& value, const fs::path& folder, Rule& rule) {
   rule.rectangles.push_back({number(0, 0), number(1, 0), number(2, 1), number(3, 1)});
 }
 
-/// Reads the members that both a single rule and the whole file may have.
+/// Reads the members that are allowed both in a single rule and in the whole file.
 Rule ruleOf(JsonObject& from, const fs::path& folder) {
   Rule rule;
   if (const auto tolerance = from.find("tolerance")) readTolerance(*tolerance, rule);

@@ -18,16 +18,17 @@ struct Rectangle {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
-/// Allowed differences for some pictures. Members without a value inherit from earlier rules; masks
-/// accumulate.
+/// Allowed differences for some pictures. Members without a value are taken from earlier rules. Masks of
+/// all rules are combined.
 struct Rule {
-  std::string match;                        ///< glob as in nameMatches(); empty: the rule applies to every
-                                            ///< picture
+  std::string match;                        ///< glob as in nameMatches(); if empty, the rule applies to
+                                            ///< every picture
   std::map<std::string, double> tolerance;  ///< tolerance bounds by field name
   std::optional<bool> ignoreAntialiased;
   std::optional<int> searchRadius;
   std::vector<Rectangle> rectangles;
-  std::vector<std::filesystem::path> masks;  ///< mask pictures; pixels that are not black are ignored
+  std::vector<std::filesystem::path> masks;  ///< files of mask pictures; pixels that are not black in a
+                                             ///< mask are ignored
   std::string xfail;
   std::string origin;  ///< source of the rule: "rules.json" or "--max-diff-ratio"
 };
@@ -62,7 +63,7 @@ struct Terms {
 [[nodiscard]] Terms termsFor(const std::string& picture, const std::vector<Rule>& rules);
 
 /// Returns the allowance for pictures of this size. Throws UserError(usage) if a mask has another size or a
-/// rectangle lies outside. Throws like readPicture() if a mask cannot be read.
+/// rectangle lies outside the picture. Throws the same errors as readPicture() if a mask cannot be read.
 [[nodiscard]] Allowance allowanceOf(const Terms& terms, int width, int height);
 
 }  // namespace simreel::golden

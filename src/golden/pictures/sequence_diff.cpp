@@ -45,7 +45,7 @@ std::vector<std::string> fileNames(const fs::path& folder) {
   return names;
 }
 
-/// Files by the key that pairs them, a name or a frame number.
+/// Maps the key that pairs files, a name or a frame number, to a file.
 template <class Key>
 using Files = std::map<Key, fs::path>;
 
@@ -99,8 +99,8 @@ Metrics equalMetrics() {
   return metrics;
 }
 
-/// Decodes both pictures in parallel. Uses isolation, because a thread that waits here could otherwise
-/// start another pair, which would read its files into the same thread-local memory.
+/// Decodes both pictures in parallel. Uses isolation, because a waiting thread could otherwise start to
+/// compare another pair, whose files would overwrite the same thread-local memory.
 std::pair<Picture, Picture> decodeBoth(const Pair& pair, std::string_view fileA, std::string_view fileB) {
   std::pair<Picture, Picture> both;
   tbb::this_task_arena::isolate([&] {
@@ -146,7 +146,8 @@ PairList pairPatterns(const std::string& a, const std::string& b) {
 PairResult comparePair(const Pair& pair, const PairTerms& terms, const fs::path& differenceFile,
                        bool always) {
   // The buffers are thread-local, because allocating new pages for every file takes longer than comparing
-  // equal files. Do not use them after decoding: while compare() waits, the thread may start another pair.
+  // equal files. Do not use them after decoding, because the thread may start another pair while compare()
+  // waits.
   thread_local std::string fileA, fileB;
   readBytes(pair.a, "picture", fileA);
   checkPicture(fileA, "picture", pair.a.string());

@@ -55,8 +55,9 @@ struct PairResult {
 
 /// Reads and compares two pictures. Fills in the metrics even if the pictures are equal. Pictures of
 /// different sizes count as different and are padded. If `differenceFile` is not empty, writes the
-/// difference image to that file, for equal pictures only if `always`. If it throws UserError(inputOutput)
-/// with the file's name, it has not written anything.
+/// difference image to that file. For equal pictures, writes it only if `always` is true. Throws
+/// UserError(inputOutput) with the file's name if a file cannot be read or written. In that case no
+/// difference image has been written.
 [[nodiscard]] PairResult comparePair(const Pair& pair, const PairTerms& terms,
                                      const std::filesystem::path& differenceFile, bool always);
 

@@ -12,8 +12,8 @@ namespace simreel::golden {
 
 namespace {
 
-/// Copies a command and tracks quotes like /bin/sh. If the tracking is wrong, a value may be split into
-/// several words, but it is not executed, because it comes from a variable.
+/// Copies a command and tracks quotes in the same way as /bin/sh. If the tracking is wrong, a value may be
+/// split into several words. The value is not executed, because it comes from a variable.
 class Filling {
  public:
   Filling(std::string_view command, const std::vector<Placeholder>& placeholders)

@@ -45,8 +45,8 @@ std::string annotation(const char* level, const SceneResult& scene, std::string_
   return lineAnnotation(level, place, fmt::format("simreel: {} ({})", scene.name, what), message);
 }
 
-/// Joins the annotations of one kind. If there are too many, joins nine of them and one with the number of
-/// omitted annotations.
+/// Joins the annotations of one kind. If there are too many, joins nine of them and one annotation with the
+/// number of omitted annotations.
 std::string asMany(const std::vector<std::string>& all, const char* level) {
   const std::size_t shown = all.size() <= mostShown ? all.size() : mostShown - 1;
   std::string text;

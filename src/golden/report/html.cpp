@@ -40,10 +40,10 @@ std::string withoutMarkup(const std::string& json) {
   return text;
 }
 
-/// Removes repetition from the data; the page's unpacked() restores it. Output: {"keys": [[...], ...],
-/// "texts": [...], "data": ...}. An object becomes [index of its key list, values...], a list becomes [-1,
-/// values...], and a text that occurs several times becomes {"t": index}. Packing reduces a report of 500
-/// failures to a quarter of its size.
+/// Removes repetition from the data. The function unpacked() of the page restores it. The output is
+/// {"keys": [[...], ...], "texts": [...], "data": ...}. An object becomes [index of its key list,
+/// values...], a list becomes [-1, values...], and a text that occurs several times becomes {"t": index}.
+/// Packing reduces a report of 500 failures to a quarter of its size.
 class Packer {
  public:
   std::string packed(const ordered_json& value) {
@@ -54,7 +54,7 @@ class Packer {
   }
 
  private:
-  // max length of texts that are not replaced, because {"t": index} is not shorter
+  // max length of texts that are never replaced, because {"t": index} is not shorter
   static constexpr std::size_t shortText = 10;
 
   struct Text {

@@ -20,8 +20,8 @@ struct PageFile {
 /// the page.
 [[nodiscard]] std::string htmlReport(const std::string& reportJson);
 
-/// Writes htmlReport(reportJson) atomically as index.html into the folder. Throws UserError(inputOutput)
-/// with the file's name and the system's reason.
+/// Writes htmlReport(reportJson) atomically as index.html into the folder. Throws UserError(inputOutput),
+/// whose message contains the file's name and the system's reason.
 void writeReportPage(const std::filesystem::path& folder, const std::string& reportJson);
 
 /// Writes index.html into `folder`, which already contains report.json and the images.

@@ -152,8 +152,8 @@ class Reader {
     const JsonValue json = object_.at(key);
     value = json.isNull() ? std::numeric_limits<double>::infinity() : json.number();
   }
-  /// Reads a path that must stay below the report's folder. `simreel accept` copies such files, and a
-  /// report from an untrusted source must not make it copy other files.
+  /// Reads a path that must stay below the report's folder. `simreel accept` copies the file at this path,
+  /// and a report from an untrusted source must not make it copy other files.
   void path(const char* key, std::string& value) {
     const JsonValue json = object_.at(key);
     value = json.text();

@@ -5,8 +5,8 @@
 
 namespace simreel::golden {
 
-/// Returns the report as indented JSON (report.json) with a final newline. Never throws: invalid UTF-8
-/// becomes U+FFFD; NaN or infinite numbers of checks and an infinite PSNR become null.
+/// Returns the report as indented JSON (report.json) with a final newline. Never throws. Invalid UTF-8
+/// becomes U+FFFD. NaN and infinite numbers of checks and an infinite PSNR become null.
 [[nodiscard]] std::string reportText(const SuiteResult& suite);
 /// Parses the output of reportText. Throws UserError(usage) with the file's name and the wrong value
 /// ("report.json: scenes[3].frames[0].pixels must be text"). The errors are: unknown, missing or repeated

@@ -70,7 +70,7 @@ std::string outputText(const SuiteResult& suite, const SceneResult& scene) {
   return text + imageLines(suite, scene);
 }
 
-/// Returns one attachment per line; such a line must not contain anything else.
+/// Returns one attachment per line. Such a line must not contain other text.
 std::string attachments(const SceneResult& scene, const std::filesystem::path& pictures) {
   std::vector<std::string> paths;
   const auto add = [&](const std::string& path) {
@@ -132,8 +132,8 @@ std::string junitText(const SuiteResult& suite, const std::filesystem::path& pic
   declaration.append_attribute("version") = "1.0";
   declaration.append_attribute("encoding") = "UTF-8";
   xml_node root = document.append_child("testsuites");
-  // Omits the "skipped" attribute: the schema of Jenkins' xUnit plugin allows it only on <testsuite> and
-  // otherwise rejects the file.
+  // Omits the "skipped" attribute. The schema of Jenkins' xUnit plugin allows it only on <testsuite>, and
+  // rejects the file otherwise.
   setCounts(root, suite);
   setSeconds(root, suite.seconds);
   xml_node node = root.append_child("testsuite");
@@ -143,8 +143,7 @@ std::string junitText(const SuiteResult& suite, const std::filesystem::path& pic
   xml_node properties = node.append_child("properties");
   const auto property = [&](const char* name, const std::string& value) {
     if (value.empty() && suite.unit == "picture")
-      return;  // pictures of other programs were not drawn by a
-               // known device
+      return;  // The pictures of other programs were not drawn by a known device.
     xml_node entry = properties.append_child("property");
     setText(entry, "name", name);
     setText(entry, "value", value);

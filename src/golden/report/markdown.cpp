@@ -14,8 +14,8 @@ namespace simreel::golden {
 
 namespace {
 
-/// Max size of the summary. GitHub drops summaries above 1 MiB (1,048,576 bytes), and another step may have
-/// written before.
+/// Max size of the summary. GitHub drops summaries above 1 MiB (1,048,576 bytes), and another step may
+/// already have written some text.
 constexpr std::size_t summaryBytes = 1'000'000;
 constexpr std::size_t commandBytes = 50'000;
 constexpr std::size_t cellBytes = 300;

@@ -6,8 +6,8 @@
 
 namespace simreel::golden {
 
-/// Returns the src attribute of an image for a picture path of the report. If the result is empty, the
-/// picture is omitted.
+/// Callback that returns the src attribute of an image for a picture path of the report. If the result is
+/// empty, the picture is omitted.
 using PictureAddress = std::function<std::string(const std::string& picture)>;
 inline constexpr int thumbnailWidth = 160;  ///< width of thumbnails in pixels
 

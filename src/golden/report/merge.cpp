@@ -49,7 +49,7 @@ class Luggage {
     // files of this machine.
     const fs::file_status status = fs::symlink_status(source, unknown);
     if (fs::is_directory(status)) {
-      // completes the list before copying, because the copies may go below `source`
+      // Completes the list before copying, because the copies may be written below `source`.
       std::vector<fs::path> files;
       for (const auto& entry : fs::recursive_directory_iterator(source, unknown))
         if (entry.is_regular_file(unknown) && !entry.is_symlink(unknown)) files.push_back(entry.path());
@@ -64,7 +64,7 @@ class Luggage {
   }
 
   static void copy(const fs::path& from, const fs::path& to) {
-    if (pathExists(to)) return;  // a candidate's picture may also be a frame's picture
+    if (pathExists(to)) return;  // A candidate's picture may also be a frame's picture.
     makeFolders(to.parent_path());
     const std::string bytes = readFile(from, "picture");
     writeFileAtomically(to, std::string_view(bytes), NameSync::later);
@@ -101,7 +101,7 @@ void addStale(const Stale& stale, std::vector<Stale>& all) {
 }
 
 std::string shardNotes(const std::vector<PartReport>& parts, std::vector<std::string>& missing) {
-  // maps the number of shards n and the shard index k to the report's file
+  // report file by number of shards n and by shard number k
   std::map<std::size_t, std::map<std::size_t, fs::path>> reports;
   for (const PartReport& part : parts) {
     if (part.suite.shard.empty()) continue;
@@ -118,7 +118,7 @@ std::string shardNotes(const std::vector<PartReport>& parts, std::vector<std::st
 }
 
 void mergeEnvironment(const SuiteResult& part, SuiteResult& all) {
-  if (part.driver.empty()) return;  // the part is a shard without scenes
+  if (part.driver.empty()) return;  // The part is a shard without scenes.
   if (all.driver.empty()) {
     all.driver = part.driver;
     all.processor = part.processor;
@@ -168,7 +168,7 @@ Merged mergeReports(const std::vector<PartReport>& parts, const fs::path& folder
     mergeEnvironment(part.suite, all);
     all.allowFlaky = all.allowFlaky && part.suite.allowFlaky;
     all.strict = all.strict || part.suite.strict;
-    // the parts ran in parallel, so their times are not added
+    // The parts ran in parallel, so their times are not added.
     all.seconds = std::max(all.seconds, part.suite.seconds);
     addNotes(part, all.notes);
     for (const Stale& stale : part.suite.stale) addStale(stale, all.stale);

@@ -18,13 +18,13 @@ struct PartReport {
 
 struct Merged {
   SuiteResult suite;  ///< merged report, with scenes sorted by name
-  /// Shards such as "3/4" without a report, although another shard "k/4" has one.
+  /// Shards such as "3/4" that have no report, although another shard "k/4" has one.
   std::vector<std::string> missingShards;
 };
 
-/// Merges several reports into one; each scene must be in exactly one report. Copies the pictures below
-/// `folder`/files; missing pictures are noted. Throws UserError(usage) if two reports contain the same
-/// scene or shard, or if the reports do not belong together.
+/// Merges several reports into one. Each scene must be in exactly one report. Copies the pictures below
+/// `folder`/files. Adds a note for each missing picture. Throws UserError(usage) if two reports contain the
+/// same scene or shard, or if the reports do not belong together.
 [[nodiscard]] Merged mergeReports(const std::vector<PartReport>& parts,
                                   const std::filesystem::path& folder);
 

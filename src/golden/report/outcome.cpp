@@ -7,8 +7,8 @@
 
 namespace simreel::golden {
 
-// Format: one character '0' + exit code, one character '0' or '1' for hardFailed, then the report of a run
-// of this single scene.
+// The format is one character '0' + exit code, one character '0' or '1' for hardFailed, then the report of
+// a run of this single scene.
 
 std::string outcomeText(Outcome outcome) {
   SuiteResult alone;

@@ -8,8 +8,8 @@ namespace simreel::golden {
 
 /// Serializes the outcome of a scene, so that a worker process can pass it to its parent.
 [[nodiscard]] std::string outcomeText(Outcome outcome);
-/// Parses the output of outcomeText. Throws like parseReport, and UserError(inputOutput) if the report does
-/// not hold exactly one scene.
+/// Parses the output of outcomeText(). Throws the same errors as parseReport(), and UserError(inputOutput)
+/// if the report does not contain exactly one scene.
 [[nodiscard]] Outcome parseOutcome(const std::string& text);
 
 }  // namespace simreel::golden

@@ -15,7 +15,8 @@ namespace simreel::golden {
 
 namespace {
 
-/// Parses the file and line in "FILE:12:5: error: ...", the format of the scene reader's messages.
+/// Parses the file and line in a text such as "FILE:12:5: error: ...", which is the format of the scene
+/// reader's messages.
 std::optional<Place> placeIn(std::string_view message) {
   const std::size_t end = message.find(": error: ");
   if (end == std::string_view::npos) return std::nullopt;

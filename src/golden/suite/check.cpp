@@ -17,7 +17,8 @@ namespace simreel::golden {
 
 namespace {
 
-/// Min standard deviation of luma, equal to one step of 8 bits. A picture with less counts as blank.
+/// Min standard deviation of luma, equal to one step of 8 bits. A picture with a smaller deviation counts
+/// as blank.
 constexpr double minDeviation = 1.0 / 255.0;
 /// Lower limit of |first value| in the drift condition, because drift is relative to the first value.
 constexpr double tiny = 1e-12;
@@ -71,7 +72,8 @@ class Checker::Resolver {
              fmt::join(tested_, ", "));
   }
 
-  /// Returns the indices of the objects to which a check may refer: the named one, or all.
+  /// Returns the indices of the objects to which a check may refer. This is the named object, or all
+  /// objects.
   [[nodiscard]] std::vector<std::size_t> candidates(const std::string& where,
                                                     const scene::Check& check) const {
     std::vector<std::size_t> found;
@@ -105,8 +107,8 @@ class Checker::Resolver {
     return {};
   }
 
-  /// Returns the only object that has a state array of that name. Throws UserError(usage) if none or
-  /// several have one.
+  /// Returns the only object that has a state array of that name. Throws UserError(usage) if no object or
+  /// several objects have one.
   [[nodiscard]] std::size_t owner(const std::string& where, const scene::Check& check,
                                   const std::string& name) const {
     std::set<std::string> known;
@@ -157,7 +159,7 @@ class Checker::Resolver {
   void resolveQuantity(Item& item) const {
     const std::string& what = item.check.what;
     const std::vector<std::size_t> owners = scene_.owners(item.check);
-    SIMREEL_CHECK_EQ(owners.size(), 1U);  // the scene reader has already checked that there is one owner
+    SIMREEL_CHECK_EQ(owners.size(), 1U);  // The scene reader has already checked that there is one owner.
     const scene::Object& object = scene_.objects[owners.front()];
     const auto table = object.parameters->quantities();
     item.index = static_cast<std::size_t>(
@@ -343,7 +345,7 @@ bool Checker::checkBounds(Item& item, double value, CheckResult& result) {
   else if (check.max && value > *check.max)
     result.message = fmt::format("{}{:.9g}, above {}", head, value, *check.max);
   if (!check.drift) return true;
-  // Drift condition: |v - v0| <= drift max(|v0|, tiny).
+  // The drift condition is |v - v0| <= drift max(|v0|, tiny).
   const double room = *check.drift * std::max(std::abs(first), tiny);
   if (result.message.empty() && !(std::abs(value - first) <= room))
     result.message = fmt::format("{}{:.9g}, {:.3g} away from {:.9g} at frame {}; drift {} allows {:.3g}",

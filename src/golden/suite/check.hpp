@@ -18,9 +18,9 @@ namespace simreel::golden {
 /// Evaluates the checks of a scene while its frames are made.
 class Checker {
  public:
-  /// Throws UserError(usage) if a check names an unknown object, array, component or quantity; the message
-  /// lists the known ones. Also throws it if a "not-blank" check is at a frame without picture.
-  /// `testedFrames`: frames (ascending) for which picture() will be called.
+  /// Resolves the names in the checks. Throws UserError(usage) if a check names an unknown object, array,
+  /// component or quantity. The message lists the known names. Also throws it if a "not-blank" check is at
+  /// a frame without a picture. `testedFrames`: frames (ascending) for which picture() will be called.
   Checker(const scene::Scene& scene, const sim::World& world, std::span<const int> testedFrames);
   /// Returns the frames, in ascending order, that checks need besides the tested ones.
   [[nodiscard]] std::vector<int> frames() const;
@@ -31,9 +31,9 @@ class Checker {
   void picture(int frame, const frame::Image& image);
   /// Takes the results of an earlier run for frames that this run does not make again.
   void resume(const std::vector<CheckResult>& earlier);
-  /// Returns one result for each check and frame so far, sorted by frame and then by the scene's order. For
-  /// checks with drift, the result's min and max are the tighter of the check's bounds and the drift's
-  /// bounds.
+  /// Returns one result for each check and frame so far, sorted by frame and then by the order of the
+  /// checks in the scene. For checks with drift, the result's min and max are the tighter of the check's
+  /// bounds and the drift's bounds.
   [[nodiscard]] std::vector<CheckResult> results() const;
 
  private:

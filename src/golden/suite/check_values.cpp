@@ -40,7 +40,9 @@ double statistic(Statistic which, Component component, std::span<const glm::vec4
   for (const glm::vec4& item : items) {
     const double value = valueOf(item, component);
     sum += value;
-    if (std::isnan(value)) return value;  // a NaN would be ignored, because all comparisons below are false
+    if (std::isnan(value))
+      return value;  // A NaN would be ignored, because all comparisons below are
+                     // false.
     if (value < min) min = value;
     if (value > max) max = value;
   }

@@ -16,8 +16,8 @@ enum class Component { x, y, z, w, length };
 
 /// Parses "x", "y", "z", "w" or "length". Returns nothing for other words.
 [[nodiscard]] std::optional<Component> componentOf(std::string_view word);
-/// Computes a statistic over all elements, in order and in double. The result is NaN if a value is NaN or
-/// if there are no elements, except that the sum of no elements is 0.
+/// Computes a statistic over all elements, in element order and in double precision. The result is NaN if a
+/// value is NaN or if there are no elements, except that the sum of no elements is 0.
 [[nodiscard]] double statistic(Statistic which, Component component, std::span<const glm::vec4> items);
 
 /// Number of infinities and NaNs in an array and position of the first one. They are detected by their
@@ -32,7 +32,8 @@ struct NotFinite {
 /// Contrast measures of a picture, used to detect blank pictures.
 struct Contrast {
   bool oneColour = true;
-  double lumaDeviation = 0;  ///< standard deviation of Y' = 0.2126 R' + 0.7152 G' + 0.0722 B', 0 to 0.5
+  double lumaDeviation = 0;  ///< standard deviation (0 to 0.5) of the luma Y' = 0.2126 R' + 0.7152 G' +
+                             ///< 0.0722 B'
 };
 /// Measures the contrast of a picture. Ignores alpha.
 [[nodiscard]] Contrast contrastOf(const frame::Image& image);

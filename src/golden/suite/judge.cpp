@@ -66,8 +66,9 @@ struct Nearest {
   std::vector<std::string> broken;
 };
 
-/// Returns the baseline or alternate that violates the fewest bounds. Among equals, returns the one with
-/// the fewest pixels beyond the tolerance, then the one with the fewest differing pixels.
+/// Returns the baseline or alternate that violates the fewest bounds. If several violate equally few,
+/// returns the one with the fewest pixels beyond the tolerance, then the one with the fewest differing
+/// pixels.
 Nearest nearest(const RunFrame& made, const Reference& reference, const PictureBaseline::Frame& stored,
                 Measures measures) {
   const bool near = asked(stored.origin, reference.here) == Asked::near;
@@ -196,7 +197,7 @@ std::optional<PassPlace> placeOfDifference(const Reference& reference, const Run
   try {
     expected = referencePicture(reference, made.frame, alternate);
   } catch (const UserError&) {
-    return std::nullopt;  // judgeFrame() has already reported the error
+    return std::nullopt;  // judgeFrame() has already reported the error.
   }
   if (expected.bytes.size() != made.image.bytes.size()) return std::nullopt;
   constexpr std::size_t channels = 4;  // number of channels (RGBA); alpha is not compared, because the

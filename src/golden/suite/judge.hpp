@@ -18,10 +18,11 @@ struct Reference {
   std::filesystem::path folder;             ///< folder of the scene's baselines
   std::optional<PictureBaseline> pictures;  ///< picture baseline; empty if the scene has no baseline
   std::optional<StateBaseline> state;
-  /// true if the scene's numerics are exact; `here` says whether the pictures are exact
+  /// true if the scene's numerics are exact; `here` contains whether the pictures are exact
   bool exact = true;
   Origin here;                 ///< origin of this run's pictures
-  scene::Tolerance tolerance;  ///< used if a driver drew the pictures and the fingerprints differ
+  scene::Tolerance tolerance;  ///< tolerance that applies if a driver drew the pictures and the
+                               ///< fingerprints differ
 };
 
 /// Reads the existing baselines of a scene. Throws UserError(inputOutput) if they are unusable.
@@ -34,14 +35,14 @@ struct Judgement {
   bool damaged = false;       ///< true if the picture's baseline is unusable
 };
 
-/// Judges one frame by these rules, in order. There must be a baseline. The state must be equal (always
-/// with exact numerics; with fast numerics if the numerics fingerprints are equal). The sizes must be
-/// equal. Equal pixel hashes pass. Otherwise the frame fails if one of the pictures is exact or if this
-/// machine drew the baseline. On another machine with equal fingerprints, the picture must be within
-/// brokenNearness(). All bounds of the tolerance must hold.
-/// Accepted alternates count like the baseline. Fills in the metrics of differing pictures; image paths
-/// stay empty. Always reads the baseline's pictures and verifies their listed hashes. Quick measures omit
-/// SSIM and FLIP, unless a rule needs FLIP.
+/// Judges one frame by these rules, in this order. There must be a baseline. The state must be equal
+/// (always with exact numerics; with fast numerics if the numerics fingerprints are equal). The sizes must
+/// be equal. A picture with an equal pixel hash passes. Otherwise the frame fails if one of the pictures is
+/// exact or if this machine drew the baseline. On another machine with equal fingerprints, the picture must
+/// be within brokenNearness(). In all other cases, all bounds of the tolerance must hold. Accepted
+/// alternates count like the baseline. Fills in the metrics of differing pictures, and leaves image paths
+/// empty. Always reads the baseline's pictures and verifies their listed hashes. Quick measures omit SSIM
+/// and FLIP, unless a rule needs FLIP.
 [[nodiscard]] Judgement judgeFrame(const RunFrame& made, const Reference& reference,
                                    Measures measures = Measures::all);
 

@@ -87,7 +87,7 @@ class Runner {
   }
 
   sim::World world_;
-  frame::Summaries summaries_;  ///< summary of every frame, which detects a lost state
+  frame::Summaries summaries_;  ///< summaries of all frames, which detect a lost state
   draw::Renderer renderer_;
   draw::Readback readback_;
   glm::ivec2 size_;

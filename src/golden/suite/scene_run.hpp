@@ -26,11 +26,11 @@ struct SceneRun {
 };
 
 /// Simulates and draws the given frames on the current context, and evaluates the scene's checks. Throws
-/// UserError like World, Renderer and Checker, and Interrupted after SIGINT or SIGTERM.
+/// the UserErrors of World, Renderer and Checker, and Interrupted after SIGINT or SIGTERM.
 [[nodiscard]] SceneRun runScene(const scene::Scene& scene, std::span<const int> frames);
 
 /// Returns the first difference between two runs of one scene: "frame 60: the state of flag.positions
-/// differs" or "frame 60: the pictures differ". Returns an empty text if there is none.
+/// differs" or "frame 60: the pictures differ". Returns an empty text if the runs are equal.
 [[nodiscard]] std::string runDifference(const SceneRun& first, const SceneRun& second);
 
 }  // namespace simreel::golden

@@ -50,7 +50,8 @@ void searchFolder(const fs::path& folder, std::vector<SceneFile>& found) {
   if (error) fail(ExitCode::inputOutput, "cannot read folder {}: {}", folder.string(), error.message());
 }
 
-/// Converts a path to a unique name below any folder: removes the root and replaces ".." by "up".
+/// Converts a path to a name that is unique regardless of the folder. Removes the root and replaces ".." by
+/// "up".
 std::string wholeName(const fs::path& file) {
   fs::path name;
   for (const fs::path& part : file.lexically_normal().replace_extension().relative_path())

@@ -8,7 +8,8 @@
 
 namespace simreel::golden {
 
-/// A scene to test. `name` is unique within a set: the path below the given folder, without extension.
+/// A scene to test. `name` is the path below the given folder, without extension. It is unique within a
+/// set.
 struct SceneFile {
   std::string name;
   std::filesystem::path file;
@@ -29,7 +30,7 @@ struct SceneFile {
 
 /// Parses "k/n" with 1 <= k <= n. Throws UserError(usage).
 [[nodiscard]] std::pair<std::size_t, std::size_t> shardNumbers(const std::string& shard);
-/// Returns every n-th item, starting with the k-th (from 1), for `shard` "k/n". Throws UserError(usage).
+/// Returns every n-th item, starting with item k (from 1), for `shard` "k/n". Throws UserError(usage).
 template <class Item>
 [[nodiscard]] std::vector<Item> shardOf(const std::vector<Item>& all, const std::string& shard) {
   const auto [k, n] = shardNumbers(shard);
@@ -37,7 +38,7 @@ template <class Item>
   for (std::size_t i = k - 1; i < all.size(); i += n) kept.push_back(all[i]);
   return kept;
 }
-/// Returns "shard 2/4: 8 of 33 scenes".
+/// Returns text such as "shard 2/4: 8 of 33 scenes".
 [[nodiscard]] std::string shardNote(const std::string& shard, std::size_t tested, std::size_t whole,
                                     const char* unit);
 

@@ -207,7 +207,7 @@ void SceneTest::readStepsOfBaseline() {
   }
 }
 
-/// Finds the first step at which the state differs from the baseline's.
+/// Finds the first step at which the state differs from the baseline.
 void SceneTest::locate() {
   if (!stateIs("different") || damagedSteps_) return;
   if (!steps_) {
@@ -218,8 +218,8 @@ void SceneTest::locate() {
   if (result_.divergence) result_.messages.push_back(result_.divergence->message);
 }
 
-/// If the scene has no baseline, searches for a baseline without scene that has equal pictures, because the
-/// scene may have been renamed.
+/// If the scene has no baseline, searches for a baseline whose scene does not exist and whose pictures are
+/// equal, because the scene may have been renamed.
 void SceneTest::findFormerName() {
   if (result_.status != Status::missing || reference_.pictures || reference_.state) return;
   for (const fs::path& folder : options_.orphans) {
@@ -227,7 +227,7 @@ void SceneTest::findFormerName() {
     try {
       pictures = choosePictures(folder, profile_);
     } catch (const UserError&) {
-      continue;  // the unreadable baseline is already reported as stale
+      continue;  // The unreadable baseline is already reported as stale.
     }
     const bool same =
         pictures && std::all_of(run_.frames.begin(), run_.frames.end(), [&](const RunFrame& made) {

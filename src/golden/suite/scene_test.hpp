@@ -13,8 +13,8 @@
 
 namespace simreel::golden {
 
-/// One attempt at testing a scene: runs the scene, repeats it, judges the results, updates baselines, and
-/// stores files for the report.
+/// One attempt at testing a scene. Runs the scene, repeats the run, judges the results, updates baselines,
+/// and stores files for the report.
 class SceneTest {
  public:
   /// `attempt` counts from 1. With retries, each attempt stores its pictures in a separate folder.
@@ -78,8 +78,9 @@ class SceneTest {
     SceneRun run;
   };
   std::vector<OtherRun> others_;
-  std::vector<int> likeFirst_ = {1};  ///< numbers of the runs equal to the first run, which is included
-  int uncounted_ = 0;                 ///< number of further differing runs that are not stored in others_
+  std::vector<int> likeFirst_ = {1};  ///< numbers of the runs whose results equal those of the first run,
+                                      ///< including the first run
+  int uncounted_ = 0;                 ///< number of differing runs that are not stored in others_
   std::set<int> failedPictures_;
   std::optional<StepTrace> steps_;  ///< step trace of the baseline
   Inputs inputs_;

@@ -21,7 +21,7 @@ std::string listOf(const std::set<int>& frames) {
   return text;
 }
 
-/// Returns "run 2" or "runs 1, 3".
+/// Returns text such as "run 2" or "runs 1, 3".
 std::string runsText(const std::vector<int>& numbers) {
   return fmt::format("run{} {}", numbers.size() == 1 ? "" : "s", fmt::join(numbers, ", "));
 }
@@ -137,12 +137,12 @@ void SceneTest::keepPicture(FrameResult& frame, const frame::Image& made) {
     if (expected.width == made.width && expected.height == made.height)
       frame.differenceImage = keep(number + ".difference.png", differenceImage(expected, made));
   } catch (const UserError& error) {
-    if (error.code() != ExitCode::inputOutput) throw;  // an unreadable baseline has already been reported
+    if (error.code() != ExitCode::inputOutput) throw;  // An unreadable baseline has already been reported.
   }
 }
 
-/// Stores each different picture of one frame that runs of this program produced. Returns false if all are
-/// equal.
+/// Stores each different picture of one frame that runs of this program produced. Returns false if all
+/// these pictures are equal.
 bool SceneTest::keepRuns(std::size_t index) {
   struct Made {
     const RunFrame* frame;

@@ -62,7 +62,7 @@ bool mayPassOnRetry(Status status) {
   return status == Status::fail || status == Status::nondeterministic || status == Status::error;
 }
 
-/// Turns an expected failure into xfail, unless a pixel exceeds hardFail, and an unexpected pass into
+/// Turns an expected failure into xfail, unless a pixel exceeds hardFail. Turns an unexpected pass into
 /// xpass.
 void applyExpectation(Outcome& made) {
   SceneResult& result = made.scene;

@@ -18,15 +18,17 @@ struct SuiteOptions {
   int repeats = 2;  ///< number of runs of each scene; their results must be equal
   int retries = 0;  ///< number of further attempts for a scene that fails
   bool allowFlaky = false;
-  Measures measures = Measures::all;  ///< quick: SSIM and FLIP are measured only if a verdict needs them
+  Measures measures = Measures::all;  ///< selection of measurements; with `quick`, SSIM and FLIP are
+                                      ///< measured only if a verdict needs them
   Update update = Update::none;
   std::string reason;                          ///< reason for the update, stored in the baselines
-  std::string profile;                         ///< profile to use instead of the driver's own; may be empty
+  std::string profile;                         ///< profile to use instead of the driver's profile; may be
+                                               ///< empty
   std::vector<std::filesystem::path> assets;   ///< additional folders that scenes may read
   std::map<std::string, double> tolerance;     ///< bounds from the command line, by field name
   std::filesystem::path reportFolder;          ///< folder of report.json; image paths are relative to it
-  std::filesystem::path artifacts;             ///< folder for pictures of failures; if empty, none are
-                                               ///< stored
+  std::filesystem::path artifacts;             ///< folder for pictures of failures; if empty, no pictures
+                                               ///< are stored
   std::vector<std::filesystem::path> orphans;  ///< baseline folders whose scene does not exist
 };
 
@@ -39,13 +41,13 @@ struct Device {
 };
 
 /// Tests a scene on the current context and optionally updates its baseline. A mistake in the scene or its
-/// baseline and a lost device become the scene's result; only Interrupted is thrown. `losses`: number of
-/// earlier processes that died while testing this scene; each counts as an attempt.
+/// baseline and a lost device become the scene's result. Only Interrupted is thrown. `losses`: number of
+/// earlier processes that died while testing this scene. Each counts as an attempt.
 [[nodiscard]] Outcome testScene(const SceneFile& scene, const SuiteOptions& options, const Device& device,
                                 int losses = 0);
 
 /// Inserts failed attempts before the attempts of a result. A result that passed becomes flaky. `losses`:
-/// number of even earlier attempts, which are added later.
+/// number of attempts before these, which are added later.
 void addAttempts(std::vector<Attempt> attempts, SceneResult& result, int losses = 0);
 
 /// Inserts an attempt for each process that died while testing the scene, before the scene's other

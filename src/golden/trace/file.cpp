@@ -1,5 +1,5 @@
-// Layout of steps.bin: magic, version, header, words, then the XXH3 hash of everything before it. Numbers
-// are little endian.
+// Reads and writes steps.bin. The file consists of magic, version, header, words, and the XXH3 hash of
+// everything before it. Numbers are little endian.
 #include "golden/trace/file.hpp"
 
 #include "base/error.hpp"

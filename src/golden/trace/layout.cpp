@@ -80,7 +80,7 @@ StepTrace reduced(const StepTrace& trace, bool whole, std::uint32_t detailed) {
         rest = rest.subspan(array.words());
         if (step < steps && index > detailed) continue;
         const auto blocks = words.first(array.blocks());
-        if (whole)  // block sums add up to the array's sum modulo 2^32, as in the kernel
+        if (whole)  // Block sums add up to the array's sum modulo 2^32, as in the kernel.
           result.words.push_back(std::accumulate(blocks.begin(), blocks.end(), 0U));
         else
           result.words.insert(result.words.end(), blocks.begin(), blocks.end());

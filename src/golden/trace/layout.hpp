@@ -10,19 +10,18 @@
 
 namespace simreel::golden {
 
-/// Returns a trace without words. Its arrays are divided into as many blocks as fit into `maxBytes`: 64,
-/// 32, ... down to one block per array. If even one block is too large, only the first frames keep every
-/// step.
+/// Returns a trace without words. Each array is divided into as many blocks as `maxBytes` allows: 64, 32,
+/// ... or 1. If even one block per array is too large, only the first frames keep every step.
 [[nodiscard]] StepTrace layOut(std::vector<StepTrace::Array> arrays, int firstFrame, int lastFrame,
                                std::size_t maxBytes);
-/// Returns the number of elements that one invocation of the hash kernel processes: a divisor of perBlock,
-/// at most 64.
+/// Returns the number of elements that one invocation of the hash kernel processes. It is a divisor of
+/// perBlock and at most 64.
 [[nodiscard]] std::uint32_t elementsPerInvocation(std::uint32_t perBlock);
-/// Returns a coarser version of a trace. If `whole`, each array becomes one block. Only the first
-/// `detailed` frames keep every step; `detailed` must not exceed trace.detailed.
+/// Returns a coarser version of a trace. If `whole` is true, each array becomes one block. Only the first
+/// `detailed` frames keep every step. `detailed` must not exceed trace.detailed.
 [[nodiscard]] StepTrace reduced(const StepTrace& trace, bool whole, std::uint32_t detailed);
-/// Returns the first difference within a frame: the earliest step, then the first array. The message of the
-/// result stays empty.
+/// Returns the first difference within a frame. The earliest step counts, and within a step the first
+/// array. The message of the result stays empty.
 [[nodiscard]] std::optional<Divergence> compareFrame(const StepTrace& layout, std::uint32_t index,
                                                      std::span<const std::uint32_t> run,
                                                      std::span<const std::uint32_t> baseline);

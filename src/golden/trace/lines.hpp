@@ -10,8 +10,8 @@
 
 namespace simreel::golden {
 
-// Text output of `simreel trace`, which `simreel bisect` reads: one JSON object per line, and a binary
-// dump. Readers ignore unknown members, so that different versions are compatible. Readers throw
+// Text output of `simreel trace`, which `simreel bisect` reads. It has one JSON object per line, and a
+// binary dump. Readers ignore unknown members, so that different versions are compatible. Readers throw
 // std::runtime_error with a text that describes the mistake.
 
 /// First line of a trace: the program, driver and traced run.
@@ -26,12 +26,12 @@ struct TraceHeader {
 /// State hashes at a frame, or after one step of one object.
 struct StateLine {
   int frame = 0;
-  std::string object;  ///< object name; empty if the line is for a whole frame
-  int step = 0;        ///< step of `steps`, from 1; 0 if the line is for a whole frame
+  std::string object;  ///< object name; empty if the line is for a frame
+  int step = 0;        ///< number of the step, from 1 to `steps`; 0 if the line is for a frame
   int steps = 0;
-  /// array name, such as "flag.positions", and hash of 32 hexadecimal digits
+  /// name of each array, such as "flag.positions", and its hash of 32 hexadecimal digits
   std::vector<std::pair<std::string, std::string>> arrays;
-  /// pass name and hash of the frame's picture, from hashesOf()
+  /// name and hash of each pass of the frame's picture, from hashesOf()
   std::vector<std::pair<std::string, std::string>> passes = {};
   bool operator==(const StateLine&) const = default;
 };
@@ -43,8 +43,8 @@ struct StateLine {
 constexpr std::size_t wordsPerElement = 4;
 constexpr std::size_t bytesPerElement = wordsPerElement * sizeof(std::uint32_t);
 
-/// Content of all state arrays. Format: a JSON line that lists the arrays, then the words of all arrays in
-/// sequence, as little-endian 32-bit floats.
+/// Content of all state arrays. The format is a JSON line that lists the arrays, followed by the words of
+/// all arrays in sequence, as little-endian 32-bit floats.
 struct StateDump {
   struct Array {
     std::string object, array;

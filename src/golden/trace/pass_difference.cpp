@@ -32,7 +32,7 @@ PicturePlace placeOf(const PassArray& array, std::size_t item) {
 
 /// Differences between two arrays of equal shape.
 struct Found {
-  /// index of the first differing item that is preferred, or else of the first differing item
+  /// index of the first differing item that is preferred; if there is none, of the first differing item
   std::size_t first = 0;
   std::int64_t count = 0;  ///< number of differing items
 };

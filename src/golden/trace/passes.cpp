@@ -28,7 +28,7 @@ constexpr unsigned groundNumber = 0xfffffffeU;
 constexpr unsigned noNumber = 0xffffffffU;
 constexpr std::size_t passDigits = 16;
 
-/// Returns the primitive numbers of a pixel's samples, or an empty span if the picture has none.
+/// Returns the primitive numbers of a pixel's samples, or an empty span if the picture has no samples.
 std::span<const std::uint32_t> numbersAt(const draw::PassPicture& picture, int x, int y) {
   for (const draw::PassArray& array : picture.arrays) {
     if (array.pass != "visibility" || array.part != "numbers") continue;

@@ -8,8 +8,9 @@
 
 namespace simreel::golden {
 
-/// Returns the number of steps between adjacent representable floats from one float to another, given by
-/// their bits: 0 for +0 and -0, 1 for neighbours. Returns nothing if one is NaN.
+/// Returns the number of steps between adjacent representable floats from one float to another. Both are
+/// given by their bits. The result is 0 for +0 and -0, and 1 for neighbours. Returns nothing if one of the
+/// floats is NaN.
 [[nodiscard]] std::optional<std::uint64_t> ulpsBetween(std::uint32_t a, std::uint32_t b);
 
 /// Differences between two state arrays of equal size.
@@ -22,7 +23,7 @@ struct ArrayDifference {
   std::array<std::uint32_t, wordsPerElement> here{}, there{};  ///< bits of the first differing element
   /// largest difference of any component in ULPs
   std::uint64_t maxUlps = 0;
-  /// differing elements with NaN on one side; not included in maxUlps
+  /// number of differing elements with NaN on one side; they are not included in maxUlps
   std::int64_t withNan = 0;
 };
 /// Compares the words of two arrays, four words per element. Both arrays must have equal sizes.

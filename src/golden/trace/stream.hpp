@@ -10,7 +10,7 @@
 
 namespace simreel::golden {
 
-/// Receives a line without its line end. Returns false to stop.
+/// Callback that receives a line without its line end. Returns false to stop.
 using LineSink = std::function<bool(const std::string& line)>;
 
 /// Writes a line with the state hashes of each frame from `first` to `last`. If `pictures` is a scene, also

@@ -116,7 +116,7 @@ std::optional<Divergence> differentRuns(const TracedRun& run, const StepTrace& b
   return found;
 }
 
-/// Compares frames up to index `last`. `wordsOf` returns the words of the run; it is called with ascending
+/// Compares frames up to index `last`. `wordsOf` returns the words of the run. It is called with ascending
 /// indices.
 template <class WordsOf>
 std::optional<Divergence> firstDifference(const StepTrace& baseline, std::uint32_t last,
@@ -153,7 +153,7 @@ StepTrace traceRun(const scene::Scene& scene, int lastFrame, std::size_t maxByte
 
 std::optional<Divergence> compareTraces(const StepTrace& run, const StepTrace& baseline) {
   if (auto other = differentRuns(runOf(run), baseline)) return other;
-  if (run.arrays.empty()) return std::nullopt;  // the run has no arrays, so nothing can be compared
+  if (run.arrays.empty()) return std::nullopt;  // The run has no arrays, so nothing can be compared.
   if (run.arrays != baseline.arrays || run.detailed != baseline.detailed) {
     const bool whole = run.arrays != baseline.arrays;
     const std::uint32_t detailed = std::min(run.detailed, baseline.detailed);

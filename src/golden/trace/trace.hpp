@@ -23,15 +23,16 @@ struct StepTrace {
     std::uint32_t perBlock = 1;  ///< number of elements whose hashes are summed in a block
     std::uint32_t steps = 1;     ///< number of simulation steps per frame
     [[nodiscard]] std::uint32_t blocks() const { return (elements + perBlock - 1) / perBlock; }
-    /// Returns the number of words after one step: a sum for each block, then the sum of (i + 1) hash(i)
-    /// over all elements.
+    /// Returns the number of words after one step. There is one sum for each block, then the sum of (i + 1)
+    /// hash(i) over all elements i.
     [[nodiscard]] std::uint32_t words() const { return blocks() + 1; }
     bool operator==(const Array&) const = default;
   };
   std::vector<Array> arrays;
   std::int32_t firstFrame = 0;  ///< frame of the initial state: 0, or negative with pre-roll
   std::uint32_t frames = 0;     ///< number of frames stepped after firstFrame
-  /// number of frames, from the start, that store every step; later frames store only the last step
+  /// number of frames, from the start, that store every step; the frames after them store only the last
+  /// step
   std::uint32_t detailed = 0;
   /// Words of the initial state, then of each frame. Within a frame they are ordered by array, then by
   /// step.
@@ -47,8 +48,8 @@ struct StepTrace {
 using AfterStep = std::function<void(const sim::World& world, std::size_t object, int step)>;
 
 /// Simulates the scene from its start to `lastFrame` without drawing, and hashes every step in blocks as
-/// fine as `maxBytes` allows. If not even whole arrays fit, later frames keep only their last step. Throws
-/// UserError like World.
+/// fine as `maxBytes` allows. If even one block per array is too large, later frames keep only their last
+/// step. Throws the same errors as World.
 [[nodiscard]] StepTrace traceRun(const scene::Scene& scene, int lastFrame, std::size_t maxBytes,
                                  const AfterStep& afterStep = {});
 /// Returns the first step at which a run differs from the baseline, or nothing if all frames that both

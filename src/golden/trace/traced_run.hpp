@@ -38,16 +38,16 @@ struct TracedRun {
 
 /// First difference that makes two runs incomparable.
 struct RunMismatch {
-  /// Texts for the two sides, such as "starts at frame -3", "has flag.positions of 63 elements in 4 steps a
-  /// frame".
+  /// Properties in which the two sides differ, such as "starts at frame -3" and "has flag.positions of 63
+  /// elements in 4 steps a frame".
   std::string here, there;
-  /// array that differs or that only one side has; without names if the difference is elsewhere
+  /// array that differs or that only one side has; without names if the difference is not in an array
   TracedArray array;
 };
 [[nodiscard]] std::optional<RunMismatch> compareRuns(const TracedRun& here, const TracedRun& there);
 
-/// True if a step (from 1) ends before another step of the same frame in simulated time. This is needed
-/// because objects are stepped through a whole frame one after another.
+/// True if `step` (from 1) ends before `otherStep` of the same frame in simulated time. This is needed
+/// because each object is stepped through a whole frame before the next object.
 [[nodiscard]] bool isEarlierStep(int step, int steps, int otherStep, int otherSteps);
 
 }  // namespace simreel::golden

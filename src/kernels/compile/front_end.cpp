@@ -140,8 +140,8 @@ bool takesOthers(const std::vector<std::uint32_t>& words) {
   });
 }
 
-/// Compiles once. If glslang rejects the code, throws the errors; returns nullopt instead if a new remedy
-/// may fix the code.
+/// Compiles once. If glslang rejects the code, returns nullopt if a new remedy may fix the code, and
+/// otherwise throws the errors.
 std::optional<std::vector<std::uint32_t>> attempt(Files& files, const Unit& unit, bool renamed) {
   Compiled compiled;
   glslang::TShader& shader = compiled.shader;

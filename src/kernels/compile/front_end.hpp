@@ -15,8 +15,7 @@ struct Unit {
   std::string entry = "main";
   std::vector<std::pair<std::string, std::string>> defines;
   int line = 1;             ///< line of the file that declares the kernel
-  std::string before = {};  ///< text inserted before the file's text; line numbers do not count the
-                            ///< inserted lines
+  std::string before = {};  ///< text inserted before the file; it does not affect line numbers
   std::string behind = {};  ///< text appended after the file
 };
 

@@ -39,8 +39,8 @@ std::vector<Token> statement(const Scan& scan, int line) {
   return {first, last};
 }
 
-/// Records the constants that the shader assigns to. If none of them is new, records the constants in the
-/// rejected statement, because a function may assign to them.
+/// Records the constants to which the shader assigns. If none of them is new, records the constants in the
+/// rejected statement, because the statement may call a function that assigns to them.
 void learnAssigned(Files& files, const Mistake& mistake) {
   const std::deque<Scan> all = scans(files);
   std::set<std::string, std::less<>> constants, assigned;
@@ -83,8 +83,8 @@ bool learnNamespaces(Files& files) {
   return files.remedies.dissolved.size() > before;
 }
 
-/// Replaces each "ConstantBuffer<T> x" by "cbuffer simreel_block_x { T x; }". Returns true if at least one
-/// replacement is new.
+/// Changes "ConstantBuffer<T> x" to "cbuffer simreel_block_x { T x; }". Returns true if one of these
+/// objects is new.
 bool learnConstantBuffers(Files& files) {
   const std::size_t before = files.remedies.unpacked.size();
   const std::deque<Scan> scanned = scans(files);

@@ -22,8 +22,8 @@ std::string trimmed(std::string_view text) {
   return std::string(text);
 }
 
-/// Parses "name:line: 'token' : message", the text after "ERROR: ". `count` is the number of files. The
-/// line is 0 if the text has none.
+/// Parses "name:line: 'token' : message", the text after "ERROR: ". `count`: number of files. The line is 0
+/// if the text has no line number.
 Mistake located(std::string_view rest, std::size_t count) {
   Mistake mistake;
   const std::size_t first = rest.find(':');
@@ -187,7 +187,7 @@ std::vector<Mistake> explained(std::string_view log, const Files& files,
     if (const auto* include = failedInclude(mistake, failed)) {
       mistake.token = include->first;
       mistake.message = include->second;
-      return {mistake};  // The other errors are consequences of this error.
+      return {mistake};  // The other errors are consequences of this one.
     }
     reword(mistake);
     const bool known = std::any_of(mistakes.begin(), mistakes.end(), [&](const Mistake& other) {

@@ -13,14 +13,14 @@ namespace simreel::kernels {
 /// is not a valid index.
 [[nodiscard]] std::size_t fileNumber(std::string_view name, std::size_t count);
 
-/// Returns the errors of a glslang log in glslang's wording.
+/// Returns the errors of a glslang log with the message texts of glslang.
 [[nodiscard]] std::vector<Mistake> told(std::string_view log, std::size_t files);
 
 /// Warning of glslang if the text has no function of the kernel's name.
 inline constexpr const char* noEntry = "Entry point not found";
 
-/// Returns the errors of a glslang log in the program's wording. `failed` holds the names of includes that
-/// could not be read, and the reasons.
+/// Returns the errors of a glslang log with clearer message texts. `failed`: names of includes that could
+/// not be read, and the reasons.
 [[nodiscard]] std::vector<Mistake> explained(std::string_view log, const Files& files,
                                              const std::vector<std::pair<std::string, std::string>>& failed,
                                              const Unit& unit);

@@ -27,11 +27,11 @@ struct Chain {
 /// Replacement of an access chain whose indices may be out of bounds. The new pointer for reads takes over
 /// the result id of the original chain.
 struct Guarded {
-  Id inside = 0;  ///< id of a bool that is true if all indices are in bounds; 0 if out-of-bounds reads go
-                  ///< to a guard element
+  Id inside = 0;  ///< id of a bool that is true if all indices are in bounds; 0 if out-of-bounds reads are
+                  ///< redirected to a guard element
   Id condition = 0;    ///< id of the same bool, for results of atomic operations
   Id write = 0;        ///< id of the pointer for writes and atomic operations
-  bool drops = false;  ///< true if out-of-bounds accesses through `write` go to a guard element
+  bool drops = false;  ///< true if out-of-bounds accesses through `write` are redirected to a guard element
 };
 
 class Bounds {
@@ -68,19 +68,21 @@ class Bounds {
   struct Use {
     bool reads = false, writes = false;
   };
-  /// An index of an access chain that is compared with a length. `at` is its position in the chain.
+  /// An index of an access chain that is compared with a length. `at`: position of the index in the chain.
   struct Checked {
     std::size_t at;
     Id inside, index;
   };
   /// The checked indices of an access chain.
   struct Walk {
-    Words held;                    ///< clamped indices, except the index of a buffer's element
+    Words held;                    ///< indices clamped to their bounds, except the index of a buffer's
+                                   ///< element
     std::vector<Checked> checked;  ///< indices that may be out of bounds
     Id inside;                     ///< id of a bool that is true if the clamped indices were in bounds; 0
                                    ///< if no index is clamped
     Id length, runtime,
-        among;  ///< for a buffer: ids of its length, of the element index, and of the bool "index < length"
+        among;  ///< for a buffer: the ids of the buffer's length, of the element index, and of the bool
+                ///< "index < length"
     std::size_t runtimeAt;
   };
 
@@ -172,15 +174,16 @@ class Bounds {
     return type.op == SpvOpTypeArray ? module_.constant(type.operands[1]).value_or(1) : type.operands[1];
   }
 
-  /// Returns true unless the index is provably less than `count`. A constant may also be too large, because
-  /// optimizing can create such constants.
+  /// True unless the index is provably less than `count`. A constant index may also be too large, because
+  /// the optimizer can create such constants.
   bool mayExceed(Id index, std::uint32_t count) const {
     const auto constant = module_.constant(index);
     return constant ? *constant >= count : facts_.atMost(index, block_) >= count;
   }
 
   /// Returns the comparison of an index with a length. `key` identifies the operands. Reuses a comparison
-  /// from a block that dominates the current one; otherwise emits it here.
+  /// from a block that dominates the current block. If there is none, emits the comparison in the current
+  /// block.
   template <class Emit>
   const Known& comparison(const Words& key, Emit emitted) {
     std::vector<Known>& all = known_[key];
@@ -360,7 +363,7 @@ class Bounds {
   Facts facts_;
   Position at_;
   Id block_ = 0;       ///< label of the current block
-  bool ours_ = false;  ///< true in a library function, which keeps its indices in bounds without help
+  bool ours_ = false;  ///< true in a library function, whose indices are always in bounds
 
   std::map<Words, std::vector<Known>> known_;  ///< emitted comparisons by the ids of their operands
   std::unordered_set<Id> noted_;               ///< ids of conditions that reports have tested

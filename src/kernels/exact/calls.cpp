@@ -10,9 +10,9 @@ namespace simreel::kernels {
 
 namespace {
 
-/// Returns the library function for an operation that drivers compute equally, except that some do not
-/// flush subnormal results to zero; nullptr for other operations.
-const char* flushingFunctionFor(SpvOp op) {
+/// Returns the library function for a floating-point operation, or for an integer operation with undefined
+/// cases. Returns nullptr for other operations.
+const char* functionFor(SpvOp op) {
   switch (op) {
     case SpvOpFMul:
     case SpvOpVectorTimesScalar:
@@ -61,7 +61,7 @@ const char* functionFor(SpvOp op) {
       return "xSdiv";
     case SpvOpSRem:
     case SpvOpSMod:  // glslang emits SMod for %, but all drivers give the result the sign of the first
-                     // operand.
+                     // operand, as the library function does.
       return "xSrem";
     default:
       return nullptr;
@@ -283,7 +283,7 @@ class Placing {
     return made;
   }
 
-  /// Returns true for an integer division by a positive constant; all drivers give the same result for it.
+  /// True for an integer division by a positive constant. All drivers give the same result for it.
   bool dividesByConstant(const Instruction& one) const {
     if (one.op != SpvOpUDiv && one.op != SpvOpUMod && one.op != SpvOpSDiv) return false;
     const auto positive = [&](Id id) {

@@ -10,7 +10,7 @@ namespace simreel::kernels {
 
 namespace {
 
-/// Returns the inverse of a conversion; nullopt for other operations.
+/// Returns the inverse of a conversion, or nullopt for other operations.
 std::optional<SpvOp> inverse(SpvOp op) {
   switch (op) {
     case SpvOpConvertSToF:

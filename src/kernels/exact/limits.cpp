@@ -49,9 +49,9 @@ std::uint64_t bytesOf(const Module& module, Id type) {
   }
 }
 
-/// Returns the position of the first line in which `word` follows one of the texts `others`. If `others` is
-/// empty, the word must be followed by '['. Returns line `otherwise` of the first file if there is no such
-/// line.
+/// Returns the position of the first line that contains `word` after one of the words in `others`. If
+/// `others` is empty, `word` must be followed by '['. If there is no such line, returns line `otherwise` of
+/// the first file.
 Mistake at(const Files& files, const std::string& word, std::initializer_list<std::string_view> others,
            int otherwise) {
   for (std::size_t file = 0; file < files.count(); ++file) {
@@ -100,8 +100,8 @@ Mistake attributeOf(const Files& files, const std::string& entry, int otherwise)
   return {0, otherwise, {}, {}};
 }
 
-/// Returns mistakes in [numthreads(x, y, z)], whose numbers are in `mode`. glslang leaves out numbers that
-/// it cannot represent.
+/// Returns mistakes in [numthreads(x, y, z)]. `mode`: instruction with the three numbers. glslang leaves
+/// out numbers that it cannot represent.
 std::vector<Mistake> beyondThreads(const Instruction& mode, Mistake place) {
   std::array<std::uint32_t, 3> threads{};
   for (std::size_t i = 0; i < 3; ++i) threads[i] = i + 2 < mode.operands.size() ? mode.operands[i + 2] : 0;
@@ -117,8 +117,8 @@ std::vector<Mistake> beyondThreads(const Instruction& mode, Mistake place) {
                            mostThreads, mostAlong[0], mostAlong[2]))};
 }
 
-/// Returns the words between the last ";", "{" or "}" before `end` and `end`, without preprocessor lines.
-/// If an included file has none of these before `end`, the words before its #include line come first.
+/// Returns the words before `end`, back to the last ";", "{" or "}", without preprocessor lines. If an
+/// included file has none of these before `end`, the words before its #include line come first.
 std::string leadOf(const Files& files, std::size_t file, std::size_t end) {
   const std::string code = withoutComments(files.text(file));
   const std::size_t last = code.find_last_of(";{}", end), begin = last == std::string::npos ? 0 : last + 1;
@@ -178,8 +178,7 @@ std::vector<Mistake> variableGroups(const Files& files, const std::string& entry
   std::vector<Mistake> mistakes;
   for (std::size_t i = 0; i + 1 < all.size(); ++i) {
     if (all[i].text != "numthreads" || all[i].directive) continue;
-    std::size_t function = closingBracket(all, i + 1) + 1;  // index of the token after the brackets with
-                                                            // the workgroup size
+    std::size_t function = closingBracket(all, i + 1) + 1;  // token after the attribute
     while (function + 1 < all.size() && all[function + 1].text != "(") ++function;
     if (function >= all.size() || all[function].text != entry) continue;
     for (std::size_t k = i + 2; k < all.size() && all[k].text != ")"; ++k)

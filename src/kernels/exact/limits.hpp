@@ -13,8 +13,8 @@ namespace simreel::kernels {
 [[nodiscard]] std::vector<Mistake> beyondLimits(const Module& module, const Files& files,
                                                 const std::string& entry, int line);
 
-/// Returns a mistake for each constant in the attribute [numthreads(x, y, z)] of the HLSL kernel `entry`.
-/// glslang crashes if the attribute contains the name of a constant.
+/// Returns mistakes for a [numthreads(x, y, z)] of the kernel `entry` in an HLSL file that contains names
+/// of constants. glslang crashes for them.
 [[nodiscard]] std::vector<Mistake> variableGroups(const Files& files, const std::string& entry);
 
 /// Returns a mistake if a GLSL shader does not give its workgroups a size, or gives it only by a

@@ -58,8 +58,8 @@ class Linking {
  public:
   Linking(Module& module, const Library& library) : module_(module), library_(library) {}
 
-  /// Returns the id in the user's module of the library function `theirs`. Appends the function at its
-  /// first use.
+  /// Returns the id in the user's module for the function that has the id `theirs` in the library. Appends
+  /// the function at its first use.
   Id function(Id theirs) {
     if (const auto found = ids_.find(theirs); found != ids_.end()) return found->second;
     const Id mine = ids_[theirs] = module_.fresh();

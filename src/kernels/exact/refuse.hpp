@@ -6,8 +6,8 @@
 
 namespace simreel::kernels {
 
-/// Returns errors for features that OpenGL 4.5 lacks and, unless `fast`, for operations whose results
-/// differ between drivers. Each feature is reported at its first occurrence only.
+/// Returns errors for features that OpenGL 4.5 lacks. Unless `fast` is true, also returns errors for
+/// operations whose results differ between drivers. Each feature is reported only at its first occurrence.
 [[nodiscard]] std::vector<Mistake> refused(const Module& module, const Files& files, bool fast);
 
 }  // namespace simreel::kernels

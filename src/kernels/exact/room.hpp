@@ -6,8 +6,8 @@
 
 namespace simreel::kernels {
 
-/// Adds one element to each array in shared memory while memory is left. Dropped writes go to this element.
-/// Returns the original lengths by variable.
+/// Adds one element to each array in shared memory as long as shared memory is available. Dropped writes go
+/// to this element. Returns the original length of each array by variable.
 [[nodiscard]] std::unordered_map<Id, std::uint32_t> enlargeShared(Module& module);
 
 }  // namespace simreel::kernels

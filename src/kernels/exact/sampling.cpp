@@ -38,7 +38,8 @@ class Filtering {
 
  private:
   struct Pair {
-    Id image = 0, sampler = 0;  ///< ids of variables; sampler is 0 for a combined GLSL sampler
+    Id image = 0, sampler = 0;  ///< ids of the image variable and the sampler variable; the sampler is 0
+                                ///< for a combined GLSL sampler
   };
   struct Read {
     Pair pair;
@@ -78,7 +79,8 @@ class Filtering {
     return std::nullopt;
   }
 
-  /// Returns the global variable from which a value was loaded; 0 for an array element or any other value.
+  /// Returns the global variable from which a value was loaded, or 0 for an array element or any other
+  /// value.
   Id variable(Id value) const {
     const auto found = loaded_.find(value);
     if (found == loaded_.end()) return 0;

@@ -34,8 +34,8 @@ class Search {
   }
 
  private:
-  /// Excuses all values that only operand `side` of instruction `last` uses: they are not needed unless
-  /// `condition` has the value `needed`.
+  /// Excuses all values that are used only by operand `side` of instruction `last`. They are not needed
+  /// unless `condition` has the value `needed`.
   void excuse(std::size_t last, Id condition, std::size_t side, bool needed) {
     const Instruction& one = module_.body[last];
     if (module_.signature(module_.typeOf(condition)) != "b1" || one.operands[side] == condition) return;

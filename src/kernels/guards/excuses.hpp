@@ -7,9 +7,9 @@
 
 namespace simreel::kernels {
 
-/// For each value, the conditions (with the required results) under which a module uses the value at all.
-/// HLSL computes both sides of "i < count && list[i] > 0" and of "i < count ? list[i] : 0". A faulty read
-/// there is a mistake only if the condition selects its result.
+/// Maps each value to the conditions (with the required results) under which a module uses the value. HLSL
+/// computes both sides of "i < count && list[i] > 0" and of "i < count ? list[i] : 0". A faulty read there
+/// is a mistake only if the condition selects its result.
 using Excuses = std::unordered_map<Id, std::vector<std::pair<Id, bool>>>;
 
 [[nodiscard]] Excuses excusesOf(const Module& module);

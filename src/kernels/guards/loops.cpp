@@ -98,7 +98,7 @@ class Limiting {
         if (const auto counted = counted_.find(one.operands[0]); counted != counted_.end())
           counted->second.at = at_;
         break;
-      case SpvOpUnreachable:  // the merge block of a loop that no break leaves
+      case SpvOpUnreachable:  // This is the merge block of a loop that no break leaves.
         return finish();
       default:
         break;
@@ -122,7 +122,7 @@ class Limiting {
   }
 
   /// Resets the iteration counter before a branch that enters a loop from outside. A branch back to a
-  /// header is not an entry; it comes after the header.
+  /// header is not an entry. It comes after the header.
   void enter(Id target) {
     const auto loop = loops_.find(target);
     if (loop == loops_.end() || std::find(begun_.begin(), begun_.end(), target) != begun_.end()) return;
@@ -191,7 +191,7 @@ class Limiting {
     writing.put(SpvOpBranch, {target});
   }
 
-  /// Emits code into the merge block of a loop that reports a fault if the driver ended the loop.
+  /// Reports a fault, in the merge block of a loop, if the driver ended the loop.
   void compare() {
     const auto header = behind_.find(label_);
     if (report_ == nullptr || header == behind_.end()) return;
@@ -202,8 +202,8 @@ class Limiting {
     report_->note(module_, module_.body, fine, report_->place("loops", "", loop.at), ended, ended);
   }
 
-  /// Emits code into the merge block of a counted loop that reports a fault if the loop's condition still
-  /// holds, because then the driver ended the loop.
+  /// Reports a fault, in the merge block of a counted loop, if the loop's condition still holds. In this
+  /// case the driver ended the loop.
   void compareCount() {
     if (report_ == nullptr) return;
     const Counted& loop = counted_[label_];
@@ -258,7 +258,7 @@ class Limiting {
   std::unordered_map<Id, Loop> loops_;
   std::unordered_map<Id, Id> behind_;        ///< headers of loops by the labels of the merge blocks
   std::unordered_map<Id, Counted> counted_;  ///< counted loops by the labels of the merge blocks
-  std::vector<Id> begun_;                    ///< labels of the current function so far
+  std::vector<Id> begun_;                    ///< labels of the blocks of the current function so far
   Id ended_ = 0;                             ///< private array of words that record which loops have ended
   Id left_ = 0;      ///< variable with the current iteration limit; 0 after a loop has reached the limit
   Id function_ = 0;  ///< return type of the current function

@@ -26,7 +26,7 @@ void repeatLines(Module& module) {
 }
 
 std::string indexedName(const Module& module, Id variable, std::span<const Id> indices) {
-  // Generated suffixes start with a dot, which a user's name cannot contain.
+  // Removes generated suffixes, which start with a dot. A user's name cannot contain a dot.
   std::string name = plainName(module.name(variable));
   name = name.substr(0, name.find('.'));
   Id type = module.global(module.typeOf(variable))->operands[1];

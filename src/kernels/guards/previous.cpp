@@ -38,10 +38,12 @@ class Previous {
   }
 
  private:
-  /// Creates a twin, the copy with the previous state, for each named buffer that is both read and written.
+  /// Creates a twin for each named buffer that is both read and written. The twin is the copy with the
+  /// previous state.
   void choose() {
     std::unordered_map<Id, Id> from;
-    std::unordered_map<Id, unsigned> uses;  // bit 0: read, bit 1: written
+    std::unordered_map<Id, unsigned> uses;  // Bit 0 is set if a variable is read, and bit 1 if it is
+                                            // written.
     const auto root = [&](Id id) {
       const auto found = from.find(id);
       return found == from.end() ? id : found->second;

@@ -299,7 +299,7 @@ class Races {
   Writing writing_;
   bool hlsl_;
   std::uint32_t guards_;
-  Report* report_;  ///< report for check(); nullptr in the record variant
+  Report* report_;  ///< report for the check variant; nullptr in the record variant
   Position at_;
   Chains chains_;
   std::map<Id, Id> shadows_;  ///< shadow buffers by variable

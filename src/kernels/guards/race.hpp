@@ -3,12 +3,12 @@
 
 namespace simreel::kernels {
 
-/// Suffix of the shadow block, which records for each word of a buffer or texel of an image which
-/// invocation changed it.
+/// Suffix of the name of a shadow block. For each word of a buffer or texel of an image, the shadow block
+/// records which invocation changed it.
 inline constexpr const char* shadowSuffix = ".shadow";
-/// Number of shadow words per word of a buffer or texel of an image. They hold the highest invocation
-/// (counted from 1) that changed the bits, the complement of the lowest stored value, and the highest
-/// stored value.
+/// Number of shadow words per word of a buffer or texel of an image. The shadow words hold the index of the
+/// highest invocation (counted from 1) that changed the bits, the complement of the lowest stored value,
+/// and the highest stored value.
 inline constexpr std::uint32_t shadowWords = 3;
 
 /// Adds code that fills the shadows of all buffers and images that a kernel stores to, except arrays of

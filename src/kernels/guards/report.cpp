@@ -24,7 +24,7 @@ Id placeType(Module& module) {
   return made;
 }
 
-/// Returns the variable of the report block; creates it if it does not exist.
+/// Returns the variable of the report block. Creates the variable if it does not exist.
 Id blockVariable(Module& module) {
   for (const Instruction& one : module.globals)
     if (one.op == SpvOpVariable && one.operands[0] == SpvStorageClassStorageBuffer &&

@@ -13,17 +13,17 @@ namespace simreel::kernels {
 /// Name of the storage block of reports.
 inline constexpr const char* reportBlock = "simreel_Report";
 
-/// The places where a kernel can cause a fault, and the code that records faults. An invocation stores its
-/// first fault in private variables, at the cost of one comparison per access, and adds it to the report
-/// block when it ends. (llvmpipe executes both sides of every branch, so an atomic operation at each access
-/// would be slow.)
+/// The source positions at which a kernel can cause a fault, and the code that records faults. An
+/// invocation stores its first fault in private variables, at the cost of one comparison per access, and
+/// adds it to the report block when the invocation ends. (llvmpipe executes both sides of every branch, so
+/// an atomic operation at each access would be slow.)
 class Report {
  public:
   explicit Report(const Files& files) : files_(files) {}
   [[nodiscard]] const Files& files() const { return files_; }
 
-  /// Returns the index of a place. Each combination of kind, name, part and line has one place. `what` is
-  /// the name in the user's source.
+  /// Returns the index of a place. There is one place for each combination of kind, name, part and line.
+  /// `what`: name in the user's source.
   std::uint32_t place(const char* kind, const std::string& what, const Position& at,
                       const std::string& part = {});
   /// Finds the values that a module uses only under conditions.
@@ -58,7 +58,7 @@ class Report {
   Excuses excuses_;
   const std::vector<std::pair<Id, bool>>* excuse_ = nullptr;  ///< conditions of the current value; nullptr
                                                               ///< if it is always used
-  const Module* known_ = nullptr;                             ///< the module that function_ belongs to
+  const Module* known_ = nullptr;                             ///< module to which function_ belongs
   Id function_ = 0, begin_ = 0;
 };
 

@@ -15,8 +15,8 @@ namespace simreel::kernels {
 namespace {
 
 /// Constants for tags. A tag combines the number of barriers so far with the index of an invocation in the
-/// workgroup. Each word of shared memory has three tags: one for the highest invocation that changed it,
-/// and two for the highest and lowest invocation that read it.
+/// workgroup. Each word of shared memory has three tags. One is for the highest invocation that changed the
+/// word, and two are for the highest and lowest invocation that read it.
 constexpr std::uint32_t tagsOfWord = 3, tagBits = 11, mostInvocations = 1024;
 
 class Shared {
@@ -142,8 +142,8 @@ class Shared {
     low_ = binary(SpvOpBitwiseOr, begun, binary(SpvOpISub, number(mostInvocations), local_));
   }
 
-  /// Emits the invocation of a tag, and a bool that is true if this is another invocation that accessed the
-  /// word since the last barrier. If `low` is true, the tag belongs to the lowest invocation.
+  /// Emits the index of the invocation in a tag, and a bool. The bool is true if this is another invocation
+  /// that accessed the word since the last barrier. `low`: true if the tag is for the lowest invocation.
   std::pair<Id, Id> other(Id tag, bool low) {
     const Id kept = binary(SpvOpBitwiseAnd, tag, number((1U << tagBits) - 1));
     const Id who =

@@ -35,11 +35,12 @@ class WordsIn {
 
   struct Access {
     Id type = 0;               ///< type that the pointer points to
-    Id first = 0;              ///< id of the index of the access's first word
+    Id first = 0;              ///< id of the word index at which the access begins
     Id element = 0;            ///< id of the user's index into the outermost array; 0 if there is no array
     Id array = 0;              ///< type of the outermost array; 0 if there is no array
     std::uint32_t member = 0;  ///< index of the block member that is the outermost array
-    std::uint32_t step = 1;    ///< words from one component to the next; more than 1 for row-major matrices
+    std::uint32_t step = 1;    ///< distance in words between consecutive components; more than 1 for
+                               ///< row-major matrices
     std::string what, part;    ///< names of the array and of the element's member, for messages
   };
   Access access(Writing& writing, const PointerChain& chain);
@@ -66,7 +67,7 @@ class WordsIn {
 
   Module& module_;
   bool packed_;
-  Matrix last_;  ///< layout of matrices in the target of the last access
+  Matrix last_;  ///< matrix layout of the memory that the last access addressed
 };
 
 }  // namespace simreel::kernels

@@ -10,10 +10,11 @@ namespace simreel::kernels {
 struct Member {
   std::string name;
   std::string type;                ///< type in the source: "float3" or "Particle" in HLSL, "vec3" in GLSL
-  std::size_t offset = 0;          ///< bytes from the start of the enclosing buffer, block or struct
-  std::size_t bytes = 0;           ///< size of one element, without trailing padding
+  std::size_t offset = 0;          ///< offset in bytes from the start of the enclosing buffer, block or
+                                   ///< struct
+  std::size_t bytes = 0;           ///< size of one element in bytes, without trailing padding
   std::vector<std::size_t> array;  ///< array lengths, outermost first; 0 for an unsized array
-  std::size_t stride = 0;          ///< bytes between elements of an array
+  std::size_t stride = 0;          ///< distance in bytes between consecutive array elements
   std::vector<Member> members;     ///< members of a struct
   bool used = true;                ///< true if the kernel reads the member; meaningful only in a uniform
                                    ///< block
@@ -33,15 +34,16 @@ struct Buffer {
   /// zeros before the recording run.
   std::string shadowOf;
   int shadowWords = 0;
-  int guards = 0;  ///< number of extra elements after the buffer's end: one that is always zero, one that
-                   ///< receives dropped writes
+  int guards = 0;  ///< number of extra elements after the buffer's end; the first one is always zero, and
+                   ///< the second one receives dropped writes
   std::vector<Member> members;
 };
 
 /// A texture or image, which has its own binding.
 struct Texture {
   std::string name;
-  std::string type;     ///< "2D", "3D", "2DArray", "Cube", "Buffer", "1D"; "2D[4]" for an array
+  std::string type;     ///< type of the texture: "2D", "3D", "2DArray", "Cube", "Buffer" or "1D"; "2D[4]"
+                        ///< for an array
   std::string values;   ///< component type: "float", "int" or "uint"
   std::string format;   ///< format of an image, such as "rgba32f"; empty for a texture
   std::string sampler;  ///< name of the sampler; empty if the texture is read only by texelFetch
@@ -73,13 +75,13 @@ struct Block {
 /// the dispatch is run again from the same state with word 0 set to 0x80000000, word 1 unchanged, and words
 /// 2 and 3 reset.
 struct Place {
-  /// Kind of the fault. "read" and "write": an access out of bounds. "loop": a loop at its limit. "loops":
-  /// loops that the driver ended. "race-read" and "race-write": an access to an element that another
-  /// invocation changes.
+  /// Kind of the fault. "read" and "write": an out-of-bounds access. "loop": a loop that reached the limit.
+  /// "loops": loops that the driver ended. "race-read" and "race-write": an access to an element that
+  /// another invocation changes.
   std::string kind;
   /// Name in the user's source of the indexed buffer, texture, array or struct member. Empty for loops.
   std::string what;
-  std::string part;  ///< for a texture access out of bounds: the axis "x", "y" or "z"; for a race: the
+  std::string part;  ///< for an out-of-bounds texture access, the axis "x", "y" or "z"; for a race, the
                      ///< member of the element
   std::string file;  ///< file name for messages
   int line = 0;

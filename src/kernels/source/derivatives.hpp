@@ -7,10 +7,10 @@ namespace simreel::kernels {
 [[nodiscard]] bool usesDerivatives(const std::string& text);
 
 /// Returns the functions dFdx, dFdy and fwidth for a ShaderToy pass that runs as a compute shader.
-/// mainImage() runs three times for each pixel: for its neighbour in x and its neighbour in y within the
-/// same 2x2 pixels, then for the pixel itself. The n-th call of a derivative function returns the
-/// difference between the arguments of the n-th calls of the runs. Calls after the 64th return 0, and so do
-/// calls that the neighbour does not make.
+/// mainImage() runs three times for each pixel: for the pixel's neighbour in x and neighbour in y within
+/// the same 2x2 pixels, then for the pixel. The n-th call of a derivative function returns the difference
+/// between the arguments of the n-th calls of the runs. Calls after the 64th return 0, as do calls that the
+/// run of the neighbour does not make.
 [[nodiscard]] std::string derivativeFunctions();
 
 /// Returns the statements that run mainImage() three times. Global variables that the text assigns to are

@@ -22,15 +22,16 @@ void shortenUnsigned(const std::vector<Token>& all, Edits& edits) {
   }
 }
 
-/// Replaces typed buffers, "Buffer<float4>", by structured buffers. Both read and write whole elements.
+/// Replaces typed buffers, such as "Buffer<float4>", by structured buffers. Both types read and write whole
+/// elements.
 void restructure(const std::vector<Token>& all, Edits& edits) {
   for (std::size_t i = 0; i + 1 < all.size(); ++i)
     if ((all[i].text == "Buffer" || all[i].text == "RWBuffer") && all[i + 1].text == "<")
       edits.insert(all[i].at + all[i].text.size() - std::string_view("Buffer").size(), "Structured");
 }
 
-/// Returns the index of the token that closes the braces at or after token `i`; the token count if the
-/// braces are not closed.
+/// Returns the index of the token that closes the braces at or after token `i`. Returns the token count if
+/// the braces are not closed.
 std::size_t closing(const std::vector<Token>& all, std::size_t i) {
   while (i < all.size() && (all[i].text != "{" || all[i].directive)) ++i;
   const int outside = i < all.size() ? all[i].depth : 0;

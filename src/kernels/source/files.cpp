@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* unityFolder = "kernels/unity/";
 
-/// Returns the index of `token` in a line, preferably as a whole word, else as a substring.
+/// Returns the index of `token` in a line. Prefers a whole word to a substring.
 std::size_t findToken(std::string_view line, std::string_view token) {
   if (token.empty()) return std::string_view::npos;
   for (std::size_t at = line.find(token); at != std::string_view::npos; at = line.find(token, at + 1)) {
@@ -30,7 +30,7 @@ std::size_t findToken(std::string_view line, std::string_view token) {
   return line.find(token);
 }
 
-/// Returns the embedded replacement of a Unity file; nullptr if none exists.
+/// Returns the embedded replacement of a Unity file, or nullptr if there is none.
 const char* unityFile(const std::string& name) {
   constexpr std::string_view package = "Packages/com.unity.render-pipelines.core/ShaderLibrary/";
   const std::string wanted =
@@ -73,7 +73,7 @@ bool isUnitys(std::string_view name) {
          name == "TerrainEngine.cginc";
 }
 
-/// Lists the Unity files that the program has replacements for.
+/// Returns the names of the Unity files for which the program has replacements.
 std::string unityFiles() {
   std::string names;
   for (const gl::EmbeddedShader& shader : gl::embeddedShaders()) {

@@ -42,7 +42,7 @@ class Files {
                                      std::string& reason);
 
   [[nodiscard]] std::size_t count() const { return files_.size(); }
-  /// Returns the text for the compiler: line ends, byte order mark and unsupported syntax are normalised.
+  /// Returns the text for the compiler. Line ends, byte order mark and unsupported syntax are normalised.
   /// Each character keeps its line and column.
   [[nodiscard]] const std::string& text(std::size_t file) const { return files_[file].text; }
   /// Returns the text with remedies applied. The reference is valid until the remedies change.
@@ -52,7 +52,8 @@ class Files {
   /// Returns the paths of the user's files, without embedded files.
   [[nodiscard]] std::vector<std::filesystem::path> read() const;
 
-  /// Throws a UserError that contains "file:line:column: error: message" and a caret for each mistake.
+  /// Throws a UserError whose message contains "file:line:column: error: message", the source line and a
+  /// caret for each mistake.
   [[noreturn]] void fail(const std::vector<Mistake>& mistakes) const;
 
  private:
@@ -72,7 +73,7 @@ class Files {
   std::size_t bytes_ = 0;
 };
 
-/// Returns the text with comments replaced by spaces; all other characters keep their positions.
+/// Returns the text with comments replaced by spaces. All other characters keep their positions.
 [[nodiscard]] std::string withoutComments(std::string_view text);
 
 }  // namespace simreel::kernels

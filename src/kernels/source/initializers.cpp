@@ -15,7 +15,7 @@ namespace simreel::kernels {
 
 namespace {
 
-/// A variable's type and array lengths, outermost first. Length 0 stands for "[]".
+/// Type of a variable, and its array lengths, outermost first. Length 0 stands for "[]".
 struct Variable {
   std::string_view type;
   std::vector<int> lengths;
@@ -84,7 +84,7 @@ struct Item {
 /// Assigns the items of an initializer list to the scalars of a type, in order.
 class Fill {
  public:
-  /// If `vectors` is true, an item of unknown size fills a whole vector; otherwise, it is one scalar.
+  /// `vectors`: true if an item of unknown size has as many scalars as a vector, false if it is one scalar.
   Fill(const Structs& structs, const std::vector<Item>& items, bool vectors)
       : structs_(structs), items_(items), vectors_(vectors) {}
 

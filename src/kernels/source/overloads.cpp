@@ -11,8 +11,8 @@ namespace simreel::kernels {
 
 namespace {
 
-constexpr std::size_t mostShortened = 5;  // maximum number of parameters of one function that are
-                                          // shortened; n such parameters give 2^n - 1 overloads
+constexpr std::size_t mostShortened = 5;  // max number of shortened parameters of one function; n shortened
+                                          // parameters make 2^n - 1 overloads
 
 /// A parameter of a function.
 struct Parameter {

@@ -85,7 +85,7 @@ void blankConstOfGlobals(std::string& text, std::string_view code) {
   });
 }
 
-/// Returns the word after optional whitespace at `at`; empty if none exists.
+/// Returns the word after optional whitespace at `at`. Returns an empty text if there is no word.
 std::string_view wordAt(std::string_view code, std::size_t& at) {
   at = std::min(code.find_first_not_of(" \t\n", at), code.size());
   const std::size_t begin = at;
@@ -95,7 +95,7 @@ std::string_view wordAt(std::string_view code, std::size_t& at) {
 
 /// Adds declarations for loop variables. In Microsoft's older rules a variable declared in a loop header
 /// exists until the end of the function, so "for (i = 0;" may follow "for (uint i = 0;". The later loop
-/// gets a declaration of its own.
+/// gets a separate declaration.
 class LoopVariables {
  public:
   static std::string declared(const std::string& text) {

@@ -35,8 +35,8 @@ Announced announced(const std::vector<std::string>& words, int line) {
   return kernel;
 }
 
-/// Returns true if a function can be a kernel: it returns nothing, and its parameters have semantics. The
-/// function's name begins at `name`, and `open` is the bracket after it.
+/// True if a function can be a kernel. A kernel returns nothing, and its parameters have semantics. `name`:
+/// position of the function's name. `open`: position of the bracket after the name.
 bool canBeKernel(const std::string& code, std::size_t name, std::size_t open) {
   std::size_t last = name;
   while (last > 0 && std::isspace(static_cast<unsigned char>(code[last - 1])) != 0) --last;

@@ -9,7 +9,7 @@ namespace simreel::kernels {
 
 enum class Language { hlsl, glsl };
 
-/// A kernel that its file declares, by "#pragma kernel" or otherwise.
+/// A kernel that a file declares, with "#pragma kernel" or in another way.
 struct Announced {
   std::string name;
   std::vector<std::pair<std::string, std::string>> defines;
@@ -23,8 +23,8 @@ struct Announcements {
   std::vector<std::vector<std::string>>
       keywords;  ///< lists of keywords, of which exactly one per list is active; "_" stands for no keyword
 
-  /// Returns the active keywords: from each list the chosen keyword, else the first. Chosen keywords that
-  /// are in no list are added to `unknown`.
+  /// Returns the active keywords. Each list contributes the chosen keyword, or its first one if none was
+  /// chosen. Chosen keywords that are in no list are added to `unknown`.
   [[nodiscard]] std::vector<std::string> held(const std::vector<std::string>& chosen,
                                               std::vector<std::string>& unknown) const;
 };

@@ -19,12 +19,12 @@ struct Remedies {
   /// Names of constants that the shader assigns to. Each invocation gets a variable with that name,
   /// initialised with the constant's value.
   std::set<std::string, std::less<>> assigned;
-  /// Names of textures and buffers whose member Length is used.
+  /// Names of textures and buffers whose member `Length` is used.
   std::set<std::string, std::less<>> measured;
-  /// Lines that redefine a macro: index of the file, and the line.
+  /// Lines that redefine a macro, each as the index of the file and the line number.
   std::set<std::pair<std::size_t, int>> redefined;
-  /// Names of newer and older functions that are used: "select", "and" and "or" of HLSL 2021; "tex2D" for
-  /// samplers of Direct3D 9.
+  /// Names of used functions from newer or older versions of HLSL: "select", "and" and "or" of HLSL 2021;
+  /// "tex2D" for samplers of Direct3D 9.
   std::set<std::string, std::less<>> functions;
   /// Names of namespaces that are removed, because in glslang methods of their structs would not find the
   /// namespace's functions.
@@ -38,15 +38,15 @@ struct Remedies {
   /// Objects "ConstantBuffer<T> x" that become blocks with one member, so that they convert to their
   /// struct.
   std::set<std::string, std::less<>> unpacked;
-  /// Files whose flat initializers have been replaced by nested ones.
+  /// Files whose flat initializer lists get nested braces.
   std::set<std::size_t> nested;
-  /// Initializers of static variables that call functions, which glslang does not support. `starts` holds
-  /// the statements that replace the initializers, `searched` the indices of the files that were searched,
-  /// and `started` the kernels that begin with the statements.
+  /// Initializers of static variables that call functions, which glslang does not support. `starts`:
+  /// statements that replace the initializers. `searched`: indices of the files that were searched for
+  /// them. `started`: kernels that begin with the statements.
   std::string starts;
   std::set<std::size_t> searched;
   std::set<std::string, std::less<>> started;
-  /// Further changes to the text of files, by index of the file.
+  /// Further changes to the texts of files, by index of the file.
   std::map<std::size_t, Edits> edits;
 
   [[nodiscard]] std::size_t count() const {

@@ -28,12 +28,12 @@ struct Scan {
 /// Scans all files that have been read for a shader.
 [[nodiscard]] std::deque<Scan> scans(const Files& files);
 
-/// Returns the index of the bracket that closes the bracket "(", "[" or "{" at token `open`. Returns the
-/// number of tokens if none exists.
+/// Returns the index of the bracket that matches the opening bracket "(", "[" or "{" at token `open`.
+/// Returns the number of tokens if there is no such bracket.
 [[nodiscard]] std::size_t closingBracket(const std::vector<Token>& all, std::size_t open);
 
-/// Splits the tokens from `begin` to `end` at commas outside brackets. Each part is a pair of indices
-/// [begin, end).
+/// Splits the tokens from `begin` to `end` at commas outside brackets. Each part is a pair of token
+/// indices: the first token, and the token after the last one.
 [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> parts(const std::vector<Token>& all,
                                                                      std::size_t begin, std::size_t end);
 
@@ -49,7 +49,7 @@ struct Numeric {
   [[nodiscard]] int count() const { return rows * columns; }
 };
 
-/// Returns the size of a numeric type; nullopt for other types.
+/// Returns the size of a numeric type, or nullopt for other types.
 [[nodiscard]] std::optional<Numeric> numeric(std::string_view type);
 
 /// Returns the value of an integer literal, or of a macro or constant with such a value.

@@ -12,7 +12,7 @@ struct Token {
   std::string_view text;
   std::size_t at = 0;
   int depth = 0;  ///< number of enclosing braces; Unity's CBUFFER_START and CBUFFER_END count as braces
-  bool directive = false;  ///< true in a preprocessor line
+  bool directive = false;  ///< true for a token of a preprocessor line
 
   [[nodiscard]] std::size_t end() const { return at + text.size(); }
   [[nodiscard]] bool isWord() const;
@@ -38,7 +38,7 @@ struct Declaration {
   std::size_t end = 0;  ///< position after the semicolon
 };
 
-/// Returns the global variables of a text; `tokens` are the text's tokens.
+/// Returns the global variables of a text. `tokens`: tokens of the text.
 [[nodiscard]] std::vector<Declaration> globals(std::string_view code, const std::vector<Token>& tokens);
 
 /// A list of replacements in a text. They are applied from the last to the first, so that positions stay

@@ -10,7 +10,7 @@ namespace simreel::kernels {
 /// iDate, iSampleRate, iChannelTime, iChannelResolution and iChannel0 to iChannel3. If `derivatives` is
 /// true, adds dFdx(), dFdy() and fwidth().
 [[nodiscard]] std::string textBefore(const std::string& pass, bool derivatives);
-/// Returns the kernel that calls mainImage() of a text for each pixel. It is appended to the text.
+/// Returns a kernel to append to the text. The kernel calls the text's mainImage() for each pixel.
 [[nodiscard]] std::string textBehind(const std::string& text, const std::string& pass, bool upsideDown);
 
 }  // namespace simreel::kernels

@@ -33,7 +33,7 @@ std::uint32_t narrow(std::uint64_t bound) {
   return bound < unknown ? static_cast<std::uint32_t>(bound) : unknown;
 }
 
-/// Returns the comparison that holds exactly if `op` does not hold; OpNop for other operations.
+/// Returns the comparison that holds exactly if `op` does not hold. Returns OpNop for other operations.
 SpvOp opposite(SpvOp op) {
   switch (op) {
     case SpvOpUGreaterThanEqual:
@@ -130,7 +130,7 @@ const Instruction* Facts::made(Id value) const {
   return found == made_.end() ? nullptr : &body_[found->second];
 }
 
-/// Returns the value before changes of signedness.
+/// Returns the original value if `value` only changes the signedness of another value.
 Id Facts::plain(Id value) const {
   const Instruction* one = made(value);
   return one != nullptr && one->op == SpvOpBitcast ? plain(one->operands[0]) : value;
@@ -178,7 +178,8 @@ std::uint32_t Facts::fromParts(const Instruction& one, Id block, int depth) cons
   }
 }
 
-/// Returns the function input that a parameter's variable holds. Returns other variables unchanged.
+/// If a variable holds a parameter of a function, returns the function's argument. Returns other variables
+/// unchanged.
 Id Facts::inputOf(Id variable) const {
   const auto found = stored_.find(variable);
   const Instruction* value = found == stored_.end() ? nullptr : made(found->second);
@@ -254,8 +255,8 @@ std::uint32_t Facts::fromComparison(SpvOp op, Id value, std::uint32_t limit, Id 
   }
 }
 
-/// Returns true for a loop counter that starts at a constant and is increased by a constant, but only after
-/// the comparison that leads to `block` has held.
+/// True for a loop counter that starts at a constant and is increased by a constant only after the
+/// comparison that leads to `block` has held.
 bool Facts::countsUp(Id value, Id block) const {
   const Instruction* phi = made(value);
   if (phi == nullptr || phi->op != SpvOpPhi || phi->operands.size() != 4) return false;

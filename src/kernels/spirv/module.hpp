@@ -15,7 +15,7 @@ namespace simreel::kernels {
 using Id = std::uint32_t;
 using Words = std::vector<std::uint32_t>;
 
-/// One SPIR-V instruction. `type` and `result` are 0 if it has none.
+/// One SPIR-V instruction. `type` and `result` are 0 if the instruction has none.
 struct Instruction {
   SpvOp op = SpvOpNop;
   Id type = 0, result = 0;
@@ -41,11 +41,11 @@ class Module {
   [[nodiscard]] Id bound() const { return bound_; }
   void setBound(Id bound) { bound_ = bound; }
 
-  /// Returns the type of a value or variable; 0 if it has none.
+  /// Returns the type of a value or variable, or 0 if it has no type.
   [[nodiscard]] Id typeOf(Id value) const;
   /// Records the type of a value that a pass creates.
   void noteType(Id value, Id type) { types_[value] = type; }
-  /// Returns the global instruction that defines an id; nullptr if the id is defined in a function.
+  /// Returns the global instruction that defines an id, or nullptr if the id is defined in a function.
   [[nodiscard]] const Instruction* global(Id id) const;
   /// Returns a type or constant with these operands, and creates it if it does not exist. Must not be used
   /// for structs or arrays.
@@ -53,7 +53,7 @@ class Module {
   /// Appends a type, constant or variable.
   Id addGlobal(SpvOp op, Id type, const Words& operands);
   void decorate(Id id, SpvDecoration what, const Words& values = {});
-  /// Returns the value of a 32-bit constant; nullopt for another id.
+  /// Returns the value of a 32-bit constant, or nullopt if the id is not a 32-bit constant.
   [[nodiscard]] std::optional<std::uint32_t> constant(Id id) const;
 
   Id floatType();
@@ -62,11 +62,11 @@ class Module {
   Id boolType();
   Id vectorType(Id component, std::uint32_t length);
   Id uintConstant(std::uint32_t value);
-  /// Returns the id of the GLSL.std.450 import. If none exists, adds it if `make` is true, else returns
-  /// 0.
+  /// Returns the id of the GLSL.std.450 import. If there is no import, adds one if `make` is true, and
+  /// otherwise returns 0.
   Id extendedSet(bool make = true);
 
-  /// Returns the OpName of an id; empty if it has none.
+  /// Returns the OpName of an id, or an empty text if the id has no OpName.
   [[nodiscard]] std::string name(Id id) const;
   [[nodiscard]] std::string memberName(Id type, std::uint32_t member) const;
   /// Returns the text of an OpString.
@@ -77,8 +77,8 @@ class Module {
   [[nodiscard]] std::optional<std::uint32_t> memberDecoration(Id type, std::uint32_t member,
                                                               SpvDecoration what) const;
 
-  /// Returns glslang's mangled parameter type: "f1", "vf3", "mf43" (columns, rows), "i1", "vu2", "b1"; "?"
-  /// for other types.
+  /// Returns glslang's mangled parameter type: "f1", "vf3", "mf43" (columns, rows), "i1", "vu2" or "b1".
+  /// Returns "?" for other types.
   [[nodiscard]] std::string signature(Id type) const;
   /// Rebuilds all lookup tables after a pass has moved instructions.
   void index();

@@ -23,7 +23,7 @@ class Writing {
   }
   void put(SpvOp op, Words operands) { to_.push_back({op, 0, 0, std::move(operands)}); }
   void label(Id id) { to_.push_back({SpvOpLabel, 0, id, {}}); }
-  /// Opens an if block: the instructions that follow run only if the condition is true. Returns the label
+  /// Opens an if block. The instructions that follow run only if the condition is true. Returns the label
   /// for close().
   Id open(Id condition) {
     const Id inner = module_.fresh(), merge = module_.fresh();
@@ -43,8 +43,8 @@ class Writing {
     put(SpvOpFunctionEnd, {});
   }
 
-  /// Emits `a` if the scalar condition is true, else `b`. `result` is an existing id for the result, or 0
-  /// for a new id.
+  /// Emits `a` if the scalar condition is true, and otherwise `b`. `result`: existing id for the result, or
+  /// 0 for a new one.
   Id select(Id condition, Id type, Id a, Id b, Id result = 0);
   /// asUint() and asInt() bitcast an integer to unsigned and signed.
   Id asUint(Id value) { return cast(value, module_.uintType()); }
@@ -66,7 +66,7 @@ class Writing {
 void giveName(Module& module, Id id, const std::string& name);
 void giveMemberName(Module& module, Id type, std::uint32_t member, const std::string& name);
 
-/// Returns the input variable of a built-in integer vector; creates it if it does not exist.
+/// Returns the input variable of a built-in integer vector. Creates the variable if it does not exist.
 Id builtIn(Module& module, SpvBuiltIn what, std::uint32_t length = 3);
 
 /// Returns the number of threads of a workgroup in x, y and z.

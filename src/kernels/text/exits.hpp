@@ -4,8 +4,8 @@
 namespace simreel::kernels {
 
 /// Inserts a block between the test of a loop and the loop's merge block, if the merge block has phis.
-/// SPIRV-Cross writes such a loop as `for (; test;)` and leaves out the values that the phis have if the
-/// test fails. Undefined values become zero.
+/// Otherwise SPIRV-Cross would write the loop as `for (; test;)` and leave out the values that the phis
+/// have if the test fails. Undefined values become zero.
 void splitLoopExits(Module& module);
 
 }  // namespace simreel::kernels

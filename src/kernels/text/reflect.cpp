@@ -202,8 +202,8 @@ void describeImage(const Module& module, const Instruction& image, Texture& text
 
 namespace {
 
-/// The indices of the running invocation and its workgroup in the module's code: pointers to a whole index,
-/// and loaded values of it.
+/// The ids in the module's code for the indices of the running invocation and of its workgroup. They are
+/// pointers to such an index, and values loaded from it.
 class Numbers {
  public:
   explicit Numbers(const Module& module) {

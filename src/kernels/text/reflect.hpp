@@ -5,8 +5,8 @@
 
 namespace simreel::kernels {
 
-/// Returns the workgroup size, buffers, images and blocks of a module after layOut(). writeGlsl() adds the
-/// textures, because it combines them with samplers.
+/// Returns the workgroup size, buffers, images and blocks of a module after layOut(). The result has no
+/// textures. writeGlsl() adds them, because it combines textures with samplers.
 [[nodiscard]] Kernel reflected(const Module& module, Language language);
 
 /// Returns the axes along which a module reads the index of its invocation or workgroup, as in

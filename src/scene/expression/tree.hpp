@@ -28,7 +28,7 @@ enum class Operation : std::uint8_t {
   min,
   max,
   clamp,  ///< min(max(x, low), high)
-  step,   ///< step(edge, x): 0 if x < edge, else 1
+  step,   ///< step(edge, x): 0 if x < edge, otherwise 1
   abs,
   floor,
   sqrt,
@@ -50,8 +50,8 @@ enum class Operation : std::uint8_t {
   corners,  ///< sum over the 4 cells that share only a corner with the cell; in a volume, over the 12 that
             ///< share only an edge
   around,   ///< sum over all 8 adjacent cells, 26 in a volume; on a mesh the same as `neighbours`
-  noise,    ///< noise(k): pseudo-random number in -1..1, new in every cell and step
-  random,   ///< random(k): pseudo-random number in -1..1, new in every cell, constant in time
+  noise,    ///< noise(k): pseudo-random number from -1 to 1, different in every cell and step
+  random,   ///< random(k): pseudo-random number from -1 to 1, different in every cell, constant in time
 };
 
 /// Built-in function of the expression language.
@@ -69,8 +69,9 @@ struct ExpressionTree {
     Operation operation = Operation::number;
     double number = 0;
     std::string name;
-    int arguments[3] = {-1, -1, -1};  ///< indices of the argument nodes; -1: unused
-    std::size_t begin = 0, end = 0;   ///< byte range [begin, end) in the expression's text
+    int arguments[3] = {-1, -1, -1};  ///< indices of the argument nodes; -1 if unused
+    std::size_t begin = 0, end = 0;   ///< byte range in the expression's text; `begin` is included, `end`
+                                      ///< is not
   };
   std::vector<Node> nodes;
 
@@ -80,7 +81,7 @@ struct ExpressionTree {
   [[nodiscard]] std::string text() const;
 };
 
-/// Error in an expression, with its byte range [begin, end) in the text.
+/// Error in an expression. The byte range in the text includes `begin` but not `end`.
 struct ExpressionMistake {
   std::size_t begin = 0, end = 0;
   std::string message;

@@ -180,7 +180,7 @@ std::string Diagnostics::report() const {
   for (std::size_t i = 0; i < std::min(maxShown, ordered.size()); ++i)
     out += describe(*ordered[i], "error");
   if (count_ > maxShown) out += fmt::format("and {} more\n", count_ - maxShown);
-  if (!out.empty()) out.pop_back();  // removes the final newline, which callers add
+  if (!out.empty()) out.pop_back();  // Removes the final newline, because callers add one.
   return out;
 }
 

@@ -23,7 +23,7 @@ struct Problem {
   std::string message;
 };
 
-/// Collects all errors of a scene and prints them in the order of their places.
+/// Collects all errors of a scene and prints them, sorted by source position.
 class Diagnostics {
  public:
   /// `text` must outlive this object.
@@ -72,13 +72,14 @@ class Diagnostics {
   /// Returns the entries sorted by place. Entries at the same place stay in the order in which they were
   /// found.
   [[nodiscard]] static std::vector<const Error*> inOrder(const std::vector<Error>& found);
-  /// Byte range [begin, end) of a line, and the index `at` of the byte in it where a place begins.
+  /// Byte range of a line, from `begin` to before `end`. `at`: index of the byte in the line at which a
+  /// place begins.
   struct Line {
     std::size_t begin, end, at;
   };
   [[nodiscard]] std::string_view sourceText(int source) const;
   [[nodiscard]] Line lineOf(Place place) const;
-  /// Position from 1, the column in code points.
+  /// Line and column, counted from 1. The column counts code points.
   struct Position {
     int line, column;
   };

@@ -58,14 +58,15 @@ std::string explainString(std::string_view what, char last) {
 }
 
 /// Explains an unknown word, or a character that cannot start a token. The parser stops at the first wrong
-/// character, so the word is searched for on both sides of it.
+/// character, so the word is searched for on both sides of this character.
 SyntaxError explainLiteral(std::string_view text, std::size_t last) {
   std::size_t begin = last;
   if (isWord(text[last])) {
     while (begin > 0 && isWord(text[begin - 1])) --begin;
   } else {
     while (begin > 0 && std::isalpha(static_cast<unsigned char>(text[begin - 1])) != 0) --begin;
-    // The error covers letters before this character only if they begin true, false or null, as in `tru}`.
+    // The error covers letters before the wrong character only if they begin true, false or null, as in
+    // `tru}`.
     if (begin < last && std::string_view("tfn").find(text[begin]) == std::string_view::npos) begin = last;
   }
   std::size_t end = begin;
@@ -143,7 +144,7 @@ SyntaxError explainSyntaxError(std::string_view text, std::size_t consumed, std:
   if (says("unexpected string literal")) {
     begin = openingQuote(text, last);
   } else if (says("unexpected number literal")) {
-    if (!isPartOfNumber(text[last])) --end;  // the parser has read one character past the number
+    if (!isPartOfNumber(text[last])) --end;  // The parser has read one character past the number.
     for (begin = end; begin > 0 && isPartOfNumber(text[begin - 1]);) --begin;
   } else if (isWord(text[last])) {
     while (begin > 0 && isWord(text[begin - 1])) --begin;

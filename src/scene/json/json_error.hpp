@@ -5,15 +5,15 @@
 
 namespace simreel::scene {
 
-/// Syntax error with its own message, at bytes [begin, end) of the text.
+/// Syntax error with its message. The byte range in the text includes `begin` but not `end`.
 struct SyntaxError {
   std::size_t begin;
   std::size_t end;
   std::string message;
 };
 
-/// Returns the index of the last unescaped quote before byte `end`: the opening quote of a string that is
-/// closed at `end` or not at all.
+/// Returns the index of the last unescaped quote before byte `end`. This is the opening quote of a string
+/// that is closed at `end` or not at all.
 [[nodiscard]] std::size_t openingQuote(std::string_view text, std::size_t end);
 
 /// True if the character can be part of a number.

@@ -67,7 +67,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     if (node != nullptr) node->text = std::move(value);
     return node != nullptr;
   }
-  bool binary(binary_t& /*value*/) override { return false; }  // JSON text has no binary values
+  bool binary(binary_t& /*value*/) override { return false; }  // JSON text has no binary values.
   bool start_object(std::size_t /*count*/) override { return open(Node::Kind::object); }
   bool start_array(std::size_t /*count*/) override { return open(Node::Kind::list); }
   bool end_object() override { return close(); }
@@ -90,7 +90,8 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
 
  private:
   struct Open {
-    Node* node;  ///< stays valid: the parent adds no children before this one is closed
+    Node* node;  ///< The pointer stays valid, because the parent adds no children until this node is
+                 ///< closed.
     std::unordered_set<std::string> keys;
   };
 

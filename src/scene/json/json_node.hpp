@@ -15,13 +15,13 @@ inline constexpr std::size_t maxSceneBytes = std::size_t{4} << 20;
 inline constexpr std::size_t maxDepth = 64;
 inline constexpr std::size_t maxValues = 1'000'000;
 
-/// JSON value with its place in the source text.
+/// JSON value with its position in the source text.
 struct Node {
   enum class Kind : std::uint8_t { null, boolean, number, text, list, object };
 
   Kind kind = Kind::null;
   bool boolean = false;
-  int source = 0;  ///< number of the source (see Place)
+  int source = 0;  ///< source number, as in Place
   double number = 0.0;
   std::string text;
   std::vector<Node> children;  ///< items of a list or members of an object, in file order

@@ -9,7 +9,8 @@ namespace simreel::scene {
 
 namespace {
 
-/// Finds the innermost node around a place; an override's node lies within nodes of other sources.
+/// Finds the innermost node that contains a place. A node of an override lies within nodes of other
+/// sources.
 bool find(const Node& node, Place place, std::string& path) {
   for (std::size_t i = 0; i < node.children.size(); ++i) {
     const Node& child = node.children[i];

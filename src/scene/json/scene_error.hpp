@@ -11,10 +11,10 @@ namespace simreel::scene {
 /// "objects.flag.cloth.size". Items of lists are numbered from 0. Empty if no member contains it.
 [[nodiscard]] std::string pathAt(const Node& root, Place place);
 
-/// All errors of a scene text: as a report for people, and one by one for programs.
+/// All errors of a scene text. The message lists them for people, and a list holds them for programs.
 class SceneError : public UserError {
  public:
-  /// `root`: the scene, which gives the paths; null if the text has no values.
+  /// `root`: the scene, from which paths are computed; null if the text has no values.
   SceneError(const Diagnostics& diagnostics, const Node* root);
   [[nodiscard]] const std::vector<Problem>& problems() const { return problems_; }
 

@@ -71,8 +71,8 @@ std::string suggestion(std::string_view unknown, std::span<const std::string> na
   const std::string* best = nullptr;
   std::size_t bestDistance = std::max<std::size_t>(1, unknown.size() / 3) + 1;
   for (const std::string& name : names) {
-    // The distance is at least the difference in length, so such names are skipped. This also bounds the
-    // cost for a very long name.
+    // The edit distance of two names is at least the difference of their lengths, so names whose lengths
+    // differ much are skipped. This also bounds the cost for a very long name.
     if (std::max(name.size(), unknown.size()) - std::min(name.size(), unknown.size()) >= bestDistance)
       continue;
     if (unknown.size() > 2 * name.size() + 8) continue;

@@ -14,7 +14,7 @@ inline constexpr const char* plainNamePattern = "^[A-Za-z0-9_-]{1,64}$";
 inline constexpr const char* plainNameText = "must be 1 to 64 letters, digits, '-' or '_'";
 [[nodiscard]] bool isPlainName(std::string_view name);
 
-/// Returns `text` in double quotes, shortened if very long.
+/// Returns `text` in double quotes. A very long text is shortened.
 [[nodiscard]] std::string inQuotes(std::string_view text);
 
 /// Returns the hint to print after an unknown name: `did you mean "x"?` if a known name is similar, else

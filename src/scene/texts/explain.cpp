@@ -34,7 +34,7 @@ class Explainer final : public Fields {
     std::vector<ExplainedValue>& values;
     int version;
   };
-  /// `node`: the scene's node for these fields; null if the scene gives none. `standard`: the default
+  /// `node`: the scene's node for these fields; null if the scene gives no value. `standard`: the default
   /// values; null if unknown. `derived`: origin of a value that the scene does not give and that differs
   /// from the default.
   Explainer(Shared& shared, std::string prefix, const Node* node, const Json* standard, std::string derived)
@@ -101,7 +101,7 @@ class Explainer final : public Fields {
   [[nodiscard]] bool given(const char* name) const override { return find(name) != nullptr; }
   [[nodiscard]] int version() const override { return shared_.version; }
 
-  /// Origins of sections that the scene leaves out but something else, such as a stage, fills in.
+  /// Maps sections that the scene leaves out to the origin of their values, such as the stage.
   std::map<std::string, std::string> derivedSections = {};
 
  private:

@@ -8,7 +8,7 @@
 
 namespace simreel::scene {
 
-/// One value of a scene in effect, with its origin.
+/// One value of a scene, as it takes effect, with its origin.
 struct ExplainedValue {
   std::string path;       ///< path of the value as in option -D: "objects.flag.cloth.size"
   std::string value;      ///< value as JSON; "off" for an absent group

@@ -18,8 +18,8 @@ struct HelpPage {
   std::vector<Quantity> quantities;
   std::string appendix;  ///< text after the parameters; empty if none exists
 
-  /// Returns the parameters at `path` ("pins", "pins[].rows", "pins.rows") and below it; brackets may be
-  /// left out.
+  /// Returns the parameters at `path` ("pins", "pins[].rows", "pins.rows") and below that path. The
+  /// brackets of lists may be left out.
   [[nodiscard]] std::vector<HelpRow> rowsAt(std::string_view path) const;
 };
 

@@ -9,13 +9,14 @@
 
 namespace simreel::scene {
 
-/// Interpolation between two keys. linear: straight line. smooth: velocity 0 at every key. spline:
-/// continuous velocity, 0 at the first and last key. hold: constant until the next key.
+/// Interpolation between two keys. linear: straight line. smooth: the velocity is 0 at every key. spline:
+/// the velocity is continuous, and 0 at the first and last key. hold: the value is constant until the next
+/// key.
 enum class Ease { linear, smooth, spline, hold };
 inline constexpr std::array<const char*, 4> easeWords = {"linear", "smooth", "spline", "hold"};
 
 /// Value that is constant or changes along keyframes. It is constant before the first key and after the
-/// last. Two keys at the same time are a jump; at that time the second key's value applies.
+/// last. Two keys at the same time make the value jump. At that time the value of the second key applies.
 template <class T>
 class Animated {
  public:
@@ -32,8 +33,9 @@ class Animated {
   [[nodiscard]] const std::vector<Key>& keys() const { return keys_; }
   [[nodiscard]] Ease ease() const { return ease_; }
 
-  /// Returns the time in seconds of the last jump at or before `seconds`: two keys at the same time or,
-  /// with Ease::hold, any key with a new value. Returns minus infinity if the value has not jumped.
+  /// Returns the time in seconds of the last jump at or before `seconds`. A jump is made by two keys at the
+  /// same time or, with Ease::hold, by any key with a new value. Returns minus infinity if the value has
+  /// not jumped.
   [[nodiscard]] double jumpedBy(double seconds) const {
     for (std::size_t k = keys_.size(); k-- > 1;)
       if (keys_[k].time <= seconds && keys_[k].value != keys_[k - 1].value &&
@@ -69,9 +71,9 @@ class Animated {
   [[nodiscard]] double slope(std::size_t k, int i) const {
     return (part(keys_[k + 1].value, i) - part(keys_[k].value, i)) / (keys_[k + 1].time - keys_[k].time);
   }
-  /// Returns the velocity per second of component i at key k: the weighted harmonic mean of the slopes on
-  /// both sides (Fritsch and Butland 1984), which prevents overshoot. Returns 0 at the first and last key.
-  /// At a jump, returns the slope on the side away from the jump.
+  /// Returns the velocity per second of component i at key k. This is the weighted harmonic mean of the
+  /// slopes on both sides (Fritsch and Butland 1984), which prevents overshoot. Returns 0 at the first and
+  /// last key. At a jump, returns the slope on the side away from the jump.
   [[nodiscard]] double speedAt(std::size_t k, int i) const {
     if (k == 0 || k + 1 == keys_.size()) return 0;
     if (keys_[k - 1].time == keys_[k].time) return slope(k, i);

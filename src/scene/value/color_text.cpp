@@ -13,7 +13,7 @@ namespace {
 
 struct NamedColor {
   std::string_view name;
-  std::uint32_t rgb;  ///< sRGB with 8 bits per channel; red is the highest byte
+  std::uint32_t rgb;  ///< sRGB with 8 bits per channel; red is the most significant byte
 };
 
 /// Named colours of CSS Color Module Level 4, section 6.1, in alphabetical order.

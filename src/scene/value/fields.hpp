@@ -42,10 +42,10 @@ using Member =
                  glm::ivec2*, Animated<float>*, Animated<glm::vec3>*, std::optional<int>*,
                  std::optional<double>*, std::vector<int>*, std::vector<glm::ivec2>*, Formula*, Formulas*>;
 
-/// Spec of a three-component value that a scene may give as two numbers if the object is flat. The number
-/// for `axis` is then left out.
+/// Spec of a three-component value. If the object is flat, a scene may give the value as two numbers. The
+/// number for `axis` is then left out.
 struct Flat {
-  int axis = -1;  ///< axis whose number may be left out; -1: three numbers are needed
+  int axis = -1;  ///< axis whose number may be left out; -1 if all three numbers are needed
   float value = 0;
 };
 
@@ -75,12 +75,12 @@ class Fields {
   virtual ~Fields() = default;
 
   virtual void field(const char* name, Member member, const Spec& spec) = 0;
-  /// Declares a group of fields. `present`: null, or, for a group that switches a feature on, a flag that
-  /// is set to true if the scene gives the group.
+  /// Declares a group of fields. `present`: a flag that is set to true if the scene gives the group. It is
+  /// null unless the group switches a feature on.
   virtual void section(const char* name, bool* present, const char* doc,
                        const std::function<void(Fields&)>& describe) = 0;
-  /// Declares a list of groups, which has `items` groups before the call. `resize(n)` replaces them by n
-  /// groups with defaults. Then `describe(fields, i)` is called for each.
+  /// Declares a list of groups. `items`: number of groups before the call. `resize(n)` replaces the groups
+  /// by n groups with defaults. Then `describe(fields, i)` is called for each group.
   virtual void listOf(const char* name, const char* doc, std::size_t maxItems, std::size_t items,
                       const std::function<void(std::size_t)>& resize,
                       const std::function<void(Fields&, std::size_t)>& describe) = 0;
@@ -102,19 +102,20 @@ class Fields {
   /// Allows the scene to give the optional group declared next as true (the group with its defaults) or
   /// false.
   virtual void switchable(const char* /*group*/) {}
-  /// Describes in words the default of the field just declared, if that default is not constant ("the
-  /// preset's"). Schema and help show these words as the default.
+  /// Describes in words the default of the field that was declared last, if that default is not constant
+  /// ("the preset's"). Schema and help show these words as the default.
   virtual void leftOut(const char* /*name*/, const char* /*what*/) {}
   /// Reports an error that involves several values, at the place of field `name`. Has an effect only while
   /// a scene is read.
   virtual void error(const char* /*name*/, const std::string& /*message*/) {}
-  /// Reports an error at bytes [begin, end) of the string value at `path`. If the scene does not give that
-  /// value, the error is reported at this group. Has an effect only while a scene is read.
+  /// Reports an error in the string value at `path`, in the byte range from `begin` to before `end`. If the
+  /// scene does not give that value, the error is reported at this group. Has an effect only while a scene
+  /// is read.
   virtual void errorIn(const std::vector<std::string>& /*path*/, std::size_t /*begin*/, std::size_t /*end*/,
                        const std::string& /*message*/) {}
-  /// Warns that field `name`, which the scene gives, has no effect because of field `ruler`. This is not an
-  /// error, so that users can try one field without removing the other. Does not warn if only `ruler` comes
-  /// from the command line. Both names may be paths, "group.name".
+  /// Warns that field `name`, which the scene gives, has no effect because of field `ruler`. This is only a
+  /// warning, so that users can try one field without removing the other. Does not warn if only `ruler`
+  /// comes from the command line. Both names may be paths such as "group.name".
   virtual void idle(const char* /*name*/, const char* /*ruler*/, const std::string& /*message*/) {}
   /// Calls idle() for each of `names` unless `used` is true. `what`: purpose of the fields, for the
   /// message.
@@ -188,8 +189,8 @@ class Fields {
   void oneOf(const char* name, int& value, const std::vector<const char*>& words, const char* doc) {
     field(name, &value, {doc, "", {}, words});
   }
-  /// Declares a field that is false, true or `word`. true sets `value`, `word` sets `other`, false sets
-  /// neither.
+  /// Declares a field that is false, true or `word`. true sets `value`, `word` sets `other`, and false sets
+  /// neither of the two.
   void booleanOr(const char* name, bool& value, bool& other, const char* word, const char* doc) {
     int index = other ? 2 : value ? 1 : 0;
     oneOf(name, index, {"false", "true", word}, doc);
@@ -200,7 +201,8 @@ class Fields {
               const char* doc) {
     field(name, &value, {doc, "", {}, words});
   }
-  /// Declares a value of one or more components: numbers and expressions, or keyframes of numbers.
+  /// Declares a value of one or more components. A scene gives it as numbers and expressions, or as
+  /// keyframes of numbers.
   void formula(const char* name, Formula& value, const char* unit, const char* doc) {
     field(name, &value, {doc, unit});
   }
@@ -251,7 +253,7 @@ class Fields {
     listOf(
         name, doc, maxItems, items.size(),
         [&](std::size_t count) {
-          // Assigned from a constant because of a GCC 12 bug, see named() below.
+          // Uses a constant because of a bug of GCC 12, which named() below describes.
           const auto standard = Item();
           items.assign(count, standard);
         },
@@ -309,22 +311,22 @@ struct Parameters {
   /// not show the object. May read files that the parameters name; ignores files that cannot be read.
   [[nodiscard]] virtual std::optional<Box> framed() const { return std::nullopt; }
   /// Returns the extent that the camera shows if framed() is nullopt for every object. Returns nullopt if
-  /// there is none.
+  /// the object has no such extent.
   [[nodiscard]] virtual std::optional<Box> framedAlone() const { return std::nullopt; }
-  /// Returns the default height in metres of the ground below the object. Returns nullopt if it is the
-  /// lowest point of framed().
+  /// Returns the default height in metres of the ground below the object. nullopt means the lowest point of
+  /// framed(). Infinity means that only other objects determine the height.
   [[nodiscard]] virtual std::optional<float> footing() const { return std::nullopt; }
   /// Type of stage that suits the object if it has no material (stage.hpp). Shining objects need dark
-  /// surroundings; a landscape needs no stage.
+  /// surroundings. A landscape needs no stage.
   enum class Looks { solid, cloth, shining, landscape };
   [[nodiscard]] virtual Looks looks() const { return Looks::solid; }
-  /// Returns a phrase for what the object is drawn with in place of its material. Returns null if the
-  /// object uses the material.
+  /// Returns a phrase that names the source of the object's colours if the object ignores its material.
+  /// Returns null if the object uses the material.
   [[nodiscard]] virtual const char* drawnWith() const { return nullptr; }
 };
 
-/// Entry of the list of simulations: name in scenes, one sentence of description, and a factory for the
-/// parameters.
+/// Entry of the list of simulations, with the name in scenes, a description in one sentence, and a factory
+/// for the parameters.
 struct Kind {
   const char* name;
   const char* doc;

@@ -28,7 +28,7 @@ struct Formula {
   }
 };
 
-/// Formulas with names, in the scene's order. A single formula may have no name.
+/// Formulas with names, in the order of the scene. A single formula may have no name.
 struct Formulas {
   struct Named {
     std::string name;

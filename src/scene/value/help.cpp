@@ -90,7 +90,7 @@ void HelpWriter::listOf(const char* name, const char* doc, std::size_t maxItems,
                         const std::function<void(std::size_t)>& resize,
                         const std::function<void(Fields&, std::size_t)>& describe) {
   const nlohmann::ordered_json standard = standardItems(items, resize, describe);
-  // Max characters of a default in the table. Longer defaults appear only in the schema.
+  // Max number of characters of a default in the table. Longer defaults appear only in the schema.
   constexpr std::size_t widest = 30;
   const std::string text = standard.dump();
   const auto value = shorthands_.find(name);

@@ -7,8 +7,8 @@
 
 namespace simreel::scene {
 
-/// Handles a file that only one shape uses. Sets `shape` to `ofFile` (`name` in scenes) if the field `key`
-/// gives `file` and the scene leaves "shape" out. Reports an error if "shape" has another value, because
+/// Handles a file that only one shape uses. If the field `key` gives `file` and the scene leaves "shape"
+/// out, sets `shape` to `ofFile` (`name` in scenes). Reports an error if "shape" has another value, because
 /// other shapes do not read the file. `usual`: default of "shape" without a file, for the help. Must be
 /// called after both fields have been declared.
 template <class Shape>

@@ -11,7 +11,7 @@ struct PathPlace {
   std::string object;
   Animated<float> progress = 0.0F;  ///< position on the path as a fraction of its length
   float height = 1.5F;              ///< height above the path in metres
-  float side = 0;                   ///< distance in metres to the right of the path, seen in the direction
+  float side = 0;                   ///< offset in metres from the path to the right, seen in the direction
                                     ///< of travel
   void describe(Fields& fields);
 };

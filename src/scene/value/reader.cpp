@@ -165,8 +165,8 @@ class MemberReader {
     }
     return true;
   }
-  /// Reads a number or a list of two to four. All keyframes of a value must have the same number of
-  /// components, `width`.
+  /// Reads a number or a list of two to four numbers. `width`: number of components, which must be the same
+  /// for all keyframes of a value.
   std::optional<glm::vec4> upToFour(const Node& node, int& width) const {
     const bool list = node.kind == Node::Kind::list;
     const std::size_t count = list ? node.children.size() : 1;
@@ -235,7 +235,7 @@ class MemberReader {
   ReadContext context_;
 };
 
-/// Returns the list item with the zero-based index `number`, or the list itself if there is no such item.
+/// Returns the list item with the zero-based index `number`. Returns the list if there is no such item.
 const Node* itemOf(const Node& list, const std::string& number) {
   std::size_t at = 0;
   const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), at);
@@ -304,8 +304,7 @@ const Node* Reader::at(const std::string& path) const {
 void Reader::formerly(const char* old, const char* name) {
   if (object_ == nullptr || object_->find(old) == nullptr) return;
   if (object_->find(name) != nullptr)
-    return;  // If the scene gives both names, the old one is an unknown
-             // key.
+    return;  // If the scene gives both names, the former name is an unknown key.
   formerNames_[name] = old;
   known_.emplace_back(old);
   warn("{}: \"{}\" is called \"{}\" now", context_.diagnostics.where(object_->find(old)->headPlace()), old,

@@ -64,7 +64,7 @@ class Reader final : public Fields {
   /// Returns the member `name`, or the member with its former name. Returns null if the scene gives
   /// neither.
   [[nodiscard]] const Node* find(const std::string& name) const;
-  /// Returns the node at a path "group.name"; null if it does not exist.
+  /// Returns the node at a path "group.name", or null if it does not exist.
   [[nodiscard]] const Node* at(const std::string& path) const;
 
   const Node* object_;
@@ -72,9 +72,9 @@ class Reader final : public Fields {
   ReadContext context_;
   std::size_t errorsBefore_;
   std::vector<std::string> known_;
-  /// New name -> old name, for members that the scene gives by their old name.
+  /// Maps the new name to the old name for members that the scene gives by their old name.
   std::map<std::string, std::string> formerNames_;
-  /// Group -> field that is set if the scene gives a plain value in place of the group.
+  /// Maps a group to the field that is set if the scene gives a plain value instead of the group.
   std::map<std::string, std::string> shorthands_;
   std::set<std::string> switchable_;  ///< names of groups that a scene may give as true
 };

@@ -12,7 +12,7 @@ namespace simreel::scene {
 
 namespace {
 
-/// Returns the empty group {} that `true` stands for, at the same place.
+/// Returns the empty group {} that `true` stands for, at the position of `true`.
 Node emptyGroup(const Node& word) {
   Node group;
   group.kind = Node::Kind::object;

@@ -13,7 +13,8 @@
 
 namespace simreel::scene {
 
-/// Converts nodes to values of the field `name`. Each function reports any error and then returns nullopt.
+/// Converts nodes to values of the field `name`. If a function finds an error, it reports the error and
+/// returns nullopt.
 class ValueReader {
  public:
   ValueReader(const char* name, Range range, const char* unit, Diagnostics& diagnostics)
@@ -52,8 +53,8 @@ class ValueReader {
 };
 
 /// Returns the range in words: "between 0 and 1 m", "at least 0 s", "greater than 0", "at most 3". Returns
-/// an empty string for an unlimited range. Omits bounds beyond 1e9, because they only keep the arithmetic
-/// finite.
+/// an empty string for an unlimited range. Leaves out bounds beyond 1e9, because they only keep the
+/// arithmetic finite.
 [[nodiscard]] std::string rangeText(Range range, const char* unit);
 
 }  // namespace simreel::scene

@@ -35,8 +35,8 @@ class ValueWriter final : public Fields {
   nlohmann::ordered_json values_ = nlohmann::ordered_json::object();
 };
 
-/// Returns the default items of a list as a scene would give them. Each item contains only members that
-/// differ from a new item. Leaves the list with one new item.
+/// Returns the default items of a list as a scene would give them. Each item contains only the members
+/// whose values differ from the defaults of a new item. Leaves one new item in the list.
 [[nodiscard]] nlohmann::ordered_json standardItems(
     std::size_t items, const std::function<void(std::size_t)>& resize,
     const std::function<void(Fields&, std::size_t)>& describe);

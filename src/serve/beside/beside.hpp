@@ -45,8 +45,8 @@ class Beside {
   /// tested, or if the test is in the sidecar.
   [[nodiscard]] scene::Override withFrame(Stage& stage, int frame) const;
 
-  /// Returns the files, in addition to the scene, that the verdict depends on: the sidecar and the
-  /// baselines.
+  /// Returns the files, in addition to the scene, on which the verdict depends. These are the sidecar and
+  /// the baselines.
   [[nodiscard]] std::vector<std::filesystem::path> files() const;
 
  private:

@@ -14,7 +14,7 @@
 
 namespace simreel::serve {
 
-/// Settings of the right side: another scene, or the same scene with other values.
+/// Settings of the right side, which shows another scene, or the same scene with other values.
 struct CounterpartOptions {
   SceneSource source;
   bool ownFile = false;                ///< true if the right side has its own scene file
@@ -23,7 +23,7 @@ struct CounterpartOptions {
   std::vector<std::string> arguments;  ///< scene and options as command-line arguments
 };
 
-/// The right side: a second scene at the same frame as the left one, drawn at the same time.
+/// The right side. It shows a second scene at the same frame as the left side, drawn at the same time.
 class Counterpart {
  public:
   explicit Counterpart(CounterpartOptions options) : options_(std::move(options)), on_(options_.on) {}
@@ -32,12 +32,12 @@ class Counterpart {
   void turn(bool on);
   [[nodiscard]] bool ownFile() const { return options_.ownFile; }
   [[nodiscard]] const CounterpartOptions& options() const { return options_; }
-  /// Returns the stage; null if the side is off, or if no version of its scene has been free of errors
-  /// since it was turned on.
+  /// Returns the stage. Returns null if the side is off, or if the scene has had errors ever since the side
+  /// was turned on.
   [[nodiscard]] Stage* stage() const { return stage_.get(); }
   [[nodiscard]] bool carried() const { return stage_ != nullptr && stage_->carried(); }
   [[nodiscard]] const std::string& mistakes() const { return mistakes_; }
-  /// Returns the changes that only this side has, relative to the left scene or to its own file.
+  /// Returns the changes that only this side has, relative to the left scene or to this side's scene file.
   [[nodiscard]] const std::vector<scene::Override>& edits() const { return options_.edits; }
   /// True if the changes of this side affect the camera's position or target.
   [[nodiscard]] bool hasOwnView() const;
@@ -45,7 +45,8 @@ class Counterpart {
 
   /// Updates this side to match `scene`, the left side. On an error, keeps the last version without errors
   /// and sets mistakes(). A new stage starts from a state of the left side if both sides have equal states
-  /// up to that state. Returns true if the state was carried over from other values (Stage::become).
+  /// up to that state. Returns true if the state was carried over from a simulation with other values
+  /// (Stage::become).
   bool update(const Stage& scene, const sim::Numerics& numerics, std::size_t memory, bool moving,
               int frame);
   void readFile();

@@ -19,8 +19,8 @@ class ChildProcess {
   /// UserError(inputOutput) if the process cannot be started.
   void start(const std::vector<std::string>& arguments);
   [[nodiscard]] bool running() const { return process_ > 0; }
-  /// Returns the exit code once after the process has ended (-1 if a signal ended it); nullopt at all other
-  /// times.
+  /// Returns the exit code (-1 if a signal ended the process) at the first call after the process has
+  /// ended. Returns nullopt at all other times.
   [[nodiscard]] std::optional<int> ended();
   /// output() and messages() return the end of the process's standard output and error output so far. The
   /// first line may be incomplete.

@@ -13,14 +13,15 @@ class RenderChild {
   struct Progress {
     enum class State { none, running, done, failed };
     State state = State::none;
-    int done = 0, total = 0;  ///< number of rendered frames, and number of all frames
+    int done = 0, total = 0;  ///< number of rendered frames, and total number of frames
     std::string output;       ///< path of the picture or folder
     std::string text;         ///< last error message of a failed render
     bool operator==(const Progress&) const = default;
   };
 
   /// Starts a render. `arguments`: arguments of `simreel render` except output, frames and progress. Throws
-  /// UserError: `usage` while another render runs, `inputOutput` if the process cannot be started.
+  /// UserError(usage) while another render runs, and UserError(inputOutput) if the process cannot be
+  /// started.
   void start(std::vector<std::string> arguments, const std::string& frames,
              const std::filesystem::path& output);
   [[nodiscard]] Progress look();

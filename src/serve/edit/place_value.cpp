@@ -58,7 +58,7 @@ std::optional<std::string> indentAt(std::string_view text, std::size_t at) {
   return std::string(indent);
 }
 
-/// Returns the end of the line if only blanks and comments follow byte `from`; otherwise returns `from`.
+/// Returns the end of the line if only blanks and comments follow byte `from`. Otherwise returns `from`.
 std::size_t endOfRemark(std::string_view text, std::size_t from) {
   std::size_t at = from;
   while (at < text.size()) {

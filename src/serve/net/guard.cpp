@@ -79,7 +79,7 @@ bool Guard::splitPath(std::string_view path, std::string_view& rest) const {
 
 namespace {
 
-/// Returns an address under which this machine itself reaches the server.
+/// Returns an address with which this machine can connect to the server.
 std::string reachedAt(const std::string& address) {
   return address == "0.0.0.0" ? "127.0.0.1" : address;
 }

@@ -12,8 +12,8 @@
 
 namespace simreel::serve {
 
-/// Picture in the form that is sent to all viewers: a line of JSON that describes it, "
-/// ", and the bytes of the image files.
+/// Picture in the form that is sent to all viewers. It consists of a line of JSON that describes it, a
+/// newline, and the bytes of the image files.
 struct Picture {
   std::uint64_t number = 0;  ///< number of the picture, ascending
   std::string message;
@@ -52,7 +52,7 @@ class Hub {
 
   std::uint64_t enter();
   void leave(std::uint64_t viewer);
-  /// Makes this viewer the editor.
+  /// Makes this viewer the editor, the only viewer that may change the scene.
   void makeEditor(std::uint64_t viewer);
   /// Adds a request. Returns false if too many requests are pending.
   bool ask(Request request);
@@ -61,7 +61,7 @@ class Hub {
     std::shared_ptr<const std::string> text;
   };
   /// Returns the oldest message that is newer than `version`, the version of the last message sent to a
-  /// viewer. Returns nullopt if none exists.
+  /// viewer. Returns nullopt if there is no newer message.
   [[nodiscard]] std::optional<Message> messageAfter(std::uint64_t version) const;
   [[nodiscard]] std::optional<std::string> answerFor(std::uint64_t viewer);
   [[nodiscard]] std::shared_ptr<const Picture> picture() const;

@@ -4,7 +4,7 @@
 
 namespace simreel::serve {
 
-/// File of the page that is built into the program: path below src/serve/page/ and text.
+/// File of the page that is built into the program, with its path below src/serve/page/ and its text.
 struct PageFile {
   const char* path;
   const char* text;

@@ -23,7 +23,7 @@ namespace simreel::serve {
 
 namespace {
 
-constexpr std::size_t pieceBytes = std::size_t{32} << 10;  ///< maximum bytes of one write to a socket
+constexpr std::size_t pieceBytes = std::size_t{32} << 10;  ///< max number of bytes of one write to a socket
 /// Maximum number of connections whose headers are read at the same time.
 constexpr unsigned short headerRooms = 64;
 constexpr std::size_t mostStrangers = 32;
@@ -85,7 +85,7 @@ struct Server::State {
   std::thread thread;
   std::atomic<bool> stop{false};
   std::set<lws*> viewers;
-  std::deque<lws*> strangers;  ///< connections that have not shown the token, oldest first
+  std::deque<lws*> strangers;  ///< connections that have not sent the token, oldest first
   int connections = 0;
   std::vector<unsigned char> scratch;
 
@@ -216,7 +216,7 @@ int Server::State::handle(lws* wsi, lws_callback_reasons reason, Slot* slot, voi
   }
 }
 
-/// Adds a connection that has not shown the token. Each such connection occupies memory for its headers. If
+/// Adds a connection that has not sent the token. Each such connection occupies memory for its headers. If
 /// there are too many, closes the oldest one, so that a viewer with the token never has to wait.
 void Server::State::welcome(lws* wsi) {
   strangers.push_back(wsi);
@@ -307,8 +307,8 @@ int Server::State::receive(lws* wsi, Connection& from, const char* in, std::size
   return say(wsi, from);
 }
 
-/// Handles a complete message. Handles messages that concern only this connection itself and passes all
-/// others to the thread that makes pictures.
+/// Handles a complete message from a viewer. Handles messages that concern only this connection, and passes
+/// all others to the thread that makes pictures.
 int Server::State::say(lws* wsi, Connection& from) {
   std::string text = std::exchange(from.asked, {});
   constexpr std::string_view shows = "shown ";
@@ -327,7 +327,7 @@ int Server::State::say(lws* wsi, Connection& from) {
   return -1;
 }
 
-/// Chooses the data to send to a viewer next: answers and messages come before pictures. Returns false if
+/// Chooses the data to send to a viewer next. Answers and messages come before pictures. Returns false if
 /// there is nothing to send.
 bool Server::State::next(Connection& to) {
   to.sent = 0;

@@ -30,7 +30,7 @@ class Server {
   };
   static constexpr int mostConnections = 1000;
   static constexpr int mostViewers = 64;
-  /// Maximum bytes of one message from a viewer.
+  /// Max size in bytes of one message from a viewer.
   static constexpr std::size_t mostBytesAsked = std::size_t{64} << 10;
 
   /// Starts to listen. Throws UserError(inputOutput) on failure.

@@ -1,5 +1,5 @@
-// Moves the camera with the mouse. Positions and targets are in metres; y points up. `height` is the view height of an
-// orthographic camera.
+// Moves the camera with the mouse. Positions and targets are in metres, and y points up. `height` is the view height of
+// an orthographic camera.
 
 const subtract = (a, b) => a.map((value, i) => value - b[i]);
 const add = (a, b, factor = 1) => a.map((value, i) => value + factor * b[i]);

@@ -15,7 +15,7 @@ function chart(series, checks, frame, frames) {
   const bounds = boundsOf(series, checks).flatMap((check) => [check.min, check.max]).filter((value) => value !== null);
   const values = known.map(([, value]) => value);
   let [low, high] = [Math.min(...values), Math.max(...values)];
-  // The chart includes bounds near the curve. Distant bounds would flatten the curve.
+  // The chart includes the bounds of checks if they are near the curve. Distant bounds would flatten the curve.
   const reach = high - low || Math.abs(high) || 1;
   for (const bound of bounds) {
     if (bound < low && low - bound < reach) low = bound;

@@ -1,5 +1,5 @@
-// Shows the frame with its golden baseline: own picture, baseline, difference, side by side, or one over the other with
-// a movable border.
+// Shows the frame with its golden baseline. The views are the frame's picture, the baseline, the difference, side by
+// side, and one over the other with a movable border.
 import { byId, element } from "./dom.js";
 
 const modes = { ours: "Ours", baseline: "Baseline", difference: "Difference", beside: "Side by side", swipe: "Swipe" };

@@ -13,7 +13,7 @@ const encoded = (light) => {
 };
 const hex = (rgb) => `#${rgb.map((light) => encoded(light).toString(16).padStart(2, "0")).join("")}`;
 
-// Returns the range of a slider: the whole allowed range if it is narrow, else a range around the value.
+// Returns the range of a slider. This is the allowed range if it is narrow, and otherwise a range around the value.
 function span(schema, value) {
   const { minimum = -1e9, maximum = 1e9 } = schema;
   if (maximum - minimum <= 1000 && (maximum - minimum <= 1 || Math.abs(value) > (maximum - minimum) / 50)) return [minimum, maximum];
@@ -48,7 +48,7 @@ function severalControl(schema, on, color) {
   const boxes = Array.from({ length: count }, () =>
     element("input", { type: "number", step: schema.items.type === "integer" ? 1 : "any" }));
   const picker = color ? element("input", { type: "color", "aria-label": "Colour" }) : null;
-  let now = Array.from({ length: count }, () => 0); // exact values; the text boxes show rounded values
+  let now = Array.from({ length: count }, () => 0); // exact values; the text boxes show them rounded
   boxes.forEach((box, i) => box.addEventListener("change", () => {
     now[i] = Number(box.value);
     if (picker) picker.value = hex(now);

@@ -1,6 +1,6 @@
 // Handles keyframes: values at times of the scene in seconds.
 
-// Interpolates linearly between keys, whatever their easing. This keeps a new key close to the old curve.
+// Interpolates linearly between keys, regardless of their easing. This keeps a new key close to the old curve.
 function valueBetween(keys, time) {
   const after = keys.findIndex(([at]) => at > time);
   if (after === 0) return keys[0][1];
@@ -13,8 +13,8 @@ function valueBetween(keys, time) {
 
 export const isMoved = (value) => value !== null && typeof value === "object" && Array.isArray(value.keys);
 
-// Returns the value with a key added at the frame, or removed if the frame has one. A value without keys becomes
-// constant.
+// Returns the value with a key added at the frame. If the frame already has a key, removes that key. A value without
+// keys becomes constant.
 export function withKey(value, frame, fps) {
   const time = Number((frame / fps).toPrecision(6));
   if (!isMoved(value)) return { keys: [[time, value]] };

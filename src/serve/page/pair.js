@@ -1,5 +1,5 @@
-// Controls for two sides in step: selection of the side that changes apply to, the values of the right side only, and
-// the difference of the pictures.
+// Controls for two sides in step. They select the side to which changes apply, show the values that only the right side
+// has, and turn the difference of the pictures on.
 import { byId, element } from "./dom.js";
 
 const nameOf = (file) => file.split("/").pop();
@@ -32,7 +32,7 @@ export class Pair {
     return { ...scene.beside, given: [], frames: Math.min(scene.frames, scene.beside.frames) };
   }
 
-  // Returns the members that a request about one side needs to select the side.
+  // Returns the members that a request needs to select the side to which it applies.
   get flag() { return this.shown && this.right ? { beside: true } : {}; }
 
   set(scene) {

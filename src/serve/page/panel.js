@@ -1,4 +1,4 @@
-// Panel with all parameters of the scene, built from the schema. Values that the scene gives are highlighted; other
+// Panel with all parameters of the scene, built from the schema. Values that the scene gives are highlighted. Other
 // parameters show their default.
 import { element } from "./dom.js";
 import { control } from "./controls.js";

@@ -68,8 +68,8 @@ export class Screen {
     this.fit();
   }
 
-  // Scales all pictures to the same height, as large as possible, in one row, in one column, or with two pictures above
-  // one.
+  // Scales all pictures to the same height, as large as possible. Arranges them in one row, in one column, or with two
+  // pictures above one.
   fit() {
     const shown = this.panes.filter(({ figure }) => !figure.hidden);
     const room = this.element.getBoundingClientRect();

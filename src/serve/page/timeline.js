@@ -57,7 +57,7 @@ export class Timeline {
     }));
   }
 
-  // Moves all keys at one time together, in whole frames, between their neighbouring keys.
+  // Moves all keys at one time together, in whole frames, but not past their neighbouring keys.
   drag(event, mark, time, keys) {
     if (event.button !== 0) return;
     event.preventDefault();

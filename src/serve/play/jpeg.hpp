@@ -5,8 +5,9 @@
 
 namespace simreel::serve {
 
-/// Returns a JPEG file of a picture without its alpha channel, for drafts, which need not be exact.
-/// `quality` is 1 to 100. Colour has half the resolution. Throws UserError(inputOutput).
+/// Returns a JPEG file of a picture without its alpha channel. It is used for drafts, which need not be
+/// exact. `quality` is 1 to 100. Colour has half the resolution of brightness. Throws
+/// UserError(inputOutput).
 [[nodiscard]] std::string encodeJpeg(const frame::Image& image, int quality);
 
 }  // namespace simreel::serve

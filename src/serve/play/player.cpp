@@ -18,12 +18,12 @@ namespace simreel::serve {
 
 namespace {
 
-constexpr double secondsBetweenLooks = 0.1;  ///< seconds between checks of the files
-/// Min and max seconds without a drag request before the full picture is drawn.
+constexpr double secondsBetweenLooks = 0.1;  ///< time (s) between checks of the files
+/// Min and max time (s) without a drag request before the full picture is drawn.
 constexpr double leastToRest = 0.25;
 constexpr double mostToRest = 2;
-constexpr double secondsToReread = 1;  ///< seconds between attempts to read missing files
-constexpr double sliceSeconds = 0.04;  ///< maximum seconds of simulation before requests are handled again
+constexpr double secondsToReread = 1;    ///< time (s) between attempts to read missing files
+constexpr double sliceSeconds = 0.04;    ///< max time (s) of simulation before requests are handled again
 constexpr double mostMilliseconds = 85;  ///< time limit of a picture during motion, in milliseconds
 constexpr double mostToMeasure = 6;      ///< time limit in milliseconds for measuring quantities while
                                          ///< something moves
@@ -144,9 +144,9 @@ void Player::showOther(bool moving, bool carries) {
 }
 
 /// Adjusts the target frame to states that are carried over. While a slider is dragged, there is no time to
-/// simulate from the start. So the current state continues with the new values, and the frames advance to
-/// show their effect. After the drag, the target is the frame at which the drag began, and its state is
-/// simulated properly.
+/// simulate from the start. The current state therefore continues with the new values, and the frames
+/// advance to show their effect. After the drag, the target is the frame at which the drag began, and the
+/// state of this frame is simulated from the start.
 void Player::keepPace(bool carries) {
   if (carries) {
     if (!held_) held_ = target_;
@@ -194,8 +194,8 @@ bool Player::isCarried() const {
   return stage_->carried() || other_.carried();
 }
 
-/// Moves both sides towards the target frame. Neither side is shown until both have reached it. Returns
-/// true if they have.
+/// Moves both sides towards the target frame. Neither side is shown until both have reached the frame.
+/// Returns true if both have reached it.
 bool Player::approach() {
   const bool there = stage_->approach(target_);
   return (other_.stage() == nullptr || other_.stage()->approach(target_)) && there;
@@ -218,8 +218,8 @@ bool Player::isMoving() const {
 }
 
 /// Records a drag request. On a slow connection or a busy machine, drag requests arrive at long intervals.
-/// The wait before the full picture grows with the interval, because a full picture during a drag would
-/// slow it further.
+/// The wait before the full picture is drawn grows with the interval, because a full picture during a drag
+/// would make the drag even slower.
 void Player::hearOfMoving() {
   const double apart = secondsSince(moved_);
   toRest_ =
@@ -315,7 +315,7 @@ void Player::drawPicture(bool draft) {
   }
   times_.push_back(Clock::now());
   while (times_.size() > 20) times_.pop_front();
-  // The wait restarts, because the user can react only now.
+  // The wait restarts, because the user sees the picture and can react only now.
   if (draft && !playing_ && toRest_ > 0) moved_ = Clock::now();
   shown_ = true;
   rest_ = !draft;
@@ -340,9 +340,9 @@ Stage& Player::compared() {
   return beside_.right() && other_.stage() != nullptr ? *other_.stage() : *stage_;
 }
 
-/// Chooses the finest detail level whose pictures stay within the time limit. If no level does, chooses the
-/// finest one that costs little more than the cheapest. A coarser level would gain little, because fixed
-/// costs do not shrink with the number of pixels.
+/// Chooses the finest detail level whose pictures stay within the time limit. If no level stays within it,
+/// chooses the finest level that costs little more than the cheapest level. A coarser level would gain
+/// little, because fixed costs do not shrink with the number of pixels.
 void Player::adaptDetail(double milliseconds) {
   if (fresh_ != level_) {
     fresh_ = level_;

@@ -28,7 +28,7 @@ namespace simreel::serve {
 struct PlayerOptions {
   SceneSource source;
   std::vector<std::string> arguments;  ///< scene and overrides as command-line arguments
-  std::size_t memory = 0;              ///< memory for kept states in bytes
+  std::size_t memory = 0;              ///< max memory (bytes) for kept states
   bool edit = false;                   ///< true if the scene file may be written
   std::filesystem::path output;        ///< folder for renders started on the page; empty if renders are not
                                        ///< allowed
@@ -74,14 +74,14 @@ class Player {
   void tryAgain();
   /// Shows the scene `text` with these edits, or reports the errors in it. Returns true on success.
   bool load(const std::string& text, std::vector<scene::Override> edits, bool moving);
-  /// Updates the right side after a change. `carries`: true if the left side carries over a state from
-  /// other values.
+  /// Updates the right side after a change. `carries`: true if the left side continues with a state of a
+  /// simulation with other values.
   void showOther(bool moving, bool carries);
   void keepPace(bool carries);
   void makeGood();
   /// Writes a value into the scene file. `edit`: path of the edit that is then part of the file.
   void writeFile(const scene::Override& change, const std::string& edit);
-  /// Does the same as writeFile() for the right side's own file.
+  /// Does the same as writeFile() for the scene file of the right side.
   void writeOther(const scene::Override& change, const std::string& edit);
   void report(const std::string& text);
   void watch();
@@ -103,7 +103,7 @@ class Player {
   [[nodiscard]] StageMilliseconds took() const;
   [[nodiscard]] std::size_t memoryOfEach() const;
 
-  /// Pictures that are sent in one message: the left side's, the right side's, and their difference.
+  /// Pictures that are sent in one message. They are the left side, the right side, and their difference.
   struct Drawn {
     std::uint64_t number = 0;
     bool draft = false;
@@ -136,26 +136,27 @@ class Player {
   bool playing_ = false;
   bool loop_ = true;
   int target_ = 0;
-  std::optional<int> held_;   ///< frame to return to after a drag, during which states were carried over
-                              ///< from other values
+  std::optional<int> held_;   ///< frame to which to return after a drag, during which states were carried
+                              ///< over from a simulation with other values
   Clock::time_point due_;     ///< time at which the next frame must be shown
   Clock::time_point moved_;   ///< time of the last drag request
-  double toRest_ = 0;         ///< seconds without a drag request after which the full picture is drawn
+  double toRest_ = 0;         ///< time (s) without a drag request after which the full picture is drawn
   Clock::time_point looked_;  ///< time of the last check of the files
   Clock::time_point told_;    ///< time at which the series of the charts were last sent
   bool rest_ = false;         ///< true if the shown picture is a full one and up to date
   bool shown_ = false;        ///< true if the shown picture is up to date
   std::size_t level_ = 3;
-  /// Latest level whose first picture was not measured, because that picture includes shader compilation.
+  /// Latest detail level whose first picture was not measured, because that picture includes shader
+  /// compilation.
   std::size_t fresh_ = 0;
-  /// Milliseconds that a picture takes at each level; 0 if unknown.
+  /// Time (ms) that a picture takes at each detail level; 0 if unknown.
   std::array<double, detailLevels.size()> costs_{};
-  int quick_ = 0;  ///< number of successive pictures that could have been drawn at a finer level
+  int quick_ = 0;  ///< number of successive pictures that could have been drawn at a finer detail level
   std::uint64_t pictures_ = 0;
   double encodeMs_ = 0, measureMs_ = 0;
   Beside beside_;
   Counterpart other_;
-  bool difference_ = false;  ///< true if the difference of both sides is shown
+  bool difference_ = false;  ///< true if the difference of the two sides is shown
   RenderChild child_;
   RenderChild::Progress rendered_;       ///< progress as last sent to the viewers
   std::deque<Clock::time_point> times_;  ///< times of the latest pictures

@@ -22,7 +22,7 @@ std::string readFileOf(const std::string& picture) {
   try {
     return simreel::readFile(picture, "picture");
   } catch (const UserError&) {
-    return {};  // the file has been removed
+    return {};  // The file has been removed.
   }
 }
 
@@ -149,7 +149,7 @@ Placed placedBy(const JsonValue& view) {
   return placed;
 }
 
-/// Returns the overrides that give a scene's camera this pose at the current frame.
+/// Returns the overrides that set the pose `placed` for a scene's camera at the current frame.
 std::vector<scene::Override> cameraChanges(const Stage& stage, const Placed& placed) {
   const auto& [position, target, asked] = placed;
   const scene::Scene& shown = stage.script().scene;
@@ -199,7 +199,8 @@ void Player::moveCamera(const Json& json) {
   const auto changes = cameraChanges(*stage_, placed);
   std::vector<scene::Override> otherChanges;
   if (other_.stage() != nullptr) {
-    // The right side gets the same pose, or another one if it has its own view.
+    // The right side gets the same pose, or the request contains another one if the right side has its own
+    // view.
     const auto own = request.find("beside");
     const Placed others = own ? placedBy(*own) : placed;
     if (other_.ownFile() || other_.hasOwnView() || !(others == placed)) {

@@ -102,8 +102,8 @@ void Player::paint(const Json& json) {
   const scene::Override written{fmt::format("{}.{}", path, strokes.size()), stroke.dump()};
   strokes.push_back(std::move(stroke));
   const scene::Override whole{path, strokes.dump()};
-  // If the file contains strokes, only the new entry is written, otherwise the whole list. The result
-  // equals the edit, so the states stay valid.
+  // If the file contains strokes, only the new entry is written. Otherwise the whole list is written. The
+  // result equals the edit, so the states stay valid.
   const scene::Override& change = given.contains("strokes") && strokes.size() > 1 ? written : whole;
   if (right) {
     setOther(withEdit(other_.edits(), whole), false);

@@ -51,8 +51,8 @@ bool has(const std::array<std::pair<std::string_view, std::string_view>, size>& 
   return std::find(list.begin(), list.end(), std::pair(kind, member)) != list.end();
 }
 
-/// Returns the time up to which two keyframed values are equal. A value between two keys depends on both of
-/// them and, with a spline, on the keys before and after them. Before the first key, the first key's value
+/// Returns the time up to which two keyframed values are equal. A value between two keys depends on both
+/// keys and, with a spline, on the keys before and after them. Before the first key, the first key's value
 /// applies.
 double keysAlike(const ordered_json& before, const ordered_json& after) {
   const ordered_json &a = before.at("keys"), &b = after.at("keys");

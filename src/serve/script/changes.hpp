@@ -5,8 +5,8 @@
 namespace simreel::serve {
 
 /// Returns a scene as run (scene::sceneAsRun) without members that affect only the appearance of
-/// simulations and not their states: colours and positions of fields, texts, visibility. Used for
-/// scene::simulationHash.
+/// simulations and not their states. These are colours and positions of fields, texts, and visibility. Used
+/// for scene::simulationHash.
 [[nodiscard]] std::string withoutWhatShows(std::string_view asRun);
 
 /// Returns the scene time in seconds up to which two scenes as run have equal states at every frame. If

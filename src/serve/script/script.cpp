@@ -160,7 +160,8 @@ bool dressedAlike(const scene::Object& a, const scene::Object& b) {
          a.material.translucency == b.material.translucency;
 }
 
-/// True if the two scenes have equal derived values, those that follow from the objects and are not given.
+/// True if two scenes have equal derived values. Derived values are not given by the scene but computed
+/// from the objects.
 bool impliesAlike(const scene::Scene& before, const scene::Scene& after) {
   const auto alike = [](const auto& a, const auto& b, const auto& equal) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), equal);
@@ -172,7 +173,8 @@ bool impliesAlike(const scene::Scene& before, const scene::Scene& after) {
 void takeLookOf(scene::Scene& shown, scene::Scene& from) {
   const scene::Camera before = shown.camera;
   shown.camera = from.camera;
-  // `shown` may be a draft, which has no lens and no shutter; it must not get those of `from`.
+  // `shown` may be a draft, which has no lens and no shutter. It must not get the lens and shutter of
+  // `from`.
   if (!before.lens) shown.camera.lens.reset();
   if (!before.shutter) shown.camera.shutter.reset();
   shown.sun.direction = from.sun.direction;

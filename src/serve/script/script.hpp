@@ -22,7 +22,7 @@ struct SceneSource {
   std::vector<std::filesystem::path> folders;
 };
 
-/// Scene in the form that is shown: the file's text with the page's edits.
+/// Scene in the form that is shown, which is the file's text with the edits made on the page.
 struct Script {
   std::string text;                    ///< text of the scene file
   std::vector<scene::Override> edits;  ///< values that take precedence over the file and the command line
@@ -43,9 +43,10 @@ struct Script {
 [[nodiscard]] std::shared_ptr<Script> readScript(const SceneSource& source, const std::string& text,
                                                  std::vector<scene::Override> edits);
 
-/// Places the camera of a scene whose motion must be simulated to do so (sim::surveyMotion), on the current
-/// context. `known`: script whose survey is reused if its simulation is the same, or also if it is similar
-/// while a value is dragged (`moving`); may be null. Throws the errors of the simulation.
+/// Places the camera of a scene for which this requires a simulation of the motion (sim::surveyMotion).
+/// Uses the current context. `known`: script whose survey is reused if its simulation is the same; may be
+/// null. While a value is dragged (`moving`), the survey is also reused if the simulation is similar.
+/// Throws the errors of the simulation.
 void placeCamera(Script& script, const Script* known, bool moving);
 /// True if automatically placed cameras and stages are equal.
 [[nodiscard]] bool framedAlike(const Script& before, const Script& after);
@@ -59,10 +60,10 @@ enum class Change {
   simulation,
 };
 [[nodiscard]] Change changeBetween(const Script& before, const Script& after);
-/// True if a renderer built for one script can also draw the other's objects.
+/// True if a renderer that was built for one script can also draw the objects of the other script.
 [[nodiscard]] bool drawsAlike(const Script& before, const Script& after);
-/// Inputs from which states were computed. They are stored separately, because a shown script is modified
-/// when only its look changes.
+/// Inputs from which states were computed. They are stored separately from the shown script, which is
+/// modified when only its look changes.
 struct Simulated {
   std::string asRun, simulation;  ///< copies of the members of Script
   std::map<std::filesystem::path, FileStamp> files;

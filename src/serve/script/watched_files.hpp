@@ -7,8 +7,8 @@
 
 namespace simreel::serve {
 
-/// Identifies a version of a file by its metadata: device, inode, size, time of modification. Empty for a
-/// missing file.
+/// Identifies a version of a file by its metadata: device, inode, size and time of modification. For a
+/// missing file, all are 0.
 using FileStamp = std::tuple<std::uint64_t, std::uint64_t, std::int64_t, std::int64_t, std::int64_t>;
 [[nodiscard]] FileStamp stampOf(const std::filesystem::path& file);
 

@@ -42,7 +42,8 @@ void addElement(PixelAnswer& answer, const sim::StateArray& array, std::size_t e
     answer.rows.push_back(rowOf(fmt::format("{}.{}", array.name, words[i]), all[element][i]));
 }
 
-/// Adds the words of the element with this index from all arrays that have the same number of elements.
+/// Adds the words of the element with index `element` from each of the object's arrays that has the same
+/// number of elements.
 void addState(PixelAnswer& answer, const sim::Simulation& object, std::size_t element, long elements) {
   for (const sim::StateArray& array : object.state())
     if (array.elements() == elements) addElement(answer, array, element);

@@ -15,9 +15,11 @@ struct PixelAnswer {
   struct Row {
     std::string name;
     std::optional<double> value;
-    std::string text;  ///< text of the row; if the row has a value, its bits as hexadecimal digits
+    std::string text;  ///< text of the row; if the row has a value, this is the value's bits as hexadecimal
+                       ///< digits
   };
-  std::string title;  ///< examples: "triangle 12 of flag", "cell (3, 4) of dish", "the sky"
+  std::string title;  ///< title of the answer, such as "triangle 12 of flag", "cell (3, 4) of dish" or "the
+                      ///< sky"
   std::vector<Row> rows;
 };
 
@@ -30,9 +32,9 @@ struct FieldPoint {
 [[nodiscard]] std::optional<FieldPoint> fieldAt(const scene::Scene& scene, const sim::World& world,
                                                 glm::dvec2 place);
 
-/// Returns information about the pixel at `place` (fractions of the picture from its top left): the object,
-/// its primitive, the position, and the state of the nearest element. Draws the picture again with the
-/// exact rasterizer. Throws the errors of Renderer.
+/// Returns information about the pixel at `place` (fractions of the picture's size, from its top left). The
+/// information consists of the object, its primitive, the position, and the state of the nearest element.
+/// Draws the picture again with the exact rasterizer. Throws the errors of Renderer.
 [[nodiscard]] PixelAnswer askPixel(const scene::Scene& scene, sim::World& world, glm::dvec2 place);
 
 }  // namespace simreel::serve

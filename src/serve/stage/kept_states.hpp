@@ -8,8 +8,8 @@
 
 namespace simreel::serve {
 
-/// States of past frames, which make it fast to go back. Stores one state per interval of frames, and
-/// doubles the interval when the states need more memory than allowed.
+/// States of past frames, which make it fast to go back. Stores one state per interval of frames. Doubles
+/// the interval when the states need more memory than allowed.
 class KeptStates {
  public:
   explicit KeptStates(std::size_t mostBytes) : mostBytes_(mostBytes) {}

@@ -40,8 +40,8 @@ struct Series {
   std::map<int, double> values;  ///< values by frame number
 };
 
-/// Scene on the device: its world, which can step forward and go back, and its renderers. All functions
-/// throw UserError as World and Renderer do.
+/// Scene on the device. It consists of a world, which can step forward and go back, and of renderers. All
+/// functions throw the UserErrors of World and Renderer.
 class Stage {
  public:
   /// `memory`: max bytes of stored states.
@@ -56,15 +56,15 @@ class Stage {
   [[nodiscard]] const KeptStates& kept() const { return kept_; }
   /// Returns the number of frames simulated since the stage was created.
   [[nodiscard]] long stepped() const { return stepped_; }
-  /// True if the state was carried over from other values (become()). `simreel render` would then give
-  /// another state.
+  /// True if the state was carried over from a simulation with other values (become()). `simreel render`
+  /// would then give another state.
   [[nodiscard]] bool carried() const { return carried_; }
   [[nodiscard]] const std::string& stateHash() const { return stateHash_; }
   [[nodiscard]] const StageMilliseconds& took() const { return took_; }
   [[nodiscard]] const std::vector<Series>& series() const { return series_; }
 
-  /// Moves towards `frame`: one step forward, or back to the nearest kept state or to the start. Returns
-  /// true if the stage is at `frame`.
+  /// Moves towards `frame`. Goes one step forward, or back to the nearest kept state or to the start.
+  /// Returns true if the stage is at `frame`.
   bool approach(int frame);
   /// Draws the current frame at a detail level.
   [[nodiscard]] frame::Image draw(std::size_t level);
@@ -82,10 +82,11 @@ class Stage {
 
   /// Shows another script and rebuilds only the parts that need it (changeBetween). If the simulations
   /// differ only after some time, earlier states remain and approach() continues from them. `moving`: true
-  /// if a value is being dragged. The current state may then continue with the new values, although
+  /// if a value is being dragged. In this case the current state may continue with the new values, although
   /// `simreel render` would give another state. Returns true if it does.
   bool become(std::shared_ptr<Script> script, bool moving);
-  /// Discards a state that was carried over from other values. approach() then simulates again.
+  /// Discards a state that was carried over from a simulation with other values. approach() then simulates
+  /// again.
   void makeGood();
   /// Sets the max bytes of stored states.
   void allow(std::size_t memory);
@@ -99,10 +100,11 @@ class Stage {
     std::unique_ptr<draw::Readback> readback;
     glm::ivec2 size{0};
     std::shared_ptr<Script> script;  ///< script that the renderer reads
-    std::optional<int> toldBefore;   ///< frame whose preceding frame the renderer has, for motion blur
+    std::optional<int> toldBefore;   ///< frame for which the renderer has stored the preceding frame, for
+                                     ///< motion blur
   };
 
-  /// States of an earlier simulation. They become current again if a change is undone.
+  /// States of an earlier simulation. They are used again if a change is undone.
   struct Past {
     Simulated of;
     KeptStates kept;
@@ -148,7 +150,7 @@ class Stage {
   std::string stateHash_;
   std::vector<std::string> arrayHashes_;  ///< hash of each state array
   StageMilliseconds took_;
-  double making_ = 0;  ///< milliseconds that it took to build the world that continues with other values
+  double making_ = 0;  ///< time (ms) that it took to build the world that continues with other values
   std::vector<Series> series_;
   std::size_t measured_ = 0;  ///< index of the first measured quantity in series_
 };

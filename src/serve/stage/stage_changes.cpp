@@ -32,7 +32,8 @@ bool Stage::become(std::shared_ptr<Script> script, bool moving) {
   return false;
 }
 
-/// True if so few steps lead from a stored state to the current frame that a drag stays smooth.
+/// True if a stored state is so few steps before the current frame that a drag stays smooth when the steps
+/// are computed again.
 bool Stage::isNear(const Script& script) const {
   constexpr int fewFrames = 2;
   const frame::WorldState* from = keptBefore(firstOther(keptOf_, script) - 1);
@@ -76,7 +77,7 @@ void Stage::drawAs(std::shared_ptr<Script> script) {
 /// Rebuilds the world with its current state.
 void Stage::dressAs(std::shared_ptr<Script> script) {
   if (!carryOverTo(script)) {
-    kept_.clear();  // The stored states do not fit either.
+    kept_.clear();  // The stored states do not fit the new world.
     simulateAs(std::move(script));
   }
   drawers_ = {};
@@ -150,8 +151,8 @@ void Stage::simulateAs(std::shared_ptr<Script> script) {
   if (const frame::WorldState* nearest = kept_.before(before)) static_cast<void>(putBack(*nearest));
 }
 
-/// Keeps the states of frames before the simulations differ. If none exist, moves all states to past_,
-/// because a change is often undone.
+/// Keeps the states of frames before the frame at which the simulations begin to differ. If there are no
+/// such states, moves all states to past_, because a change is often undone.
 void Stage::keepWhatIsAlike(const std::shared_ptr<Script>& script) {
   const int first = firstOther(keptOf_, *script);
   if (kept_.before(first - 1) != nullptr) {

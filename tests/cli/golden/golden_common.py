@@ -11,11 +11,11 @@ from common import PATIENCE, SCENE, SOURCE, Case, png_rows, unfiltered, with_val
 
 OTHER_PROCESSOR = "Testium 3, family 6 model 1 stepping 0"
 
-# A quick scene: 9x7 particles, three tested frames.
+# A scene that runs quickly, with 9x7 particles and three tested frames.
 TESTED = with_values({"test": {"frames": [0, 3, 5], "size": [64, 36], "samples": 1}})
 
 RED = {"objects.flag.material": {"color": [0.9, 0.1, 0.1]}}
-# A slightly different green. Pixels then differ by a few units, and the state is equal.
+# A slightly different green, so that pixels differ by a few units although the state is equal.
 HAIR = {"objects.flag.material": {"color": [0.8, 0.705, 0.6]}}
 
 

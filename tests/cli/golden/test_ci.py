@@ -77,7 +77,7 @@ class Servers(GoldenCase):
     def test_markdown(self):
         self.pictures()
         read = lambda name: (self.folder / name).read_text(encoding="utf-8")
-        # Picture files: the page shows small copies of the report's pictures.
+        # With picture files, the page shows small copies of the report's pictures.
         self.compare(1, "--markdown", "deep/s.md", "--report", "r & d")
         images = self.images(read("deep/s.md"))
         self.assertEqual([what for _, what in images], ["before", "after", "difference"])
@@ -108,13 +108,13 @@ class Servers(GoldenCase):
         self.assertEqual([path.rpartition("/")[2] for path in paths], ["actual.png", "expected.png", "difference.png"])
         for path in paths:
             self.assertTrue((self.folder / path).is_file(), path)
-        # Paths are relative to the project's folder if the CI server names it, else to the working folder.
+        # Paths are relative to the project's folder if the CI server names it, and otherwise to the working folder.
         for name in ("CI_PROJECT_DIR", "WORKSPACE"):
             self.compare(1, "--report", "out/r", "--junit", "j.xml", **{name: str(self.folder / "out")})
             self.assertEqual(self.attachments("j.xml")[0], paths[0].removeprefix("out/"))
             self.compare(1, "--report", "out/r", "--junit", "j.xml", **{name: "/nowhere"})
             self.assertEqual(self.attachments("j.xml")[0], str(self.folder / paths[0]))
-        # Pictures that are not kept are not attached.
+        # Pictures are not attached if they are not kept.
         self.compare(1, "--junit", "j.xml")
         self.assertNotIn("ATTACHMENT", (self.folder / "j.xml").read_text(encoding="utf-8"))
 

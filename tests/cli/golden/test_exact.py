@@ -11,9 +11,9 @@ from common import PROGRAM, Case, main
 
 BOTH_PATHS = ["flag", "ripple", "sparks"]
 
-# The tuples are (width, height, factor). Both rasterizers draw pictures larger by this factor, and the means over
-# factor x factor pixels are compared. At the original size, edges alone would exceed the bound, because the sample
-# positions differ.
+# Values of (width, height, factor). Both rasterizers draw pictures larger by this factor, and the means over factor x
+# factor pixels are compared. At the original size, edges alone would exceed the bound, because the sample positions
+# differ.
 SIZE = (150, 84, 4)
 # Scenes with details (blades, crests, darts, grains) that are narrower than the sample spacing even at the larger size.
 FINE = (75, 42, 16)

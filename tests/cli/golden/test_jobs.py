@@ -95,7 +95,8 @@ class Jobs(Several):
         shutil.rmtree(self.golden())
         self.good("test", "scenes", "--update", "--repeat", "1", "--jobs", "4")
         self.assertEqual(self.tree("scenes/golden"), one)
-        # Two new scenes look like a removed one. The first in order must take its baseline, whichever finishes first.
+        # Two new scenes look like a removed one. The first of them in order must take its baseline, regardless of which
+        # finishes first.
         (self.folder / "scenes/b.json").unlink()
         for name in ("m", "n", "o"):
             self.set_scene(RED, name)

@@ -10,7 +10,8 @@ import shutil
 from common import SOURCE, main
 from golden_common import GoldenCase
 
-# kind of object: (file, text that occurs once in the file, the text with one constant changed by 1 %)
+# Mutation for each kind of object: (file, text that occurs once in the file, the text with one constant changed by 1
+# %).
 MUTATIONS = {
     "cloth": ("cloth/model.glsl", "precise vec3 v = (velocity + acceleration * stepData.dt) * stepData.kept;",
               "precise vec3 v = (velocity + acceleration * (stepData.dt * 1.01f)) * stepData.kept;"),
@@ -28,12 +29,10 @@ MUTATIONS = {
     "life": ("life/model.glsl", "WORD carry = highs.low & lows.high;", "WORD carry = highs.low & ~lows.high;"),
     "epidemic": ("spread/epidemic/step.comp", "uvec4 threshold = mix(infection,",
                  "uvec4 threshold = mix(infection / 100u * 101u,"),
-    # Of users' kernels, the drawn numbers are changed by 1 %.
-    "kernels": ("kernels/run/gather.comp", "result[c] = numberAt(element + places[c], number);",
-                "result[c] = numberAt(element + places[c], number) * 1.01;"),
-    "image": ("kernels/run/gather.comp", "result[c] = numberAt(element + places[c], number);",
-              "result[c] = numberAt(element + places[c], number) * 1.01;"),
-    # In caves, one of the nine cells is ignored.
+    # In users' kernels, multiplication is changed by 1 %.
+    "kernels": ("kernels/numbers.glsl", "precise float p = a * b;", "precise float p = a * b * 1.01;"),
+    "image": ("kernels/numbers.glsl", "precise float p = a * b;", "precise float p = a * b * 1.01;"),
+    # For caves, one of the nine cells is ignored.
     "cave": ("cave/model.glsl", "return three | (exactlyTwo & ones.one);", "return three | (exactlyTwo & above.one);"),
     "contour": ("contour/classify.comp", "value >= levels[i] ?", "value >= levels[i] * 1.01 ?"),
     "wildfire": ("spread/wildfire/step.comp", "uint weight = fuelWeight(byteOf(fuel, k));",
@@ -44,8 +43,8 @@ OTHERS = {"wireworld": ("life", ("automata/step.comp", "node = child(node, cellO
 SCENERY = {"sphere", "capsule", "plane", "box", "cylinder", "cone", "torus", "disc", "text", "chart", "colorBar", "isolines", "scaleBar", "flow", "arrows", "streamlines"}  # kinds of objects that are not simulated
 FRAMES = 3  # number of the frame that is compared, after frame 0
 LATER = {"cave_map": 24, "wireworld": 24}  # Rock changes late in cave_map, and electrons are far apart in wireworld.
-# Scenes with particles, with cells and with a grid of numbers. They have a listed mutation and a derived one. With
-# SIMREEL_LONG, all scenes and kinds are tested.
+# Scenes with particles, with cells and with a grid of numbers. Some have a mutation in the list above, and some a
+# derived one. With SIMREEL_LONG, all scenes and kinds are tested.
 FEW = {"contour", "epidemic", "flag", "rain", "sparks"}
 EVERY = os.environ.get("SIMREEL_LONG") == "1"
 # Scenes whose first frame takes seconds without a GPU. Other scenes cover the same kinds.

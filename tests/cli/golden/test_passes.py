@@ -25,7 +25,7 @@ SCENE = with_values({
     "test": {"frames": [0, 2], "size": [WIDTH, HEIGHT], "samples": SAMPLES},
 }, TESTED)
 
-# pass: (file, text that occurs once in the file, the text with a different constant)
+# Change for each pass: (file, text that occurs once in the file, the text with a different constant).
 CHANGES = {
     "visibility": ("draw/exact/triangles/triangle.glsl", "v.x * perDepth * 256.0f + 0.5f", "v.x * perDepth * 256.0f + 9.5f"),
     "shadow": ("draw/exact/triangles/vertices.comp", "precise float near = 1.0f - place.z;",

@@ -9,8 +9,8 @@ import shutil
 from common import SOURCE, Case, main
 
 LONG = set((SOURCE / "tests/long_scenes.txt").read_text(encoding="utf-8").split())
-# Cheap scenes, and two scenes of standard quality that cover ambient occlusion on this path. Further scenes follow in
-# order of their names.
+# Scenes that are tested first. They are cheap scenes, and two scenes of standard quality that cover ambient occlusion
+# on this path. Further scenes follow in order of their names.
 FIRST = ["cape", "cascade", "cave_map", "crystal", "ripple", "street"]
 
 

@@ -55,7 +55,7 @@ class Baselines(GoldenCase):
         report, _ = self.run_suite(1)
         self.assertEqual([s["status"] for s in report["scenes"]], ["fail", "missing"])
         kept = {f["frame"]: (self.folder / f["actualImage"]).read_bytes() for f in report["scenes"][0]["frames"]}
-        # `accept` renders nothing, so it works without a device.
+        # `accept` renders nothing, so it must work without a device.
         done = self.good("accept", "report.json", "--only", "a", "--reason", "red is in",
                          env={"__EGL_VENDOR_LIBRARY_FILENAMES": "/nothing"})
         self.assertEqual(done.stdout.decode(), "accepted  a\n")
@@ -150,7 +150,7 @@ class Baselines(GoldenCase):
         self.assertEqual({(s["path"], s["removed"]) for s in report["stale"]}, {(path, True) for path in stale})
         self.assertEqual(sorted(p.name for p in self.golden("a/any").glob("*.png")), ["000000.png", "000003.png"])
         self.assertEqual(self.run_suite(0, "--strict")[0]["stale"], [])
-        # The files that an update writes replace all earlier ones.
+        # The files that an update writes replace all files of earlier updates.
         self.set_scene({"test.frames": [0, 4]})
         self.one(0, "--update")
         self.assertEqual(sorted(p.name for p in self.golden("a/any").glob("*.png")), ["000000.png", "000004.png"])

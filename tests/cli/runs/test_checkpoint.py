@@ -17,7 +17,7 @@ FIELDS = {
 
 
 class Checkpoints(Case):
-    undisturbed = {}  # files of an undisturbed run by command; rendered once for all tests
+    undisturbed = {}  # files of a run without interruption, by command; rendered once for all tests
 
     def setUp(self):
         super().setUp()

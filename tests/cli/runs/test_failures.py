@@ -157,7 +157,7 @@ class InputOutput(Case):
         out = self.folder / "out"
         out.mkdir()
         out.chmod(0o555)
-        # Root may write to all files unless this capability is dropped (prctl 24: drop; capability number 1).
+        # Root may write to all files unless this capability is dropped (prctl 24 drops a capability; its number is 1).
         preexec = (lambda: LIBC.prctl(24, 1, 0, 0, 0)) if os.geteuid() == 0 else None
         self.bad(6, ["cannot create out/"], "render", "scene.json", "-o", "out/", preexec_fn=preexec)
 

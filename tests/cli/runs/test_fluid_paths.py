@@ -76,7 +76,7 @@ class FluidPaths(Case):
                            for what in (["--frames=start-3"], ["--steps-of=3"], ["--dump=3:1", "-o", "-"])]
         for texel, storage in zip(lines["texel"], lines["storage"]):
             self.assertGreater(len(texel), 100)
-            # Headers are excluded, because they name the driver.
+            # The comparison excludes the headers, because they name the driver.
             self.assertEqual(texel.split(b"\n", 1)[1], storage.split(b"\n", 1)[1])
 
 

@@ -72,7 +72,8 @@ class KernelLinks(Case):
                 self.assertAlmostEqual(found, wanted, delta=1e-6)
 
     def test_a_finer_terrain_lies_on_a_smooth_surface_through_the_heights(self):
-        # A surface of the second degree, which the interpolation reproduces but at the borders. 1 s
+        # The surface is a polynomial of the second degree, which the interpolation reproduces except at the borders.
+        # This test takes 1 s.
         self.kernel("""RWTexture2D<float> _Heights;
             [numthreads(8, 8, 1)] void Raise(uint3 id : SV_DispatchThreadID) { if (all(id.xy < uint2(9, 7))) _Heights[id.xy] = id.x*(id.x - 2.0*id.y) + 3; }""")
         hill = lambda **more: {"hill": {"kernels": {"file": "a.compute", "textures": {"_Heights": [9, 7]}, "terrain": {"of": "_Heights", "width": 4, **more}}}}
@@ -103,7 +104,8 @@ class KernelLinks(Case):
         for order in (("source", "reader"), ("reader", "source")):  # The order of the objects must not matter.
             self.scene({name: {"kernels": make if name == "source" else see} for name in order})
             for y, row in enumerate(self.field("reader", 3)):
-                # In frame 3, the kernel reads the result of frame 2. At the start, it reads the values of "first".
+                # In frame 3, the kernel reads the result of frame 2. Before the first step, it reads the values of
+                # "first".
                 self.assertEqual(list(row[:12]), [x + 100 * y + 20000 + 0.5 * (x + 100 * y + 10000) for x in range(12)])
                 self.assertEqual(list(row[12:]), [x + 100 * y + 20000 for x in range(12)])
         # A texture of another size is interpolated between the centres of the cells.
@@ -161,7 +163,7 @@ class KernelLinks(Case):
             self.assertGreater(len(vertices), 500)
             for at, normal in zip(vertices, normals):
                 out = [x - middle for x, middle in zip(at, (1, 2, 3))]
-                # The cells have 0.5 m, so the radius is 8 cells.
+                # A cell is 0.5 m wide, so the radius is 8 cells.
                 self.assertAlmostEqual(math.hypot(*out), 4, delta=0.02)
                 self.assertGreater(sum(a * b for a, b in zip(out, normal)), 0.98 * 4)
             edges = {(face[i], face[(i + 1) % 3]) for face in triangles for i in range(3)}

@@ -26,8 +26,8 @@ class Kernels(Case):
 
     def test_printed_scenes_are_accepted(self):
         for shader in (
-            # One kernel has rows that write a texture and a buffer. The other has groups in two axes that write a
-            # buffer.
+            # The first kernel processes rows, and writes a texture and a buffer. The second has workgroups in two axes,
+            # and writes a buffer.
             "RWStructuredBuffer<float> _Sum; RWTexture2D<float4> _Seen; [numthreads(64, 1, 1)] void A(uint3 id : SV_DispatchThreadID) { _Sum[id.x] = 1; _Seen[id.xy] = 1; }",
             "RWStructuredBuffer<float> _Sum; Texture2D<float4> _Seen; [numthreads(8, 8, 1)] void A(uint3 id : SV_DispatchThreadID) { _Sum[id.x] = _Seen[id.xy].x; }",
             "RWStructuredBuffer<float> _Sum; [numthreads(8, 8, 1)] void A(uint3 id : SV_DispatchThreadID) { _Sum[id.x] = 1; }",
@@ -40,7 +40,7 @@ class Kernels(Case):
             self.good("validate", "k.json")
 
     def test_constants_of_a_printed_scene_have_the_sizes_that_it_chooses(self):
-        # 0.3 s
+        # This test takes 0.3 s.
         def printed(shader):
             (self.folder / "a.compute").write_text("#pragma kernel A\n" + shader)
             return json.loads(self.good("kernels", "a.compute", "--scene").stdout)["objects"]["mine"]["kernels"]
@@ -57,7 +57,7 @@ class Kernels(Case):
         self.assertEqual(cloth["step"], ["A"])
 
     def test_drawn_numbers_that_are_not_finite_are_told(self):
-        # 2 s
+        # This test takes 2 s.
         shader = """#pragma kernel A
 struct P { float3 pos; float life; };
 RWStructuredBuffer<P> _P; RWTexture2D<float4> _H; float _T;
@@ -131,7 +131,7 @@ TextureCube<float4> _Sky; SamplerState sampler_linear_clamp, sampler_point_clamp
         self.bad(2, "the faces of a cube are squares, found 4 x 8", "validate", "k.json")
 
     def test_an_array_of_textures_is_refused(self):
-        # A scene would set only the first texture.
+        # Arrays of textures are refused, because a scene would set only the first texture.
         self.scene("#pragma kernel K\nTexture2D<float4> _Seen[3]; RWStructuredBuffer<float4> _Data;\n"
                    "[numthreads(8, 1, 1)] void K(uint3 id : SV_DispatchThreadID) { _Data[id.x] = _Seen[id.x % 3][uint2(0, 0)]; }\n",
                    textures={"_Seen": [4, 4]}, constants={}, buffers={"_Data": 8})

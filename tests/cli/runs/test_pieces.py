@@ -160,7 +160,7 @@ class Pieces(Case):
             process.kill()
             process.wait()
             folder = f"{rasterizer}/pieces"
-            # The child of the killed run ends shortly after it, and holds the lock of its piece until then.
+            # The child of the killed run ends shortly after the run, and until then it locks its piece.
             while (code := self.start("pieces", "draw", folder, "0", "1").wait(PATIENCE)) == 6:
                 time.sleep(0.05)
             self.assertEqual(code, 0)

@@ -46,7 +46,7 @@ class Interrupted(Case):
         self.assert_resumed_equals_undisturbed()
 
     def test_pictures_without_a_manifest_are_drawn_anew_with_a_warning(self):
-        # 1 s
+        # This test takes 1 s.
         self.good("render", "scene.json", "-o", "out/", "--frames", "0-2", "--no-manifest")
         done = self.good("render", "scene.json", "-o", "out/", "--frames", "0-2", "--resume")
         self.assertIn("000000.png and 2 more exist without out/manifest.json, which says how frames were made; all are drawn anew", done.err)

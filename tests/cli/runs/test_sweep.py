@@ -52,7 +52,7 @@ class Sweep(Case):
         self.assertEqual(self.status(0), ["3 jobs: 3 done"])
 
     def test_the_last_frame_of_each_job(self):
-        # 2 s
+        # This test takes 2 s.
         self.good("sweep", "dish.json", "--vary", "time.duration=0.1,0.2", "-o", "sw/", "--frames", "last")
         self.assertEqual([sorted(file.name for file in (self.folder / f"sw/jobs/000{job}").rglob("*.png")) for job in (0, 1)], [["000002.png"], ["000005.png"]])
 
@@ -123,7 +123,7 @@ class Sweep(Case):
         self.assertIn(shared["camera.position"], self.good("explain", "ball.json", "-D", "objects.b.sphere.radius=2", "camera.position").stdout.decode())
 
     def test_failed_aborted_and_missing(self):
-        self.write("slow.json", with_values(SLOW | {"time.duration": 3000}))  # a scene that would take hours
+        self.write("slow.json", with_values(SLOW | {"time.duration": 3000}))  # A scene that would take hours to render.
         self.good("sweep", "slow.json", "--vary", "objects.flag.cloth.air.velocity=[1,0,0],[2,0,0],[3,0,0]", "-o", "sw/", "--plan-only",
                   "--frames", "0-89999")
         # The first job cannot be written. The second is interrupted, and the third has not started.

@@ -121,7 +121,7 @@ class Bake(Case):
             self.write("again.json", with_values({"objects": {"m": {
                 "mesh": {"shape": "file", "file": f"out/flag_000000.{suffix}", "sides": "both"}, "material": {"texture": "flag.ppm"}}}}))
             upright("again.json")
-        # a glb brings its texture with it
+        # A glb file contains its texture.
         self.write("again.json", with_values({"objects": {"m": {"mesh": {"shape": "file", "file": "out/flag_000000.glb"}}}}))
         (self.folder / "flag.ppm").unlink()
         upright("again.json")

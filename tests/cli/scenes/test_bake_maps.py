@@ -91,7 +91,7 @@ class BakeMaps(Case):
                 self.assertEqual((found, rows_found), (width, height))
                 across = [sorted(apart(row[x - 1], row[x]) for row in rows) for x in range(width)]
                 down = [sorted(apart(a, b) for a, b in zip(rows[y - 1], rows[y])) for y in range(height)]
-                for lines in (across, down):  # The first line is the border of the tile.
+                for lines in (across, down):  # The first line is at the border of the tile.
                     for rank in (-1, len(lines[0]) * 99 // 100):
                         # The maximum may occur at the border by chance, so there is a tolerance of 5 %.
                         self.assertLessEqual(lines[0][rank], 1.05 * max(line[rank] for line in lines[1:]) + 1, name)

@@ -96,8 +96,8 @@ class Cycles(Case):
         def around(pixels, x, y):
             return [pixels[i, j] for i in (x - 1, x, x + 1) for j in (y - 1, y, y + 1) if (i, j) in pixels]
 
-        # Cycles places a sample at a random position in its pixel, simreel at the centre. At an edge, either side may
-        # be visible.
+        # Cycles places a sample at a random position in its pixel, and simreel places it at the centre. At an edge,
+        # either surface may be visible.
         apart = [at for a, b in ((ours, theirs), (theirs, ours)) for at, p in a.items()
                  if not any(max(abs(c - d) for c, d in zip(p, q)) <= 4 for q in around(b, *at))]
         self.assertLess(len(apart), 6, apart[:20])

@@ -95,7 +95,7 @@ class Data(Case):
         rows = list(csv.DictReader((self.folder / "out/sheet.csv").read_text().splitlines()))
         self.assertEqual([row["frame"] for row in rows], ["0", "1", "2", "3"])
         self.assertEqual(list(rows[0])[:3], ["frame", "time", "population"])
-        # For free fall by semi-implicit Euler, v = g t, so E = m (g t)^2 / 2 with m = 25 kg.
+        # For free fall with semi-implicit Euler, v = g t, so E = m (g t)^2 / 2 with m = 25 kg.
         for row in rows:
             self.assertAlmostEqual(float(row["kineticEnergy"]), 0.5 * 25 * (10 * float(row["time"])) ** 2, 3)
         self.bad(6, "exists; use --overwrite", "bake", "a.json", "-o", "out", "--format", "csv")
@@ -110,7 +110,7 @@ class Data(Case):
         self.bad(6, "lists earlier frames", "render", "a.json", "-o", "out/a.png", "--frames", "0", "--overwrite", "--no-manifest")
 
     def test_a_small_ball_does_not_fall_between_the_particles_of_a_sheet(self):
-        # In version 1 it does. 3 s
+        # In version 1, the ball does fall between the particles. This test takes 3 s.
         scene = {"stage": False, "time": {"fps": 60, "duration": 1}, "objects": {"s": {"cloth": {"size": [16, 16], "position": [0, 1, 0], "pins": []}}, "b": {"sphere": {"radius": 0.08, "position": [0.013, 0.6, 0.021]}}}}
         for version, holds in ((2, True), (1, False)):
             self.write("a.json", {"version": version, **scene})
@@ -127,7 +127,7 @@ class Data(Case):
         self.assertNotIn("pinned", self.good("render", "two.json", "-o", "b/", "--frames", "0", "--size", "32x18").err)
 
     def test_explain_knows_the_pins_of_a_sheet_of_version_1(self):
-        # 0.2 s
+        # This test takes 0.2 s.
         for version, pinned in ((1, True), (2, False)):
             self.write("a.json", {"version": version, "objects": {"sheet": {"cloth": {"size": [5, 5]}}}})
             self.assertEqual("objects.sheet.cloth.pins.0.rows" in self.good("explain", "a.json").stdout.decode(), pinned)

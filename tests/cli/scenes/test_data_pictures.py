@@ -81,7 +81,7 @@ class DataPictures(Case):
                 ends = self.ends(self.good("render", "a.json", "-o", f"{quantity}{mesh}/", "--frames", "0", "--size", "32x18").err)
                 self.assertAlmostEqual(ends["colorFrom"], 0, 5)
                 self.assertAlmostEqual(ends["colorTo"], expected, 3)
-            # For free fall without pins, v = g t after two steps in each of three frames.
+            # Without pins the cloth falls freely, so v = g t. There are two steps in each of three frames.
             for fabric in ({}, {"fabric": {"material": "cotton", "stretchDamping": 0}, "substeps": 4}):
                 self.scene({"sheet": {"cloth": {**shape, **fabric, "gravity": [0, -10, 0], "damping": 0, "pins": [], "colorBy": "speed", **auto}}})
                 ends = self.ends(self.good("render", "a.json", "-o", "fall/", "--frames", "0", "--size", "32x18", "--overwrite").err)
@@ -140,14 +140,14 @@ class DataPictures(Case):
         return [[255 - pixels[4 * (size[0] * y + x)] for x in range(size[0])] for y in range(size[1])]
 
     def test_a_field_of_version_2_is_in_the_picture_as_a_whole(self):
-        # 0.3 s
+        # This test takes 0.3 s.
         for version, fit in ((1, "cover"), (2, "contain")):
             self.write("a.json", {"version": version, "render": {"size": [64, 16]}, "objects": {"f": {"lenia": {"size": [32, 32]}}}})
             said = self.good("explain", "a.json").stdout.decode()
             self.assertIn(fit, next(line for line in said.splitlines() if line.startswith("objects.f.lenia.display.fit")))
 
     def test_a_chart_outside_of_the_picture_is_refused(self):
-        # 0.1 s
+        # This test takes 0.1 s.
         for key, value in (("x", 1.2), ("x", -0.6), ("y", 1)):
             self.write("a.json", {"version": 2, "objects": {"s": {"cloth": {}}, "c": {"chart": {"curves": [{"of": "s.speed"}], "width": 0.5, "height": 0.3, key: value}}}})
             self.bad(2, "the chart lies outside of the picture", "validate", "a.json")
@@ -214,7 +214,7 @@ class DataPictures(Case):
         # The picture shows 4 m in 200 pixels. The bar may cover at most 0.25 of 400 pixels, which is 2 m.
         self.assertEqual(self.bar({}, camera=flat), (20, 120))
         self.assertEqual(self.bar({"length": 3}, camera=flat), (20, 170))
-        # The picture shows 2 * 5 m * tan(20 degrees) in 200 pixels.
+        # The visible height of 2 * 5 m * tan(20 degrees) has 200 pixels.
         deep = {"fieldOfView": 40, "position": [0, 0, 5], "target": [0, 0, 0]}
         first, last = self.bar({"length": 1}, camera=deep)
         self.assertAlmostEqual(last - first, 200 / (10 * math.tan(math.radians(20))), delta=1)

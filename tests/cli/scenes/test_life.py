@@ -200,7 +200,8 @@ class Life(Case):
         self.bad_scene("needs \"file\"", "bake", "s.json", "-o", "out")
         self.write("p.rle", "x = 3, y = 1\n2oA!")
         self.write("s.json", scene([33, 31], 10, patterns=[{"file": "p.rle"}]))
-        self.good("bake", "s.json", "-o", "two", "--frames", "0")  # The letter A is state 1, a living cell.
+        self.good("bake", "s.json", "-o", "two", "--frames", "0")  # In the pattern, the letter A is state 1, which is a
+                                                                   # living cell.
         self.write("p.rle", "x = 3, y = 1\n2oB!")
         self.bad(2, ["p.rle:2:3", "a cell of state 2, but the rule B3/S23 has the states 0 to 1"], "bake", "s.json", "-o", "out")
         self.write("s.json", scene([33, 31], 10, patterns=[{"file": "p.rle", "rotate": 45}]))

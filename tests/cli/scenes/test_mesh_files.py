@@ -96,7 +96,7 @@ class MeshFiles(Case):
         self.bad(2, ["one name for 8 frames"], "render", "m.gltf", "--turn=0.25", "-o", "two.png")
 
     def test_texture_coordinates_that_are_not_finite_are_refused(self):
-        # 0.1 s
+        # This test takes 0.1 s.
         head = "ply\nformat binary_little_endian 1.0\nelement vertex 3\n" + "".join(f"property float {name}\n" for name in "xyzst") + "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
         self.write("a.ply", head.encode() + struct.pack("<15f", 0, 0, 0, 0, 0, 1, 0, 0, float("nan"), 0, 0, 1, 0, 0, 1) + struct.pack("<B3i", 3, 0, 1, 2))
         self.write("a.json", {"version": 2, "objects": {"m": {"mesh": {"file": "a.ply"}}}})

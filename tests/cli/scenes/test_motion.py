@@ -29,7 +29,7 @@ class Motion(Case):
             self.good("render", "scene.json", "-o", f"one{number}/", "--frames", str(number), "-q")
             self.assertEqual(pixels(self.frame(f"one{number}", number)), pixels(self.frame("all", number)), number)
         self.good("render", "scene.json", "-o", "sharp/", "-D", "camera.shutter=false", "-q")
-        # For the first frame there is no earlier state from which to blur.
+        # The first frame has no motion blur, because there is no earlier state.
         self.assertEqual(pixels(self.frame("sharp", 0)), pixels(self.frame("all", 0)))
         self.assertNotEqual(pixels(self.frame("sharp", 7)), pixels(self.frame("all", 7)))
         states = [json.loads((self.folder / name / "manifest.json").read_text())["frames"] for name in ("all", "sharp")]
@@ -38,7 +38,7 @@ class Motion(Case):
     def test_motion_blur_is_equal_in_resumed_runs_and_pieces(self):
         self.write("scene.json", FALL)
         self.good("render", "scene.json", "-o", "all/", "-q")
-        for number in (5, 6):  # the frame of a kept state, and the next one
+        for number in (5, 6):  # Frame 5 has the state of the checkpoint, and frame 6 is the next one.
             with self.subTest(number):
                 self.good("render", "scene.json", "-o", "part/", "--frames", "0-5", "--checkpoint-at", "5", "-q", "--overwrite")
                 self.frame("part", number) if number == 5 else None
@@ -109,7 +109,7 @@ class Track(Case):
         self.assertGreater(low, level + 3)
 
     def test_keyed_targets_and_paths_can_be_damped(self):
-        # With damping T, the camera's target lags by the time T behind an object in steady motion, after an initial
+        # With damping T, the camera's target lags behind an object in steady motion by the time T, after an initial
         # phase.
         keys = [[0, [-3, 0, 0]], [2, [3, 0, 0]]]
         scene = {**self.SCENE, "camera": {"position": [0, 0, 6], "target": {"keys": keys}, "damping": 0.2},
@@ -160,7 +160,7 @@ class Chart(Case):
         for frame, share in ((0, 0), (5, 0.5), (9, 0.9)):
             picture = pixels((self.folder / f"all/{frame:06}.png").read_bytes())
             red = [(at % 200, at // 200) for at, (r, g, b) in enumerate(picture) if r > 200 and g < 90 and b < 90 and 30 <= at // 200 <= 72]
-            # The plot area spans 29 to 171 and 30 to 72 in chartLayout(). This is half of its height.
+            # The plot area spans x from 29 to 171 and y from 30 to 72 in chartLayout(). The curve is at half of its height.
             rows = [y + 0.5 for _, y in red]
             self.assertAlmostEqual(sum(rows) / len(rows), 51, delta=0.6)
             self.assertAlmostEqual(max(x for x, _ in red), 29 + share * 142, delta=3)

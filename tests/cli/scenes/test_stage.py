@@ -3,7 +3,7 @@ import os
 
 from common import SOURCE, Case, main, png_rows, unfiltered
 
-# These scenes take most of the time, and other scenes and tests/gpu/draw cover the same features. They run only with
+# These scenes take most of the time. Other scenes and tests/gpu/draw cover the same features. They run only with
 # SIMREEL_LONG.
 LONG = {"casket", "neon"}
 

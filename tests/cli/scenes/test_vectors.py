@@ -50,8 +50,8 @@ class Vectors(Case):
         self.write("p.csv", "x,y,z,vx,vy,vz\n0,0,0,3,0,0\n1,0,0,0,0,9\n2,0,0,0,0,0\n3,0,0,0,0.6,0.8\n")
         dust = {"particles": {"groups": [{"file": "p.csv"}], "method": "none"}}
         self.scene({"dust": dust, "a": {"arrows": {"of": "dust", "length": 2, "high": 4}}})
-        # The middle of an arrow is half a length ahead of its point. 9 m/s is more than "high". A point at rest has no
-        # arrow.
+        # An arrow starts at its particle, so its centre is half its length ahead. The speed 9 m/s is more than "high".
+        # A particle at rest has no arrow.
         expected = [(0.75, 0, 0, 1, 0, 0, 1.5), (1, 0, 1, 0, 0, 1, 2), (3, 0.15, 0.2, 0, 0.6, 0.8, 0.5)]
         for row, wanted in zip(self.baked("a"), expected, strict=True):
             for value, right in zip(row, wanted):
@@ -71,7 +71,7 @@ class Vectors(Case):
         for points in lines.values():
             radii = [math.hypot(*point) for point in points]
             # A step of the fourth-order method changes the radius r by less than r (h/r)^5 / 100, where h is the step
-            # length. Rounding adds 1e-6 per step.
+            # length in metres. Rounding adds 1e-6 per step.
             bound = sum(r * (stride / r) ** 5 / 100 + 1e-6 for r in radii)
             self.assertLess(max(radii) - min(radii), bound)
             turns.append(sum(math.atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]) for a, b in zip(points, points[1:])))

@@ -45,8 +45,8 @@ class TwoSides(ServeCase):
             viewer.send(do="seek", frame=frame)
             self.shows(viewer, frame, left, right, frames="0-5")
         self.assertGreater(viewer.pictures[-1][0]["beside"]["different"], 0)
-        # A change of a common value, including the mouse's camera, affects both sides. Values that are set only on the
-        # right side take precedence there.
+        # A change of a value that both sides have, including the mouse's camera, affects both sides. Values that are
+        # set only on the right side take precedence there.
         viewer.send(do="camera", position=[0.5, 1, 3], target=[0, 1, 0])
         viewer.send(do="set", path="camera.fieldOfView", value=30)
         view = ["-D", "camera.position=[0.5,1,3]", "-D", "camera.target=[0,1,0]", "-D", "camera.fieldOfView=30"]

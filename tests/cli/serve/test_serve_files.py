@@ -145,7 +145,7 @@ class RightSide(ViewerCase):
         viewer.until(lambda kind, m: kind == "scene" and m["beside"]["scene"]["camera"]["position"] == [0, 1, 2] and not m["beside"]["edits"])
         written = json.loads((self.folder / "other.json").read_text().split("//")[0])
         self.assertEqual((written["camera"]["position"], written["sun"]["intensity"]), ([0, 1, 2], 4))
-        # The mouse's camera is an edit of the right side's file.
+        # The camera that the mouse moves is stored as an edit of the right side's file.
         self.assertEqual((self.folder / "scene.json").read_text(), left)
         self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["other.json", "scene.json"])
         # A removed file is not created again.

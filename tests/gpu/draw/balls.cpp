@@ -1,4 +1,5 @@
-// Tests opaque instances and their shadows against surfaces of the same shape, mesh instances, and bloom.
+// Tests opaque instances and their shadows by comparison with surfaces of the same shape. Tests mesh
+// instances and bloom.
 #include "base/file.hpp"
 #include "gpu/draw/ball_stage.hpp"
 
@@ -100,8 +101,8 @@ TEST_CASE("light per ball area is continuous across the levels of detail") {
   scene::Scene scene = darkScene();
   scene.sun.shadow = false;
   scene.sun.intensity = 1.0F;
-  // Returns the light in the picture divided by the squared radius of the ball. The radius is around 1.6
-  // pixels, the limit for small balls.
+  // Returns the total light in the picture divided by the squared radius of the ball. The radius is around
+  // 1.6 pixels, the limit for small balls.
   const auto light = [&](float pixels) {
     const float metres = pixels / (0.5F * 257 / std::tan(0.5F * 0.6981317F)) * 5;
     std::vector<glm::vec3> places;
@@ -173,7 +174,7 @@ TEST_CASE("mesh instances align their z axis with the velocity") {
   testContext();
   scene::Scene scene = darkScene();
   scene.sun.shadow = false;
-  // A needle along the z axis.
+  // Mesh of a needle along the z axis.
   const auto file = temporaryMesh("simreel_needle.obj",
                                   "v 0.1 0 -1\nv -0.1 0.1 -1\nv -0.1 -0.1 -1\nv 0 0 1\n"
                                   "f 1 2 3\nf 2 1 4\nf 3 2 4\nf 1 3 4\n");

@@ -1,4 +1,5 @@
-// Tests the charts over a picture: curve positions for any number of steps, and names in the curve colours.
+// Tests the charts over a picture: the positions of curves for any number of steps, and names in the
+// colours of the curves.
 #include "draw/overlay/chart_pass.hpp"
 
 #include "draw/overlay/chart_labels.hpp"
@@ -33,8 +34,8 @@ struct ChartStage {
   sim::Chart chart;
 };
 
-/// Returns the first and last row, counted from the top of the plot, in which `channel` dominates in the
-/// plot's column `x`. Returns -1 for both if none exists.
+/// Returns the first and last row, counted from the top of the plot, in which `channel` is the largest
+/// channel in the plot's column `x`. Returns -1 for both if there is no such row.
 glm::ivec2 span(const Picture& picture, const draw::ChartLayout& layout, int x, int channel) {
   glm::ivec2 rows(-1);
   for (int y = layout.plot.y; y < layout.plot.w; ++y) {

@@ -17,7 +17,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-/// A grid of vertices, stored like a cloth that a simulation publishes. Rows run along x; each row is below
+/// A grid of vertices, stored like a cloth that a simulation publishes. Rows run along x. Each row is below
 /// the previous one (towards -y of the grid's plane).
 struct GridStage {
   GridStage(glm::ivec2 size, glm::vec3 corner, glm::vec3 alongX, glm::vec3 alongY) {
@@ -64,7 +64,7 @@ struct GridStage {
   simreel::sim::Surface surface;
 };
 
-/// A finished picture; row 0 is at the top.
+/// A finished picture. Row 0 is at the top.
 struct Picture {
   glm::ivec2 size{0};
   std::vector<std::uint8_t> bytes;
@@ -100,8 +100,8 @@ inline Picture drawn(const simreel::scene::Scene& scene, const simreel::sim::Dra
   return {size, std::move(taken.value().second)};
 }
 
-/// Returns a scene with a black sky and the sun at the camera, so that only the objects of the test are
-/// visible.
+/// Returns a scene with a black sky and with the sun at the camera's position, so that only the objects of
+/// the test are visible.
 inline simreel::scene::Scene darkScene() {
   simreel::scene::Scene scene;
   scene.camera.position = glm::vec3(0, 0, 5);

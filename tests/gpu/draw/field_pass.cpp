@@ -19,8 +19,8 @@ Picture shown(std::vector<sim::Field> fields, glm::ivec2 size, const scene::Scen
   return drawn(scene, drawables, size);
 }
 
-/// True if the pixel has this linear colour within `off` sRGB steps. The default covers half a step of
-/// rounding plus the error of the power function.
+/// True if the pixel has this linear colour. Each sRGB value may differ by `off` steps of 1/255. The
+/// default covers half a step of rounding plus the error of the power function.
 bool has(const Picture& picture, int x, int y, glm::dvec3 linear, double off = 0.7) {
   const glm::ivec3 c = picture.at(x, y);
   for (int i = 0; i < 3; ++i)
@@ -72,7 +72,7 @@ TEST_CASE("fields: category cells have the colour of their number") {
     FieldStage stage(
         cells, {13, 9}, [](int x, int y) { return (x + y) % 5; }, {3, 5, 2}, stops);
     stage.field.categories = true;
-    stage.display.smooth = true;  // has no effect for categories
+    stage.display.smooth = true;  // This option has no effect for categories.
     const Picture picture = shown({stage.field}, {26, 18});
     for (int y = 0; y < 18; ++y)
       for (int x = 0; x < 26; ++x)
@@ -89,7 +89,7 @@ TEST_CASE("fields: a pixel is the area-weighted average of the light under it") 
     stage.display.fit = Fit::stretch;
     const Picture picture = shown({stage.field}, pixels);
     // If a pixel covers at least four cells, blocks of cells are averaged first. A block on a pixel border
-    // counts by its overlap, so the tolerance is larger.
+    // counts by its overlap with the pixel, so the tolerance is larger.
     const double under = std::min(double(size.x) / pixels.x, double(size.y) / pixels.y);
     const double allowed = under < 4 ? 0.004 : 0.12;
     for (int py = 0; py < pixels.y; ++py)
@@ -110,7 +110,8 @@ TEST_CASE("fields: a pixel is the area-weighted average of the light under it") 
 
 TEST_CASE("fields: downscaled categories average colours, not category numbers") {
   testContext();
-  // Cells are red and blue. Averaging the numbers would give green; averaging the light gives purple.
+  // Cells are red and blue. The mean of the category numbers would give green. The mean of the light gives
+  // purple.
   const std::vector<glm::vec3> stops = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   FieldStage stage(
       Cells::bytes, {120, 80}, [](int x, int y) { return 2 * ((x + y) % 2); }, {3, 5, 1}, stops);

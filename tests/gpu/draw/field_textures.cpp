@@ -70,7 +70,7 @@ TEST_CASE("field textures average blocks of cells, and the coarsest mip level av
   for (const Cells cells : {Cells::bits, Cells::floats}) {
     const glm::ivec2 size{200, 131};
     FieldStage stage(cells, size, value);
-    // the longer side of the texture is at most 64 texels
+    // The longer side of the texture is at most 64 texels.
     draw::FieldTextures textures(withSkin("grid", 16));
     textures.update({.fields = {stage.field}});
     const auto* entry = textures.find("grid");
@@ -99,7 +99,8 @@ TEST_CASE("field textures of categories hold colours and follow palette changes"
   FieldStage stage(Cells::bytes, {64, 64}, [](int x, int) { return x % 2; }, {3, 5, 1},
                    {{1, 0, 0}, {0, 0.5F, 2}});
   stage.field.categories = true;
-  draw::FieldTextures textures(withSkin("grid", 8));  // 32 texels per side, each of two cells per side
+  draw::FieldTextures textures(withSkin("grid", 8));  // The texture has 32 texels per side. Each texel
+                                                      // covers two cells per side.
   textures.update({.fields = {stage.field}});
   const auto* entry = textures.find("grid");
   REQUIRE(entry != nullptr);

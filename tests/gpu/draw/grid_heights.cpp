@@ -1,5 +1,5 @@
-// Tests grids that store only heights and the indices of one row, against equal grids that store full
-// positions and all indices.
+// Tests grids that store only heights and the indices of one row, by comparison with equal grids that store
+// full positions and all indices.
 #include "gpu/draw/lamp_stage.hpp"
 
 #include <cmath>
@@ -26,7 +26,8 @@ struct HillStage {
     for (int y = 0; y < hillSize.y; ++y)
       for (int x = 0; x < hillSize.x; ++x) {
         const float bump = 0.5F * static_cast<float>((x * 5 + y * 3) % 7) / 7.0F;
-        const bool walled = x == 0 || y == hillSize.y - 1;  // true on the west and south sides
+        const bool walled = x == 0 || y == hillSize.y - 1;  // true for the vertices on the west and south
+                                                            // sides
         const float height = walled ? std::max(bump, hillRim) : bump;
         const auto color = static_cast<float>((x + y) % 3);
         const glm::vec4 whole(hillCorner.x + static_cast<float>(x) * hillCell, hillBase + height,

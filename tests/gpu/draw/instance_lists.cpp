@@ -1,5 +1,5 @@
-// Tests the lists of visible instances, their levels of detail and small sprites against double-precision
-// references. Also compares balls very close to the camera with an equal surface.
+// Tests the lists of visible instances, their levels of detail and small sprites by comparison with
+// double-precision references. Also compares balls very close to the camera with an equal surface.
 #include "gl/element_array.hpp"
 #include "gpu/draw/ball_stage.hpp"
 #include "gpu/draw/pass_stage.hpp"
@@ -51,7 +51,8 @@ struct Eye {
   [[nodiscard]] dvec4 clip(dvec3 p) const { return matrix * dvec4(p, 1); }
 };
 
-/// Returns whether value > bound. Returns nothing if `value` is too close to `bound` to decide.
+/// Returns whether value > bound. Returns nothing if `value` is so close to `bound` that rounding may
+/// decide.
 std::optional<bool> above(double value, double bound, double near = 1e-4) {
   if (std::abs(value - bound) < near * std::max(1.0, std::abs(bound))) return std::nullopt;
   return value > bound;
@@ -198,8 +199,8 @@ TEST_CASE("instances: visible instances are listed in the level of detail for th
         }
         return level;
       };
-      // At this size, all of the smallest sprites are enlarged. None may be missing at the picture's
-      // borders.
+      // At this picture size, all of the smallest sprites are enlarged. None of them may be missing at the
+      // picture's borders.
       if (size.y < 20 && !sphere) {
         std::size_t wrong = 0;
         const auto found = levelsOf(stage.pass.visible(0));
@@ -223,7 +224,7 @@ TEST_CASE("instances: the sun's map lists instances that reach into it, small on
   sim::Instances& instances = group.instances;
   instances.massExponent = exponent;
   instances.size = 0.35F;
-  instances.boundsMin = glm::vec3(-2.1F, -1.8F, -1.9F);  // the bounds are smaller than the true ones
+  instances.boundsMin = glm::vec3(-2.1F, -1.8F, -1.9F);  // The bounds are smaller than the true ones.
   instances.boundsMax = glm::vec3(2, 2, 2);
   const sim::Drawables drawables{{}, {instances}};
   stage.shadow.fit(drawables, [&](const gl::Buffer& bounds) { stage.pass.growBounds(drawables, bounds); });
@@ -330,8 +331,7 @@ TEST_CASE(
       const double middle = glm::dot(towards, sun) * 2 / 3;
       const dvec2 gain = aside * dvec2(glm::dot(right, sun), glm::dot(up, sun));
       if (middle < std::abs(gain.x) + std::abs(gain.y) + 0.1)
-        continue;  // skips balls with a corner that
-                   // faces away from the sun
+        continue;  // Skips balls with a corner that faces away from the sun.
       ++lit;
       CHECK(std::abs(square.slope.x - gain.x / middle) < 0.008 + 0.02 * std::abs(gain.x / middle));
       CHECK(std::abs(square.slope.y - gain.y / middle) < 0.008 + 0.02 * std::abs(gain.y / middle));

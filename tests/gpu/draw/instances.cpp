@@ -30,7 +30,7 @@ std::pair<std::vector<glm::vec4>, std::vector<glm::vec4>> mixed(int count) {
     places[33].z = std::numeric_limits<float>::infinity();
     speeds[40].w = lost;
     places[31] = glm::vec4(0, 0, 0, 1);
-    speeds[31].w = 0;  // this instance is alive at age 0
+    speeds[31].w = 0;  // This instance is alive at age 0.
   }
   return {places, speeds};
 }
@@ -99,7 +99,8 @@ TEST_CASE("visible instances are listed in slot order, without dead and NaN inst
     const auto arguments = visible.arguments().readAll<unsigned>();
     auto list = visible.list().readAll<unsigned>();
     REQUIRE(arguments.size() == 16);
-    // Small instances are points or squares, large ones are squares. A batch of b squares has 6 b indices.
+    // Small instances are points or squares, and large ones are squares. A batch of b squares has 6 b
+    // indices.
     for (const std::size_t level : {0U, 1U}) {
       const unsigned* a = &arguments[level * 8];
       const unsigned corners = level == 0 && draw::SmallSprites::points() ? 1 : 6;
@@ -160,7 +161,7 @@ TEST_CASE("each visible instance is in exactly one level of detail, and each lev
     const auto begin = list.begin() + a[5];
     CHECK(std::is_sorted(begin, begin + a[6]));
     all.insert(all.end(), begin, begin + a[6]);
-    CHECK(a[0] % (60U << (2 * level)) == 0);  // a sphere of level `level` has 20 * 4^level triangles
+    CHECK(a[0] % (60U << (2 * level)) == 0);  // A sphere of level `level` has 20 * 4^level triangles.
   }
   CHECK(used >= 3);
   std::sort(all.begin(), all.end());
@@ -169,8 +170,8 @@ TEST_CASE("each visible instance is in exactly one level of detail, and each lev
   group.instances.additive = true;
   PassStage flat(scene, {640, 360});
   flat.pass.cull({{}, {group.instances}});
-  // Glows are enlarged to a min size. Therefore all instances of the spheres are visible, and a few more
-  // may be.
+  // Glows are enlarged to a min size. Therefore all instances that are visible as spheres are also visible
+  // as glows, and a few more may be.
   const auto sprites = flat.pass.visible(0).arguments().readAll<unsigned>();
   CHECK(sprites[6] + sprites[14] >= all.size());
 }
@@ -248,11 +249,12 @@ TEST_CASE("small glows conserve their light at any size") {
       for (int x = 0; x < 65; ++x) sum += std::pow(std::max(p.at(x, y).y - 3, 0) / 255.0, 2.2);
     return sum;
   };
-  // The scale is 17.9 pixels per metre. The radii are 1.25 and 0.3 pixels; brightness times area is equal.
+  // The scale is 17.9 pixels per metre. The radii are 1.25 and 0.3 pixels. The product of brightness and
+  // area is the same for both.
   const double wide = total(0.14F, 0.3F, glm::vec3(0));
   const double fine = total(0.0336F, 0.3F * 0.14F * 0.14F / (0.0336F * 0.0336F), glm::vec3(0));
   CHECK(fine == doctest::Approx(wide).epsilon(0.05).scale(0));
-  // The subpixel position has little effect.
+  // The total depends little on the position within a pixel.
   CHECK(total(0.0336F, 5.2F, glm::vec3(0.028F, 0.028F, 0)) == doctest::Approx(fine).epsilon(0.3).scale(0));
 }
 
@@ -294,8 +296,8 @@ TEST_CASE("many glows have the light of one glow with their total brightness") {
     int apart = 0;
     for (std::size_t i = 0; i < one.bytes.size(); ++i)
       apart = std::max(apart, std::abs(int{one.bytes[i]} - int{many.bytes[i]}));
-    CHECK(apart <= (draw::GlowSums::used() ? 1 : 20));  // the tolerance is larger with half-float blending,
-                                                        // which rounds at each step
+    CHECK(apart <= (draw::GlowSums::used() ? 1 : 20));  // The tolerance is larger with half-float blending,
+                                                        // which rounds at each step.
   }
 }
 

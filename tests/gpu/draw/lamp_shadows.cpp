@@ -1,4 +1,4 @@
-// Tests shadows of a scene's lights against geometry computed by hand.
+// Tests shadows of a scene's lights by comparison with geometry computed by hand.
 #include "gpu/draw/ball_stage.hpp"
 #include "gpu/draw/lamp_stage.hpp"
 #include "scene/load.hpp"
@@ -16,8 +16,8 @@ using namespace simreel;
 
 namespace {
 
-/// Returns a square sheet that is perpendicular to `direction` and centred at `distance` metres along it.
-/// `side`: in metres.
+/// Returns a square sheet that is perpendicular to `direction` and whose centre is at `distance` metres
+/// along `direction`. `side`: side length in metres.
 GridStage across(glm::vec3 direction, float distance, float side) {
   const glm::vec3 helper = std::abs(direction.y) > 0.9F ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
   const glm::vec3 right = glm::normalize(glm::cross(helper, direction));
@@ -66,7 +66,7 @@ TEST_CASE("lights: a sheet's shadow lies at its projection from the lamp") {
     for (int y = 0; y < 129; ++y)
       for (int x = 0; x < 129; ++x) {
         const glm::dvec3 p = placeOf(x, y, 129);
-        // Distance from the shadow's edge in metres; positive inside.
+        // distance from the shadow's edge in metres; positive inside the shadow
         const double depth =
             std::min(std::min(p.x - low.x, high.x - p.x), std::min(p.z - low.y, high.y - p.z));
         // seen from above, the sheet hides the ground here
@@ -121,9 +121,9 @@ TEST_CASE("lights: shadow edges are smooth ramps") {
   scene.lights = {lampAt({0, 2, 0}, 20, true)};
   scene.lights[0].shadowSize = 64;
   GridStage half({3, 3}, {0.2F, 0.5F, -3}, {4, 0, 0}, {0, 0, 6});
-  half.material.color =
-      glm::vec3(0);  // black, because a bright border next to the shadow would be the largest step
-  scene.camera.position = glm::vec3(-4, 20, 0);  // the camera is next to the sheet
+  half.material.color = glm::vec3(0);  // The ground is black, because a bright border next to the shadow
+                                       // would be the largest step.
+  scene.camera.position = glm::vec3(-4, 20, 0);  // The camera is next to the sheet.
   scene.camera.target = glm::vec3(-0.01F, 0, 0);
   const Picture picture = drawn(scene, {.surfaces = {half.surface}}, {257, 65}, 1);
   int largest = 0;
@@ -149,7 +149,7 @@ TEST_CASE("lights: no shadow acne under grazing light, on coarse maps and on rou
     return compare(shaded, plain).far;
   };
   scene::Scene scene = fromAbove();
-  scene.ground.reset();  // removed, because the sheet casts a shadow on the ground
+  scene.ground.reset();  // Removes the ground, because the sheet casts a shadow on it.
   scene.lights = {lampAt({-2.6F, 1.25F, 0.3F}, 60, true)};
   scene.lights[0].shadowSize = 64;
   GridStage wide({33, 33}, {-3, 1, -3}, {6, 0, 0}, {0, 0, 6});

@@ -1,4 +1,4 @@
-// Tests the lights of a scene on all types of drawables against closed forms.
+// Tests the lights of a scene on all types of drawables by comparison with closed forms.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "draw/lights/lamp_shadows.hpp"
@@ -102,7 +102,7 @@ TEST_CASE("lights: a spot lights its cone and fades towards the edge") {
           };
           const double cosine =
               glm::dot(glm::normalize(p - glm::dvec3(place)), glm::normalize(glm::dvec3(target - place)));
-          // skips points within half a pixel of the cone's edge
+          // Skips points within half a pixel of the cone's edge.
           if (softness == 0 && std::abs(cosine - edge) < 0.03) continue;
           const double line = softness == 0 ? (cosine > edge ? 1 : 0)
                                             : std::clamp((cosine - edge) / (full - edge), 0.0, 1.0);
@@ -196,7 +196,7 @@ TEST_CASE("lights: sixteen lights add up to their sum, at their animated intensi
     scene.lights.clear();
     for (int i = 0; i < 16; ++i) {
       scene.lights.push_back(lampAt({0.2F, 1, 0.1F}, 0, i < shadowed));
-      // Every second light is off at time 0. The other lights have twice their share of the intensity.
+      // Every second light is off at time 0. The other lights have twice their mean intensity.
       const float now = i % 2 == 0 ? 1.0F : 0.0F;
       scene.lights.back().intensity = scene::Animated<float>({{0, now}, {1, 1 - now}}, scene::Ease::linear);
       scene.lights.back().shadowSize = 32 + i;
@@ -258,13 +258,13 @@ TEST_CASE("lights: every type of drawable is lit") {
   CHECK(gained({}) > 60);
   scene.ground->roughness = 0.3F;  // reflective ground
   CHECK(gained({}) > 60);
-  // the ground is drawn in two parts: within the bounds of the sun's shadow map, and around them
+  // The ground is drawn in two parts, within the bounds of the sun's shadow map and around them.
   scene.sun.shadow = true;
   GridStage left({3, 3}, {-2, 0.5F, -2}, {1, 0, 0}, {0, 0, 1});
   GridStage right({3, 3}, {1, 0.5F, 1}, {1, 0, 0}, {0, 0, 1});
-  // the sampled point is outside the bounds of the sun's shadow map
+  // The sampled point is outside the bounds of the sun's shadow map.
   CHECK(gained({.surfaces = {right.surface}}) > 60);
-  // the sampled point is inside the bounds of the sun's shadow map
+  // The sampled point is inside the bounds of the sun's shadow map.
   CHECK(gained({.surfaces = {left.surface, right.surface}}) > 60);
 }
 
@@ -320,7 +320,7 @@ TEST_CASE("lights: one ball of any shape, lit from nearby, looks like a sphere m
       CAPTURE(static_cast<int>(shape));
       group.instances.shape = shape;
       const Difference d = compare(drawn(scene, {{}, {group.instances}}, {161, 121}), wanted);
-      CHECK(d.mean < 0.55);  // the silhouettes of two shadows differ because the maps use coarser spheres
+      CHECK(d.mean < 0.55);  // The silhouettes of two shadows differ, because the maps use coarser spheres.
       CHECK(d.far < 90);
     }
   }
@@ -335,8 +335,8 @@ TEST_CASE("lights: a visible light has the brightness of its candela") {
   scene.lights[0].radius = 0.4F;
   for (const int samples : {1, 4}) {
     const Picture picture = drawn(scene, {}, {65, 65}, samples);
-    // 65 pixels span 2 * 5 m * tan(20 degrees). At a distance of r radii from the centre, the disc has (1 -
-    // r^2)^2 of the radiance at the centre.
+    // 65 pixels span 2 * 5 m * tan(20 degrees). At r radii from its centre, the glow disc has the fraction
+    // (1 - r^2)^2 of the radiance at the centre.
     const double metres = 10 * std::tan(20 * pi / 180) / 65;
     for (const int aside : {0, 3, 5}) {
       const double r = aside * metres / 0.4;

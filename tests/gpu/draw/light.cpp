@@ -1,4 +1,4 @@
-// Tests shading and shadows of the sun against geometry computed by hand.
+// Tests shading and shadows of the sun by comparison with geometry computed by hand.
 #include "gpu/draw/instance_stage.hpp"
 
 #include <cmath>
@@ -9,7 +9,7 @@ using namespace simreel;
 
 namespace {
 
-/// Returns a scene with the camera straight above the plane y = 0. The picture's top points to -z; 64
+/// Returns a scene with the camera straight above the plane y = 0. The picture's top points to -z, and 64
 /// pixels span 8 m.
 scene::Scene groundScene(glm::vec3 sun) {
   scene::Scene scene = darkScene();

@@ -7,7 +7,7 @@
 
 #include <span>
 
-/// An instances pass without a renderer, with the frame's uniform values bound.
+/// An instances pass without a renderer. The frame's uniform values are bound.
 struct PassStage {
   PassStage(const simreel::scene::Scene& scene, glm::ivec2 size)
       : values(simreel::draw::frameValues(scene, size, 0, {})),

@@ -1,5 +1,5 @@
-// Tests materials generated from fields ("skins") on surfaces: colours, relief, projections, seams and
-// patterns finer than pixels.
+// Tests materials generated from fields ("skins") on surfaces: colours, relief, projections, seams, and
+// patterns that are finer than pixels.
 #include "draw/surface/skin_look.hpp"
 #include "gpu/draw/skin_stage.hpp"
 #include "sim/mesh/shapes.hpp"
@@ -95,7 +95,7 @@ TEST_CASE("skin: the threshold is a field value, and its default is the middle o
     for (int x = 0; x < 257; ++x) lit += picture.brightness(x, 64) > 300;
     return lit;
   };
-  const int middle = edge();  // the default threshold is the middle of the range
+  const int middle = edge();  // The default threshold is the middle of the range.
   material.skin->threshold = 58.5;
   const int quarter = edge();
   CHECK(quarter == doctest::Approx(middle / 2.0).epsilon(0.1));
@@ -120,7 +120,7 @@ TEST_CASE("skin: relief shades the same way for mirrored uvs and on both faces")
   for (const float bump : {-2.0F, 2.0F}) {
     CAPTURE(bump);
     material.skin->bump = bump;
-    const float raised = bump < 0 ? 1 : -1;  // for the look of leather, high values are low
+    const float raised = bump < 0 ? 1 : -1;  // For the look of leather, high values are low.
     for (const bool mirrored : {false, true}) {
       CAPTURE(mirrored);
       const Picture front = worn(material, field, squareMesh(mirrored), fromRight);
@@ -147,7 +147,7 @@ TEST_CASE("skin: triplanar projection of a square equals its uv projection, and 
   const auto oblique = [](scene::Scene& scene, sim::Surface&) {
     scene.sun.direction = glm::vec3(0.6F, 0.4F, 0.5F);
   };
-  // 96 x 48 cells cover 2 m x 1 m and repeat twice vertically, so there is half a copy per metre.
+  // 96 x 48 cells cover 2 m x 1 m and repeat twice vertically, so half a copy of the field covers a metre.
   sim::Mesh byUv = squareMesh();
   for (std::size_t i = 0; i < byUv.uvs.size(); ++i)
     byUv.uvs[i] = {0.5F * byUv.positions[i].x, -byUv.positions[i].y};
@@ -158,7 +158,7 @@ TEST_CASE("skin: triplanar projection of a square equals its uv projection, and 
   byUv.uvs.clear();
   material.skin->projection = scene::Skin::Projection::uv;
   CHECK(maxApart(worn(material, field, byUv, oblique), expected) <= 2);
-  // The sphere needs all three projection planes: every side shows the pattern.
+  // The sphere needs all three projection planes, because the pattern must be visible on every side.
   sim::Mesh sphere = sim::sphereMesh(1.0F, {49, 25});
   sphere.uvs.clear();
   material.skin->bump = 0;
@@ -205,7 +205,7 @@ TEST_CASE("skin: a sphere and a torus show no seam") {
         max = std::max(max, difference);
       }
     CAPTURE(max);
-    CHECK(apart <= 8);  // triangle edges may be rasterized one pixel apart
+    CHECK(apart <= 8);  // Triangle edges may be rasterized one pixel apart.
     CHECK(seam.brightness(65, 45) > 30);
   }
 }

@@ -1,5 +1,5 @@
-// Tests skins as tileable maps: shifting the field shifts the maps, borders match, and colours and normals
-// equal those on surfaces.
+// Tests skins as tileable maps. Shifting the field must shift the maps, borders must match, and colours and
+// normals must equal those on surfaces.
 #include "draw/surface/skin_maps.hpp"
 
 #include "draw/overlay/field_textures.hpp"
@@ -41,8 +41,8 @@ float apart(const glm::vec4& a, const glm::vec4& b) {
   return std::max({d.x, d.y, d.z, d.w});
 }
 
-/// Sorted differences between neighbouring texels, horizontally and vertically: inside the map, and across
-/// its border.
+/// Sorted differences between neighbouring texels, horizontally and vertically. Separate lists hold the
+/// differences inside the map and those across its border.
 struct Steps {
   std::vector<float> inside, seam;
 };
@@ -90,7 +90,7 @@ TEST_CASE("skin maps: rolling the field by half rolls the maps by exactly half")
                           apart(a.relief[there], b.relief[here]),
                           apart(a.light[there] / glow, b.light[here] / glow)});
         }
-      CHECK(max < 0.5F / 255);  // the texture unit rounds the sampling position to 1/256 texel
+      CHECK(max < 0.5F / 255);  // The texture unit rounds the sampling position to 1/256 texel.
     }
 }
 
@@ -111,8 +111,8 @@ TEST_CASE("skin maps: differences across the border are no larger than those ins
 
 TEST_CASE("skin maps: heights and normals on a slope equal their closed form") {
   testContext();
-  // The field is a triangle wave of 64 cells. It rises by 1/32 per cell up to the middle, then falls. Its
-  // height is `depth` cells.
+  // The field is a triangle wave of 64 cells. It rises by 1/32 per cell up to the middle, then falls. The
+  // height of its relief is `depth` cells.
   const FieldStage field(Cells::floats, {64, 6},
                          [](int x, int) { return x < 32 ? x / 32.0 : (64 - x) / 32.0; });
   scene::Material material = grown(Look::map);

@@ -45,8 +45,8 @@ struct MeshStage {
   simreel::sim::Surface surface;
 };
 
-/// Returns a square with sides of 2 m in the plane z = 0 that faces +z. v increases downwards; u increases
-/// to the right, or to the left if `mirrored`.
+/// Returns a square with sides of 2 m in the plane z = 0 that faces +z. v increases downwards. u increases
+/// to the right, or to the left if `mirrored` is true.
 inline simreel::sim::Mesh squareMesh(bool mirrored = false) {
   simreel::sim::Mesh mesh;
   for (const float y : {1.0F, -1.0F})

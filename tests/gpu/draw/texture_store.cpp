@@ -65,7 +65,7 @@ TEST_CASE("float textures have the mip levels of the reference filter, also at o
     const gl::Texture texture = gl::Texture::image("numbers", GL_RGBA16F, width, height, 0);
     std::vector<float> above;
     for (int i = 0; i < 4 * width * height; ++i)
-      // the values are exactly representable as half floats
+      // The values are exactly representable as half floats.
       above.push_back(static_cast<float>((i * 7919) % 2003 - 900) / 512.0F);
     glTextureSubImage2D(texture.name(), 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, above.data());
     draw::NumberMips mips;

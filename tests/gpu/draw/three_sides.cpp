@@ -42,7 +42,7 @@ bool isMost(glm::ivec3 c, int channel) {
 
 TEST_CASE("textures without uv: a triplanar texture is upright and not mirrored from all sides") {
   testContext();
-  // The upper texels are red and green, the lower texels are blue and white.
+  // The upper texels are red and green, and the lower texels are blue and white.
   const ImageFile file(2, 2, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 255});
   const Ball ball(file.path());
   for (const glm::vec3& side : {glm::vec3(0, 0, 1), glm::vec3(1, 0, 0), glm::vec3(0, 0, -1),
@@ -51,7 +51,8 @@ TEST_CASE("textures without uv: a triplanar texture is upright and not mirrored 
     CAPTURE(side.y);
     CAPTURE(side.z);
     const Picture picture = seenFrom(ball, side, side);
-    // The texture's origin is at the ball's centre. The texture's first texel is to the right and below.
+    // The texture's origin is at the ball's centre. The texture's first texel is to the right of the origin
+    // and below it.
     CHECK(isMost(picture.at(64 + 29, 64 + 29), 0));
     CHECK(isMost(picture.at(64 - 29, 64 + 29), 1));
     CHECK(isMost(picture.at(64 + 29, 64 - 29), 2));
@@ -71,7 +72,7 @@ TEST_CASE("relief of a texture: bright texels are raised, and slopes facing the 
     return seenFrom(ball, {0, 0, 1}, {1, 0, 1}).brightness(x, 64);
   };
   const int rising = 64;
-  const int falling = 64 + 29;  // 0.5 m to the right of the middle
+  const int falling = 64 + 29;  // pixel column 0.5 m to the right of the middle
   CHECK(brightness(0.5F, rising) < brightness(0, rising) - 15);
   CHECK(brightness(-0.5F, rising) > brightness(0, rising) + 5);
   CHECK(brightness(0.5F, falling) > brightness(-0.5F, falling) + 5);
@@ -97,13 +98,13 @@ TEST_CASE(
     square.material.bump = bump;
     return drawn(scene, {.surfaces = {square.surface}}, {401, 9}, 1);
   };
-  // Includes the specular reflection straight back, F0 / 4.
+  // Returns the albedo, including the specular reflection straight back, F0 / 4.
   const auto albedo = [](int x) { return 0.01 + 0.3 * (0.21586 + 0.78414 * (x + 0.5 - 100.5) / 200); };
   const auto byteOf = [](double light) { return filmByte({light, light, light})[1]; };
   for (const float bump : {0.0F, 1.0F}) {
     const Picture picture = pictureWith(bump);
     double low = 0;
-    double high = 4;  // bisects the fraction of the light that the slope reflects
+    double high = 4;  // Finds the fraction of the light that the slope reflects, by bisection.
     for (int i = 0; i < 40; ++i)
       (byteOf(albedo(200) * 0.5 * (low + high)) < picture.at(200, 4).y ? low : high) = 0.5 * (low + high);
     for (const int x : {128, 140, 170, 230, 260, 272}) {

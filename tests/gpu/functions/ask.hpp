@@ -1,5 +1,5 @@
 #pragma once
-// Tests single shader functions of the simulation models: the GPU must return the same values as the same
+// Tests single shader functions of the simulation models. The GPU must return the same values as the same
 // file compiled as C++. Many of the inputs are equal, zero or on an edge, because scenes rarely produce
 // cases such as a distance of exactly 0.
 #include "base/error.hpp"
@@ -60,8 +60,8 @@ inline std::vector<glm::vec4> answersOfDevice(const std::string& name, const std
   return found;
 }
 
-// True if two results count as equal. Zeros of either sign are equal, because GLSL's min, max and clamp may
-// return either zero, and no model depends on the sign.
+// True if two results count as equal. Zeros with either sign count as equal, because GLSL's min, max and
+// clamp may return either of them, and no model depends on the sign.
 inline bool alike(float a, float b) {
   return a == b || (std::isnan(a) && std::isnan(b));
 }
@@ -84,5 +84,5 @@ void checkAll(const std::string& name, const std::string& before = "") {
     different += i > 0 && wanted != found[static_cast<std::size_t>(i - 1)] ? 1U : 0U;
   }
   CHECK_MESSAGE(wrong == 0, wrong, " of ", questions, " differ, the first at ", first);
-  CHECK(different > questions / 10);  // neighbouring inputs must give different outputs
+  CHECK(different > questions / 10);  // Neighbouring inputs must give different outputs.
 }

@@ -1,6 +1,6 @@
 #include "cloth/types.glsl"
 
-// Like ClothStep, but smaller.
+// The members of ClothStep that the tested functions need.
 struct ToldCloth {
   vec4 gravity, wind, airVelocity, gustDrift, origin, alongX, alongY;
   vec4 clamped[4];

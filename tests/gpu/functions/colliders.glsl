@@ -53,8 +53,8 @@ FUNCTION void prepare(int i) {
   meshData.meshes[0].friction = float(someOf(i, 80, 3) - 1) * 0.5f;
 }
 
-// Tests the analytic shapes, the distance field alone, and the resolution of mesh penetrations after short moves, long
-// moves and moves from the side.
+// Tests the analytic shapes, the distance field by itself, and the resolution of mesh penetrations after short moves,
+// long moves and moves from the side.
 FUNCTION vec4 asked(int i) {
   prepare(i);
   Motion m;

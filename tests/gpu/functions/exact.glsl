@@ -1,7 +1,7 @@
 // Returns numbers of all magnitudes, including the limits of each function's domain.
 FUNCTION float anyNumber(int i, int k) {
   uvec3 bits = diced(i, k);
-  // magnitude 2^-40 to 2^40
+  // a number with a magnitude between 2^-40 and 2^40
   float some = intBitsToFloat(int((bits.x & 0x807fffffu) | ((87u + bits.y % 80u) << 23u)));
   return (bits.z & 7u) == 0u ? someNumber(bits.y) : some;
 }

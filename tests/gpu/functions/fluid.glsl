@@ -1,4 +1,4 @@
-// Like FluidSolidSet, but smaller.
+// The members of FluidSolidSet that the tested functions need.
 struct FewSolids {
   FluidSolid solids[3];
   vec4 growth[1];

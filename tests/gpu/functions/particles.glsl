@@ -1,6 +1,6 @@
 #include "particles/types.glsl"
 
-// Like ParticleStep, but smaller.
+// The members of ParticleStep that the tested functions need.
 struct ToldParticles {
   ParticleFields fields, fieldsBefore;
   Pace pace;

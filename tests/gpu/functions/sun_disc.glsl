@@ -1,6 +1,6 @@
 int scenery;
 
-// Returns the shadow map depth of a texel. The depths form steps with holes; some steps are as near as the receiver.
+// Returns the shadow map depth of a texel. The depths form steps with holes. Some steps are at the receiver's depth.
 FUNCTION float casterNear(ivec2 texel) {
   ivec2 block = (texel + 4096) >> 2;
   int drawn = someOf(64 * (block.y & 63) + (block.x & 63), scenery, 6);

@@ -1,4 +1,4 @@
-// Tests user kernels on the GPU: their results must have the same bits as the program's exact functions
+// Tests user kernels on the GPU. Their results must have the same bits as the program's exact functions
 // compiled as C++.
 #include "kernels/kernels.hpp"
 
@@ -234,7 +234,7 @@ TEST_CASE("user kernels: texture filtering uses weights in full precision") {
   CHECK(clampedLinear[4] == 49.0F);
   CHECK(clampedLinear[7] == 9.0F);
   CHECK(clampedLinear[8 + 3] == 3.0F);
-  CHECK(clampedLinear[8 + 4] == 0.0F);  // reads outside of the image return 0
+  CHECK(clampedLinear[8 + 4] == 0.0F);  // Reads outside of the image return 0.
   const std::vector<float> repeated = filtered(0);
   CHECK(repeated[0] == 4.0F);
   CHECK(repeated[4] == 16.0F);

@@ -1,6 +1,6 @@
-// Tests all exact functions of users' kernels against doubles of the CPU's library, for ordinary numbers,
-// for arbitrary bits and for edge cases. The hashes of all results must equal the stored hashes on every
-// driver.
+// Tests all exact functions of users' kernels by comparison with doubles of the CPU's library, for ordinary
+// numbers, for arbitrary bits and for edge cases. The hashes of all results must equal the stored hashes on
+// every driver.
 #include "gpu/kernel_guards.hpp"
 
 #include <algorithm>
@@ -24,8 +24,9 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
                  inf = std::numeric_limits<double>::infinity();
 
-/// An expression of x and y, its value in doubles, its max error relative to the value and to 1, and the
-/// domain for which this error holds. `hash`: hash of the results for the first `hashed` inputs.
+/// An expression of x and y, its value in doubles, its max error, and the domain for which this error
+/// holds. The error is relative to the larger of the value's magnitude and 1. `hash`: hash of the results
+/// for the first `hashed` inputs.
 struct Function {
   const char* expression;
   double (*truth)(double x, double y);
@@ -153,9 +154,9 @@ const Function functions[] = {
 };
 // clang-format on
 
-/// Returns pairs of numbers: all pairs of edge cases, then alternately numbers of arbitrary bits, of
-/// moderate magnitude, and from -10 to 10. Subnormal numbers become zero, because the functions treat
-/// them as zero.
+/// Returns pairs of numbers. All pairs of edge cases come first. Then the numbers alternate between
+/// arbitrary bits, moderate magnitudes, and the range -10 to 10. Numbers below 1e-30 become zero, because
+/// the functions treat them as zero.
 std::vector<float> inputs(std::size_t count) {
   std::vector<float> edges = {
       0,     1,           0.5F,      2,     3,      1e-30F,     1e30F,    1.1e30F,       8e37F,

@@ -1,4 +1,5 @@
-// Tests automata of all families, cell by cell, against the plain loops of tests/reference/states_twin.cpp.
+// Tests automata of all families, cell by cell, by comparison with the plain loops of
+// tests/reference/states_twin.cpp.
 #include "base/error.hpp"
 #include "gpu/context.hpp"
 #include "reference/life_twin.hpp"

@@ -1,4 +1,4 @@
-// Tests skinned bodies: the kernel against its CPU twin bit for bit and against its equation in double
+// Tests skinned bodies. Compares the kernel with its CPU twin bit for bit, and with its equation in double
 // precision. Also tests cloth on bodies.
 #include "gpu/context.hpp"
 #include "gpu/sim/words.hpp"

@@ -23,7 +23,7 @@ sim::CaveParameters cave(int width, int height) {
   return p;
 }
 
-/// Returns caves of odd sizes, of one cell, of more than a word per row, and with rows that fill whole
+/// Returns caves of odd sizes, of one cell, with more than one word per row, and with rows that fill whole
 /// words and groups of words.
 std::vector<sim::CaveParameters> someCaves() {
   std::vector<sim::CaveParameters> all = {cave(1, 1),    cave(1, 40),  cave(77, 1),

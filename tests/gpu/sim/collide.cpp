@@ -1,4 +1,5 @@
-// Tests cloth and particles that touch shapes, bodies and meshes, word by word, against their CPU twins.
+// Tests cloth and particles that touch shapes, bodies and meshes. They must equal their CPU twins word by
+// word.
 #include "gpu/context.hpp"
 #include "gpu/sim/words.hpp"
 #include "reference/cloth_twin.hpp"

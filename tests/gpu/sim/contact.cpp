@@ -95,8 +95,8 @@ class MovedSolid : public sim::ContactSolid {
   std::unique_ptr<sim::MovedVertices> vertices_;
 };
 
-/// Links of a simulation without a world. They contain only a group of simulations that step together, with
-/// a fixed number of steps per frame.
+/// Links of simulations outside of a world. They contain only a group of simulations that step together,
+/// with a fixed number of steps per frame.
 class GroupAlone final : public sim::Links {
  public:
   explicit GroupAlone(int steps) : steps_(steps) {}

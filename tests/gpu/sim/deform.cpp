@@ -1,5 +1,5 @@
-// Tests deformed meshes: every technique, word by word, against the CPU twin, and the pictures of all
-// techniques against each other.
+// Tests deformed meshes. Compares every technique with the CPU twin word by word, and the pictures of all
+// techniques with each other.
 #include "draw/screen/readback.hpp"
 #include "draw/screen/renderer.hpp"
 #include "gpu/context.hpp"

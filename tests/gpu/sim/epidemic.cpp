@@ -161,9 +161,9 @@ TEST_CASE("epidemic: waning immunity keeps the epidemic going") {
   CHECK(run(p, 200).back().y > 100);
 }
 
-// One step from a known state: a susceptible cell with n infected neighbours must become infected with
-// probability 1 - (1 - beta)^n. On a torus whose columns are alternately infected, n is 6 everywhere, and
-// the number of new infections is binomial.
+// The test makes one step from a known state. A susceptible cell with n infected neighbours must become
+// infected with probability 1 - (1 - beta)^n. On a torus whose columns are alternately infected, n is 6
+// everywhere, and the number of new infections is binomial.
 TEST_CASE("epidemic: the infection probability is 1 - (1 - beta)^n, the recovery probability gamma") {
   auto p = city(510, 301);
   p.border = Parameters::Border::torus;

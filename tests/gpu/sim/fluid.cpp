@@ -1,4 +1,5 @@
-// Tests fluids on the GPU, bit for bit, against their CPU twin with all types of sides, sizes and forces.
+// Tests fluids on the GPU with all types of sides, sizes and forces. They must equal their CPU twin bit for
+// bit.
 #include "sim/fluid/fluid.hpp"
 
 #include "gpu/context.hpp"
@@ -115,9 +116,8 @@ TEST_CASE("fluid equals its CPU twin with tiles far from walls and obstacles") {
   compareFluid(p, 2);
 }
 
-// On the storage-buffer memory path, one dispatch processes all levels just before the coarsest, and each
-// finer level has a dispatch of its own. On a torus, the cells that a workgroup reads extend across the
-// seam.
+// On the storage-buffer memory path, one dispatch processes several coarse levels, and each finer level has
+// a separate dispatch. On a torus, the cells that a workgroup reads extend across the seam.
 TEST_CASE("fluid equals its CPU twin with many multigrid levels") {
   auto p = jets(1100, 41);
   setSides(p, Side::open, Side::slip, Side::open, Side::inflow);

@@ -1,5 +1,5 @@
-// Tests the chart of a fluid's drag and lift. It must have one value for each frame, even for frames that
-// are not drawn.
+// Tests the chart of a fluid's drag and lift. The chart must have one value for each frame, including
+// frames that are not drawn.
 #include "gpu/context.hpp"
 #include "sim/fluid/chart.hpp"
 #include "sim/fluid/fluid.hpp"

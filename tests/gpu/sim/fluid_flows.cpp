@@ -11,7 +11,7 @@
 
 using namespace simreel;
 
-// The reference values at 40 cells per diameter are: Strouhal number 0.30, drag 3.23, lift 1.0 (Schaefer
+// At 40 cells per diameter, the reference values are Strouhal number 0.30, drag 3.23 and lift 1.0 (Schaefer
 // and Turek 1996).
 TEST_CASE("fluid: a cylinder ten cells wide has roughly the published shedding frequency and drag") {
   testContext();

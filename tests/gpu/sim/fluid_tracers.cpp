@@ -1,4 +1,4 @@
-// Tests tracers of a fluid, word by word, against their CPU twin.
+// Tests tracers of a fluid. They must equal their CPU twin word by word.
 #include "gpu/context.hpp"
 #include "reference/tracers_twin.hpp"
 #include "scene/load.hpp"
@@ -81,8 +81,8 @@ void checkTracers(const std::string& sides) {
 
 }  // namespace
 
-// A streak is blended over a cell by: over = color + (under - color) exp(-trail brightness / 4096). `trail`
-// is the light in the cell.
+// A streak is blended over a cell by over = color + (under - color) exp(-trail brightness / 4096). `trail`
+// is the amount of light in the cell.
 TEST_CASE("tracers: streaks are blended over the displayed field, cell by cell") {
   testContext();
   const auto worldOf = [](const std::string& more) {

@@ -1,4 +1,4 @@
-// Tests particles and cloth in the wind of a moving fluid, word by word, against their CPU twins.
+// Tests particles and cloth in the wind of a moving fluid. They must equal their CPU twins word by word.
 #include "gpu/context.hpp"
 #include "reference/cloth_twin.hpp"
 #include "reference/garment_twin.hpp"
@@ -24,7 +24,7 @@ namespace {
 constexpr double windFrame = 1.0 / 60.0;
 
 /// Returns a scene with an object in the wind of a fluid. The object precedes the fluid in the scene, so
-/// that a wrong order of stepping is noticed.
+/// that the test fails if the objects step in this order.
 scene::Scene windyScene(const std::string& blown) {
   return scene::parseScene(fmt::format(R"({{"version": 1, "seed": 5, "objects": {{"blown": {{{}}},
     "storm": {{"fluid": {{"size": [37, 22], "speed": 90, "flow": [8, 0, 0], "sides": {{"left": "open", "right": "open"}},

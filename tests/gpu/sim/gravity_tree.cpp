@@ -58,8 +58,8 @@ struct Errors {
 };
 
 /// Returns the errors relative to a sum over all pairs in double precision. `relativeToMean`: true to
-/// divide by the root mean square of all accelerations instead of each body's own. This is needed for
-/// bodies on a line, where the forces from both sides cancel in the middle.
+/// divide by the root mean square of all accelerations, false to divide by each body's acceleration. The
+/// former is needed for bodies on a line, where the forces from both sides cancel in the middle.
 Errors errorsOf(const std::vector<glm::vec4>& bodies, const std::vector<glm::vec4>& got, const Setup& setup,
                 bool relativeToMean = false) {
   std::vector<int> of(bodies.size());

@@ -113,7 +113,7 @@ TEST_CASE("grayScott: every cut of the work into workgroups gives the same bits"
   GrayScottTwin twin(plan);
   twin.advance(plan.ratesAt(0), 61);
   using Cut = sim::GrayScottKernels::Cut;
-  // On the texel memory path, a strip without adjacent strips must include its own border cells.
+  // On the texel memory path, a strip without adjacent strips must include the border cells at its sides.
   const int sides = gl::memoryPath() == gl::MemoryPath::texel ? 8 : 0;
   for (const Cut cut :
        {Cut{1, 1, 8, 8}, Cut{1, 8, 32, 4}, Cut{2, 4, 8, 8}, Cut{3, 5, 4, 4}, Cut{1, 8, 32, 4, 16},

@@ -29,8 +29,8 @@ const char* const swell = R"("shape": "plane", "size": [5, 0, 4], "resolution": 
              {"ripple": {"amplitude": 0.08, "wavelength": 1.7, "speed": 6}},
              {"push": {"softness": 0.2}}])";
 
-/// Returns a scene with an object that falls onto a deformed mesh. The object comes first in the scene, so
-/// that a wrong order of stepping is noticed.
+/// Returns a scene with an object that falls onto a deformed mesh. The object precedes the mesh in the
+/// scene, so that the test fails if the objects step in this order.
 scene::Scene sceneOf(const std::string& falling, const std::string& technique = "compute",
                      double preroll = 0) {
   return scene::parseScene(fmt::format(R"({{"version": 1, "seed": 5, "time": {{"start": {3}}}, "objects": {{

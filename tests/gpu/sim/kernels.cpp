@@ -1,5 +1,5 @@
-// Tests the shipped example kernels against their equations in double precision. Also tests that an error
-// in a kernel ends the run with a message that names the kernel.
+// Tests the shipped example kernels by comparison with their equations in double precision. Also tests that
+// an error in a kernel ends the run with a message that names the kernel.
 #include "sim/kernels/kernels.hpp"
 
 #include "base/error.hpp"

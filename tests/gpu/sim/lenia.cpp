@@ -93,7 +93,7 @@ TEST_CASE("smooth life on the GPU equals its paper's equations in double precisi
   p.model = LeniaParameters::Model::smoothLife;
   p.radius = 9;
   p.timeScale = 5;
-  // For a radius of 7.4, no cell lies at the distance where the disc's ramp is 0.5. The four limits of
+  // With a radius of 7.4, no cell lies at the distance where the disc's ramp is 0.5. The four limits of
   // birth and survival all differ.
   for (const double radius : {9.0, 7.4}) {
     p.radius = radius;

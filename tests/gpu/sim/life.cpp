@@ -73,7 +73,8 @@ TEST_CASE("life equals its CPU twin with several generations per pass") {
     for (const char* rule : {"B3/S23", "B03/S1238"}) {
       auto p = grid(size.x, size.y);
       p.rule = rule;
-      p.stepsPerSecond = 113;  // The number of generations per frame is not a multiple of that per pass.
+      p.stepsPerSecond = 113;  // The number of generations per frame is not a multiple of the number per
+                               // pass.
       compare(p, 6);
       p.border = LifeBorder::dead;
       compare(p, 6);
@@ -143,8 +144,8 @@ TEST_CASE("life equals its CPU twin after more generations than the loop limit o
 TEST_CASE("life equals its CPU twin with a front that enters still regions at one cell per generation") {
   testContext();
   const simreel::test::TemporaryFile cell("cell.rle", "x = 1, y = 1\no!");
-  // At the end of a pass, the front is exactly as far from the next tile as it moves in the next pass, once
-  // on either side.
+  // At the end of a pass, the distance from the front to the next tile equals the distance that the front
+  // moves in the next pass. This is tested once on either side.
   for (const int at : {256, 263}) {
     auto p = grid(576, 448);
     p.rule = "B12345678/S012345678";

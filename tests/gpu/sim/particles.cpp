@@ -188,7 +188,7 @@ TEST_CASE("particles: a Plummer sphere of more than one chunk equals its CPU twi
 }
 
 TEST_CASE("particles: gravity of 70,001 bodies includes every body") {
-  // Loops of more than 65,535 iterations end silently on some software drivers. Bodies beyond that number
+  // Loops of more than 65,535 iterations end silently on some software drivers. Bodies with larger indices
   // must still have an effect.
   testContext();
   constexpr int count = 70001;

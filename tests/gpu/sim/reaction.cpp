@@ -1,5 +1,5 @@
-// Tests reaction rules on the GPU, bit for bit, against their evaluator on the CPU for all boundaries,
-// methods and widths.
+// Tests reaction rules on the GPU for all boundaries, methods and widths. They must equal their evaluator
+// on the CPU bit for bit.
 #include "sim/reaction/reaction.hpp"
 
 #include "base/error.hpp"

@@ -1,5 +1,5 @@
-// Tests rules that read fields of other objects. The values must be those at the start of the frame,
-// independent of the order of stepping, and must equal the CPU's bit for bit.
+// Tests rules that read fields of other objects. The values must be those at the start of the frame, must
+// not depend on the order of stepping, and must equal the CPU's values bit for bit.
 #include "gpu/context.hpp"
 #include "scene/load.hpp"
 #include "scene/scene.hpp"
@@ -136,9 +136,9 @@ TEST_CASE("reaction reads fields of every kind with its twin's bits, also fields
   sameBits(valuesOf(passed, "host"), shown);
 }
 
-// du/dt = v and dv/dt = -u, where each equation uses the other's value at the start of the frame. With the
-// frame duration H, this gives u' = u + H v and v' = v - H u simultaneously. The expected values are
-// computed in double precision. Both grids have 4x4 cells.
+// Tests du/dt = v and dv/dt = -u, where each equation uses the value of the other species at the start of
+// the frame. With the frame duration H, this gives u' = u + H v and v' = v - H u simultaneously. The
+// expected values are computed in double precision. Both grids have 4x4 cells.
 TEST_CASE("reactions that read each other both read the state before the frame") {
   testContext();
   const auto one = [](const char* other, const char* rate, const char* start) {
@@ -191,7 +191,7 @@ TEST_CASE("a field on another grid is sampled at the same place of the picture")
 }
 
 // A mesh samples grids at its texture coordinates, or by projection from one side ("maps"). Objects on the
-// same mesh are read cell by cell, whatever their positions.
+// same mesh are read cell by cell, regardless of their positions.
 TEST_CASE("reaction on a mesh reads grids and its own mesh with its twin's bits") {
   testContext();
   const scene::Scene scene = ofObjects(R"X(
@@ -262,7 +262,7 @@ TEST_CASE(
     sameBits(valuesOf(world, "fine"), fine.field.stage[0]);
     sameBits(valuesOf(world, "fine.w"), fine.field.stage[1]);
   }
-  sameBits(valuesOf(world, "alike"), source);  // Grids of equal size are read cell by cell.
+  sameBits(valuesOf(world, "alike"), source);  // A grid of equal size is read cell by cell.
   const std::vector<float> got = valuesOf(world, "fine");
   double worst = 0;
   for (int z = 0; z < 28; ++z)

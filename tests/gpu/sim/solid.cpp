@@ -93,8 +93,8 @@ struct Welded {
   }
 };
 
-/// Returns the number of connected regions of the map by flood fill. Open cells connect across edges, and
-/// rock connects across edges and corners. There is rock outside the map.
+/// Returns the number of connected regions of the map, found by flood fill. Open cells connect across
+/// edges, and rock connects across edges and corners. The outside of the map counts as rock.
 int regionCount(glm::ivec2 size, const std::function<float(int, int)>& value, bool rock) {
   const glm::ivec2 all = size + 2;
   const auto isRock = [&](int x, int y) {
@@ -224,7 +224,7 @@ TEST_CASE("a solid is closed and has as many parts as the map has regions") {
         CHECK(welded.openEdges() == 0);
         const int rooms = regionCount(size, map, false);
         // Rock that is not connected to the outside is an island in a room. Each island adds a handle to
-        // the room's surface.
+        // the surface of the room.
         const int islands = regionCount(size, map, true) - 1;
         CHECK(welded.eulerCharacteristic() == (ceiling ? 2 + 2 * rooms - 2 * islands : 2));
         // The expected volume is the volume of the whole block minus the open space above the floor.
@@ -237,8 +237,8 @@ TEST_CASE("a solid is closed and has as many parts as the map has regions") {
 
 TEST_CASE("the floor's area is the sum over the sixteen marching squares cases") {
   testContext();
-  // Returns the area, in eighths of a cell, that low corners cover. Two opposite low corners cover only the
-  // areas at the corners.
+  // Returns the area, in eighths of a cell, that low corners cover. Two opposite low corners cover only
+  // triangles at these corners.
   const auto eighths = [](bool a, bool b, bool c, bool d) {
     const int low = int(!a) + int(!b) + int(!c) + int(!d);
     return low == 0 ? 0 : low == 1 ? 1 : low == 3 ? 7 : low == 4 ? 8 : a == c ? 2 : 4;

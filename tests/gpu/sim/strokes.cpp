@@ -1,5 +1,5 @@
-// Tests strokes in every simulation that supports them. A stroke at the start must be in the first state,
-// and strokes must wrap around a torus.
+// Tests strokes in every simulation that supports them. A stroke at the start time must be in the first
+// state, and strokes must wrap around a torus.
 #include "base/file.hpp"
 #include "frame/image.hpp"
 #include "gpu/sim/spread.hpp"
@@ -173,8 +173,8 @@ TEST_CASE("strokes: a stroke appears in the first frame at or after its time, wi
 }
 
 TEST_CASE("strokes: an image stroke paints exactly its own pixels") {
-  // The image's first column and row are white. A read beyond a row's end returns the next row's first
-  // pixel and is therefore noticed.
+  // The image's first column and row are white. A read beyond a row's end returns the first pixel of the
+  // next row, which is white, so the test detects it.
   constexpr glm::ivec2 stamp(9, 5), at(20, 11);
   frame::Image picture{stamp.x, stamp.y, {}};
   std::vector<bool> expected(static_cast<std::size_t>(size.x) * size.y);

@@ -71,7 +71,7 @@ TEST_CASE("survey: a jet is framed up to its top, and one stray particle is igno
     "look": {"size": 0.001}, "emitters": [{"velocity": [0, 4, 0], "spread": 0, "speedVariation": 0, "lifetime": 1}]}}})",
                                   R"("time": {"start": 2, "duration": 1}, )");
   const SeenExtent extent = wayOf(sim::surveyMotion(scene).framed.at(0));
-  // The jet reaches a height of v^2 / (2 g). The pre-roll has filled it.
+  // The jet reaches a height of v^2 / (2 g). It is complete, because the pre-roll is long enough.
   CHECK(extent.high.y == doctest::Approx(1).epsilon(0.02).scale(0));
   CHECK(std::abs(extent.high.x) < 0.01F);
   scene::Scene stray =

@@ -1,4 +1,4 @@
-// Tests step traces of real runs: their hash sums, and the exact location of a disturbance in the state.
+// Tests step traces of real runs: the hash sums, and the exact location of a change in the state.
 #include "golden/trace/trace.hpp"
 
 #include "base/error.hpp"

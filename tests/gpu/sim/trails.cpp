@@ -1,4 +1,4 @@
-// Tests trails of particles against the positions in earlier frames.
+// Tests trails of particles by comparison with the positions in earlier frames.
 #include "sim/particles/trails.hpp"
 
 #include "gpu/context.hpp"
@@ -80,8 +80,8 @@ TEST_CASE("a trail of few frames ends at the first one") {
 }
 
 TEST_CASE("a trail begins where its particle was born") {
-  // Particle 0 lives all the time, particle 2 is born in frame 9 in the slot of one that died, and particle
-  // 4 does not live.
+  // Particle 0 lives in all frames. Particle 2 is born in frame 9 in the slot of a particle that died.
+  // Particle 4 does not live.
   const sim::MeshTable table = trailsAfter(11, [](int i, int frame) {
     if (i == 4) return -1.0F;
     return i == 0      ? 0.05F * static_cast<float>(frame)

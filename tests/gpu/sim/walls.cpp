@@ -1,5 +1,5 @@
-// Tests cloth and particles that touch the walls of changing caves and contours, word by word, against
-// their CPU twins.
+// Tests cloth and particles that touch the walls of changing caves and contours. They must equal their CPU
+// twins word by word.
 #include "sim/contour/walls.hpp"
 
 #include "gpu/context.hpp"
@@ -27,7 +27,8 @@ namespace {
 
 constexpr double wallsFrame = 1.0 / 60.0;
 
-/// Returns a scene whose first object falls, so that a wrong order of stepping is noticed.
+/// Returns a scene whose first object falls and precedes the object with the walls, so that the test fails
+/// if the objects step in this order.
 scene::Scene wallsScene(const std::string& faller, const std::string& objects) {
   return scene::parseScene(
       fmt::format(R"({{"version": 1, "seed": 5, "objects": {{"faller": {{{}}}, {}}}}})", faller, objects),

@@ -152,8 +152,7 @@ TEST_CASE("wildfire: cell counts add up, fuel only shrinks, burnt area only grow
   CHECK(last.z > 12000);
 }
 
-// A firebreak is two cells thick. Fire on one side must never reach the other side, and bare cells must
-// never change.
+// A firebreak is two cells thick. Fire must not cross it, and bare cells must never change.
 TEST_CASE("wildfire: bare ground never burns, and a firebreak holds") {
   auto p = plain(131, 97);
   p.spread = 1.0F;
@@ -218,8 +217,8 @@ TEST_CASE("wildfire equals its CPU twin on 131x97 with hills") {
   compare(p, 20);
 }
 
-// The slope is half a cell size per cell, in each of four directions. Fire must spread further uphill than
-// downhill and equally far to both sides.
+// The slope rises by half of the cell size per cell, in each of four directions. Fire must spread further
+// uphill than downhill and equally far to both sides.
 TEST_CASE("wildfire: fire spreads further uphill than downhill") {
   const auto rising = [](glm::ivec2 way) {  // White is 127.5 cell sizes higher than black.
     std::string pgm = "P5 255 255 255\n";
@@ -323,7 +322,7 @@ TEST_CASE("wildfire: the probability of catching fire is `spread`, weighted by f
     p.stepsPerSecond = 30;
     p.spread = 0.3F;
     p.moisture = static_cast<float>(moisture);
-    lightRows(p, 1, 3);  // Each other cell has three burning neighbours.
+    lightRows(p, 1, 3);  // Each cell between the lit rows has three burning neighbours.
     const auto gpu = spread::make(sim::wildfireKind(), p);
     gpu->step(0, {});
     const auto cells = spread::cellsOf(*gpu, p.size);

@@ -54,7 +54,7 @@ TEST_CASE("the state hash is the same on every device") {
 TEST_CASE("the state hash covers every word of small and large arrays") {
   testContext();
   const sim::StateHash kernel;
-  // The counts are odd, and the last one exceeds the number of invocations of one dispatch.
+  // The numbers are odd, and the last one exceeds the number of invocations of one dispatch.
   for (const unsigned count : {1U, 63U, 257U, 300007U}) {
     CAPTURE(count);
     std::vector<glm::uvec4> words;

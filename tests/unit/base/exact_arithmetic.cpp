@@ -1,6 +1,6 @@
-// Tests glsl/common/exact.glsl and the film's tone curve against the C library in double precision, which
-// is exact to all digits of a float. Arguments are sampled densely. Where one power of two represents all
-// others, every float in it is tested.
+// Tests glsl/common/exact.glsl and the film's tone curve by comparison with the C library in double
+// precision, which is exact to all digits of a float. Arguments are sampled densely. Where one power of two
+// represents all others, every float in it is tested.
 #include "draw/picture_code.hpp"
 #include "sim/core/shader_code.hpp"
 

@@ -20,7 +20,7 @@ struct Heard {
   int ready = 0;
 };
 
-/// Returns a work force whose workers answer "item 3" etc. Early items take longer. `end` may end a
+/// Returns a work force whose workers answer "item 3" and so on. Early items take longer. `end`: may end a
 /// worker's process before it answers.
 WorkForce force(
     std::size_t workers, std::size_t items, Heard& heard,

@@ -127,7 +127,7 @@ TEST_CASE("sweep: results keep every digit, and distinguish missing from failed 
                         "passed energy of flag,mass of dish (kg),lost,town.ill\n"
                         "0000,done,0.03,1,0.30000000000000004,yes,1e-300,,12\n"
                         "0001,missing,0.03,4,,,,,\n"));
-  // A spreadsheet must not run cells as formulas, because their text comes from the author of a scene.
+  // Tests that a spreadsheet does not run cells as formulas. Their text comes from the author of a scene.
   for (const auto& [value, cell] :
        {std::pair("=cmd|' /C calc'!A0", "'=cmd|' /C calc'!A0"), std::pair("@x,y", "\"'@x,y\""),
         std::pair("+x", "'+x"), std::pair("-1.5e3", "-1.5e3"), std::pair("-x", "'-x")}) {

@@ -73,7 +73,8 @@ TEST_CASE("bench: the figures of a row are computed from its samples") {
   CHECK(f.frame.median == 10);
   CHECK(f.outliers.count == 1);
   CHECK(f.perSecond == doctest::Approx(5e3 / 90));
-  CHECK(f.processors == doctest::Approx(2.5));  // The processor time is 225 ms in 90 ms.
+  CHECK(f.processors == doctest::Approx(2.5));  // 225 ms of processor time in 90 ms of wall-clock time are
+                                                // 2.5 processors.
   CHECK(f.cpu == doctest::Approx(8.01));
   CHECK(f.bound == "step sea (deform), 60%");
   const auto gpu = row("jobs", false).times;

@@ -1,5 +1,5 @@
-// Tests rectangular lights against integrals in double precision, lights with a limited range, and the
-// cells that list these lights.
+// Tests rectangular lights by comparison with integrals in double precision. Tests lights with a limited
+// range, and the cells that list these lights.
 #include "draw/lights/lamp_values.hpp"
 #include "draw/picture_code.hpp"
 
@@ -66,8 +66,8 @@ scene::Light endingAt(const char* name, float range, glm::vec3 place) {
 }  // namespace
 
 TEST_CASE("area light: a plate above a plate has the tabulated form factor") {
-  // Uses Howell's catalogue, C-11 (differential element to a parallel rectangle below its corner), four
-  // times.
+  // Uses Howell's catalogue, C-11, four times. It gives the form factor from a differential element to a
+  // parallel rectangle with one corner straight above the element.
   const double a = 0.7, b = 0.4, h = 0.9;
   const Rectangle plate{{0, h, 0}, {a, 0, 0}, {0, 0, b}};
   const double x = a / h, y = b / h;
@@ -78,7 +78,7 @@ TEST_CASE("area light: a plate above a plate has the tabulated form factor") {
   CHECK(glm::cross(plate.across, plate.up).y < 0);
   CHECK(shareOf(plate, {0, 0, 0}, {0, 1, 0}) ==
         doctest::Approx(4 * std::numbers::pi * corner).epsilon(1e-5));
-  CHECK(shareOf(plate, {0, 2, 0}, {0, -1, 0}) == 0);  // a point behind the light receives nothing
+  CHECK(shareOf(plate, {0, 2, 0}, {0, -1, 0}) == 0);  // A point behind the light receives no light.
 }
 
 TEST_CASE("area light: irradiance equals the integral over the light, clipped at the horizon") {
@@ -158,7 +158,7 @@ TEST_CASE(
         CAPTURE(roughness);
         CAPTURE(height);
         CAPTURE(p.x);
-        if (wanted < 0.004) continue;  // skips values too small to be visible
+        if (wanted < 0.004) continue;  // Skips values that are too small to be visible.
         const double factor = found / wanted;
         worst = std::fmax(worst, std::fmax(factor, 1 / factor));
       }
@@ -229,5 +229,5 @@ TEST_CASE("range: grid cells list every lamp that reaches into them") {
     }
   }
   CHECK(reached > 1000);
-  CHECK(listed < 8 * reached);  // cells must not list many more lights than can reach them
+  CHECK(listed < 8 * reached);  // Cells must not list many more lights than can light them.
 }

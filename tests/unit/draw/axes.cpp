@@ -44,6 +44,6 @@ TEST_CASE("a field with axes leaves room for them") {
   CHECK(fieldView(display, {100, 50}, {1280, 720}, 0).part == glm::dvec4(0, 0, 1280, 656));
   display.down = sim::FieldDisplay::Axis{"k", 0.0F, 1.0F};
   CHECK(fieldView(display, {100, 50}, {1280, 720}, 0).part == glm::dvec4(92, 0, 1280, 656));
-  CHECK(axesMargin(display, {120, 90}) == glm::ivec2(0, 0));  // there is no margin, because the picture is
-                                                              // too small for legible text
+  CHECK(axesMargin(display, {120, 90}) == glm::ivec2(0, 0));  // There is no margin, because the picture is
+                                                              // too small for legible text.
 }

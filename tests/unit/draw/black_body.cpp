@@ -44,8 +44,9 @@ glm::dvec2 placeOf(glm::dvec3 xyz) {
 
 TEST_CASE(
     "black body: colours equal CIE illuminant A and Planck's law integrated over the standard observer") {
-  const glm::dvec2 a = placeOf(xyzOf(draw::blackBodyColor(2855.6)));  // illuminant A; CIE 15 gives the
-                                                                      // chromaticity 0.44758, 0.40745
+  const glm::dvec2 a = placeOf(xyzOf(draw::blackBodyColor(2855.6)));  // illuminant A, for which CIE 15
+                                                                      // gives the chromaticity (0.44758,
+                                                                      // 0.40745)
   CHECK(std::abs(a.x - 0.44758) < 1e-3);
   CHECK(std::abs(a.y - 0.40745) < 1e-3);
   for (const double kelvin : {2000., 2700., 3999., 4001., 5000., 6504., 9000., 15000., 25000.}) {
@@ -56,7 +57,7 @@ TEST_CASE(
     CHECK(xyzOf(color).y == doctest::Approx(1).epsilon(1e-5));
   }
   const glm::vec3 ember = draw::blackBodyColor(1667);
-  CHECK(ember.z == 0.0F);  // the colour is outside sRGB, so blue is clamped to 0
+  CHECK(ember.z == 0.0F);  // The colour is outside sRGB, so blue is clamped to 0.
   CHECK(ember.x > 2 * ember.y);
 }
 

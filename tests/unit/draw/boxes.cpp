@@ -1,4 +1,4 @@
-// Tests rectangles in layers: within a layer, any order gives the same picture.
+// Tests that rectangles are sorted into layers. Within a layer, any order must give the same picture.
 #include "draw/overlay/box_kernel.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ TEST_CASE("boxes: painting layer by layer, in any order within a layer, equals p
         return static_cast<float>(static_cast<int>(random() % static_cast<unsigned>(to)) - 9);
       };
       const float x = at(size.x + 9), y = at(size.y + 9);
-      boxes.emplace_back(x, y, x + at(40), y + at(30));  // some of the random boxes are empty
+      boxes.emplace_back(x, y, x + at(40), y + at(30));  // Some of the random boxes are empty.
       boxes.emplace_back(static_cast<float>(random() % 3), 0, 0, 1);
     }
     std::vector<glm::vec4> wanted(static_cast<std::size_t>(size.x * size.y), glm::vec4(-1));
@@ -39,7 +39,7 @@ TEST_CASE("boxes: painting layer by layer, in any order within a layer, equals p
     std::size_t first = 0;
     for (const int end : layers.ends) {
       for (auto i = static_cast<std::size_t>(end);
-           i-- > first;) {  // fills the boxes of a layer in reverse order
+           i-- > first;) {  // Fills the boxes of a layer in reverse order.
         const glm::ivec4 box(layers.boxes[2 * i]);
         CHECK(std::min({box.x, box.y, size.x - box.z, size.y - box.w}) >= 0);
         CHECK(std::max(box.z - box.x, box.w - box.y) <= 16);

@@ -43,7 +43,7 @@ TEST_CASE("coverage: each pixel's coverage is the fraction of its area inside th
 }
 
 TEST_CASE("coverage: pixels on a triangle's slope have their exact area, in either winding order") {
-  // The triangle is below the line y = x / 2; the row has the pixels (x, 0) for x = 0 to 3.
+  // The triangle is below the line y = x / 2. The row has the pixels (x, 0) for x = 0 to 3.
   for (const bool back : {false, true}) {
     std::vector<Polygon> triangle = {{{0, 0}, {4, 0}, {4, 2}}};
     if (back) std::reverse(triangle[0].begin(), triangle[0].end());

@@ -1,4 +1,4 @@
-// Tests Fresnel's equations and Snell's law for a dielectric surface against double precision.
+// Tests Fresnel's equations and Snell's law for a dielectric surface by comparison with double precision.
 #include "draw/picture_code.hpp"
 
 #include <algorithm>
@@ -19,7 +19,8 @@ using namespace simreel::shader;  // NOLINT: the model is written in GLSL's name
 #undef precise
 #undef FUNCTION
 
-/// Computes the reflectance from the angles: r = sin(a - b) / sin(a + b) and tan(a - b) / tan(a + b).
+/// Computes the reflectance from the angles a of incidence and b of refraction. The amplitudes are sin(a -
+/// b) / sin(a + b) and tan(a - b) / tan(a + b).
 double mirrored(double angle, double eta) {
   const double sine = eta * std::sin(angle);
   if (sine >= 1) return 1;
@@ -39,7 +40,7 @@ TEST_CASE("clear surfaces: reflection follows Fresnel's equations from both side
       const double angle = i * 3.14159265358979 / 3600;
       const double critical = eta > 1 ? std::asin(1 / eta) : 2;
       if (std::abs(angle - critical) < 2e-4)
-        continue;  // skips the critical angle, where the curve is too steep
+        continue;  // Skips the critical angle, where the curve is too steep.
       const auto found = static_cast<double>(
           dielectric::dielectricFresnel(static_cast<float>(std::cos(angle)), static_cast<float>(eta)));
       worst = std::max(worst, std::abs(found - dielectric::mirrored(angle, eta)));

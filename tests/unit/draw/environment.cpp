@@ -1,4 +1,4 @@
-// Tests environment light: the data computed from a picture, and the values that shaders read.
+// Tests environment light: the data computed from an image, and the values that shaders read.
 #include "draw/environment.hpp"
 
 #include "base/error.hpp"
@@ -80,12 +80,12 @@ TEST_CASE("environment: a uniform environment gives uniform irradiance") {
 }
 
 TEST_CASE("environment: directions map to the right texels, also with rotation") {
-  // Smooth light that differs in each direction.
+  // Smooth light that differs in every direction.
   const auto light = [](glm::dvec3 d) { return glm::dvec3(1 + 0.5 * d.x, 1 + 0.5 * d.y, 1 + 0.5 * d.z); };
   load(pictureOf(light));
   for (const glm::vec3& way : ways)
     CHECK(glm::length(environmentAt(way, 0) - glm::vec3(light(glm::dvec3(way)))) < 0.02F);
-  // Directions along the edges of the map, from both sides.
+  // Tests directions along the edges of the map, from both sides.
   for (int i = 0; i < 400; ++i) {
     const double angle = 2 * pi * i / 400;
     for (const double y : {-0.99, -0.3, -1e-4, 1e-4, 0.4}) {
@@ -94,7 +94,7 @@ TEST_CASE("environment: directions map to the right texels, also with rotation")
       CHECK(glm::length(environmentAt(glm::vec3(way), 0) - glm::vec3(light(way))) < 0.02F);
     }
   }
-  load(pictureOf(light), 1, 90);  // with a turn of 90 degrees, the picture's centre is in the direction +x
+  load(pictureOf(light), 1, 90);  // With a turn of 90 degrees, the image's centre is in the direction +x.
   for (const glm::vec3& way : ways) {
     const glm::dvec3 before(way.z, way.y, -way.x);
     CHECK(glm::length(environmentAt(way, 0) - glm::vec3(light(before))) < 0.02F);
@@ -133,7 +133,7 @@ TEST_CASE("environment: rough reflections are the mean over a GGX lobe") {
   for (const double roughness : {0.25, 0.5, 0.75, 1.0})
     for (const glm::dvec3& way :
          {lamp, glm::normalize(lamp + glm::dvec3(0.2, 0.1, 0)), glm::dvec3(0, 1, 0)}) {
-      // Half vectors are weighted by D(h) cos, with the eye along the normal. Reflections are weighted by
+      // Half vectors h are weighted by D(h) cos, with the eye along the normal. Reflections are weighted by
       // cos.
       const double alpha = roughness * roughness;
       double sum = 0, weights = 0;

@@ -88,7 +88,7 @@ TEST_CASE("film: grey stays grey, the curve is monotonic, and zero light is blac
 }
 
 TEST_CASE("transparent: partly covered pixels store unpremultiplied light of the covering surface") {
-  // An object covers a quarter of the pixel; its light is composited over the background.
+  // An object covers a quarter of the pixel. Its light is composited over the background.
   CHECK(shader::coverOf(0.25F, glm::vec3(0)) == 0.25F);
   const glm::vec3 own = shader::lightOfCover(0.25F * glm::vec3(0.8F, 2, 0.1F), 0.25F);
   CHECK(own.x == doctest::Approx(0.8F));

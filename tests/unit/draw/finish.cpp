@@ -1,5 +1,5 @@
-// Tests normal maps, clear coat and sheen: runs their shader files on the CPU and compares with the
-// equations, implemented independently in double precision.
+// Tests normal maps, clear coat and sheen. Runs their shader files on the CPU and compares the results with
+// the equations, which are implemented independently in double precision.
 #include "draw/picture_code.hpp"
 #include "unit/help.hpp"
 
@@ -42,8 +42,8 @@ struct Numbers {
   std::uniform_real_distribution<double> from{-1, 1};
 };
 
-/// A triangle's plane with uvs: position = origin + u tangent + v bitangent. Tangent and bitangent are
-/// arbitrary.
+/// A triangle's plane with uvs, on which position = origin + u tangent + v bitangent. Tangent and bitangent
+/// are arbitrary.
 struct Plane {
   glm::dvec3 tangent, bitangent;
   [[nodiscard]] glm::dvec3 normal() const { return glm::normalize(glm::cross(tangent, bitangent)); }
@@ -54,8 +54,8 @@ struct Plane {
   }
 };
 
-/// Returns the normal in MikkTSpace's frame: the tangent is along u, the bitangent is a cross product with
-/// the sign of the uv's handedness. glTF's y points against v.
+/// Returns the normal in MikkTSpace's frame. There, the tangent is along u, and the bitangent is a cross
+/// product with the sign of the uv's handedness. y of a glTF normal map points against v.
 glm::dvec3 mikkNormal(const Plane& plane, glm::dvec3 front, glm::dvec3 t) {
   const glm::dvec3 n = front;
   const glm::dvec3 along = glm::normalize(plane.tangent - n * glm::dot(n, plane.tangent));
@@ -92,7 +92,7 @@ TEST_CASE("normal maps: tangent frames equal MikkTSpace for any orientation of u
 }
 
 TEST_CASE("normal maps: red tilts along u, green upwards in the picture") {
-  const Plane plane{{1, 0, 0}, {0, -1, 0}};  // v points down, as in a picture seen from +z
+  const Plane plane{{1, 0, 0}, {0, -1, 0}};  // v points down, as in an image seen from +z.
   const glm::dvec3 n(0, 0, 1), across(0.01, 0, 0), above(0, 0.01, 0);
   CHECK(mapped(plane, n, {0.6, 0, 0.8}, across, above).x == doctest::Approx(0.6));
   CHECK(mapped(plane, n, {0, 0.6, 0.8}, across, above).y == doctest::Approx(0.6));
@@ -109,7 +109,7 @@ TEST_CASE("normal maps: red tilts along u, green upwards in the picture") {
 
 TEST_CASE("normal maps: normals that vary within a pixel increase its roughness") {
   CHECK(finish::spreadRoughness(0.3F, {0.5F, 0.5F, 1.0F}) == 0.3F);
-  // a unit normal rounded to bytes adds no roughness
+  // A unit normal rounded to bytes adds no roughness.
   CHECK(finish::spreadRoughness(0.3F, {0.5F, 0.5F, 0.996F}) == 0.3F);
   const double length = 0.8;
   const double shorter = (0.99 - length) / length;
@@ -120,7 +120,7 @@ TEST_CASE("normal maps: normals that vary within a pixel increase its roughness"
 TEST_CASE("clear coat: the base loses the light that the coat reflects") {
   for (const float roughness : {0.0F, 0.2F, 0.7F})
     for (const float nv : {0.05F, 0.4F, 1.0F}) {
-      const glm::vec2 share = finish::ambientLobe(roughness, nv);  // lobes.cpp tests ambientLobe()
+      const glm::vec2 share = finish::ambientLobe(roughness, nv);  // lobes.cpp tests ambientLobe().
       const double mirrored = 0.04 * static_cast<double>(share.x) + static_cast<double>(share.y);
       const glm::vec3 light = finish::coated({1, 2, 4}, {0.5F, 0, 0}, 0.6F, roughness, nv);
       CHECK(light.y == doctest::Approx(2 * (1 - 0.6 * mirrored)).epsilon(1e-5));

@@ -1,5 +1,5 @@
-// Tests texture filtering over a pixel's footprint against an independent implementation in double
-// precision.
+// Tests texture filtering over a pixel's footprint by comparison with an independent implementation in
+// double precision.
 #include "draw/picture_code.hpp"
 
 #include <algorithm>
@@ -57,8 +57,8 @@ double between(const TextureReads& texture, double u, double v, int level, glm::
   return sum;
 }
 
-/// Filters trilinearly, with taps along the longer side of the footprint. The width is the shorter side,
-/// but at least a quarter of the longer side.
+/// Filters trilinearly, with taps along the longer side of the footprint. The filter width is the shorter
+/// side, but at least a quarter of the longer side.
 double seen(const TextureReads& texture, glm::dvec2 at, glm::dvec2 across, glm::dvec2 up, glm::ivec2 wrap) {
   const auto texels = [&](glm::dvec2 d) { return std::hypot(d.x * texture.size.x, d.y * texture.size.y); };
   const bool wide = texels(across) >= texels(up);

@@ -54,12 +54,12 @@ TEST_CASE("lens: sample points cover a disc evenly, and also polygons") {
       top = std::max(top, at.y);
     }
     CHECK(glm::length(sum) < 0.01F);
-    // Mean square along each axis of a regular n-gon with corners on the unit circle: (2 + cos(2 pi / n)) /
-    // 12.
+    // Mean square along each axis of a regular n-gon with corners on the unit circle, which is (2 + cos(2
+    // pi / n)) / 12.
     const float mean = (2 + std::cos(6.2831853F / static_cast<float>(blades))) / 12;
     CHECK(squares.x == doctest::Approx(mean).epsilon(0.03));
     CHECK(squares.y == doctest::Approx(mean).epsilon(0.03));
-    CHECK(top > 0.93F);  // the farthest point is near a corner of the polygon
+    CHECK(top > 0.93F);  // The farthest point is near a corner of the polygon.
   }
 }
 

@@ -1,5 +1,5 @@
-// Tests lights as passed to shaders: flicker, order, units, and the functions of point_light.glsl on the
-// CPU.
+// Tests lights as they are passed to shaders: flicker, order, units, and the functions of point_light.glsl
+// on the CPU.
 #include "base/hash.hpp"
 #include "draw/lights/flicker.hpp"
 #include "draw/lights/lamp_values.hpp"
@@ -202,7 +202,8 @@ TEST_CASE("point light: a light of 1 candela emits 4 pi lumens through any close
   constexpr int sectors = 403;
   double flux = 0;
   for (int r = 0; r < rings; ++r)
-    for (int s = 0; s < sectors; ++s) {  // samples on a sphere of 1.3 m, which is not the light's radius
+    for (int s = 0; s < sectors; ++s) {  // Samples a sphere of radius 1.3 m around the light, which is not
+                                         // the light's own radius.
       const double y = 1 - 2 * (r + 0.5) / rings;
       const double turn = 2 * std::numbers::pi * (s + 0.5) / sectors;
       const double across = std::sqrt(1 - y * y);

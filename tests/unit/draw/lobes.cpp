@@ -1,5 +1,6 @@
-// Tests the lobe of draw/surface/shading.glsl on the CPU against its equations, implemented independently
-// in double precision, and the fit of its reflection of uniform surroundings against the integral.
+// Tests the lobe of draw/surface/shading.glsl on the CPU. Compares it with its equations, implemented
+// independently in double precision, and the fit of its reflection of uniform surroundings with the
+// integral.
 #include "draw/picture_code.hpp"
 
 #include <cmath>
@@ -23,7 +24,8 @@ double hidden(double c, double alpha) {
   return (std::sqrt(1 + alpha * alpha * tan2) - 1) / 2;
 }
 
-/// Returns pi D G2 F / (4 nl nv) as x and y of F0 x + y, where y is the white part. The normal is z.
+/// Returns pi D G2 F / (4 nl nv) as x and y, so that the value is F0 x + y, where y is white. The normal is
+/// the z axis.
 glm::dvec2 lobeOf(glm::dvec3 view, glm::dvec3 light, double alpha) {
   const glm::dvec3 half = glm::normalize(view + light);
   const double cos2 = half.z * half.z;
@@ -35,8 +37,8 @@ glm::dvec2 lobeOf(glm::dvec3 view, glm::dvec3 light, double alpha) {
   return {all * (1 - fifth), all * fifth};
 }
 
-/// Integrates lobeOf() / pi times the cosine over the hemisphere of light, with half vectors distributed by
-/// D.
+/// Integrates lobeOf() / pi times the cosine over the hemisphere of light directions. The half vectors are
+/// distributed by D.
 glm::dvec2 mirroredOf(double nv, double alpha) {
   constexpr int steps = 173;
   const glm::dvec3 view(std::sqrt(1 - nv * nv), 0, nv);
@@ -44,8 +46,8 @@ glm::dvec2 mirroredOf(double nv, double alpha) {
   for (int i = 0; i < steps; ++i)
     for (int j = 0; j < steps; ++j) {
       const double u = (i + 0.5) / steps;
-      const double turn = std::numbers::pi * (j + 0.5) / steps;  // covers only half a turn; the second half
-                                                                 // is a mirror image
+      const double turn = std::numbers::pi * (j + 0.5) / steps;  // The angle covers only half a turn. The
+                                                                 // second half is a mirror image.
       const double cosine = std::sqrt((1 - u) / (1 + (alpha * alpha - 1) * u));
       const double sine = std::sqrt(1 - cosine * cosine);
       const glm::dvec3 half(sine * std::cos(turn), sine * std::sin(turn), cosine);
@@ -106,7 +108,7 @@ TEST_CASE("lobes: the reflected fraction of uniform light is the lobe's integral
       CHECK(counts * white < 0.026);
       CHECK(fit.x >= 0);
       CHECK(fit.x + fit.y <= 1.00001F);
-      if (nv > 0.5) CHECK(white < 0.006);  // the error is small compared with F0 = 0.04
+      if (nv > 0.5) CHECK(white < 0.006);  // The error is small compared with F0 = 0.04.
     }
   MESSAGE("largest error of x + y ", worst, ", of y ", worstWhite);
   // At roughness 1, the integral has a closed form: 1 - nv ln(1 + 1 / nv).
@@ -129,7 +131,7 @@ TEST_CASE("shares: under a white sky a white ball reflects all light and a black
   for (const double roughness : {0.2, 0.5, 0.8, 1.0}) {
     CAPTURE(roughness);
     double wanted = 0, found = 0;
-    constexpr int rings = 12;  // rings of equal area on the ball's outline
+    constexpr int rings = 12;  // Points are on rings of equal area within the ball's outline.
     for (int i = 0; i < rings; ++i) {
       const double nv = std::sqrt(1 - (i + 0.5) / rings);
       const glm::dvec2 lobe = mirroredOf(nv, roughness * roughness);
@@ -141,6 +143,7 @@ TEST_CASE("shares: under a white sky a white ball reflects all light and a black
       CHECK(shares(0).matt.x == 0);
       CHECK(shares(1).matt.x + shares(1).mirrored.x == doctest::Approx(1).epsilon(1e-6));
     }
-    CHECK(std::abs(found - wanted) < 0.006);  // the error of the fit; the share is 0.03 to 0.07
+    CHECK(std::abs(found - wanted) < 0.006);  // The bound is the error of the fit. The fraction itself is
+                                              // 0.03 to 0.07.
   }
 }

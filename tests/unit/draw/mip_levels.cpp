@@ -16,7 +16,7 @@ using draw::MipLevel;
 
 namespace {
 
-/// Returns noise. Alpha is 255 everywhere if `opaque`, otherwise it is often 0 or 255.
+/// Returns noise. Alpha is 255 everywhere if `opaque` is true; otherwise it is often 0 or 255.
 std::vector<std::uint8_t> noise(glm::ivec2 size, bool opaque) {
   std::vector<std::uint8_t> rgba(4 * static_cast<std::size_t>(size.x * size.y));
   std::uint32_t state = 12345;
@@ -39,8 +39,8 @@ double encoded(double light) {
   return 255 * (light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055);
 }
 
-/// An independent implementation of the filter: overlaps of intervals, in double precision, with separate
-/// light and alpha.
+/// A texel of an independent implementation of the filter, which uses overlaps of intervals in double
+/// precision, with separate light and alpha.
 struct Texel {
   double r = 0, g = 0, b = 0, alpha = 0;  // light is not premultiplied by alpha
 };
@@ -121,8 +121,8 @@ TEST_CASE("mip levels agree with the same filter in double precision, also at od
         }
       }
       CHECK(levels.back().size == glm::ivec2(1, 1));
-      CHECK(worst < (opaque ? 0.53 : 0.6));  // the tolerance covers rounding and the errors of the table
-                                             // and the weights
+      CHECK(worst < (opaque ? 0.53 : 0.6));  // The tolerance covers rounding and the errors of the table
+                                             // and the weights.
       CHECK(worstAlpha < 0.52);
     }
 }

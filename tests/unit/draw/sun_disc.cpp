@@ -1,4 +1,4 @@
-// Tests the penumbra of a sun with a disc: runs its shader file on the CPU.
+// Tests the penumbra of a sun with a disc, by running its shader file on the CPU.
 #include "draw/picture_code.hpp"
 #include "reference/disc_points.hpp"
 
@@ -34,8 +34,8 @@ SunReceiver receiver(glm::vec2 middle, float near) {
   return {middle, near, {0, 0}, 100.0F, 1.0F, 60.0F};
 }
 
-/// Returns the fraction of a unit disc that is farther than x from its centre: the visible part of the sun
-/// behind an edge.
+/// Returns the fraction of a unit disc that is farther than x from its centre along one axis. This is the
+/// visible part of the sun behind an edge.
 double beyond(double x) {
   if (x <= -1 || x >= 1) return x < 0 ? 1 : 0;
   return (std::acos(x) - x * std::sqrt(1 - x * x)) / std::numbers::pi;
@@ -56,7 +56,7 @@ TEST_CASE(
       worst = std::max(worst, std::abs(found - wanted));
     }
     CAPTURE(gap);
-    CHECK(worst < 0.04);  // the tolerance is the error of 32 sample points on the disc
+    CHECK(worst < 0.04);  // The tolerance is the error of 32 sample points on the disc.
   }
 }
 
@@ -91,7 +91,7 @@ TEST_CASE("sun disc: penumbra width is clamped to its min and max") {
   CHECK(at(561.5F, -0.5F) == 1);
   CHECK(at(438.5F, -0.5F) == 0);
   CHECK(at(450.0F, -0.5F) > 0);
-  CHECK(at(700.0F, -20.0F) == 1);  // a receiver far behind all objects is not shaded
+  CHECK(at(700.0F, -20.0F) == 1);  // A receiver far behind all objects is not shaded.
 }
 
 TEST_CASE("sun disc: a caster in the receiver's plane casts no shadow; a standing caster does") {

@@ -32,7 +32,7 @@ TEST_CASE("bench: statistics do not depend on the order") {
   CHECK(s.mean == doctest::Approx(50));
   CHECK(s.min == 0);
   CHECK(s.max == 100);
-  CHECK(values[1] == 37);  // statisticsOf() does not sort its input
+  CHECK(values[1] == 37);  // statisticsOf() does not sort its input.
   CHECK(statisticsOf(std::vector<double>{1, 2, 3, 10}).median == 2.5);
   CHECK(statisticsOf({}).count == 0);
   CHECK(statisticsOf({}).median == 0);
@@ -41,8 +41,8 @@ TEST_CASE("bench: statistics do not depend on the order") {
 TEST_CASE("bench: outliers are values beyond three medians") {
   const Outliers found = outliersOf(std::vector<double>{2, 2, 6.5, 2, 2, 2, 40, 6, 2});
   CHECK(found.bound == 6);
-  CHECK(found.count == 2);  // two outliers, because the value 6 lies exactly on the bound and does not
-                            // count
+  CHECK(found.count == 2);  // There are two outliers. The value 6 lies exactly on the bound and does not
+                            // count.
   CHECK(found.worst == 6);
   const Outliers none = outliersOf(std::vector<double>{1, 2, 3});
   CHECK(none.count == 0);

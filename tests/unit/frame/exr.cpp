@@ -1,4 +1,4 @@
-// Tests OpenEXR pictures of light, read back by the library and by the golden runner's reader.
+// Tests OpenEXR pictures of light. They are read back by the library and by the golden runner's reader.
 #include "frame/exr.hpp"
 
 #include "golden/files/picture.hpp"
@@ -71,7 +71,7 @@ TEST_CASE("exr: colour, depth, position and object IDs are read back") {
   Imf::InputFile file(written.path.c_str());
   CHECK(file.header().typedAttribute<Imf::StringAttribute>("simreel:frame").value() == "7");
   CHECK(channelNamed(file, "R")[9] == 1.125F);
-  CHECK(channelNamed(file, "B")[3] == 65504.0F);  // values are clamped to the max half
+  CHECK(channelNamed(file, "B")[3] == 65504.0F);  // Values are clamped to the max half.
   CHECK(channelNamed(file, "A")[14] == doctest::Approx(14.0 / 15).epsilon(1e-3));
   CHECK(channelNamed(file, "Z")[3] == 2.5F);
   CHECK(std::isinf(channelNamed(file, "Z")[4]));
@@ -137,5 +137,5 @@ TEST_CASE("exr: object IDs are MurmurHash3 of the names") {
   CHECK(frame::cryptomatteId("hello") == 0x248bfa47U);
   CHECK(frame::cryptomatteId("hello, world") == 0x149bbb7fU);
   CHECK(frame::cryptomatteId("The quick brown fox jumps over the lazy dog") == 0x2e4ff723U);
-  CHECK(frame::cryptomatteId("") == 1U << 23);  // the hash 0 is changed, because 0 is not a normal float
+  CHECK(frame::cryptomatteId("") == 1U << 23);  // The hash 0 is changed, because 0 is not a normal float.
 }

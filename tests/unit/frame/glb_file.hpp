@@ -14,8 +14,8 @@
 
 namespace simreel::frame::test {
 
-/// Reads a binary glTF file with one buffer. Uses only the rules of the glTF 2.0 specification,
-/// independently of any library. Comments name the sections of the rules.
+/// Reader of a binary glTF file with one buffer. It uses only the rules of the glTF 2.0 specification,
+/// independently of any library. Comments name the sections of these rules.
 class GlbFile {
  public:
   explicit GlbFile(const std::filesystem::path& file) : bytes_(readFile(file, "glTF file")) {
@@ -62,7 +62,7 @@ class GlbFile {
   }
 
   /// Returns rows of three floats. If the accessor has bounds, checks that they equal the min and max of
-  /// its values (3.6.2.5).
+  /// the accessor's values (3.6.2.5).
   [[nodiscard]] std::vector<glm::vec3> rows(const nlohmann::json& number) const {
     const std::vector<float> flat = values<float>(number);
     std::vector<glm::vec3> found;

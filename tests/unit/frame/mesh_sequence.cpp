@@ -1,5 +1,5 @@
-// Tests files that hold a surface at several frames: glTF by its specification, and sequences that cannot
-// be stored.
+// Tests files that hold a surface at several frames. glTF must follow its specification, and sequences that
+// cannot be stored must be refused.
 #include "frame/mesh/mesh_sequence.hpp"
 
 #include "base/error.hpp"
@@ -59,7 +59,8 @@ TEST_CASE("PLY and glTF meshes are read back bit for bit, OBJ within the library
   const TemporaryFolder folder;
   sim::MeshTable mesh;
   std::uint32_t word = 1;
-  const auto any = [&word] {  // magnitudes between 1e-6 and 1e6, all mantissa bits random
+  const auto any = [&word] {  // Returns numbers with magnitudes between 1e-6 and 1e6 and with random
+                              // mantissa bits.
     word = word * 747796405U + 2891336453U;
     const float mantissa = 1.0F + static_cast<float>(word >> 9U) * 0x1p-23F;
     return std::ldexp((word & 1U) == 0 ? mantissa : -mantissa, static_cast<int>(word % 40) - 20);
@@ -132,7 +133,7 @@ TEST_CASE("mesh sequences: glTF animates by morph targets and weights") {
     for (const auto& [name, table] :
          {std::pair{"POSITION", &wanted.positions}, std::pair{"NORMAL", &wanted.normals}}) {
       std::vector<glm::vec3> found = glb.rows(primitive["attributes"][name]);
-      REQUIRE(found.size() == 4);  // the unused vertex is not written
+      REQUIRE(found.size() == 4);  // The unused vertex is not written.
       for (std::size_t k = 0; k < 2; ++k) {
         const std::vector<glm::vec3> moved = glb.rows(primitive["targets"][k][name]);
         REQUIRE(moved.size() == 4);

@@ -61,7 +61,7 @@ TEST_CASE("frames: lists, ranges and steps of frames are parsed") {
                                         {"99999999999999999999", 1},
                                         {"0-1000000", 1},
                                         {"1x2", 2}}) {
-    const std::string text = typed;  // a copy, because Clang 14 cannot capture structured bindings
+    const std::string text = typed;  // This is a copy, because Clang 14 cannot capture structured bindings.
     CAPTURE(text);
     const auto [code, message] = errorOf([&] { (void)parseFrames(text); });
     CHECK(code == ExitCode::usage);

@@ -114,7 +114,7 @@ TEST_CASE("png: files declare sRGB with the gamma and primaries of the specifica
   REQUIRE(chunks.size() == 6);
   CHECK(chunks[1].type == "sRGB");
   CHECK(chunks[1].data == std::string(1, '\0'));
-  // PNG specification, table of 11.3.3.5.
+  // The expected values are in the table of section 11.3.3.5 of the PNG specification.
   CHECK(chunks[2].type == "gAMA");
   CHECK(chunks[2].data == std::string("\x00\x00\xb1\x8f", 4));
   CHECK(chunks[3].type == "cHRM");
@@ -147,7 +147,7 @@ TEST_CASE("png: a broken file is a user error that names the file") {
 }
 
 TEST_CASE("png: decompressing returns the compressed bytes") {
-  // The filtered rows have 4 bytes to 2 million. Some sizes are close to the 64 KiB of a stored block.
+  // The filtered rows have 4 to 2 million bytes. Some sizes are close to the 64 KiB of a stored block.
   for (const auto& [width, height] : {std::pair{1, 1},
                                       {2, 2},
                                       {3, 7},
@@ -167,7 +167,8 @@ TEST_CASE("png: decompressing returns the compressed bytes") {
     checkRoundTrip(width, height, [](std::size_t i) {
       return static_cast<std::uint8_t>((i / 5000) % 2 == 0 ? random(i) >> 24 : i % 97);
     });
-    // Probabilities that are halved from value to value give the deepest Huffman codes.
+    // The probability of each byte value is half of the previous one, which gives the deepest Huffman
+    // codes.
     checkRoundTrip(width, height, [](std::size_t i) {
       return static_cast<std::uint8_t>(std::countl_zero(random(i) | 1u));
     });
@@ -177,7 +178,7 @@ TEST_CASE("png: decompressing returns the compressed bytes") {
 TEST_CASE(
     "png: the first bytes are stored uncompressed, because a compressor without history would hash an "
     "address") {
-  // Regression test: without a dictionary the compressor hashed an address and chose other matches in 2 of
+  // Regression test. Without a dictionary, the compressor hashed an address and chose other matches in 2 of
   // 100,000 runs. The data start with 7 bytes of headers, then the first 32 bytes of the rows.
   const auto chunks = chunksOf(encodePng(picture(96, 54), {}));
   const auto data =

@@ -1,4 +1,4 @@
-// Tests meshes and contours as files, read back by readers of other programs (glTF by assimp).
+// Tests meshes and contours as files, which are read back by readers of other programs (glTF by assimp).
 #include "base/file.hpp"
 #include "draw/camera.hpp"
 #include "frame/file/contour_file.hpp"
@@ -44,7 +44,7 @@ TEST_CASE("binary glTF is read back by assimp") {
   REQUIRE(scene->mNumMeshes == 1);
   const aiMesh& read = *scene->mMeshes[0];
   CHECK(std::string(read.mName.C_Str()) == "solid");
-  CHECK(read.mNumVertices == 4);  // the unused vertex is not written
+  CHECK(read.mNumVertices == 4);  // The unused vertex is not written.
   REQUIRE(read.mNumFaces == 4);
   for (unsigned f = 0; f < 4; ++f) {
     REQUIRE(read.mFaces[f].mNumIndices == 3);
@@ -71,8 +71,8 @@ TEST_CASE("a mesh without triangles gives a binary glTF without meshes") {
 TEST_CASE("contours are written as loops without points on straight lines") {
   sim::ContourLines lines;
   lines.size = {5, 5};
-  // A square of side 2 with a point in the middle of each side, and a triangle of another level. Their
-  // points are interleaved.
+  // The contours are a square of side 2 with a point in the middle of each side, and a triangle of another
+  // level. Their points are interleaved.
   lines.points = {{1, 1}, {0, 0}, {2, 1}, {3, 1}, {1, 0}, {3, 3}, {1, 3}, {0, 1}, {1, 2}};
   lines.next = {2, 4, 3, 5, 7, 6, 8, 1, 0};
   lines.levels = {1, 2, 1, 1, 2, 1, 1, 2, 1};
@@ -103,7 +103,7 @@ TEST_CASE("a path camera is placed by arc length and looks along the path") {
   CHECK(draw::standOn(path, follow, 0.5).eye == glm::vec3(2, 2, 0));
   CHECK(draw::standOn(path, follow, 1).eye == glm::vec3(3, 2, 1));
   const draw::Stand end = draw::standOn(path, follow, 1);
-  CHECK(end.target.z > 1.2F);  // beyond its end, the path continues straight
+  CHECK(end.target.z > 1.2F);  // Beyond its end, the path continues in a straight line.
   CHECK(end.target.x == doctest::Approx(3));
   CHECK(draw::standOn({{1, 2, 3}}, follow, 0.7).eye == glm::vec3(1, 4, 3));
 }
@@ -113,7 +113,7 @@ namespace glb_materials_test {
 using frame::test::GlbFile;
 using frame::test::TemporaryFolder;
 
-/// A square of two triangles, each with a material of its own.
+/// Returns a square of two triangles with different materials.
 sim::MeshTable square() {
   sim::MeshTable mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
@@ -123,7 +123,7 @@ sim::MeshTable square() {
   return mesh;
 }
 
-/// A picture of two pixels: red with full opacity, and blue with `opacity`.
+/// Returns an image of two pixels: red with full opacity, and blue with `opacity`.
 std::shared_ptr<const scene::Image> picture(std::uint8_t opacity) {
   return std::make_shared<const scene::Image>(
       scene::Image{"leaf", {2, 1}, {255, 0, 0, 255, 0, 0, 255, opacity}});

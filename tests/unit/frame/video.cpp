@@ -97,7 +97,7 @@ TEST_CASE("video: bytes do not depend on the number of processors") {
   for (const char* name : {".mp4", ".webm", ".avi"}) {
     renderVideo((folder / (std::string("all") + name)).string(), Existing::error, runInfo(320, 180));
     REQUIRE(::sched_setaffinity(0, sizeof one, &one) ==
-            0);  // this thread's affinity to one processor, which ffmpeg inherits
+            0);  // Sets this thread's affinity to one processor, which ffmpeg inherits.
     renderVideo((folder / (std::string("one") + name)).string(), Existing::error, runInfo(320, 180));
     REQUIRE(::sched_setaffinity(0, sizeof all, &all) == 0);
     CHECK(readFile(folder / (std::string("all") + name), "video") ==
@@ -114,7 +114,7 @@ TEST_CASE("video: ffmpeg writes each format, with a manifest") {
   for (const char* name : {"v.mp4", "v.webm", "v.gif", "v.mkv", "v.avi", "v.apng", "-odd:name.mp4"}) {
     CAPTURE(name);
     const std::string file = (folder / name).string();
-    renderVideo(file, Existing::error, runInfo(33, 17));  // an odd size, which needs padding for 4:2:0
+    renderVideo(file, Existing::error, runInfo(33, 17));  // The size is odd and needs padding for 4:2:0.
     CHECK(std::filesystem::file_size(file) > 100);
     const Manifest manifest = parseManifest(readFile(file + ".manifest.json", "manifest"), "m");
     CHECK(manifest.frames.size() == frameCount);
@@ -242,7 +242,7 @@ TEST_CASE("a video of every fifth frame plays at the scene's speed") {
   CHECK(rate(59.94, {0, 2, 4}) == "30000/1001");
   CHECK(rate(12.5, {0, 1}) == "12500/1000");
   CHECK(rate(30, {0, 1, 3}) ==
-        "30/1");  // the frames are not evenly spaced, so the scene's rate is used, with a warning
+        "30/1");  // The frames are not evenly spaced, so the scene's rate is used, with a warning.
 }
 
 TEST_CASE("stream: a closed pipe and an unknown format are user errors") {

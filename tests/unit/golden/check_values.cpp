@@ -28,7 +28,7 @@ TEST_CASE("statistics of a component are right") {
   CHECK(statistic(Statistic::min, Component::y, items) == -5);
   CHECK(statistic(Statistic::max, Component::y, items) == 2.5);
   CHECK(statistic(Statistic::max, Component::z, items) == 12);
-  CHECK(statistic(Statistic::max, Component::length, items) == 13);  // the component w is ignored
+  CHECK(statistic(Statistic::max, Component::length, items) == 13);  // The component w is ignored.
   CHECK(statistic(Statistic::sum, Component::x, {}) == 0);
   CHECK(std::isnan(statistic(Statistic::max, Component::x, {})));
 }
@@ -75,6 +75,6 @@ TEST_CASE("the contrast of pictures is the standard deviation of luma") {
   green.bytes[1] = 255;
   CHECK(contrastOf(green).lumaDeviation == doctest::Approx(0.3576).epsilon(1e-9));
   frame::Image alpha = picture({7, 7});
-  alpha.bytes[3] = 0;  // differences in alpha are ignored
+  alpha.bytes[3] = 0;  // Differences in alpha are ignored.
   CHECK(contrastOf(alpha).oneColour);
 }

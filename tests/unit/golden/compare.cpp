@@ -40,9 +40,9 @@ TEST_CASE("pictures are compared per channel, including alpha, and differences a
   const auto a = uniform(5, 3, {100, 100, 100, 100});
   auto b = a;
   at(b, 1, 0, 0) = 103;
-  at(b, 1, 0, 2) = 97;  // another channel of the same pixel, which still counts as one pixel
+  at(b, 1, 0, 2) = 97;  // This changes another channel of the same pixel, which still counts as one pixel.
   at(b, 2, 1, 1) = 80;
-  at(b, 3, 1, 1) = 120;  // an equally large difference at a later pixel
+  at(b, 3, 1, 1) = 120;  // This is an equally large difference at a later pixel.
   at(b, 4, 2, 3) = 90;
   const auto metrics = golden::measure(a, b, tolerance(3));
   CHECK(metrics.worst == 20);
@@ -120,7 +120,7 @@ TEST_CASE("the window with most differences is found anywhere and is clipped to 
   metrics = golden::measure(a, b, t);
   CHECK(metrics.windowRatio == 1);
   CHECK(metrics.windowX + metrics.windowY == 0);
-  t.windowSize = 35;  // a window larger than the picture's height is clipped
+  t.windowSize = 35;  // A window larger than the picture's height is clipped.
   metrics = golden::measure(a, b, t);
   CHECK(metrics.windowRatio == 4.0 / (35 * 30));
   CHECK(metrics.windowX == 5);
@@ -158,7 +158,7 @@ TEST_CASE("all given bounds must hold; without bounds, 2% of pixels may differ")
   CHECK(broken(t).size() == 2);
   t.hardFail = 39;
   CHECK(broken(t)[0] == "the pixel at x 3, y 4 differs by 40 (hardFail is 39)");
-  t = tolerance(255);  // none of the differences exceeds the tolerance, but hardFail always applies
+  t = tolerance(255);  // None of the differences exceeds the tolerance, but hardFail always applies.
   t.hardFail = 39;
   CHECK(broken(t).size() == 1);
   t = tolerance(12, 1);

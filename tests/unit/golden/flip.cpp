@@ -1,5 +1,5 @@
-// Tests FLIP and SSIM against values calculated by hand. tests/cli/golden/test_diff.py compares them with
-// other programs.
+// Tests FLIP and SSIM by comparison with values calculated by hand. tests/cli/golden/test_diff.py compares
+// them with other programs.
 #include "golden/compare/flip.hpp"
 
 #include "golden/compare/ssim.hpp"
@@ -48,7 +48,7 @@ TEST_CASE("flip: black against white and two greys equal values worked out by ha
   const double expected = 0.95 + (blackWhite - knee) / (largest - knee) * 0.05;
   CHECK(golden::flipMean(uniform(9, 40, 0, 0, 0), uniform(9, 40, 255, 255, 255)) ==
         doctest::Approx(expected).epsilon(1e-5));
-  // L* of the sRGB values 119 and 94, from the linear value y: 116 y^(1/3) - 16.
+  // Returns L* of an sRGB byte, 116 y^(1/3) - 16 with the linear value y. It is used for 119 and 94.
   const auto lightness = [](double byte) {
     return 116 * std::cbrt(std::pow((byte / 255 + 0.055) / 1.055, 2.4)) - 16;
   };

@@ -95,7 +95,7 @@ TEST_CASE("judge: the criteria depend on the machine that drew the baseline") {
   other = maker;
   other.numerics = "others";
   CHECK(asked(maker, other) == Asked::tolerance);
-  // In earlier baselines, drawing fingerprint and machine are unknown.
+  // In baselines of earlier versions, drawing fingerprint and machine are unknown.
   CHECK(asked({"numerics", "", "", ""}, maker) == Asked::near);
   CHECK(asked({"others", "", "", ""}, maker) == Asked::tolerance);
   CHECK(asked({"numerics", "drawing", "", ""}, {"numerics", "drawing", "", ""}) == Asked::near);
@@ -118,7 +118,7 @@ TEST_CASE("judge: another machine with equal numerics may differ by 2 of 255 in 
   CHECK(passes(judged(0, 0)));
   CHECK(passes(judged(1, 1)));
   CHECK(passes(judged(1, 2)));
-  CHECK(passes(judged(24, 1)));  // 24 pixels are 2% of 1200
+  CHECK(passes(judged(24, 1)));  // 24 pixels are 2% of the 1200 pixels.
   CHECK(judged(1, 1).asked == "near");
   simreel::test::checkHas(judged(1, 3).message, "differs by 3 (on another machine by 2 at most)");
   simreel::test::checkHas(judged(25, 1).message, "of the pixels differ (on another machine 2% at most)");
@@ -159,7 +159,7 @@ TEST_CASE("judge: quick measuring skips SSIM and FLIP unless the verdict needs t
   scene::Tolerance bound;
   bound.maxFlipMean = 0.5;
   CHECK(quick(other, bound) == whole);
-  CHECK(quick(otherMachine(), {}) == whole);  // the quick test also compares the mean FLIP error
+  CHECK(quick(otherMachine(), {}) == whole);  // The quick test also compares the mean FLIP error.
 }
 
 TEST_CASE("judge: different numerics use the scene's tolerance") {

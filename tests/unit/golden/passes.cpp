@@ -60,7 +60,7 @@ TEST_CASE("passes: IDs in a pass are translated to object and primitive") {
   CHECK(golden::thingAt(picture, 2, 1).name() == "the sky");
   CHECK(golden::thingAt(picture, 3, 1).name() == "the sky");
   CHECK(golden::thingOfNumber({}, 3).name() == "the primitive 3");
-  CHECK(golden::showsOneThing(picture, 0, 0));  // two triangles of one object count as one thing
+  CHECK(golden::showsOneThing(picture, 0, 0));  // Two triangles of one object count as one thing.
   CHECK_FALSE(golden::showsOneThing(picture, 1, 0));
   CHECK(golden::showsOneThing(picture, 1, 1));
   CHECK_FALSE(golden::showsOneThing(picture, -1, 1));
@@ -114,7 +114,7 @@ TEST_CASE("passes: the first difference is located, preferably at a pixel with o
   const auto here = smallPicture();
   auto there = smallPicture();
   auto& light = arrayOf(there, "light").words;
-  light[4 * 1 + 2] = 0;  // the pixel that shows both the flag and the ground
+  light[4 * 1 + 2] = 0;  // This pixel shows both the flag and the ground.
   auto found = golden::comparePasses(here, there);
   REQUIRE(found);
   CHECK(found->pass == "light");
@@ -136,7 +136,7 @@ TEST_CASE("passes: the first difference is located, preferably at a pixel with o
   CHECK(found->hereValues[0] == 8);
   CHECK(found->thereValues[0] == 4);
   there.picture.arrays.erase(there.picture.arrays.begin() +
-                             2);  // removes an array that belongs to a later pass
+                             2);  // Removes an array that belongs to a later pass.
   CHECK(golden::comparePasses(here, there)->pass == "visibility");
   there = smallPicture();
   there.picture.arrays.erase(there.picture.arrays.begin() + 2);

@@ -1,4 +1,4 @@
-// Tests the detection of files with equal pixels without decoding. tests/cli/golden/test_diff.py tests
+// Tests the detection of files with equal pixels without decoding them. tests/cli/golden/test_diff.py tests
 // rejected files.
 #include "golden/files/png_check.hpp"
 #include "unit/frame/help.hpp"

@@ -27,8 +27,8 @@ std::string dataOf(const std::string& page) {
   return page.substr(begin, page.find("</script>", begin) - begin);
 }
 
-/// Unpacks the data as model.js does: an object is the index of its key list and its values; a list begins
-/// with -1.
+/// Unpacks the data as model.js does. An object is a list of the index of its key list and its values. A
+/// list begins with -1.
 nlohmann::json unpacked(const nlohmann::json& all, const nlohmann::json& packed) {
   if (packed.is_object()) return all["texts"].at(packed.at("t").get<std::size_t>());
   if (!packed.is_array()) return packed;

@@ -1,4 +1,5 @@
-// Tests report.json: a written report is read back; a damaged one is rejected with a message of one line.
+// Tests report.json. A written report must be read back, and a damaged one must be rejected with a message
+// of one line.
 #include "base/error.hpp"
 #include "golden/report/json.hpp"
 #include "unit/frame/help.hpp"

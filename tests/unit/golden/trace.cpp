@@ -1,4 +1,4 @@
-// Tests step traces without a device: layout, file, comparison. Also runs in the sanitizer build.
+// Tests the layout, file and comparison of step traces without a device. Also runs in the sanitizer build.
 #include "golden/trace/trace.hpp"
 
 #include "base/error.hpp"
@@ -21,7 +21,7 @@ using Arrays = std::vector<StepTrace::Array>;
 
 const Arrays twoArrays = {{"flag", "positions", 137, 137, 3}, {"flag", "velocities", 70, 70, 3}};
 
-/// Returns a number in place of an element's hash; any function of all arguments is suitable.
+/// Returns a number that replaces an element's hash. Any function of all arguments is suitable.
 std::uint32_t elementHash(int frame, std::uint32_t array, std::uint32_t step, std::uint32_t element) {
   std::uint32_t h =
       static_cast<std::uint32_t>(frame) * 2654435761U + array * 40503U + step * 7919U + element;
@@ -57,7 +57,7 @@ StepTrace made(const Arrays& arrays, int first, int last, std::size_t maxBytes,
   return trace;
 }
 
-/// Returns a function that changes one element from a step on, like a run that deviates from its baseline.
+/// Returns a function that changes one element from a step on, as in a run that deviates from its baseline.
 Disturb from(int frame, std::uint32_t array, std::uint32_t step, std::uint32_t element, std::uint32_t by) {
   return [=](int f, std::uint32_t a, std::uint32_t s, std::uint32_t i, std::uint32_t h) {
     const bool later = f > frame || (f == frame && s >= step);
@@ -93,7 +93,8 @@ TEST_CASE("a trace is as fine as its byte limit allows") {
   const auto fine = layOut(twoArrays, -3, 5, 96 << 10);
   CHECK(fine.frames == 8);
   CHECK(fine.detailed == 8);
-  CHECK(fine.arrays[0].perBlock == 3);  // with at most 64 blocks, a block has 137 / 64 elements, rounded up
+  CHECK(fine.arrays[0].perBlock == 3);  // With at most 64 blocks, a block has 137 / 64 elements, rounded
+                                        // up.
   std::uint32_t last = 0;
   for (const std::size_t max : {8192U, 4096U, 2048U, 1024U, 700U, 500U}) {
     const auto trace = layOut(twoArrays, -3, 5, max);
@@ -151,10 +152,11 @@ TEST_CASE("damage to a trace file is detected, and damage with a valid hash neve
 
 TEST_CASE("absurd sizes in a trace file allocate no memory") {
   const auto whole = encodeTrace(made({{"a", "b", 5, 5, 2}}, 0, 2, 1000));
-  // magic, first frame, frames, detailed, arrays, "a", "b", elements, elements per block, steps
+  // Offsets of the number fields: first frame, frames, detailed, arrays, then two name lengths, elements,
+  // elements per block, steps.
   for (const std::size_t at : {8U, 12U, 16U, 20U, 24U, 29U, 34U, 38U, 42U})
     for (const std::uint32_t value : {0xffffffffU, 0x7fffffffU, 0x40000000U, 0x00ffffffU, 0x80000000U}) {
-      if (at == 8 && value == 0xffffffffU) continue;  // skips a first frame of -1, which is valid
+      if (at == 8 && value == 0xffffffffU) continue;  // Skips a first frame of -1, which is valid.
       auto damaged = whole;
       std::memcpy(damaged.data() + at, &value, sizeof value);
       sign(damaged);
@@ -172,7 +174,7 @@ TEST_CASE("absurd sizes in a trace file allocate no memory") {
 TEST_CASE("equal traces do not diverge") {
   const auto trace = made(twoArrays, -3, 5, 4096);
   CHECK(!compareTraces(trace, trace));
-  CHECK(!compareTraces(made(twoArrays, -3, 9, 4096), trace));  // additional frames in the run are ignored
+  CHECK(!compareTraces(made(twoArrays, -3, 9, 4096), trace));  // Additional frames in the run are ignored.
 }
 
 TEST_CASE("a trace without arrays is cheap for any claimed number of frames") {
@@ -241,9 +243,10 @@ TEST_CASE("among objects with different step lengths, the earliest divergence in
   const Arrays arrays = {{"a", "positions", 9, 9, 5}, {"b", "positions", 9, 9, 2}};
   const auto baseline = made(arrays, 0, 2, 2048);
   for (const auto& [atStep, first] : {std::pair(2U, "a"), std::pair(3U, "b")}) {
-    const auto step = atStep;  // a copy, because lambdas cannot capture structured bindings
+    const auto step = atStep;  // This is a copy, because lambdas cannot capture structured bindings.
     const auto run = made(arrays, 0, 2, 2048, [&](int f, auto array, auto s, auto, std::uint32_t h) {
-      // compares times within frame 1: 2/5 or 3/5 for the first array, 1/2 for the second
+      // Compares times within frame 1. The change is at 2/5 or 3/5 of the frame for the first array, and at
+      // 1/2 for the second.
       return f == 1 && s == (array == 0 ? step : 1U) ? h + 1 : h;
     });
     const auto found = compareTraces(run, baseline);

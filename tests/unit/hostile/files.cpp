@@ -1,5 +1,5 @@
-// Tests files designed to exhaust memory, stack or time. They must be refused by counting, before anything
-// is allocated for them.
+// Tests files designed to exhaust memory, stack or time. Their declared sizes must be checked and refused
+// before any memory is allocated for them.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/hash.hpp"

@@ -32,15 +32,15 @@ inline double spent() {
 }
 
 #ifdef SIMREEL_SANITIZED
-constexpr bool measured = false;  // Sanitizers are slow and do not free memory immediately, so limits are
-                                  // not checked.
+constexpr bool measured = false;  // Limits are not checked in sanitizer builds, because sanitizers are slow
+                                  // and do not free memory immediately.
 #else
 constexpr bool measured = true;
 #endif
 
 /// Returns the message of the error that `read` throws. Checks that `read` takes less than 200 MiB and 40 s
-/// of processor time. The slowest case takes a second, or three on a busy machine; input that is not
-/// refused would take minutes.
+/// of CPU time. The slowest case takes a second, or three on a busy machine. Input that is not refused
+/// would take minutes.
 inline std::string refusal(const std::function<void()>& read) {
   const long before = peak();
   const double start = spent();

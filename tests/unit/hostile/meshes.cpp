@@ -39,8 +39,8 @@ std::string gltf(const std::string& nodes, const std::string& count = "3", const
          R"("data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
 }
 
-/// Returns `count` nodes. `child` returns the children of each node from the index of the next node. The
-/// last node has the mesh.
+/// Returns `count` nodes. `child`: function that returns the children of a node, given the index of the
+/// next node. The last node has the mesh.
 template <class Child>
 std::string row(std::size_t count, const Child& child) {
   std::string nodes = "[";
@@ -83,7 +83,7 @@ TEST_CASE("a glTF that declares more elements than its bytes hold is refused bef
            "byteOffset");
   checkHas(changed(R"("VEC3")", R"("VEC2")"), "vectors of 2 where 3");
   checkHas(changed("5126", "5125"), "whole numbers where vertices");
-  // A mesh of a few vertices has a million primitives. It is small to write and expensive to draw.
+  // The mesh has a few vertices and a million primitives. It is small as a file but expensive to draw.
   checkHas(
       refusalOf("parts.gltf", gltf(R"([{"mesh":0}])", "3",
                                    "}" + times(200'000, R"(},{"attributes":{"POSITION":0})").substr(1))),

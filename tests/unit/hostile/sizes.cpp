@@ -24,8 +24,8 @@ using namespace simreel::test;
 
 namespace {
 
-/// These functions return the bytes of a number: low() with the lowest byte first, high() with the highest
-/// first.
+/// These functions return the bytes of a number. low() returns the lowest byte first, and high() the
+/// highest byte first.
 std::string low(std::uint32_t value, int bytes = 4) {
   std::string all;
   for (int i = 0; i < bytes; ++i) all += static_cast<char>(value >> (8 * i));

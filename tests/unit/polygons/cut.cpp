@@ -1,5 +1,5 @@
-// Tests how polygons are split into triangles. The areas must add up to the polygon's area, and no triangle
-// may be flipped.
+// Tests that polygons are split into triangles correctly. The areas must add up to the polygon's area, and
+// no triangle may be flipped.
 #include "sim/polygons/cut.hpp"
 
 #include "sim/polygons/problem.hpp"

@@ -1,5 +1,5 @@
-// Tests requirements of glTF 2.0 for meshes: flat normals if the file has none, skins in their pose, and
-// files without scenes.
+// Tests requirements of glTF 2.0 for meshes: flat normals for files without normals, skins in their pose,
+// and files without scenes.
 #include "base/error.hpp"
 #include "sim/body/figure.hpp"
 #include "sim/mesh/file/mesh_file.hpp"
@@ -23,7 +23,7 @@ namespace {
 using Json = nlohmann::json;
 using Document = FloatGltf;
 
-/// Positions of a roof as a triangle strip: two triangles that share an edge.
+/// Positions of a roof as a triangle strip, which consists of two triangles that share an edge.
 const std::vector<float> roof = {1, 0, 0, 0, 0, 1, 0, 1, 1, -1, 1, 0};
 const std::vector<float> triangle = {0, 0, 0, 1, 0, 0, 0, 1, 0};
 const std::vector<float> up = {0, 0, 1, 0, 0, 1, 0, 0, 1};
@@ -78,7 +78,8 @@ TEST_CASE("a skinned glTF mesh is posed by its joints, independent of its node's
   for (const glm::vec3& n : mesh.normals) CHECK(n == glm::vec3(0, -1, 0));
   d.json["skins"][0].erase("inverseBindMatrices");
   CHECK(d.mesh().positions[2] == glm::vec3(0, 8, 0));
-  // A second set of weights must also be used: the joint and its child, 2 m higher, have equal weights.
+  // A second set of weights must also be used. The joint and its child, which is 2 m higher, have equal
+  // weights.
   d.json["nodes"][1]["children"] = {2};
   d.json["nodes"].push_back({{"translation", {0, 2, 0}}});
   d.json["skins"][0]["joints"] = {1, 2};
@@ -229,7 +230,7 @@ TEST_CASE("glTF morph targets have the weights of their node, or else of their m
     CHECK(mesh.ignored.empty());
     CHECK(mesh.positions[0] == (ofNode ? glm::vec3(4, 0, 4) : glm::vec3(0, 0, 1)));
     CHECK(mesh.positions[1] == (ofNode ? glm::vec3(5, 0, 0) : glm::vec3(1, 0, 0)));
-    // The normal is (0, 0, 1) + weight (0, 1, -1), normalized.
+    // The normal is (0, 0, 1) + weight * (0, 1, -1), normalized.
     CHECK(mesh.normals[0].y == doctest::Approx(ofNode ? 1.0 : 0.25 / std::hypot(0.25, 0.75)));
   }
 }

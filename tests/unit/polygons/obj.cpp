@@ -1,5 +1,5 @@
 // Tests OBJ as specified in the Advanced Visualizer's manual and as other programs write it. Each line must
-// have its specified meaning or be refused.
+// either have its specified meaning or be refused.
 #include "base/error.hpp"
 #include "sim/mesh/file/mesh_file.hpp"
 #include "unit/help.hpp"

@@ -22,7 +22,8 @@ TEST_CASE("keyframes: a spline passes through its keys with continuous speed") {
   }
   CHECK(speed(0.002) == doctest::Approx(0).scale(1).epsilon(0.02));
   CHECK(speed(1) > 0.5);
-  // Fritsch and Butland use weighted harmonic means. Here the slopes are 1 and 2.5 over 1 and 2 s.
+  // Fritsch and Butland use weighted harmonic means. In this test, the slopes are 1 and 2.5 over intervals
+  // of 1 and 2 s.
   CHECK(speed(1) == doctest::Approx((5 + 4) / (5 / 1.0 + 4 / 2.5)).epsilon(0.01));
   for (int i = 0; i < 1000; ++i) {
     const double time = 5.0 * i / 1000;

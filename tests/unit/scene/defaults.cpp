@@ -76,8 +76,8 @@ void collect(const Json& part, const Json& schema, const Json::json_pointer& at,
   }
 }
 
-/// Adds many defaults to a scene at once. If the result is refused or different, tries each half
-/// separately.
+/// Adds many defaults to a scene at once. If the result is refused or differs, tries each half of the
+/// defaults separately.
 class GiveDefaults {
  public:
   explicit GiveDefaults(Json scene) : scene_(std::move(scene)), plain_(understood(scene_).value()) {}
@@ -137,8 +137,8 @@ TEST_CASE("defaults: stating the default of any parameter of a shipped scene cha
   const Json schema = Json::parse(scene::schemaText(sim::kinds().list));
   int same = 0;
   std::set<std::string> refused;
-  std::map<std::string, int> asked;  // number of scenes in which each default has been tried; two are
-                                     // needed, because values of some parameters depend on others
+  std::map<std::string, int> asked;  // number of scenes in which each default has been tried; two scenes
+                                     // are needed, because the effect of some parameters depends on others
   for (const auto& entry : std::filesystem::directory_iterator(scenes)) {
     if (entry.path().extension() != ".json" || entry.path().string().ends_with(".test.json")) continue;
     CAPTURE(entry.path().string());
@@ -150,7 +150,7 @@ TEST_CASE("defaults: stating the default of any parameter of a shipped scene cha
       for (const auto& [kind, part] : object.items())
         collect(part, schema.at("$defs").at(kind), Json::json_pointer("/objects") / name / kind, kind,
                 found);
-    // A stage has defaults of its own for the sun.
+    // A stage has separate defaults for the sun.
     const bool staged = scene.scene().contains("stage") && scene.scene().at("stage") != false;
     std::erase_if(found, [&](const LeftOut& one) {
       return asked[one.path] >= 2 || (staged && one.path.starts_with(".sun."));
@@ -161,7 +161,7 @@ TEST_CASE("defaults: stating the default of any parameter of a shipped scene cha
     refused.merge(scene.refused);
   }
   CHECK(same > 800);
-  // These parameters need another parameter, which the message names.
+  // The following parameters are refused without another parameter, which the message names.
   const std::set<std::string> allowed = {
       "mesh.grip", "mesh.distanceCells", "mesh.file", "particles.bounce", "particles.cloths",
       ".camera.position", ".camera.target", ".camera.height", "particles.margin", "grayScott.preset",
@@ -172,7 +172,7 @@ TEST_CASE("defaults: stating the default of any parameter of a shipped scene cha
       // The following parameters have no effect with a mesh, or with a friction coefficient.
       "cloth.size", "cloth.spacing", "capsule.grip", "sphere.grip", "cone.grip", "cone.distanceCells",
       "cylinder.grip", "cylinder.distanceCells",
-      // The following parameters have no effect with a mesh in place of a grid.
+      // The following parameters have no effect if a mesh replaces the grid.
       "reaction.size", "reaction.depth", "reaction.boundary",
       // The following parameters need an image of a terrain.
       "water.terrain.low", "water.terrain.high", "water.terrain.smooth", "water.terrain.bed",

@@ -31,7 +31,7 @@ scene::Scene with(std::initializer_list<scene::Box> boxes, glm::ivec2 size) {
   return scene;
 }
 
-/// Returns the largest picture coordinate of the box's corners; the edges of the picture are at 1. Returns
+/// Returns the largest picture coordinate of the box's corners. The edges of the picture are at 1. Returns
 /// 100 if a corner is behind the camera or outside the near and far distance.
 float reach(const scene::Scene& scene, const scene::Box& box) {
   const draw::View view = draw::viewAt(scene.camera, 0, scene.render.size, {});

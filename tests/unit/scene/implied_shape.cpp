@@ -1,4 +1,4 @@
-// Tests, for every kind with a file, that the file implies the shape, and that another shape is an error.
+// Tests, for every kind with a file, that the file implies the shape and that another shape is an error.
 #include "base/error.hpp"
 #include "scene/load.hpp"
 #include "scene/value/value_writer.hpp"
@@ -15,8 +15,8 @@ using namespace simreel;
 
 namespace {
 
-/// Returns every value of an object after parsing, or the error. `object` contains SHAPE, which is replaced
-/// by `shape`.
+/// Returns every value of an object after parsing, or the error. In `object`, the word SHAPE is replaced by
+/// `shape`.
 std::string understoodAs(std::string object, const std::string& shape) {
   object.replace(object.find("SHAPE"), 5, shape);
   try {

@@ -256,7 +256,7 @@ TEST_CASE("the sidecar's members replace the scene's members completely") {
 
   files.write("flag.test.json", R"({"test": {"size": [8, 8], "tolerance": {"maxDiffRatio": 0.5}}})");
   const Scene scene = files.load();
-  CHECK(scene.test.frames.empty());  // The sidecar's "test" replaces the scene's without merging.
+  CHECK(scene.test.frames.empty());  // The sidecar's "test" replaces the scene's "test" without merging.
   CHECK(!scene.test.tolerance.hardFail);
   CHECK(scene.test.size == glm::ivec2(8, 8));
   CHECK(scene.checks.size() == 1);  // The scene's checks remain, because the sidecar has none.

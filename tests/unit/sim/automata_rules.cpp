@@ -47,7 +47,7 @@ TEST_CASE("nine cells have 102 arrangements up to symmetry, 51 without the centr
   }
   CHECK(all.size() == 51);
   // By Burnside's lemma for the eight symmetries of the square, there are 102 classes. Each contains 1, 2,
-  // 4 or 8 patterns, which `cells` counts twice, with and without the centre.
+  // 4 or 8 patterns. `cells` counts each pattern twice, with and without the centre.
   for (const auto& [count, letter] : all) CHECK(16 % cells[count][letter] == 0);
 }
 
@@ -141,8 +141,9 @@ TEST_CASE("MAP rules equal the letter notation") {
       ruleOf("MAPARYXfhZofugWaH7oaIDogBZofuhogOiAaIDogIAAgAAWaH7oaIDogGiA6ICAAIAAaIDogIAAgACAAIAAAAAAAA==");
   for (unsigned i = 0; i < 512; ++i) CHECK(life.outcome(i) == CellRule().outcome(i));
   CHECK(ruleOf("MAPARYXfg/7").states == 7);
-  // In both rules only the highest bits are set. Then a cell becomes alive if only its lower neighbour
-  // lives (hexagonal neighbourhood), or only its upper neighbour (four neighbours).
+  // In both rules only the highest bits are set. In the first rule, a cell becomes alive if only its lower
+  // neighbour lives (hexagonal neighbourhood). In the second, it becomes alive if only its upper neighbour
+  // lives (four neighbours).
   const CellRule below = ruleOf("MAPAAAAAAAAAAD//////////w"), above = ruleOf("MAPAAD//w");
   for (unsigned cell = 0; cell < 9; ++cell) {
     CHECK(below.outcome(1U << cell) == (cell == 7));

@@ -1,5 +1,5 @@
-// Contact of particles with each other: closed forms, conserved quantities and heaps, on the CPU twin,
-// which gives the GPU's bits. The whole file takes 6 s.
+// Tests contact of particles with each other through closed forms, conserved quantities and heaps. Uses the
+// CPU twin, which equals the GPU bit for bit. All tests of this file take 6 s.
 #include "base/error.hpp"
 #include "reference/particles_twin.hpp"
 #include "scene/load.hpp"
@@ -83,7 +83,7 @@ std::vector<sim::ColliderShape> box(float half, double friction) {
   return planes;
 }
 
-/// Lets `count` balls fall from a lattice `wide` balls wide, and returns the twin after `frames` frames.
+/// Drops `count` balls from a lattice that is `wide` balls wide. Returns the twin after `frames` frames.
 ParticlesTwin heap(int count, int wide, float friction, float half, int frames) {
   sim::ParticleParameters p = parametersOf(count, 0.2F, friction);
   p.acceleration = glm::vec3(0, -9.81F, 0);
@@ -154,7 +154,8 @@ TEST_CASE(
   const glm::dvec3 a(twin.velocities[0]), b(twin.velocities[1]);
   CHECK(balls::energyOf(twin) == doctest::Approx(4.5).epsilon(1e-4));
   CHECK(glm::length(balls::momentumOf(twin) - glm::dvec3(3, 0, 0)) < 1e-4);
-  // Equal masses part at a right angle. The line of centres is at 30 degrees, up to the way of a substep.
+  // Balls of equal mass separate at a right angle. The line between their centres is at 30 degrees, except
+  // for the distance that they move in a substep.
   CHECK(std::abs(glm::dot(a, b)) < 1e-3);
   CHECK(b.y / b.x == doctest::Approx(-std::sqrt(1.0 / 3)).epsilon(0.05));
 }
@@ -216,7 +217,8 @@ TEST_CASE("balls: a heap in a box comes to rest with overlaps below 2 % of the r
   for (std::size_t i = 0; i < before.size(); ++i)
     moved = std::max<double>(moved, glm::distance(glm::vec3(before[i]), glm::vec3(twin.positions[i])));
   CHECK(moved < 0.002);
-  CHECK(balls::energyOf(twin) / 400 < 5e-5);  // J/kg: the energy of a fall through 5 micrometres
+  CHECK(balls::energyOf(twin) / 400 < 5e-5);  // energy per mass in J/kg, below the energy of a fall through
+                                              // 5 micrometres
   for (const glm::vec4& p : twin.positions) CHECK(p.y > 0.049);
 }
 
@@ -256,10 +258,10 @@ TEST_CASE("balls: particles that are born inside each other gain no energy") {
   float fastest = 0;
   for (std::size_t i = 0; i < twin.velocities.size(); ++i)
     if (twin.positions[i].w > 0) fastest = std::max(fastest, glm::length(glm::vec3(twin.velocities[i])));
-  // They leave at 3 m/s, and fall for half a second at most.
+  // The balls are emitted at 3 m/s, and fall for at most half a second.
   CHECK(fastest > 1);
   CHECK(fastest < 5);
-  // Those older than 0.3 s have their whole radius, so none is inside another.
+  // Balls older than 0.3 s have their full radius, so no ball may be inside another.
   float nearest = 1;
   for (std::size_t i = 0; i < twin.positions.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)

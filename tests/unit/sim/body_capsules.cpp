@@ -44,8 +44,8 @@ TEST_CASE("capsules fitted to a tube have its axis and radius") {
 TEST_CASE("a capsule ignores protrusions and is centred in its skin") {
   const test::TemporaryFile file("tube.gltf", test::tubeText().text());
   sim::Figure figure = sim::loadFigure(file.path());
-  // Moves two opposite vertices of the 24 in each ring of the lower half outwards, so that they form
-  // spikes.
+  // Moves two opposite vertices of the 24 in each ring of the lower half outwards, so that the vertices
+  // form spikes.
   for (std::size_t i = 0; i < 20 * 24; i += 12) figure.mesh.positions[i] *= glm::vec3(2, 1, 2);
   for (glm::vec3& p : figure.mesh.positions) p.x += 0.03F;
   const auto capsules = sim::fitCapsules(figure);

@@ -1,4 +1,5 @@
-// Tests files with skeletons: their supported content, and a clear one-line message for each error.
+// Tests files with skeletons. Their supported content must be read, and each error must give a clear
+// one-line message.
 #include "base/error.hpp"
 #include "scene/load.hpp"
 #include "sim/body/figure.hpp"

@@ -1,4 +1,4 @@
-// Tests motions of bones against closed forms.
+// Tests motions of bones by comparison with closed forms.
 #include "sim/body/motion.hpp"
 #include "sim/nodes/sample.hpp"
 #include "unit/figure_text.hpp"

@@ -1,4 +1,5 @@
-// Tests cameras of glTF files: position, rotation, and a clear one-line message for each error.
+// Tests cameras of glTF files. Position and rotation must be correct, and each error must give a clear
+// one-line message.
 #include "sim/nodes/camera_shot.hpp"
 
 #include "base/error.hpp"
@@ -88,8 +89,8 @@ TEST_CASE("glTF cameras: a camera follows its node and its ancestors, without th
     CHECK(glm::length(pose.up - glm::dvec3(0, 1, 0)) < 1e-6);
     CHECK(glm::length(pose.back - back) < 1e-6);
   }
-  scene::CameraFile still = asked("lens");  // The camera is selected by its own name instead of the name of
-                                            // its node.
+  scene::CameraFile still = asked("lens");  // This name is the name of the camera, not the name of its
+                                            // node.
   still.animation = "other";
   CHECK(glm::length(sim::readCamera(still, shotText().text())->at(2).eye - glm::dvec3(1, 0, 4)) < 1e-6);
   scene::CameraFile fast = asked("wide");

@@ -122,8 +122,9 @@ TEST_CASE(
     "an unspecified grid size fits its patterns with the aspect ratio 16 to 9, and the patterns are "
     "centred") {
   const LifePlan gun(fitted("gosper_gun"), "cells", 1, 0.1);
-  CHECK(gun.parameters().size == glm::ivec2(80, 45));  // The gun has 36 x 9 cells, with a margin of 18 on
-                                                       // every side: at least 72 x 45 cells.
+  CHECK(gun.parameters().size == glm::ivec2(80, 45));  // The gun has 36 x 9 cells. With a margin of 18 on
+                                                       // every side, the grid must have at least 72 x 45
+                                                       // cells.
   const Cells cells = living(gun);
   CHECK(cells.size() == 36);
   for (const auto& [x, y] : cells) {
@@ -201,8 +202,8 @@ TEST_CASE("a pattern's position in its bounded grid is kept") {
   CHECK(placed("at.rle", rle, [](LifePattern& p) { p.rotate = 90; }) == Cells{{28, 0}, {28, 1}});
   CHECK(placed("at.rle", rle, [](LifePattern& p) { p.rotate = 180; }) == Cells{{29, 28}, {28, 28}});
   CHECK(placed("at.rle", rle, [](LifePattern& p) { p.rotate = 270; }) == Cells{{1, 29}, {1, 28}});
-  // The file has two squares of 8 x 8 in the north-west and the south-east of a square of 16 x 16, which
-  // lies around the grid's middle.
+  // The file has two squares of 8 x 8 cells in the north-west and the south-east of a square of 16 x 16
+  // cells, whose centre is the grid's centre.
   CHECK(placed("at.mc", "[M2] (golly 3.3)\n#R B3/S23:T30,30\n.*$\n4 1 0 0 1\n", asIs) ==
         Cells{{8, 8}, {16, 16}});
   checkHas(mistake("#CXRLE Pos=3\nx = 3, y = 1\n3o!"), "p:1:8: a place is expected here");

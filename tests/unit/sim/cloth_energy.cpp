@@ -60,7 +60,8 @@ TEST_CASE("energy: a wide swing of a fine fabric conserves energy, including the
 namespace {
 
 /// Returns the maximum difference between the force that a substep exerts on a particle and the negative
-/// gradient of the elastic energy, by finite differences, relative to the maximum force.
+/// gradient of the elastic energy, relative to the maximum force. The gradient is computed by finite
+/// differences.
 template <class Twin>
 double missedGradient(Twin twin, const std::function<double(const std::vector<glm::vec4>&)>& elastic) {
   const std::vector<glm::vec4> start = twin.positions;
@@ -114,8 +115,8 @@ TEST_CASE("energy: energy-conserving constraint forces are the gradient of the m
     p.shearCompliance = 1e-3F;
     p.bendCompliance = 1e-2F;
     p.jitter = 0.012F;
-    // The pins create each kind of line: with one pin; with a pin at each end, unstretched or stretched;
-    // and with two pins in between.
+    // The pins create each kind of line: lines with one pin, lines with a pin at each end (unstretched or
+    // stretched), and lines with two pins in between.
     p.pins.emplace_back().points = {{0, 0}, {20, 0}, {9, 2}, {13, 2}, {0, 4}, {20, 4}};
     REQUIRE(p.keepsEnergy());
     ClothTwin twin(sim::ClothPlan(p, 4, 1.0 / 60, {}));

@@ -1,5 +1,5 @@
-// Tests fabrics against closed forms and against an independent implementation of their energy in double
-// precision. Also tests refused settings of "fabric".
+// Tests fabrics by comparison with closed forms and with an independent implementation of their energy in
+// double precision. Also tests refused settings of "fabric".
 #include "base/error.hpp"
 #include "reference/cloth_twin.hpp"
 #include "sim/cloth/quantities.hpp"
@@ -48,7 +48,7 @@ double plateEnergy(glm::ivec2 size, const Points& points, const glm::dvec3* cons
       if (x > 0 && x < size.x - 1) add(besideX, at(x - 1, y) - 2.0 * at(x, y) + at(x + 1, y));
       if (y > 0 && y < size.y - 1) add(besideY, at(x, y - 1) - 2.0 * at(x, y) + at(x, y + 1));
       if (ghostX) {  // At a clamped border, x[-1] = x[1] - 2 t with the ghost offset t. The term counts for
-                     // half the area.
+                     // half of the area.
         const glm::dvec3 inner = at(x == 0 ? 1 : x - 1, y);
         add(0.5 * besideX, inner - 2.0 * at(x, y) + (inner - 2.0 * *ghostX));
       }
@@ -173,7 +173,8 @@ TEST_CASE(
     const double energy = found[static_cast<std::size_t>(which - quantities.begin())];
     const double w = 0.01 * (size.x - 1);
     const double h = 0.01 * (size.y - 1);
-    // There are no second differences at the border, so the area is one cell shorter in their direction.
+    // There are no second differences at the border, so the area is one cell shorter in the direction of
+    // the differences.
     const double expected =
         0.5 * 1000 * (s.a * s.a * (w - 0.01) * h + 2 * s.b * s.b * w * h + s.c * s.c * w * (h - 0.01));
     CHECK(energy == doctest::Approx(expected).epsilon(0.01).scale(0));

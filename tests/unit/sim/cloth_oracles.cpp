@@ -1,5 +1,5 @@
-// Tests cloth against closed forms of mechanics: catenaries, pendulums, and falls in air. Uses the CPU
-// twins, which equal the GPU bit for bit.
+// Tests cloth by comparison with closed forms of mechanics: catenaries, pendulums, and falls in air. Uses
+// the CPU twins, which equal the GPU bit for bit.
 #include "reference/cloth_twin.hpp"
 #include "reference/garment_twin.hpp"
 
@@ -51,8 +51,8 @@ struct Catenary {
   }
 };
 
-/// Hangs two parallel rows of 40 links of 0.1 m between supports 3 m apart until they are at rest. Returns
-/// the maximum distance of a particle from the catenary (m).
+/// Hangs two parallel rows of 40 links of 0.1 m between supports 3 m apart, and simulates until they are at
+/// rest. Returns the maximum distance of a particle from the catenary (m).
 double distanceFromCatenary(sim::ClothParameters p, double weightPerStiffness) {
   constexpr int links = 40;
   p.damping = 3;
@@ -140,7 +140,7 @@ struct Crossings {
 }  // namespace
 
 TEST_CASE("oracle: a pendulum's period equals the elliptic integral at any amplitude") {
-  for (const int kind : {0, 1, 2})  // The kinds are springs, energy-conserving constraints, and constraints
+  for (const int kind : {0, 1, 2})  // `kind` selects springs, energy-conserving constraints, or constraints
                                     // of damped cloth.
     for (const double degrees : {10.0, 60.0, 120.0}) {
       CAPTURE(degrees);

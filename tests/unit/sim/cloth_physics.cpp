@@ -1,5 +1,5 @@
-// Tests cloth against analytic results and conservation laws on the CPU twin, which equals the GPU bit for
-// bit.
+// Tests cloth by comparison with analytic results and conservation laws. Uses the CPU twin, which equals
+// the GPU bit for bit.
 #include "reference/cloth_twin.hpp"
 
 #include <algorithm>
@@ -351,8 +351,8 @@ TEST_CASE("air drag on a flat face is half rho Cd A v^2 without lift, and an inc
   const glm::vec3 v(twin.velocities[12]);
   CHECK(v.y == doctest::Approx(0.5 * 1.2 * 1.0 * 0.01 * 9.0 * frameSeconds).epsilon(1e-4).scale(0));
   CHECK(std::abs(v.x) < 1e-6);
-  // At an angle of attack of 45 degrees, lift is perpendicular to the flow: half rho Cl A sin cos v^2,
-  // upwards for air from below.
+  // At an angle of attack of 45 degrees, lift is perpendicular to the flow. It is half of rho Cl A sin cos
+  // v^2, and points upwards for air from below.
   p.air->velocity = glm::vec3(3, 3, 0);
   p.air->drag = 0;
   ClothTwin inclined = makeTwin(p);

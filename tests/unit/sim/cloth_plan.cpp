@@ -44,8 +44,8 @@ TEST_CASE("pins are selected by row, column, corner and point") {
 TEST_CASE("\"auto\" takes as many substeps as the springs need") {
   sim::ClothParameters p;
   p.substeps.reset();
-  // w = sqrt(4 * 500 * 2.3 / 1) = 67.8 1/s. The stability limit 2 / w is 29.5 ms. Times 0.7 it is 20.6 ms,
-  // so one substep of 16.7 ms is enough.
+  // w = sqrt(4 * 500 * 2.3 / 1) = 67.8 1/s. The stability limit 2 / w is 29.5 ms. 0.7 times the limit is
+  // 20.6 ms, so one substep of 16.7 ms is enough.
   CHECK(p.substepsPerFrame(1.0 / 60) == 1);
   p.stiffness = 50000;
   CHECK(p.stableSeconds() == doctest::Approx(2.0 / std::sqrt(4 * 50000 * 2.3)).epsilon(1e-6));

@@ -47,7 +47,7 @@ TEST_CASE("a cloth at rest has the expected quantities") {
 }
 
 TEST_CASE("a stretched cloth has the expected elastic energy") {
-  // x is scaled by 3/2. Then 6 springs along x are 0.25 m longer, 8 diagonals have length sqrt(0.75^2 +
+  // x is scaled by 3/2. Then 6 springs along x are 0.25 m longer, 8 diagonals have the length sqrt(0.75^2 +
   // 0.5^2) instead of sqrt(0.5), and 3 springs across two cells are 0.5 m longer. Springs along y keep
   // their length.
   const auto q = sim::measureCloth(parameters(), sheet(1.5F), still, 0);
@@ -74,7 +74,7 @@ TEST_CASE("compliant constraints store elastic energy, rigid ones none") {
 
 TEST_CASE("a moving cloth has the expected kinetic energy and speed") {
   auto velocities = still;
-  velocities[4] = glm::vec4(3, 0, -4, 7);  // w is the pin group and must be ignored.
+  velocities[4] = glm::vec4(3, 0, -4, 7);  // w is the pin group, which must be ignored.
   const auto q = sim::measureCloth(parameters(), sheet(1), velocities, 0);
   CHECK(named(parameters(), q, "kineticEnergy") == 25);
   CHECK(named(parameters(), q, "speed") == 5);

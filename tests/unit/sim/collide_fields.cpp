@@ -1,5 +1,5 @@
-// Tests distance fields of meshes against closed forms and against an independent implementation in double
-// precision. Also tests that each error gives a clear one-line message.
+// Tests distance fields of meshes by comparison with closed forms and with an independent implementation in
+// double precision. Also tests that each error gives a clear one-line message.
 #include "base/error.hpp"
 #include "reference/distance_twin.hpp"
 #include "sim/mesh/shapes.hpp"
@@ -42,7 +42,7 @@ std::string firstProblem(const std::string& objects) {
 
 TEST_CASE(
     "collide: the field of a ball and of a torus equals the closed form within the cells' resolution") {
-  // The error of chords is R (1 - cos(pi / n)), by which a mesh lies inside its circle. The error of cells
+  // A mesh with chords lies inside its circle by R (1 - cos(pi / n)). The error of interpolation in a cell
   // is h^2 / 8 times the curvature.
   test::Draws draws;
   const DistanceTwin ball = fieldOf(R"("shape": "sphere", "radius": 0.5, "resolution": [129, 65])");

@@ -1,4 +1,5 @@
-// Tests collisions with rigid meshes against known results. The CPU twins equal the GPU bit for bit.
+// Tests collisions with rigid meshes by comparison with known results. The CPU twins equal the GPU bit for
+// bit.
 #include "reference/cloth_twin.hpp"
 #include "reference/garment_twin.hpp"
 #include "reference/particles_twin.hpp"

@@ -1,4 +1,5 @@
-// Tests collisions of particles with shapes against known results. The CPU twin equals the GPU bit for bit.
+// Tests collisions of particles with shapes by comparison with known results. The CPU twin equals the GPU
+// bit for bit.
 #include "reference/particles_twin.hpp"
 
 #include <cmath>
@@ -13,8 +14,7 @@ namespace {
 
 constexpr double collideFrame = 1.0 / 60.0;
 
-/// Returns one particle near a shape, with 16 substeps per frame and the given acceleration (default:
-/// none).
+/// Returns one particle near a shape, with 16 substeps per frame. The default acceleration is 0.
 ParticlesTwin oneBeside(const sim::ColliderShape& shape, const glm::vec3& position,
                         const glm::vec3& velocity, const glm::vec3& acceleration, float bounce,
                         float margin) {

@@ -115,7 +115,7 @@ Triples facesOf(GarmentTwin& twin) {
 struct Passage {
   double nearest = 1e9;  ///< distance (m) from the axis to the nearest edge
   bool through = false;  ///< true if the axis has crossed a face
-  bool ahead = true;     ///< true if the cloth has stayed in front of the rod's middle
+  bool ahead = true;     ///< true if the cloth has always stayed in front of the rod's middle
   double fastest = 0;    ///< maximum speed of the vertices, m/s
 };
 

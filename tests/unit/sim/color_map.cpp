@@ -1,4 +1,5 @@
-// Tests the colour maps against the published tables (matplotlib's _cm_listed at 0, 1/4, 1/2, 3/4, 1).
+// Tests the colour maps by comparison with the published tables (matplotlib's _cm_listed at 0, 1/4, 1/2,
+// 3/4, 1).
 #include "sim/grid/color_map.hpp"
 
 #include "base/hash.hpp"

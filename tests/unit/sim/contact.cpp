@@ -294,9 +294,9 @@ TEST_CASE("a ball hangs in a strip: the tension on both sides carries its weight
   Pile pile({strip}, {}, 0.004F, 0.3F, {}, &ball);
   for (int f = 0; f < 90; ++f) pile.step();
   CHECK(std::abs(pile.balls->velocities[0].y) < 0.01);
-  // Equilibrium of the ball and half of the strip: 2 T d / l = m g, with T = k w (l - L) / L and l^2 = L^2
-  // + d^2. d is the drop, L and l are the rest length and the stretched length of each half, T is the
-  // tension, w the width, k the stiffness per width and m the mass.
+  // Equilibrium of the ball and half of the strip. 2 T d / l = m g, with T = k w (l - L) / L and l^2 = L^2
+  // + d^2. d is the distance by which the ball hangs down. L and l are the rest length and the stretched
+  // length of each half. T is the tension, w the width, k the stiffness per width and m the mass.
   const double weight = 9.8 * (mass + 0.5 * density * 2 * half * width);
   double low = 0, high = half;
   for (int i = 0; i < 60; ++i) {

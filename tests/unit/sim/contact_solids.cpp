@@ -144,8 +144,8 @@ TEST_CASE("a cloth hangs over a ball of faces at a distance of its thickness") {
 
 TEST_CASE("a moving floor of faces accelerates a cloth by friction at mu g up to the floor's speed") {
   const double mu = 0.3, speed = 1;
-  for (const float own : {-1.0F, 0.1F}) {  // friction coefficient of the solid; with -1 the cloth's 0.3
-                                           // applies, otherwise the mean of both
+  for (const float own : {-1.0F, 0.1F}) {  // friction coefficient of the solid; if it is -1, the cloth's
+                                           // coefficient 0.3 applies, and otherwise the mean of both
     const double expected = own < 0 ? mu : 0.5 * (mu + 0.1);
     auto sheet = silk({7, 6}, 0.04F, {0, 0.0051F, 0}, {0, 10, 0});
     sheet.damping = 0;

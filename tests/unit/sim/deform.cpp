@@ -65,8 +65,8 @@ TEST_CASE("a ripple's heights and normals equal its formula, also after a year")
       const double r = std::hypot(rest.x, rest.z);
       const double phase = time * 2.0 + 6.0 - r;
       worstHeight = std::max(worstHeight, std::abs(0.25 * std::sin(phase) - d.cpu.positions()[i].y));
-      // For y = A sin(.. - r), the gradient is -A cos(.. - r) (x, z) / r. It is tested away from the centre
-      // and the border.
+      // For y = A sin(.. - r), the gradient is -A cos(.. - r) (x, z) / r. It is tested only away from the
+      // centre and the border.
       if (r < 0.5 || std::max(std::abs(rest.x), std::abs(rest.z)) > 3.9) continue;
       const double slope = -0.25 * std::cos(phase) / r;
       const glm::dvec3 normal = glm::normalize(glm::dvec3(-slope * rest.x, 1, -slope * rest.z));

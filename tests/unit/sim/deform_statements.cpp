@@ -1,6 +1,6 @@
-// Tests every displacement against an independent implementation of its equation in double precision. This
-// is needed because the twin compiles the shaders and would repeat their errors. Includes points that need
-// special handling: on an axis, below a base, next to a trail.
+// Tests every displacement by comparison with an independent implementation of its equation in double
+// precision. This is needed because the twin compiles the shaders and would repeat their errors. The points
+// include some that need special handling: on an axis, below a base, and next to a trail.
 #include "sim/mesh/deform_cpu.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Tests the damping of stretch against closed forms: a vibration of angular frequency w decays at the rate
-// T w^2 / 2, where T is the damping time, and motion without stretching is not damped.
+// Tests the damping of stretch by comparison with closed forms. A vibration of angular frequency w must
+// decay at the rate T w^2 / 2, where T is the damping time. Motion without stretching must not be damped.
 #include "reference/cloth_twin.hpp"
 #include "reference/garment_twin.hpp"
 #include "unit/help.hpp"
@@ -49,7 +49,7 @@ sim::ClothParameters dampedStrip(bool mesh, int cells) {
 /// relative to T w^2 / 2. An implicit step adds as much damping as a damping time T = dt.
 template <class Twin>
 double decayOf(Twin twin, double dt, int cells) {
-  // This is the frequency of a row of masses that is held at one end.
+  // This is the frequency of a row of masses with springs between them that is held at one end.
   const double frequency = 2 * cells / stripLength * std::sqrt(stripStiffness / stripDensity) *
                            std::sin(0.25 * std::numbers::pi / cells);
   const std::vector<glm::vec4> rest = twin.positions;

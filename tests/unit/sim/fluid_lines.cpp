@@ -1,5 +1,5 @@
-// Tests line integral convolution of a fluid against its equation in double precision. Also tests the
-// result of soft brushes.
+// Tests line integral convolution of a fluid by comparison with its equation in double precision. Also
+// tests the result of soft brushes.
 #include "reference/fluid_twin.hpp"
 #include "sim/core/shader_code.hpp"
 

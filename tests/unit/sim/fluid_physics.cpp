@@ -1,4 +1,4 @@
-// Tests fluids against closed forms and published tables.
+// Tests fluids by comparison with closed forms and published tables.
 #include "reference/fluid_flows.hpp"
 #include "reference/fluid_twin.hpp"
 
@@ -34,8 +34,8 @@ double fluidEnergy(const FluidTwin& twin) {
 }
 
 /// Result for Taylor-Green vortices of size 1 at speed 1 and Re 100 on n x n cells, after a third of the
-/// energy is lost: the relative error of the energy's decay, and the maximum error of u relative to the
-/// speed.
+/// energy is lost. It has the relative error of the energy's decay, and the maximum error of u relative to
+/// the speed.
 struct Vortices {
   double decay, error;
 };
@@ -43,7 +43,7 @@ Vortices taylorGreen(int n) {
   const double k = 2 * std::numbers::pi / n;
   const double nu = 0.01 * n * n;
   const double seconds = 0.256;
-  const int steps = 300 * n * n / 1024;  // number of steps, for which dt is proportional to h^2
+  const int steps = 300 * n * n / 1024;  // number of steps; dt is proportional to h^2
   auto p = calmFluid(n, n);
   p.left.kind = p.right.kind = p.top.kind = p.bottom.kind = Side::periodic;
   p.viscosity = static_cast<float>(nu);
@@ -69,7 +69,7 @@ Vortices taylorGreen(int n) {
   return {std::abs(got / wanted - 1), error / n};
 }
 
-/// Returns flows::ghiaError of an n x n cavity after its lid has passed `turns` times.
+/// Returns flows::ghiaError() of an n x n cavity after its lid has moved `turns` times the cavity's width.
 double cavityError(int n, double reynolds, double turns) {
   const double seconds = 0.25;
   FluidTwin twin(sim::FluidPlan(flows::cavity(n, reynolds), "cavity", 1, seconds));

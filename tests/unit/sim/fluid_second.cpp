@@ -1,5 +1,6 @@
-// Tests one step of each fluid kernel against an independent implementation of its equations in double
-// precision. In it, u and v are functions of position between walls, without arrays and border rings.
+// Tests one step of each fluid kernel by comparison with an independent implementation of its equations in
+// double precision. The implementation represents u and v as functions of the position between walls,
+// without arrays and border rings.
 #include "reference/fluid_twin.hpp"
 
 #include <algorithm>
@@ -65,8 +66,8 @@ Spot cameFrom(const Walled& f, Spot p, double dt) {
   return heldSpot(f, {p.x - v.x * dt, p.y - v.y * dt});
 }
 
-/// Returns the second difference along a line of `count` nodes. Half a node beyond each end is a wall with
-/// a given speed; there, the parabola through the wall and two nodes is used.
+/// Returns the second difference along a line of `count` nodes. A wall with a given speed is half a node
+/// beyond each end. At the ends, the parabola through the wall and two nodes is used.
 double bend(const std::function<double(int)>& node, int i, int count, double first, double last) {
   if (i == 0) return 8.0 / 3 * first - 4 * node(0) + 4.0 / 3 * node(1);
   if (i == count - 1) return 8.0 / 3 * last - 4 * node(i) + 4.0 / 3 * node(i - 1);
@@ -81,8 +82,8 @@ double friction(const Walled& f, bool alongX, int x, int y) {
          bend([&](int i) { return f.v(i, y); }, x, f.w, 0, 0);
 }
 
-/// Returns the result of MacCormack advection with its limiter for u (`alongX`) or v. `ahead`: the flow
-/// after one plain advection.
+/// Returns the result of MacCormack advection with its limiter, for u if `alongX` is true and for v
+/// otherwise. `ahead`: the flow after one plain advection.
 double macCormack(const Walled& f, const Walled& ahead, bool alongX, int x, int y, double dt) {
   const Spot place = alongX ? Spot{double(x), y + 0.5} : Spot{x + 0.5, double(y)};
   const auto sample = [&](const Walled& of, Spot p) {
@@ -147,9 +148,9 @@ TEST_CASE(
     return start.v(x, y) - start.v(x - 1, y) - start.u(x, y) + start.u(x, y - 1);
   };
   int lessened = 0;
-  // Vorticity confinement is epsilon (N x omega) with N = grad |omega| / |grad |omega||. This function
-  // computes it for a face between corners with vorticities a and b, whose neighbouring corners across the
-  // face have `before` and `after`. It is reduced above half of the expected speed.
+  // Returns vorticity confinement epsilon (N x omega) with N = grad |omega| / |grad |omega|| at a face. a
+  // and b are the vorticities of the face's corners. `before` and `after` are the vorticities of the
+  // neighbouring corners across the face. The result is reduced above half of the expected speed.
   const auto confined = [&](double a, double b, double before, double after, int x, int y) {
     const double along = std::abs(b) - std::abs(a), across = (after - before) / 2;
     const double fastest = std::max(std::abs(start.u(x, y)), std::abs(start.v(x, y)));
@@ -245,8 +246,8 @@ TEST_CASE("fluid: the projection equals a dense Poisson solution, around obstacl
   twin.paint(0, 1);
   const std::vector<glm::vec4> before = twin.flow;
   twin.project();
-  // Returns the fraction of a face outside the circle, with a chord in place of the arc, from the distances
-  // of the face's ends to the circle.
+  // Returns the fraction of a face outside the circle. It is computed from the distances of the face's ends
+  // to the circle, with a chord instead of the arc.
   const auto off = [](double x, double y) {
     return std::sqrt((x - 12) * (x - 12) + (y - 6) * (y - 6)) - 2.5;
   };
@@ -302,7 +303,7 @@ TEST_CASE("fluid: dye transport equals van Leer's scheme in double precision") {
   const auto q = [&](int x, int y) -> double {
     return dye[twin.index(std::clamp(x, 0, w - 1), std::clamp(y, 0, h - 1))].x;
   };
-  // Upwind, donor and downwind cells of the face.
+  // Returns the flux from the values in the upwind cell, the donor cell and the downwind cell of the face.
   const auto flux = [](double way, double up, double here, double down) {
     const double a = here - up, b = down - here;
     const double slope =

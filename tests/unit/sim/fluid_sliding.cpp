@@ -1,4 +1,4 @@
-// Tests obstacles that move through fluid at rest, with and without slip, against known results.
+// Tests obstacles that move through fluid at rest, with and without slip, by comparison with known results.
 #include "reference/fluid_twin.hpp"
 
 #include <algorithm>
@@ -38,8 +38,8 @@ FluidTwin bathTwin(const sim::FluidParameters& p) {
 }  // namespace
 
 TEST_CASE("fluid: a circle that starts to move creates a dipole flow, with slip and no-slip") {
-  // Potential flow around a circle of radius R and speed U: u = U R^2 (x^2 - y^2) / r^4, v = 2 U R^2 x y /
-  // r^4. Other effects are negligible after one short frame.
+  // The potential flow around a circle of radius R and speed U is u = U R^2 (x^2 - y^2) / r^4 and v = 2 U
+  // R^2 x y / r^4. Other effects are negligible after one short frame.
   auto p = quietBath({97, 91}, true);
   for (sim::FluidSide* side : {&p.left, &p.right, &p.top, &p.bottom}) side->kind = BathSide::open;
   p.viscosity = 0.0F;

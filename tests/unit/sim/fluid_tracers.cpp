@@ -1,4 +1,4 @@
-// Tests tracers against closed forms.
+// Tests tracers by comparison with closed forms.
 #include "reference/tracers_twin.hpp"
 
 #include <cmath>
@@ -44,8 +44,8 @@ TEST_CASE("tracers: tracers in a rotating flow move in circles") {
   }
 }
 
-// The sum of a drawn streak's light is proportional to the path's length: 4096 units per cell, minus
-// truncation to integers.
+// The sum of a drawn streak's light is proportional to the length of the tracer's path. It is 4096 units
+// per cell, minus truncation to integers.
 TEST_CASE("tracers: a streak's light is proportional to its length") {
   const glm::ivec2 size(90, 40);
   WindTwin wind{sim::fluidWindGrid({}, size)};

@@ -1,4 +1,4 @@
-// Tests a fluid that is used as wind against closed forms.
+// Tests a fluid that is used as wind, by comparison with closed forms.
 #include "base/error.hpp"
 #include "reference/cloth_twin.hpp"
 #include "reference/particles_twin.hpp"
@@ -95,8 +95,8 @@ TEST_CASE("fluid wind: a linear flow is sampled exactly on a skewed plane") {
   for (std::size_t i = 0; i < places.size(); ++i) {
     const glm::dvec2 cell((places[i].x - 0.3) / 0.5 + 6, (places[i].z - 0.5) / 0.5 + 4.5);
     const glm::dvec2 w = flow(cell) * 0.5;
-    // The velocity follows the wind at the starting point. The tolerance covers the displacement during the
-    // step.
+    // The velocity is the wind's velocity at the starting point. The tolerance covers the displacement
+    // during the step.
     const glm::dvec3 expected(w.x, 0, w.y);
     const double share = 1 - std::exp(-1 / 60.0);
     CAPTURE(i);
@@ -105,8 +105,8 @@ TEST_CASE("fluid wind: a linear flow is sampled exactly on a skewed plane") {
   }
 }
 
-// A free sheet faces a uniform wind w: m v' = rho Cd A (w - v)^2 / 2. The solution is w - v = w / (1 + k w
-// t) with k = rho Cd A / (2 m).
+// A free sheet faces a uniform wind w, so m v' = rho Cd A (w - v)^2 / 2. The solution is w - v = w / (1 + k
+// w t) with k = rho Cd A / (2 m).
 TEST_CASE("fluid wind: a free sheet is carried along as in the closed form") {
   sim::FluidPlane plane;
   plane.cell = 1;

@@ -87,7 +87,7 @@ TEST_CASE("framed: framing contains a body's skin over its motion") {
   body.animation = "walk";
   const auto walks = body.framed();
   REQUIRE(walks.has_value());
-  // The box of the walking body is longer by a step.
+  // The box of the walking body is longer by the length of a step.
   CHECK(walks->max.z - walks->min.z > stands->max.z - stands->min.z + 0.2F);
   body.scale = 2.0F;
   body.position = glm::vec3(10, 0, 0);

@@ -1,4 +1,5 @@
-// Tests long-range attachments: the paths to pins, and the absence of forces on unstretched cloth.
+// Tests long-range attachments. Paths to pins must be correct, and there must be no forces on unstretched
+// cloth.
 #include "reference/garment_twin.hpp"
 #include "sim/garment/attachments.hpp"
 #include "sim/garment/quantities.hpp"
@@ -24,8 +25,8 @@ double garmentValue(const GarmentTwin& twin, std::size_t which) {
 constexpr std::size_t kineticValue = 2;
 constexpr std::size_t energyValue = 5;
 
-/// Returns the distance (m) from the pins to the lowest point of a soft square sheet that hangs by one
-/// corner (`corner`) or by both upper corners.
+/// Returns the distance (m) from the pins to the lowest point of a soft square sheet. The sheet hangs by
+/// one corner if `corner` is true, and otherwise by both upper corners.
 double dropOf(bool corner, int substeps, std::size_t& attachments) {
   sim::ClothParameters p = test::freeCloth();
   p.mesh->size = glm::vec3(0.6F, 0, 0.6F);
@@ -129,7 +130,7 @@ TEST_CASE("garment: attachments are slack without stretch, and free cloth has no
   p.substeps = 8;
   GarmentTwin twin(sim::GarmentPlan("a", p, 1, 1.0 / 60, {}));
   REQUIRE(twin.plan().arrays().attachments.size() > 900);
-  // The sheet is rolled up from the pins. Every path along the cloth keeps its length, but none is
+  // The sheet is rolled up from the pins. Every path along the cloth keeps its length, but no path is
   // straight.
   for (glm::vec4& v : twin.positions) {
     const double way = 3.0 * (static_cast<double>(v.z) + 1);

@@ -13,7 +13,7 @@ namespace simreel::test {
 
 enum class Kind { right, equilateral, random };
 
-/// Returns a number from -1 to 1.
+/// Returns a pseudo-random number from -1 to 1 that depends on `i`.
 [[nodiscard]] inline double disorder(std::size_t i) {
   const double x = 43758.5453 * std::sin(12.9898 * static_cast<double>(i + 1));
   return 2 * (x - std::floor(x)) - 1;

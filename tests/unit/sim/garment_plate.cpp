@@ -1,4 +1,4 @@
-// Tests bending of meshes against closed forms of a plate.
+// Tests bending of meshes by comparison with closed forms of a plate.
 #include "reference/garment_twin.hpp"
 #include "sim/garment/plate.hpp"
 #include "unit/help.hpp"

@@ -1,4 +1,4 @@
-// Tests stretch of fabric meshes against closed forms. Also tests air, masses and quantities.
+// Tests stretch of fabric meshes by comparison with closed forms. Also tests air, masses and quantities.
 #include "reference/garment_twin.hpp"
 #include "sim/core/shader_code.hpp"
 #include "sim/garment/pace.hpp"
@@ -98,7 +98,7 @@ TEST_CASE("garment: a strip swinging from its end never gains energy and hardly 
       CHECK(now < before + 0.01 * falls);
       before = now;
       fastest = std::max(fastest, garmentQuantity(twin.plan(), twin, "kineticEnergy"));
-      // The most stretched face is at the pins. With energy conservation, the energy that a swing loses to
+      // The most stretched face is at the pins. If energy is conserved, the energy that the swing loses to
       // flutter remains in the faces.
       CHECK(garmentQuantity(twin.plan(), twin, "stretch") < (damped ? 1.15 : 1.25));
     }
@@ -183,8 +183,8 @@ TEST_CASE("garment: \"auto\" takes more substeps the finer the unpinned mesh is"
 }
 
 TEST_CASE("garment: the hanging length is measured for each connected piece, also across seams") {
-  // The mesh has strips with one column of cells, 1 m long, side by side. The first strip is pinned at its
-  // end.
+  // The mesh consists of strips side by side. Each strip is 1 m long and has one column of cells. The first
+  // strip is pinned at its end.
   sim::Mesh mesh = test::rectangle(test::Kind::right, {10, 1}, 0.1);
   const std::size_t count = mesh.positions.size();
   for (std::size_t i = 0; i < count; ++i)
@@ -196,7 +196,8 @@ TEST_CASE("garment: the hanging length is measured for each connected piece, als
   std::vector<bool> pinned(2 * count, false);
   pinned[0] = pinned[11] = true;
   CHECK(sim::hangingLength(cloth, pinned, {}) == doctest::Approx(1).epsilon(1e-6));
-  const double free = 0.5 * (1.5 + 0.15);  // half of the path between corners that no diagonal connects
+  const double free = 0.5 * (1.5 + 0.15);  // half of the length of the path between corners that no
+                                           // diagonal connects
   pinned[0] = pinned[11] = false;
   CHECK(sim::hangingLength(cloth, pinned, {}) == doctest::Approx(free).epsilon(0.001));
   pinned[0] = pinned[11] = true;

@@ -63,7 +63,7 @@ TEST_CASE("grayScott: uniform fields end at the stable uniform solution of the e
 }
 
 TEST_CASE("grayScott: mass changes per step as the equations say") {
-  // Diffusion conserves the sums of u and v over the torus.
+  // Diffusion must conserve the sums of u and v over the torus.
   auto twin = twinOf({61, 47}, sim::GrayScottPreset::stripes, 4);
   const auto rates = twin.plan().ratesAt(0);
   const double F = rates.feed;

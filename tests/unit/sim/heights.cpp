@@ -1,4 +1,5 @@
-// Tests falls onto a deformed mesh against known results, and a clear one-line message for each error.
+// Tests falls onto a deformed mesh by comparison with known results. Also tests that each error gives a
+// clear one-line message.
 #include "base/error.hpp"
 #include "reference/cloth_twin.hpp"
 #include "reference/particles_twin.hpp"

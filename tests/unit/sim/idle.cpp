@@ -1,5 +1,5 @@
-// Tests keys that have no effect because of another key. Each must cause a message at its position, and
-// keys with an effect must not.
+// Tests keys that have no effect because of another key. Each of them must cause a message at its position.
+// Keys with an effect must cause no message.
 #include "base/error.hpp"
 #include "scene/load.hpp"
 #include "scene/scene.hpp"
@@ -27,7 +27,7 @@ struct Pair {
   const char* key;            ///< text of the key with its value
 };
 
-/// Expects one message, at the key, if the key has no effect, and none otherwise.
+/// Expects one message at the position of the key if the key has no effect, and otherwise no message.
 void check(const std::string& before, const std::vector<Pair>& pairs, const std::string& after) {
   for (const Pair& pair : pairs) {
     CAPTURE(pair.key);

@@ -1,4 +1,4 @@
-// Tests a camera that lags behind its target against closed forms of a critically damped spring.
+// Tests a camera that lags behind its target by comparison with closed forms of a critically damped spring.
 #include "sim/world/lag.hpp"
 
 #include <array>
@@ -10,8 +10,8 @@ using namespace simreel;
 
 namespace {
 
-/// Returns y at `time` if x moves at constant `speed` v, both start at 0, and y starts at rest: v (t - T +
-/// (t + T) e^(-2t/T)) with the damping T.
+/// Returns y at `time` for a target x that moves at constant `speed` v. Both start at 0, and y starts at
+/// rest. The result is v (t - T + (t + T) e^(-2t/T)) with the damping T.
 double ramp(double speed, double damping, double time) {
   return speed * (time - damping + (time + damping) * std::exp(-2 * time / damping));
 }

@@ -1,4 +1,5 @@
-// Tests known facts about automata on the CPU twin, and the twin against a plain loop over neighbours.
+// Tests known facts about automata on the CPU twin, and compares the twin with a plain loop over
+// neighbours.
 #include "base/error.hpp"
 #include "reference/life_twin.hpp"
 #include "source_folder.hpp"

@@ -57,8 +57,8 @@ const std::string squarePly =
     "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
     "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
 
-/// Returns a glTF triangle with 16-bit indices. `uri`: its buffer of 36 + 6 bytes. `count`: number of
-/// vertices.
+/// Returns a glTF triangle with 16-bit indices. `uri`: address of a buffer of 36 + 6 bytes. `count`: number
+/// of vertices.
 std::string triangleGltf(const std::string& uri, const std::string& count = "3") {
   return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
          R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"accessors":[)"

@@ -1,4 +1,5 @@
-// Tests mesh files: their supported content, and a clear one-line message for each error.
+// Tests mesh files. Their supported content must be read, and each error must give a clear one-line
+// message.
 #include "sim/mesh/file/mesh_file.hpp"
 
 #include "base/error.hpp"

@@ -1,5 +1,5 @@
-// Tests rules of models against independent implementations in double precision. This is needed because the
-// twins compile the kernels and would repeat their errors.
+// Tests rules of models by comparison with independent implementations in double precision. This is needed
+// because the twins compile the kernels and would repeat their errors.
 #include "sim/core/shader_code.hpp"
 #include "sim/particles/gravity_tree.hpp"
 #include "sim/spread/epidemic_plan.hpp"
@@ -54,7 +54,7 @@ TEST_CASE("epidemic: meeting eight random people infects with probability 1 - (1
       const double expected = (1 - std::pow(1 - beta * infected / people, 8)) * 0x1p31;
       CAPTURE(beta);
       CAPTURE(infected);
-      // The tolerance is 2, because thresholds are even numbers.
+      // The tolerance is 2, because thresholds are even numbers and may be rounded to the next one.
       CHECK(std::abs(models::Epidemic{step}.mixedThreshold(infected) - expected) <= 2 + 1e-6 * expected);
     }
 }
@@ -62,7 +62,7 @@ TEST_CASE("epidemic: meeting eight random people infects with probability 1 - (1
 TEST_CASE("wildfire: wind is stored in units of 1/2048, up to 15.99, and acts by its exponential") {
   models::Gale model;
   CHECK(model.galeOf(0, 0, 1) == model.stillAir);
-  CHECK(model.stillAir == 0);  // The value is 0 for maps without wind.
+  CHECK(model.stillAir == 0);  // Maps without wind contain the value 0.
   const int neighbours[8][2] = {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}};
   for (const double u : {0.0, 0.7, -3.1, 31.9, -31.9, 90.0, -90.0})
     for (const double v : {0.0, -0.2, 5.3, 70.0, -70.0}) {

@@ -1,5 +1,5 @@
-// Tests emitted particles against closed forms and against their equation of motion, solved independently
-// in double precision, for births at any moment of a step.
+// Tests emitted particles by comparison with closed forms and with their equation of motion, which is
+// solved independently in double precision. Births occur at any moment of a step.
 #include "reference/particles_twin.hpp"
 
 #include <algorithm>
@@ -93,7 +93,7 @@ Errors errors(const sim::ParticleParameters& p, double fps,
   return worst;
 }
 
-/// Checks that both errors are small and fall to a quarter when the step is halved.
+/// Checks that both errors are small, and that they fall to a quarter when the step is halved.
 void checkSecondOrder(const sim::ParticleParameters& p, double max,
                       const std::function<dvec3(dvec3, double)>& acceleration,
                       const std::function<void(ParticlesTwin&)>& prepare = {}) {
@@ -107,7 +107,7 @@ void checkSecondOrder(const sim::ParticleParameters& p, double max,
   CHECK(coarse.velocity / fine.velocity == doctest::Approx(4).epsilon(0.25));
 }
 
-/// Returns Plummer's acceleration at `here` by a body at `from`, where `mass` is G M.
+/// Returns the acceleration at `here` by a Plummer body at `from`. `mass`: G M of the body.
 dvec3 pull(dvec3 from, dvec3 here, double mass, double softening) {
   const dvec3 d = from - here;
   return d * (mass / std::pow(glm::dot(d, d) + softening * softening, 1.5));
@@ -132,7 +132,7 @@ TEST_CASE("emitted particles follow the closed form of a damped fall at any step
         for (const Emitted& particle : emitted(p, fps, 2)) {
           const double t = 2 - particle.birth;
           // The solution of v' = a - r v is v = v0 e^(-rt) + a (1 - e^(-rt)) / r and x = v0 s + a (t - s) /
-          // r with s = (1 - e^(-rt)) / r.
+          // r, with s = (1 - e^(-rt)) / r.
           const double r = damping;
           const double kept = std::exp(-r * t);
           const double s = r > 0 ? (1 - kept) / r : t;

@@ -1,5 +1,5 @@
-// Tests particles on known orbits, and conserved quantities, on the CPU twin, which equals the GPU bit for
-// bit.
+// Tests particles on known orbits, and tests conserved quantities. Uses the CPU twin, which equals the GPU
+// bit for bit.
 #include "reference/particles_twin.hpp"
 
 #include <algorithm>
@@ -145,8 +145,8 @@ TEST_CASE("the phase error of leapfrog falls four times when the step is halved"
 }
 
 TEST_CASE("three bodies return to their start on the figure-eight orbit") {
-  // This is the orbit of A. Chenciner and R. Montgomery, Annals of Mathematics 152 (2000), with C. Simo's
-  // numbers and G = m = 1.
+  // The orbit is the figure eight of A. Chenciner and R. Montgomery, Annals of Mathematics 152 (2000), with
+  // C. Simo's numbers and G = m = 1.
   const glm::vec3 x(0.97000436, -0.24308753, 0);
   const glm::vec3 v(-0.93240737, -0.86473146, 0);
   constexpr double period = 6.32591398;
@@ -170,8 +170,8 @@ TEST_CASE("three bodies return to their start on the figure-eight orbit") {
 }
 
 TEST_CASE("a Plummer sphere is in equilibrium and keeps its energy") {
-  // The crossing time in model units is M^(5/2) / (2 |E|)^(3/2), where M is the total mass and E = -3 pi /
-  // 64 G M^2 / a the energy.
+  // In model units, the crossing time is M^(5/2) / (2 |E|)^(3/2). M is the total mass, and E = -3 pi / 64 G
+  // M^2 / a is the energy.
   const double crossing = 1 / std::pow(2 * 3 * pi / 64, 1.5);
   constexpr int steps = 100;
   auto twin = sphere(501, crossing / steps);

@@ -81,8 +81,8 @@ TEST_CASE("particle CSV files are read by column name") {
 }
 
 TEST_CASE("particles of a file without masses share the group's mass") {
-  // The file is in the form that spreadsheets write: with a byte order mark, capitals, quotes, and commas
-  // inside quotes.
+  // The file is in the form in which spreadsheets write: with a byte order mark, capitals, quotes, and
+  // commas inside quotes.
   const TemporaryFile sheet(
       "sheet.csv", "\xEF\xBB\xBF\"X\",\"Y\", \"Z\",\"Name, first\",Mass\r\n1,2,\"3\",\"a, b\",4\r\n");
   CHECK(sim::readParticles(sheet.path(), 1, 10).positions.at(0) == glm::vec4(1, 2, 3, 4));
@@ -214,8 +214,8 @@ TEST_CASE("newborn particles lie in the given cone and ball") {
     const float speed = glm::length(v);
     CHECK(speed == doctest::Approx(4).epsilon(0.301));
     widest = std::max(widest, std::acos(glm::dot(v / speed, glm::vec3(0, 0, -1))));
-    // The flight is reversed over the particle's age, which is a fraction of the slot's lifetime of 0.3 to
-    // 0.7 s.
+    // The flight is traced back over the particle's age, which is a fraction of the slot's lifetime of 0.3
+    // to 0.7 s.
     const glm::vec3 fromMiddle = glm::vec3(twin.positions[i]) - glm::vec3(1, 2, 3);
     const glm::vec3 across = fromMiddle - glm::dot(fromMiddle, v) / glm::dot(v, v) * v;
     farthest = std::max(farthest, glm::length(across));

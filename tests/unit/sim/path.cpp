@@ -19,7 +19,7 @@ TEST_CASE("an object beside a path is to the right of its direction, at its heig
   place.progress = 0.75F;  // The place is on the part along +z, where +x is to the left.
   standing = sim::standingBy(path, place, 0);
   CHECK(standing.position == glm::vec3(5, 2, 2));
-  place.progress = 0.5F;  // The place is at the corner between both parts.
+  place.progress = 0.5F;  // The place is at the corner between the two parts.
   standing = sim::standingBy(path, place, 0);
   CHECK(standing.ahead.x == doctest::Approx(std::sqrt(0.5)));
   CHECK(standing.ahead.z == doctest::Approx(std::sqrt(0.5)));

@@ -1,5 +1,5 @@
-// Tests the fast decoder of plain PNG files against the original images. Also tests files that it must
-// leave to the general decoder.
+// Tests the fast decoder of plain PNG files by comparison with the original images. Also tests files that
+// it must leave to the general decoder.
 #include "sim/grid/plain_png.hpp"
 
 #include "unit/frame/help.hpp"

@@ -1,4 +1,5 @@
-// Tests the values of bytes in a Radiance image against the truncation by Radiance's own writer.
+// Tests the values of bytes in a Radiance image. Radiance's own writer truncates values, which the reader
+// must take into account.
 #include "base/error.hpp"
 #include "sim/light/light_file.hpp"
 

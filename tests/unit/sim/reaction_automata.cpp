@@ -1,4 +1,5 @@
-// Tests automata as rules for a cell's next state, in volumes and on meshes, against plain loops.
+// Tests automata as rules for a cell's next state, in volumes and on meshes, by comparison with plain
+// loops.
 #include "base/error.hpp"
 #include "scene/load.hpp"
 #include "scene/scene.hpp"
@@ -24,8 +25,8 @@ sim::ReactionParameters automaton(const std::string& members) {
 }
 
 /// Rule in Bays' notation. A living cell survives if its number of living neighbours is within the survival
-/// bounds. A cell is born if the number is within the birth bounds. With more than two states, other cells
-/// age through the states 2, 3, ... back to 0 (Generations).
+/// bounds. A cell is born if the number is within the birth bounds. If there are more than two states,
+/// other cells that are not dead age through the states 2, 3, ... back to 0 (Generations).
 struct Bays {
   int surviveLow, surviveHigh, bornLow, bornHigh, states = 2;
 

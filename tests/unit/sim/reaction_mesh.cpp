@@ -1,6 +1,6 @@
-// Tests equations on meshes against theory. A sphere's harmonics decay at a rate proportional to l (l + 1),
-// a grid of right triangles has the five-point Laplacian, diffusion conserves the sum, and seams have no
-// effect.
+// Tests equations on meshes by comparison with theory. A sphere's harmonics must decay at a rate
+// proportional to l (l + 1), a grid of right triangles must have the five-point Laplacian, diffusion must
+// conserve the sum, and seams must have no effect.
 #include "base/error.hpp"
 #include "scene/load.hpp"
 #include "scene/scene.hpp"
@@ -96,7 +96,7 @@ TEST_CASE(
         1.7 / made.plan.cells().meanEdge;  // The radius is scaled, because the spacing of the cells is 1.
     const double found = -made.product(0, 1) / made.product(0, 0) * radius * radius;
     CHECK_MESSAGE(std::abs(found / (l * (l + 1)) - 1) < 0.02, (found));
-    // The second check is of the function itself, not only of its mean.
+    // The second check tests the function itself, not only its mean.
     CHECK(made.product(1, 1) * std::pow(radius, 4) / made.product(0, 0) ==
           doctest::Approx(std::pow(l * (l + 1), 2)).epsilon(0.05));
   }
@@ -256,7 +256,8 @@ TEST_CASE(
   const auto above = [](const glm::dvec3& p) { return glm::dvec2(p.x / 3 + 0.5, p.z / 2 + 0.5); };
   holds(mapped(sheet + "}"), above);
   holds(mapped(sheet + R"X(, "maps": "top"})X"), above);
-  // A subdivided sheet has no texture coordinates. Seen from the front, it is a line.
+  // A subdivided sheet has no texture coordinates, and seen from the front it would be a line. It is
+  // therefore mapped from the top.
   holds(mapped(sheet + R"X(, "refine": 1, "maps": "top"})X"), above);
   holds(mapped(R"X({"shape": "sphere", "radius": 2, "resolution": [33, 17], "maps": "front"})X"),
         [](const glm::dvec3& p) { return glm::dvec2(p.x / 4 + 0.5, 0.5 - p.y / 4); });

@@ -1,5 +1,6 @@
-// Tests presets against theory. Expected values are computed here in double precision from the equations of
-// the papers: Jacobians of homogeneous states, the symbol of the nine-point stencil, exact solutions.
+// Tests presets by comparison with theory. Expected values are computed in double precision from the
+// equations of the papers. They use Jacobians of homogeneous states, the symbol of the nine-point stencil,
+// and exact solutions.
 #include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "sim/reaction/plan.hpp"
@@ -44,8 +45,8 @@ double meanOf(const std::vector<float>& cells) {
 using Matrix = std::array<std::array<double, 2>, 2>;
 using Amplitudes = std::array<double, 2>;
 
-/// A preset in a homogeneous state. The struct has the state and the growth rates of a small wave, as a
-/// function of the factor L by which the Laplacian multiplies the wave.
+/// A preset in a homogeneous state. It has the state and the growth rates of a small wave. The rates are
+/// functions of the factor L by which the Laplacian multiplies the wave.
 struct Homogeneous {
   const char* preset;
   Amplitudes state;
@@ -54,16 +55,16 @@ struct Homogeneous {
 };
 
 std::vector<Homogeneous> homogeneousStates() {
-  const double e = 0.05, a1 = 2, a0 = -0.1;  // FitzHugh-Nagumo: in equilibrium, u = a1 v + a0 and v = u -
-                                             // u^3.
+  const double e = 0.05, a1 = 2, a0 = -0.1;  // FitzHugh-Nagumo; in equilibrium, u = a1 v + a0 and v = u -
+                                             // u^3
   double v = 0;
   for (int i = 0; i < 100; ++i) {
     const double u = a1 * v + a0;
     v -= (u - u * u * u - v) / (a1 - 3 * u * u * a1 - 1);
   }
   const double u = a1 * v + a0;
-  const double ga = 1.52, gh = ga * ga / 1.5;  // Gierer-Meinhardt: mu = 1, nu = 1.5 and s = 0.02.
-  // Oregonator: in equilibrium, u = v and u (1 - u) (u + q) = f u (u - q).
+  const double ga = 1.52, gh = ga * ga / 1.5;  // Gierer-Meinhardt with mu = 1, nu = 1.5 and s = 0.02
+  // Oregonator; in equilibrium, u = v and u (1 - u) (u + q) = f u (u - q)
   const double q = 0.002, f = 3, half = (1 - f - q) / 2, o = half + std::sqrt(half * half + q * (1 + f));
   const double d = (o + q) * (o + q);
   return {
@@ -148,7 +149,7 @@ Amplitudes stepped(const Matrix& m, const Amplitudes& a, double dt, sim::RuleMet
   return sum;
 }
 
-/// Returns twice the mean over the plane of the cells' deviation from `mean`, times the wave.
+/// Returns twice the mean over the plane of (cell - mean) times the wave.
 double amplitude(const std::vector<float>& cells, double mean, glm::ivec2 size, const glm::dvec2& k) {
   double sum = 0;
   for (int y = 0; y < size.y; ++y)

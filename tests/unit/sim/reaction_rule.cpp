@@ -101,7 +101,7 @@ TEST_CASE("reaction: errors of a rule as a whole are reported") {
   std::string dear = "u";
   for (int i = 0; i < 100; ++i) dear += fmt::format("+tanh(u+{})", i);
   CHECK(rate(dear).find("the rates need") != std::string::npos);
-  // Each let doubles the previous one. Expanded, this would be 2^30 operations; as a graph it is 30.
+  // Each let doubles the previous one. Expanded, this would be 2^30 operations. As a graph, it is 30.
   std::string lets = "\"l0\": \"u\"";
   for (int i = 1; i < 31; ++i) lets += fmt::format(", \"l{0}\": \"l{1}*l{1} + l{1}\"", i, i - 1);
   CHECK(rate("l30", "\"lets\": {" + lets + "}, ") == "none");

@@ -1,6 +1,6 @@
-// Tests equations in volumes against theory. Small waves grow by the symbol of the 19-point stencil,
-// diffusion conserves the sum, derivatives equal the continuous operators, and identical layers behave like
-// a plane.
+// Tests equations in volumes by comparison with theory. Small waves must grow by the symbol of the 19-point
+// stencil, diffusion must conserve the sum, derivatives must equal the continuous operators, and identical
+// layers must behave like a plane.
 #include "base/error.hpp"
 #include "scene/load.hpp"
 #include "scene/scene.hpp"

@@ -1,5 +1,5 @@
-// Tests collisions with caves and contours against known results and against the drawn contours in double
-// precision. Also tests a clear one-line message for each error.
+// Tests collisions with caves and contours by comparison with known results and with the drawn contours in
+// double precision. Also tests that each error gives a clear one-line message.
 #include "base/error.hpp"
 #include "reference/cloth_twin.hpp"
 #include "reference/particles_twin.hpp"
@@ -59,7 +59,8 @@ ParticlesTwin ballsBeside(const sim::SolidShape& shape, const FieldValue& value,
   return twin;
 }
 
-/// The drawn contours and their interior, in double precision and independent of grid squares.
+/// The drawn contours and their interior. They are computed in double precision and independently of grid
+/// squares.
 class Outlines {
  public:
   Outlines(const sim::SolidShape& shape, const FieldValue& value) : shape_(shape), twin_(shape, value) {
@@ -67,8 +68,8 @@ class Outlines {
     for (std::size_t i = 0; i < lines.points.size(); ++i)
       walls_.push_back({placeOf(lines.points[i]), placeOf(lines.points[lines.next[i]]), lines.levels[i]});
   }
-  /// True if the field reaches level `k` at point `at`: a ray from the point crosses the contours and the
-  /// block's edge an odd number of times.
+  /// True if the field reaches level `k` at point `at`. This is the case if a ray from the point crosses
+  /// the contours and the block's edge an odd number of times.
   [[nodiscard]] bool reaches(int k, glm::dvec2 at) const {
     const glm::dvec2 half = 0.5 * static_cast<double>(shape_.spacing) * glm::dvec2(shape_.size + 1);
     if (std::abs(at.x) > half.x || std::abs(at.y) > half.y) return false;
@@ -89,8 +90,8 @@ class Outlines {
     }
     return least;
   }
-  /// Returns the distance (m) of an outside point from the solid: the minimum distance to the tops below
-  /// the point and to the walls.
+  /// Returns the distance (m) of an outside point from the solid. It is the minimum distance to the tops
+  /// below the point and to the walls.
   [[nodiscard]] double clearance(glm::dvec3 p) const {
     double least = p.y;
     for (std::size_t k = 1; k < shape_.heights.size(); ++k) {

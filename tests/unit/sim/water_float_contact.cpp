@@ -1,5 +1,5 @@
-// Tests collisions between floats: contact shapes, bouncing, friction and penetration, against closed
-// forms.
+// Tests collisions between floats by comparison with closed forms: contact shapes, bouncing, friction and
+// penetration.
 #include "reference/water_twin.hpp"
 
 #include <algorithm>
@@ -143,7 +143,7 @@ TEST_CASE("water floats: contact with a box uses its surface") {
 }
 
 TEST_CASE("water floats: two floats that collide in the air do not bounce and conserve momentum") {
-  // The bodies collide along the line between their centres, and both continue at the mean speed.
+  // The bodies collide along the line between their centres. Afterwards both move at the mean speed.
   auto box = meetBox({0.8F, 0.8F, 0.8F}, {-0.6F, 30, 0});
   box.velocity = {1, 0, 0};
   auto heavy = meetBox({0.8F, 0.8F, 0.8F}, {0.6F, 30, 0});

@@ -1,5 +1,5 @@
-// Tests a step of a float against an independent implementation in double precision, with rotation matrices
-// and plain division. Also tests the exchange of momentum between water and float.
+// Tests a step of a float by comparison with an independent implementation in double precision that uses
+// rotation matrices and plain division. Also tests the exchange of momentum between water and float.
 #include "reference/water_twin.hpp"
 #include "sim/core/collider.hpp"
 
@@ -215,7 +215,7 @@ TEST_CASE("water floats: a step equals its equations in double precision") {
     now.axes = axesOf(glm::dvec4(twin.floats[1]));
     now.velocity = glm::dvec3(twin.floats[2]);
     now.spin = glm::dvec3(twin.floats[3]);
-    // The filter stages differ, so that an error in any of them is noticed.
+    // The stored values of the filter differ, so that an error in any stage is noticed.
     twin.floats[4].x = 0.3F;
     twin.floats[4].y = -0.2F;
     now.stages = {0.3, -0.2};
@@ -259,8 +259,8 @@ TEST_CASE("water floats: a step equals its equations in double precision") {
 }
 
 TEST_CASE("water floats: a heeled box is righted by the wall-sided formula") {
-  // The righting lever is GZ = sin a (GM + BM tan^2 a / 2) at the heel angle a, while no corner enters or
-  // leaves the water. BM = b^2 / (12 T) and GM = T / 2 + BM - KG, with breadth b, draft T and height KG of
+  // While no corner enters or leaves the water, the righting lever at the heel angle a is GZ = sin a (GM +
+  // BM tan^2 a / 2). BM = b^2 / (12 T) and GM = T / 2 + BM - KG, with breadth b, draft T and height KG of
   // the centre of mass above the keel.
   auto p = driftTank(40, 0.2F, 3);
   for (const float low : {0.0F, -0.12F})

@@ -140,7 +140,7 @@ TEST_CASE("water floats: a box heaves with the period given by its draft") {
   auto body = boxOf({0.6F, 0.5F, 0.6F}, 400);
   body.drag = 0;
   body.resistance = 0;
-  body.position.y = 0.12F;  // The equilibrium is at 0.05; the body starts 0.07 higher.
+  body.position.y = 0.12F;  // The equilibrium is at 0.05 m. The body starts 0.07 m higher.
   auto p = poolWith(body, 60, 0.1F);
   p.bed = -8;
   p.sides.fill(sim::WaterBorder::open);
@@ -161,7 +161,7 @@ TEST_CASE("water floats: a box heaves with the period given by its draft") {
 
 TEST_CASE("water floats: a wide box returns upright, a tall box capsizes") {
   // The metacentric height is GM = I / V minus the distance from the centre of buoyancy to the centre of
-  // mass: b^2 / (12 d) - (H - d) / 2 with breadth b, draft d and height H.
+  // mass, which is b^2 / (12 d) - (H - d) / 2 with breadth b, draft d and height H.
   for (const bool wide : {true, false}) {
     auto body = wide ? boxOf({1.2F, 0.5F, 1}, 500) : boxOf({0.5F, 1.2F, 1}, 500);
     body.rotation = {0, 0, 12};
@@ -197,7 +197,7 @@ TEST_CASE("water floats: a ball that plunges in and out conserves the water's vo
     CHECK(sum - displaced == doctest::Approx(before).epsilon(1e-6));
     highest = std::max<double>(highest, twin.cells[40 * 20 + 36].x);
   }
-  CHECK(most > 0.1);       // The unit is m^3. The float has 0.268 m^3.
+  CHECK(most > 0.1);       // This is the displaced volume in m^3. The float's volume is 0.268 m^3.
   CHECK(highest > 0.005);  // The height of the wave is measured 1.6 m from the point of impact.
 }
 
@@ -221,8 +221,8 @@ TEST_CASE("water floats: momentum lost to drag goes to the water") {
 }
 
 TEST_CASE("water floats: a body slides down sloping water as fast as the water") {
-  // The gradient of the pressure over the body's draft accelerates the body: dv/dt = -g w_x, with the slope
-  // w_x of the water. The test also includes a free fall.
+  // The gradient of the pressure over the body's draft accelerates the body by dv/dt = -g w_x, where w_x is
+  // the slope of the water. The test also includes a free fall.
   auto body = boxOf({0.8F, 0.5F, 1}, 500);
   body.drag = 0;
   body.resistance = 0;

@@ -1,4 +1,4 @@
-// Tests the drawing of water: shores, and the ground's colours.
+// Tests the drawing of water: shores, and the colours of the ground.
 #include "reference/water_twin.hpp"
 #include "sim/water/ground.hpp"
 

@@ -34,13 +34,13 @@ double ritter(double x, double time, double h) {
   return std::pow(2 * c - x / time, 2) / (9 * earth);
 }
 
-/// Returns the depth for a dam break over water of depth `low` (Stoker 1957): a rarefaction, a constant
-/// middle part, and a shock.
+/// Returns the depth for a dam break over water of depth `low` (Stoker 1957). It has a rarefaction, a
+/// constant middle part, and a shock.
 double stoker(double x, double time, double high, double low) {
   const double c = std::sqrt(earth * high);
   double a = low;
   double b = high;
-  for (int i = 0; i < 200; ++i) {  // finds the depth of the middle part by bisection
+  for (int i = 0; i < 200; ++i) {  // Finds the depth of the middle part by bisection.
     const double m = 0.5 * (a + b);
     const double behindShock = (m - low) * std::sqrt(0.5 * earth * (m + low) / (m * low));
     (behindShock < 2 * (c - std::sqrt(earth * m)) ? a : b) = m;
@@ -67,7 +67,8 @@ double damError(const sim::WaterParameters& p, const std::function<double(double
   return sum / p.size.x;
 }
 
-/// Returns the convergence order: the negative slope of log(error) over log(cells), by least squares.
+/// Returns the convergence order, which is the negative slope of log(error) over log(cells), fitted by
+/// least squares.
 double fittedOrder(const std::vector<int>& cells, float left, float right,
                    const std::function<double(double, double)>& exact) {
   double sx = 0;
@@ -107,7 +108,7 @@ TEST_CASE("water: dam breaks follow Ritter and Stoker and converge with more cel
   CHECK(fittedOrder({100, 200, 400}, 1, 0.2F, wetDam) > 0.9);
 }
 
-// This test is skipped by default. Run it with: test_unit -ns -tc='water: long*'
+// This test is skipped by default. To run it, call test_unit -ns -tc='water: long*'
 TEST_CASE("water: long: dam breaks with 100 to 3200 cells converge" * doctest::skip()) {
   const std::vector<int> cells = {100, 200, 400, 800, 1600, 3200};
   const double dry = fittedOrder(cells, 1, 0, dryDam);
@@ -240,7 +241,7 @@ TEST_CASE("water: incoming waves have the given shape, travel at sqrt(g h) and l
   p.cell = 0.25F;
   p.bed = -2;
   p.sides = {sim::WaterBorder::sea, sim::WaterBorder::sea, sim::WaterBorder::wall, sim::WaterBorder::wall};
-  // Three crests enter, then the sea is still.
+  // Three crests enter. Afterwards the sea is still.
   p.swell = {{0, scene::Animated<float>({{0, 0.04F}, {6, 0.04F}, {6.001, 0}}, scene::Ease::linear), 2, 0}};
   WaterTwin twin(sim::WaterPlan(p, "channel", 1, 1.0 / 20));
   const double c = std::sqrt(earth * 2);

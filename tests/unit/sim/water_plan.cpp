@@ -33,7 +33,8 @@ TEST_CASE("water: \"auto\" substeps limit motion to a quarter cell per step") {
   p.cell = 0.1F;
   p.bed = 0;
   p.level = 1;
-  // sqrt(9.81) + sqrt(9.81) = 6.264 m/s. This is 0.2088 m per frame, which is 8.35 quarters of a cell.
+  // The speed is sqrt(9.81) + sqrt(9.81) = 6.264 m/s. This is 0.2088 m per frame, which is 8.35 quarters of
+  // a cell.
   CHECK(sim::WaterPlan(p, "w", 1, 1.0 / 30).substeps() == 9);
   p.greatestSpeed = 0;
   CHECK(sim::WaterPlan(p, "w", 1, 1.0 / 30).substeps() == 5);

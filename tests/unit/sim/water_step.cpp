@@ -9,9 +9,9 @@
 
 using namespace simreel;
 
-// Tests one step of the water against an independent implementation in double precision, in the notation of
-// the papers: hydrostatic reconstruction with source terms at both sides of each face and in the middle of
-// the cell (Audusse et al. 2004, equations 2.16 to 4.7).
+// Tests one step of the water by comparison with an independent implementation in double precision, in the
+// notation of the papers. It uses hydrostatic reconstruction with source terms at both sides of each face
+// and in the middle of the cell (Audusse et al. 2004, equations 2.16 to 4.7).
 
 namespace {
 
@@ -85,7 +85,8 @@ CellSides sidesOf(const Lake& lake, int x, int y) {
   return {m, m + -0.5 * sx, m + 0.5 * sx, m + -0.5 * sy, m + 0.5 * sy};
 }
 
-using Conserved = std::array<double, 3>;  // depth h, and momenta hu and hv; u is the speed through the face
+using Conserved = std::array<double, 3>;  // Depth h, and momenta h u and h v. u is the speed through the
+                                          // face.
 
 Conserved hll(const Primitive& a, const Primitive& b, double g) {
   const double ca = std::sqrt(g * a.h);

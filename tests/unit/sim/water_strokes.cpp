@@ -19,6 +19,6 @@ TEST_CASE("keyed strokes: a water source follows its keyframed strength") {
   const auto falls = plan.fallsAt(0.5, 4);  // sources at the time 1 s
   REQUIRE(falls.strokes.size() == 1);
   CHECK(std::abs(falls.strokes[0].value - 0.5F * 2 * 0.125F) <
-        1e-7F);  // The amount is what the source adds in an eighth of a second.
+        1e-7F);  // The expected amount is what the source adds in an eighth of a second.
   CHECK(falls.strokes[0].to == glm::vec2(15, 5));
 }

@@ -1,4 +1,5 @@
-// Compares cloth with plain loops, and counts the minimum number of operations and bytes of a substep.
+// Compares the cloth simulations with plain loops. The minimum numbers of operations and bytes of a substep
+// are counted here.
 #include "beside/subject.hpp"
 #include "plain/plain.hpp"
 #include "reference/cloth_twin.hpp"
@@ -15,21 +16,22 @@ namespace {
 
 constexpr int substeps = 16;
 constexpr float dt = static_cast<float>(frameSeconds / substeps);
-constexpr double stateBytes = 64;  // bytes per particle: position and velocity are read and written
+constexpr double stateBytes = 64;  // bytes per particle and substep; position and velocity are read and
+                                   // written
 
 // Operations of a substep for a particle of a sheet, counted by hand from the equations. A division or a
-// square root counts as one. The terms are: second differences along both axes and the twist, with their
-// forces, 63; velocity and position 21; two diagonals 60; a link of a row and one of a column, with
-// directions 28, matrix 12, solve 26 and update 18; v = (x - x_before) / dt 6.
+// square root counts as one. The terms are, in order: forces of the second differences along both axes and
+// of the twist (63); velocity and position (21); two diagonals (60); a row link and a column link, with
+// their directions (28), matrix (12), solve (26) and update (18); and v = (x - x_before) / dt (6).
 constexpr double sheetOperations = 63 + 21 + 60 + 28 + 12 + 26 + 18 + 6;
-// The operations of a face are: columns 24, lengths and directions 22, strains 7, gradients of shear 18,
-// products of the gradients 25, matrix 11, solve 28, update 63. Constant values such as the vertex weights
-// count as precomputed. A vertex has 27 operations, and 9 for each entry of its row of the bending matrix.
+// Operations of a face: columns of the deformation gradient 24, lengths and directions 22, strains 7,
+// gradients of shear 18, products of the gradients 25, matrix 11, solve 28, update 63. Constants such as
+// the vertex weights are precomputed and not counted. A vertex has 27 operations, plus 9 for each entry of
+// its row of the bending matrix.
 constexpr double faceOperations = 198, vertexOperations = 27, entryOperations = 9;
-// A candidate contact pair has 120 operations for its closest points and 65 for the test whether the pair
+// Operations of a candidate contact pair: 120 for the closest points and 65 for the test whether the pair
 // comes near in this substep. A near pair also has two rounds of impulses with 110 operations each, and 85
-// for the test whether the parts pass through each other. Finding the pairs counts as free, as if nothing
-// moved.
+// for the test whether the two parts pass through each other. The search for pairs is not counted.
 constexpr double pairOperations = 185, nearOperations = 305;
 
 plain::Fabric::Numbers numbersOf(const sim::ClothParameters& p) {
@@ -127,8 +129,8 @@ Subject meshCloth() {
 
 namespace {
 
-/// Sheets stacked on one another, the lowest of which is fixed at its borders. The simulation runs on the
-/// device, with the CPU twins, and with plain loops.
+/// Stacked sheets, the lowest of which is fixed at its borders. The same stack is simulated on the device,
+/// with the CPU twins, and with plain loops.
 struct Pile {
   static constexpr int count = 5;
   static constexpr glm::ivec2 size{23, 21};
@@ -142,8 +144,8 @@ struct Pile {
   std::vector<plain::Vec3> now, next;
   std::vector<float> inverseMass;
   int frame = 0;
-  double pairs = 0, nears = 0;  ///< numbers of candidate and near pairs in a substep after the stack has
-                                ///< come to rest
+  double pairs = 0, nears = 0;  ///< numbers of candidate pairs and near pairs in a substep after the stack
+                                ///< has come to rest
 
   Pile() {
     std::vector<sim::LockStep*> members;

@@ -19,22 +19,26 @@ namespace {
 constexpr int tankSide = 512;
 constexpr double cells = double(tankSide) * tankSide;
 
-// Bytes per cell that a multigrid cycle moves if every kernel reads and writes each of its elements once.
-// movedBytes() adds the bytes of the other kernels of a step. On the texel path, flow and dye have 16 bytes
-// per element; on graphics cards, 4 bytes per float. Openings, corrections, residuals and right-hand sides
-// have 4 bytes each. Brushes, which touch few cells here, are not counted, nor are tiles near walls, where
-// the solver, the projection and dye also read openings. Below, the numbers are bytes read and then, after
-// "and", bytes written.
+// Bytes per cell that a multigrid cycle moves if every kernel reads and writes each element once. The other
+// kernels of a step are added in movedBytes(). The table shows the bytes per cell that each kernel reads
+// and writes. An element of flow or dye has 16 bytes on the texel path, and 4 bytes per float on graphics
+// cards. An opening, correction, residual or right-hand side has 4 bytes. Brushes are not counted, because
+// they touch few cells of this tank. Tiles near walls also read openings, which are not counted either.
 //
-// Texel path: push 16 + 4 and 16, carry 16 + 4 and 16, correct 16 + 16 + 4 and 16, divergence 16 + 4 and
-// 12, projection 16 + 8 and 16, each pass of dye 16 + 16 and 16.
+//                            texel path            graphics cards
+//                            read           write  read              write
+//   push                     16 + 4         16     16 + 4            12
+//   carry                    16 + 4         16     12 + 4            12
+//   correct                  16 + 16 + 4    16     12 + 12 + 4 + 4   12
+//   divergence               16 + 4         12     8 + 4             12
+//   projection               16 + 8         16     12 + 8            12
+//   check, paths of dye                            12 + 4            8
+//   one pass of dye          16 + 16        16
+//   two passes of dye                              12 + 8            12
 //
-// Graphics cards: push 16 + 4 and 12, carry 12 + 4 and 12, correct 12 + 12 + 4 + 4 and 12, divergence 8 + 4
-// and 12, projection 12 + 8 and 12, the projection's check with paths for dye 12 + 4 and 8, each two passes
-// of dye 12 + 8 and 12.
-//
-// Cycle: descent 4 and 5, ascent 4 + 1 + 4 and 4; all levels together move 4/3 of the finest level's bytes.
-// The finest level also moves the sum with its rounding error, 16 and 12.
+// A cycle reads 4 and writes 5 bytes on the way down, and reads 4 + 1 + 4 and writes 4 bytes on the way up.
+// All levels together move 4/3 of the finest level's bytes. The finest level also reads 16 and writes 12
+// bytes for the sum with its rounding error.
 constexpr double cycleBytes = 22 * 4.0 / 3 + 28;
 
 double movedBytes(const sim::FluidPlan& plan, double cycles) {
@@ -79,7 +83,8 @@ std::function<void()> stepsOf(const std::shared_ptr<sim::FluidPlan>& plan,
   };
 }
 
-/// Prints the time that a step saves if one of its parts is left out. Runs only on the device.
+/// Prints how long a step takes if one of its parts is left out, as a time and as a percentage of the time
+/// `whole` of a full step. Only the device is measured.
 void printShares(double whole) {
   const std::pair<const char*, std::function<void(sim::FluidParameters&)>> without[] = {
       {"all cycles but one", [](auto& p) { p.cycles = 1; }},

@@ -74,8 +74,8 @@ void printBytes(double bytes, double cellsPerProcessorSecond) {
 
 namespace {
 
-/// Compiles a kernel that copies `from` to `to`, or fills `to` with noise. `value`: GLSL expression of the
-/// written value.
+/// Compiles a kernel that writes `value`, a GLSL expression, to element `i` of the buffer `to`. The
+/// expression may read the buffer `from`.
 GLuint copier(const char* value) {
   const std::string text = fmt::format(
       "#version 450\nlayout(local_size_x = 256) in;\n"
@@ -92,8 +92,8 @@ GLuint copier(const char* value) {
 
 }  // namespace
 
-// The copying uses a kernel, because graphics drivers also have slow ways to copy between buffers. It
-// copies noise, because graphics cards have fast paths for zeros.
+// On a GPU, a kernel copies, because some graphics drivers copy between buffers slowly. The copied data is
+// noise, because graphics cards copy zeros faster.
 double copiedBySecond() {
   const std::size_t bytes = std::size_t{1} << (gl::softwareDriver() ? 27U : 30U);
   const gl::Buffer from("copied", bytes), to("copy", bytes);

@@ -21,20 +21,21 @@ void listBuffers(const char* what, GLuint first, double cells);
 struct Taken {
   double wall = 1e30, processor = 1e30;  ///< minimum wall-clock and processor time in seconds
 };
-/// Returns the minimum times over several runs of `work`. Each run waits for the device.
+/// Runs `work` several times, waits for the device after each run, and returns the shortest times.
 [[nodiscard]] Taken leastOf(const std::function<void()>& work);
 
-/// Prints the bytes per cell and step, and the ratio of the kernels' memory traffic per processor second to
-/// the copy rate of one processor.
+/// Prints the memory traffic of a step and compares it with copying on one processor. `bytes`: bytes per
+/// cell and step. `cellsPerProcessorSecond`: cells that the kernels update per processor second.
 void printBytes(double bytes, double cellsPerProcessorSecond);
 
-/// Returns the bytes per second that the device reads and writes while it copies, as the best of several
-/// runs.
+/// Copies a buffer on the device several times. Returns the bytes read and written per second in the
+/// fastest run.
 [[nodiscard]] double copiedBySecond();
 
-/// Measures steps of a field of `cells` cells for a few seconds, alternating with copying on the same
-/// device. Prints rates of the median turn, bytes moved, and their fraction of the copy rate. `turn` must
-/// run `steps` whole steps. `bytes` returns the bytes per cell and step and is called after the turns.
+/// Measures steps of a field of `cells` cells for about five seconds, then the rate at which the device
+/// copies memory. Prints the median rate, the bytes moved, and their rate as a fraction of the copy rate.
+/// `turn` must run `steps` whole steps. `bytes` returns the bytes per cell and step and is called after all
+/// turns.
 void printSpeed(const char* name, double cells, int steps, const std::function<void()>& turn,
                 const std::function<double()>& bytes);
 

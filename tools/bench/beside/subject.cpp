@@ -29,9 +29,9 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// Returns the items per second that one processor could process if it did only the minimum work. This is
-/// the lower of two rates: the rate of a loop of such operations, measured now, and the rate of copying the
-/// same bytes in the cache level that they fit into.
+/// Returns the maximum number of items per second that one processor can process if it does only the
+/// minimum work. This is the lower of two measured rates: the rate of arithmetic operations, and the rate
+/// of copying as many bytes as are in use between two uses of an item.
 double limit(const Least& least) {
   const auto rate = [](auto work) {
     std::vector<double> rates;

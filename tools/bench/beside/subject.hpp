@@ -10,30 +10,33 @@ namespace simreel::bench {
 
 inline constexpr double frameSeconds = 1.0 / 60;
 
-/// Minimum work per item, counted from the model's equations.
+/// Minimum work per item that the model's equations require.
 struct Least {
-  double operations = 0;  ///< number of additions, multiplications, divisions and square roots; 0 if not
-                          ///< counted
+  double operations = 0;  ///< number of additions, multiplications, divisions and square roots; 0 if they
+                          ///< have not been counted
   double bytes = 0;       ///< bytes of memory that are read and written
-  double pass = 0;        ///< number of items that are processed between two uses of an item's memory
+  double pass = 0;        ///< number of items that are processed before the memory of the first item is
+                          ///< used again
 };
 
-/// One comparison, whose implementations run alternately. `items` is the number of items per turn.
+/// A comparison of up to three implementations, which run alternately. `items` is the number of items that
+/// each processes per turn.
 struct Subject {
   const char* name;
   const char* unit;
   double items;
-  std::function<void()> plain, twin, device;  ///< functions that run a turn of each implementation; twin
-                                              ///< may be empty
+  std::function<void()> plain, twin, device;  ///< functions that each run one turn of an implementation;
+                                              ///< `twin` may be empty
   Least least{};
-  std::function<void()> after = {};  ///< function that prints further results after the line; may be empty
+  std::function<void()> after = {};  ///< function that prints further results after the subject's line; may
+                                     ///< be empty
 };
 
-/// Runs the implementations alternately and prints a line of results.
+/// Runs the implementations of a subject alternately and prints one line with their rates.
 void print(const Subject& subject);
 /// Prints the column headings.
 void printHeads();
-/// Runs only the kernel for some seconds, for use with profilers.
+/// Runs only the kernel for the given number of seconds, for use with profilers.
 void keepBusy(const Subject& subject, double seconds);
 
 /// Cloth cases: a sheet of fabric, a cloth mesh, and cloths stacked on one another.

@@ -12,8 +12,8 @@ namespace simreel::bench {
 namespace {
 
 constexpr int basinSide = 512, basinSteps = 16;
-constexpr double basinBytes = 32;  // bytes per cell and step: level, two discharges and bed are read and
-                                   // written
+constexpr double basinBytes = 32;  // bytes per cell and step; level, two discharges and bed are read, and
+                                   // as many bytes are written
 constexpr double basinCells = double(basinSide) * basinSide;
 
 /// Returns a basin with the given number of cells per side. The hills scale with the size.

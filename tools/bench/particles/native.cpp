@@ -1,5 +1,5 @@
-// The plain all-pairs loop with the machine's instruction set and sums in source order (-O3 -march=native
-// without -ffast-math).
+// The plain all-pairs loop, compiled for the machine's instruction set (-O3 -march=native). Without
+// -ffast-math, sums keep the order of the source.
 #include <cmath>
 
 void nativePairs(const float* bodies, float* accelerations, int count, int first, int end, float gravity,

@@ -1,4 +1,5 @@
-// A plain CUDA kernel for comparison. Each thread computes one target, and bodies are loaded in tiles of shared memory.
+// A plain CUDA kernel for comparison. Each thread computes the acceleration of one body. A thread block loads the
+// attracting bodies into shared memory tile by tile.
 #include <algorithm>
 #include <cuda_runtime.h>
 

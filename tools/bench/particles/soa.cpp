@@ -1,5 +1,5 @@
-// All-pairs gravity with one array per coordinate. The compiler vectorises the loop over the bodies,
-// without restrictions on rounding (-Ofast -march=native).
+// All-pairs gravity with one array per coordinate. With -Ofast -march=native, the compiler may reorder sums
+// and vectorises the loop over the bodies.
 void soaPairs(const float* x, const float* y, const float* z, const float* mass, int count, int first,
               int end, float softening, float* sums);
 

@@ -124,7 +124,7 @@ void Contact::push(const std::vector<Vec3>& now, std::vector<Vec3>& next,
         const std::size_t f = entries_[k];
         const std::uint32_t* c = &indices_[3 * f];
         if (apart(box, boxes_[f]) || c[0] == v || c[1] == v || c[2] == v) continue;
-        // A pair that shares several cells is handled only in the first of them.
+        // A pair may share several cells. It is handled only in the cell with the smallest coordinates.
         const Vec3 low = most(box.low, boxes_[f].low);
         if (cellOf(low.x, cell_) == x && cellOf(low.y, cell_) == y && cellOf(low.z, cell_) == z)
           addVertex(now, int(v), f);

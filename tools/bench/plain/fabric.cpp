@@ -38,7 +38,7 @@ Fabric::Fabric(int width, int height, const Numbers& numbers)
     }
 }
 
-/// Adds the bending forces of a plate. Each second difference of positions adds forces to its vertices.
+/// Adds the bending forces of a plate. They are computed from the second differences of the positions.
 void Fabric::bend() {
   force_.assign(position.size(), Vec3{0, 0, 0});
   const float k = n_.bending / (n_.spacing * n_.spacing);

@@ -86,8 +86,8 @@ void Fluid::trace(float& x, float& y, float dt) const {
   y = std::clamp(y + dt * b, 0.0F, static_cast<float>(height_));
 }
 
-// MacCormack advection advects forwards and backwards and adds half of the error as a correction, clamped
-// to the four source values.
+// MacCormack advection: advects forwards and then backwards, subtracts half of the resulting error, and
+// clamps the result to the range of the four source values.
 void Fluid::carry(const std::vector<float>& from, std::vector<float>& forth, std::vector<float>& to, int w,
                   int h, float ox, float oy) const {
   for (int y = 0; y < h; ++y)

@@ -27,8 +27,8 @@ void add(Vec3& to, const Wide& what, float times) {
   to.z += what.z * times;
 }
 
-/// Solves the constraints |fu| = 1, |fv| = 1 and fu.fv / (|fu| |fv|) = 0 of a face together for their three
-/// multipliers, where fu and fv are the deformed weft and warp directions.
+/// Solves the three XPBD constraints of a face together: |fu| = 1, |fv| = 1 and fu.fv / (|fu| |fv|) = 0. fu
+/// and fv are the deformed weft and warp directions.
 void relax(const Garment::Face& f, std::vector<Vec3>& x, const std::vector<float>& w) {
   const Wide ab = between(x[f.a], x[f.b]), ac = between(x[f.a], x[f.c]);
   const Wide fu = ab * f.p + ac * f.q, fv = ab * f.r + ac * f.s;

@@ -14,8 +14,8 @@ struct Rates {
   float diffuseU, diffuseV, feed, kill, dt;
 };
 
-/// Updates a row, except its first and last cell, from three rows of u and of v. Without `__restrict`, no
-/// compiler vectorises the loop.
+/// Updates all cells of a row except the first and the last, from three rows of u and of v. Without
+/// `__restrict`, compilers do not vectorise the loop.
 void inner(const float* __restrict ua, const float* __restrict u, const float* __restrict ub,
            const float* __restrict va, const float* __restrict v, const float* __restrict vb,
            float* __restrict nextU, float* __restrict nextV, int width, const Rates& rates) {

@@ -6,9 +6,9 @@ namespace plain {
 
 namespace {
 
-/// Computes the Laplacian along row `e`. a to c are rows of the previous layer, g to i rows of the next
-/// layer. `left` and `right` are the neighbours of the first and the last cell. Without `__restrict`, no
-/// compiler vectorises the loop.
+/// Computes the Laplacian along row `e`. Rows a to c belong to the previous layer, rows g to i to the next
+/// layer. `left` and `right` are the indices of the neighbours of the first and the last cell across the
+/// border. Without `__restrict`, compilers do not vectorise the loop.
 void laplacian(const float* __restrict a, const float* __restrict b, const float* __restrict c,
                const float* __restrict d, const float* __restrict e, const float* __restrict f,
                const float* __restrict g, const float* __restrict h, const float* __restrict i,

@@ -9,8 +9,8 @@ namespace {
 using Eight = float __attribute__((vector_size(32)));
 volatile float sink;
 
-// Ten independent chains of operations hide their latency. Products and sums are separate, as in exact
-// arithmetic without FMA.
+// Ten independent chains of operations hide the latency of each operation. Multiplication and addition are
+// separate instructions, as in exact mode, which does not use FMA.
 #if defined(__x86_64__)
 __attribute__((target("avx2")))
 #endif

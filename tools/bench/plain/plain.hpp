@@ -1,6 +1,6 @@
-// Straightforward single-threaded versions of the simulations, with which bench_plain compares. They are
-// compiled with -O3 for any x86-64 (no -march, no -ffast-math), with the standard library's functions and
-// the compiler's own arithmetic.
+// Simple single-threaded versions of the simulations, with which bench_plain compares the kernels. They are
+// compiled with -O3 for any x86-64 processor (without -march and -ffast-math) and call the functions of the
+// standard library.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -37,7 +37,8 @@ class GrayScottVolume {
   std::vector<float> nextU_, nextV_;
 };
 
-/// A sheet of springs (structural, shear, bend) or of XPBD constraints under gravity.
+/// A sheet under gravity that is held together by springs (structural, shear and bend) or by XPBD
+/// constraints.
 class Cloth {
  public:
   struct Numbers {
@@ -56,8 +57,8 @@ class Cloth {
   std::vector<Vec3> before_;
 };
 
-/// A woven sheet. All links of a line are solved together (XPBD), diagonals pair by pair, and the sheet
-/// bends like a plate.
+/// A woven sheet under gravity. XPBD solves all links of a line of particles together, and then each
+/// diagonal separately. The sheet resists bending like a plate.
 class Fabric {
  public:
   struct Numbers {
@@ -65,8 +66,8 @@ class Fabric {
   };
   /// The pinned particles stay at their initial positions.
   Fabric(int width, int height, const Numbers& numbers);
-  /// Computes `next` from `position`. settle() must be called afterwards. Other code may change `next` in
-  /// between.
+  /// Computes the positions `next` from `position`. Call settle() afterwards. Other code, such as contact,
+  /// may change `next` between the two calls.
   void predict();
   void settle();
   std::vector<Vec3> position, velocity, next;
@@ -83,13 +84,13 @@ class Fabric {
   std::vector<float> upper_, lambda_;
 };
 
-/// Cloth of triangles. Weft, warp and shear of a face are solved together (XPBD), face after face. Bending
-/// uses rows of a matrix.
+/// Cloth of triangles. XPBD visits the faces one by one and solves weft, warp and shear of a face together.
+/// Bending forces come from a sparse matrix, whose rows are stored in `bends`.
 class Garment {
  public:
   struct Face {
     int a, b, c;
-    float p, q, r, s;         ///< elements of the inverse of the 2x2 matrix of the face's rest positions
+    float p, q, r, s;         ///< elements of the inverse of the face's 2x2 matrix of rest positions
     float weft, warp, shear;  ///< compliances of the fabric divided by dt^2
   };
   struct Bend {
@@ -99,8 +100,8 @@ class Garment {
   std::vector<Vec3> position, velocity;
   std::vector<float> inverseMass;
   std::vector<Face> faces;
-  std::vector<int> firstBend;  ///< index of each vertex's first entry in `bends`, followed by the total
-                               ///< count
+  std::vector<int> firstBend;  ///< index of the first entry of each vertex in `bends`; the last element is
+                               ///< the total number of entries
   std::vector<Bend> bends;
   float gravity, kept, dt;
   void step();
@@ -109,8 +110,9 @@ class Garment {
   std::vector<Vec3> next_;
 };
 
-/// Prevents faces and edges from passing through each other. A hash grid of cubes finds vertex-face and
-/// edge-edge pairs in every substep. Two rounds of impulses with friction follow.
+/// Prevents faces and edges from passing through each other. In every substep, a hash grid of cubic cells
+/// finds near pairs of a vertex and a face and of two edges. Two rounds of impulses with friction then
+/// separate the pairs.
 class Contact {
  public:
   Contact(std::vector<std::uint32_t> indices, std::size_t vertices, float cell, float thickness,
@@ -121,8 +123,8 @@ class Contact {
  private:
   struct Touch {
     int corner[4];
-    float share[4];  ///< barycentric weights of the four vertices, positive on the first side, negative on
-                     ///< the other
+    float share[4];  ///< barycentric weights of the four vertices; positive on one of the touching parts,
+                     ///< negative on the other
     Vec3 normal;
     float distance;
   };
@@ -145,8 +147,8 @@ class Contact {
 };
 
 /// Incompressible flow on a staggered grid that is closed on all sides, with an obstacle and three jets.
-/// Uses MacCormack advection, buoyancy, multigrid until max|div u| is 1e-5 of max|u|, and monotone fluxes
-/// of dye.
+/// Advection is MacCormack's. Buoyancy acts on the flow. Multigrid cycles run until max|div u| is at most
+/// 1e-5 of max|u|. Dye moves by monotone fluxes.
 class Fluid {
  public:
   struct Numbers {
@@ -185,7 +187,7 @@ class Fluid {
   std::vector<Level> levels_;
 };
 
-/// Shallow water with walls. Uses MUSCL-Hancock and HLL with hydrostatic reconstruction.
+/// Shallow water with walls, solved with MUSCL-Hancock, HLL fluxes and hydrostatic reconstruction.
 class Water {
  public:
   struct Numbers {
@@ -209,14 +211,14 @@ class Water {
   std::vector<Cell> slopesX_, slopesY_, halves_;
 };
 
-/// Performs as many float operations per second as one thread can. Returns their number.
+/// Performs float operations at the highest rate that one thread reaches. Returns the number of operations.
 double arithmetic();
-/// Copies a buffer repeatedly on one thread. Buffer and copy together take `bytes` bytes. Returns the
-/// number of bytes read and written.
+/// Copies a buffer repeatedly on one thread. `bytes` is the size of the buffer and the copy together.
+/// Returns the number of bytes read and written.
 double copying(std::size_t bytes);
 
-/// Epidemic with one byte per cell: 1 susceptible, 2 infected, 3 immune. Probabilities are in thousandths.
-/// The random hash is the same as in simreel's kernels.
+/// Epidemic with one byte per cell: 1 is susceptible, 2 infected, 3 immune. Probabilities are in
+/// thousandths. Random numbers come from the hash function of simreel's kernels.
 class Epidemic {
  public:
   Epidemic(int side, std::vector<std::uint8_t> cells);
@@ -229,8 +231,9 @@ class Epidemic {
   std::vector<std::uint8_t> next_;
 };
 
-/// Wildfire with one byte per cell: 0 bare, 1 fuel, 2 and above burning, with the number of steps left, 255
-/// burnt. Eight probabilities, one per direction, depend on the wind.
+/// Wildfire with one byte per cell: 0 is bare, 1 fuel, 255 burnt. A value of 2 or more is burning, and
+/// counts the steps that are left. The probability of spreading depends on the wind and is stored for each
+/// of eight directions.
 class Wildfire {
  public:
   Wildfire(int side, std::vector<std::uint8_t> cells, const float* chances, int burnSteps);
@@ -243,7 +246,7 @@ class Wildfire {
   std::vector<std::uint8_t> next_;
 };
 
-/// B3/S23 on a torus with one byte per cell.
+/// Game of Life (rule B3/S23) on a torus with one byte per cell.
 class Life {
  public:
   Life(int width, int height);
@@ -258,14 +261,16 @@ class Life {
 struct Body {
   float x, y, z, mass;
 };
-/// Computes gravity by all pairs.
+/// Computes the gravitational acceleration of every body by summing over all other bodies.
 void pairs(const std::vector<Body>& bodies, std::vector<Vec3>& acceleration, float gravity,
            float softening);
-/// Computes gravity with a Barnes-Hut octree, which is built and then walked for each body.
+/// Computes the gravitational accelerations with a Barnes-Hut octree, which is built first and then
+/// traversed for each body.
 void tree(const std::vector<Body>& bodies, std::vector<Vec3>& acceleration, float gravity, float softening,
           float opening);
 
-/// A grid of vertices with a ripple from the middle. Its normals are computed from the faces.
+/// A grid of vertices that is displaced by waves from its middle. The vertex normals are computed from the
+/// faces.
 class Ripple {
  public:
   Ripple(int width, int height, float size);
@@ -278,8 +283,8 @@ class Ripple {
   std::vector<std::uint32_t> indices_;
 };
 
-/// Floor, walls and rock from a map of bytes (1 is rock). Uses marching squares with shared vertices. The
-/// vectors keep their memory from frame to frame.
+/// Mesh of floor, walls and rock, made from a map of bytes in which 1 means rock. Marching squares with
+/// shared vertices builds it. The vectors keep their capacity from frame to frame.
 class Walls {
  public:
   Walls(int width, int height);

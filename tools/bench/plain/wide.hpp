@@ -1,11 +1,11 @@
-// A straightforward single-threaded version of Larger than Life, with which bench_wide compares.
+// A simple single-threaded version of Larger than Life, with which bench_wide compares the kernels.
 #pragma once
 #include <cstdint>
 #include <vector>
 
 namespace plain {
 
-/// Bosco's rule or another rule on a torus, with one byte per cell.
+/// Bosco's rule or another Larger-than-Life rule on a torus, with one byte per cell.
 class Wide {
  public:
   struct Rule {
@@ -15,9 +15,11 @@ class Wide {
                                                    ///< itself
   };
   Wide(int width, int height, const Rule& rule);
-  void stepDirect();      ///< computes the sum over all neighbours for each cell
-  void direct(int rows);  ///< number of rows to compute; the result is discarded, for measurements
-  /// uses running sums: for squares down the columns, then along the rows; for other shapes row by row
+  void stepDirect();      ///< adds up all neighbours of each cell
+  void direct(int rows);  ///< computes only the first `rows` rows and discards the result, for measurements
+                          ///< of large neighbourhoods
+  /// uses running sums: for squares along the columns and then along the rows, for other shapes along each
+  /// row
   void stepRunning();
   std::vector<std::uint8_t> cells;
 

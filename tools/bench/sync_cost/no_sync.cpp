@@ -1,4 +1,4 @@
-// Replaces fsync() and similar calls (LD_PRELOAD), so that files are written as usual but never synced.
+// Replaces fsync() and similar calls by LD_PRELOAD, so that files are written as usual but never synced.
 extern "C" int fsync(int /*descriptor*/) {
   return 0;
 }

@@ -7,7 +7,7 @@ const make = (parent, name, text) => {
   parent.append(element);
   return element;
 };
-// distinct values of each parameter; numbers are sorted
+// distinct values of each parameter; numbers are in ascending order
 const values = data.names.map((_, p) => {
   const all = [...new Set(data.jobs.map((job) => job.values[p]))];
   return all.every((v) => v.trim() !== "" && isFinite(v)) ? all.sort((a, b) => a - b) : all;
@@ -72,7 +72,7 @@ function show(i) {
     output.textContent = job.values[p];
   });
   tiles.forEach((tile, k) => tile.setAttribute("aria-pressed", k === i));
-  // Shows the full picture if it exists next to the page, else the small copy inside the page.
+  // Shows the full picture if it exists next to the page, and otherwise the small copy inside the page.
   $("picture").onerror = () => { $("picture").onerror = null; $("picture").src = job.picture; };
   $("picture").src = job.file || job.picture;
   $("caption").textContent = `${job.name}: ${job.state}${job.message ? ": " + job.message : ""}`;

@@ -11,8 +11,8 @@ struct SmallBalls;
 struct LargeBalls;
 struct BallShadows;
 
-/// Rasterizes balls (sprites and spheres): with one ray per sample in pictures, as discs in the sun's
-/// shadow map. The result does not depend on the execution order.
+/// Rasterizes balls (sprites and spheres). Traces one ray per sample in pictures, and draws discs into the
+/// sun's shadow map. The result does not depend on the execution order.
 class BallRaster {
  public:
   using Into = Target;

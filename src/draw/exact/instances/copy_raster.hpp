@@ -15,7 +15,7 @@ struct SmallCopies;
 struct MediumCopies;
 struct LargeCopies;
 
-/// Rasterizes mesh copies with kernels: first lists the potentially visible copies, then handles one
+/// Rasterizes mesh copies with kernels. First lists the potentially visible copies, then handles one
 /// triangle of one copy per invocation. The result does not depend on the execution order.
 class CopyRaster {
  public:
@@ -27,10 +27,11 @@ class CopyRaster {
   CopyRaster(Into into, int samples, int smallPixels = smallCopyTriangle(), unsigned pairs = pairsAtOnce(),
              int mediumPixels = mediumTriangle());
 
-  /// Returns the number of pairs per dispatch that suits the device. Each pair needs one word.
+  /// Returns the number of (copy, triangle) pairs per dispatch that suits the device. Each pair needs one
+  /// word.
   [[nodiscard]] static unsigned pairsAtOnce();
 
-  /// Copies of one mesh. The shape must keep its address.
+  /// Copies of one mesh. The shape must not be moved in memory.
   struct Copies {
     const sim::Instances* instances = nullptr;
     const InstanceShape* shape = nullptr;
@@ -43,7 +44,8 @@ class CopyRaster {
                    const Visibility& into, const MapPart& map = {});
   /// Writes the ids of the nearest copies. Call after all objects have written their keys.
   void drawNumbers(const Visibility& into);
-  /// Adds the light of additive copies in front of the visible surfaces to the sums of GlowRaster.
+  /// Adds the light of additive copies to the sums of GlowRaster, as far as the copies are in front of the
+  /// visible surfaces.
   void addLight(const std::vector<Copies>& copies, const Visibility& into, const gl::Buffer& sums);
 
   [[nodiscard]] CopySource source(const Copies& copies, unsigned firstId);

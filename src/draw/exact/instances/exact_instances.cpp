@@ -43,7 +43,8 @@ namespace {
 constexpr std::uint64_t lastId = 0xfffffff0;  // max primitive id; larger ids mean the ground and empty
                                               // samples
 
-/// Max radius (pixels) up to which sprites are shaded as squares, like the driver's small sprites.
+/// Max radius (pixels) of sprites that are shaded as squares, like the small sprites of the driver's
+/// rasterizer.
 constexpr float squarePixels = 1.6F;
 
 bool isMesh(const sim::Instances& instances) {

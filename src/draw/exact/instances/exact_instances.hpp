@@ -23,7 +23,7 @@ class ExactInstances {
  public:
   ExactInstances(int samples, Lighting lighting);
 
-  /// Sets the lighting variant of the following shade() calls. The lights stay the same.
+  /// Sets the lighting variant that later shade() calls use. The lights stay the same.
   void light(const ThingVariant& variant) { lighting_.variant = variant; }
   /// Selects the layer that shade() computes; see SurfaceShading::selectLayer().
   void selectLayer(int layer) { shown_ = layer; }
@@ -52,8 +52,8 @@ class ExactInstances {
     unsigned firstId, each;  ///< firstId: id of the first instance; each: number of ids per instance
   };
   [[nodiscard]] std::vector<Numbered> numbered() const;
-  /// Adds the light of opaque instances. The draws are objects firstThing, firstThing + 1, ... of the tile
-  /// lists.
+  /// Adds the light of opaque instances. The draws have the object indices firstThing, firstThing + 1, ...
+  /// in the tile lists.
   void shade(const ShadedTiles& tiles, int firstThing, const SceneLight& light);
   /// True if any instances are glows, which add light. The ground must then also be written into the depth
   /// keys.

@@ -50,7 +50,7 @@ namespace {
 
 constexpr float glowRadius = 0.5F;    // radius of sprites and spheres of size 1
 constexpr float roundPixels = 64.0F;  // max radius (pixels) of glows that are drawn as discs in the picture
-                                      // plane, like the driver's points
+                                      // plane, like the points of the driver's rasterizer
 
 }  // namespace
 

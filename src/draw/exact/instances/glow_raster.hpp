@@ -31,7 +31,7 @@ class GlowRaster {
   void draw(const std::vector<const sim::Instances*>& glows, const Visibility& picture);
   /// Returns the sums, for other kernels that add light.
   [[nodiscard]] const gl::Buffer& sums() const { return sums_; }
-  /// Adds the sums to the light and clears them.
+  /// Adds the sums to `light` and resets the sums to 0.
   void addTo(glm::ivec2 size, const gl::Texture& light) const;
 
  private:

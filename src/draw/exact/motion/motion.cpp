@@ -236,7 +236,7 @@ sim::Drawables Motion::cameraAt(float part) const {
 const sim::Drawables& Motion::between(float part) {
   SIMREEL_CHECK(drawables_ != nullptr);
   shown_ = *drawables_;
-  gl::barrier();  // orders the writes below after the draws of the previous moment
+  gl::barrier();  // The following writes must wait for the draws of the previous moment.
   for (std::size_t i = 0; i < surfaces_.size(); ++i)
     if (Moving& moving = surfaces_[i]; moving.moves && (!moving.jump || part < *moving.jump))
       place(shown_.surfaces[i], moving, moving.jump ? 0 : part);

@@ -28,7 +28,7 @@ class Motion {
   /// `fast`: uses built-in arithmetic instead of exact arithmetic.
   explicit Motion(bool fast);
 
-  /// Stores the objects of the previous frame.
+  /// Stores the objects of the previous frame, from which motion starts.
   void keep(const sim::Drawables& before);
   /// Sets the objects of the current frame at time `at` (s), `seconds` after the previous frame. Pointers
   /// in `now` must stay valid while between() is used.
@@ -66,14 +66,15 @@ class Motion {
     glm::mat4 model{1.0F};
     bool moves = false;              ///< true if the object moves between the two frames, as far as the CPU
                                      ///< can tell
-    double jumped = 0;               ///< time (s) of the object's last jump
+    double jumped = 0;               ///< time (s) at which the object last jumped
     std::optional<float> jump = {};  ///< interpolation parameter of a jump between the two frames, if there
                                      ///< is one
     Elements before, now, shown;
   };
 
-  /// Returns the interpolation parameter of a jump. `before` and `now`: times (s) of the object's last
-  /// jump, as of the previous and the current frame.
+  /// Returns the interpolation parameter at which an object jumps between the two frames, or nothing.
+  /// `before` and `now`: times (s) of the object's last jump as known in the previous and in the current
+  /// frame.
   [[nodiscard]] std::optional<float> jumpAt(double before, double now) const;
   void toWorld(const sim::Surface& surface, const Elements& into);
   void copy(const sim::Instances& instances, const Elements& into);
@@ -86,8 +87,8 @@ class Motion {
   gl::Kernel<BetweenVertices> betweenVertices_;
   gl::Kernel<BetweenElements> betweenElements_;
   std::vector<Moving> surfaces_, instances_;
-  std::vector<sim::Place> places_;  ///< camera targets in the previous frame; lagging_: likewise for
-                                    ///< targets that follow with a delay
+  std::vector<sim::Place> places_;  ///< camera targets in the previous frame; lagging_ holds the targets
+                                    ///< that follow with a delay
   std::vector<glm::vec3> lagging_;
   Elements copied_;                            ///< copy of the velocities that velocitiesOf() reads back
   const sim::Drawables* drawables_ = nullptr;  ///< objects of the current frame

@@ -10,8 +10,8 @@
 
 namespace simreel::draw {
 
-/// World velocities of drawn objects, by primitive id. The velocity of a surface point is its displacement
-/// since the previous frame per second; instances have stored velocities.
+/// World velocities of drawn objects, by primitive id. The velocity of a point on a surface is its
+/// displacement since the previous frame, divided by the frame time. Instances have stored velocities.
 class Velocities {
  public:
   /// `motion`: must have begun the frame (Motion::begin()). `seconds`: time between the two frames. `part`:
@@ -47,8 +47,9 @@ class Velocities {
   std::vector<Cloud> clouds_;
 };
 
-/// Returns the barycentric weights (each 0 to 1, sum 1) of the triangle's point nearest to the projection
-/// of `place` onto its plane. For degenerate triangles, returns the weights of the first corner.
+/// Returns the barycentric weights of a point of the triangle (a, b, c): the point nearest to the
+/// projection of `place` onto the triangle's plane. Each weight is 0 to 1, and their sum is 1. For
+/// degenerate triangles, returns the weights of the first corner.
 [[nodiscard]] glm::dvec3 sharesOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
                                   const glm::dvec3& place);
 

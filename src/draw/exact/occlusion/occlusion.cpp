@@ -9,7 +9,8 @@
 
 namespace simreel::draw {
 
-/// Defines of kernels that read the picture. An invocation handles ROWS half-resolution pixels.
+/// Defines of kernels that read the picture. ROWS: number of half-resolution pixels that an invocation
+/// handles.
 struct SeenVariant {
   gl::Flag<"PARALLEL"> parallel;
   gl::Range<"ROWS", 1, 8> rows;
@@ -60,8 +61,8 @@ Occlusion::Kept::Kept(const std::string& label, GLenum format, std::size_t bytes
       view(gl::Texture::view(label, format, buffer, bytes)) {}
 
 glm::vec3 reachOnPicture(const shader::ExactView& view, float radius) {
-  // The max distance in the picture is a third of its height, so that the result does not depend on the
-  // resolution.
+  // The max distance in the picture is a third of the picture height, so that the result does not depend on
+  // the resolution.
   const float most = static_cast<float>(view.size.y) / 6.0F;
   return {radius, most, 0.5F / glm::length(glm::vec3(view.rayAcross))};
 }

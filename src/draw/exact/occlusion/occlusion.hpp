@@ -35,10 +35,10 @@ class Occlusion {
   void add(const Visibility& visibility, const shader::ExactView& view) const;
   /// Computes the occlusion after all bands have been added. `radius`: max distance of occluders (m).
   void find(const shader::ExactView& view, float radius) const;
-  /// Returns the openness and nearness of half-resolution pixels, row by row.
+  /// Returns two values per half-resolution pixel, row by row: openness and nearness.
   [[nodiscard]] const gl::Texture& openness() const { return openness_.view; }
   [[nodiscard]] glm::ivec2 size() const { return half_; }
-  /// Returns the nearness of half-resolution pixels (1/m), row by row; 0 for empty pixels.
+  /// Returns the nearness (1/m) of each half-resolution pixel, row by row. Empty pixels have the value 0.
   [[nodiscard]] const gl::Texture& nearness() const { return nearness_.view; }
   /// Waits for the GPU and returns, row by row, two values per half-resolution pixel: openness from 0 to 1,
   /// and nearness (1/m; 0 if empty).
@@ -60,8 +60,8 @@ class Occlusion {
   Kept nearness_, arcs_, smooth_, openness_;
 };
 
-/// Returns the uniforms of Occlusion::find(): max distance of occluders (m), the same in the picture
-/// (half-resolution pixels), and half-resolution pixels per metre at depth 1.
+/// Returns the uniforms of Occlusion::find(). x: max distance of occluders (m). y: max distance in the
+/// picture (half-resolution pixels). z: half-resolution pixels per metre at depth 1.
 [[nodiscard]] glm::vec3 reachOnPicture(const shader::ExactView& view, float radius);
 
 }  // namespace simreel::draw

@@ -64,7 +64,7 @@ class ScatterPass final : public FramePass {
   Bloom bloom_;
 };
 
-/// Writes the picture. On request, also writes the light before the film or as the film shows it.
+/// Writes the picture. On request, also writes light, either before the film or as the film shows it.
 class FilmPass final : public FramePass {
  public:
   explicit FilmPass(ExactFrame& frame) : FramePass(frame), picture_(defines(), variant()) {}
@@ -109,7 +109,7 @@ class FilmPass final : public FramePass {
     layers.light.resize(4 * static_cast<std::size_t>(f.size.x) * static_cast<std::size_t>(f.size.y));
     glGetTextureImage(light_.name(), 0, GL_RGBA, GL_FLOAT,
                       static_cast<GLsizei>(layers.light.size() * sizeof(float)), layers.light.data());
-    // Replaces -0 by 0, because devices differ in the sign of a zero that min returns.
+    // Replaces -0 by 0, because min returns zeros of different sign on different devices.
     for (float& value : layers.light) value += 0.0F;
   }
 

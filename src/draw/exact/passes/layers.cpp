@@ -11,8 +11,8 @@ namespace simreel::draw {
 
 namespace {
 
-/// Creates the requested layers. Some are computed from visibility. Normals and albedo are shaded like
-/// light. All layers show the first view, except that object coverage is a mean over all views.
+/// Creates the requested layers. Normals and albedo are shaded like light; the other layers are computed
+/// from visibility. All layers show the first view, except that object coverage is a mean over all views.
 class LayersPass final : public FramePass {
  public:
   using FramePass::FramePass;
@@ -99,7 +99,7 @@ void LayersPass::keepShown() {
 }
 
 /// Collects the motion of all objects with primitive ids. The drawn surfaces are copies of the moment's
-/// surfaces. Equal buffers identify matching surfaces.
+/// surfaces. A copy is matched with its original by their buffers.
 std::optional<Velocities> LayersPass::velocitiesNow() const {
   const ExactScene::Exposure& exposure = *f.asked.exposure;
   if (exposure.motion == nullptr || (!wants(Layer::velocity) && !wants(Layer::vector))) return std::nullopt;

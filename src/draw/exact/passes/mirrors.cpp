@@ -40,7 +40,7 @@ class MirroredPass final : public FramePass {
   void run() override { f.reflections->see(f.light, f.occlusion.nearness()); }
 };
 
-/// Adds the change of light by reflections to the band's light.
+/// Adds the change of light that reflections cause to the band's light.
 class ReflectedPass final : public FramePass {
  public:
   using FramePass::FramePass;

@@ -77,7 +77,7 @@ class ViewPass final : public FramePass {
   void run() override {
     constexpr std::array<GLfloat, 4> none = {0, 0, 0, 0};
     f.values = exactView(f.seen, f.scene.camera, f.size, f.point);
-    f.values.rows = {0, 0};  // no band of the view has been drawn yet
+    f.values.rows = {0, 0};  // no band of the view has been drawn so far
     if (f.rays) f.rays->seeThrough(f.number, f.views);
     if (!ShadedTiles::emptiesLight()) glClearTexImage(f.light.name(), 0, GL_RGBA, GL_FLOAT, none.data());
   }

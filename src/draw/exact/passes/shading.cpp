@@ -50,7 +50,7 @@ class SurfacesPass final : public FramePass {
   }
 };
 
-/// Adds the light of glows. This pass is last because reflections cannot use glows, which have no depth.
+/// Adds the light of glows. Runs last, because reflections cannot use glows, which have no depth.
 class GlowsPass final : public FramePass {
  public:
   using FramePass::FramePass;

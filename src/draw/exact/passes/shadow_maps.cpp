@@ -40,7 +40,8 @@ class SunMapPass final : public FramePass {
     f.shadow.fit(bounding, [&](const gl::Buffer& bounds) { f.instances.growBounds(drawables, bounds); });
     f.shadow.bind();
     f.sunMap->clear();
-    const MapPart part;  // the receivers are offset by their slope (glsl/draw/exact/shadows/sun_map.glsl)
+    const MapPart part;  // the offset is 0, because the receivers are offset by their slope
+                         // (glsl/draw/exact/shadows/sun_map.glsl)
     casters_->number(casting);
     casters_->draw(*f.sunMap, part);
     f.apart.castSun(*f.sunMap, part);

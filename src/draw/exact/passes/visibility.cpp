@@ -11,9 +11,9 @@ class VisibilityPass final : public FramePass {
   using FramePass::FramePass;
   void run() override {
     number();
-    gl::barrier();  // waits because another pass may still read the previous band
+    gl::barrier();  // Waits because another pass may still read the previous band.
     f.visibility.clear();
-    f.instances.drawNearest(f.visibility);  // must run before the triangles write their ids
+    f.instances.drawNearest(f.visibility);  // Must run before the triangles write their ids.
     f.apart.drawNearest(f.visibility);
     if (f.joins)
       f.triangles.drawJoined(f.visibility, f.joined);

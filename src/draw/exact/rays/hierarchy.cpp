@@ -66,10 +66,11 @@ struct SolidNodes {
 
 namespace {
 
-/// Min number of items per leaf, if the tree has at least that many.
+/// Min number of items per leaf. A tree with fewer items has one smaller leaf.
 constexpr int leastOfLeaf = 2;
 constexpr int boundsInvocations = 4096;
-/// Significant key bits in the first and in the second word of a sort record, as in keys.comp.
+/// Number of significant key bits in the first (low) and in the second (high) word of a sort record, as in
+/// keys.comp.
 constexpr int lowKeyBits = 12, highKeyBits = 24;
 
 SolidPlaces placesOf(const Hierarchy::Solids& solids) {

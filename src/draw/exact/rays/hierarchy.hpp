@@ -13,9 +13,9 @@ struct SolidKeys;
 struct SolidOrder;
 struct SolidNodes;
 
-/// Sorts triangles or balls along a space-filling curve and builds a complete binary tree of bounding boxes
-/// over them, with kernels. Node 1 is the root; the children of node n are 2n and 2n + 1. A leaf holds two
-/// to four items, or one if the tree has only one item. The bits are the same on every machine.
+/// Sorts triangles or balls along a space-filling curve and builds a complete binary tree of bounding
+/// boxes, with kernels. Node 1 is the root. The children of node n are 2n and 2n + 1. A leaf holds two to
+/// four items, or one if the tree has only one item. The bits are the same on every machine.
 class Hierarchy {
  public:
   enum class Of { triangles, balls };
@@ -24,8 +24,8 @@ class Hierarchy {
     int count = 0;
     const gl::Texture* places = nullptr;
     const gl::Texture* corners = nullptr;  ///< for triangles only: indices of the corners
-    const gl::Texture* words = nullptr;    ///< vertex words of triangles; the last word of a vertex holds
-                                           ///< the material index (owner)
+    const gl::Texture* words = nullptr;    ///< vertex data of triangles; the last word of each vertex is
+                                           ///< the owner, an index of the material table
     const gl::Texture* ballLooks = nullptr;
     const gl::Texture* looks = nullptr;
   };

@@ -9,9 +9,9 @@ namespace simreel::draw {
 
 struct CountRays;
 
-/// Counts the rays of path-traced pictures while an object of this class exists. The CPU then waits for
-/// each step. `simreel bench` counts rays after its timings. At most one object may exist at a time; it
-/// belongs to the current context.
+/// Counts the rays of path-traced pictures while an object of this class exists. During this time the CPU
+/// waits for each step, so `simreel bench` counts rays only after its timings. At most one object may exist
+/// at a time. It belongs to the current context.
 class RayCount {
  public:
   RayCount();
@@ -26,7 +26,8 @@ class RayCount {
 
   /// Returns the existing object, or null.
   [[nodiscard]] static RayCount* current();
-  /// Counts the rays with a length above 0 among [first, first + count). The rays must already be written.
+  /// Counts the rays from `first` to first + count - 1 whose length is above 0. The rays must already be
+  /// written.
   void add(const gl::Texture& rays, int first, int count);
   /// Counts `count` rays, all with a length above 0.
   void add(int count) { rays_ += static_cast<std::uint64_t>(count); }

@@ -14,8 +14,9 @@ namespace simreel::draw {
 class RayEmitters {
  public:
   void begin();
-  /// Adds the triangles [first, first + count). Waits for the GPU. `places` and `corners`: buffers of all
-  /// triangles, as written by glsl/draw/exact/rays/gather.comp. `brightness`: emission of the triangles.
+  /// Adds the triangles from `first` to first + count - 1. Waits for the GPU. `places` and `corners`:
+  /// buffers of all triangles, as written by glsl/draw/exact/rays/gather.comp. `brightness`: emission of
+  /// the triangles.
   void add(const gl::Buffer& places, const gl::Buffer& corners, int first, int count, double brightness);
   void finish();
   /// Returns the shader inputs of the emitters. `places`: texel view of the buffer passed to add().

@@ -49,7 +49,8 @@ struct EmitterFields {
 struct RayFeatures {
   bool triangles = false, balls = false, ground = false;
   bool laid = false, skins = false, emitters = false, finished = false;
-  bool passages = false;  ///< true if rays may pass through any material (holes, blending or transmission)
+  bool passages = false;  ///< true if light may pass through any material (with holes, blending or
+                          ///< transmission)
   bool raised = false;
 };
 
@@ -62,8 +63,9 @@ struct TraceRays {
     gl::Flag<"LAID"> laid = {};
     gl::Flag<"PASSAGES"> passages = {};
     gl::Flag<"ANY_HIT"> anyHit = {};
-    gl::Flag<"LISTED"> listed = {};   ///< the kernel reads its rays from two lists
-    gl::Flag<"GOES_ON"> goesOn = {};  ///< the kernel reads its rays from one list
+    gl::Flag<"LISTED"> listed = {};   ///< the kernel traces only the rays of two lists, whose lengths are
+                                      ///< in a buffer
+    gl::Flag<"GOES_ON"> goesOn = {};  ///< the kernel traces only the rays of one list
   };
   gl::Ambient<"FrameBlock"> frame = {};
   SortedSolids solids;

@@ -147,18 +147,19 @@ struct ResolveSpots {
 
 namespace {
 
-/// Constants of glsl/draw/exact/rays/path_rays.glsl: number of ray kinds per path, and number of light
-/// entries that need no ray.
+/// Constants of glsl/draw/exact/rays/path_rays.glsl. kinds: number of ray kinds per path. sure: number of
+/// light entries that need no ray.
 constexpr int kinds = 5, sure = 2;
-constexpr int onwardRays = 2, nextRays = 3;  // kind of the continuation ray, and first of the two kinds of
-                                             // rays that start at its hit point; kinds 0 and 1 are the
-                                             // shadow rays that start at the spot
+constexpr int onwardRays = 2, nextRays = 3;  // onwardRays: kind of the ray that continues the path.
+                                             // nextRays: first of the two kinds of rays that start where
+                                             // that ray hits. Kinds 0 and 1 are the shadow rays that start
+                                             // at the spot.
 /// Max number of successive reflections and refractions at clear surfaces per path.
 constexpr int mostClear = 24;
 
-/// Returns the number of paths that are traced together. It is small on software drivers, so that
-/// dispatches are short. On GPUs the paths take 740 MB; with 2^18 paths, a large GPU would be idle for a
-/// third of the time.
+/// Returns the number of paths that are traced together. On software drivers the number is small, so that
+/// dispatches are short. On GPUs the paths take 740 MB. With only 2^18 paths, a large GPU would be idle for
+/// a third of the time.
 int pathsAtOnce() {
   return gl::softwareDriver() ? 1 << 15 : 1 << 21;
 }
@@ -244,8 +245,8 @@ RayPaths RayLight::pathsOf(int firstSpot, int spots, int firstSample, int paths)
           .paths = paths};
 }
 
-/// Continues paths at clear surfaces until they hit another surface. The order of the list depends on the
-/// device, but paths are independent, so the result does not.
+/// Continues paths at clear surfaces until they hit another kind of surface. The order of the list depends
+/// on the device, but the result does not, because paths are independent.
 void RayLight::goOn(int firstSpot, int spots, int firstSample, int paths) {
   int going = paths;
   for (int round = 0; round < mostClear && going > 0; ++round) {

@@ -17,9 +17,9 @@ struct BouncePaths;
 struct SumPaths;
 struct ResolveSpots;
 
-/// Lights a picture by path tracing: computes light of the sun, lamps and sky, and one bounce of indirect
-/// light. With the define RAYS, shading kernels store surface points (spots) instead of lighting them;
-/// paths start at these spots.
+/// Lights a picture by path tracing, with the light of the sun, the lamps and the sky, and with one bounce
+/// of indirect light. With the define RAYS, shading kernels store surface points (spots) instead of
+/// lighting them. Paths start at these spots.
 class RayLight {
  public:
   /// Max indirect light per sample, relative to the light that the picture shows as white. The limit
@@ -31,15 +31,15 @@ class RayLight {
   struct Options {
     int raySamples = 64;  ///< number of light samples per pixel
     bool ground = false;
-    bool openSun = false;  ///< true if nothing casts a shadow in the sunlight
+    bool openSun = false;  ///< true if no object casts a shadow in sunlight
   };
   /// `samples`: number of samples per band.
   RayLight(const Options& options, const Lighting& lighting, std::size_t samples, RayLooks looks);
 
   /// Builds the ray scene of a picture. The frame's uniform block must be bound.
   void build(const sim::Drawables& drawables) { scene_.build(drawables); }
-  /// Selects lens point number `point` of `points`. The lens points split the samples of each pixel between
-  /// them.
+  /// Selects the lens point with index `point` among `points` lens points. The samples of each pixel are
+  /// divided between the lens points.
   void seeThrough(int point, int points);
   [[nodiscard]] const RayLooks& looks() const { return scene_.looks(); }
   /// Returns the buffer into which shading kernels store spots, the visible surface points

@@ -24,8 +24,8 @@ glm::uvec4 bitsOf(glm::vec4 v) {
           std::bit_cast<unsigned>(v.w)};
 }
 
-/// Returns the absorption coefficient a (1/m). The material transmits the fraction e^(-a distance) of
-/// light.
+/// Returns the absorption coefficient a (1/m). After a distance of d metres the material transmits the
+/// fraction e^(-a d) of light.
 glm::vec3 absorptionOf(const scene::Finish& finish) {
   glm::vec3 absorbed(0);
   if (finish.thin) return absorbed;
@@ -35,8 +35,8 @@ glm::vec3 absorptionOf(const scene::Finish& finish) {
   return absorbed;
 }
 
-/// Returns the alpha mode as a number in the material table. Above 0: cutoff of holes; -1: blended; 0:
-/// opaque.
+/// Returns the alpha mode as a number for the material table. A number above 0 is the opacity below which
+/// there is a hole. -1 means blended, and 0 means opaque.
 float limitOf(const scene::Finish& finish) {
   if (finish.alpha == scene::Alpha::opaque) return 0;
   return finish.alpha == scene::Alpha::cut ? std::max(finish.cutoff, 1e-6F) : -1.0F;

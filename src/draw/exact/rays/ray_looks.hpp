@@ -15,7 +15,7 @@
 namespace simreel::draw {
 
 /// Material table of the path tracer (glsl/draw/exact/rays/look_table.glsl), with the maps and skins that
-/// the materials use. Index 0 means a material without further properties than the spots store.
+/// the materials use. Index 0 means that the data stored in a spot fully describe the material.
 class RayLooks {
  public:
   /// The surface shading must already have loaded the maps and updated the skin texels.
@@ -33,7 +33,8 @@ class RayLooks {
   /// no maps, skin or additional layers.
   [[nodiscard]] unsigned ownerOf(const scene::Material& material) const;
   /// isLaid() returns true if the surface has a texture or skin, so that its vertices store texture
-  /// coordinates. fromThreeSides() returns true if the texture projection is triplanar rather than by uv.
+  /// coordinates. fromThreeSides() returns true if the texture projection is triplanar, and false if uv
+  /// coordinates are used.
   [[nodiscard]] static bool isLaid(const sim::Surface& surface);
   [[nodiscard]] static bool fromThreeSides(const sim::Surface& surface);
   [[nodiscard]] static float scaleOf(const sim::Surface& surface);

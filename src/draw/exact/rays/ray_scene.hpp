@@ -26,11 +26,11 @@ class RayScene {
   /// Builds the scene. The frame's uniform block must be bound. Throws UserError(device) if the scene
   /// exceeds the device's limits.
   void build(const sim::Drawables& drawables);
-  /// Finds the first hit of the rays [first, first + count) of a buffer. A ray and its hit have the same
-  /// index in `rays` and `hits`.
+  /// Finds the first hit of the rays from `first` to first + count - 1 in the buffer `rays`. A ray and its
+  /// hit have the same index in `rays` and `hits`.
   void trace(const gl::Texture& rays, const gl::Buffer& hits, int first, int count);
-  /// Computes the fraction of light that each shadow ray lets through. `lists`: two consecutive lists of
-  /// ray indices, each with room for `most` indices. `counters`: the lengths of the lists.
+  /// Computes the fraction of light that reaches the end of each shadow ray. `lists`: two consecutive lists
+  /// of ray indices, each with a capacity of `most` indices. `counters`: the lengths of the lists.
   void traceLight(const gl::Texture& rays, const gl::Buffer& hits, const gl::Texture& lists,
                   const gl::Buffer& counters, int most);
   /// Finds the first hit of the rays in a list. The list holds `count` ray indices relative to `first`.

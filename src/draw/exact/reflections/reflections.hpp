@@ -26,8 +26,8 @@ class Reflections {
   /// draw/exact/reflections/reflections_read.glsl.
   [[nodiscard]] const gl::Texture& light() const { return light_.view; }
   [[nodiscard]] const gl::Texture& nearest() const { return nearest_.view; }
-  /// Returns the uniform mirrorReach: the max distance of reflected objects and their assumed thickness
-  /// (m). `away`: distance (m) from the camera to its target.
+  /// Returns the uniform mirrorReach. x: max distance of reflected objects (m). y: assumed thickness of
+  /// reflected objects (m). `away`: distance (m) from the camera to its target.
   [[nodiscard]] static glm::vec2 reachOf(float away) { return {away, away / 24.0F}; }
 
  private:

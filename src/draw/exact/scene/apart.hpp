@@ -34,12 +34,12 @@ class ApartSurfaces {
   [[nodiscard]] bool any() const { return !cutSurfaces_.empty() || !blended_.empty(); }
   [[nodiscard]] bool anyBlended() const { return !blended_.empty(); }
 
-  /// Returns the stored surfaces that cast shadows: cut-out surfaces (with their holes), and blended ones
-  /// that hide at least half of what lies behind.
+  /// Returns the stored surfaces that cast shadows. These are the cut-out surfaces, with their holes, and
+  /// the blended surfaces whose opacity is at least one half.
   [[nodiscard]] const std::vector<sim::Surface>& casting() const { return casting_; }
   void castSun(const Visibility& map, const MapPart& part);
-  /// Returns the description of the holes of the surfaces in casting(). `only`: the surface to be drawn
-  /// into lamp maps.
+  /// Returns the description of the holes of the surfaces in casting(). `only`: for lamp maps, the surface
+  /// to be drawn.
   [[nodiscard]] TriangleRaster::Fragments holesOf(const sim::Surface* only = nullptr);
 
   /// Assigns primitive ids to the cut-out surfaces, like ExactInstances::number(). Returns the next free
@@ -52,7 +52,7 @@ class ApartSurfaces {
   [[nodiscard]] int things() const { return static_cast<int>(cutSurfaces_.size()); }
   void shade(const SkinTextures& skins, const ShadedTiles& tiles, int firstThing, const SceneLight& light);
 
-  /// Return the stored surfaces that are cut-out, and those that are blended.
+  /// cut() returns the stored cut-out surfaces, and blended() the stored blended surfaces.
   [[nodiscard]] const std::vector<sim::Surface>& cut() const { return cutSurfaces_; }
   [[nodiscard]] const std::vector<sim::Surface>& blended() const { return blended_; }
 

@@ -118,7 +118,7 @@ gl::Defines ExactFrame::aroundDefines() const {
 }
 
 float ExactFrame::away() const {
-  // A view of 40 degrees at distance 1 is 0.73 high.
+  // A view with a field of view of 40 degrees shows a height of 0.73 at distance 1.
   const float distance = seen.parallel ? 2 * seen.reach.y / 0.73F : glm::distance(seen.eye, seen.target);
   return std::max(distance, 1e-5F);
 }

@@ -42,7 +42,8 @@ struct ExactFrame {
   [[nodiscard]] gl::Defines aroundDefines() const;
   [[nodiscard]] bool traces() const { return scene.render.quality == scene::Quality::high; }
   [[nodiscard]] bool occludes() const { return scene.render.quality == scene::Quality::standard; }
-  /// The pass outputs and most layers show the first view of a picture. Light and object coverage are means
+  /// Returns the object that receives the pass outputs, or null if this view is not the first one. The pass
+  /// outputs and most layers show only the first view of a picture. Light and object coverage are means
   /// over all views.
   [[nodiscard]] PassPicture* kept() const { return number == 0 ? passes : nullptr; }
   [[nodiscard]] bool keepsLayers() const { return wanted && number == 0; }
@@ -54,22 +55,23 @@ struct ExactFrame {
   /// Returns the shader inputs of kernels that add light to `into`.
   [[nodiscard]] SceneLight sceneLight(const gl::Texture& into) const;
   void tellView() { view.write(0, std::as_bytes(std::span(&values, 1))); }
-  /// Adds the light of all opaque objects except the ground.
+  /// Adds the light of all opaque objects except the ground to `into`.
   void shadeThings(const gl::Texture& into);
-  /// Adds the light of the ground. `which`: 0 for the tiles without shadow, 1 for the other tiles.
+  /// Adds the light of the ground to `into`. `which`: 0 for the tiles without shadow, 1 for the other
+  /// tiles.
   void shadeGround(int which, const ShadeGround::Variant& variant, const gl::Texture& into);
   /// Selects a layer that is shaded instead of light (SurfaceShading::selectLayer).
   void selectLayer(int layer) {
     surfaces.selectLayer(layer);
     instances.selectLayer(layer);
   }
-  /// Adds the light of paths that start at the visible spots of a band or of one of its blended layers.
+  /// Adds the path-traced light at the visible spots of a band or of one of its blended layers.
   void addRays(const Visibility& visible) {
     rays->add(visible, light, values.rows.y - values.rows.x, white);
   }
 
   const scene::Scene& scene;
-  const Environment* environment;  ///< null: the sky is a gradient
+  const Environment* environment;  ///< sky image; null if the sky is a gradient
   glm::ivec2 size;
   int samples;
   int bandRows;  ///< max rows of a band, limited by the memory of the visibility buffer
@@ -82,7 +84,7 @@ struct ExactFrame {
   std::optional<LightRequest> wanted;      ///< light and layers that the caller has requested
   PictureLayers layers;                    ///< receives the requested light and layers
   bool layered = false;                    ///< true if the scene has had blended surfaces at any time
-  bool shines = false;                     ///< true if any view of the picture so far had glows
+  bool shines = false;                     ///< true if any view of the picture drawn so far had glows
   const gl::Texture* scattered = nullptr;  ///< light of the bloom; null if none exists
 
   // The following members are the state of one moment. A shutter has several moments.

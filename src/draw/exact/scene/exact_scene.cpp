@@ -18,7 +18,7 @@ void checkSamples(int samples) {
 }
 
 /// Returns the max size in bytes of the visibility buffer of a band. This is `bytes`, or less for path
-/// tracing, which processes at most RayLight::mostSamples samples per band.
+/// tracing, because path tracing processes at most RayLight::mostSamples samples per band.
 std::size_t bytesOfBands(const scene::Scene& scene, std::size_t bytes) {
   if (scene.render.quality != scene::Quality::high) return bytes;
   return std::min(bytes, RayLight::mostSamples * Visibility::sampleBytes);

@@ -59,11 +59,11 @@ class ExactScene {
   /// Moments while the shutter is open. The picture is the mean over all moments.
   struct Exposure {
     int moments = 1;
-    /// Returns the content at moment i, valid until the next call, and sets the frame's uniform block to
-    /// that moment.
+    /// Returns the content at the moment with index i, and sets the frame's uniform block to that moment.
+    /// The content is valid until the next call.
     std::function<Moment(int i)> at;
-    std::function<void()> close = {};  ///< called after the last moment to restore the frame's uniform
-                                       ///< block
+    std::function<void()> close = {};  ///< function that is called after the last moment to restore the
+                                       ///< frame's uniform block
     Motion* motion = nullptr;          ///< motion since the previous frame, after Motion::begin(); null if
                                        ///< it is not needed
     double frameSeconds = 1;           ///< time between the previous and the current frame (s)

@@ -9,8 +9,8 @@ namespace simreel::draw {
 
 struct FaceListKernel;
 
-/// For each shadow map of the lamps, lists the triangles that the map may show. Few triangles are visible
-/// in more than two of a lamp's six faces.
+/// Lists, for each shadow map of the lamps, the triangles that the map may show. Few triangles are visible
+/// in more than two of a lamp's six maps.
 class FaceLists {
  public:
   /// `lampDefines`: result of Lamps::shadowDefines(). If it is empty, only all() may be called.
@@ -18,11 +18,11 @@ class FaceLists {
 
   /// Returns the number of maps that can have lists at the same time, with `triangles` entries per list.
   static int facesAtOnce(int triangles);
-  /// Lists the triangles of the maps [first, first + faces). Each lamp has six maps. The lamps must be
-  /// bound.
+  /// Lists the triangles of the maps from `first` to first + faces - 1. Each lamp has six maps. The lamps
+  /// must be bound.
   const TriangleLists& find(const MergedMesh& mesh, int first, int faces);
-  /// Returns lists that contain the first `triangles` triangles of the mesh for each map. This conservative
-  /// result can replace find().
+  /// Returns lists that contain the first `triangles` triangles of the mesh for every map. They can replace
+  /// the result of find(), because extra triangles do not change the maps.
   const TriangleLists& all(const MergedMesh& mesh, int triangles, int faces);
 
  private:

@@ -14,9 +14,9 @@ namespace simreel::draw {
 
 namespace {
 
-/// Returns the camera of one face of a lamp's maps (glsl/draw/lights/faces.glsl). With x along the face's
-/// axis and y and z across it, a map of `side` texels shows the points where scale |y| <= x and scale |z|
-/// <= x.
+/// Returns the camera of one face of a lamp's maps (glsl/draw/lights/faces.glsl). x is the distance along
+/// the face's axis, and y and z are the coordinates across it. A map of `side` texels shows the points
+/// where scale |y| <= x and scale |z| <= x.
 shader::ExactView faceView(const shader::Lamp& lamp, int face, int side, float scale) {
   const auto axis = [&](int k) {
     glm::vec3 unit(0);
@@ -52,7 +52,7 @@ LampMaps::LampMaps(const Lamps& lamps, bool sparing, bool together)
   for (const scene::Light* light : lamps.order().lights)
     if (light->shadow) softness_ = std::max(softness_, light->shadowSoftness);
   keys_.emplace("the shadow maps of the lights", lamps.order().atlas, 1, false);
-  // All faces wait for their clipped triangles only once, so clipping in advance pays on GPUs too.
+  // The clipped triangles of all faces need only one barrier, so clipping in advance pays on GPUs too.
   constexpr int fans = 1 << 19;
   raster_.emplace(TriangleRaster::Into::lampMap, 1, smallTriangle(), fans, mediumTriangle());
   mesh_.emplace();

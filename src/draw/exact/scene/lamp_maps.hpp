@@ -17,14 +17,14 @@ class ApartSurfaces;
 /// Shadow maps of the lamps, six per lamp. The exact rasterizer draws each map like a picture.
 class LampMaps {
  public:
-  /// `sparing`: true if each face processes only the triangles that it may show. False, or if the GPU
-  /// determines a surface's triangle count: each face processes all triangles. `together`: true to draw all
+  /// `sparing`: if true, each map processes only the triangles that it may show. If false, or if the GPU
+  /// determines a surface's triangle count, each map processes all triangles. `together`: true to draw all
   /// maps in one dispatch (best on GPUs), false to draw them one by one. The maps are the same in all
   /// cases.
   explicit LampMaps(const Lamps& lamps, bool sparing = true, bool together = joinsSurfaces());
   [[nodiscard]] bool on() const { return count_ > 0; }
-  /// Draws all maps for the last update of the lamps. `apart`: its shadow-casting surfaces are drawn too;
-  /// may be null. Changes the bound view block.
+  /// Draws all maps for the last update of the lamps. `apart`: cut-out and blended surfaces that also cast
+  /// shadows; may be null. Changes the bound view block.
   void draw(const sim::Drawables& drawables, const Lamps& lamps, ExactInstances& instances,
             ApartSurfaces* apart = nullptr);
   /// Returns the depth keys of all maps (one atlas).
@@ -38,14 +38,14 @@ class LampMaps {
   bool together_;
   int count_;  ///< number of lamps with shadows
   float softness_ = 0;
-  std::size_t viewStride_ = 0;  ///< bytes from the view of one map to the next
+  std::size_t viewStride_ = 0;  ///< distance (bytes) between the views of consecutive maps in `views_`
   std::optional<Visibility> keys_;
   std::optional<TriangleRaster> raster_;
   std::optional<TriangleRaster> holeRaster_;  ///< rasterizer for surfaces with holes
   std::optional<MergedMesh> mesh_;
   std::optional<FaceLists> lists_;
   gl::Buffer views_;
-  gl::Buffer allViews_;  ///< the same views as above, without alignment gaps
+  gl::Buffer allViews_;  ///< the same views as in `views_`, without alignment gaps
 };
 
 }  // namespace simreel::draw

@@ -10,8 +10,8 @@ namespace simreel::draw {
 
 struct MergeKernel;
 
-/// Merges surfaces into one mesh in world space, for repeated drawing. On software drivers a dispatch for
-/// each of many small surfaces costs more than their triangles.
+/// Merges surfaces into one mesh in world space that is drawn several times. On software drivers a separate
+/// dispatch for each of many small surfaces costs more than their triangles.
 class MergedMesh {
  public:
   MergedMesh();

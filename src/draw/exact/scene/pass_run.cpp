@@ -15,7 +15,7 @@ void PassRun::asked() {
 }
 
 /// Draws max(moments, lens points) views, so that each moment and each lens point has at least one view.
-/// The lens points of each moment are spread evenly over the lens.
+/// The lens points of one moment are spread evenly over the lens.
 void PassRun::draw(const ExactScene::Watch& watch) {
   ExactFrame& f = frame_;
   watch_ = &watch;

@@ -32,7 +32,7 @@ class PassRun {
   ExactFrame& frame_;
   std::vector<std::unique_ptr<Pass>> passes_;
   const ExactScene::Watch* watch_ = nullptr;
-  const char* stage_ = nullptr;  ///< name of the current stage; null: none
+  const char* stage_ = nullptr;  ///< name of the current stage; null between stages
 };
 
 }  // namespace simreel::draw

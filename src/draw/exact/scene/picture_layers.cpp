@@ -73,7 +73,8 @@ void LayerKeeper::keepVector(std::size_t pixel, const std::optional<glm::dvec2>&
   layers_.vector[2 * pixel + 1] = static_cast<float>(now->y - before->y) + 0.0F;
 }
 
-// A key is farthestKey minus the float bits of the nearness, so nearer samples have smaller keys.
+// The key of a sample is farthestKey minus the float bits of the nearness, so nearer samples have smaller
+// keys.
 void LayerKeeper::add(const Visibility& visibility, const shader::ExactView& view,
                       std::span<const DrawnThing> things, const Velocities* velocities,
                       const CameraWay* way, float farther) {

@@ -66,16 +66,17 @@ struct PictureLayers {
   /// the mean velocity since the previous frame; instances have their current velocity. The velocity is 0
   /// for static surfaces, before the first step, and for surfaces whose mesh is rebuilt in each frame.
   std::vector<float> velocity;
-  /// Two per pixel: vector in the picture (pixels, to the right and up) from the current position of the
-  /// nearest surface to its position in the previous frame, computed from its velocity and the camera's
-  /// motion. The sky is infinitely far away, so only the camera's rotation counts.
+  /// Two per pixel: motion vector (pixels, to the right and up) from the current picture position of the
+  /// nearest surface to its picture position in the previous frame. It is computed from the surface's
+  /// velocity and the camera's motion. The sky is infinitely far away, so for empty pixels only the
+  /// camera's rotation counts.
   std::vector<float> vector;
   /// Index of the nearest primitive within its object (triangle, ball or instance triangle), counted from 0
   /// in drawing order. 0 for the ground, noPrimitive for empty pixels.
   std::vector<std::uint32_t> primitive;
   std::vector<std::string> objects;
-  int ranks = 0;  ///< number of entries per pixel in `shares`, largest coverage first; the remaining area
-                  ///< of the pixel is empty
+  int ranks = 0;  ///< number of entries per pixel in `shares`; the entries are sorted by coverage, largest
+                  ///< first, and any area that they do not cover is empty
   std::vector<Share> shares;
 
   /// Sets the layer `normal` or `albedo` from sums over the samples of a pixel: RGBA, where alpha is the
@@ -95,9 +96,9 @@ class LayerKeeper {
  public:
   LayerKeeper(PictureLayers& into, std::span<const Layer> wanted, glm::ivec2 size, int samples);
   /// Adds a band. Waits for the GPU. `things`: objects with primitive ids, sorted by firstId. `velocities`:
-  /// motion of all moving objects, if velocities or vectors are requested. `way`: camera motion, if vectors
-  /// are requested. `farther`: distance by which the eye has been moved back (View::farther); it is
-  /// subtracted from depths.
+  /// motion of all moving objects; required for velocities and vectors. `way`: camera motion; required for
+  /// vectors. `farther`: distance by which the eye has been moved back (View::farther), which is subtracted
+  /// from depths.
   void add(const Visibility& visibility, const shader::ExactView& view, std::span<const DrawnThing> things,
            const Velocities* velocities, const CameraWay* way, float farther = 0);
 

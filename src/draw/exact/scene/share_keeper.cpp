@@ -45,8 +45,7 @@ void ShareKeeper::add(std::span<const unsigned> numbers, const shader::ExactView
   const std::size_t held =
       static_cast<std::size_t>(view.rows.y) * static_cast<std::size_t>(view.size.x) - begin;
   numbers = numbers.first(std::min(numbers.size(), held * samples_));
-  unsigned last = noObject;  // cache of the last id, because neighbouring samples mostly show the same
-                             // object
+  unsigned last = noObject;  // last id that was looked up; neighbouring samples mostly show the same object
   std::uint32_t object = 0;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const unsigned number = numbers[i];

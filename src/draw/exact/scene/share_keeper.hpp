@@ -14,8 +14,9 @@
 
 namespace simreel::draw {
 
-/// Computes the coverage of each pixel by each object: counts the samples that show the object, over all
-/// views (moments and lens points) of a picture. The coverage is thus blurred in the same way as the light.
+/// Computes the fraction of each pixel that each object covers. Counts the samples that show the object,
+/// over all views (moments and lens points) of a picture. The coverage is thus blurred in the same way as
+/// the light.
 class ShareKeeper {
  public:
   ShareKeeper(glm::ivec2 size, int samples);
@@ -23,7 +24,8 @@ class ShareKeeper {
   /// objects with primitive ids, sorted by firstId.
   void add(std::span<const unsigned> numbers, const shader::ExactView& view,
            std::span<const DrawnThing> things);
-  /// Writes the objects and, per pixel, the largest coverages as means over `pictures` views.
+  /// Writes the objects and the largest coverages of each pixel. The coverages are means over `pictures`
+  /// views.
   void finish(PictureLayers& into, int pictures) const;
 
  private:
@@ -36,9 +38,9 @@ class ShareKeeper {
 
   std::size_t samples_;
   std::vector<std::string> objects_;
-  std::vector<Count> first_;  ///< per pixel: sample count of the object that was found first
-  std::unordered_map<std::size_t, std::vector<Count>> more_;  ///< per pixel with several objects: sample
-                                                              ///< counts of the other objects
+  std::vector<Count> first_;  ///< for each pixel, the sample count of the object that was found first
+  std::unordered_map<std::size_t, std::vector<Count>> more_;  ///< for each pixel with several objects, the
+                                                              ///< sample counts of the other objects
 };
 
 }  // namespace simreel::draw

@@ -23,8 +23,8 @@ class Bloom {
     return bloom.strength.moves() || bloom.strength.at(0) > 0;
   }
   [[nodiscard]] bool on() const { return !levels_.empty(); }
-  /// Returns an RGBA32F texture with the bloom of the RGBA32F texture `light`, at half its size, rounded
-  /// up.
+  /// Returns an RGBA32F texture with the bloom of the RGBA32F texture `light`. The result has half the size
+  /// of `light`, rounded up.
   [[nodiscard]] const gl::Texture& draw(const gl::Texture& light) const;
 
  private:

@@ -16,8 +16,9 @@ namespace {
 
 constexpr std::uint32_t perByte = 257;  // factor 65535 / 255, which converts a byte to units of 1/65535
 
-/// Returns the next smaller level. On an axis with W texels above and w below, texel j covers the interval
-/// [j / w, (j + 1) / w]. Its overlap with texel i of the level above is counted in units of 1 / (w W).
+/// Returns the next smaller level. If the level above has W texels along an axis and the new level has w,
+/// texel j covers the interval from j / w to (j + 1) / w of the axis. Its overlap with texel i of the level
+/// above is counted in units of 1 / (w W).
 NumberLevel below(const NumberLevel& above) {
   const auto wide = static_cast<std::int64_t>(above.size.x);
   const auto high = static_cast<std::int64_t>(above.size.y);

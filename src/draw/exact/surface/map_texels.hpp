@@ -15,10 +15,11 @@
 namespace simreel::draw {
 
 /// Stores all maps of a scene's materials in one list of texels (glsl/draw/exact/surface/map_read.glsl).
-/// Each picture file is read once. Row 0 of the file is at v = 0.
+/// Each image file is read once. Row 0 of the file is at v = 0.
 class MapTexels {
  public:
-  /// Content of a map. color: sRGB, converted to linear light; numbers: values from 0 to 1, unchanged.
+  /// Content of a map. color: sRGB, which is converted to linear light. numbers: values from 0 to 1, which
+  /// are stored unchanged.
   enum class Holds { color, numbers };
   /// Adds a map to the list unless it is already there. Returns the map's width, height, number of mip
   /// levels (negative: the map is clamped at the border instead of repeated) and start index in the list.
@@ -30,7 +31,7 @@ class MapTexels {
   [[nodiscard]] const gl::Texture& texels();
 
  private:
-  using Texel = std::array<std::uint32_t, 2>;  ///< two words: r + 2^16 g, b + 2^16 a
+  using Texel = std::array<std::uint32_t, 2>;  ///< two words: r + 2^16 g, then b + 2^16 a
   glm::ivec4 add(glm::ivec2 size, const std::vector<std::uint8_t>& rgba, Holds holds);
 
   std::map<std::pair<std::string, Holds>, glm::ivec4> places_;
@@ -40,8 +41,8 @@ class MapTexels {
   gl::Texture view_;
 };
 
-/// One mip level: numbers in units of 1/65535, four channels. Each texel is the exact mean of the picture's
-/// area that it covers. numberLevels() returns all levels from the full picture down to one texel.
+/// One mip level with four channels, in units of 1/65535. Each texel is the exact mean of the image area
+/// that it covers. numberLevels() returns all levels from the full image down to one texel.
 struct NumberLevel {
   glm::ivec2 size{0, 0};
   std::vector<std::uint16_t> rgba;

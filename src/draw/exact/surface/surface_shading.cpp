@@ -160,7 +160,7 @@ VertexUv uvOf(const sim::Surface& surface) {
   return uv;
 }
 
-/// Returns the inputs of shaders that map a texture or skin with the given number of repeats.
+/// Returns the inputs of shaders that map a texture or skin, with `repeats` repeats along u and v.
 SurfaceSeen seenOf(const sim::Surface& surface, glm::vec2 repeats) {
   return {.uv = uvOf(surface),
           .textureScale = repeats,
@@ -187,8 +187,8 @@ SurfaceShading::SurfaceShading(const scene::Scene& scene, Lighting lighting)
 
 const gl::Kernel<ShadeSurface>& SurfaceShading::kernel(const SurfaceVariant& surface, bool smooth) {
   ThingVariant thing = showing(lighting_.variant, shown_, smooth);
-  if (surface.blended.on) {  // shading of blended layers ignores ambient occlusion and the layers in front
-                             // (BEHIND)
+  if (surface.blended.on) {  // The shading of blended layers ignores ambient occlusion and the layers in
+                             // front (BEHIND).
     thing.shade.occlusion = false;
     thing.shade.behind = false;
   }

@@ -26,35 +26,36 @@ class SurfaceShading {
   SurfaceShading(const scene::Scene& scene, Lighting lighting);
   /// Updates the texel lists of skins. The skin textures must be up to date.
   void prepare(const SkinTextures& skins);
-  /// Adds the light of the surface `drawn`, which has index `thing` in the tile lists. A skin without a
-  /// field has no effect.
+  /// Adds the light of the surface `drawn`, which has index `thing` in the tile lists. A skin whose field
+  /// is missing is ignored.
   void shade(const TriangleRaster& raster, const TriangleRaster::Drawn& drawn, const SkinTextures& skins,
              const ShadedTiles& tiles, int thing, const SceneLight& light);
   /// True if the surface has no texture, skin or other finish, so it can be shaded together with others.
   [[nodiscard]] static bool isPlain(const sim::Surface& surface, const SkinTextures& skins);
-  /// Adds the light of plain surfaces that are consecutive among the joined surfaces.
+  /// Adds the light of a group of plain surfaces whose triangles are consecutive in the joined mesh.
   void shadeJoined(const JoinedSurfaces& joined, const TriangleRaster& raster,
                    std::span<const TriangleRaster::Drawn> drawn, const ShadedTiles& tiles, int thing,
                    const SceneLight& light);
 
-  /// hasHoles() returns true if the opacity of the surface varies. holes() returns the inputs of kernels
-  /// that then skip samples with an opacity below `least`.
+  /// hasHoles() returns true if the opacity of the surface varies. holes() returns the kernel inputs that
+  /// describe the holes. Kernels with these inputs skip samples whose opacity is below `least`.
   [[nodiscard]] static bool hasHoles(const sim::Surface& surface);
   [[nodiscard]] Cutout holes(const sim::Surface& surface, float least);
-  /// Sets the lighting variant of the following shade calls. The lights stay the same.
+  /// Sets the lighting variant that later shade calls use. The lights stay the same.
   void light(const ThingVariant& variant) { lighting_.variant = variant; }
   /// Returns the colour map of a material: the map of its finish, or its texture.
   [[nodiscard]] static scene::Map colorMapOf(const scene::Material& material);
-  /// True if the surface's texture repeats beyond its border. False for a sheet that shows a picture
-  /// exactly once, so that opposite borders do not blend.
+  /// True if the surface's texture repeats beyond its border. False for a sheet that shows an image exactly
+  /// once, because opposite borders must not blend.
   [[nodiscard]] static bool textureRepeats(const sim::Surface& surface);
-  /// Sets the function that returns a material's index (owner) in the path tracer's material table. It is
-  /// used for spots that are stored instead of being lit.
+  /// Sets the function that returns a material's index (owner) in the path tracer's material table. Shading
+  /// kernels that store spots also store this index.
   void ownBy(std::function<unsigned(const scene::Material&)> owner) { owner_ = std::move(owner); }
   [[nodiscard]] MapTexels& maps() { return maps_; }
   [[nodiscard]] const SkinTexels& skinTexels() const { return skinTexels_; }
-  /// Selects the output of shading from now on. 0: light; i: layer i of `shownLayers`, counted from 1;
-  /// shownReflections: the change of light by reflections, only on surfaces that reflect the scene.
+  /// Selects the output of later shade calls. 0 selects light. i selects layer i of `shownLayers`, counted
+  /// from 1. shownReflections selects the change of light by reflections, only on surfaces that reflect the
+  /// scene.
   void selectLayer(int layer) { shown_ = layer; }
   /// True if the surface is smooth enough somewhere to reflect the scene.
   [[nodiscard]] static bool mirrorsScene(const sim::Surface& surface, const SkinTextures& skins);

@@ -59,8 +59,8 @@ gl::Range<"FOURS", 1, 2> foursFor(int things) {
   return {};
 }
 
-/// Returns four of the ids, starting at index `first`. Missing ids are -1, which as an unsigned number is
-/// larger than any id.
+/// Returns four of the ids, starting at index `first`. Missing ids are -1, which is larger than any id when
+/// it is read as an unsigned number.
 glm::ivec4 fourOf(const std::vector<unsigned>& numbers, std::size_t first) {
   glm::ivec4 four(-1);
   for (int i = 0; i < 4; ++i)
@@ -107,8 +107,8 @@ void ShadedTiles::list(const std::vector<unsigned>& firstIds, const Visibility& 
   if (!firstIds.empty()) firstIds_.write(0, std::as_bytes(std::span(firstIds)));
   glClearNamedBufferData(counters_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
   visibility_ = &visibility;
-  // On GPUs one dispatch handles all rows and the ground. Software drivers get separate dispatches for rows
-  // with and without ground, because they execute both sides of a branch.
+  // On GPUs one dispatch handles all rows and the ground. On software drivers, rows with and without ground
+  // have separate dispatches, because these drivers execute both sides of a branch.
   const glm::ivec2 groundRows = place.rows;
   const glm::ivec2 ground = !ground_               ? glm::ivec2(0)
                             : gl::softwareDriver() ? glm::min(groundRows / side, tiles_.y)

@@ -17,14 +17,15 @@ struct TileKernel;
 
 /// Area of the picture that may show the ground.
 struct GroundPlace {
-  glm::ivec2 rows{0};  ///< range of tile rows whose rays may hit the ground: rowsTowardsGround() in whole
-                       ///< tiles
-  glm::vec4 near{0};   ///< nearness of the ground as a function of the pixel: nearOfGround()
-  glm::vec3 rays{0};   ///< bounds of the ray directions: raysAside()
+  glm::ivec2 rows{0};  ///< range of tile rows whose rays may hit the ground, computed by
+                       ///< rowsTowardsGround()
+  glm::vec4 near{0};   ///< nearness of the ground as a function of the pixel, computed by nearOfGround()
+  glm::vec3 rays{0};   ///< bounds of the ray directions, computed by raysAside()
 };
 
-/// For each object, lists the tiles of the picture that show it, so that shading kernels run only on these
-/// tiles. Two more lists follow: tiles of the ground without shadow, and the other tiles of the ground.
+/// Lists, for each object, the tiles of the picture that show it, so that shading kernels run only on these
+/// tiles. Two more lists hold the tiles that show ground without shadow, and the other tiles that show
+/// ground.
 class ShadedTiles {
  public:
   static constexpr int side = 8;  ///< pixels per tile side: tileSide of glsl/draw/exact/fixed.glsl
@@ -34,8 +35,8 @@ class ShadedTiles {
   /// True if list() has found anything to shade. Waits for the GPU.
   [[nodiscard]] bool any() const;
 
-  /// True if list() clears the light of the listed pixels on this device. Compute GPUs clear textures ten
-  /// times as slowly.
+  /// True if list() clears the light of the listed pixels on this device. Clearing a whole texture would
+  /// take ten times as long on compute GPUs.
   [[nodiscard]] static bool emptiesLight();
   /// Adds the ground behind the visible objects and writes the lists. `firstIds`: first primitive id of
   /// each object, ascending. `sums`: the light. `groundKeys`: true to write the ground into the depth keys
@@ -48,7 +49,7 @@ class ShadedTiles {
     given.tile = tile(thing);
     GroupCounts::dispatch(kernel, dispatches_, static_cast<std::size_t>(thing), given);
   }
-  [[nodiscard]] int things() const { return things_; }  ///< number of objects without the ground
+  [[nodiscard]] int things() const { return things_; }  ///< number of objects, not counting the ground
 
  private:
   [[nodiscard]] TileFields tile(int thing) const;
@@ -56,7 +57,7 @@ class ShadedTiles {
   glm::ivec2 size_, tiles_;
   int things_ = 0;
   bool ground_, shadow_, empties_;
-  const Visibility* visibility_ = nullptr;  ///< visibility that the lists belong to
+  const Visibility* visibility_ = nullptr;  ///< visibility buffer for which the lists were made
   gl::Kernels<TileKernel> kernels_;
   GroupCounts groups_;
   gl::Buffer firstIds_, lists_, counters_, dispatches_;

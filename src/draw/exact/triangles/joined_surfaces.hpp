@@ -28,7 +28,7 @@ class JoinedSurfaces {
   /// Returns the joined surface. It casts shadows if its parts do; join() requires that all parts or none
   /// cast shadows.
   [[nodiscard]] const sim::Surface& surface() const { return surface_; }
-  /// Returns, for each triangle, its surface and the sides that are visible.
+  /// Returns, for each triangle, the index of its surface and a flag for double-sided surfaces.
   [[nodiscard]] const gl::Texture& owners() const { return ownerView_; }
   /// Returns the materials of the surfaces.
   [[nodiscard]] const gl::Texture& looks() const { return lookView_; }

@@ -33,7 +33,7 @@ struct BinnedTriangles {
 namespace {
 
 constexpr int tileSide = 8;     // pixels per tile side, as in glsl/draw/exact/fixed.glsl
-constexpr int binCounts = 512;  // bins.glsl has the same values for this constant and the next three
+constexpr int binCounts = 512;  // This constant and the next three have the same values in bins.glsl.
 constexpr int firstTileCount = 2;
 constexpr int firstFaceCount = 256;
 constexpr int ownNodes = 4;
@@ -42,7 +42,7 @@ constexpr int roundTriangles = 57344;  // triangles per round; the limit keeps e
                                        // iteration limit of drivers
 constexpr int maxTriangles = 1 << 20;  // max number of binned triangles of a picture
 constexpr int maxOfFaces = 1 << 18;    // max number of binned triangles of all shadow map faces together;
-                                       // the others are drawn like large triangles
+                                       // further triangles are drawn like large triangles
 
 int roundsOf(int triangles) {
   return std::max((triangles + roundTriangles - 1) / roundTriangles, 1);

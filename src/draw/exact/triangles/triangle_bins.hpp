@@ -8,8 +8,8 @@
 
 namespace simreel::draw {
 
-/// Returns the max number of triangles that are binned by tile instead of drawn with atomics. Returns 0 on
-/// GPUs, because atomics are slow only on software drivers.
+/// Returns the max number of triangles that are sorted into tile bins instead of being drawn with atomics.
+/// Returns 0 on GPUs, because atomics are slow only on software drivers.
 [[nodiscard]] int binnedTriangles();
 
 /// Shader inputs of kernels that write the lists (glsl/draw/exact/triangles/bins.glsl).
@@ -30,14 +30,15 @@ struct BinnedTriangles;
 
 /// Lists triangles by the 8x8 pixel tiles that they touch. One workgroup per tile then finds the nearest
 /// triangle of each sample without atomics (glsl/draw/exact/triangles/bins.glsl). The result is the same as
-/// drawing the triangles one by one. The bins take 80 bytes per triangle.
+/// if the triangles were drawn one by one. The bins take 80 bytes per triangle.
 class TriangleBins {
  public:
   /// True if the bins can hold `triangles` triangles for a picture (faces = 0) or for each of `faces`
   /// shadow map faces.
   [[nodiscard]] static bool holds(int triangles, int faces = 0);
-  /// Clears the lists for a picture or for shadow map faces of `size`. Allocates room for `room` triangles.
-  /// Each triangle has four list nodes; all triangles share another four times `room` nodes.
+  /// Clears the lists for a picture or for shadow map faces of `size`. Allocates memory for `room`
+  /// triangles. Each triangle has four list nodes of its own; 4 * room more nodes are available to all
+  /// triangles.
   void begin(glm::ivec2 size, int triangles, int room, int faces = 0);
   /// Returns the shader inputs of kernels with the define BINS, for one face.
   [[nodiscard]] BinFields fields(int face) const;

@@ -99,8 +99,8 @@ void TriangleRaster::run(Step step, int pass, const Visibility& into, bool clips
     if (clips && drawn.fans == drawn.maxTriangles) continue;
     const sim::Surface* const own = into_ == Into::lampMap ? fragments_.only : drawn.surface;
     const bool cuts = step == Step::large && own != nullptr && fragments_.cut && fragments_.cut(*own);
-    // These kernels are not rehearsed: they take long to compile, and few plain triangles are large or
-    // cross the near plane.
+    // These kernels are not compiled in advance: they take long to compile, and few plain triangles are
+    // large or cross the near plane.
     if (gl::Rehearsal::now() && step != Step::small && !cuts && !fragments_.layers) continue;
     RasterVariant kind = variant(into, pass);
     RasterTriangles triangles = raster(drawn, into);
@@ -135,7 +135,7 @@ void TriangleRaster::run(Step step, int pass, const Visibility& into, bool clips
 
 void TriangleRaster::runFaces(Step step, int pass, const Visibility& into, bool clips) {
   // A GPU runs some thousands of workgroups at the same time. This number is higher, because the number of
-  // triangles varies much between faces and many workgroups have no work.
+  // triangles differs much between faces and many workgroups therefore have no work.
   constexpr unsigned groups = 24576;
   constexpr unsigned fewParts = 16;  // workgroups per large triangle; most of these triangles are small
   const Drawn& first = asked_.front();
@@ -167,7 +167,7 @@ void TriangleRaster::prepareLarge(glm::ivec2 size) {
                            .parts = parts,
                            .fewerParts = gl::softwareDriver() ? leastParts(size, samples_) : parts};
   if (into_ != Into::sunMap && fanRoom_ > 0) {
-    // Splits each list into the entries with a fan and those without.
+    // Splits each list into the entries that have a clipped triangle (fan) and the entries that have none.
     const auto room = static_cast<unsigned>(fanRoom_ / static_cast<int>(asked_.size()));
     order.most = room;
     GroupCounts::Order others = order;

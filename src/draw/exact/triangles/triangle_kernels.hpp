@@ -47,8 +47,8 @@ struct RasterVariant {
   gl::Flag<"PARALLEL"> parallel;
   gl::Flag<"COUNTED"> counted;     ///< the triangle count of the surface is in a GPU buffer
   gl::Flag<"JOINED"> joined;       ///< the triangles belong to joined surfaces
-  gl::Range<"FACES", 1, 2> faces;  ///< all faces of lamp maps are drawn in one dispatch; the value is the
-                                   ///< workgroup coordinate that selects the face
+  gl::Range<"FACES", 1, 2> faces;  ///< set if all faces of lamp maps are drawn in one dispatch; the value
+                                   ///< is the workgroup coordinate (1: y, 2: z) that selects the face
   gl::Flag<"CUTOUT"> cut;          ///< the surface has holes
   gl::Flag<"GRID"> grid;           ///< the surface with holes is a grid
   gl::Flag<"LAYER"> layer;         ///< the surface is blended

@@ -76,11 +76,12 @@ class TriangleRaster {
   struct Drawn {
     const sim::Surface* surface = nullptr;
     int firstVertex = 0;
-    int firstIndex = 0;  ///< index of the surface's first entry in the list of large triangles, times 3
+    int firstIndex = 0;  ///< three times the index of the surface's first entry in the list of large
+                         ///< triangles
     int maxTriangles = 0;
     unsigned firstId = 0;  ///< id of the first triangle
-    int firstFan = 0;      ///< index of the first clipped triangle (fan)
-    int fans = 0;          ///< max number of clipped triangles
+    int firstFan = 0;      ///< index of the surface's first clipped triangle (fan)
+    int fans = 0;          ///< max number of the surface's clipped triangles
     gl::Texture indices;   ///< vertex indices, R32UI texel view
     int list = 0;          ///< for lamp maps: index of the triangle list
     MapFace face;          ///< for lamp maps: the face that shows the list
@@ -89,12 +90,13 @@ class TriangleRaster {
   /// Description of cut-out surfaces and of the current layer of blended surfaces. All pointers must stay
   /// valid during drawing.
   struct Fragments {
-    /// True if a surface has holes; `holes` then returns the kernel inputs that describe them.
+    /// Returns true if a surface has holes. In that case, `holes` returns the kernel inputs that describe
+    /// them.
     std::function<bool(const sim::Surface&)> cut = {};
     std::function<Cutout(const sim::Surface&)> holes = {};
     const sim::Surface* only = nullptr;  ///< for lamp maps: the surface that the triangle lists belong to
-    bool layers = false;                 ///< true: draws the next layer behind `before` (null: the first
-                                         ///< layer)
+    bool layers = false;                 ///< true to draw the next layer behind `before`, or the first
+                                         ///< layer if `before` is null
     const Visibility* before = nullptr;
     const Visibility* behind = nullptr;  ///< opaque surfaces; layers behind them are not drawn
   };
@@ -168,7 +170,7 @@ class TriangleRaster {
   const gl::Buffer* faceViews_ = nullptr;  ///< views of all lamp maps, if they are drawn in one dispatch
   int firstView_ = 0;
   std::vector<Drawn> drawn_;
-  std::span<Drawn> asked_;                  ///< entries to draw: all of drawn_, or only whole_
+  std::span<Drawn> asked_;                  ///< entries to draw: all entries of drawn_, or only whole_
   Drawn whole_;                             ///< the joined surfaces as one entry
   const JoinedSurfaces* joined_ = nullptr;  ///< the joined surfaces while they are being drawn; otherwise
                                             ///< null

@@ -158,7 +158,7 @@ function clickCurve(event) {
   go({frame: away.indexOf(Math.min(...away))});
 }
 
-// ---- both ----
+// ---- strip and curve ----
 
 function stepFrame(step) {
   if (!state.scene || state.scene.frames.length === 0) return;

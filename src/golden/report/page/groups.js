@@ -29,7 +29,7 @@ function plainMessage(scene) {
 
 /// Returns the words that all failures of a group have in common. The first word is the kind of failure. For differing
 /// pictures, the next words are the first differing pass, the class of the worst pixel and the class of the differing
-/// area. For differing states, the array; for others, the message.
+/// area. For differing states, the next word is the array. For other failures, it is the message.
 function signature(scene) {
   const frame = tellingFrame(scene), metrics = frame && frame.metrics;
   if (scene.divergence && scene.divergence.buffer)
@@ -45,7 +45,7 @@ function signature(scene) {
   return [statusWords[scene.status], plainMessage(scene)].filter((text, i, all) => all.indexOf(text) === i);
 }
 
-/// Returns a list of {status, words, scenes}, sorted by severity of the status, then by size.
+/// Returns a list of {status, words, scenes}, sorted by severity of the status, then by number of scenes.
 function groupsOf(scenes) {
   const groups = new Map();
   for (const scene of scenes) {
@@ -58,8 +58,8 @@ function groupsOf(scenes) {
   return [...groups.values()].sort((a, b) => rank(a) - rank(b) || b.scenes.length - a.scenes.length);
 }
 
-/// Returns the command that accepts all these scenes, or "" if no results were stored. Omits the names if the scenes
-/// are all that can be accepted.
+/// Returns the command that accepts all these scenes, or "" if no results were stored. Omits the names if there are no
+/// other scenes to accept.
 function acceptAll(scenes) {
   const kept = scenes.filter(acceptCommand);
   if (kept.length === 0) return "";

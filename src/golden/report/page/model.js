@@ -1,7 +1,7 @@
 // The report's data, values derived from it, and the selection: suite, scene, frame, view.
 
-/// Unpacks the data of Packer in html.cpp: an object is [index of its key list, values...], a list [-1, values...], a
-/// repeated text {"t": index}.
+/// Unpacks the data of Packer in html.cpp. There, an object is [index of its key list, values...], a list is [-1,
+/// values...], and a repeated text is {"t": index}.
 function unpacked({keys, texts, data}) {
   const open = (value) => {
     if (!Array.isArray(value)) return value !== null && typeof value === "object" ? texts[value.t] : value;
@@ -34,7 +34,7 @@ function isFailure(status) {
   return !["pass", "updated", "xfail"].includes(status);
 }
 
-/// True if pixels must be equal; `asked` comes from a scene or a frame.
+/// True if all pixels must be equal. `asked` comes from a scene or a frame.
 function noneMayDiffer(asked) {
   return asked === "exact" || asked === "equal";
 }
@@ -48,8 +48,8 @@ const views = [
   {id: "amplified", label: "amplified", key: "a"},
 ];
 
-/// Measurements that the curve can show. `of` computes the value from a frame's metrics; `bound` is the tolerance field
-/// that limits it.
+/// Measurements that the curve can show. `of` computes the value from a frame's metrics. `bound` is the tolerance field
+/// that limits the value.
 const curves = [
   {id: "worst", label: "worst channel", of: (m) => m.worst, bound: "hardFail", text: (v) => format(v, 3)},
   {id: "ratioBeyond", label: "pixels beyond", of: (m) => m.ratioBeyond, bound: "maxDiffRatio", text: percent},
@@ -90,7 +90,7 @@ function curveValue(curve, frame) {
   return equalPixels(frame) || frame.alternate > 0 ? 0 : null;
 }
 
-// ---- text ----
+// ---- formatting of text ----
 
 function format(value, digits = 4) {
   if (value === null || value === undefined) return "–";
@@ -131,7 +131,7 @@ function divergenceText(divergence) {
   return "first leaves the baseline " + when + step + (where ? ": " + where + ", " + elements : "");
 }
 
-// ---- document ----
+// ---- elements of the document ----
 
 const byId = (id) => document.getElementById(id);
 
@@ -157,7 +157,8 @@ function badge(status) {
   return element("span", {class: "badge " + status}, statusGlyphs[status] + " " + statusWords[status]);
 }
 
-/// Browsers may deny localStorage (page from disk, private window). Settings are then lost when the page is closed.
+/// Browsers may deny localStorage (page from disk, private window). In that case settings are lost when the page is
+/// closed.
 function remembered(key) {
   try {
     return window.localStorage.getItem("simreel." + key);
@@ -173,7 +174,8 @@ function remember(key, value) {
   }
 }
 
-/// Copies text with the asynchronous clipboard API, or through a selected text field if that is denied.
+/// Copies text with the asynchronous clipboard API. If the browser denies that, copies it through a selected text
+/// field.
 async function copyText(text) {
   try {
     await navigator.clipboard.writeText(text);

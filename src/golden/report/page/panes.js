@@ -145,8 +145,8 @@ function sizePanes() {
 
 const amplified = {chosen: "auto", factors: [1, 4, 16, 64, 255]};
 
-/// Returns the amplification factor. The automatic factor keeps a difference of 1 visible: white if it is the largest
-/// difference, otherwise dark grey.
+/// Returns the amplification factor. The automatic factor keeps a difference of 1 visible. If 1 is the largest
+/// difference, it is shown white, and otherwise dark grey.
 function factorOf(frame) {
   if (amplified.chosen !== "auto") return Number(amplified.chosen);
   return frame.metrics && frame.metrics.worst > 1 ? 64 : 255;
@@ -192,7 +192,7 @@ function startBlink() {
   if (blink.playing) blink.timer = setInterval(swapBlink, Number(byId("interval").value));
 }
 
-/// Swaps the pictures on request. Stops the timer, whose next swap could otherwise follow immediately.
+/// Swaps the pictures on request. Stops the timer, because its next swap could otherwise follow immediately.
 function blinkByHand() {
   if (state.view !== "blink") return go({view: "blink"});
   blink.playing = false;

@@ -1,8 +1,9 @@
-// Picture viewer: zoom, pan and marks, which are the same in all panes. Positions are in picture pixels, x to the right
-// and y downwards. Each pane shows picture point (x, y) at its centre, with `scale` CSS pixels per picture pixel.
+// Picture viewer with zoom, pan and marks, which are the same in all panes. Positions are in picture pixels, with x to
+// the right and y downwards. Each pane shows picture point (x, y) at its centre, with `scale` CSS pixels per picture
+// pixel.
 
 const viewer = {
-  scale: null,  // zoom in CSS pixels per picture pixel; null: fit to the pane
+  scale: null,  // zoom in CSS pixels per picture pixel; null means fit to the pane
   x: 0, y: 0,  // picture point at the centre of each pane, if scale is not null
   size: {width: 16, height: 9},  // size of the pictures, once known
   panes: [],                   // panes of the form {box, layers: [{box, image, key}], window, worst}
@@ -80,7 +81,7 @@ function drawPanes() {
   byId("zoom").textContent = first ? Math.round(placement(first).scale / devicePixel() * 100) + " %" : "–";
 }
 
-/// Zooms so that the picture point at (clientX, clientY) stays in place.
+/// Zooms so that the picture point at (clientX, clientY) does not move on the screen.
 function zoomAt(pane, clientX, clientY, scale) {
   const box = pane.box.getBoundingClientRect();
   const place = placement(pane);

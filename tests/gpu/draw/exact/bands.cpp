@@ -77,7 +77,7 @@ TEST_CASE("exact: pictures drawn in bands have the bytes of those drawn at once"
     CAPTURE(samples);
     CAPTURE(quality == scene::Quality::standard);
     const BandStage stage(quality);
-    // Occluders in other bands must count too.
+    // Occluders in other bands must darken a band, too.
     const auto banded = [&](int rows) {
       return drawn(
           stage.scene, stage.drawables, size, samples,

@@ -99,8 +99,8 @@ TEST_CASE("exact borders: what was clipped before leaves nothing where all is cl
   for (int i = 0; i < 10; ++i) {
     const float z = -0.1F * static_cast<float>(i);
     around.insert(around.end(), {{-900, -900, z}, {900, -900, z}, {0, 1300, z}});
-    // The points are beyond a corner of the guard band around the picture, but the triangle is not
-    // completely beyond any side of the picture.
+    // The corners of the triangle are beyond a corner of the guard band around the picture, but the
+    // triangle is not completely beyond any side of the picture.
     beyond.insert(beyond.end(), {{0, 3000, z}, {3000, 0, z}, {3000, 3000, z}});
   }
   TriangleStage before(around, corners);
@@ -134,8 +134,8 @@ TEST_CASE("exact borders: a ball's place at the nearest plane or the farthest it
   const glm::vec3 ray = border::rayAt(rays, middle);
   for (const bool far : {false, true}) {
     CAPTURE(far);
-    // Steps through radii around the one at which the ball touches the depth limit. Tests a few for which
-    // the ball's depth equals the limit exactly, and every hundredth of the others.
+    // Steps through radii around the one at which the ball touches the depth limit. Tests a few radii for
+    // which the ball's depth equals the limit exactly, and every hundredth of the other radii.
     const float depth = far ? 9 : 0.3F;
     int equal = 0;
     int wrong = 0;

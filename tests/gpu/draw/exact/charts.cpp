@@ -1,5 +1,5 @@
-// Tests charts and axes drawn by kernels: against the bits of their CPU version, against the driver's
-// picture within its rounding, and against curves in double precision.
+// Tests charts and axes drawn by kernels. Compares them with their CPU version bit by bit, with the
+// driver's picture within its rounding, and with curves in double precision.
 #include "draw/overlay/axes_pass.hpp"
 #include "draw/overlay/chart_pass.hpp"
 #include "gpu/draw/overlay_stage.hpp"
@@ -81,7 +81,8 @@ TEST_CASE(
       CAPTURE(steps);
       CAPTURE(all);
       CountStage stage(steps, all, 65536, waves);
-      stage.chart.names = {"", "", ""};  // no letters; another test below covers them
+      stage.chart.names = {"", "", ""};  // The chart has no letters, because another test below covers
+                                         // them.
       if (steps == 300) stage.chart.zero = 0.37F;
       const auto below = someBytes(size);
       const auto exact = charted(stage.chart, below, draw::Rasterizer::exact);
@@ -113,7 +114,7 @@ TEST_CASE("exact charts: with letters, the driver's picture within its rounding"
       const auto below = someBytes(size, true);
       const Distance apart = distance(charted(stage.chart, below, draw::Rasterizer::exact),
                                       charted(stage.chart, below, draw::Rasterizer::driver));
-      // The tolerance is needed because the software driver blends in 8 bits.
+      // The tolerance is needed because the software driver blends with 8 bits.
       CHECK(apart.max <= 1);
       CHECK(apart.mean < 0.02);
     }

@@ -75,7 +75,7 @@ double mirrored(double cosine, double index) {
 }
 
 /// Returns the fraction of light that passes both sides, including all internal reflections. `mirror`:
-/// fraction that one side reflects; `left`: fraction that is not absorbed between the sides.
+/// fraction that one side reflects. `left`: fraction that is not absorbed between the sides.
 double through(double mirror, double left) {
   return (1 - mirror) * (1 - mirror) * left / (1 - mirror * mirror * left * left);
 }
@@ -260,7 +260,7 @@ TEST_CASE(
   scene.camera.fieldOfView = 1;
   const RayPicture picture = rayPicture(scene, {.surfaces = {mirror.surface, pane.surface}}, {8, 8});
   CHECK(std::abs(picture.mean({0, 0}, {8, 8}).x - 1) < 0.012);
-  // The coat reflects part of the sun's light (Schlick), which the layer below does not receive.
+  // The coat reflects part of the sun's light (Schlick). The layer below does not receive that part.
   scene = night(64);
   scene.sun.intensity = 3.0F;
   scene.sun.direction = glm::vec3(0, x, z);

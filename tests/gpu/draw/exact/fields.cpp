@@ -1,5 +1,5 @@
-// Tests fields drawn by kernels: against the bits of their CPU version, against the driver's picture within
-// its rounding, and against their equation in double precision.
+// Tests fields drawn by kernels. Compares them with their CPU version bit by bit, with the driver's picture
+// within its rounding, and with their equation in double precision.
 #include "draw/overlay/field_kernel.hpp"
 #include "gpu/draw/overlay_stage.hpp"
 
@@ -102,7 +102,7 @@ TEST_CASE(
     CHECK(differing(exactOpaque, wantedOpaque) == 0);
     const Distance apart = distance(exactOpaque, over({stage->field}, opaque, draw::Rasterizer::driver));
     CHECK(apart.max <= 1);
-    // The tolerance is needed because the software driver blends in 8 bits, with errors of half a step at
+    // The tolerance is needed because the software driver blends with 8 bits, with errors of half a step at
     // some pixels. A GPU rounds one byte in forty differently.
     CHECK(apart.mean < (there.inputs.opacity < 1 ? 0.3 : 0.03));
   }
@@ -129,7 +129,7 @@ TEST_CASE("exact fields: averaged texels have the bits of their twin, values and
 
 TEST_CASE("exact fields: averaged light is of the nearest half floats, zero where those are subnormal") {
   testContext();
-  // Relative values from 2^-16 to 4: powers of two, their neighbours, and values in between.
+  // Relative values from 2^-16 to 4. These are powers of two, their neighbours, and values in between.
   const auto value = [](int x, int y) {
     const double power = std::exp2(y % 18 - 16);
     return x == 0   ? power
@@ -257,7 +257,7 @@ TEST_CASE("exact fields: magnified colours are quadratic splines, in double prec
     return static_cast<double>(
         std::bit_cast<float>(memory.words[static_cast<std::size_t>(word / 4)][word % 4]));
   };
-  // Integral of a tent of width 2 over a box of width 1.
+  // Returns the integral of a tent of width 2 over a box of width 1.
   const auto share = [](double apart) {
     const double d = std::abs(apart);
     return d < 0.5 ? 0.75 - d * d : d < 1.5 ? 0.5 * (1.5 - d) * (1.5 - d) : 0.0;

@@ -26,7 +26,8 @@ scene::Map picture(glm::ivec2 size, const std::vector<std::uint8_t>& rgba) {
           scene::Wrap::clamp};
 }
 
-/// A square at height z that faces +z and has sides of 2 * `half`. Its uv origin is at the upper left.
+/// A square at height z that faces +z. Its sides have the length 2 * `half`. Its uv origin is at the upper
+/// left.
 struct Square : GridStage {
   Square(float z, float half) : GridStage({2, 2}, {-half, half, z}, {2 * half, 0, 0}, {0, -2 * half, 0}) {
     material.color = glm::vec3(0);
@@ -106,8 +107,8 @@ TEST_CASE("blended surfaces: at each sample by itself, and hidden by what is opa
   const auto shown =
       drawn(unlit(), {.surfaces = {behind.surface, glass.surface, before.surface}}, size, 4, exactly);
   checkLight(shown, 80, 80, front);
-  // A pixel on the edge of the front square shows only a mix of two colours: the colour of the front
-  // square, and the colour of the pane over the back square.
+  // A pixel on the edge of the front square shows only a mix of two colours. One is the colour of the front
+  // square, and the other is the colour of the pane over the back square.
   const glm::dvec3 beside = 0.5 * pane + 0.5 * back;
   checkLight(shown, 80 + 45, 80, beside);
   int edges = 0;

@@ -1,4 +1,5 @@
-// Tests the kernels of glows against float64 versions, and the bits that every device must produce.
+// Tests the kernels of glows by comparison with float64 versions, and tests the bits that every device must
+// produce.
 #include "gpu/draw/exact/kernel_stage.hpp"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// Tests glows drawn by the exact rasterizer against their formula in double precision.
+// Tests glows drawn by the exact rasterizer by comparison with their formula in double precision.
 #include "draw/exact/instances/ball_raster.hpp"
 #include "draw/exact/instances/glow_raster.hpp"
 #include "gpu/draw/ball_stage.hpp"
@@ -15,8 +15,8 @@ using namespace simreel;
 
 namespace {
 
-/// Computes the light of a glow at a pixel's centre in double precision: (1 - (distance / radius)^2)^2 on a
-/// disc that faces the eye or, if `round`, on a circle in the picture plane.
+/// Computes the light of a glow at a pixel's centre in double precision. The light is (1 - (distance /
+/// radius)^2)^2 on a disc that faces the eye or, if `round` is true, on a circle in the picture plane.
 class GlowFormula {
  public:
   explicit GlowFormula(const shader::ExactView& v)
@@ -88,7 +88,8 @@ TEST_CASE("glows: the sum of their formula in double precision, in any order and
     speeds.emplace_back(dice.cube(), 0.5F);
   }
   scene::Material material;
-  material.color = glm::vec3(1, 0.5F, 300.0F);  // the blue light exceeds the lower words of the sums
+  material.color = glm::vec3(1, 0.5F, 300.0F);  // the sums of the blue light do not fit into their lower
+                                                // words
   const auto run = [&](int smallPixels, int mediumPixels = 0) {
     InstanceStage group(places, speeds);
     group.instances.size = 0.7F;
@@ -144,8 +145,9 @@ TEST_CASE("a glow whose middle lies beyond an edge of the picture shows what of 
     const glm::vec3 ray =
         glm::vec3(v.ray) + glm::vec3(v.rayAcross) * place.x + glm::vec3(v.rayDown) * place.y;
     const glm::vec3 middle = glm::vec3(v.eye) + 1.7F * ray;
-    // Discs in space, as for the glows of lamps. They appear larger away from the picture's centre: with
-    // 8.7 pixels, a circle in the picture plane would not extend into the picture, but the disc does.
+    // The glows are discs in space, like the glows of lamps. They appear larger away from the picture's
+    // centre. With a radius of 8.7 pixels, a circle in the picture plane would not extend into the picture,
+    // but the disc does.
     for (const float pixels : {8.7F, 11.0F, 40.0F}) {
       CAPTURE(pixels);
       const auto radius = static_cast<float>(pixels * 1.7 / formula.perMetre());

@@ -1,4 +1,4 @@
-// Tests that rays find the same hits in a hierarchy as a loop over all items does, bit by bit.
+// Tests that rays find the same hits in a hierarchy as in a loop over all items, bit by bit.
 #include "draw/exact/rays/hierarchy.hpp"
 
 #include "draw/exact/rays/ray_kernels.hpp"
@@ -28,7 +28,7 @@ struct TracedRay {
 
 #include "glsl/draw/exact/rays/look_table.glsl"
 
-/// Triangles, or balls whose first corner holds centre and radius, on the GPU, with their hierarchy.
+/// Triangles or balls on the GPU, with their hierarchy. The first corner of a ball holds centre and radius.
 class HierarchyStage {
  public:
   HierarchyStage(const std::vector<glm::vec4>& places, bool balls)
@@ -223,7 +223,7 @@ TEST_CASE("hierarchy: what rays meet of triangles and balls, in float64") {
   const auto hits = stage.traced(rays);
   int compared = 0, wrong = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    if (i % 4 == 1) continue;  // a ray through a corner may hit or miss
+    if (i % 4 == 1) continue;  // Skips these rays, because a ray through a corner may hit or miss.
     const glm::dvec3 origin(rays[i].origin), along(rays[i].along);
     double nearest = static_cast<double>(rays[i].far), margin = 1;
     for (std::size_t k = 0; k < places.size(); k += 3) {

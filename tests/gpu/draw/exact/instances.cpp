@@ -1,5 +1,5 @@
-// Tests instances drawn by the exact rasterizer: balls against the CPU version and double precision, mesh
-// copies against a surface with the same triangles.
+// Tests instances drawn by the exact rasterizer. Compares balls with the CPU version and with double
+// precision, and mesh copies with a surface that has the same triangles.
 #include "base/file.hpp"
 #include "draw/exact/instances/ball_raster.hpp"
 #include "draw/exact/instances/copy_raster.hpp"
@@ -46,8 +46,8 @@ struct Balls {
       const int count = size > 1 ? 3 : 60;
       for (int i = 0; i < count; ++i) places.push_back(3.0F * dice.cube() + glm::vec3(0, 0, 1));
       if (size > 5) places = {{9, 2, -3}, {-5, -5, 1}, {0.5F, 0.2F, 9.5F}};
-      places.push_back(places.front());  // a ball at the same position as the first one, so that depths are
-                                         // equal
+      places.push_back(places.front());  // This ball is at the same position as the first one, so that
+                                         // depths are equal.
       groups.emplace_back(places);
       groups.back().instances.size = size;
       groups.back().instances.shape = Shape::sphere;

@@ -1,4 +1,5 @@
-// Tests culling and bounds kernels against float64 versions, and the bits that every device must produce.
+// Tests the kernels for culling and bounds by comparison with float64 versions, and tests the bits that
+// every device must produce.
 #include "gpu/draw/exact/kernel_stage.hpp"
 
 #include <bit>

@@ -1,4 +1,4 @@
-// Tests depth of field by the coverage of pixels by a sheet in front of the sky, seen through a lens.
+// Tests depth of field through the coverage of pixels by a sheet in front of the sky, seen through a lens.
 #include "draw/lens.hpp"
 
 #include "gpu/draw/draw_stage.hpp"
@@ -59,7 +59,7 @@ TEST_CASE("exact: a lens spreads what is out of focus as its opening, and keeps 
   drawables.surfaces = {sheet.surface};
   scene::Scene scene;
   scene.sun.shadow = false;
-  scene.camera.position = glm::vec3(0, 0, 3);  // the camera is 4 m from the sheet
+  scene.camera.position = glm::vec3(0, 0, 3);  // The camera is 4 m from the sheet.
   scene.camera.target = glm::vec3(0, 0, -1);
   const glm::ivec2 size(191, 143);
   scene.camera.lens.emplace();
@@ -79,7 +79,8 @@ TEST_CASE("exact: a lens spreads what is out of focus as its opening, and keeps 
           glm::dvec2(0.4, 0.3) * (0.5 * size.y / (4 * static_cast<double>(view.reach.y)));
       CHECK(seen.area == doctest::Approx(sides.x * sides.y).epsilon(focus == 4 ? 0.04 : 0.01));
       // Displacement of the picture (pixels) per metre on the lens. It is half the picture's height,
-      // divided by the tangent of half the angle of view, times the difference of the inverse distances.
+      // divided by the tangent of half the angle of view, times the difference of the inverse distances of
+      // focal plane and sheet.
       const double by = std::abs(1 / static_cast<double>(focus) - 0.25) * 0.5 * size.y /
                         static_cast<double>(view.reach.y);
       glm::dvec2 mean(0), squares(0);

@@ -1,4 +1,4 @@
-// Tests numbers of objects and invocations that are permitted, but larger than in any practical scene.
+// Tests numbers of objects and invocations that are permitted, but are larger than in any practical scene.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "gpu/draw/exact/stage.hpp"
@@ -21,8 +21,8 @@ namespace {
 constexpr std::size_t row = std::size_t{32768} * 64;
 constexpr std::size_t rows = 2 * row - 40;
 
-/// `all` contains only invisible elements. Writes the first `part` elements of `few` into it at the start
-/// of the second row, and appends the other elements of `few`.
+/// Writes the elements `few` into `all`, which contains only invisible elements. The first `part` elements
+/// replace elements at the start of the second row. The other elements are appended.
 template <class T>
 void putInto(std::vector<T>& all, const std::vector<T>& few, std::size_t part) {
   const auto from = few.begin() + static_cast<std::ptrdiff_t>(part);
@@ -119,7 +119,8 @@ TEST_CASE("exact limits: as many things as are drawn at once, each where it is; 
   testContext();
   constexpr int most = 2046;
   constexpr int across = 62;
-  constexpr int side = 8;  // side (pixels) of the cell of each object, equal to a tile
+  constexpr int side = 8;  // side (pixels) of the square cell in which each object is drawn, equal to the
+                           // side of a tile
   scene::Scene scene = darkScene();
   scene.sun.shadow = false;
   const glm::ivec2 size(across * side, (most + across - 1) / across * side);
@@ -148,7 +149,7 @@ TEST_CASE("exact limits: as many things as are drawn at once, each where it is; 
     if (seen[own] < std::max(seen[(own + 1) % 3], seen[(own + 2) % 3]) + 60) ++wrong;
   }
   CHECK(wrong == 0);
-  const JoiningAsked apart("no");  // if surfaces were joined, they would count as one object
+  const JoiningAsked apart("no");  // Joined surfaces would count as one object.
   surfaces.push_back(square.surface);
   surfaces.back().material = materials.data();
   try {
@@ -162,7 +163,7 @@ TEST_CASE("exact limits: as many things as are drawn at once, each where it is; 
 
 TEST_CASE("exact limits: what is nearer than the nearest plane or beyond the farthest is not drawn") {
   testContext();
-  scene::Scene scene = darkScene();  // the eye is 5 m in front of the origin
+  scene::Scene scene = darkScene();  // The eye is 5 m in front of the origin.
   scene.sun.shadow = false;
   scene.camera.near = 1;
   scene.camera.far = 6;
@@ -171,7 +172,7 @@ TEST_CASE("exact limits: what is nearer than the nearest plane or beyond the far
   const Picture empty = drawnExactly(scene, {}, {161, 153});
   for (const Shape shape : {Shape::sprite, Shape::sphere, Shape::mesh})
     for (const bool additive : {false, true})
-      for (const float size : {0.05F, 1.2F}) {  // round sprites have a radius of at most 64 pixels
+      for (const float size : {0.05F, 1.2F}) {  // Round sprites have a radius of at most 64 pixels.
         CAPTURE(static_cast<int>(shape));
         CAPTURE(additive);
         CAPTURE(size);
@@ -203,8 +204,8 @@ TEST_CASE("exact limits: one primitive over the whole picture is the same at any
   InstanceStage instance(std::vector<glm::vec3>(1, glm::vec3(0)));
   instance.instances.mesh = file;
   instance.instances.size = 1;
-  InstanceStage ball(std::vector<glm::vec3>(1, glm::vec3(0, 0, -57)));  // the eye is close to the front of
-                                                                        // the ball
+  InstanceStage ball(std::vector<glm::vec3>(1, glm::vec3(0, 0, -57)));  // The eye is close to the front of
+                                                                        // the ball.
   ball.instances.size = 120;
   instance.instances.shape = Shape::mesh;
   ball.instances.shape = Shape::sphere;
@@ -231,8 +232,8 @@ TEST_CASE("exact limits: one primitive over the whole picture is the same at any
       CAPTURE(samples);
       CHECK(with(samples).bytes == one.bytes);
     }
-    // The picture has more pixels than one invocation may loop over, and more than small triangles may
-    // cover.
+    // The picture has more pixels than one invocation may loop over, and the triangle covers more pixels
+    // than small triangles may cover.
     for (const glm::ivec2 size : {glm::ivec2(401, 301), glm::ivec2(13, 5400)}) {
       const Picture large = drawn(scene, drawables, size, 1, {.rasterizer = scene::Rasterizer::exact});
       int dark = 0;

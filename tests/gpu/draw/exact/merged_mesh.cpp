@@ -1,5 +1,5 @@
-// Tests surfaces merged into one world-space mesh against the separate surfaces: a lamp's shadow map must
-// be the same.
+// Tests surfaces merged into one world-space mesh by comparison with the separate surfaces. A lamp's shadow
+// map must be the same for both.
 #include "draw/exact/scene/merged_mesh.hpp"
 
 #include "draw/exact/scene/lamp_maps.hpp"
@@ -152,7 +152,7 @@ TEST_CASE("exact: lists of what faces of lamps may show leave out nothing that t
     const shader::Lamp& lamp = lamps.values()[static_cast<std::size_t>(face / 6)];
     const auto listed = static_cast<int>(counts[static_cast<std::size_t>(face)]);
     CHECK(listed >= shownBy(places, lamp, face % 6, -1e-4));
-    CHECK(listed <= shownBy(places, lamp, face % 6, 1e-4) + 1);  // the list may also contain the triangle
-                                                                 // with the NaN vertex
+    CHECK(listed <= shownBy(places, lamp, face % 6, 1e-4) + 1);  // The list may also contain the triangle
+                                                                 // with the NaN vertex.
   }
 }

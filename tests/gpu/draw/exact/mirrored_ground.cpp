@@ -1,4 +1,5 @@
-// Tests reflections of the ground, inside and outside the picture, against the directly visible ground.
+// Tests reflections of the ground, inside and outside the picture, by comparison with the directly visible
+// ground.
 #include "draw/camera.hpp"
 #include "draw/exact/exact_view.hpp"
 #include "draw/screen/renderer.hpp"
@@ -47,7 +48,8 @@ struct OverGround {
     drawables.instances = {ball.instances};
   }
 
-  /// Light of a pixel and the id that all its samples show. Empty if the samples show different ids.
+  /// Light of a pixel, and the id that all the pixel's samples show. Empty if the samples show different
+  /// ids.
   struct Seen {
     glm::dvec3 light{0};
     std::optional<GLuint> number;
@@ -125,7 +127,7 @@ TEST_CASE("exact: a ball of metal mirrors the ground as the picture shows it, it
     CAPTURE(static_cast<int>(projection));
     const OverGround stage(scene::Quality::standard, projection);
     const std::vector<OverGround::Seen> pixels = stage.draw();
-    // Mean light of the ground: [0] in the sun, [1] in the shadow.
+    // mean light of the ground: index 0 in the sun, index 1 in the shadow
     glm::dvec3 seen[2] = {glm::dvec3(0), glm::dvec3(0)};
     int places[2] = {0, 0};
     const auto lightOf = [](const glm::dvec3& p) {
@@ -159,13 +161,13 @@ TEST_CASE("exact: a ball of metal mirrors the ground as the picture shows it, it
     CAPTURE(worst);
     CHECK(mirrored[0] > 200);
     CHECK(mirrored[1] > 5);
-    CHECK(worst < 0.21);  // the share of light that the ground mirrors differs, because the eye and the
-                          // mirror see the ground from different angles; the light of the other place
-                          // differs by a factor of 2
+    CHECK(worst < 0.21);  // The fraction of light that the ground reflects differs, because the eye and the
+                          // mirror see the ground from different angles. In the other case (sun or shadow),
+                          // the light differs by a factor of 2.
   }
 }
 
-// Beyond the fade distance of the ground, mirrors reflect the same environment as without ground.
+// Beyond the fade distance of the ground, mirrors reflect the same environment as without a ground.
 TEST_CASE("exact: mirrors show the ground fade out where it does, and none that is not there or matt") {
   testContext();
   const auto drawn = [](scene::Quality quality, const auto& change) {
@@ -216,7 +218,7 @@ TEST_CASE("exact: mirrors near the ground show it as bright as it is, farther aw
   OverGround stage(scene::Quality::standard, scene::Projection::perspective);
   stage.scene.render.occlusionRadius.reset();
   stage.scene.sun.shadow = false;
-  stage.scene.ground->height = 1.08F;  // the ground is 0.02 m below the ball
+  stage.scene.ground->height = 1.08F;  // The ground is 0.02 m below the ball.
   const std::vector<OverGround::Seen> pixels = stage.draw();
   const auto onGround = [](const OverGround::Ray& ray) {
     return groundOn(ray.from - glm::dvec3(0, 1.08, 0), ray.along);

@@ -1,4 +1,4 @@
-// Tests pictures with mirrors: different methods of drawing must give the same picture, and reflections
+// Tests pictures with mirrors. Different methods of drawing must give the same picture, and reflections
 // must agree with path tracing.
 #include "draw/screen/renderer.hpp"
 #include "gpu/draw/draw_stage.hpp"
@@ -63,7 +63,7 @@ const std::vector<GLuint>& wordsOf(const draw::PassPicture& kept, const char* pa
   return kept.arrays.front().words;
 }
 
-/// Sums of the differences in light between path tracing and the qualities "draft" and "standard". They
+/// Sums of the differences in light between path tracing and the qualities "draft" and "standard". The sums
 /// cover the first sample of each pixel that shows one of certain ids.
 struct FromRays {
   int places = 0;
@@ -165,7 +165,7 @@ TEST_CASE("exact: what mirrors nothing has the light that it has beside matt thi
   const auto& plain = wordsOf(matt, "light", "");
   int places = 0;
   for (std::size_t at = 0; at < numbers.size(); at += 4) {
-    // Ids 0 and 1 are the triangles of the wall, 2 and 3 are the matt balls.
+    // Ids 0 and 1 are the triangles of the wall, and ids 2 and 3 are the matt balls.
     if (!std::all_of(&numbers[at], &numbers[at] + 4, [](GLuint number) { return number < 4; })) continue;
     ++places;
     for (std::size_t i = 0; i < 3; ++i) CHECK(light[at + i] == plain[at + i]);

@@ -1,5 +1,5 @@
-// Tests motion blur by the coverage of pixels by a moving sheet in front of the sky, and the interpolation
-// between frames.
+// Tests motion blur through the coverage of pixels by a moving sheet in front of the sky, and tests the
+// interpolation between frames.
 #include "draw/exact/motion/motion.hpp"
 
 #include "frame/draw_world.hpp"
@@ -75,7 +75,7 @@ scene::Scene sceneOfSheet(float angle, int samples) {
   return scene;
 }
 
-/// Returns the coverage by the static sheet: a box, convolved with the box of a pixel.
+/// Returns the coverage by the static sheet, which is a box convolved with the box of a pixel.
 Smear boxOf(double metre) {
   const glm::dvec2 sides = metre * glm::dvec2(0.4, 0.3);
   return {sides.x * sides.y, 0.5 * (glm::dvec2(shotSize) - 1.0), sides * sides / 12.0 + 1.0 / 12};
@@ -105,8 +105,8 @@ TEST_CASE("exact: a shutter spreads what moves over its way while it is open, an
     renderer.draw(1, {.surfaces = {now->surface}});
     const Smear seen = smearOf(kept, shotSize);
     CHECK(seen.area == doctest::Approx(rest.area).epsilon(0.01));
-    // The moments are at the centres of equal parts of the exposure time, which ends at the frame. They are
-    // symmetric about the middle of that time.
+    // The moments are at the centres of equal intervals of the exposure time, which ends at the frame. They
+    // are symmetric about the middle of that time.
     const glm::dvec2 end(0.5, 0.2);
     for (int i = 0; i < 2; ++i) {
       CHECK(seen.middle[i] - rest.middle[i] ==
@@ -130,7 +130,7 @@ TEST_CASE("exact: a shutter sees what jumps at one place and then at the other, 
   renderer.keepPasses(&kept);
   const Smear rest = boxOf(metre);
   sim::Surface jumped = now->surface;
-  jumped.jumped = 1 - 0.7 / scene.time.fps;  // the jump is before 9 of the 13 moments
+  jumped.jumped = 1 - 0.7 / scene.time.fps;  // The jump is before 9 of the 13 moments.
   renderer.keepBefore({.surfaces = {before->surface}});
   renderer.draw(1, {.surfaces = {jumped}});
   const Smear seen = smearOf(kept, shotSize);
@@ -205,8 +205,8 @@ TEST_CASE("exact: a shutter sees the camera move, and a frame before which nothi
   const Smear rest = boxOf(metre);
   renderer.draw(0.5, {.surfaces = {sheet->surface}});
   const Smear seen = smearOf(kept, shotSize);
-  CHECK(seen.area == doctest::Approx(rest.area).epsilon(0.03));  // the tolerance is large, because a pixel
-                                                                 // has few distinct sample heights
+  CHECK(seen.area == doctest::Approx(rest.area).epsilon(0.03));  // The tolerance is large, because a pixel
+                                                                 // has few distinct sample heights.
   // The camera moves 0.08 m to the right during the tenth of a second before the frame, so the sheet starts
   // at this distance to the right of the centre.
   CHECK(seen.middle.x - rest.middle.x == doctest::Approx(metre * 0.04).epsilon(0.03));
@@ -302,8 +302,8 @@ TEST_CASE("motion: grids, turned meshes and still ones between two frames") {
   motion.begin(present, 0.1);
   const sim::Drawables& seen = motion.between(0.25F);
   for (const glm::vec4& place : read(*seen.surfaces[0].positions, 15)) CHECK(place.z == 0.5F);
-  CHECK(seen.surfaces[0].normals == nullptr);  // grids have no normals, because shaders compute them from
-                                               // neighbouring vertices
+  CHECK(seen.surfaces[0].normals == nullptr);  // Grids have no normals, because shaders compute the normals
+                                               // from neighbouring vertices.
   CHECK(seen.surfaces[0].grid == glm::ivec2(5, 3));
   const auto places = read(*seen.surfaces[1].positions, 4);
   CHECK(places[0].x == doctest::Approx(0.3));

@@ -96,7 +96,7 @@ OcclusionTwin castTwin(const shader::ExactView& view,
   return twin;
 }
 
-/// The half pixel that shows the point `p`, and the world position at the half pixel's centre.
+/// The half-resolution pixel that shows the point `p`, and the world position at that pixel's centre.
 struct Shown {
   std::size_t index = 0;
   glm::dvec3 place{0};
@@ -177,8 +177,8 @@ TEST_CASE("exact: flat ground, a lone ball and a lone box are open") {
   scene::Scene scene = standardScene();
   scene.ground.emplace();
   scene.ground->height = 0;
-  // The occlusion of a plane consists only of rounding errors, about 3e-4 for directions that are half a
-  // pixel long.
+  // A plane does not occlude itself, so its occlusion consists only of rounding errors. They are about 3e-4
+  // for directions that are half a pixel long.
   for (const float height : {0.2F, 1.7F, 30.0F}) {
     CAPTURE(height);
     scene.camera.position = glm::vec3(0.4F, height, 4.1F);
@@ -186,8 +186,8 @@ TEST_CASE("exact: flat ground, a lone ball and a lone box are open") {
     CHECK(*std::max_element(seen.nearness.begin(), seen.nearness.end()) > 0);
     CHECK(*std::min_element(seen.openness.begin(), seen.openness.end()) > 0.998F);
   }
-  // A convex object does not occlude itself. Slopes are computed over whole half pixels, so the object's
-  // curvature causes errors, which are largest at its outline.
+  // A convex object does not occlude itself. Slopes are computed over whole half-resolution pixels, so the
+  // object's curvature causes errors, which are largest at its outline.
   scene.ground.reset();
   InstanceStage ball(std::vector<glm::vec3>{{0.1F, 0.2F, 0}});
   ball.instances.shape = sim::Instances::Shape::sphere;
@@ -230,8 +230,8 @@ TEST_CASE("occlusion: before a long wall") {
     }
     return most;
   };
-  // A half pixel is 0.06 m wide, and the mean over seven of them differs from the exact values, which are
-  // curved.
+  // A half-resolution pixel is 0.06 m wide. The mean over seven pixels differs from the exact values,
+  // because the values are a curved function of the position.
   twin.slices = 32;
   twin.steps = 100;
   CHECK(worst() < 0.02);
@@ -244,7 +244,7 @@ TEST_CASE("occlusion: before a long wall") {
 }
 
 // In a ditch between two planes, each plane hides the fraction (1 - cos e) / 2 of the sky from the opposite
-// plane, where e is the elevation angle of its upper edge above the opposite plane.
+// plane. e is the elevation angle of the upper edge of the hiding plane above the opposite plane.
 TEST_CASE("occlusion: in a ditch") {
   const shader::ExactView view = wideView({0.2F, 8, 0.3F}, {0, 0, 0}, {240, 200});
   const double deep = 1.5;
@@ -378,8 +378,8 @@ TEST_CASE("exact: all that is shaded gets as much of the sky's light as it is op
 }
 
 TEST_CASE("occlusion: shading takes what is as far away") {
-  // There are two near and two far half pixels. A point at either depth has the openness of that depth; a
-  // point between them has the mean.
+  // There are two near and two far half-resolution pixels. A point at either depth has the openness of the
+  // pixels at that depth. A point between the depths has the mean.
   OcclusionTwin twin;
   scene::Camera camera;
   twin.view = draw::exactView(draw::viewAt(camera, 0, {4, 4}, {}), camera, {4, 4});

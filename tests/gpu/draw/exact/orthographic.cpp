@@ -1,5 +1,5 @@
-// Tests orthographic cameras: picture positions are linear in space, and light, shadows and path tracing
-// agree with a very distant perspective camera.
+// Tests orthographic cameras. Picture positions must be linear in space, and light, shadows and path
+// tracing must agree with a very distant perspective camera.
 #include "draw/screen/renderer.hpp"
 #include "frame/draw_world.hpp"
 #include "gpu/draw/draw_stage.hpp"
@@ -61,8 +61,8 @@ std::string flatCamera(const std::string& more = "") {
                      eye.x, eye.y, eye.z, target.x, target.y, target.z, height, more);
 }
 
-/// Returns a perspective camera with an angle of view of one degree, so far away that it shows the same
-/// area around the target.
+/// Returns a perspective camera with an angle of view of one degree. The camera is so far away that it
+/// shows the same area around the target.
 std::string farCamera() {
   const double away = 0.5 * height / std::tan(0.5 * 0.017453292519943295);
   const glm::dvec3 there = target - away * Axes().forward;

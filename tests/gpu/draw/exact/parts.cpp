@@ -1,5 +1,5 @@
-// Tests that pictures do not depend on the grouping of objects. In one list or several, and in any order,
-// the bytes are the same, including shadows and lamp light.
+// Tests that pictures do not depend on the grouping of objects. In one list or several lists, and in any
+// order, the bytes must be the same, including shadows and lamp light.
 #include "base/file.hpp"
 #include "gpu/draw/ball_stage.hpp"
 #include "gpu/draw/exact/stage.hpp"
@@ -153,7 +153,8 @@ TEST_CASE("exact parts: triangles as one surface, as several or in the other ord
 TEST_CASE("exact parts: a surface's colours are its own after others, by palette") {
   testContext();
   scene::Scene scene = dealtScene();
-  scene.sun.shadow = false;  // the sun's shadow map is fitted to all objects, including hidden ones
+  scene.sun.shadow = false;  // The sun's shadow map is fitted to all objects, including hidden ones, so it
+                             // would change the picture.
   const std::vector<glm::vec4> colors = {{0.9F, 0.1F, 0.1F, 1}, {0.1F, 0.9F, 0.2F, 1}, {0.2F, 0.3F, 1, 1}};
   const auto buffer = gl::Buffer::of<glm::vec4>("palette", colors);
   const gl::Texture palette = gl::Texture::view("palette", GL_RGBA32F, buffer);

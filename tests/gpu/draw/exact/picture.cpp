@@ -49,7 +49,7 @@ scene::Scene exactScene(int samples) {
   scene.sun.shadow = false;
   scene.ground.emplace();
   scene.ground->height = -0.2F;
-  scene.ground->roughness = 0.4F;  // reflective, because the CPU version assumes that
+  scene.ground->roughness = 0.4F;  // The ground is reflective, because the CPU version assumes that.
   return scene;
 }
 

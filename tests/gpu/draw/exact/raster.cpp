@@ -16,7 +16,7 @@ namespace {
 
 constexpr unsigned noKey = 0xffffffffU;
 
-/// Uniform random numbers in (low, high) that are the same with every standard library.
+/// Generator of uniform random numbers in (low, high) that are the same with every standard library.
 class MeshDice {
  public:
   explicit MeshDice(unsigned seed) : engine_(seed) {}
@@ -49,8 +49,8 @@ struct TriangleSoup {
 TriangleSoup soup(unsigned seed) {
   MeshDice dice(seed);
   TriangleSoup all;
-  // Triangle 0 is invisible, because uninitialized memory may contain its id. The first visible triangle is
-  // in the lists.
+  // Triangle 0 is invisible, because uninitialized memory may contain the id 0. The first visible triangle
+  // comes from the lists below.
   all.add({0, 0, 0}, {0, 0, 0}, {1, 0, 0});
   all.add({-0.05F, -0.05F, 4.2F}, {0.05F, -0.05F, 4.2F}, {0, 0.05F, 4.2F});
   for (int i = 0; i < 300; ++i) {
@@ -93,7 +93,7 @@ TEST_CASE("exact: what triangles show is what the twin says, small ones alone or
         CHECK(tiles.keys == twin.keys);
         CHECK(tiles.ids == twin.ids);
       }
-      // Max number of triangles that are binned by tile: none, one, some, and all.
+      // Values of the max number of triangles that are binned by tile: none, one, some, and all.
       for (const int binRoom : {0, 1, 40, 1 << 20}) {
         CAPTURE(binRoom);
         const SeenSamples small =

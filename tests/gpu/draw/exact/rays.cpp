@@ -1,4 +1,4 @@
-// Tests path-traced light against closed forms.
+// Tests path-traced light by comparison with closed forms.
 #include "base/hash.hpp"
 #include "draw/exact/rays/ray_light.hpp"
 #include "gpu/draw/exact/ray_stage.hpp"
@@ -99,7 +99,7 @@ TEST_CASE("rays: a straight edge has a penumbra as wide as the sun is") {
   scene.sun.direction = glm::vec3(0, 1, 0);
   scene.sun.diameter = 20.0F;
   setGround(scene, 0.5F);
-  // A wide sheet at x < 0, one metre above the ground. The camera is between sheet and ground.
+  // The sheet is wide, at x < 0, and one metre above the ground. The camera is between sheet and ground.
   TriangleStage sheet({{-50, 1, -50}, {0, 1, -50}, {-50, 1, 50}, {0, 1, 50}}, {0, 2, 1, 1, 2, 3});
   sheet.surface.doubleSided = true;
   sheet.material.color = glm::vec3(0);

@@ -1,4 +1,4 @@
-// Tests materials at ray hits against closed forms and against directly visible materials.
+// Tests materials at ray hits by comparison with closed forms and with directly visible materials.
 #include "draw/surface/skin_look.hpp"
 #include "gpu/draw/exact/ray_stage.hpp"
 #include "gpu/draw/image_file.hpp"
@@ -108,7 +108,8 @@ TEST_CASE(
       sheet.material.color = glm::vec3(0.9F);
       if (of == Of::map) sheet.material.finish.color = texels;
       if (of == Of::relief) {
-        scene.sun.direction = glm::vec3(1, 0.3F, 1);  // from the side, so that the relief changes the light
+        scene.sun.direction = glm::vec3(1, 0.3F, 1);  // The light comes from the side, so that the relief
+                                                      // changes it.
         sheet.material.texture = ramp.path();
         sheet.material.bump = 0.3F;
       }
@@ -136,10 +137,10 @@ TEST_CASE(
           most = std::max(most, b[i]);
         }
       }
-    CHECK(most > 0.5);                                // the brightest pixel proves that the sheet is
-                                                      // visible
-    CHECK(worst < (of == Of::relief ? 0.03 : 0.05));  // for the relief, the difference would be 0.11 if the
-                                                      // reflected sheet were flat
+    CHECK(most > 0.5);                                // The brightest pixel proves that the sheet is
+                                                      // visible.
+    CHECK(worst < (of == Of::relief ? 0.03 : 0.05));  // For the relief, the difference would be 0.11 if the
+                                                      // reflected sheet were flat.
   }
 }
 
@@ -274,8 +275,8 @@ TEST_CASE("rays see: sheen in a furnace has its lobe's albedo") {
 
 TEST_CASE("rays see: light goes through sheets that are round by their normals, and not back onto them") {
   testContext();
-  // A flat cap of six triangles. There is nothing below it, so the light that its lobe reflects is not
-  // halved.
+  // The surface is a flat cap of six triangles. There is nothing below it, so the light that its lobe
+  // reflects is not halved.
   std::vector<glm::vec3> places(1, glm::vec3(0, 0.25F, 0)), normals(1, glm::vec3(0, 1, 0));
   std::vector<unsigned> corners;
   for (unsigned i = 0; i < 6; ++i) {

@@ -19,8 +19,8 @@ namespace {
 constexpr glm::ivec2 mirrorPicture(240, 160);
 
 struct MirrorMet {
-  double depth = 0;  ///< depth of the hit point (m); equals the ray parameter, because the ray has a depth
-                     ///< of 1 per unit
+  double depth = 0;  ///< depth of the hit point (m); equal to the ray parameter, because rays are scaled to
+                     ///< a depth of 1
   bool mirror = false;
 };
 using MirrorSeen = std::function<MirrorMet(glm::dvec3 eye, glm::dvec3 ray)>;
@@ -82,7 +82,8 @@ std::optional<double> rayOnBall(glm::dvec3 from, glm::dvec3 ray, glm::dvec3 midd
 /// Statistics of the distances between the hit points of reflections in the mirror y = 0 and the exact hit
 /// points from `truth`. Only rays that hit something within the reach and inside the picture count.
 struct MirrorJudged {
-  int met = 0, near = 0, missed = 0, invented = 0;  ///< near: within 0.03 m of the exact point
+  int met = 0, near = 0, missed = 0, invented = 0;  ///< near: number of hit points within 0.03 m of the
+                                                    ///< exact point
   double worst = 0, mean = 0;
 };
 
@@ -121,7 +122,8 @@ MirrorJudged judgeMirror(const ReflectionsTwin& twin, const MirrorSeen& seen,
 
 }  // namespace
 
-// A wall z = -1 behind a mirror y = 0. Rays from the mirror must hit the wall at the correct point.
+// There is a wall in the plane z = -1 behind a mirror in the plane y = 0. Rays from the mirror must hit the
+// wall at the correct point.
 TEST_CASE("reflections: in a plane mirror a wall is where its mirror image is") {
   const shader::ExactView view = exactViewFrom({0.3F, 1.3F, 3}, {0, 0.2F, -0.6F}, mirrorPicture);
   const MirrorSeen seen = [](glm::dvec3 eye, glm::dvec3 ray) {
@@ -177,9 +179,9 @@ TEST_CASE("reflections: a ball over a plane mirror is where its mirror image is"
   CHECK(judged.met > 800);
   CAPTURE(judged.near);
   CHECK(judged.missed < 0.03 * judged.met);
-  CHECK(judged.invented < hidden + 60);  // wrong reflections may occur for hits on hidden parts and at the
-                                         // outline of the ball
-  // At the outline of the ball, some of a half pixel's light comes from the background.
+  CHECK(judged.invented < hidden + 60);  // Wrong reflections may occur for hits on hidden parts and at the
+                                         // outline of the ball.
+  // At the outline of the ball, some of the light of a half-resolution pixel comes from the background.
   CHECK(judged.near > 0.8 * judged.met);
 }
 

@@ -1,4 +1,5 @@
-// Tests shadow maps: balls against double precision, mesh copies against a surface with the same triangles.
+// Tests shadow maps. Compares balls with double precision, and mesh copies with a surface that has the same
+// triangles.
 #include "draw/exact/instances/ball_raster.hpp"
 #include "draw/exact/instances/copy_raster.hpp"
 #include "draw/exact/triangles/triangle_raster.hpp"
@@ -72,8 +73,7 @@ TEST_CASE("sun's map: of balls the one nearest to the sun, in double precision, 
   const std::vector<glm::vec4> places = spread(190, 51);
   std::vector<glm::vec4> speeds(places.size(), glm::vec4(0));
   for (std::size_t i = 0; i < speeds.size(); i += 9)
-    speeds[i].w = -1;  // a negative age means that the
-                       // particle is dead
+    speeds[i].w = -1;  // A negative age means that the particle is dead.
   InstanceStage first(places, speeds);
   InstanceStage second({{0.1F, 0.4F, 0.2F, 1}, {-4.5F, 1, 0, 300}}, {glm::vec4(0), glm::vec4(0)});
   for (InstanceStage* group : {&first, &second}) {
@@ -178,8 +178,8 @@ TEST_CASE("sun's map: copies of a mesh throw the shadows of the same triangles o
     const DartSurface same(mesh, places, size);
     const draw::MapPart part{.slopeOffset = 1.5F};
     std::vector<unsigned> wanted;
-    for (const int binRoom : {0, 5, 1 << 20}) {  // max number of triangles that are binned by tile: none,
-                                                 // some, all
+    for (const int binRoom : {0, 5, 1 << 20}) {  // values of the max number of triangles that are binned by
+                                                 // tile: none, some, all
       draw::TriangleRaster surfaces(draw::TriangleRaster::Into::sunMap, 1, draw::smallTriangle(),
                                     draw::fansOfTriangles(), 0, binRoom);
       stage.clear();
@@ -191,8 +191,8 @@ TEST_CASE("sun's map: copies of a mesh throw the shadows of the same triangles o
     const auto empty = std::count(wanted.begin(), wanted.end(), 0xffffffffU);
     CHECK(empty > 500);
     CHECK(empty < stage.side * stage.side - 2000);
-    CHECK(std::count(wanted.begin(), wanted.end(), 0x7fffffffU) > 20);  // some texels show triangles at the
-                                                                        // far end of the map
+    CHECK(std::count(wanted.begin(), wanted.end(), 0x7fffffffU) > 20);  // Some texels show triangles at the
+                                                                        // far end of the map.
     for (const auto& [smallPixels, pairs] : {std::pair(16, 1U << 22U), {0, 100U}, {64, 17U}}) {
       CAPTURE(smallPixels);
       draw::CopyRaster raster(draw::CopyRaster::Into::sunMap, 1, smallPixels, pairs, pairs == 17U ? 0 : 40);

@@ -82,12 +82,12 @@ TEST_CASE("velocities: a turning rod's are omega x r, by how far it has come in 
   int seen = 0;
   CHECK(worst(layers, seen, expected) < 2e-3);
   CHECK(seen > 100);
-  // The velocity differs from omega x r by a second-order term in the rotation angle per frame.
+  // The velocity differs from omega x r by a term of second order in the rotation angle per frame.
   int again = 0;
   const double off =
       worst(layers, again, [&](const glm::dvec3& p) { return omega * glm::dvec3(-p.y, p.x, 0); });
   CHECK(off < 0.55 * omega * omega / fps * 0.5);
-  CHECK(off > 0.1);  // the difference shows that the velocity follows the chord, not the tangent
+  CHECK(off > 0.1);  // The difference shows that the velocity follows the chord, not the tangent.
   int still = 0;
   CHECK(worst(layersAt(movingScene(rod), 0), still, [](const auto&) { return glm::dvec3(0); }) == 0);
   CHECK(still > 80);

@@ -1,5 +1,5 @@
-// Tests vertex colours and materials of files. The result must be the same on static, deformed, skinned and
-// floating meshes and on cloth.
+// Tests vertex colours and materials of mesh files. The result must be the same on static, deformed,
+// skinned and floating meshes and on cloth.
 #include "draw/screen/renderer.hpp"
 #include "frame/draw_world.hpp"
 #include "gpu/context.hpp"
