@@ -383,7 +383,8 @@ void KernelsParameters::ports(Ports& ports) const {
   ports.provide<FluidWind>(wind.has_value(), " without \"wind\"");
   const bool collides = terrain && terrain->collides;
   ports.provide<Touchable>(collides);
-  ports.provide<HeightField>(collides).path = {"terrain", "collides"};
+  ports.provide<HeightField>(collides, " without a \"terrain\" that \"collides\"").path = {"terrain",
+                                                                                           "collides"};
 }
 
 const char* KernelsParameters::drawnWith() const {
