@@ -30,7 +30,7 @@ FLOATS(xAcos) FLOATS(xSinh) FLOATS(xCosh) FLOATS(xTanh) FLOATS(xAsinh) FLOATS(xA
 EACH_3(xFma) EACH_3(xMix) EACH_3(xClamp) EACH_3(xSmoothstep)
 EACH_1(xToInt, ivec, vec) EACH_1(xToUint, uvec, vec) EACH_1(xIsNan, bvec, vec) EACH_1(xIsInf, bvec, vec)
 EACH_2(xUdiv, uvec, uvec, uvec) EACH_2(xUmod, uvec, uvec, uvec) EACH_2(xSdiv, ivec, ivec, ivec)
-EACH_2(xSrem, ivec, ivec, ivec) EACH_2(xSmod, ivec, ivec, ivec) EACH_2(xLdexp, vec, vec, ivec)
+EACH_2(xSrem, ivec, ivec, ivec) EACH_2(xSremBy, ivec, ivec, ivec) EACH_2(xSmod, ivec, ivec, ivec) EACH_2(xLdexp, vec, vec, ivec)
 
 float xDot(const float a, const float b) {
   precise float p = TIMES(a, b);

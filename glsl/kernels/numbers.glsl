@@ -259,20 +259,52 @@ uint xToUint(const float x) {
   return mix(i, 0xffffffffu, uint(floatBitsToInt(x) - 0x4f800000) <= uint(xInfinity - 0x4f800000));
 }
 
-// Returns a / b. Division by zero gives a result with all bits set, as in Direct3D. For signed integers, the lowest
-// integer divided by -1 gives the lowest integer.
+// Corrects a quotient and its remainder if the remainder is not below b.
+uvec2 xCorrected(const uvec2 made, const uint b) {
+  bool more = made.y >= b;
+  return uvec2(made.x + uint(more), made.y - mix(0u, b, more));
+}
+
+// Returns the quotient and the remainder for b > 0. Software drivers divide integers one lane at a time, which takes
+// about 25 cycles each, so the quotient comes from a product: with r = 2^32 / b from below, the high word of a r is at most 2
+// less than a / b. The float s is below 2^32 / b by a factor of 1 - 2^-20, which is more than its error, and a Newton step in
+// whole numbers, r + r (2^32 - b r) / 2^32, squares the error. Two corrections make the result exact.
+uvec2 xDivided(const uint a, const uint b) {
+  float whole = float(b);
+  precise float y = intBitsToFloat(0x7ef311c7 - floatBitsToInt(whole));
+  y = y * (2.0 - whole * y);
+  y = y * (2.0 - whole * y);
+  precise float s = y * 4294963200.0;
+  uint r = uint(s);
+  uint high, low;
+  umulExtended(r, 0u - b * r, high, low);
+  r += high;
+  umulExtended(a, r, high, low);
+  uvec2 made = xCorrected(uvec2(high, a - high * b), b);
+  return xCorrected(made, b);
+}
+
+// Division by zero gives a result with all bits set, as in Direct3D. The lowest integer divided by -1 gives the lowest
+// integer.
 uint xUdiv(const uint a, const uint b) {
-  return mix(a / mix(b, 1u, b == 0u), 0xffffffffu, b == 0u);
+  uvec2 made = xDivided(a, mix(b, 1u, b == 0u));
+  return mix(made.x, 0xffffffffu, b == 0u);
 }
 uint xUmod(const uint a, const uint b) {
-  return mix(a % mix(b, 1u, b == 0u), 0xffffffffu, b == 0u);
+  uvec2 made = xDivided(a, mix(b, 1u, b == 0u));
+  return mix(made.y, 0xffffffffu, b == 0u);
 }
 int xSdiv(const int a, const int b) {
-  uint q = uint(abs(a)) / mix(uint(abs(b)), 1u, b == 0);
+  uint q = xDivided(uint(abs(a)), mix(uint(abs(b)), 1u, b == 0)).x;
   return mix(mix(int(q), -int(q), (a ^ b) < 0), -1, b == 0);
 }
 // Return the remainders of integer divisions. xSrem() has the sign of a, xSmod() the sign of b.
 int xSrem(const int a, const int b) {
+  uint r = xDivided(uint(abs(a)), mix(uint(abs(b)), 1u, b == 0)).y;
+  return mix(mix(int(r), -int(r), a < 0), -1, b == 0);
+}
+// For a constant b, with which drivers multiply and shift.
+int xSremBy(const int a, const int b) {
   uint r = uint(abs(a)) % mix(uint(abs(b)), 1u, b == 0);
   return mix(mix(int(r), -int(r), a < 0), -1, b == 0);
 }

@@ -25,6 +25,16 @@ struct WaterKernel {
 #include "glsl/water/step.glsl"
 };
 
+/// Provides the heights that the kernel of the bed reads, and includes the model files.
+struct BedKernel {
+  const std::vector<glm::vec4>& heights;
+  HeightGrid heightGrid;
+
+  [[nodiscard]] vec4 loadHeights(int i) const { return heights[static_cast<std::size_t>(i)]; }
+#include "glsl/mesh/height_model.glsl"
+#include "glsl/water/bed.glsl"
+};
+
 /// Provides the inputs of the kernels of floats, and includes the model files.
 struct FloatKernel {
   const std::vector<glm::vec4>& cells;
@@ -92,6 +102,16 @@ void WaterTwin::advance(const shader::WaterStep& water) {
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x) next_[i++] = kernel.waterStepped(x, y);
   std::swap(cells, next_);
+}
+
+void WaterTwin::follow(const std::vector<glm::vec4>& heights, const shader::HeightGrid& grid, bool fresh) {
+  const glm::ivec2 size = plan_.parameters().size;
+  const shader::WaterLook look = plan_.look();
+  shader::BedKernel kernel{heights, grid};
+  std::size_t i = 0;
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x, ++i)
+      cells[i] = kernel.waterOnBed(cells[i], {x, y}, {{look.left, look.back}, look.cell, look.base}, fresh);
 }
 
 void WaterTwin::fall(double time, int step) {

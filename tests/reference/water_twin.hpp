@@ -1,4 +1,5 @@
 #pragma once
+#include "sim/mesh/height_plan.hpp"
 #include "sim/water/plan.hpp"
 
 #include <vector>
@@ -14,6 +15,9 @@ class WaterTwin {
 
   /// Steps one frame that starts at `time` (seconds).
   void step(double time);
+  /// Moves the bed to `heights`, which have the layout of sim::HeightField, on the grid `grid`. If `fresh`
+  /// is true, the level stays the same, as at the start of a run.
+  void follow(const std::vector<glm::vec4>& heights, const simreel::shader::HeightGrid& grid, bool fresh);
   /// Computes one step without rain, strokes and drops.
   void advance(const simreel::shader::WaterStep& water);
   /// Returns the cells that glsl/water/look.comp computes for drawing.

@@ -43,7 +43,7 @@ struct Formulas {
   }
 };
 
-/// Maximum number of components of a formula: four 4 x 4 matrices.
-inline constexpr std::size_t maxFormulaParts = 64;
+/// Maximum number of components of a formula: the 32-bit numbers in a uniform block of 64 KB.
+inline constexpr std::size_t maxFormulaParts = 16384;
 
 }  // namespace simreel::scene

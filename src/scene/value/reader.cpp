@@ -151,8 +151,9 @@ class MemberReader {
       return !node.children.empty();
     }
     if (value.parts.size() == maxFormulaParts) {
-      context_.diagnostics.add(node.place(),
-                               fmt::format("a value has at most {} numbers", maxFormulaParts));
+      context_.diagnostics.add(
+          node.place(), fmt::format("a value has at most {} numbers; a shader takes more from a buffer",
+                                    maxFormulaParts));
       return false;
     }
     if (node.kind == Node::Kind::text) {

@@ -36,6 +36,12 @@ struct KernelMemory {
   Wrap wrap = Wrap::shader;
 };
 
+/// File with the numbers of a constant: a row for each element of its array.
+struct KernelConstantFile {
+  std::string name;  ///< name of the constant
+  std::filesystem::path file;
+};
+
 /// Entry of a schedule: a dispatch, or an operation between dispatches.
 struct KernelEntry {
   std::string kernel;
@@ -136,6 +142,7 @@ struct KernelDescription {
   scene::Formula keywords;
   std::vector<KernelMemory> buffers, textures;
   scene::Formulas constants;
+  std::vector<KernelConstantFile> constantFiles;
   int steps = 1;  ///< number of steps per frame
   std::vector<KernelEntry> first, step;
   /// Reaction to out-of-bounds accesses: stop ends the run, ignore reports the first access and continues,

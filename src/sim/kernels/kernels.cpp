@@ -172,6 +172,7 @@ class Kernels : public Simulation, public RaceChecked, public FrameStarter {
   void showStart() {
     store_.settle();
     drawn_.update(store_, startTime_);
+    endFrame();
     if (wind_) wind_->update(store_);
   }
 

@@ -214,7 +214,18 @@ void KernelsParameters::describe(scene::Fields& f) {
       "constants", constants,
       "Values of the shader's constants: numbers, lists of them, keyframes, or expressions of dt, time, "
       "frame, steps, seed, count(BUFFER), width(TEXTURE), height(TEXTURE), depth(TEXTURE), and "
-      "quantity(OBJECT.QUANTITY), a quantity of another object at the beginning of the frame.");
+      "quantity(OBJECT.QUANTITY), a quantity of another object at the beginning of the frame. An array "
+      "takes all its numbers, or the formulas of one element, in which i counts the elements from 0.");
+  f.shorthand("constantFiles", "file");
+  f.named(
+      "constantFiles", constantFiles, "Files with the numbers of constants.", "constant",
+      [](scene::Fields& c, KernelConstantFile& one) {
+        c.asset("file", one.file,
+                "Table with a row for each element of the array: CSV, npy (columns c0, c1, ...), a mesh or "
+                "a picture. Formulas of the constant know the columns; without any, it takes them in their "
+                "order. count(CONSTANT) is the number of rows.");
+      },
+      64);
   f.integer("steps", steps, {0, 100000}, "per frame", "Steps a frame takes; dt is their length.");
   f.shorthand("first", "kernel");
   f.list("first", first, "What runs once, before the first frame.",
@@ -373,7 +384,8 @@ void KernelsParameters::ports(Ports& ports) const {
   ports.provide<FluidWind>(wind.has_value(), " without \"wind\"");
   const bool collides = terrain && terrain->collides;
   ports.provide<Touchable>(collides);
-  ports.provide<HeightField>(collides).path = {"terrain", "collides"};
+  ports.provide<HeightField>(collides, " without a \"terrain\" that \"collides\"").path = {"terrain",
+                                                                                           "collides"};
 }
 
 const char* KernelsParameters::drawnWith() const {

@@ -82,6 +82,7 @@ KernelPlan::KernelPlan(const KernelDescription& parameters, std::shared_ptr<cons
     for (const kernels::Texture& texture : kernel.textures) collectTexture(texture);
   }
   holdNames(parameters);
+  planConstantFiles(parameters);
   size(parameters);
   if (!mistakes_.empty()) return;
   planConstants(parameters);
@@ -202,7 +203,32 @@ void KernelPlan::collectTexture(const kernels::Texture& from) {
   textures_.push_back(std::move(texture));
 }
 
+int KernelPlan::placeOfLookup(const std::string& name, double value) {
+  std::size_t at = 0;
+  while (at < lookups_.size() && lookups_[at].first != name) ++at;
+  if (at == lookups_.size()) lookups_.emplace_back(name, value);
+  return static_cast<int>(std::size(plainNames) + at);
+}
+
+int KernelPlan::placeInConstant(const std::string& name) {
+  if (planned_ == nullptr) return -1;
+  if (planned_->table != nullptr) {
+    const std::vector<std::string>& columns = planned_->table->columns;
+    const auto column = std::find(columns.begin(), columns.end(), name);
+    if (column != columns.end()) {
+      const int place = placeOfLookup(fmt::format("{} {}", plannedName_, name), 0);
+      planned_->columns.emplace_back(place, column - columns.begin());
+      return place;
+    }
+  }
+  if (name != "i") return -1;
+  planned_->counts = true;
+  // No formula can contain the blank, so that i is unknown outside constants.
+  return planned_->countPlace = placeOfLookup("constant i", 0);
+}
+
 int KernelPlan::placeOf(const std::string& name) {
+  if (const int place = placeInConstant(name); place >= 0) return place;
   for (std::size_t i = 0; i < std::size(plainNames); ++i)
     if (name == plainNames[i]) return static_cast<int>(i);
   for (std::size_t i = 0; i < lookups_.size(); ++i)
@@ -211,24 +237,26 @@ int KernelPlan::placeOf(const std::string& name) {
   if (open == std::string::npos) return -1;
   const std::string function = name.substr(0, open), memory = name.substr(open + 1, name.size() - open - 2);
   if (function == "quantity") {
-    if (!takesQuantities_ || memory.find('.') == std::string::npos) return -1;
+    if (planned_ == nullptr || memory.find('.') == std::string::npos) return -1;
     quantities_.push_back({memory, {}});
     quantityPlaces_.push_back(lookups_.size());
-    lookups_.emplace_back(name, 0.0);
-    return static_cast<int>(std::size(plainNames) + lookups_.size()) - 1;
+    return placeOfLookup(name, 0);
   }
   const int buffer = bufferNamed(memory), texture = textureNamed(memory);
-  if (buffer < 0 && texture < 0) return -1;
+  if (buffer < 0 && texture < 0) {
+    const auto constant = constants_.find(memory);
+    if (function != "count" || constant == constants_.end() || constant->second.table == nullptr) return -1;
+    return placeOfLookup(name, static_cast<double>(constant->second.table->rows()));
+  }
   const bool sized = buffer >= 0 ? buffers_[static_cast<std::size_t>(buffer)].sized
                                  : textures_[static_cast<std::size_t>(texture)].sized;
   if (!sized) return -1;
   const glm::ivec3 size = buffer >= 0 ? buffers_[static_cast<std::size_t>(buffer)].size
                                       : textures_[static_cast<std::size_t>(texture)].size;
-  lookups_.emplace_back(name, function == "count"    ? 1.0 * size.x * size.y * size.z
-                              : function == "width"  ? size.x
-                              : function == "height" ? size.y
-                                                     : size.z);
-  return static_cast<int>(std::size(plainNames) + lookups_.size()) - 1;
+  return placeOfLookup(name, function == "count"    ? 1.0 * size.x * size.y * size.z
+                             : function == "width"  ? size.x
+                             : function == "height" ? size.y
+                                                    : size.z);
 }
 
 std::string KernelPlan::unsizedIn(const std::string& name) const {
@@ -243,6 +271,9 @@ PlannedNumber KernelPlan::compiled(const scene::Formula::Part& part, std::vector
   std::vector<std::string> known(std::begin(plainNames), std::end(plainNames));
   for (const PlannedBuffer& buffer : buffers_) known.push_back(fmt::format("count({})", buffer.name));
   for (const PlannedTexture& texture : textures_) known.push_back(fmt::format("width({})", texture.name));
+  if (planned_ != nullptr) known.emplace_back("i");
+  if (planned_ != nullptr && planned_->table != nullptr)
+    known.insert(known.end(), planned_->table->columns.begin(), planned_->table->columns.end());
   const std::size_t quantitiesBefore = quantities_.size();
   try {
     PlannedNumber made{
@@ -253,7 +284,7 @@ PlannedNumber KernelPlan::compiled(const scene::Formula::Part& part, std::vector
   } catch (const scene::ExpressionMistake& wrong) {
     if (part.text.substr(wrong.begin).starts_with("quantity(")) {
       mistake(std::move(path),
-              takesQuantities_
+              planned_ != nullptr
                   ? "a quantity has the name of an object and its own: quantity(OBJECT.QUANTITY)"
                   : "only constants use quantities of objects, which change from frame to frame",
               wrong.begin, wrong.end);

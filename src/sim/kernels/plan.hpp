@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -158,10 +159,23 @@ class KernelPlan {
   [[nodiscard]] glm::uvec3 groups(const PlannedEntry& entry, const Now& now) const;
 
  private:
+  /// Value of a constant: numbers for all its elements, or formulas for one element.
   struct Constant {
     std::vector<PlannedNumber> parts;
     std::optional<scene::Animated<glm::vec4>> moving;
-    int width = 0;
+    std::size_t width = 0;
+    const KernelTable* table = nullptr;  ///< file with a row per element, or null
+    /// Columns of the table that the formulas use: index in the list of variables, and column.
+    std::vector<std::pair<std::size_t, std::size_t>> columns = {};
+    bool counts = false;    ///< true if a formula uses i, the element's index
+    int countPlace = -1;    ///< index of i in the list of variables
+    bool changes = false;   ///< true if the value may differ between dispatches
+    bool fromFile = false;  ///< true if the formulas are the columns of the table
+  };
+  /// Constant that a slot takes its value from, and the index of the slot's struct in its array.
+  struct Found {
+    const Constant* constant = nullptr;
+    std::size_t element = 0;
   };
   void collectBuffer(const kernels::Buffer& from);
   void collectTexture(const kernels::Texture& from);
@@ -171,7 +185,18 @@ class KernelPlan {
   void sizeOf(const char* list, const KernelMemory& given, int axes, glm::ivec3& size, bool& sized);
   void holdBytes();
   void planConstants(const KernelDescription& parameters);
+  void planConstantFiles(const KernelDescription& parameters);
   void holdConstants();
+  void holdBlock(const kernels::Kernel& kernel, const kernels::Block& block, std::set<std::string>& used);
+  void holdConstant(Constant& constant, const std::string& name, const KernelSlot& slot,
+                    std::size_t elements);
+  [[nodiscard]] Found constantOf(const std::string& path) const;
+  /// Returns the index of i or a table column in the list of variables, or -1. Only formulas of constants
+  /// have these names.
+  int placeInConstant(const std::string& name);
+  int placeOfLookup(const std::string& name, double value);
+  [[nodiscard]] double numberOf(const Found& found, const KernelSlot& slot, std::size_t i, const Now& now,
+                                std::vector<double>& all) const;
   void planEntries(const std::vector<KernelEntry>& given, const char* list,
                    const std::vector<std::string>& announced, int perFrame,
                    std::vector<PlannedEntry>& planned);
@@ -225,7 +250,8 @@ class KernelPlan {
                  ///< plain variables
   std::vector<Quantity> quantities_;
   std::vector<std::size_t> quantityPlaces_;  ///< index of each quantity in lookups_
-  bool takesQuantities_ = false;             ///< true while the constants are being planned
+  Constant* planned_ = nullptr;              ///< constant that is being planned, or null
+  std::string plannedName_;                  ///< its name
   PlannedDrawing drawn_;
   std::vector<Mistake> mistakes_;
   KernelTables tables_;

@@ -86,6 +86,7 @@ void addSlots(const kernels::Member& member, const std::string& path, std::size_
     const auto offsets = componentsOf(shape, member.bytes, base + i * member.stride);
     slot.offsets.insert(slot.offsets.end(), offsets.begin(), offsets.end());
   }
+  slot.elements = count;
   slots.push_back(std::move(slot));
 }
 

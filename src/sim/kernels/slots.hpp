@@ -18,6 +18,7 @@ struct KernelSlot {
   bool used = true;                  ///< for constants only: true if the kernel reads the value
   std::vector<std::size_t> offsets;  ///< byte offset of each component; the components of a matrix are in
                                      ///< row order
+  std::size_t elements = 1;          ///< number of array elements; each has an equal share of `offsets`
 
   [[nodiscard]] std::size_t width() const { return number == Number::doubleReal ? 8 : 4; }
 };

@@ -81,7 +81,11 @@ class DeformedMesh : public Simulation, public ContactSolid {
                                : StageClock::Of::cpu) {
     makeVertices();
     if (onDevice()) makePrograms(setting.fast);
-    if (parameters.collides) heights_.emplace(name_, HeightPlan(parameters, frameSeconds_));
+    if (parameters.collides) {
+      heights_.emplace(name_, HeightPlan(parameters, frameSeconds_));
+      deform(setting.startTime);
+      heights_->setHeights(shown().positions);
+    }
     if (parameters.byFaces) time_ = setting.startTime;
     if (parameters.byFaces) touched_.emplace(name_, rest_.positions, setting.fast);
     deform(parameters.byFaces ? setting.startTime : 0.0);
@@ -98,11 +102,6 @@ class DeformedMesh : public Simulation, public ContactSolid {
     if (touched_) {
       deform(time);
       touched_->takeBegin(shown().positions);
-    }
-    if (heights_ && !hasHeights_) {
-      deform(time);
-      heights_->setHeights(shown().positions);
-      hasHeights_ = true;
     }
     if (plan_.hasTrail()) press(time_);
     deform(time_);
@@ -125,9 +124,7 @@ class DeformedMesh : public Simulation, public ContactSolid {
 
   void carryOver(CarryOver& carry) override {
     if (plan_.hasTrail()) carry.array("trail", trail_.buffer());
-    if (!heights_) return;
-    carry.number("has heights", hasHeights_);
-    heights_->carryOver(carry);
+    if (heights_) heights_->carryOver(carry);
   }
   void resumed(double time) override {
     time_ = time;
@@ -217,7 +214,6 @@ class DeformedMesh : public Simulation, public ContactSolid {
   gl::Kernel<NormalKernel> gather_;
   std::unique_ptr<PositionReadback> readback_;
   std::optional<HeightField> heights_;    ///< set only for a mesh that collides as a height field
-  bool hasHeights_ = false;               ///< true once the heights at the start of the run are stored
   std::optional<MovedVertices> touched_;  ///< set only for a mesh whose faces collide
 };
 

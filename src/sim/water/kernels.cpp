@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "gl/limits.hpp"
+#include "sim/mesh/height_field.hpp"
 #include "sim/water/quantities.hpp"
 
 #include <algorithm>
@@ -74,6 +75,17 @@ struct WaterSums {
   gl::Out<"laneSums"> laneSums;
 };
 
+struct WaterBed {
+  static constexpr auto file = "water/bed.comp";
+  gl::Uniform<"size", glm::ivec2> size;
+  gl::Uniform<"fresh", bool> fresh;
+  gl::Uniform<"waterGround.corner", glm::vec2> corner;
+  gl::Uniform<"waterGround.cell", float> cell;
+  gl::Uniform<"waterGround.base", float> base;
+  HeightPart heights;
+  gl::InOut<"cells"> cells;
+};
+
 void WaterKernels::checkLimits(const std::string& name, glm::ivec2 size) {
   const std::int64_t cells = std::int64_t{size.x} * size.y;
   const auto refuse = [&](std::int64_t need, const char* what, std::int64_t max, const char* limit) {
@@ -112,6 +124,7 @@ WaterKernels::WaterKernels(const std::string& name, const WaterPlan& plan, bool 
   show_ = gl::Kernel<WaterShow>(defines);
   sums_ = gl::Kernel<WaterSums>(defines);
   tally_ = Tally(name, defines);
+  if (!plan.parameters().groundObject.empty()) bed_ = gl::Kernel<WaterBed>(defines);
   if (!plan.anythingFalls()) return;
   stamps_ = gl::WordsArray(name + " stroke images", plan.strokes().imageElements());
   paint_ = gl::Kernel<WaterPaint>(defines);
@@ -141,6 +154,18 @@ void WaterKernels::step(int number) {
     columns_.dispatch({size_.x, parts}, {part});
   std::swap(cells_[0], cells_[1]);
   std::swap(words_[0], words_[1]);
+}
+
+void WaterKernels::follow(const HeightField& heights, int number) const {
+  const shader::WaterLook look = plan_->look();
+  const int steps = plan_->substeps();
+  bed_.dispatch(size_, {.size = size_,
+                        .fresh = number == 0,
+                        .corner = glm::vec2(look.left, look.back),
+                        .cell = look.cell,
+                        .base = look.base,
+                        .heights = heights.part(number == 0 ? steps - 1 : number - 1, steps, 0, 0),
+                        .cells = cells_[0]});
 }
 
 void WaterKernels::fall(double time, int number) const {

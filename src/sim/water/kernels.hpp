@@ -15,6 +15,8 @@ struct WaterStrips;
 struct WaterPaint;
 struct WaterShow;
 struct WaterSums;
+struct WaterBed;
+class HeightField;
 
 /// Owns the water's cells on the GPU and the kernels that process them.
 class WaterKernels {
@@ -30,6 +32,9 @@ class WaterKernels {
   void startFrame(double time);
   /// Runs step `number` (counted from 1) of the frame.
   void step(int number);
+  /// Moves the bed to the heights of another object at the end of step `number` of the frame. 0 stands for
+  /// the start of the run, where the level stays the same.
+  void follow(const HeightField& heights, int number) const;
   /// Applies rain, drops, drains and strokes to the state after step `number` of the frame that starts at
   /// `time`.
   void fall(double time, int number) const;
@@ -66,6 +71,7 @@ class WaterKernels {
   gl::Kernel<WaterPaint> paint_, drop_;
   gl::Kernel<WaterShow> show_;
   gl::Kernel<WaterSums> sums_;
+  gl::Kernel<WaterBed> bed_;
   Tally tally_;
 };
 

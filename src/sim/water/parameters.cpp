@@ -99,6 +99,11 @@ void WaterParameters::describeStart(scene::Fields& f) {
          });
   f.group("terrain", "Ground under the water.", [&](scene::Fields& t) {
     t.number("bed", bed, heights, "m", "Height of a flat bed; unused with an image.");
+    t.text(
+        "object", groundObject,
+        "Object whose heights are the ground, at each moment: kernels with a \"terrain\" that collides, or "
+        "a plane with \"deform\" that collides. Beside it the ground has the height \"bed\". The object "
+        "draws itself. Ground that rises lifts the water on it.");
     t.asset("image", terrain,
             "Picture of heights: \"low\" where it is black, \"high\" where white; a PNG may have 16 bits.");
     t.number("low", terrainLow, heights, "m", "Height where the image is black.");
@@ -118,6 +123,9 @@ void WaterParameters::describeStart(scene::Fields& f) {
     for (const char* name : {"low", "high", "smooth"})
       if (terrain.empty() && t.given(name))
         t.error(name, fmt::format("\"{}\" needs an image; give \"image\"", name));
+    for (const char* name : {"image", "hills"})
+      if (!groundObject.empty() && t.given(name))
+        t.error(name, "\"object\" gives the heights; leave one of the two out");
     if (!terrain.empty() && t.given("bed")) t.error("bed", "an image gives the heights; leave out \"bed\"");
     t.color("color", ground, scene::fraction, "Colour of the ground, linear RGB.");
     t.number("roughness", groundRoughness, scene::fraction, "",
@@ -245,6 +253,7 @@ bool WaterParameters::isTorus() const {
 }
 
 void WaterParameters::ports(Ports& ports) const {
+  ports.want<HeightField>(groundObject, {"terrain", "object"});
   ports.provide<FieldSource>().parts = {"speed", "level"};
   ports.provide<HeightField>(collides).path = {"collides"};
   ports.provide<Touchable>(collides);

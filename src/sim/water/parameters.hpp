@@ -73,7 +73,8 @@ struct WaterParameters : ObjectParameters, HasColorRange {
   glm::vec3 position{0};      ///< Position of the grid's centre at level 0, in metres.
   float level = 0;            ///< Initial water level in metres.
   std::vector<WaterPool> pools;
-  float bed = -1;  ///< Height of the flat bed in metres.
+  float bed = -1;            ///< Height of the flat bed in metres.
+  std::string groundObject;  ///< Object whose heights are the bed; empty if the bed does not move.
   std::filesystem::path terrain;
   float terrainLow = -1,
         terrainHigh = 0.5F;  ///< Heights in metres of black and white pixels in the terrain image.

@@ -128,7 +128,9 @@ void WaterPlan::makeFirst() {
   }
   double deepest = 0;
   for (std::size_t i = 0; i < bed.size(); ++i) {
-    const float top = std::max(shader::waterFlush(level[i]), bed[i]);
+    // The bed of another object is known only when the run begins (WaterKernels::follow).
+    const float top = p.groundObject.empty() ? std::max(shader::waterFlush(level[i]), bed[i])
+                                             : shader::waterFlush(level[i]);
     first_.emplace_back(top, 0.0F, 0.0F, bed[i]);
     deepest = std::max(deepest, static_cast<double>(top) - bed[i]);
   }

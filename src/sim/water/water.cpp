@@ -60,19 +60,22 @@ class Water : public Simulation {
     ground_.textureScale = glm::vec3(p.groundRepeat, p.groundRepeat * across, 1);
     if (p.visible) makeSurfaces();
     if (p.collides) heights_.emplace(name_, heightsOf(p, setting.frameSeconds));
+    if (!p.groundObject.empty()) {
+      bed_ = setting.wanted<HeightField>(p.groundObject);
+      kernels_.follow(*bed_, 0);
+    }
     kernels_.fall(setting.startTime, 0);
     if (!plan_.floats().empty()) {
       floats_.emplace(name_, plan_, setting.fast);
       counts_ = gl::Buffer(name_ + " counts", countElements * sizeof(glm::vec4));
       floats_->begin(kernels_.cells(), kernels_.status());
     }
+    if (heights_) heights_->setHeights(kernels_.cells(), 0);
     prepareDrawing();
     tallyNow(setting.startTime);
   }
 
   void step(double time, const StepWatch& watch) override {
-    if (heights_ && !hasHeights_) heights_->setHeights(kernels_.cells(), 0);
-    hasHeights_ = true;
     advance(time, watch);
     prepareDrawing();
     tallyNow(time);
@@ -90,9 +93,7 @@ class Water : public Simulation {
   void carryOver(CarryOver& carry) override {
     carry.array("cells", kernels_.cells().buffer());
     if (floats_) floats_->carryOver(carry);
-    if (!heights_) return;
-    carry.number("has heights", hasHeights_);
-    heights_->carryOver(carry);
+    if (heights_) heights_->carryOver(carry);
   }
 
   [[nodiscard]] int stepsPerFrame() const override { return plan_.substeps(); }
@@ -116,7 +117,7 @@ class Water : public Simulation {
       surface.heights = &groundHeights_;
       surface.palette = &groundPalette_.view();
       surface.material = &ground_;
-      drawables.surfaces.push_back(surface);
+      if (bed_ == nullptr) drawables.surfaces.push_back(surface);
       surface.positions = &kernels_.shown().view();
       surface.heights = &shownHeights_;
       surface.palette = &palette_.view();
@@ -218,6 +219,7 @@ class Water : public Simulation {
     kernels_.startFrame(time);
     if (floats_) floats_->startFrame(time);
     for (int i = 1; i <= plan_.substeps(); ++i) {
+      if (bed_ != nullptr) kernels_.follow(*bed_, i);
       kernels_.step(i);
       kernels_.fall(time, i);
       if (floats_) floats_->step(i - 1, kernels_.cells(), kernels_.status());
@@ -260,10 +262,10 @@ class Water : public Simulation {
   GridHeights groundHeights_, shownHeights_;
   WaterKernels kernels_;
   std::optional<FloatKernels> floats_;
+  const HeightField* bed_ = nullptr;  ///< Heights of the object that is the ground, or null.
   static constexpr int countElements = 4;
   gl::Buffer counts_;                   ///< Table row that includes the quantities of floating bodies.
   std::optional<HeightField> heights_;  ///< Set if the water collides: heights of the surface.
-  bool hasHeights_ = false;             ///< True once `heights_` has been filled for the first frame.
 };
 
 }  // namespace

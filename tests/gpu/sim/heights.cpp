@@ -1,10 +1,11 @@
-// Tests cloth and particles that fall onto a deformed mesh. They must equal their CPU twins word by word
-// and stay above the surface.
+// Tests cloth and particles that fall onto a deformed mesh, and water that flows over it. They must equal
+// their CPU twins word by word and stay above the surface.
 #include "gpu/context.hpp"
 #include "gpu/sim/words.hpp"
 #include "reference/cloth_twin.hpp"
 #include "reference/garment_twin.hpp"
 #include "reference/particles_twin.hpp"
+#include "reference/water_twin.hpp"
 #include "scene/load.hpp"
 #include "sim/mesh/deform_cpu.hpp"
 #include "sim/world/list.hpp"
@@ -230,4 +231,38 @@ TEST_CASE("heights: falling objects have the same bits with every deformation te
     if (first.empty()) first = words;
     CHECK(words == first);
   }
+}
+
+TEST_CASE("heights: water on a deforming mesh equals its CPU twin") {
+  // 0.6 s. A third of the water lies beside the mesh.
+  const auto scene = sceneOf(R"("water": {"size": [46, 35], "cell": 0.1, "position": [1.5, -0.25, 0.3],
+    "terrain": {"object": "swell", "bed": -0.3}, "greatestSpeed": 6})");
+  testContext();
+  sim::World world(scene);
+  WaterTwin twin(sim::WaterPlan(dynamic_cast<const sim::WaterParameters&>(*scene.objects.at(0).parameters),
+                                "faller", 5, heightsFrame));
+  HeightsTwin heights(scene);
+  const int substeps = twin.plan().substeps();
+  std::vector<glm::vec4> start = heights.frame(0);
+  for (glm::vec4& one : start) one.y = one.x;
+  twin.follow(start, heights.plan.at(substeps - 1, substeps, 0, 0), true);
+  const std::vector<glm::vec4> first = twin.cells;
+  for (int frame = 1; frame <= 20; ++frame) {
+    const double before = (frame - 1) / 60.0;
+    const std::vector<glm::vec4> here = heights.frame(before);
+    world.advanceTo(frame);
+    for (int i = 0; i < substeps; ++i) {
+      twin.follow(here, heights.plan.at(i, substeps, 0, 0), false);
+      twin.advance(twin.plan().stepAt(before, i));
+    }
+    REQUIRE(wordsUnlike(*world.object(0).state()[0].buffer, twin.cells) == 0);
+  }
+  int wet = 0, moved = 0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    wet += first[i].x > first[i].w ? 1 : 0;
+    moved += first[i].w != twin.cells[i].w ? 1 : 0;
+  }
+  CHECK(wet > 500);
+  CHECK(wet < 1500);
+  CHECK(moved > 900);
 }

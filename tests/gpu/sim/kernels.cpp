@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <functional>
 
@@ -377,4 +379,34 @@ RWStructuredBuffer<float> _Data;
   CHECK(has(found[0], R"(.compute:4: kernel "Blur" races: invocation )"));
   CHECK(has(found[0], R"(of "_Data", which invocation )"));
   CHECK(racing(R"(, "previous": true)").empty());
+}
+
+TEST_CASE("kernels: whole numbers divide exactly") {
+  // 0.3 s. The divisors are random numbers of 1 to 32 bits and the dividends lie next to their multiples.
+  const ShaderText shader(R"(#pragma kernel Divide
+RWStructuredBuffer<uint4> _Out;
+uint Next(inout uint state) { state = state * 1664525u + 1013904223u; return state ^ (state >> 16); }
+[numthreads(64, 1, 1)] void Divide(uint3 id : SV_DispatchThreadID)
+{
+    uint state = id.x * 2654435761u;
+    uint b = max(Next(state) >> (id.x % 32u), 1u);
+    uint a = id.x % 3u == 0u ? Next(state) : b * (Next(state) % (4294967295u / b) + 1u) - id.x % 2u;
+    _Out[id.x] = uint4(a, b, a / b, uint(int(a) % int(b)));
+}
+)");
+  testContext();
+  constexpr std::size_t count = 1 << 16;
+  sim::World world(
+      kernelScene("kernels/" + shader.name(), R"("buffers": {"_Out": 65536}, "step": ["Divide"])"));
+  world.advanceTo(1);
+  const std::vector<float> state = stateOf(world, "_Out");
+  REQUIRE(state.size() >= 4 * count);
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < 4 * count; i += 4) {
+    const auto word = [&](std::size_t k) { return std::bit_cast<std::uint32_t>(state[i + k]); };
+    const std::int64_t a = static_cast<std::int32_t>(word(0)), b = static_cast<std::int32_t>(word(1));
+    wrong += word(2) != word(0) / word(1) ? 1 : 0;
+    wrong += word(3) != static_cast<std::uint32_t>(a % b) ? 1 : 0;
+  }
+  CHECK(wrong == 0);
 }

@@ -192,6 +192,7 @@ TEST_CASE("each operation that a driver may choose is a call of its exact functi
       {"(uint)a", "xToUint"},
       {"i / j", "xSdiv"},
       {"i % j", "xSrem"},
+      {"i % 3", "xSremBy"},
       {"(uint)i / (uint)j", "xUdiv"},
       {"(uint)i % (uint)j", "xUmod"},
       {"f16tof32(i)", "xUnpackHalf2x16"},
