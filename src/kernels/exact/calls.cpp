@@ -10,9 +10,9 @@ namespace simreel::kernels {
 
 namespace {
 
-/// Returns the library function for a floating-point operation, or for an integer operation with undefined
-/// cases. Returns nullptr for other operations.
-const char* functionFor(SpvOp op) {
+/// Returns the library function for an operation that drivers compute equally, except that some do not
+/// flush subnormal results to zero; nullptr for other operations.
+const char* flushingFunctionFor(SpvOp op) {
   switch (op) {
     case SpvOpFMul:
     case SpvOpVectorTimesScalar:
@@ -61,7 +61,7 @@ const char* functionFor(SpvOp op) {
       return "xSdiv";
     case SpvOpSRem:
     case SpvOpSMod:  // glslang emits SMod for %, but all drivers give the result the sign of the first
-                     // operand, as the library function does.
+                     // operand.
       return "xSrem";
     default:
       return nullptr;
@@ -182,8 +182,8 @@ class Placing {
     } else if (!dividesByConstant(one)) {
       // glslang emits FMod for fmod and %. In HLSL the result has the sign of the first operand.
       function = one.op == SpvOpFMod && hlsl_ ? "xRem" : functionFor(one.op);
-      if ((one.op == SpvOpSRem || one.op == SpvOpSMod) && isPositiveConstant(one.operands[1]))
-        function = "xSremBy";
+      if (careful_ || hasTinyFactor(one))
+        if (const char* flushing = flushingFunctionFor(one.op); flushing != nullptr) function = flushing;
     }
     if (function != nullptr && one.op == SpvOpVectorTimesScalar)
       arguments[1] = spread(one.type, arguments[1]);
@@ -242,7 +242,7 @@ class Placing {
   /// Bitcasts integer arguments to the signedness of the function's parameters.
   void retype(std::string_view function, Words& arguments, std::string& key) {
     const bool isUnsigned = function == "xUdiv" || function == "xUmod" || function.starts_with("xUnpack");
-    const bool isSigned = function == "xSdiv" || function.starts_with("xSrem");
+    const bool isSigned = function == "xSdiv" || function == "xSrem";
     const bool isLdexp = function == "xLdexp";
     if (!isUnsigned && !isSigned && !isLdexp) return;
     key = std::string(function) + "(";
@@ -265,8 +265,7 @@ class Placing {
     if (function == "xUdiv" || function == "xUmod" || function == "xToUint" ||
         function.starts_with("xPack"))
       return ofSign(type, false);
-    if (function == "xSdiv" || function.starts_with("xSrem") || function == "xToInt")
-      return ofSign(type, true);
+    if (function == "xSdiv" || function == "xSrem" || function == "xToInt") return ofSign(type, true);
     return type;
   }
 
@@ -284,23 +283,18 @@ class Placing {
     return made;
   }
 
-  /// True for an integer division by a positive constant. All drivers give the same result for it.
+  /// Returns true for an integer division by a positive constant; all drivers give the same result for it.
   bool dividesByConstant(const Instruction& one) const {
-    return (one.op == SpvOpUDiv || one.op == SpvOpUMod || one.op == SpvOpSDiv) &&
-           isPositiveConstant(one.operands[1]);
-  }
-
-  /// True for a constant integer or vector whose components are all positive as signed numbers.
-  bool isPositiveConstant(Id id) const {
-    const auto positive = [&](Id component) {
-      const auto value = module_.constant(component);
+    if (one.op != SpvOpUDiv && one.op != SpvOpUMod && one.op != SpvOpSDiv) return false;
+    const auto positive = [&](Id id) {
+      const auto value = module_.constant(id);
       return value && *value != 0 && *value < 0x80000000U;
     };
-    const Instruction* made = module_.global(id);
+    const Instruction* made = module_.global(one.operands[1]);
     if (made == nullptr) return false;
     return made->op == SpvOpConstantComposite
                ? std::all_of(made->operands.begin(), made->operands.end(), positive)
-               : positive(id);
+               : positive(one.operands[1]);
   }
 
   /// True for a product with a constant below 2^-62 in magnitude. A compiler may compute such a product

@@ -13,6 +13,7 @@ inline constexpr const char* samplerBlock = "simreel_Samplers";
 /// Replaces reads of 2-D, 3-D and array textures by calls of the library's filter. `cubes`: array textures
 /// that replace cube maps and are read by a direction. `only`: true to replace only reads of `cubes`. The
 /// driver still performs depth comparisons, gathers and reads with an offset.
-void filterExactly(Module& module, const std::set<Id>& cubes, bool only);
+/// `careful`: as in Request.
+void filterExactly(Module& module, const std::set<Id>& cubes, bool only, bool careful);
 
 }  // namespace simreel::kernels

@@ -52,12 +52,6 @@ void setOptions(const Cross& cross) {
   cross.check(spvc_compiler_install_compiler_options(cross.compiler, options));
 }
 
-/// Directive that makes NVIDIA's compiler use selections instead of branches. Other compilers ignore it.
-/// Exact functions contain many selections. On an H200, gravity takes 1.3 times as long if they are
-/// branches. The directive is not used for sines, because their reduction of large angles must stay behind
-/// a branch.
-constexpr const char* selectNotBranch = "#pragma optionNV(ifcvt all)\n";
-
 Texture texture(const Module& module, Id variable) {
   Texture made;
   made.name = module.name(variable);
@@ -80,8 +74,28 @@ void orderShared(std::string& text) {
     text.replace(at, bare.size(), ordered);
 }
 
-/// Collects the textures. These are combined GLSL samplers, and pairs of separate textures and samplers,
-/// which this function combines.
+/// Replaces the result of the library's xFused() by a macro. The text has two such functions if both the
+/// kernel and its texture filters use the library. Returns false if it has none.
+bool chooseFused(std::string& text) {
+  constexpr std::string_view name = "bool xFused", result = "return true;";
+  bool found = false;
+  for (auto at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
+    const auto body = text.find(result, at);
+    if (body == std::string::npos) continue;
+    text.replace(body, result.size(), "return SIMREEL_FUSED;");
+    found = true;
+  }
+  return found;
+}
+
+/// Definition that the runtime may change (sim/kernels/arithmetic.hpp).
+constexpr const char* fusedMacro =
+    "#ifndef SIMREEL_FUSED\n"
+    "#define SIMREEL_FUSED true\n"
+    "#endif\n";
+
+/// Collects the textures: combined GLSL samplers, and pairs of separate textures and samplers, which this
+/// function combines.
 void joinSamplers(const Module& module, const Cross& cross, Kernel& kernel) {
   const auto bind = [&](Id id, Texture made, const std::string& name) {
     made.uniform = name;

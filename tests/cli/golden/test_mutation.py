@@ -29,9 +29,11 @@ MUTATIONS = {
     "life": ("life/model.glsl", "WORD carry = highs.low & lows.high;", "WORD carry = highs.low & ~lows.high;"),
     "epidemic": ("spread/epidemic/step.comp", "uvec4 threshold = mix(infection,",
                  "uvec4 threshold = mix(infection / 100u * 101u,"),
-    # In users' kernels, multiplication is changed by 1 %.
-    "kernels": ("kernels/numbers.glsl", "precise float p = a * b;", "precise float p = a * b * 1.01;"),
-    "image": ("kernels/numbers.glsl", "precise float p = a * b;", "precise float p = a * b * 1.01;"),
+    # For users' kernels, the drawn numbers are changed by 1 %.
+    "kernels": ("kernels/run/gather.comp", "result[c] = numberAt(element + places[c], number);",
+                "result[c] = numberAt(element + places[c], number) * 1.01;"),
+    "image": ("kernels/run/gather.comp", "result[c] = numberAt(element + places[c], number);",
+              "result[c] = numberAt(element + places[c], number) * 1.01;"),
     # For caves, one of the nine cells is ignored.
     "cave": ("cave/model.glsl", "return three | (exactlyTwo & ones.one);", "return three | (exactlyTwo & above.one);"),
     "contour": ("contour/classify.comp", "value >= levels[i] ?", "value >= levels[i] * 1.01 ?"),
