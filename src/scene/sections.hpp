@@ -26,8 +26,8 @@ struct Section {
   const char* doc;
   std::function<void(Fields&)> describe;
 };
-/// The sections render, time, camera, stage, sun, sky, ground, lights, material, test and checks, with
-/// their defaults.
+/// The sections render, time, camera, panels, stage, sun, sky, ground, lights, material, test and checks,
+/// with their defaults.
 [[nodiscard]] std::span<const Section> sections();
 
 }  // namespace simreel::scene

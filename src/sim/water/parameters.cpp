@@ -100,7 +100,8 @@ void WaterParameters::describeStart(scene::Fields& f) {
   f.group("terrain", "Ground under the water.", [&](scene::Fields& t) {
     t.number("bed", bed, heights, "m", "Height of a flat bed; unused with an image.");
     t.asset("image", terrain,
-            "Picture of heights: \"low\" where it is black, \"high\" where white; a PNG may have 16 bits.");
+            "Picture of heights (heightmap): \"low\" where it is black, \"high\" where white; a PNG may "
+            "have 16 bits.");
     t.number("low", terrainLow, heights, "m", "Height where the image is black.");
     t.number("high", terrainHigh, heights, "m", "Height where the image is white.");
     t.integer("smooth", terrainSmooth, {0, 64}, "",
