@@ -287,7 +287,7 @@ class Scene:
     def layers(self, names: str | Iterable[str]) -> dict[str, numpy.ndarray]:
         """Draws layers of the present frame: a dict of arrays.
 
-        Names: depth (m), position (m), normal, albedo, velocity (m/s), vector (pixels), object (index into
+        Names: depth (m), position (m), normal, albedo, uv, velocity (m/s), vector (pixels), object (index into
         layer_objects), primitive, and light (linear RGBA). velocity and vector need load(..., motion=True).
         """
         names = [names] if isinstance(names, str) else _arguments.values("names", names, _arguments.text)

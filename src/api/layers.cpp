@@ -53,6 +53,8 @@ Array layerArray(const draw::PictureLayers& layers, const std::string& name,
       return api::denseArray(name, "", real, many(3), layers.normal);
     case Layer::albedo:
       return api::denseArray(name, "", real, many(3), layers.albedo);
+    case Layer::uv:
+      return api::denseArray(name, "", real, many(2), layers.uv);
     case Layer::velocity:
       return api::denseArray(name, "m/s", real, many(3), layers.velocity);
     case Layer::vector:

@@ -188,7 +188,8 @@ void addRender(CLI::App& app) {
           "Layers of OpenEXR pictures (-o NAME_####.exr), besides the light (with bloom, before exposure, "
           "vignette, white balance and tone curve; premultiplied where there is alpha): depth (Z: m along "
           "the line of sight), position (P.X, P.Y, "
-          "P.Z: m in the world), normal (N.X, N.Y, N.Z: in the world), albedo (albedo.R, .G, .B), velocity "
+          "P.Z: m in the world), normal (N.X, N.Y, N.Z: in the world), albedo (albedo.R, .G, .B), uv "
+          "(uv.U, .V: texture coordinates), velocity "
           "(velocity.X, .Y, .Z: m/s in the world), vector (vector.X, .Y: pixels back to the frame before), "
           "object (Cryptomatte), primitive (number of the triangle or ball in its object)")
       ->delimiter(',')

@@ -160,6 +160,8 @@ std::vector<std::byte> encodeExr(const PictureLayers& picture, const ImageText& 
     if (!picture.albedo.empty())
       channels.add(header, fmt::format("albedo.{}", "RGB"[c]), picture.albedo.data() + c, 3, Imf::HALF);
   }
+  for (std::size_t c = 0; c < 2 && !picture.uv.empty(); ++c)
+    channels.add(header, fmt::format("uv.{}", "UV"[c]), picture.uv.data() + c, 2, Imf::FLOAT);
   if (!picture.primitive.empty()) channels.add(header, "primitive", picture.primitive);
   if (!picture.shares.empty()) addMatte(header, channels, picture);
   MemoryStream stream;
@@ -198,6 +200,7 @@ std::string pixelHash(const PictureLayers& picture) {
   addTo(all, "position", picture.position);
   addTo(all, "normal", picture.normal);
   addTo(all, "albedo", picture.albedo);
+  addTo(all, "uv", picture.uv);
   addTo(all, "velocity", picture.velocity);
   addTo(all, "vector", picture.vector);
   addTo(all, "primitive", picture.primitive);

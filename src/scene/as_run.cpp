@@ -18,10 +18,10 @@ namespace simreel::scene {
 
 namespace {
 
-/// Top-level members of a scene on which the simulation does not depend. A camera with damping is an
-/// exception, because the camera's lag is part of the simulation's state.
-constexpr std::array<std::string_view, 9> drawingMembers = {"$schema", "title",  "render", "camera", "sun",
-                                                            "sky",     "lights", "test",   "checks"};
+/// Top-level members of a scene that the simulation does not depend on. A camera with damping is an
+/// exception, because its lag is part of the simulation's state.
+constexpr std::array<std::string_view, 10> drawingMembers = {
+    "$schema", "title", "render", "camera", "panels", "sun", "sky", "lights", "test", "checks"};
 
 std::string quoted(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);

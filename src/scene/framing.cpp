@@ -2,6 +2,7 @@
 
 #include "base/ieee.hpp"
 #include "scene/outline.hpp"
+#include "scene/panels.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -114,7 +115,8 @@ Look lookFrom(const glm::vec3& back, const Scene& scene) {
   look.right = glm::normalize(glm::vec3(back.z, 0, -back.x));
   look.up = glm::normalize(glm::vec3(0, 1, 0) - back * back.y);
   look.high = taken(scene) * static_cast<float>(ieee::tan(static_cast<double>(half)));
-  look.wide = look.high * static_cast<float>(scene.render.size.x) / static_cast<float>(scene.render.size.y);
+  const glm::ivec2 size = viewSize(scene);
+  look.wide = look.high * static_cast<float>(size.x) / static_cast<float>(size.y);
   return look;
 }
 

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/hash.hpp"
+#include "scene/fitted.hpp"
 #include "scene/framing.hpp"
 #include "scene/hidden.hpp"
 #include "scene/json/json_node.hpp"
@@ -10,6 +11,7 @@
 #include "scene/json/words.hpp"
 #include "scene/kind_hint.hpp"
 #include "scene/override.hpp"
+#include "scene/panels.hpp"
 #include "scene/papered.hpp"
 #include "scene/scene_source.hpp"
 #include "scene/sections.hpp"
@@ -279,6 +281,7 @@ void checkFollowed(const Node& root, const Scene& scene, Diagnostics& diagnostic
     checkObjectNamed(camera, "track", scene.camera.track->object, "one", scene.objects, diagnostics);
   if (scene.camera.follow)
     checkObjectNamed(camera, "follow", scene.camera.follow->object, "a cave", scene.objects, diagnostics);
+  checkShown(root, scene, diagnostics);
   const Node* lights = root.find("lights");
   for (const Light& light : scene.lights)
     if (light.follow && lights != nullptr)
@@ -315,6 +318,10 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
   // Unknown object names are reported even if the scene has other errors.
   const bool namesKnown = objects == nullptr || (objects->kind == Node::Kind::object &&
                                                  objects->children.size() == scene.objects.size());
+  if (*version > 1 && context.diagnostics.count() == errorsBefore)
+    for (Object& object : scene.objects)
+      if (auto* fitted = dynamic_cast<Fitted*>(object.parameters.get()))
+        fitted->fitPicture(viewSize(scene));
   if (namesKnown) checkFollowed(root, scene, context.diagnostics);
   if (context.diagnostics.count() == 0) openCamera(root, context, kinds, scene.camera);
   if (context.diagnostics.count() == 0) {

@@ -86,10 +86,14 @@ enum class Quality { draft, standard, high };
 /// Tone curve from linear light to pixel values (glsl/draw/screen/film.glsl).
 enum class Tone { aces, agx, filmic, plain };
 
+/// Property that pictures show instead of light.
+enum class Overlay : std::uint8_t { none, wireframe, normals, uv, objects };
+
 struct Render {
   Rasterizer rasterizer = Rasterizer::exact;
   Quality quality = Quality::draft;
   bool hasQuality = false;  ///< true if the scene gives "quality"
+  Overlay overlay = Overlay::none;
   /// Radius of ambient occlusion in metres. nullopt: a sixth of the distance from the camera to the target.
   std::optional<double> occlusionRadius;
   int raySamples = 64;         ///< number of light samples per pixel with Quality::high
@@ -226,6 +230,22 @@ struct Camera {
   void describe(Fields& fields);
 };
 
+/// One of several views of the scene that share the picture.
+struct Panel {
+  /// `camera`: the scene's camera. The others look along an axis at the same target.
+  enum class View { camera, front, back, left, right, top };
+  std::string name;
+  std::string caption;  ///< text in the panel's corner; empty: none
+  View view = View::camera;
+  std::optional<Camera> camera;    ///< camera of the panel; nullopt: the one that `view` names
+  std::optional<Overlay> overlay;  ///< nullopt: the overlay of Render
+  struct Shown {
+    std::string name;
+  };
+  std::vector<Shown> objects;  ///< objects that the panel shows; empty: all
+  void describe(Fields& fields);
+};
+
 struct Sun {
   Animated<glm::vec3> direction = glm::vec3(0.4F, 0.8F, 0.45F);  ///< vector towards the sun
   Animated<glm::vec3> color = glm::vec3(1, 0.92F, 0.80F);
@@ -349,6 +369,7 @@ struct Scene {
   /// Warnings about values that have no effect. Each is "file:line:column: warning: ...", the source line
   /// and a caret.
   std::vector<std::string> remarks;
+  std::vector<Panel> panels;  ///< views that share the picture; empty: the camera fills the picture
 
   [[nodiscard]] int frameCount() const;
   /// True if the pictures have the same bytes on every machine.

@@ -29,6 +29,12 @@ constexpr const char* lightsDoc =
 constexpr const char* materialDoc =
     "Surface of an object. On a stage, an object without a \"color\" gets one of the stage's palette.";
 
+constexpr const char* panelsDoc =
+    "Views that share the picture side by side, each {view, camera, overlay, objects, caption} by name.";
+constexpr std::size_t maxPanels = 16;
+/// Names of the values of Overlay.
+const std::vector<const char*> overlayWords = {"none", "wireframe", "normals", "uv", "objects"};
+
 template <class T>
 Section section(const char* name, const char* doc) {
   return {name, doc, [](Fields& fields) { T().describe(fields); }};
@@ -174,9 +180,42 @@ void Render::describe(Fields& fields) {
   if (transparent && rasterizer == Rasterizer::driver)
     fields.error("transparent", "a transparent background needs \"rasterizer\": \"exact\"");
   fields.number("vignette", vignette, fraction, "", "Darkening towards the corners.");
+  fields.choice(
+      "overlay", overlay, overlayWords,
+      "Shows a property of surfaces instead of light, without ground and sky. wireframe: the edges of all "
+      "triangles; normals: red, green and blue are 0.5 + 0.5 times the normal's x, y and z; uv: a checker "
+      "of "
+      "8 by 8 squares over the texture coordinates, red along u and green along v; objects: another colour "
+      "for each object.");
+  if (overlay != Overlay::none && rasterizer == Rasterizer::driver)
+    fields.error("overlay", "an overlay needs \"rasterizer\": \"exact\"");
   fields.group("bloom", "Light that scatters around bright places.",
                [&](Fields& inner) { bloom.describe(inner); });
   fields.idleUnless(quality == Quality::high, "quality", {"raySamples"}, "\"quality\": \"high\"");
+}
+
+void Panel::describe(Fields& fields) {
+  fields.choice("view", view, {"camera", "front", "back", "left", "right", "top"},
+                "camera: the scene's camera; front, back, left, right, top: from that side of its target, "
+                "from 1.35 times the distance.");
+  fields.optionalGroup("camera", camera, "A camera of this panel's own.");
+  if (camera && fields.given("view"))
+    fields.error("view", "\"camera\" says where the panel looks from; leave out \"view\"");
+  if (camera && (!camera->placed || camera->follow || camera->track || camera->gltf || camera->damping > 0))
+    fields.error(
+        "camera",
+        "a panel's camera stands at a \"position\" or goes round in an \"orbit\" with a "
+        "\"distance\"; \"follow\", \"track\", \"gltf\" and \"damping\" are for the scene's camera");
+  fields.onlyGiven("overlay", overlay, Overlay::none, [&](Overlay& shown) {
+    fields.choice("overlay", shown, overlayWords, "Property that the panel shows instead of light.");
+  });
+  fields.leftOut("overlay", "that of \"render\"");
+  fields.shorthand("objects", "name");
+  fields.list("objects", objects, "Names of the objects that the panel shows; left out, all.",
+              [](Fields& inner, Shown& shown) { inner.text("name", shown.name, "Name of an object."); });
+  if (caption.empty() && !fields.given("caption")) caption = name;
+  fields.text("caption", caption, "Text in the panel's corner; \"\" for none.");
+  fields.leftOut("caption", "the panel's name");
 }
 
 void Bloom::describe(Fields& fields) {
@@ -271,6 +310,16 @@ void describeScene(Fields& fields, Scene& scene) {
   fields.group("render", renderDoc, [&](Fields& inner) { scene.render.describe(inner); });
   fields.group("time", timeDoc, [&](Fields& inner) { scene.time.describe(inner); });
   fields.group("camera", cameraDoc, [&](Fields& inner) { scene.camera.describe(inner); });
+  fields.shorthand("panels", "view");
+  fields.named(
+      "panels", scene.panels, panelsDoc, "panel",
+      [&](Fields& inner, Panel& panel) {
+        panel.describe(inner);
+        if (panel.overlay.value_or(Overlay::none) != Overlay::none &&
+            scene.render.rasterizer == Rasterizer::driver)
+          inner.error("overlay", "an overlay needs \"rasterizer\": \"exact\"");
+      },
+      maxPanels);
   fields.switchable("stage");
   fields.shorthand("stage", "preset");
   fields.group("stage", stageDoc, [&](Fields& inner) { scene.stage.describe(inner); });
@@ -289,17 +338,13 @@ void describeScene(Fields& fields, Scene& scene) {
 }
 
 std::span<const Section> sections() {
-  static const Section all[] = {section<Render>("render", renderDoc),
-                                section<Time>("time", timeDoc),
-                                section<Camera>("camera", cameraDoc),
-                                section<Stage>("stage", stageDoc),
-                                section<Sun>("sun", sunDoc),
-                                section<Sky>("sky", skyDoc),
-                                section<Ground>("ground", groundDoc),
-                                section<Light>("lights", lightsDoc),
-                                section<Material>("material", materialDoc),
-                                section<Test>("test", testDoc),
-                                section<Check>("checks", checksDoc)};
+  static const Section all[] = {
+      section<Render>("render", renderDoc), section<Time>("time", timeDoc),
+      section<Camera>("camera", cameraDoc), section<Panel>("panels", panelsDoc),
+      section<Stage>("stage", stageDoc),    section<Sun>("sun", sunDoc),
+      section<Sky>("sky", skyDoc),          section<Ground>("ground", groundDoc),
+      section<Light>("lights", lightsDoc),  section<Material>("material", materialDoc),
+      section<Test>("test", testDoc),       section<Check>("checks", checksDoc)};
   return all;
 }
 

@@ -26,7 +26,7 @@ struct Section {
   const char* doc;
   std::function<void(Fields&)> describe;
 };
-/// Returns the sections render, time, camera, stage, sun, sky, ground, lights, material, test and checks,
+/// The sections render, time, camera, panels, stage, sun, sky, ground, lights, material, test and checks,
 /// with their defaults.
 [[nodiscard]] std::span<const Section> sections();
 

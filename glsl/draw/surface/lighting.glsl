@@ -2,11 +2,14 @@
 // TRANSLUCENT, REFLECTIVE, LAMPS.
 // SHEEN: the surface has fabric fibres with the colour sheen_ and the roughness sheenRoughness_.
 // JOINED: one kernel shades several surfaces, only some of which are REFLECTIVE; `mirrors` is true for these.
-// SHOWN: outputs the normal (1) or the base colour (2) instead of light.
+// SHOWN: outputs a value of draw/surface/overlay.glsl instead of light.
 // REFLECTED: outputs the change of the light if reflected rays hit objects of the picture, and with GROUND_BELOW the
 // ground, instead of the surroundings (draw/exact/reflections).
 #include "draw/sky.glsl"
 #include "draw/surface/shading.glsl"
+#ifdef SHOWN
+#include "draw/surface/overlay.glsl"
+#endif
 #ifdef SHEEN
 #include "draw/surface/sheen.glsl"
 #endif
@@ -123,7 +126,7 @@ FUNCTION vec3 reflectedChange(Look look, vec3 p, vec3 normal, vec3 view) {
 // Returns the light of sun, sky and lamps. p is the position at which the lamps' light is computed.
 FUNCTION vec3 allLight(Look look, vec3 p, vec3 normal, vec3 view, float fraction) {
 #ifdef SHOWN
-  return SHOWN == 1 ? normal : look.base;
+  return shownValue(look.base, normal, view);
 #endif
 #ifdef REFLECTED
   vec3 light = reflectedChange(look, p, normal, view);

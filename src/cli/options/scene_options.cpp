@@ -78,6 +78,10 @@ void SceneOptions::addOptional(CLI::App& command) {
                   "exact draws the same pixels on every machine; driver uses the GPU's own rasterizer "
                   "(default: as the scene says)")
       ->type_name("exact|driver");
+  command
+      .add_option("--overlay", overlay,
+                  "Show a property of surfaces instead of light; `simreel list render` explains each")
+      ->check(CLI::IsMember({"none", "wireframe", "normals", "uv", "objects"}));
   addAssets(command, assets);
 }
 
@@ -114,6 +118,7 @@ std::vector<scene::Override> SceneOptions::changes() const {
   }
   if (samples) all.push_back({"render.samples", std::to_string(*samples)});
   if (rasterizer) all.push_back({"render.rasterizer", *rasterizer});
+  if (overlay) all.push_back({"render.overlay", *overlay});
   return all;
 }
 
@@ -132,6 +137,7 @@ std::vector<std::string> SceneOptions::arguments() const {
   if (turn) words.push_back(fmt::format("--turn={}", *turn));
   if (samples) words.push_back(fmt::format("--samples={}", *samples));
   if (rasterizer) words.push_back("--rasterizer=" + *rasterizer);
+  if (overlay) words.push_back("--overlay=" + *overlay);
   for (const std::string& folder : assets) words.push_back("--assets=" + folder);
   return words;
 }

@@ -23,6 +23,7 @@ struct SceneOptions {
   std::optional<double> turn;  ///< time (s) in which the camera orbits the scene once
   std::optional<int> samples;
   std::optional<std::string> rasterizer;
+  std::optional<std::string> overlay;
   std::vector<std::string> assets;  ///< additional folders from which the scene may read files
   void add(CLI::App& command);
   /// Adds the options to a command whose scene is optional. Without a scene, `file` is empty.

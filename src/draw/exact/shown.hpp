@@ -1,12 +1,19 @@
 #pragma once
 #include "draw/exact/visibility.hpp"
 #include "gl/kernel/kernel.hpp"
+#include "scene/scene.hpp"
 
 #include <glm/vec2.hpp>
 
 // Common parts of the kernels that shade the tiles of a picture.
 namespace simreel::draw {
 
+/// Values of `layer` that select texture coordinates and the colours of an overlay, as SHOWN in
+/// glsl/draw/surface/overlay.glsl.
+inline constexpr int shownUv = 3;
+[[nodiscard]] constexpr int shownOverlay(scene::Overlay overlay) {
+  return shownUv + static_cast<int>(overlay);
+}
 /// Value of `layer` that selects the change of light by screen-space reflections.
 inline constexpr int shownReflections = -1;
 

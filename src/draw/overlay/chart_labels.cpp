@@ -13,6 +13,7 @@ namespace simreel::draw {
 namespace {
 
 constexpr float capital = 7.5F;                   // height of capitals, in units of the chart layout
+constexpr float smallest = 0.5F;                  // smallest factor on the height of names that do not fit
 constexpr glm::vec3 dim(0.342F, 0.380F, 0.448F);  // linear RGB colour of the numbers on the axes
 
 /// Returns the number with spaces between thousands, for example 65 536.
@@ -55,23 +56,28 @@ std::vector<sim::Writing> ChartLabels::of(const sim::Drawables& drawables) {
     if (!layout.hasLetters) continue;
     const auto u = static_cast<float>(layout.unit);
     const auto left = static_cast<float>(layout.plot.x), right = static_cast<float>(layout.plot.z);
-    const auto add = [&](const LabelWord& word, glm::vec2 at, glm::vec3 color) {
+    const auto add = [&](const LabelWord& word, glm::vec2 at, glm::vec3 color, float scale = 1) {
       sim::Writing writing;
       writing.outlines = &word.outlines;
       writing.place = at / glm::vec2(picture_);
-      writing.height = capital * u / static_cast<float>(picture_.y);
+      writing.height = scale * capital * u / static_cast<float>(picture_.y);
       writing.color = color;
       all.push_back(writing);
     };
     const float above = static_cast<float>(layout.panel.y) + 15 * u;
     const float below = static_cast<float>(layout.plot.w) + 13 * u;
+    const std::size_t names = std::min<std::size_t>({chart.names.size(), chart.colors.size(), 4});
+    float whole = 0;
+    for (std::size_t i = 0; i < names; ++i)
+      whole += capital * u * words_.of(chart.names[i]).width + (i > 0 ? 8 * u : 0);
+    const float scale = std::clamp((right - left) / std::max(whole, 1.0F), smallest, 1.0F);
     float at = left;
-    for (std::size_t i = 0; i < std::min<std::size_t>({chart.names.size(), chart.colors.size(), 4}); ++i) {
+    for (std::size_t i = 0; i < names; ++i) {
       const LabelWord& name = words_.of(chart.names[i]);
-      const float width = capital * u * name.width;
-      if (at + width > right) break;
-      add(name, {at, above}, chart.colors[i]);
-      at += width + 8 * u;
+      const float width = scale * capital * u * name.width;
+      if (at + width > right + 0.5F) break;
+      add(name, {at, above}, chart.colors[i], scale);
+      at += width + scale * 8 * u;
     }
     const LabelWord& top = words_.of(chart.range.empty() ? "max " + groupedDigits(chart.max) : chart.range);
     const LabelWord& end =

@@ -1,27 +1,17 @@
 #pragma once
-#include "draw/exact/passes.hpp"
-#include "draw/exact/scene/picture_layers.hpp"
+#include "draw/screen/single_view.hpp"
 #include "gl/texture.hpp"
 #include "scene/scene.hpp"
 #include "sim/core/drawable.hpp"
 
-#include <functional>
 #include <memory>
-#include <optional>
-#include <span>
 
 #include <glm/vec2.hpp>
 
 namespace simreel::draw {
 
-struct RendererOptions {
-  std::optional<scene::Rasterizer> rasterizer;  ///< if set, replaces the scene's choice of rasterizer
-  /// Max bytes of the exact rasterizer's visibility buffer. Pictures that need more are drawn in bands of
-  /// rows, with the same result.
-  std::size_t visibilityBytes = std::size_t{256} << 20;
-};
-
-/// Draws frames: the scene with its chosen rasterizer, then fields, axes and charts on top.
+/// Draws frames: the scene with its chosen rasterizer, then fields, axes and charts on top. A scene with
+/// panels is drawn once for each panel.
 class Renderer {
  public:
   /// Loads all textures of the scene's materials. Shaders are compiled on first use. Throws
@@ -34,11 +24,7 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// Callback after the commands of a stage have been issued. Stages without work are omitted; a stage may
-  /// be reported several times. Names of the exact rasterizer: the stages in draw/exact/pass_list.hpp and
-  /// "fields". Names of the driver's rasterizer: "shadow", "surfaces", "instances", "ground", "bloom",
-  /// "tone map", "fields".
-  using StageWatch = std::function<void(const char* stage)>;
+  using StageWatch = draw::StageWatch;
   /// Issues the commands that draw the frame at `seconds` of scene time. Does not wait for the GPU.
   void draw(double seconds, const sim::Drawables& drawables, const StageWatch& watch = {});
 
@@ -54,8 +40,8 @@ class Renderer {
   void keepPasses(PassPicture* passes);
 
   /// Requests the light and layers of all later pictures. The CPU then waits for the GPU. Requires the
-  /// exact rasterizer. If the light is requested as the film shows it, draw() throws UserError(usage) for
-  /// pictures with overlays.
+  /// exact rasterizer. Throws UserError(usage) for scenes with panels. If the light is requested as the
+  /// film shows it, draw() throws UserError(usage) for pictures with overlays.
   void keepLayers(const LightRequest& wanted);
   /// Returns the light and layers of the last picture.
   [[nodiscard]] PictureLayers takeLayers();

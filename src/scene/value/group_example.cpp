@@ -9,7 +9,8 @@
 namespace simreel::scene {
 
 std::string expectedGroup(std::string_view key) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 8> examples = {{
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 9> examples = {{
+      {"panels", R"(views by name, such as {"above": {"view": "top"}})"},
       {"lights", R"(lamps by name, such as {"lamp": {"position": [0, 3, 2]}})"},
       {"material", R"(an object, such as {"color": "gold", "metallic": 1})"},
       {"camera", R"(an object, such as {"position": [4, 2, 6]})"},

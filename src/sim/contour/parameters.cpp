@@ -15,7 +15,7 @@ void ContourParameters::describe(scene::Fields& f) {
   f.text("field", field,
          "Name of the object whose field is cut by levels; NAME.u and the like if it has several fields. "
          "The field itself fills the picture unless its \"display\" has \"layer\": \"none\".");
-  f.asset("image", image, "Picture that is cut instead: black is 0, white 1.");
+  f.asset("image", image, "Picture that is cut instead, such as a heightmap: black is 0, white 1.");
   if (!image.empty() && !field.empty()) f.error("image", "a \"field\" is given already; leave out one");
   f.integer("levels", levels, {1, maxSolidLevels}, "", "Number of levels; each adds a terrace.");
   f.optionalNumber("low", low, scene::anyNumber, "", "Value of the lowest level.");

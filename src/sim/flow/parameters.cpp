@@ -62,6 +62,8 @@ void FlowParameters::describe(scene::Fields& f) {
   f.choice("show", show, {"speed", "none"}, "Draws the rectangle in colours of the speed, or not at all.");
   int index = 0;
   f.oneOf("colors", index, {std::begin(maps), std::end(maps)}, "Colour map of the speed.");
+  f.leftOut("colors", "grey; in version 2 viridis");
+  if (f.version() > 1 && !f.given("colors")) index = 1;
   map = maps[index];
   f.number("low", low, scene::notNegative, "m/s", "Speed of the first colour.");
   f.number("high", high, scene::notNegative, "m/s", "Speed of the last colour.");

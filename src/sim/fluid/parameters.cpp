@@ -93,8 +93,15 @@ FluidParameters::FluidParameters() {
   strokes = standardStrokes(size);
 }
 
+void FluidParameters::fitPicture(glm::ivec2 picture) {
+  size = display.fittedGrid(size, picture);
+  if (!ownStrokes) strokes = standardStrokes(size);
+}
+
 void FluidParameters::describe(scene::Fields& f) {
   f.pair("size", size, {4, 16384}, "cells", "Width and height.");
+  f.leftOut("size", "[320,180]; in version 2 as many cells with the picture's aspect ratio");
+  display.sized = f.given("size");
   f.group("sides", "The borders of the grid.", [&](scene::Fields& s) {
     describeSide(s, "left", left);
     describeSide(s, "right", right);
@@ -163,7 +170,8 @@ void FluidParameters::describe(scene::Fields& f) {
       shader::maxSolids);
   f.boolean("obstaclesSlip", obstaclesSlip, "Lets the fluid slip along obstacles; else it sticks to them.");
   f.color("obstacleColor", obstacleColor, {0, 1e4}, "Colour of obstacles, linear RGB.");
-  if (!f.given("strokes")) strokes = standardStrokes(size);
+  ownStrokes = f.given("strokes");
+  if (!ownStrokes) strokes = standardStrokes(size);
   f.list("strokes", strokes, "Timed strokes that set velocity, temperature or dye, or push.",
          describeStroke);
   f.leftOut("strokes", "jets of dye from five sides");

@@ -1,4 +1,5 @@
 #pragma once
+#include "scene/fitted.hpp"
 #include "scene/value/fields.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/fluid/chart.hpp"
@@ -60,7 +61,7 @@ struct FluidStroke : StrokeParameters {
 
 /// Scene parameters of a fluid: incompressible flow. Lengths are in cells; y and v point down in the
 /// picture.
-struct FluidParameters : ObjectParameters, HasColorRange, scene::Covering {
+struct FluidParameters : ObjectParameters, HasColorRange, scene::Covering, scene::Fitted {
   enum class Advection {
     macCormack,
     semiLagrangian,
@@ -86,6 +87,7 @@ struct FluidParameters : ObjectParameters, HasColorRange, scene::Covering {
   bool obstaclesSlip = false;
   glm::vec3 obstacleColor{0.03F, 0.03F, 0.035F};  ///< Obstacle colour, linear RGB.
   std::vector<FluidStroke> strokes;
+  bool ownStrokes = false;  ///< true if the scene gives the strokes
   Show show = Show::dye;
   Look look = Look::light;
   FluidPlane plane;
@@ -101,6 +103,7 @@ struct FluidParameters : ObjectParameters, HasColorRange, scene::Covering {
 
   FluidParameters();
   void describe(scene::Fields& fields) override;
+  void fitPicture(glm::ivec2 picture) override;
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return display.measuredRanges(); }
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
   [[nodiscard]] std::optional<scene::Box> framedAlone() const override {

@@ -38,6 +38,8 @@ void GrayScottParameters::describe(scene::Fields& f) {
   f.pair("size", size, {4, 32768}, "cells",
          "Width and height; the left edge meets the right, the top the bottom. In every step u and v are "
          "held to 0 to 1, and a warning tells when that changes a value.");
+  f.leftOut("size", "[256,256]; in version 2 as many cells with the picture's aspect ratio");
+  display.sized = f.given("size");
   f.choice("preset", preset, presetNames, "Rates by name; README.md of src/sim says what each grows.");
   const FeedKill standard = ratesOf(preset);
   rate(f, "feed", feed, standard.feed, "F, the rate at which u comes in; left out: the preset's.");

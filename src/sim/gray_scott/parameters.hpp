@@ -1,4 +1,5 @@
 #pragma once
+#include "scene/fitted.hpp"
 #include "scene/value/fields.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/grid/field_display.hpp"
@@ -30,7 +31,7 @@ struct GrayScottHealth {
 };
 
 /// Scene parameters of Gray-Scott reaction-diffusion.
-struct GrayScottParameters : ObjectParameters, HasColorRange, scene::Covering {
+struct GrayScottParameters : ObjectParameters, HasColorRange, scene::Covering, scene::Fitted {
   glm::ivec2 size{256, 256};  ///< Grid size in cells.
   GrayScottPreset preset = GrayScottPreset::leopard;
   std::optional<scene::Animated<float>> feed,
@@ -56,6 +57,7 @@ struct GrayScottParameters : ObjectParameters, HasColorRange, scene::Covering {
 
   GrayScottParameters();
   void describe(scene::Fields& fields) override;
+  void fitPicture(glm::ivec2 picture) override { size = display.fittedGrid(size, picture); }
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return display.measuredRanges(); }
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
   [[nodiscard]] bool covers() const override { return display.coversPicture(); }

@@ -3,6 +3,8 @@
 #include "sim/grid/color_map.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -65,6 +67,19 @@ void FieldDisplay::describe(scene::Fields& fields) {
   if (!(low < high))
     fields.error(fields.given("low") ? "low" : "high",
                  fmt::format("\"low\" ({}) must be less than \"high\" ({})", low, high));
+}
+
+glm::ivec2 FieldDisplay::fittedGrid(glm::ivec2 standard, glm::ivec2 picture) const {
+  const glm::dvec2 part = glm::dvec2(picture) * glm::dvec2(extent.x, extent.y);
+  if (sized || layer == Layer::none || fit != Fit::contain || !(part.x > 0) || !(part.y > 0))
+    return standard;
+  // Integer sides with exactly the picture's ratio, such as 16k x 9k, leave no border.
+  const glm::ivec2 whole(std::lround(part.x), std::lround(part.y));
+  const int divisor = std::max(std::gcd(whole.x, whole.y), 1);
+  const glm::dvec2 ratio = glm::dvec2(whole) / static_cast<double>(divisor);
+  const double scale = std::sqrt(static_cast<double>(standard.x) * standard.y / (ratio.x * ratio.y));
+  const double times = scale >= 8 ? std::round(scale) : scale;
+  return glm::max(glm::ivec2(std::lround(times * ratio.x), std::lround(times * ratio.y)), glm::ivec2(8));
 }
 
 std::vector<glm::vec3> FieldDisplay::colors() const {

@@ -30,6 +30,7 @@ struct FieldDisplay {
   bool smooth = true;  ///< True to interpolate linearly between cells, false to draw each cell as a square.
   bool tiled = false;  ///< True to repeat the field beyond its border, false to show the colour `border`
                        ///< there.
+  bool sized = false;  ///< true if the scene gives the size of the grid
   glm::vec3 border{0.01F};  ///< Colour outside the field, linear RGB.
   float relief = 0.0F;      ///< Strength of the relief shading: a field value of 1 counts as a height of 7
                             ///< cells times `relief`. 0 disables the shading.
@@ -46,6 +47,10 @@ struct FieldDisplay {
   };
   std::optional<Axis> across, down;  ///< Axes of a parameter map; set by simulations, not by scenes.
 
+  /// Returns `standard`, the default size of a grid in cells, with the aspect ratio of the part of a
+  /// picture (pixels) that the field fills, and about as many cells. Returns `standard` if the scene gives
+  /// a size, or if the field does not have to fit its part of the picture.
+  [[nodiscard]] glm::ivec2 fittedGrid(glm::ivec2 standard, glm::ivec2 picture) const;
   /// Declares the members of "display". Simulations set their own defaults first.
   void describe(scene::Fields& fields);
   /// Returns `stops`, or if they are empty the stops of the colour map.

@@ -77,6 +77,8 @@ void LeniaCreature::describe(scene::Fields& f) {
 void LeniaParameters::describe(scene::Fields& f) {
   f.pair("size", size, {1, maxLeniaSide}, "cells",
          "Width and height of the grid, a torus; 8 bytes a cell.");
+  f.leftOut("size", "[256,144]; in version 2 as many cells with the picture's aspect ratio");
+  display.sized = f.given("size");
   f.choice("model", model, {"lenia", "smoothLife"},
            "lenia: A' = [A + dt sum h G(K * A)] held to 0 to 1; smoothLife: A' = [A + dt (2 s(n, m) - 1)], "
            "of the "

@@ -1,4 +1,5 @@
 #pragma once
+#include "scene/fitted.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/grid/field_display.hpp"
 #include "sim/grid/strokes.hpp"
@@ -33,7 +34,7 @@ struct LeniaCreature {
   void describe(scene::Fields& fields);
 };
 
-struct LeniaParameters : ObjectParameters, HasColorRange, scene::Covering {
+struct LeniaParameters : ObjectParameters, HasColorRange, scene::Covering, scene::Fitted {
   enum class Model { lenia, smoothLife };
   LeniaParameters();
   glm::ivec2 size{256, 144};  ///< width and height of the grid (a torus) in cells
@@ -50,6 +51,7 @@ struct LeniaParameters : ObjectParameters, HasColorRange, scene::Covering {
   std::vector<StrokeParameters> strokes;
   FieldDisplay display;
   void describe(scene::Fields& fields) override;
+  void fitPicture(glm::ivec2 picture) override { size = display.fittedGrid(size, picture); }
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return display.measuredRanges(); }
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
   [[nodiscard]] bool covers() const override { return display.coversPicture(); }

@@ -46,7 +46,9 @@ void LifeParameters::describe(scene::Fields& f) {
       "size", size, {1, maxLifeSide}, "cells",
       "Width and height of the grid; 2 bits of memory a cell. Left out beside patterns: the size of a "
       "pattern made for a bounded grid, else 16 to 9 with a margin of half the longest side around them.");
-  f.leftOut("size", "[512,512], or fits the patterns");
+  f.leftOut("size",
+            "[512,512], or fits the patterns; in version 2 128^2 cells with the picture's aspect ratio");
+  display.sized = f.given("size");
   f.text(
       "rule", rule,
       "\"B3/S23\" (or \"23/3\", survival first), with letters of arrangements (\"B2-a/S12\"), of four or "
@@ -93,11 +95,13 @@ void LifeParameters::describe(scene::Fields& f) {
   });
   f.number("stepsPerSecond", stepsPerSecond, {1e-3, 1e6}, "1/s",
            "Generations a second, whatever the frame rate.");
-  if (fitted) trail = fittedTrail;
+  const bool fewCells = f.version() > 1 && patterns.empty() && !display.sized;
+  if (fewCells) size = {128, 128};
+  if (fitted || fewCells) trail = fittedTrail;
   f.integer("trail", trail, {0, maxTrail}, "steps",
             "For how long dead cells fade, of two states; needs another byte a cell; 0: no trail.");
   trailGiven = f.given("trail");
-  f.leftOut("trail", "0, or 24 where the grid fits patterns");
+  f.leftOut("trail", "0; 24 where the grid fits patterns, or in version 2 the picture");
   if (trail > 0) display.high = brightLevel();
   f.group("display",
           "How it is laid over the picture. Values: 0 dead, 1 alive; with a trail 0 to trail for what has "

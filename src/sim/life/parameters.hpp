@@ -1,4 +1,5 @@
 #pragma once
+#include "scene/fitted.hpp"
 #include "sim/automata/engine/grid_shape.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/grid/field_display.hpp"
@@ -26,7 +27,7 @@ struct LifePattern {
   void describe(scene::Fields& fields);
 };
 
-struct LifeParameters : ObjectParameters, HasColorRange, scene::Covering {
+struct LifeParameters : ObjectParameters, HasColorRange, scene::Covering, scene::Fitted {
   LifeParameters();
   glm::ivec2 size{512, 512};       ///< width and height of the grid in cells
   bool fitted = false;             ///< true if no size is given, so that the size is fitted to the patterns
@@ -47,6 +48,9 @@ struct LifeParameters : ObjectParameters, HasColorRange, scene::Covering {
   bool colorsGiven = false;  ///< true if the scene gives colours; they override the colours of a rule file
   FieldDisplay display;
   void describe(scene::Fields& fields) override;
+  void fitPicture(glm::ivec2 picture) override {
+    if (!fitted) size = display.fittedGrid(size, picture);
+  }
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return display.measuredRanges(); }
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
   [[nodiscard]] bool covers() const override { return display.coversPicture(); }

@@ -6,6 +6,8 @@
 #include "sim/core/moments.hpp"
 #include "sim/mesh/shapes.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -36,6 +38,13 @@ void MeshParameters::describe(scene::Fields& f) {
            "Shape that is generated, or \"file\": read from a file.");
   f.asset("file", file, "OBJ, PLY, STL, glTF or GLB, in m, for the shape \"file\".");
   scene::implyShape(f, shape, MeshShape::file, "file", file, "file", "plane");
+  const std::array<const char*, 5> others = {"shape", "size", "resolution", "deform", "blades"};
+  const auto given = [&](const char* key) { return f.given(key); };
+  if (f.version() > 1 && file.empty() && std::none_of(others.begin(), others.end(), given))
+    shape = MeshShape::torus;
+  f.leftOut(
+      "shape",
+      "\"plane\", or \"file\" where \"file\" is given; in version 2 \"torus\" without a key of a plane");
   const bool flat = shape == MeshShape::plane || shape == MeshShape::grass;
   f.flatVector("size", size, {0, 1e4}, "m",
                "Width, height and depth of a box; width and depth of a plane or of a field of grass, as "

@@ -74,6 +74,16 @@ void includeEmitter(std::optional<scene::Box>& box, const Emitter& emitter, cons
   }
 }
 
+/// Returns the group of a scene without groups and emitters.
+ParticleGroup galaxy() {
+  ParticleGroup group;
+  group.shape = ParticleGroup::Shape::disk;
+  group.count = 3000;
+  group.centralMass = 0.3F;
+  group.rotation = {20, 0, 10};
+  return group;
+}
+
 }  // namespace
 
 void ParticleGroup::describe(scene::Fields& f) {
@@ -128,6 +138,8 @@ void ParticleParameters::describe(scene::Fields& f) {
   f.list(
       "emitters", emitters, "Sources of particles that live for a while.",
       [](scene::Fields& e, Emitter& emitter) { emitter.describe(e); }, shader::maxEmitters);
+  if (f.version() > 1 && !f.given("groups") && !f.given("emitters") && groups.empty() && emitters.empty())
+    groups.push_back(galaxy());
   f.choice("method", method, {"none", "all-pairs", "tree"},
            "Attraction between particles. none: no attraction; all-pairs: each by each (exact, N^2); tree: "
            "distant groups as one body (N log N).");

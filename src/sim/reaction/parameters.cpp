@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <span>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -46,8 +48,24 @@ ReactionParameters::ReactionParameters() {
   display.map = "viridis";
 }
 
+/// Since version 2, a scene that gives no equations and nothing that a preset would replace has the preset
+/// "brusselator".
+void ReactionParameters::useStandardPreset(scene::Fields& f) {
+  if (f.version() == 1 || !species.empty()) return;
+  for (const char* key : {"spacing", "dt", "method", "steps", "boundary", "parameters", "lets", "show"})
+    if (f.given(key)) return;
+  const std::span<const ReactionPreset> all = reactionPresets();
+  const auto found = std::find_if(all.begin(), all.end(), [](const ReactionPreset& one) {
+    return std::string_view(one.name) == "brusselator";
+  });
+  preset = static_cast<int>(found - all.begin());
+  found->apply(*this);
+}
+
 void ReactionParameters::describe(scene::Fields& f) {
   f.pair("size", size, {4, 32768}, "cells", "Width and height.");
+  f.leftOut("size", "[256,256]; in version 2 a plane has as many cells with the picture's aspect ratio");
+  display.sized = f.given("size");
   f.integer("depth", depth, {1, 32768}, "cells",
             "Layers of a volume, whose y grows upwards; 1: a flat grid, whose y grows downwards.");
   std::vector<const char*> names;
@@ -137,6 +155,7 @@ void ReactionParameters::describe(scene::Fields& f) {
   f.optionalGroup(
       "mesh", mesh,
       "The cells are the vertices of a mesh, in place of a grid: \"spacing\" is their mean distance.");
+  useStandardPreset(f);
   checkSpace(f);
   if (presteps > 0 && readsFields())
     f.error(

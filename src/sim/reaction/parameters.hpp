@@ -1,4 +1,5 @@
 #pragma once
+#include "scene/fitted.hpp"
 #include "scene/value/fields.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/grid/field_display.hpp"
@@ -90,7 +91,7 @@ struct ReactionMesh {
 };
 
 /// Scene parameters of user-defined equations: du/dt = D lap(u) + rate for each species.
-struct ReactionParameters : ObjectParameters, HasColorRange, OwnCells, scene::Covering {
+struct ReactionParameters : ObjectParameters, HasColorRange, OwnCells, scene::Covering, scene::Fitted {
   glm::ivec2 size{256, 256};  ///< Grid size in cells.
   int depth = 1;              ///< Number of layers; more than one makes a volume.
   int preset = -1;
@@ -112,6 +113,9 @@ struct ReactionParameters : ObjectParameters, HasColorRange, OwnCells, scene::Co
 
   ReactionParameters();
   void describe(scene::Fields& fields) override;
+  void fitPicture(glm::ivec2 picture) override {
+    if (space() == RuleSpace::plane) size = display.fittedGrid(size, picture);
+  }
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return display.measuredRanges(); }
   [[nodiscard]] const char* drawnWith() const override {
     return space() == RuleSpace::plane ? "its \"display\"" : nullptr;
@@ -123,6 +127,7 @@ struct ReactionParameters : ObjectParameters, HasColorRange, OwnCells, scene::Co
   [[nodiscard]] std::int64_t leastBlockBytes() const override {
     return space() == RuleSpace::mesh ? 0 : std::int64_t{4} * size.x * size.y * depth;
   }
+  void useStandardPreset(scene::Fields& fields);
   /// Returns true if a parameter takes its values from another object's field.
   [[nodiscard]] bool readsFields() const;
   /// Returns true if fields of `other` can be read cell by cell: `other` has the same mesh, or is a volume

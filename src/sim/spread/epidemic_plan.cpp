@@ -24,6 +24,7 @@ void EpidemicParameters::describe(scene::Fields& f) {
   f.choice("mixing", mixing, {"local", "global"},
            "The eight neighbours infect, or eight cells drawn from the whole grid.");
   f.number("infected", infected, {0, 1}, "", "Fraction of the people that is infected at the start.");
+  f.leftOut("infected", "0; in version 2 without strokes 0.0005");
   f.number("immune", immune, {0, 1}, "", "Fraction of the people that is immune at the start.");
   f.asset("population", population, "Picture: the lighter, the more of the cells are inhabited.");
   f.integer("trail", trail, {1, 100000}, "steps",
@@ -45,6 +46,7 @@ void EpidemicParameters::describe(scene::Fields& f) {
             "\"infected\" and \"immune\" are more than all people");
   const bool painted =
       std::any_of(strokes.begin(), strokes.end(), [](const StrokeParameters& s) { return s.value > 0.5; });
+  if (f.version() > 1 && !f.given("infected") && strokes.empty()) infected = 0.0005;
   if (infected == 0 && !painted)
     f.error(f.given("strokes") ? "strokes" : "infected",
             "nobody is ever infected: give \"infected\" above 0, or a stroke of value 1");

@@ -1,4 +1,5 @@
 #pragma once
+#include "scene/fitted.hpp"
 #include "sim/core/carry_over.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/spread/plan.hpp"
@@ -17,7 +18,7 @@ namespace simreel::sim {
 
 /// Parameters of an epidemic of susceptible, infected and recovered people on a grid (Kermack and
 /// McKendrick, 1927, as a cellular automaton).
-struct EpidemicParameters final : ObjectParameters, SpreadParameters {
+struct EpidemicParameters final : ObjectParameters, SpreadParameters, scene::Fitted {
   enum class Mixing { local, global };
   scene::Animated<float> beta = 0.06F;   ///< probability per step that an infected neighbour infects a
                                          ///< susceptible person
@@ -39,6 +40,7 @@ struct EpidemicParameters final : ObjectParameters, SpreadParameters {
   glm::vec3 nobody{0.004F, 0.007F, 0.013F};
 
   void describe(scene::Fields& fields) override;
+  void fitPicture(glm::ivec2 picture) override { size = display.fittedGrid(size, picture); }
   [[nodiscard]] const char* drawnWith() const override { return "its \"colors\""; }
   void ports(Ports& ports) const override;
   [[nodiscard]] std::int64_t leastBlockBytes() const override { return std::int64_t{size.x} * size.y; }

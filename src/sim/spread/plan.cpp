@@ -41,6 +41,8 @@ double valueNoise(double x, double y, std::uint32_t seed) {
 
 void SpreadParameters::describeGrid(scene::Fields& f) {
   f.pair("size", size, {3, 65536}, "cells", "Width and height of the grid.");
+  f.leftOut("size", "[640,360]; in version 2 as many cells with the picture's aspect ratio");
+  display.sized = f.given("size");
   f.choice("border", border, {"torus", "closed"},
            "Cells of opposite borders are neighbours, or nothing lies beyond.");
   f.number("stepsPerSecond", stepsPerSecond, {1e-3, 1e6}, "1/s", "Steps in a second of scene time.");

@@ -63,7 +63,8 @@ void WildfireParameters::describe(scene::Fields& f) {
   f.number("patchSize", patchSize, {1, 1e4}, "cells", "Size of the noise's largest patches.");
   f.idleUnless(patchiness > 0, "patchiness", {"patchSize"}, "fuel with \"patchiness\"");
   f.asset("obstacles", obstacles, "Picture: nothing burns where it is light, as on water.");
-  f.asset("terrain", terrain, "Picture of heights, for the shading and \"slope\"; none: hills of noise.");
+  f.asset("terrain", terrain,
+          "Picture of heights (heightmap), for the shading and \"slope\"; none: hills of noise.");
   f.number("relief", relief, {0, 1e4}, "cells", "Height of white above black in the terrain.");
   f.number("slope", slope, {0, 3}, "",
            "It spreads e^slope times as likely up a slope of 45 degrees, where the terrain rises a cell in "
@@ -101,6 +102,7 @@ void WildfireParameters::describe(scene::Fields& f) {
   f.list("strokes", strokes, "Timed brush strokes.", [](scene::Fields& s, StrokeParameters& stroke) {
     stroke.describe(s, 1, "1 lights fuel; 0 clears it away.");
   });
+  f.leftOut("strokes", "none; in version 2 a fire in the middle");
   f.group("colors", "Linear RGB of the ground.", [&](scene::Fields& c) {
     c.vector("forest", forest, {0, 1}, "", "Much fuel.");
     c.vector("grass", grass, {0, 1}, "", "Little fuel.");
@@ -109,6 +111,9 @@ void WildfireParameters::describe(scene::Fields& f) {
     c.vector("ash", ash, {0, 1}, "", "Burnt ground.");
   });
   describeLook(f);
+  litInMiddle = f.version() > 1 && strokes.empty();
+  if (litInMiddle) strokes.emplace_back();
+  if (litInMiddle) fitPicture(size);
   if (std::none_of(strokes.begin(), strokes.end(), [](const StrokeParameters& s) { return s.value > 0.5; }))
     f.error("strokes", "nothing is ever lit: give a stroke of value 1");
 }

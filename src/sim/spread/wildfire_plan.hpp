@@ -1,4 +1,5 @@
 #pragma once
+#include "scene/fitted.hpp"
 #include "sim/core/carry_over.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/spread/plan.hpp"
@@ -23,7 +24,10 @@ struct Embers {
 };
 
 /// Parameters of a fire that spreads from cell to cell on a map of fuel.
-struct WildfireParameters final : ObjectParameters, SpreadParameters, shader::WildfireConstants {
+struct WildfireParameters final : ObjectParameters,
+                                  SpreadParameters,
+                                  scene::Fitted,
+                                  shader::WildfireConstants {
   std::filesystem::path fuel, obstacles, moistureMap, terrain;
   double fuelLevel = 1;  ///< factor on the fuel, 0 to 1
   double patchiness = 0.5;
@@ -37,6 +41,7 @@ struct WildfireParameters final : ObjectParameters, SpreadParameters, shader::Wi
   scene::Animated<float> windStrength = 0.0F;   ///< natural logarithm of the factor on the spread rate in
                                                 ///< the wind's direction
   std::string windFluid;                        ///< name of the fluid that provides the wind; empty if none
+  bool litInMiddle = false;  ///< true if the scene gives no strokes, so that a fire starts in the middle
   int coolSteps = 240;
   std::optional<Embers> embers;
   glm::vec3 forest{0.012F, 0.055F, 0.018F};
@@ -46,6 +51,10 @@ struct WildfireParameters final : ObjectParameters, SpreadParameters, shader::Wi
   glm::vec3 ash{0.052F, 0.047F, 0.043F};
 
   void describe(scene::Fields& fields) override;
+  void fitPicture(glm::ivec2 picture) override {
+    size = display.fittedGrid(size, picture);
+    if (litInMiddle) strokes.front().from = strokes.front().to = glm::vec3(glm::vec2(size) * 0.5F, 0);
+  }
   [[nodiscard]] const char* drawnWith() const override { return "its \"colors\""; }
   void ports(Ports& ports) const override;
   [[nodiscard]] std::int64_t leastBlockBytes() const override { return std::int64_t{size.x} * size.y; }

@@ -105,7 +105,8 @@ void WaterParameters::describeStart(scene::Fields& f) {
         "a plane with \"deform\" that collides. Beside it the ground has the height \"bed\". The object "
         "draws itself. Ground that rises lifts the water on it.");
     t.asset("image", terrain,
-            "Picture of heights: \"low\" where it is black, \"high\" where white; a PNG may have 16 bits.");
+            "Picture of heights (heightmap): \"low\" where it is black, \"high\" where white; a PNG may "
+            "have 16 bits.");
     t.number("low", terrainLow, heights, "m", "Height where the image is black.");
     t.number("high", terrainHigh, heights, "m", "Height where the image is white.");
     t.integer("smooth", terrainSmooth, {0, 64}, "",

@@ -135,6 +135,20 @@ class Running(GoldenCase):
         self.assertEqual({s["status"] for s in report["scenes"]}, {"updated"})
         self.assertEqual(list(self.folder.rglob("*.part")), [])
 
+    def test_interrupt_of_a_comparison(self):
+        self.make_baselines()
+        kept = {path: path.read_bytes() for path in self.golden().rglob("*") if path.is_file()}
+        for k in range(40):
+            self.write(f"scenes/s{k:02}.json", TESTED)
+        code, messages = self.signal_when(lambda: any((self.folder / "r").rglob("*.png")), "r", signal.SIGINT, "test", "scenes", "--report", "r", "--repeat", "1")
+        self.assertEqual(code, 130, messages)
+        self.assertRegex(messages, r"interrupted after \d+ of \d+ scenes")
+        report = json.loads((self.folder / "r/report.json").read_text(encoding="utf-8"))
+        self.assertLess(0, len(report["scenes"]))
+        self.assertLess(len(report["scenes"]), 41)
+        self.assertEqual({path: path.read_bytes() for path in self.golden().rglob("*") if path.is_file()}, kept)
+        self.assertEqual(list(self.folder.rglob("*.part")), [])
+
 
 class Outputs(GoldenCase):
     def test_report_folder(self):

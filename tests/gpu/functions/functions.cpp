@@ -67,6 +67,12 @@ struct Penumbras {
 #include "gpu/functions/sun_disc.glsl"
 };
 #undef discPoints
+#define EXACT_PICTURE
+struct Overlays {
+#include "glsl/draw/surface/overlay.glsl"
+#include "gpu/functions/overlay.glsl"
+};
+#undef EXACT_PICTURE
 struct Pairs {
 #include "gpu/functions/contact.glsl"
 };
@@ -125,6 +131,10 @@ TEST_CASE("functions: cloth steps, constraint lines and thin colliders on the GP
 
 TEST_CASE("functions: particle births and force fields on the GPU equal C++") {
   checkAll<Crowds>("particles.glsl");
+}
+
+TEST_CASE("functions: the colours of overlays on the GPU equal C++") {
+  checkAll<Overlays>("overlay.glsl", "#define EXACT_PICTURE\n#include \"draw/surface/overlay.glsl\"\n");
 }
 
 TEST_CASE("functions: the penumbra of the sun's disc on the GPU equals C++") {

@@ -1,6 +1,6 @@
 // Shades mesh copies tile by tile. Each triangle in a pixel is shaded once: at the pixel's centre if the triangle
 // covers it, else at the first sample that shows the triangle. Defines: SAMPLES, SHADOW (with SHADOW_TAPS), OCCLUSION,
-// REFLECTED, RAYS, and the defines of draw/surface/lighting.glsl.
+// REFLECTED, RAYS, EDGES (draws the edges of triangles), and the defines of draw/surface/lighting.glsl.
 #define EXACT_PICTURE
 #include "common/once.glsl"
 #include "draw/exact/tiles/lit_tile.glsl"
@@ -66,6 +66,11 @@ vec4 lightOf(ivec2 pixel, uint number, int sampleAt) {
   precise vec3 towards = -directionOf(ray);
   vec3 tint = tintOf(texelFetch(positions, slot), texelFetch(velocities, slot));
   Look look = Look(tint, material_.x, material_.y, material_.z, opennessOn(pixel, p));
+#ifdef EDGES
+  precise vec2 across = place + vec2(1, 0);
+  precise vec2 up = place + vec2(0, -1);
+  look.base = edgedColor(look.base, w, ofSumOne(weightsAround(a, b, c, across)), ofSumOne(weightsAround(a, b, c, up)));
+#endif
 #ifdef REFLECTED
   facing_ = normal;
   for (int i = 0; i < 2; ++i) {

@@ -2,8 +2,8 @@
 // covers it, else at the first sample that shows the triangle. JOINED: shades several surfaces without textures.
 // Defines: SAMPLES; SHADOW (with SHADOW_TAPS), OCCLUSION, REFLECTED, RAYS, PALETTE, VERTEX_COLORS, DOUBLE_SIDED;
 // TEXTURED (BUMPED) or SKIN (with a LOOK_ define of draw/surface/skin_look.glsl), by uv of a GRID or a mesh, or
-// TRIPLANAR; maps (surface_maps.glsl), EMISSION, COAT, SHEEN; BLENDED (a blended layer); and the defines of
-// draw/surface/lighting.glsl.
+// TRIPLANAR; EDGES (draws the edges of triangles); maps (surface_maps.glsl), EMISSION, COAT, SHEEN; BLENDED (a blended layer); and the defines of
+// draw/surface/lighting.glsl. BY_UV: SHOWN has a value that is computed from texture coordinates.
 #define EXACT_PICTURE
 #include "common/once.glsl"
 #ifdef JOINED
@@ -26,6 +26,12 @@ float sheenRoughness_ = once(sheenRoughness);
 #include "draw/surface/lighting.glsl"
 #if defined BASE_MAP || defined NORMAL_MAP || defined METAL_ROUGH_MAP || defined OCCLUSION_MAP || defined EMISSION_MAP
 #define MAPPED
+#endif
+#ifdef BY_UV
+#include "draw/surface/footprint.glsl"
+#include "draw/exact/surface/surface_uv.glsl"
+uniform vec2 textureScale;  // 0: the surface has no texture coordinates
+vec2 textureScale_ = once(textureScale);
 #endif
 #if defined TEXTURED || defined SKIN || defined MAPPED
 #include "draw/exact/surface/surface_seen.glsl"
@@ -128,6 +134,17 @@ vec4 lightOf(ivec2 pixel, uint triangle, int sampleAt) {
   const float fraction = 1.0f;
 #endif
   Look look = Look(base, material_.x, material_.y, material_.z, opennessOn(pixel, spot.place));
+#ifdef EDGES
+  look.base = edgedColor(look.base, spot.weight, weightsBeside(spot, vec2(1, 0)), weightsBeside(spot, vec2(0, -1)));
+#endif
+#ifdef BY_UV
+  Seen seen = seenByUv(spot, textureScale_);
+#if SHOWN == 3
+  return vec4(seen.at, 0.0f, 1.0f);
+#else
+  look.base = textureScale_.x > 0.0f ? checkerColor(seen.at, seen.across, seen.up) : vec3(0.2f);
+#endif
+#endif
 #ifdef METAL_ROUGH_MAP
   vec4 made = mapOn(seen, metalRoughMap_);
   precise float rough = look.roughness * made.g;

@@ -58,7 +58,7 @@ vec4 lightGround(ivec2 pixel, int samples) {
 #endif
 #ifdef SHOWN
   float there = groundLight(p, unitOf(towards), fraction, 1.0f).a;
-  precise vec3 value = (SHOWN == 1 ? vec3(0, 1, 0) : frame.groundColor.rgb) * there;
+  precise vec3 value = (SHOWN == 1 ? vec3(0, 1, 0) : SHOWN == 2 ? frame.groundColor.rgb : vec3(0)) * there;
   return vec4(value, there);
 #endif
   return groundLight(p, unitOf(towards), fraction, opennessOn(pixel, p));

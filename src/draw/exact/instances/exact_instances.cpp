@@ -31,7 +31,10 @@ struct ShadeBalls {
 
 struct ShadeCopies {
   static constexpr auto file = "draw/exact/copies/shade_copies.comp";
-  using Variant = InstanceVariant;
+  struct Variant {
+    InstanceVariant instance;
+    gl::Flag<"EDGES"> edges;
+  };
   TileFields tile;
   SceneLight light;
   CopySource source;
@@ -181,7 +184,9 @@ void ExactInstances::shade(const ShadedTiles& tiles, int firstThing, const Scene
   for (std::size_t i = 0; i < copies_.size(); ++i) {
     const sim::Instances& copies = *copies_[i].instances;
     if (!shades(copies)) continue;
-    tiles.shade(firstThing + static_cast<int>(balls_.size() + i), copyShading_.of(variant(copies)),
+    tiles.shade(firstThing + static_cast<int>(balls_.size() + i),
+                copyShading_.of({.instance = variant(copies),
+                                 .edges = shown_ == shownOverlay(scene::Overlay::wireframe)}),
                 ShadeCopies{.tile = {},
                             .light = light,
                             .source = copyRaster_.source(copies_[i], copyIds_[i]),

@@ -1,6 +1,7 @@
 #include "base/log.hpp"
 #include "draw/exact/bindings.hpp"
 #include "draw/exact/scene/exact_frame.hpp"
+#include "draw/exact/scene/overlaid_things.hpp"
 #include "draw/frame_values.hpp"
 
 #include <array>
@@ -28,6 +29,7 @@ class ThingsPass final : public FramePass {
     if (f.lamps.on()) f.lamps.update(f.moment.seconds, *f.moment.drawables);
     f.drawables = f.lamps.on() ? f.lamps.withGlows(*f.moment.drawables) : *f.moment.drawables;
     sayFinishes();
+    overlaid_.apply(f.scene, f.drawables);
     f.apart.extractFrom(f.drawables.surfaces);
     if (f.apart.anyBlended()) beginLayers();
     f.seen = viewAt(f.scene.camera, f.moment.seconds, f.size, f.drawables, groundSeen(f.scene));
@@ -61,6 +63,7 @@ class ThingsPass final : public FramePass {
              objectName(surface));
   }
 
+  OverlaidThings overlaid_;
   std::set<std::string> said_;  ///< names of objects with an earlier warning
 };
 

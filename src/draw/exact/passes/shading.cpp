@@ -38,7 +38,9 @@ class SurfacesPass final : public FramePass {
  public:
   using FramePass::FramePass;
   void run() override {
+    if (f.scene.render.overlay != scene::Overlay::none) f.selectLayer(shownOverlay(f.scene.render.overlay));
     f.shadeThings(f.light);
+    f.selectLayer(0);
     if (f.ground) {
       ShadeGround::Variant ground{.shade = f.lit().shade, .shadowed = false};
       ground.shade.groundReflective = isReflective(*f.scene.ground);

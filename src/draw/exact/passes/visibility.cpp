@@ -42,10 +42,11 @@ class VisibilityPass final : public FramePass {
   /// Other surfaces are shaded one by one.
   void gather() {
     const std::span<const TriangleRaster::Drawn> drawn = f.triangles.drawn();
+    const bool joins = f.joins && !f.showsUv();
     f.gathered.clear();
     bool before = false;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
-      const bool plain = f.joins && SurfaceShading::isPlain(*drawn[i].surface, f.skins);
+      const bool plain = joins && SurfaceShading::isPlain(*drawn[i].surface, f.skins);
       if (plain && before)
         f.gathered.back() = drawn.subspan(i - f.gathered.back().size(), f.gathered.back().size() + 1);
       else

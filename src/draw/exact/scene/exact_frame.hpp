@@ -16,6 +16,7 @@
 #include "draw/lens.hpp"
 #include "draw/surface/shadow_pass.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <vector>
@@ -46,6 +47,12 @@ struct ExactFrame {
   /// outputs and most layers show only the first view of a picture. Light and object coverage are means
   /// over all views.
   [[nodiscard]] PassPicture* kept() const { return number == 0 ? passes : nullptr; }
+  /// True if the picture or a requested layer shows texture coordinates.
+  [[nodiscard]] bool showsUv() const {
+    return scene.render.overlay == scene::Overlay::uv ||
+           (wanted &&
+            std::find(wanted->layers.begin(), wanted->layers.end(), Layer::uv) != wanted->layers.end());
+  }
   [[nodiscard]] bool keepsLayers() const { return wanted && number == 0; }
   /// Returns the distance (m) from the camera to its target.
   [[nodiscard]] float away() const;

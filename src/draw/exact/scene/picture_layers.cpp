@@ -21,14 +21,15 @@ constexpr unsigned farthestKey = 0x7fffffffU;   // key of an empty sample, as ne
 }  // namespace
 
 void PictureLayers::keepShown(Layer layer, std::span<const float> sums) {
-  std::vector<float>& into = layer == Layer::normal ? normal : albedo;
-  into.assign(sums.size() / 4 * 3, 0.0F);
+  std::vector<float>& into = layer == Layer::normal ? normal : layer == Layer::albedo ? albedo : uv;
+  const int channels = layer == Layer::uv ? 2 : 3;
+  into.assign(sums.size() / 4 * static_cast<std::size_t>(channels), 0.0F);
   for (std::size_t pixel = 0; 4 * pixel < sums.size(); ++pixel) {
     const glm::vec3 sum(sums[4 * pixel], sums[4 * pixel + 1], sums[4 * pixel + 2]);
     const float there = layer == Layer::normal ? std::sqrt(sum.x * sum.x + sum.y * sum.y + sum.z * sum.z)
                                                : sums[4 * pixel + 3];
-    for (int i = 0; i < 3 && there > 1e-4F; ++i)
-      into[3 * pixel + static_cast<std::size_t>(i)] = sum[i] / there;
+    for (int i = 0; i < channels && there > 1e-4F; ++i)
+      into[static_cast<std::size_t>(channels) * pixel + static_cast<std::size_t>(i)] = sum[i] / there;
   }
 }
 

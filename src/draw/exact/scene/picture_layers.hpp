@@ -20,12 +20,12 @@ class Velocities;
 namespace simreel::draw {
 
 /// Layers of a picture: information per pixel besides colour. layerNames holds their names.
-enum class Layer { depth, position, object, normal, albedo, velocity, vector, primitive };
-inline constexpr std::array<const char*, 8> layerNames = {"depth",  "position", "object", "normal",
-                                                          "albedo", "velocity", "vector", "primitive"};
+enum class Layer { depth, position, object, normal, albedo, velocity, vector, primitive, uv };
+inline constexpr std::array<const char*, 9> layerNames = {
+    "depth", "position", "object", "normal", "albedo", "velocity", "vector", "primitive", "uv"};
 /// Layers that shading kernels compute instead of light, in the order of SHOWN in
-/// glsl/draw/surface/lighting.glsl.
-inline constexpr std::array<Layer, 2> shownLayers = {Layer::normal, Layer::albedo};
+/// glsl/draw/surface/overlay.glsl.
+inline constexpr std::array<Layer, 3> shownLayers = {Layer::normal, Layer::albedo, Layer::uv};
 
 /// Selection of the data that is stored for each picture besides its bytes.
 struct LightRequest {
@@ -62,6 +62,7 @@ struct PictureLayers {
                                 ///< elsewhere
   std::vector<float> albedo;    ///< three per pixel: linear RGB albedo, mean over opaque surfaces; 0
                                 ///< elsewhere
+  std::vector<float> uv;  ///< two per pixel: texture coordinates, mean over opaque surfaces; 0 elsewhere
   /// Three per pixel: world velocity (m/s) of the nearest surface, independent of the camera. Surfaces have
   /// the mean velocity since the previous frame; instances have their current velocity. The velocity is 0
   /// for static surfaces, before the first step, and for surfaces whose mesh is rebuilt in each frame.
@@ -79,8 +80,8 @@ struct PictureLayers {
                   ///< first, and any area that they do not cover is empty
   std::vector<Share> shares;
 
-  /// Sets the layer `normal` or `albedo` from sums over the samples of a pixel: RGBA, where alpha is the
-  /// coverage.
+  /// Sets the layer `normal`, `albedo` or `uv` from sums over the samples of a pixel: RGBA, where alpha is
+  /// the coverage.
   void keepShown(Layer layer, std::span<const float> sums);
 };
 

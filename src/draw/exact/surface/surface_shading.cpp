@@ -38,6 +38,8 @@ struct SurfaceVariant {
   gl::Flag<"LOOK_SPOTS"> spots;
   gl::Flag<"LOOK_CRACKS"> cracks;
   gl::Flag<"LOOK_MAP"> map;
+  gl::Flag<"EDGES"> edges = {};
+  gl::Flag<"BY_UV"> byUv = {};
 };
 
 /// Uniforms, buffers and textures that draw/exact/surface/surface_seen.glsl declares.
@@ -152,6 +154,15 @@ SurfaceVariant variantOf(const sim::Surface& surface, bool skin) {
       .map = looks(scene::Skin::Look::map)};
 }
 
+/// Returns the variant that shows texture coordinates.
+SurfaceVariant uvVariant(const sim::Surface& surface) {
+  SurfaceVariant variant{};
+  variant.counted = surface.arguments != nullptr;
+  variant.grid = surface.normals == nullptr;
+  variant.byUv = true;
+  return variant;
+}
+
 VertexUv uvOf(const sim::Surface& surface) {
   VertexUv uv{.grid = surface.grid, .perGrid = {}, .perRow = {}, .uvs = orNone(surface.uvs)};
   if (surface.normals != nullptr) return uv;
@@ -209,6 +220,7 @@ void SurfaceShading::shade(const TriangleRaster& raster, const TriangleRaster::D
   const bool smooth = mirrorsScene(surface, skins);
   if (shown_ == shownReflections && !smooth) return;
   const SkinTextures::Entry* skin = material.skin ? skins.find(*material.skin) : nullptr;
+  const bool byUv = shown_ == shownUv || shown_ == shownOverlay(scene::Overlay::uv);
   ShadeSurface given{.light = light,
                      .triangles = raster.source(drawn),
                      .firstId = drawn.firstId,
@@ -221,13 +233,20 @@ void SurfaceShading::shade(const TriangleRaster& raster, const TriangleRaster::D
     given.owner = owner_(material);
     given.clear = !material.skin && material.finish.transmission > 0;
   }
+  if (byUv) {
+    const bool has = surface.normals == nullptr || surface.uvs != nullptr;
+    given.seen = seenOf(surface, glm::vec2(has ? 1 : 0));
+    return tiles.shade(thing, kernel(uvVariant(surface), smooth), given);
+  }
   if (skin != nullptr)
     laySkin(surface, *skin, given);
   else if (material.finish.used())
     layFinish(surface, given);
   else if (const TexelLists::List* albedo = textures_.load(material.texture))
     layTexture(surface, *albedo, given);
-  tiles.shade(thing, kernel(variantOf(surface, skin != nullptr), smooth), given);
+  SurfaceVariant variant = variantOf(surface, skin != nullptr);
+  variant.edges = shown_ == shownOverlay(scene::Overlay::wireframe);
+  tiles.shade(thing, kernel(variant, smooth), given);
 }
 
 bool SurfaceShading::mirrorsScene(const sim::Surface& surface, const SkinTextures& skins) {
@@ -263,6 +282,7 @@ void SurfaceShading::shadeJoined(const JoinedSurfaces& joined, const TriangleRas
     triangles += one.maxTriangles;
   }
   all.joined = true;
+  all.edges = shown_ == shownOverlay(scene::Overlay::wireframe);
   ShadeSurface given{.light = light,
                      .triangles = raster.wholeSource(),
                      .firstId = drawn.front().firstId,

@@ -1,0 +1,97 @@
+#include "draw/screen/panels.hpp"
+
+#include "draw/screen/drawn_scene.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+namespace simreel::draw {
+
+namespace {
+
+/// Returns the drawables of the objects that a panel shows.
+sim::Drawables shownOn(const scene::Panel& panel, const sim::Drawables& drawables) {
+  sim::Drawables shown = drawables;
+  if (panel.objects.empty()) return shown;
+  const auto hides = [&](const std::string* object) {
+    return object == nullptr || std::none_of(panel.objects.begin(), panel.objects.end(),
+                                             [&](const auto& one) { return one.name == *object; });
+  };
+  std::erase_if(shown.surfaces, [&](const sim::Surface& one) { return hides(one.object); });
+  std::erase_if(shown.instances, [&](const sim::Instances& one) { return hides(one.object); });
+  shown.charts.clear();
+  std::erase_if(shown.writings, [&](const sim::Writing& one) { return hides(one.object); });
+  // A field that is hidden may still be the texture of a surface.
+  for (sim::Field& field : shown.fields)
+    if (hides(field.name)) field.display = nullptr;
+  return shown;
+}
+
+std::unique_ptr<scene::Scene> sceneOf(const scene::Panel& panel, const scene::Scene& scene,
+                                      glm::ivec2 size) {
+  std::unique_ptr<scene::Scene> shown = copyForDrawing(scene);
+  shown->render.size = size;
+  shown->render.overlay = panel.overlay.value_or(scene.render.overlay);
+  shown->camera = scene::cameraOf(panel, scene.camera);
+  return shown;
+}
+
+}  // namespace
+
+Panels::Panels(const scene::Scene& scene, glm::ivec2 size, int samples, const RendererOptions& options)
+    : grid_(scene::panelGrid(size, scene.panels.size())), picture_(size), writings_(size) {
+  views_.reserve(scene.panels.size());
+  for (const scene::Panel& panel : scene.panels) {
+    std::unique_ptr<scene::Scene> shown = sceneOf(panel, scene, grid_.cell);
+    SingleView renderer(*shown, grid_.cell, samples, options);
+    views_.push_back({std::move(shown), &panel, std::move(renderer)});
+  }
+}
+
+void Panels::draw(double seconds, const sim::Drawables& drawables, const StageWatch& watch) {
+  constexpr std::array<GLubyte, 4> between = {24, 24, 26, 255};
+  glClearTexImage(picture_.color.name(), 0, GL_RGBA, GL_UNSIGNED_BYTE, between.data());
+  for (std::size_t i = 0; i < views_.size(); ++i) {
+    View& view = views_[i];
+    view.renderer.draw(seconds, shownOn(*view.panel, drawables), watch);
+    const glm::ivec2 corner = grid_.corner(i);
+    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+    glCopyImageSubData(view.renderer.picture().color.name(), GL_TEXTURE_2D, 0, 0, 0, 0,
+                       picture_.color.name(), GL_TEXTURE_2D, 0, corner.x, corner.y, 0, grid_.cell.x,
+                       grid_.cell.y, 1);
+  }
+  caption();
+  glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+void Panels::caption() {
+  const glm::vec2 size(picture_.color.width(), picture_.color.height());
+  const float capital =
+      std::clamp(0.024F * static_cast<float>(std::min(grid_.cell.x, grid_.cell.y)), 7.0F, 40.0F);
+  sim::Drawables captions;
+  for (std::size_t i = 0; i < views_.size(); ++i) {
+    const std::string& text = views_[i].panel->caption;
+    if (text.empty()) continue;
+    sim::Writing writing;
+    writing.outlines = &words_.of(text).outlines;
+    writing.place = (glm::vec2(grid_.corner(i)) + glm::vec2(1.6F, 2.4F) * capital) / size;
+    writing.height = capital / size.y;
+    writing.color = glm::vec3(0.9F);
+    writing.backdrop = 0.55F;
+    captions.writings.push_back(writing);
+  }
+  writings_.draw(captions, picture_.color);
+}
+
+void Panels::keepBefore(const sim::Drawables& before) {
+  for (View& view : views_) view.renderer.keepBefore(shownOn(*view.panel, before));
+}
+
+bool Panels::hearsBefore() const {
+  return std::any_of(views_.begin(), views_.end(),
+                     [](const View& view) { return view.renderer.hearsBefore(); });
+}
+
+}  // namespace simreel::draw
