@@ -35,6 +35,9 @@ class SIMREEL_API Device {
   [[nodiscard]] std::string name() const;    ///< GL_RENDERER
   [[nodiscard]] std::string driver() const;  ///< GL_VERSION
   [[nodiscard]] bool isSoftware() const;     ///< true if the CPU draws
+  /// Returns why state arrays reach other libraries only through CPU memory (Scene::readOnDevice); empty if
+  /// they stay on the card.
+  [[nodiscard]] std::string whyThroughHost() const;
   /// Ends the running call at its next frame with Error(interrupted). The scene can be used further.
   void interrupt();
   /// Sets a function that a waiting call runs about ten times a second on its own thread; if it returns

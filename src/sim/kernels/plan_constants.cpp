@@ -88,6 +88,10 @@ void KernelPlan::holdConstants() {
           mistake({"constants", slot.path},
                   fmt::format("{} is a {}: expected {} number(s), found {}", scene::inQuotes(slot.path),
                               slot.type, slot.offsets.size(), width));
+        for (const PlannedNumber& part : found->second.parts)
+          if (const std::string problem = whyTooLarge(slot, part.number);
+              part.expression == nullptr && !problem.empty())
+            mistake({"constants", slot.path}, problem);
       }
     }
 }
