@@ -29,9 +29,11 @@ from ._sweep import Sweep, program, sweep
 
 if TYPE_CHECKING:
     from ._types import SceneDict
+else:
+    SceneDict = dict
 
 __version__: str = _native.version()
-__all__ = ["Error", "Export", "Frame", "Image", "Mistake", "Object", "Scene", "Sweep", "Video", "View", "Warning", "device", "load",
+__all__ = ["Error", "Export", "Frame", "Image", "Mistake", "Object", "Scene", "SceneDict", "Sweep", "Video", "View", "Warning", "device", "load",
            "program", "schema", "sweep"]
 
 _native.prepare()  # the driver's environment variables, before other threads start
