@@ -2,6 +2,7 @@
 
 #include "api/failure.hpp"
 
+#include <bit>
 #include <dlfcn.h>
 #include <utility>
 
@@ -154,7 +155,7 @@ std::shared_ptr<void> Cuda::copyOf(const gl::Buffer& buffer, std::size_t offset,
   std::size_t mapped = 0;
   require(f.pointer(&from, &mapped, resource), "an OpenGL buffer has no address");
   require(f.allocate(&memory, bytes), "a copy of a state array does not fit on the card");
-  std::shared_ptr<void> held(reinterpret_cast<void*>(memory),
+  std::shared_ptr<void> held(std::bit_cast<void*>(static_cast<std::uintptr_t>(memory)),
                              [owner = shared_from_this(), memory](void*) { owner->free(memory); });
   require(f.copy(memory, from, bytes), "a state array cannot be copied on the card");
   require(f.synchronize(), "a state array cannot be copied on the card");
